@@ -1,0 +1,44 @@
+#include "cases/case.h"
+
+#include "cases/error.h"
+
+namespace rastercheck {
+
+std::string to_string(const Error& error) {
+  std::string line;
+  for (const std::string* part : {&error.file, &error.place, &error.reason}) {
+    if (part->empty()) continue;
+    if (!line.empty()) line += ": ";
+    line += *part;
+  }
+  return line;
+}
+
+namespace cases {
+
+std::span<const float> Case::attributes_of(std::size_t vertex) const {
+  return std::span(attribute_values).subspan(vertex * attributes.size(), attributes.size());
+}
+
+std::span<const float> Case::clip_distances_of(std::size_t vertex) const {
+  return std::span(clip_distances).subspan(vertex * clip_distance_count, clip_distance_count);
+}
+
+TieRule default_fill_rule(Rules rules) {
+  return rules == Rules::opengl ? TieRule::bottom_left : TieRule::top_left;
+}
+
+Basis default_basis(Rules rules) {
+  return rules == Rules::d3d ? Basis::snapped : Basis::ideal;
+}
+
+Contract contract_of(const Case& c) {
+  Contract contract;
+  contract.coverage = c.coverage;
+  contract.basis = c.coverage ? c.basis : Basis::ideal;
+  contract.tie_rule = c.fill_rule;
+  return contract;
+}
+
+}  // namespace cases
+}  // namespace rastercheck

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "cases/case.h"
+#include "cases/error.h"
+
+namespace rastercheck::cases {
+
+/// Reads a case file (CONTRACT, version 1; docs/case-format.md): everything that it accepts can be
+/// drawn, and nothing in it was rounded, defaulted by guess, or ignored. `file` names the source in
+/// errors.
+Result<Case> parse_case(std::string_view text, const std::string& file);
+
+/// The same from a file, or from standard input for "-".
+Result<Case> read_case(const std::string& file);
+
+}  // namespace rastercheck::cases

@@ -1,0 +1,123 @@
+#include "cases/case_writer.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "cases/float_text.h"
+#include "cases/names.h"
+
+namespace rastercheck::cases {
+namespace {
+
+std::string json_text(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string number(float value) { return "\"" + to_hex(value) + "\""; }
+
+template <typename Enum>
+std::string word(Enum value) {
+  return json_text(name_of(value));
+}
+
+template <typename Range>
+std::string list(const Range& values) {
+  std::string text = "[";
+  for (const float value : values) {
+    if (text.size() > 1) text += ", ";
+    text += number(value);
+  }
+  return text + "]";
+}
+
+/// The elements of an array, each on a line of its own.
+std::string lines(const std::vector<std::string>& elements) {
+  return elements.empty() ? "[]" : fmt::format("[\n    {}\n  ]", fmt::join(elements, ",\n    "));
+}
+
+std::string coverage_text(const Coverage& coverage) {
+  if (!coverage) return "\"exact\"";
+  std::string text = fmt::format(R"({{"subpixel_bits": {}, "rounding": {})", coverage->subpixel_bits,
+                                 word(coverage->rounding));
+  if (coverage->position_error != 0) {
+    text += fmt::format(R"(, "position_error": {})", number(coverage->position_error));
+  }
+  return text + "}";
+}
+
+std::string vertex_text(const Case& c, std::size_t vertex) {
+  const ClipVertex& p = c.positions[vertex];
+  std::string text =
+      fmt::format(R"({{"position": {})", list(std::array{p.x, p.y, p.z, p.w}));
+  if (!c.attributes.empty()) {
+    text += fmt::format(R"(, "attributes": {})", list(c.attributes_of(vertex)));
+  }
+  if (c.clip_distance_count > 0) {
+    text += fmt::format(R"(, "clip_distances": {})", list(c.clip_distances_of(vertex)));
+  }
+  return text + "}";
+}
+
+}  // namespace
+
+std::string to_json(const Case& c) {
+  std::vector<std::string> members;
+  const auto add = [&members](std::string_view key, const std::string& value) {
+    members.push_back(fmt::format("  \"{}\": {}", key, value));
+  };
+  add("format", "\"rastercheck-case\"");
+  add("version", "1");
+  add("name", json_text(c.name));
+  add("framebuffer", fmt::format(R"({{"width": {}, "height": {}, "samples": {}}})",
+                                 c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples));
+  const Viewport& v = c.viewport;
+  add("viewport",
+      fmt::format(R"({{"x": {}, "y": {}, "width": {}, "height": {}, "min_depth": {}, )"
+                  R"("max_depth": {}}})",
+                  number(v.x), number(v.y), number(v.width), number(v.height), number(v.min_depth),
+                  number(v.max_depth)));
+  add("rules", word(c.rules));
+  add("coverage", coverage_text(c.coverage));
+  if (c.basis != default_basis(c.rules)) add("basis", word(c.basis));
+  if (c.fill_rule != default_fill_rule(c.rules)) add("fill_rule", word(c.fill_rule));
+  add("cull", word(c.cull));
+  add("front_face", word(c.front_face));
+  if (c.scissor) {
+    add("scissor", fmt::format(R"({{"x": {}, "y": {}, "width": {}, "height": {}}})", c.scissor->x,
+                               c.scissor->y, c.scissor->width, c.scissor->height));
+  }
+  if (c.depth_test != DepthTest::none) add("depth_test", word(c.depth_test));
+  if (c.depth_clamp) add("depth_clamp", "true");
+
+  std::vector<std::string> attributes;
+  for (const Attribute& a : c.attributes) {
+    attributes.push_back(fmt::format(R"({{"name": {}, "interpolation": {}, "location": {}}})",
+                                     json_text(a.name), word(a.interpolation), word(a.location)));
+  }
+  if (!attributes.empty()) add("attributes", lines(attributes));
+  if (c.camera) {
+    add("camera", fmt::format(R"({{"model": {}, "view": {}, "projection": {}}})",
+                              list(c.camera->model), list(c.camera->view),
+                              list(c.camera->projection)));
+  }
+
+  std::vector<std::string> vertices;
+  for (std::size_t i = 0; i < c.positions.size(); ++i) vertices.push_back(vertex_text(c, i));
+  add("vertices", lines(vertices));
+  std::vector<std::string> triangles;
+  for (const Triangle& t : c.triangles) {
+    triangles.push_back(fmt::format("[{}, {}, {}]", t[0], t[1], t[2]));
+  }
+  add("triangles", lines(triangles));
+  if (c.found) {
+    add("found", fmt::format(R"({{"law": {}, "backend": {}, "verdict": {}, "seed": {}, )"
+                             R"("index": {}}})",
+                             json_text(c.found->law), json_text(c.found->backend),
+                             json_text(c.found->verdict), c.found->seed, c.found->index));
+  }
+  return fmt::format("{{\n{}\n}}\n", fmt::join(members, ",\n"));
+}
+
+}  // namespace rastercheck::cases

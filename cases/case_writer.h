@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "cases/case.h"
+
+namespace rastercheck::cases {
+
+/// A case as the text of a case file; reading it back gives the same Case, bit for bit. Floats are
+/// hex floats, keys at their default are left out, every vertex and triangle has a line of its own.
+std::string to_json(const Case& c);
+
+}  // namespace rastercheck::cases

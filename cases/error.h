@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+
+namespace rastercheck {
+
+/// Why an input was refused. Errors are values throughout RasterCheck; no library throws across a
+/// folder, prints, or exits.
+struct Error {
+  /// The file as the user named it; "-" for standard input; empty where there is none.
+  std::string file;
+  /// Where in the file: a JSON pointer ("/vertices/0/position/2", "/" for the whole document) or
+  /// "line:column" for syntax errors; empty where the whole file is meant.
+  std::string place;
+  /// What is wrong there, as one line in plain words.
+  std::string reason;
+};
+
+/// "file: place: reason" on one line, without the parts that are empty.
+std::string to_string(const Error& error);
+
+template <typename T>
+using Result = tl::expected<T, Error>;
+
+}  // namespace rastercheck

@@ -1,0 +1,194 @@
+#include "cases/json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+namespace rastercheck::cases {
+namespace {
+
+using nlohmann::json;
+
+/// Where byte `offset` (1-based, as nlohmann counts) lies, as "line:column" counted from 1.
+std::string line_and_column(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, std::min(offset > 0 ? offset - 1 : 0, text.size()));
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t line_start = before.rfind('\n');
+  const std::size_t column =
+      line_start == std::string_view::npos ? before.size() + 1 : before.size() - line_start;
+  return fmt::format("{}:{}", line, column);
+}
+
+/// Builds the document from SAX events, so that what a DOM parser drops (the sign of "-0", all but
+/// the last of duplicate keys) can be kept or refused.
+class DocumentBuilder : public nlohmann::json_sax<json> {
+ public:
+  DocumentBuilder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  // nlohmann reports every number without a minus sign as unsigned: a signed zero was "-0".
+  bool number_integer(number_integer_t value) override {
+    return value == 0 ? add(-0.0) : add(value);
+  }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t& /*text*/) override { return add(value); }
+  bool string(string_t& value) override { return add(std::move(value)); }
+  bool binary(binary_t& /*value*/) override { return false; }  // not in JSON text
+  bool start_object(std::size_t /*size*/) override { return open(json::object()); }
+  bool start_array(std::size_t /*size*/) override { return open(json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(string_t& value) override {
+    key_ = std::move(value);
+    if (!open_.back()->contains(key_)) return true;
+    return refuse(child_pointer(pointer(), key_), fmt::format("duplicate key '{}'", printable(key_)));
+  }
+
+  bool parse_error(std::size_t position, const std::string& /*last_token*/,
+                   const nlohmann::detail::exception& problem) override {
+    return refuse(line_and_column(text_, position), one_line(problem.what()));
+  }
+
+  json document;
+  std::optional<Error> error;
+
+ private:
+  bool refuse(std::string place, std::string reason) {
+    error = Error{file_, std::move(place), std::move(reason)};
+    return false;
+  }
+
+  /// nlohmann's "[json.exception.parse_error.101] parse error at line 1, column 2: …" without the
+  /// parts that the place already says.
+  static std::string one_line(std::string_view message) {
+    const std::size_t end_of_id = message.find("] ");
+    if (end_of_id != std::string_view::npos) message.remove_prefix(end_of_id + 2);
+    if (message.starts_with("parse error")) {
+      const std::size_t colon = message.find(": ");
+      if (colon != std::string_view::npos) message.remove_prefix(colon + 2);
+    }
+    return "not valid JSON: " + printable(message);
+  }
+
+  std::string pointer() const {
+    std::string place;
+    for (std::size_t i = 1; i < open_.size(); ++i) place = child_pointer(place, steps_[i]);
+    return place;
+  }
+
+  /// The key or index that the next value will have in the container that is open.
+  std::string next_step() const {
+    if (open_.empty()) return "";
+    return open_.back()->is_object() ? key_ : std::to_string(open_.back()->size());
+  }
+
+  template <typename Value>
+  bool add(Value&& value) {
+    place(std::forward<Value>(value));
+    return true;
+  }
+
+  json* place(json value) {
+    if (open_.empty()) {
+      document = std::move(value);
+      return &document;
+    }
+    if (open_.back()->is_array()) {
+      open_.back()->push_back(std::move(value));
+      return &open_.back()->back();
+    }
+    return &((*open_.back())[key_] = std::move(value));
+  }
+
+  bool open(json container) {
+    if (open_.size() == kMaxJsonDepth) {
+      return refuse(child_pointer(pointer(), next_step()),
+                    fmt::format("nested deeper than {} levels", kMaxJsonDepth));
+    }
+    steps_.push_back(next_step());
+    open_.push_back(place(std::move(container)));
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    steps_.pop_back();
+    return true;
+  }
+
+  std::string_view text_;
+  const std::string& file_;
+  /// The containers not yet closed, outermost first. Pointers stay valid: a container is only
+  /// appended to while it is the innermost.
+  std::vector<json*> open_;
+  std::vector<std::string> steps_;  ///< key or index of each open container in its parent
+  std::string key_;
+};
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  // What is at both ends tells most; a parser's message ends with what it expected.
+  constexpr std::size_t kLongest = 240;
+  if (text.size() > kLongest) {
+    return printable(text.substr(0, kLongest / 2)) + " ... " +
+           printable(text.substr(text.size() - kLongest / 2));
+  }
+  const std::string quoted = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+  return quoted.substr(1, quoted.size() - 2);
+}
+
+std::string child_pointer(const std::string& parent, std::string_view key) {
+  std::string pointer = parent + "/";
+  for (const char c : key) {
+    if (c == '~') {
+      pointer += "~0";
+    } else if (c == '/') {
+      pointer += "~1";
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      pointer += printable({&c, 1});  // keeps it on one line
+    } else {
+      pointer += c;
+    }
+  }
+  return pointer;
+}
+
+Result<json> parse_json(std::string_view text, const std::string& file) {
+  // nlohmann takes a NUL byte for the end of the text.
+  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+    return tl::unexpected(
+        Error{file, line_and_column(text, nul + 1), "not valid JSON: a NUL byte"});
+  }
+  DocumentBuilder builder(text, file);
+  if (!json::sax_parse(text, &builder)) {
+    return tl::unexpected(builder.error.value_or(Error{file, "/", "not valid JSON"}));
+  }
+  return std::move(builder.document);
+}
+
+Result<std::string> read_text(const std::string& file) {
+  if (file == "-") return std::string(std::istreambuf_iterator<char>(std::cin), {});
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  std::stringstream content;
+  // A folder opens but cannot be read; a file that is empty leaves failbit on `content`.
+  if (!stream || (stream.peek() != std::ifstream::traits_type::eof() && !(content << stream.rdbuf())) ||
+      stream.bad()) {
+    const std::error_code why(errno, std::generic_category());
+    return tl::unexpected(Error{file, "", why ? "cannot be read: " + why.message() : "cannot be read"});
+  }
+  return std::move(content).str();
+}
+
+}  // namespace rastercheck::cases

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "cases/error.h"
+
+namespace rastercheck::cases {
+
+/// Nesting of arrays and objects beyond this is refused.
+inline constexpr std::size_t kMaxJsonDepth = 16;
+
+/// Parses a JSON text as RFC 8259 has it, with the liberties closed that lose information:
+/// duplicate keys are refused (at their JSON pointer), "-0" stays minus zero (as a float), nesting
+/// is limited to kMaxJsonDepth. Syntax errors and invalid UTF-8 are placed at "line:column".
+/// `file` is the name for error messages.
+Result<nlohmann::json> parse_json(std::string_view text, const std::string& file);
+
+/// A text for a message of one line, escaped as in a JSON string; shortened where it is long.
+std::string printable(std::string_view text);
+
+/// The JSON pointer (RFC 6901) of a key or element below `parent`; the document itself is "".
+std::string child_pointer(const std::string& parent, std::string_view key);
+
+/// The whole of a file, or of standard input for "-".
+Result<std::string> read_text(const std::string& file);
+
+}  // namespace rastercheck::cases

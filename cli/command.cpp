@@ -1,0 +1,36 @@
+#include "cli/command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+namespace rastercheck::cli {
+namespace {
+
+std::vector<Command>& registry() {
+  static std::vector<Command> all;
+  return all;
+}
+
+}  // namespace
+
+std::span<const Command> commands() { return registry(); }
+
+Registration::Registration(std::string name, std::string summary,
+                           std::function<Action(CLI::App&)> set_up) {
+  Command command{std::move(name), std::move(summary), std::move(set_up)};
+  // The order in which files register is the linker's; --help has one of its own.
+  const auto after = std::find_if(registry().begin(), registry().end(), [&](const Command& other) {
+    return other.name > command.name;
+  });
+  registry().insert(after, std::move(command));
+}
+
+ExitCode fail(const Error& error) {
+  fmt::print(stderr, "rastercheck: {}\n", to_string(error));
+  return ExitCode::usage;
+}
+
+}  // namespace rastercheck::cli

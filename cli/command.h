@@ -1,0 +1,39 @@
+#pragma once
+
+// The commands of `rastercheck`. A file in cli/commands/ defines one and registers it:
+//
+//   const Registration kRegistration("name", "What it does, as --help says it", &set_up);
+//
+// docs/adding-a-command.md walks through it.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "cases/error.h"
+#include "cli/exit_code.h"
+
+namespace rastercheck::cli {
+
+/// What a command does once its options are read.
+using Action = std::function<ExitCode()>;
+
+struct Command {
+  std::string name;
+  std::string summary;
+  /// Declares the command's options on its subcommand and returns its action.
+  std::function<Action(CLI::App&)> set_up;
+};
+
+/// All commands, in the order of their names.
+std::span<const Command> commands();
+
+struct Registration {
+  Registration(std::string name, std::string summary, std::function<Action(CLI::App&)> set_up);
+};
+
+/// Prints "rastercheck: file: place: reason" to standard error.
+ExitCode fail(const Error& error);
+
+}  // namespace rastercheck::cli

@@ -1,0 +1,52 @@
+// `rastercheck import MESH`: a mesh as a case file.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "cases/case_writer.h"
+#include "cases/mesh.h"
+#include "cases/names.h"
+#include "cli/command.h"
+
+namespace rastercheck::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  cases::MeshOptions mesh;
+  std::string rules = "vulkan";
+};
+
+ExitCode run(Options options) {
+  options.mesh.rules = cases::from_name<cases::Rules>(options.rules).value_or(cases::Rules::vulkan);
+  const Result<cases::Case> c = cases::case_from_mesh(options.file, options.mesh);
+  if (!c) return fail(c.error());
+  fmt::print("{}", cases::to_json(*c));
+  return ExitCode::ok;
+}
+
+Action set_up(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("MESH", options->file, "OBJ, PLY, OFF, glTF, 3DS or another mesh assimp reads")
+      ->required();
+  app.add_option("--width", options->mesh.width, "Pixels")
+      ->check(CLI::Range(1, cases::kMaxSize))
+      ->capture_default_str();
+  app.add_option("--height", options->mesh.height, "Pixels")
+      ->check(CLI::Range(1, cases::kMaxSize))
+      ->capture_default_str();
+  std::vector<std::string> names;
+  for (const auto& [name, rules] : cases::names<cases::Rules>()) names.emplace_back(name);
+  app.add_option("--rules", options->rules, "Conventions of the case")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+  app.footer("Prints a case that draws the mesh, framed by a camera, to standard output.");
+  return [options] { return run(*options); };
+}
+
+const Registration kRegistration("import", "A mesh as a case file", &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

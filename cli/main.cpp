@@ -1,0 +1,63 @@
+// The `rastercheck` program: picks the command and turns every outcome into an exit code.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <map>
+
+#include "cli/command.h"
+#include "cli/output.h"
+
+namespace rastercheck::cli {
+namespace {
+
+/// CLI11's messages may have several lines; ours have one.
+std::string one_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  for (char& c : text) {
+    if (c == '\n') c = ' ';
+  }
+  return text;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Checks rasterizers against exact rational arithmetic.", "rastercheck");
+  app.set_version_flag("--version", "rastercheck " RASTERCHECK_VERSION);
+  app.require_subcommand(1);
+  std::map<const CLI::App*, Action> actions;
+  for (const Command& command : commands()) {
+    CLI::App* subcommand = app.add_subcommand(command.name, command.summary);
+    actions[subcommand] = command.set_up(*subcommand);
+  }
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& outcome) {
+    if (outcome.get_exit_code() == 0) return app.exit(outcome);  // --help, --version
+    fmt::print(stderr, "rastercheck: {} (see rastercheck --help)\n", one_line(outcome.what()));
+    return static_cast<int>(ExitCode::usage);
+  }
+
+  const ExitCode code = actions.at(app.get_subcommands().front())();
+  if (const auto flushed = flush_standard_output(); !flushed) {
+    return static_cast<int>(fail(flushed.error()));
+  }
+  return static_cast<int>(code);
+}
+
+}  // namespace
+}  // namespace rastercheck::cli
+
+int main(int argc, char** argv) {
+  using rastercheck::cli::ExitCode;
+  try {
+    return rastercheck::cli::run(argc, argv);
+  } catch (const std::exception& problem) {
+    fmt::print(stderr, "rastercheck: internal error: {}\n", problem.what());
+  } catch (...) {
+    fmt::print(stderr, "rastercheck: internal error\n");
+  }
+  return static_cast<int>(ExitCode::internal);
+}

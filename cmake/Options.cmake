@@ -1,0 +1,32 @@
+# What every target of the project is compiled with: one INTERFACE target, rastercheck_options.
+
+option(RASTERCHECK_TESTS "Build the tests" ON)
+option(RASTERCHECK_WERROR "Treat warnings as errors" OFF)
+set(RASTERCHECK_SANITIZE "" CACHE STRING "Sanitizers for every target, as -fsanitize takes them")
+option(RASTERCHECK_COVERAGE "Instrument for gcov" OFF)
+
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
+
+add_library(rastercheck_options INTERFACE)
+target_compile_features(rastercheck_options INTERFACE cxx_std_20)
+target_include_directories(rastercheck_options INTERFACE "${PROJECT_SOURCE_DIR}")
+target_compile_options(rastercheck_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
+  -Wcast-qual -Wnon-virtual-dtor -Woverloaded-virtual -Wdouble-promotion
+  -Wimplicit-fallthrough -Wundef
+  # A fused multiply-add is a different number: it stands only where the source says so.
+  -ffp-contract=off
+  # GCC 12 sees overlaps in std::string's operator+ that are not there (GCC bug 105651).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  $<$<BOOL:${RASTERCHECK_WERROR}>:-Werror>
+  $<$<BOOL:${RASTERCHECK_COVERAGE}>:--coverage>)
+target_link_options(rastercheck_options INTERFACE $<$<BOOL:${RASTERCHECK_COVERAGE}>:--coverage>)
+
+if(RASTERCHECK_SANITIZE)
+  target_compile_options(rastercheck_options INTERFACE
+    -fsanitize=${RASTERCHECK_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(rastercheck_options INTERFACE -fsanitize=${RASTERCHECK_SANITIZE})
+endif()

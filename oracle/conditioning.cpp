@@ -1,0 +1,52 @@
+// Condition numbers of a fragment (RULES §5), reported beside its error: a large error with a large
+// condition number is the problem's, one with a small condition number the implementation's.
+
+#include <algorithm>
+
+#include "oracle/internal/rational_number.h"
+#include "oracle/internal/triangle_setup.h"
+#include "oracle/internal/values.h"
+#include "oracle/triangle_truth.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+/// Σ |n_i E_i| / |Σ n_i E_i|; nothing where the sum is 0.
+std::optional<Rational> amplification(const ProjectiveMap& map, const Quantity& quantity,
+                                      const Point& p) {
+  Ring sum(0);
+  Ring sum_of_magnitudes(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Ring term = quantity.numerators[i] * map.edge(i).at(p);
+    sum += term;
+    sum_of_magnitudes += magnitude(term);
+  }
+  if (sign_of(sum) == 0) return std::nullopt;
+  return to_rational(quotient(sum_of_magnitudes, magnitude(sum)));
+}
+
+/// max_i (|A_i u| + |B_i v| + |C_i|) / D; nothing where D <= 0.
+std::optional<Rational> weight_cancellation(const ProjectiveMap& map, const Point& p) {
+  const Ring d = map.inverse_w().at(p);
+  if (sign_of(d) <= 0) return std::nullopt;
+  Ring largest(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Line& e = map.edge(i);
+    largest =
+        std::max<Ring>(largest, magnitude(e.a * p.u) + magnitude(e.b * p.v) + magnitude(e.c));
+  }
+  return to_rational(quotient(largest, d));
+}
+
+}  // namespace
+
+std::optional<Conditioning> TriangleTruth::conditioning(std::size_t attribute, int x, int y,
+                                                        int sample) const {
+  const ProjectiveMap* map = values_->single_map();
+  if (map == nullptr || map->orientation() == 0) return std::nullopt;
+  const Point p = values_->location(attribute, x, y, sample);
+  return Conditioning{amplification(*map, values_->quantity(attribute), p),
+                      weight_cancellation(*map, p)};
+}
+
+}  // namespace rastercheck::oracle

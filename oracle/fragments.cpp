@@ -1,0 +1,96 @@
+#include "oracle/fragments.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace rastercheck::oracle {
+namespace {
+
+Fragment make_fragment(const SceneTruth& scene, const TriangleTruth& truth, std::size_t triangle,
+                       int x, int y, int sample, const Judgment& judgment) {
+  Fragment fragment{triangle, x, y, sample, judgment, truth.depth(x, y, sample), {}};
+  const std::size_t count = scene.source().attributes.size();
+  fragment.attributes.reserve(count);
+  for (std::size_t a = 0; a < count; ++a) {
+    fragment.attributes.push_back(truth.attribute(a, x, y, sample));
+  }
+  return fragment;
+}
+
+/// Every fragment, each triangle as if drawn alone.
+void for_each_alone(const SceneTruth& scene, const FragmentSink& sink) {
+  const int samples = scene.source().framebuffer.samples;
+  for (std::size_t t = 0; t < scene.source().triangles.size(); ++t) {
+    const TriangleTruth truth(scene, t);
+    const Pixels pixels = truth.pixels();
+    for (int y = pixels.y0; y < pixels.y1; ++y) {
+      for (int x = pixels.x0; x < pixels.x1; ++x) {
+        for (int s = 0; s < samples; ++s) {
+          const Judgment judgment = truth.judge(x, y, s);
+          if (judgment.verdict == records::Verdict::forbidden) continue;
+          if (!sink(make_fragment(scene, truth, t, x, y, s, judgment), truth)) return;
+        }
+      }
+    }
+  }
+}
+
+/// Whether `a` is nearer than `b` whatever the rules leave open. Of equals the first drawn stays.
+bool surely_nearer(const Fragment& a, const Fragment& b) {
+  if (!a.depth || !b.depth) return false;
+  const auto order = a.depth->hi <=> b.depth->lo;
+  return order < 0 || (order == 0 && a.triangle < b.triangle);
+}
+
+/// Drops the fragments of one sample that cannot be the nearest, and marks those that may not be.
+void resolve(std::vector<Fragment*>& fragments, std::vector<const Fragment*>& dropped) {
+  std::vector<Fragment*> undecided;
+  for (Fragment* a : fragments) {
+    const bool beaten = std::any_of(fragments.begin(), fragments.end(), [a](const Fragment* b) {
+      return b != a && b->judgment.verdict == records::Verdict::required && surely_nearer(*b, *a);
+    });
+    if (beaten) {
+      dropped.push_back(a);
+      continue;
+    }
+    const bool beats_all = std::all_of(fragments.begin(), fragments.end(), [a](const Fragment* b) {
+      return b == a || surely_nearer(*a, *b);
+    });
+    if (!beats_all) undecided.push_back(a);
+  }
+  for (Fragment* a : undecided) {
+    if (a->judgment.verdict != records::Verdict::required) continue;
+    a->judgment = {records::Verdict::permitted, records::Reason::depth};
+  }
+}
+
+}  // namespace
+
+void for_each_fragment(const SceneTruth& scene, const FragmentSink& sink) {
+  if (scene.source().depth_test == cases::DepthTest::none) return for_each_alone(scene, sink);
+
+  std::vector<Fragment> all;
+  for_each_alone(scene, [&all](const Fragment& fragment, const TriangleTruth&) {
+    all.push_back(fragment);
+    return true;
+  });
+  std::map<std::tuple<int, int, int>, std::vector<Fragment*>> by_sample;
+  for (Fragment& f : all) by_sample[{f.y, f.x, f.sample}].push_back(&f);
+  std::vector<const Fragment*> dropped;
+  for (auto& [place, fragments] : by_sample) resolve(fragments, dropped);
+  std::sort(dropped.begin(), dropped.end());
+
+  std::optional<TriangleTruth> truth;
+  std::optional<std::size_t> prepared;
+  for (const Fragment& fragment : all) {
+    if (std::binary_search(dropped.begin(), dropped.end(), &fragment)) continue;
+    if (prepared != fragment.triangle) {
+      truth.emplace(scene, fragment.triangle);
+      prepared = fragment.triangle;
+    }
+    if (!sink(fragment, *truth)) return;
+  }
+}
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,35 @@
+#pragma once
+
+// The fragments of a case, as CONTRACT's `oracle` output lists them.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "oracle/rational.h"
+#include "oracle/triangle_truth.h"
+#include "records/verdict.h"
+
+namespace rastercheck::oracle {
+
+/// One sample of one triangle that has to be drawn, or may be.
+struct Fragment {
+  std::size_t triangle = 0;
+  int x = 0;
+  int y = 0;
+  int sample = 0;
+  Judgment judgment;
+  std::optional<ValueRange> depth;                    ///< nothing where undefined
+  std::vector<std::optional<ValueRange>> attributes;  ///< [attribute]; nothing where undefined
+};
+
+/// Takes each fragment, with the truth of its triangle for further questions; false stops.
+using FragmentSink = std::function<bool(const Fragment&, const TriangleTruth&)>;
+
+/// Hands every required or permitted fragment of the scene to the sink, ordered by triangle, y, x,
+/// sample: each triangle as if drawn alone, or, with the case's depth test `less`, only what may be
+/// the nearest of its sample. Without a depth test nothing is stored; with it, all fragments are.
+void for_each_fragment(const SceneTruth& scene, const FragmentSink& sink);
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,338 @@
+#include "oracle/internal/coverage.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace rastercheck::oracle {
+namespace {
+
+using records::Reason;
+using records::Verdict;
+
+/// What is known of "the point is inside": in some reading of the contract, in every one, and
+/// whether a boundary went exactly through it.
+struct Membership {
+  bool possible = true;
+  bool sure = true;
+  bool tie = false;
+
+  Membership& operator&=(const Membership& other) {
+    possible = possible && other.possible;
+    sure = sure && other.sure;
+    tie = tie || other.tie;
+    return *this;
+  }
+};
+
+constexpr Membership kOutside{.possible = false, .sure = false};
+
+/// A boundary's answer for a point. Where the point lies exactly on it, its inward normal (A, B)
+/// decides: inside iff A > 0, or A = 0 and ±B > 0.
+Membership side(const Line& boundary, const Point& p, const Scene& scene) {
+  const int sign = sign_of(boundary.at(p));
+  if (sign > 0) return {};
+  if (sign < 0) return kOutside;
+  if (scene.contract().tie_rule == cases::TieRule::unspecified) {
+    return {.possible = true, .sure = false, .tie = true};
+  }
+  const int a = sign_of(boundary.a);
+  const bool inside = a > 0 || (a == 0 && scene.tie_sign() * sign_of(boundary.b) > 0);
+  return {.possible = inside, .sure = inside, .tie = true};
+}
+
+Membership side(const ClipFunctional& functional, const Point& p, const Scene& scene) {
+  const Line& line = functional.line;
+  if (line.is_constant() && sign_of(line.c) == 0) return {};
+  if (functional.zero_is_tie) return side(line, p, scene);
+  const int sign = sign_of(line.at(p));
+  if (sign < 0) return kOutside;
+  return {.tie = sign == 0 && functional.is_user_distance};
+}
+
+Membership inside_edges(const ProjectiveMap& map, const Point& p, const Scene& scene) {
+  if (map.orientation() == 0) return kOutside;
+  Membership all;
+  for (std::size_t i = 0; i < 3; ++i) all &= side(map.edge(i), p, scene);
+  return all;
+}
+
+Decision decide_exact(const TriangleSetup& triangle, const Point& p) {
+  const Scene& scene = *triangle.scene;
+  if (triangle.ideal.orientation() == 0) return {Verdict::forbidden, Reason::degenerate};
+  if (scene.is_culled(triangle.ideal.orientation())) return {Verdict::forbidden, Reason::culled};
+
+  Membership all = inside_edges(triangle.ideal, p, scene);
+  if (!all.possible) return {Verdict::forbidden, Reason::outside};
+  for (const ClipFunctional& functional : triangle.clip_functionals) {
+    all &= side(functional, p, scene);
+  }
+  if (!all.possible) return {Verdict::forbidden, Reason::clipped};
+  if (!all.sure) return {Verdict::permitted, Reason::tie};
+  return {Verdict::required, all.tie ? Reason::tie : Reason::inside};
+}
+
+/// Whether a placement is drawn, as far as culling goes.
+Membership kept_by_culling(const TriangleSetup& triangle, const ProjectiveMap& placement) {
+  const Scene& scene = *triangle.scene;
+  const auto kept = [&scene](int orientation) -> Membership {
+    if (orientation == 0) return {.possible = true, .sure = false};  // neither front nor back
+    const bool drawn = !scene.is_culled(orientation);
+    return {.possible = drawn, .sure = drawn};
+  };
+  switch (scene.contract().basis) {
+    case cases::Basis::ideal:
+      return kept(triangle.ideal.orientation());
+    case cases::Basis::snapped:
+      return kept(placement.orientation());
+    case cases::Basis::unspecified:
+      break;
+  }
+  if (scene.source().cull == cases::Cull::none) return {};
+  const Membership by_ideal = kept(triangle.ideal.orientation());
+  const Membership by_snapped = kept(placement.orientation());
+  return {.possible = by_ideal.possible || by_snapped.possible,
+          .sure = by_ideal.sure && by_snapped.sure};
+}
+
+/// Whether p lies outside the closed convex hull of the points: iff some line through p and one of
+/// them has all of them on one closed side, and those on the line itself on one side of p.
+bool is_outside_hull(const Point& p, const std::vector<Point>& points) {
+  const auto separates = [&p, &points](const Point& pivot, int direction) {
+    const Ring du = pivot.u - p.u;
+    const Ring dv = pivot.v - p.v;
+    if (sign_of(du) == 0 && sign_of(dv) == 0) return false;
+    return std::all_of(points.begin(), points.end(), [&](const Point& q) {
+      const Ring qu = q.u - p.u;
+      const Ring qv = q.v - p.v;
+      const int across = direction * sign_of(du * qv - dv * qu);
+      return across > 0 || (across == 0 && sign_of(du * qu + dv * qv) > 0);
+    });
+  };
+  return std::any_of(points.begin(), points.end(), [&separates](const Point& pivot) {
+    return separates(pivot, 1) || separates(pivot, -1);
+  });
+}
+
+/// The corners of the boxes that hold the three vertices' placements, in pixels.
+std::vector<Point> box_corners(const TriangleSetup& triangle) {
+  const int bits = triangle.scene->contract().coverage->subpixel_bits;
+  const auto in_pixels = [bits](long coordinate) {
+    return Ring(std::ldexp(static_cast<double>(coordinate), -bits));
+  };
+  std::vector<Point> corners;
+  for (const auto& vertex : triangle.snapped) {
+    for (const long x : {vertex->x.first, vertex->x.last}) {
+      for (const long y : {vertex->y.first, vertex->y.last}) {
+        corners.push_back({in_pixels(x), in_pixels(y)});
+      }
+    }
+  }
+  return corners;
+}
+
+/// Too many placements to look at each. An edge function is affine in every vertex coordinate, so
+/// its least value over the boxes is taken at corners; and whatever is covered in some placement
+/// lies in the hull of the boxes.
+Decision decide_by_boxes(const TriangleSetup& triangle, const Point& p) {
+  const auto& corners = triangle.corner_placements;
+  const int orientation = corners.front().orientation();
+  const bool inside_all =
+      std::all_of(corners.begin(), corners.end(), [&](const ProjectiveMap& map) {
+        return map.orientation() == orientation && strictly_inside(map, p) &&
+               kept_by_culling(triangle, map).sure;
+      });
+  if (inside_all) return {Verdict::required, Reason::inside};
+  if (is_outside_hull(p, box_corners(triangle))) return {Verdict::forbidden, Reason::outside};
+  const bool ever_kept = std::any_of(
+      corners.begin(), corners.end(),
+      [&triangle](const ProjectiveMap& map) { return kept_by_culling(triangle, map).possible; });
+  if (!ever_kept) return {Verdict::forbidden, Reason::culled};
+  return {Verdict::permitted, Reason::snapping};
+}
+
+Decision decide_placed(const TriangleSetup& triangle, const Point& p) {
+  if (triangle.placements.empty()) return decide_by_boxes(triangle, p);
+  bool possible = false;
+  bool sure = true;
+  bool tie = false;
+  for (const ProjectiveMap& placement : triangle.placements) {
+    Membership drawn = inside_edges(placement, p, *triangle.scene);
+    tie = tie || drawn.tie;
+    if (drawn.possible) drawn &= kept_by_culling(triangle, placement);
+    possible = possible || drawn.possible;
+    sure = sure && drawn.sure;
+  }
+  if (!possible) return {Verdict::forbidden, Reason::outside};
+  if (sure) return {Verdict::required, tie ? Reason::tie : Reason::inside};
+  const bool only_ties = triangle.placements.size() == 1 && triangle.ideal.orientation() != 0;
+  return {Verdict::permitted, only_ties ? Reason::tie : Reason::snapping};
+}
+
+/// |line(p)| against tolerance · (|A| + |B|), the most that the line changes when it is moved by
+/// the tolerance along both axes: 1 inside, −1 outside, 0 within.
+int side_within(const Line& line, const Ring& tolerance, const Point& p) {
+  const Ring value = line.at(p);
+  if (line.is_constant()) return sign_of(value) < 0 ? -1 : 1;
+  const Ring band = tolerance * (magnitude(line.a) + magnitude(line.b));
+  if (value > band) return 1;
+  return value < -band ? -1 : 0;
+}
+
+/// The answer of an edge both of whose ends are snapped, over all their candidates. A triangle of
+/// the size of a grid unit may have its edge made a point, or turned round the vertex opposite: what
+/// such a line says is not the triangle's answer.
+Membership snapped_edge_side(const TriangleSetup& triangle, std::size_t edge, const Point& p) {
+  const Scene& scene = *triangle.scene;
+  const int bits = scene.contract().coverage->subpixel_bits;
+  const SnappedVertex& from = *triangle.snapped[(edge + 1) % 3];
+  const SnappedVertex& to = *triangle.snapped[(edge + 2) % 3];
+  const bool corners_only = from.placements() * to.placements() > kMostPlacements;
+
+  Membership over_all{.possible = false, .sure = true};
+  for (const RingVector3& a : placed_columns(from, bits, corners_only)) {
+    for (const RingVector3& b : placed_columns(to, bits, corners_only)) {
+      RingVector3 row = a.cross(b);
+      if (triangle.ideal.orientation() < 0) row = -row;
+      const Line line{row[0], row[1], row[2]};
+      const bool is_turned = sign_of(row.dot(triangle.columns[edge])) <= 0;
+      const Membership one =
+          is_turned ? Membership{.possible = true, .sure = false} : side(line, p, scene);
+      over_all.possible = over_all.possible || one.possible;
+      over_all.sure = over_all.sure && one.sure;
+      over_all.tie = over_all.tie || one.tie;
+    }
+  }
+  return over_all;
+}
+
+/// A triangle without area that is cut: its new vertices may give it some, near its line and no
+/// farther along it than its vertices.
+Decision decide_cut_degenerate(const TriangleSetup& triangle, const Point& p, Reason cut) {
+  if (!triangle.has_nonpositive_w) {
+    const auto misses = [](const FieldRange& range, const Ring& at) {
+      return Field(at) < range.lo || Field(at) > range.hi;
+    };
+    if (misses(triangle.extent(0), p.u) || misses(triangle.extent(1), p.v)) {
+      return {Verdict::forbidden, Reason::degenerate};
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Line& line = triangle.ideal.edge(i);
+    if (line.is_constant()) continue;
+    if (side_within(line, triangle.tolerance, p) == 0) return {Verdict::permitted, cut};
+    break;  // all rows of adj(M) are multiples of one line
+  }
+  return {Verdict::forbidden, Reason::degenerate};
+}
+
+/// Clipping makes new vertices, which are snapped too: an edge that was cut, and the clip edge, may
+/// be off by the tolerance along each axis. Moving a polygon's corners by at most t per axis keeps
+/// every point inside whose distance from its boundary exceeds t per axis, and covers none that is
+/// farther than t from the polygon.
+Decision decide_cut(const TriangleSetup& triangle, const Point& p) {
+  const Scene& scene = *triangle.scene;
+  const Reason cut = triangle.has_nonpositive_w ? Reason::nonpositive_w : Reason::clip_edge;
+  if (triangle.ideal.orientation() == 0) return decide_cut_degenerate(triangle, p, cut);
+  if (scene.is_culled(triangle.ideal.orientation())) return {Verdict::forbidden, Reason::culled};
+
+  Membership snapped_edges;
+  bool near_cut = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (triangle.is_clipped[(i + 1) % 3] || triangle.is_clipped[(i + 2) % 3]) {
+      const int where = side_within(triangle.ideal.edge(i), triangle.tolerance, p);
+      if (where < 0) return {Verdict::forbidden, Reason::outside};
+      near_cut = near_cut || where == 0;
+    } else {
+      snapped_edges &= snapped_edge_side(triangle, i, p);
+    }
+  }
+  if (!snapped_edges.possible) return {Verdict::forbidden, Reason::outside};
+  for (const ClipFunctional& functional : triangle.clip_functionals) {
+    if (!functional.is_violated) continue;
+    const int where = side_within(functional.line, triangle.tolerance, p);
+    if (where < 0) return {Verdict::forbidden, Reason::clipped};
+    near_cut = near_cut || where == 0;
+  }
+
+  // Lines meet far beyond a sharp or a moved corner; nothing drawn reaches there.
+  if (triangle.clipped_to_triangle(box_around(p, triangle.reach)).is_empty()) {
+    return {Verdict::forbidden, Reason::outside};
+  }
+  if (!near_cut && snapped_edges.sure) {
+    return {Verdict::required, snapped_edges.tie ? Reason::tie : Reason::inside};
+  }
+  return {Verdict::permitted, near_cut ? cut : Reason::snapping};
+}
+
+/// sign(value) · value² / (a² + b²): orders signed distances without a root.
+Field signed_square_distance(const Line& line, const Ring& value) {
+  const Field square = quotient(value * value, line.a * line.a + line.b * line.b);
+  return sign_of(value) < 0 ? -square : square;
+}
+
+}  // namespace
+
+Decision decide_point(const TriangleSetup& triangle, const Point& p) {
+  switch (triangle.shape) {
+    case Shape::exact:
+      return decide_exact(triangle, p);
+    case Shape::placed:
+      return decide_placed(triangle, p);
+    case Shape::cut:
+      break;
+  }
+  return decide_cut(triangle, p);
+}
+
+Decision decide(const TriangleSetup& triangle, int x, int y, int sample) {
+  const Scene& scene = *triangle.scene;
+  const PixelBox& box = scene.pixels();
+  if (x < box.x0 || x >= box.x1 || y < box.y0 || y >= box.y1) {
+    return {Verdict::forbidden, Reason::viewport};
+  }
+  const Point p = scene.sample_point(x, y, sample);
+  const ViewportSide side = scene.viewport_side(p);
+  if (side == ViewportSide::outside) return {Verdict::forbidden, Reason::viewport};
+  const Decision decision = decide_point(triangle, p);
+  if (side == ViewportSide::far_border && decision.verdict == Verdict::required) {
+    return {Verdict::permitted, Reason::clip_edge};
+  }
+  return decision;
+}
+
+std::optional<records::Enclosure> boundary_distance(const TriangleSetup& triangle, const Point& p) {
+  const ProjectiveMap& map =
+      triangle.placements.size() == 1 ? triangle.placements.front() : triangle.ideal;
+  if (map.orientation() == 0) return std::nullopt;
+
+  std::vector<Line> boundaries{map.edge(0), map.edge(1), map.edge(2)};
+  for (const ClipFunctional& functional : triangle.clip_functionals) {
+    if (triangle.shape == Shape::exact || functional.is_violated) {
+      boundaries.push_back(functional.line);
+    }
+  }
+  const Point& lo = triangle.scene->viewport_lo();
+  const Point& hi = triangle.scene->viewport_hi();
+  boundaries.push_back({Ring(1), Ring(0), -lo.u});
+  boundaries.push_back({Ring(-1), Ring(0), hi.u});
+  boundaries.push_back({Ring(0), Ring(1), -lo.v});
+  boundaries.push_back({Ring(0), Ring(-1), hi.v});
+
+  std::optional<Field> least;
+  for (const Line& boundary : boundaries) {
+    const Ring value = boundary.at(p);
+    if (boundary.is_constant()) {
+      // A clip plane that the whole triangle lies beyond, at one depth: no point is near inside.
+      constexpr double kInfinity = std::numeric_limits<double>::infinity();
+      if (sign_of(value) < 0) return records::Enclosure{-kInfinity, -kInfinity};
+      continue;
+    }
+    const Field square = signed_square_distance(boundary, value);
+    if (!least || square < *least) least = square;
+  }
+  const records::Enclosure distance = enclose_sqrt(magnitude(*least));
+  if (sign_of(*least) < 0) return records::Enclosure{-distance.hi, -distance.lo};
+  return distance;
+}
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,67 @@
+#pragma once
+
+// The oracle's numbers. Every input is a finite float32, hence dyadic: sums, differences and
+// products stay in the ring Z[1/2] and are exact in CGAL::Mpzf, without a gcd. Where a value has to
+// be divided it becomes a CGAL::Gmpq, in lowest terms. Nothing in this folder rounds, except the
+// functions below that say so in their name.
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Mpzf.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+
+#include "records/enclosure.h"
+
+namespace rastercheck::oracle {
+
+using Ring = CGAL::Mpzf;
+using Field = CGAL::Gmpq;
+using RingVector3 = Eigen::Matrix<Ring, 3, 1>;
+using RingVector4 = Eigen::Matrix<Ring, 4, 1>;
+using RingMatrix4 = Eigen::Matrix<Ring, 4, 4>;
+
+/// −1, 0 or 1.
+int sign_of(const Ring& value);
+int sign_of(const Field& value);
+
+Ring magnitude(const Ring& value);
+Field magnitude(const Field& value);
+
+/// numerator / denominator, in lowest terms; the denominator is not zero.
+Field quotient(const Ring& numerator, const Ring& denominator);
+
+/// 2^exponent.
+Field power_of_two(long exponent);
+
+/// The largest integer <= value; the value lies within ±2^62.
+long floor_to_long(const Field& value);
+/// The smallest integer >= value; the value lies within ±2^62.
+long ceil_to_long(const Field& value);
+
+/// The largest e with 2^e <= |value|; the value is not zero.
+long floor_log2(const Field& value);
+
+/// The float32 nearest to the value, ties to even, subnormals kept; ±infinity beyond float32.
+float nearest_float(const Field& value);
+
+/// Doubles around the value: equal where a double holds it, else neighbours.
+records::Enclosure enclose(const Field& value);
+/// Doubles around sqrt(value), for value >= 0.
+records::Enclosure enclose_sqrt(const Field& value);
+/// Doubles around log2(value), for value > 0.
+records::Enclosure enclose_log2(const Field& value);
+
+/// A closed interval of exact values.
+struct FieldRange {
+  Field lo;
+  Field hi;
+};
+
+/// The smallest range that holds both; either may be missing.
+std::optional<FieldRange> hull(const std::optional<FieldRange>& a,
+                               const std::optional<FieldRange>& b);
+
+}  // namespace rastercheck::oracle

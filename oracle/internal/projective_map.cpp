@@ -1,0 +1,36 @@
+#include "oracle/internal/projective_map.h"
+
+namespace rastercheck::oracle {
+
+ProjectiveMap::ProjectiveMap(const std::array<RingVector3, 3>& columns) {
+  // Row i of adj(M) is the cross product of the two other columns, in cyclic order.
+  std::array<RingVector3, 3> rows;
+  for (std::size_t i = 0; i < 3; ++i) rows[i] = columns[(i + 1) % 3].cross(columns[(i + 2) % 3]);
+  const Ring determinant = columns[0].dot(rows[0]);
+  orientation_ = sign_of(determinant);
+  determinant_ = magnitude(determinant);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (orientation_ < 0) rows[i] = -rows[i];
+    edges_[i] = {rows[i][0], rows[i][1], rows[i][2]};
+  }
+  inverse_w_ = combine({Ring(1), Ring(1), Ring(1)});
+}
+
+Line ProjectiveMap::combine(const std::array<Ring, 3>& s) const {
+  Line sum{Ring(0), Ring(0), Ring(0)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    sum.a += edges_[i].a * s[i];
+    sum.b += edges_[i].b * s[i];
+    sum.c += edges_[i].c * s[i];
+  }
+  return sum;
+}
+
+bool strictly_inside(const ProjectiveMap& map, const Point& p) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (sign_of(map.edge(i).at(p)) <= 0) return false;
+  }
+  return map.orientation() != 0;
+}
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,68 @@
+#pragma once
+
+// The projective map of a triangle (RULES §1; seed 001 p. 6, seed 002 §3.2).
+//
+//   M = columns (X_i, Y_i, w_i), window position times w, and w
+//   E_i(u, v) = sign(det M) · row i of adj(M) · (u, v, 1)^T      = |det M| · e_i(u, v)
+//
+// Dividing is never needed for a sign or for a ratio of sums of E_i: with Q = M^-1 = adj(M)/det M,
+// E differs from e = Q (u, v, 1)^T by the positive factor |det M|. So everything below stays in the
+// ring and is exact.
+
+#include <array>
+
+#include "oracle/internal/number.h"
+
+namespace rastercheck::oracle {
+
+/// A window position in pixels; dyadic, as all samples are.
+struct Point {
+  Ring u;
+  Ring v;
+};
+
+/// A window position in pixels that need not be dyadic, such as a polygon's corner.
+struct FieldPoint {
+  Field u;
+  Field v;
+};
+
+/// The affine functional a·u + b·v + c of window positions in pixels.
+struct Line {
+  Ring a;
+  Ring b;
+  Ring c;
+
+  Ring at(const Point& p) const { return a * p.u + b * p.v + c; }
+  Field at(const FieldPoint& p) const { return Field(a) * p.u + Field(b) * p.v + Field(c); }
+  bool is_constant() const { return sign_of(a) == 0 && sign_of(b) == 0; }
+};
+
+class ProjectiveMap {
+ public:
+  /// `columns[i]` = (X_i, Y_i, w_i).
+  explicit ProjectiveMap(const std::array<RingVector3, 3>& columns);
+
+  /// sign(det M): the orientation of the triangle in window space, 0 where it has none.
+  int orientation() const { return orientation_; }
+  /// E_i; positive on the inner side of the edge opposite vertex i. All zero or parallel where the
+  /// orientation is 0; then the sign is that of adj(M).
+  const Line& edge(std::size_t i) const { return edges_[i]; }
+  /// |det M| = Σ E_i w_i, at every point.
+  const Ring& determinant() const { return determinant_; }
+  /// Σ E_i s_i: the functional that takes the value s_i |det M| / w_i at vertex i (w_i ≠ 0).
+  Line combine(const std::array<Ring, 3>& s) const;
+  /// Σ E_i: |det M| times 1/w (the D of RULES §1).
+  const Line& inverse_w() const { return inverse_w_; }
+
+ private:
+  std::array<Line, 3> edges_;
+  Line inverse_w_;
+  Ring determinant_;
+  int orientation_;
+};
+
+/// The three conditions of a point inside the triangle, without ties.
+bool strictly_inside(const ProjectiveMap& map, const Point& p);
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,167 @@
+#include "oracle/internal/scene.h"
+
+#include <algorithm>
+
+namespace rastercheck::oracle {
+namespace {
+
+Ring exact(float value) { return {double{value}}; }
+
+Ring half(const Ring& value) { return value * Ring(0.5); }
+
+RingMatrix4 exact(const cases::Matrix4& rows) {
+  RingMatrix4 matrix;
+  for (int r = 0; r < 4; ++r) {
+    for (int c = 0; c < 4; ++c) matrix(r, c) = exact(rows[static_cast<std::size_t>(4 * r + c)]);
+  }
+  return matrix;
+}
+
+PixelBox framebuffer_pixels(const cases::Case& c) {
+  PixelBox box{0, 0, c.framebuffer.width, c.framebuffer.height};
+  if (c.scissor) {
+    const cases::Scissor& s = *c.scissor;
+    box = intersection(box, {s.x, s.y, s.x + s.width, s.y + s.height});
+  }
+  return box;
+}
+
+/// The first and one past the last pixel that a closed range of window coordinates touches, within
+/// [0, cases::kMaxSize].
+std::pair<int, int> touched_pixels(const Ring& lo, const Ring& hi) {
+  const Ring most(cases::kMaxSize);
+  const Ring from = std::clamp(lo, Ring(0), most);
+  const Ring to = std::clamp(hi, Ring(-1), most);
+  return {static_cast<int>(floor_to_long(Field(from))),
+          static_cast<int>(floor_to_long(Field(to))) + 1};
+}
+
+}  // namespace
+
+PixelBox intersection(const PixelBox& a, const PixelBox& b) {
+  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+Conventions conventions_of(cases::Rules rules) {
+  switch (rules) {
+    case cases::Rules::opengl:
+      return {.window_y_up = true,
+              .ndc_y_follows_window_y = true,
+              .near_z = -1,
+              .depth_is_halved = true,
+              .depth_always_clamped = false,
+              .provoking_vertex = 2,
+              .clip_distance_zero_inside = false,
+              .far_border_permitted = true,
+              .centroid_is_a_sample = false};
+    case cases::Rules::vulkan:
+      return {.window_y_up = false,
+              .ndc_y_follows_window_y = true,
+              .near_z = 0,
+              .depth_is_halved = false,
+              .depth_always_clamped = false,
+              .provoking_vertex = 0,
+              .clip_distance_zero_inside = false,
+              .far_border_permitted = true,
+              .centroid_is_a_sample = false};
+    case cases::Rules::d3d:
+      break;
+  }
+  return {.window_y_up = false,
+          .ndc_y_follows_window_y = false,
+          .near_z = 0,
+          .depth_is_halved = false,
+          .depth_always_clamped = true,
+          .provoking_vertex = 0,
+          .clip_distance_zero_inside = true,
+          .far_border_permitted = false,
+          .centroid_is_a_sample = true};
+}
+
+std::vector<RingVector4> clip_positions(const cases::Case& c) {
+  std::vector<RingVector4> positions;
+  positions.reserve(c.positions.size());
+  for (const cases::ClipVertex& p : c.positions) {
+    positions.emplace_back(exact(p.x), exact(p.y), exact(p.z), exact(p.w));
+  }
+  if (c.camera) {
+    const RingMatrix4 view_model = exact(c.camera->view) * exact(c.camera->model);
+    const RingMatrix4 matrix = exact(c.camera->projection) * view_model;
+    for (RingVector4& p : positions) p = (matrix * p).eval();
+  }
+  return positions;
+}
+
+Scene::Scene(const cases::Case& c, const cases::Contract& contract)
+    : case_(&c),
+      contract_(&contract),
+      conventions_(conventions_of(c.rules)),
+      positions_(clip_positions(c)),
+      pattern_(cases::standard_pattern(c.framebuffer.samples)) {
+  const cases::Viewport& v = c.viewport;
+  const Ring x0 = exact(v.x);
+  const Ring y0 = exact(v.y);
+  const Ring x1 = x0 + exact(v.width);
+  const Ring y1 = y0 + exact(v.height);
+  viewport_lo_ = {std::min(x0, x1), std::min(y0, y1)};
+  viewport_hi_ = {std::max(x0, x1), std::max(y0, y1)};
+  // A sample on the far border lies in a pixel that may begin there: closed ranges.
+  const auto [left, right] = touched_pixels(viewport_lo_.u, viewport_hi_.u);
+  const auto [low, high] = touched_pixels(viewport_lo_.v, viewport_hi_.v);
+  pixels_ = intersection(framebuffer_pixels(c), {left, low, right, high});
+
+  const bool left_wins_downwards =
+      (contract.tie_rule == cases::TieRule::top_left) == !conventions_.window_y_up;
+  tie_sign_ = left_wins_downwards ? 1 : -1;
+  least_depth_ = exact(std::min(v.min_depth, v.max_depth));
+  greatest_depth_ = exact(std::max(v.min_depth, v.max_depth));
+}
+
+RingVector3 Scene::window_column(std::size_t vertex) const {
+  const cases::Viewport& v = case_->viewport;
+  const RingVector4& p = positions_[vertex];
+  const Ring half_width = half(exact(v.width));
+  const Ring half_height = half(exact(v.height));
+  const Ring y = conventions_.ndc_y_follows_window_y ? p[1] : -p[1];
+  return {p[0] * half_width + p[3] * (exact(v.x) + half_width),
+          y * half_height + p[3] * (exact(v.y) + half_height), p[3]};
+}
+
+Point Scene::sample_point(int x, int y, int sample) const {
+  const cases::SamplePosition& s = pattern_[static_cast<std::size_t>(sample)];
+  return {Ring(x + s.x / 16.0), Ring(y + s.y / 16.0)};
+}
+
+Point Scene::center_point(int x, int y) { return {Ring(x + 0.5), Ring(y + 0.5)}; }
+
+ViewportSide Scene::viewport_side(const Point& p) const {
+  if (p.u < viewport_lo_.u || p.v < viewport_lo_.v || p.u > viewport_hi_.u ||
+      p.v > viewport_hi_.v) {
+    return ViewportSide::outside;
+  }
+  if (p.u == viewport_hi_.u || p.v == viewport_hi_.v) {
+    return conventions_.far_border_permitted ? ViewportSide::far_border : ViewportSide::outside;
+  }
+  return ViewportSide::inside;
+}
+
+bool Scene::is_culled(int orientation) const {
+  if (case_->cull == cases::Cull::none) return false;
+  const bool counter_clockwise = (orientation > 0) == conventions_.window_y_up;
+  const bool front = counter_clockwise == (case_->front_face == cases::FrontFace::ccw);
+  return front == (case_->cull == cases::Cull::front);
+}
+
+Ring Scene::depth_numerator(std::size_t vertex) const {
+  const RingVector4& p = positions_[vertex];
+  const Ring n = exact(case_->viewport.min_depth);
+  const Ring f = exact(case_->viewport.max_depth);
+  const Ring z = conventions_.depth_is_halved ? half(p[2] + p[3]) : p[2];
+  return n * p[3] + (f - n) * z;
+}
+
+bool Scene::clamps_depth() const {
+  return case_->depth_clamp || conventions_.depth_always_clamped;
+}
+
+}  // namespace rastercheck::oracle

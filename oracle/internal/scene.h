@@ -1,0 +1,101 @@
+#pragma once
+
+// A case in exact numbers: the conventions of its rules, its viewport, its clip positions.
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "cases/case.h"
+#include "cases/sample_pattern.h"
+#include "oracle/internal/number.h"
+#include "oracle/internal/projective_map.h"
+
+namespace rastercheck::oracle {
+
+/// A half-open box of pixels: x0 <= x < x1, y0 <= y < y1.
+struct PixelBox {
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = 0;
+  int y1 = 0;
+  bool operator==(const PixelBox&) const = default;
+};
+
+PixelBox intersection(const PixelBox& a, const PixelBox& b);
+
+/// Where a sample lies with respect to the viewport rectangle. `far_border`: exactly on the side of
+/// largest u or v, which half-open rectangles leave out.
+enum class ViewportSide { inside, far_border, outside };
+
+/// What the rules of an API say (RULES §4).
+struct Conventions {
+  bool window_y_up;             ///< else down
+  bool ndc_y_follows_window_y;  ///< Y = +y H/2 + …; D3D: −
+  int near_z;                   ///< the near plane is z = near_z · w
+  bool depth_is_halved;         ///< depth = n + (f−n)(z/w + 1)/2; else n + (f−n) z/w
+  bool depth_always_clamped;
+  std::size_t provoking_vertex;
+  bool clip_distance_zero_inside;  ///< D3D: f >= 0; else a zero is a tie
+  bool far_border_permitted;       ///< else the far border of the viewport is outside
+  bool centroid_is_a_sample;       ///< D3D names the location; else any point of the pixel
+};
+Conventions conventions_of(cases::Rules rules);
+
+/// Exact clip positions of every vertex: projection · view · model · position, or the positions
+/// themselves where the case has no camera.
+std::vector<RingVector4> clip_positions(const cases::Case& c);
+
+/// What is the same for all triangles of a case.
+class Scene {
+ public:
+  /// The case and the contract must outlive the scene.
+  Scene(const cases::Case& c, const cases::Contract& contract);
+
+  const cases::Case& source() const { return *case_; }
+  const cases::Contract& contract() const { return *contract_; }
+  const Conventions& conventions() const { return conventions_; }
+
+  /// (X, Y, w) of a vertex: window position times w, and w (RULES §1).
+  RingVector3 window_column(std::size_t vertex) const;
+  const RingVector4& clip_position(std::size_t vertex) const { return positions_[vertex]; }
+
+  /// The exact position of a sample, and of a pixel's centre.
+  Point sample_point(int x, int y, int sample) const;
+  static Point center_point(int x, int y);
+
+  ViewportSide viewport_side(const Point& p) const;
+  /// The pixels that can hold samples in or on the viewport, framebuffer and scissor.
+  const PixelBox& pixels() const { return pixels_; }
+  /// The viewport rectangle, sorted; in pixels.
+  const Point& viewport_lo() const { return viewport_lo_; }
+  const Point& viewport_hi() const { return viewport_hi_; }
+
+  /// +1 or −1: where the normal (A, B) of a tied edge has A = 0, the sample is inside iff
+  /// tie_sign · B > 0 (RULES §2). Meaningless under an unspecified tie rule.
+  int tie_sign() const { return tie_sign_; }
+  /// Whether a triangle of that orientation (±1) is culled.
+  bool is_culled(int orientation) const;
+
+  /// Numerators whose combination over |det M| is the depth: the depth range's ends weighed with
+  /// z and w (`depth_of` at a vertex = numerator / w).
+  Ring depth_numerator(std::size_t vertex) const;
+  const Ring& least_depth() const { return least_depth_; }
+  const Ring& greatest_depth() const { return greatest_depth_; }
+  bool clamps_depth() const;
+
+ private:
+  const cases::Case* case_;
+  const cases::Contract* contract_;
+  Conventions conventions_;
+  std::vector<RingVector4> positions_;
+  std::span<const cases::SamplePosition> pattern_;
+  Point viewport_lo_;
+  Point viewport_hi_;
+  PixelBox pixels_;
+  int tie_sign_;
+  Ring least_depth_;
+  Ring greatest_depth_;
+};
+
+}  // namespace rastercheck::oracle

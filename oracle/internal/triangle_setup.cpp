@@ -1,0 +1,139 @@
+#include "oracle/internal/triangle_setup.h"
+
+#include <algorithm>
+
+namespace rastercheck::oracle {
+namespace {
+
+std::array<RingVector3, 3> window_columns(const Scene& scene, const cases::Triangle& indices) {
+  return {scene.window_column(indices[0]), scene.window_column(indices[1]),
+          scene.window_column(indices[2])};
+}
+
+}  // namespace
+
+TriangleSetup::TriangleSetup(const Scene& owner, const cases::Triangle& triangle)
+    : scene(&owner),
+      indices(triangle),
+      columns(window_columns(owner, triangle)),
+      ideal(columns) {
+  for (const RingVector3& column : columns) {
+    has_nonpositive_w = has_nonpositive_w || sign_of(column[2]) <= 0;
+  }
+  set_up_clipping();
+  const cases::Contract& contract = scene->contract();
+  if (contract.coverage) set_up_snapping(*contract.coverage);
+}
+
+void TriangleSetup::set_up_clipping() {
+  const cases::Case& source = scene->source();
+  const auto add = [this](const std::array<Ring, 3>& values, bool zero_is_tie, bool is_user) {
+    const bool violated =
+        std::any_of(values.begin(), values.end(), [](const Ring& v) { return sign_of(v) < 0; });
+    clip_functionals.push_back({ideal.combine(values), zero_is_tie, is_user, violated});
+  };
+  if (!source.depth_clamp) {
+    std::array<Ring, 3> near;
+    std::array<Ring, 3> far;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const RingVector4& p = scene->clip_position(indices[i]);
+      near[i] = p[2] - Ring(scene->conventions().near_z) * p[3];
+      far[i] = p[3] - p[2];
+    }
+    add(near, false, false);
+    add(far, false, false);
+  }
+  for (std::size_t d = 0; d < source.clip_distance_count; ++d) {
+    std::array<Ring, 3> distances;
+    for (std::size_t i = 0; i < 3; ++i) {
+      distances[i] = Ring(double{source.clip_distances_of(indices[i])[d]});
+    }
+    add(distances, !scene->conventions().clip_distance_zero_inside, true);
+  }
+}
+
+bool TriangleSetup::is_vertex_clipped(std::size_t corner) const {
+  const RingVector3& column = columns[corner];
+  if (sign_of(column[2]) <= 0) return true;
+  const Ring band = Ring(double{scene->contract().guard_band}) * column[2];
+  if (magnitude(column[0]) > band || magnitude(column[1]) > band) return true;
+
+  const cases::Case& source = scene->source();
+  if (!source.depth_clamp) {
+    const RingVector4& p = scene->clip_position(indices[corner]);
+    if (p[2] < Ring(scene->conventions().near_z) * p[3] || p[2] > p[3]) return true;
+  }
+  const auto distances = source.clip_distances_of(indices[corner]);
+  return std::any_of(distances.begin(), distances.end(), [](float d) { return d < 0; });
+}
+
+void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
+  shape = Shape::placed;
+  for (std::size_t i = 0; i < 3; ++i) {
+    is_clipped[i] = is_vertex_clipped(i);
+    if (is_clipped[i]) {
+      shape = Shape::cut;
+    } else {
+      snapped[i] = snap(columns[i], snapping);
+    }
+  }
+  const Field unit = power_of_two(-snapping.subpixel_bits);
+  reach = candidate_radius(snapping) * unit;
+  if (shape == Shape::cut) {
+    const double tolerance_in_units = double{scene->contract().clip_tolerance};
+    tolerance = Ring(std::ldexp(tolerance_in_units, -snapping.subpixel_bits));
+    reach = std::max(reach, Field(tolerance));
+    return;
+  }
+
+  const auto maps = [this, &snapping](bool corners_only) {
+    std::array<std::vector<RingVector3>, 3> choices;
+    for (std::size_t i = 0; i < 3; ++i) {
+      choices[i] = placed_columns(*snapped[i], snapping.subpixel_bits, corners_only);
+    }
+    return placed_maps(choices);
+  };
+  corner_placements = maps(true);
+  // The product of three counts may exceed a long; the largest alone settles it first.
+  double count = 1;
+  for (const auto& vertex : snapped) {
+    count *= static_cast<double>(vertex->x.count()) * static_cast<double>(vertex->y.count());
+  }
+  if (count <= kMostPlacements) placements = maps(false);
+}
+
+FieldRange TriangleSetup::extent(Eigen::Index axis) const {
+  std::array<Field, 3> at;
+  for (std::size_t i = 0; i < 3; ++i) at[i] = quotient(columns[i][axis], columns[i][2]);
+  return {std::min({at[0], at[1], at[2]}) - reach, std::max({at[0], at[1], at[2]}) + reach};
+}
+
+PixelBox TriangleSetup::pixels() const {
+  const PixelBox all = scene->pixels();
+  if (has_nonpositive_w) return all;  // some of it may lie anywhere, up to infinity
+  const auto touched = [this](Eigen::Index axis, int most) -> std::pair<int, int> {
+    const FieldRange range = extent(axis);
+    const Field least(-1);
+    const Field greatest(most);
+    const long first = floor_to_long(std::clamp(range.lo, least, greatest));
+    const long last = floor_to_long(std::clamp(range.hi, least, greatest));
+    return {static_cast<int>(first), static_cast<int>(last) + 1};
+  };
+  const auto [x0, x1] = touched(0, all.x1);
+  const auto [y0, y1] = touched(1, all.y1);
+  return intersection(all, {x0, y0, x1, y1});
+}
+
+ConvexRegion TriangleSetup::clipped_to_triangle(ConvexRegion region) const {
+  for (std::size_t i = 0; i < 3; ++i) region.clip(ideal.edge(i));
+  for (const ClipFunctional& functional : clip_functionals) region.clip(functional.line);
+  return region;
+}
+
+ConvexRegion box_around(const Point& p, const Field& reach) {
+  const Field u(p.u);
+  const Field v(p.v);
+  return {FieldPoint{u - reach, v - reach}, FieldPoint{u + reach, v + reach}};
+}
+
+}  // namespace rastercheck::oracle

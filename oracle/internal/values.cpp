@@ -1,0 +1,287 @@
+#include "oracle/internal/values.h"
+
+#include <algorithm>
+
+#include "oracle/internal/coverage.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+using records::Verdict;
+
+FieldRange single(const Field& value) { return {value, value}; }
+
+std::optional<FieldRange> single(const std::optional<Field>& value) {
+  if (!value) return std::nullopt;
+  return single(*value);
+}
+
+/// The values a quantity takes on a region: it is a ratio of affine functionals whose denominator
+/// keeps its sign there, so its extremes are at corners.
+std::optional<FieldRange> range_over(const Quantity& quantity, const ProjectiveMap& map,
+                                     const ConvexRegion& region) {
+  std::optional<FieldRange> range;
+  for (const FieldPoint& corner : region.vertices()) {
+    range = hull(range, single(quantity.at(map, corner)));
+  }
+  return range;
+}
+
+FieldRange end_range(const std::array<Field, 3>& ends) {
+  return {std::min({ends[0], ends[1], ends[2]}), std::max({ends[0], ends[1], ends[2]})};
+}
+
+FieldRange intersection(const FieldRange& a, const FieldRange& b) {
+  return {std::max(a.lo, b.lo), std::min(a.hi, b.hi)};
+}
+
+bool has_positive_inverse_w(const ProjectiveMap& map, const Point& p) {
+  return sign_of(map.inverse_w().at(p)) > 0;
+}
+
+template <typename AnyPoint>
+std::optional<Field> evaluate(const Quantity& quantity, const ProjectiveMap& map,
+                              const AnyPoint& p) {
+  if (map.orientation() == 0) return std::nullopt;
+  const auto numerator = map.combine(quantity.numerators).at(p);
+  if (!quantity.is_perspective) return Field(numerator) / Field(map.determinant());
+  const auto denominator = map.inverse_w().at(p);
+  if (sign_of(denominator) <= 0) return std::nullopt;
+  return Field(numerator) / Field(denominator);
+}
+
+}  // namespace
+
+std::optional<Field> Quantity::at(const ProjectiveMap& map, const Point& p) const {
+  return evaluate(*this, map, p);
+}
+
+std::optional<Field> Quantity::at(const ProjectiveMap& map, const FieldPoint& p) const {
+  return evaluate(*this, map, p);
+}
+
+TriangleValues::TriangleValues(const TriangleSetup& triangle) : triangle_(&triangle) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    depth_.numerators[i] = triangle.scene->depth_numerator(triangle.indices[i]);
+    // The depth at a vertex; read only where all w > 0.
+    if (!triangle.has_nonpositive_w) {
+      depth_ends_[i] = quotient(depth_.numerators[i], triangle.columns[i][2]);
+    }
+  }
+}
+
+std::array<Ring, 3> TriangleValues::vertex_values(std::size_t attribute) const {
+  const cases::Case& source = triangle_->scene->source();
+  std::array<Ring, 3> values;
+  for (std::size_t i = 0; i < 3; ++i) {
+    values[i] = Ring(double{source.attributes_of(triangle_->indices[i])[attribute]});
+  }
+  return values;
+}
+
+Quantity TriangleValues::quantity(std::size_t attribute) const {
+  Quantity quantity{vertex_values(attribute), true};
+  if (triangle_->scene->source().attributes[attribute].interpolation ==
+      cases::Interpolation::noperspective) {
+    quantity.is_perspective = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      quantity.numerators[i] = quantity.numerators[i] * triangle_->columns[i][2];
+    }
+  }
+  return quantity;
+}
+
+const ProjectiveMap* TriangleValues::single_map() const {
+  const cases::Basis basis = triangle_->scene->contract().basis;
+  if (triangle_->shape == Shape::exact || basis == cases::Basis::ideal) return &triangle_->ideal;
+  if (basis == cases::Basis::snapped && triangle_->placements.size() == 1) {
+    return &triangle_->placements.front();
+  }
+  return nullptr;
+}
+
+Point TriangleValues::location(std::size_t attribute, int x, int y, int sample) const {
+  const Scene& scene = *triangle_->scene;
+  return scene.source().attributes[attribute].location == cases::Location::center
+             ? Scene::center_point(x, y)
+             : scene.sample_point(x, y, sample);
+}
+
+std::optional<FieldRange> TriangleValues::value_at(const Quantity& quantity, const Ends& ends,
+                                                   const Point& p, Place place) const {
+  if (const ProjectiveMap* map = single_map()) {
+    // Where the centre lies behind the eye's horizon nothing is defined there, not even an affine
+    // value (RULES §4).
+    if (place == Place::center && !has_positive_inverse_w(*map, p)) return std::nullopt;
+    return single(quantity.at(*map, p));
+  }
+  return triangle_->shape == Shape::cut ? cut_value(quantity, p, place)
+                                        : placed_value(quantity, ends, p, place);
+}
+
+/// Every vertex coordinate enters a value as a linear fraction, so the value is monotone in each
+/// (RULES §3) and its range over the boxes of the placements is taken at their corners, unless a
+/// pole lies between.
+std::optional<FieldRange> TriangleValues::placed_value(const Quantity& quantity, const Ends& ends,
+                                                       const Point& p, Place place) const {
+  const auto& corners = triangle_->corner_placements;
+  const int orientation = corners.front().orientation();
+  const bool has_pole = std::any_of(corners.begin(), corners.end(), [&](const ProjectiveMap& map) {
+    return map.orientation() == 0 || map.orientation() != orientation ||
+           !has_positive_inverse_w(map, p);
+  });
+  std::optional<FieldRange> range;
+  if (has_pole) {
+    if (place == Place::center) return std::nullopt;
+    range = end_range(ends);
+  } else {
+    for (const ProjectiveMap& map : corners) range = hull(range, single(quantity.at(map, p)));
+    // Inside a triangle a value is a mean of its vertices' values.
+    if (place == Place::sample) range = intersection(*range, end_range(ends));
+  }
+  if (triangle_->scene->contract().basis == cases::Basis::unspecified) {
+    const ProjectiveMap& ideal = triangle_->ideal;
+    if (place == Place::sample || has_positive_inverse_w(ideal, p)) {
+      range = hull(range, single(quantity.at(ideal, p)));
+    }
+  }
+  return range;
+}
+
+/// Corners of the clipped polygon move by at most `reach` per axis. A point p of the moved polygon
+/// is a mean of moved corners; the same mean of the corners where they were is a point q of the
+/// polygon within `reach` of p. Values that are affine in window space (n/w and 1/w) are carried
+/// with the corners, so the moved polygon has at p the value that the exact one has at q. The
+/// argument needs a mean, so a centre that may lie outside has no value.
+std::optional<FieldRange> TriangleValues::cut_value(const Quantity& quantity, const Point& p,
+                                                    Place place) const {
+  if (place == Place::center && decide_point(*triangle_, p).verdict != Verdict::required) {
+    return std::nullopt;
+  }
+  std::optional<FieldRange> range =
+      range_over(quantity, triangle_->ideal,
+                 triangle_->clipped_to_triangle(box_around(p, triangle_->reach)));
+  if (triangle_->scene->contract().basis == cases::Basis::unspecified &&
+      (place == Place::sample || has_positive_inverse_w(triangle_->ideal, p))) {
+    range = hull(range, single(quantity.at(triangle_->ideal, p)));
+  }
+  return range;
+}
+
+std::optional<OpenValue> TriangleValues::depth(int x, int y, int sample) const {
+  const Scene& scene = *triangle_->scene;
+  std::optional<FieldRange> range =
+      value_at(depth_, depth_ends_, scene.sample_point(x, y, sample), Place::sample);
+  if (!range) return std::nullopt;
+  if (scene.clamps_depth()) {
+    const Field least(scene.least_depth());
+    const Field greatest(scene.greatest_depth());
+    range->lo = std::clamp(range->lo, least, greatest);
+    range->hi = std::clamp(range->hi, least, greatest);
+  }
+  return OpenValue{*range, scene.contract().is_unspecified() || single_map() == nullptr};
+}
+
+std::optional<OpenValue> TriangleValues::attribute(std::size_t index, int x, int y,
+                                                   int sample) const {
+  const Scene& scene = *triangle_->scene;
+  const cases::Attribute& declared = scene.source().attributes[index];
+  const bool always_open = scene.contract().is_unspecified();
+  const std::array<Ring, 3> values = vertex_values(index);
+  if (declared.interpolation == cases::Interpolation::flat) {
+    return OpenValue{single(Field(values[scene.conventions().provoking_vertex])), always_open};
+  }
+
+  const Quantity q = quantity(index);
+  const Ends ends{Field(values[0]), Field(values[1]), Field(values[2])};
+  if (declared.location == cases::Location::centroid) {
+    if (scene.conventions().centroid_is_a_sample) {
+      std::optional<OpenValue> value = centroid_sample(q, ends, x, y);
+      if (value) value->is_open = value->is_open || always_open;
+      return value;
+    }
+    const std::optional<FieldRange> range = centroid_region(q, x, y);
+    if (!range) return std::nullopt;
+    return OpenValue{*range, true};
+  }
+  const Place place =
+      declared.location == cases::Location::center ? Place::center : Place::sample;
+  const std::optional<FieldRange> range =
+      value_at(q, ends, location(index, x, y, sample), place);
+  if (!range) return std::nullopt;
+  return OpenValue{*range, always_open || single_map() == nullptr};
+}
+
+/// D3D: the centre if all samples are covered, else the first covered sample. Samples that are only
+/// permitted leave several of these open.
+std::optional<OpenValue> TriangleValues::centroid_sample(const Quantity& quantity, const Ends& ends,
+                                                         int x, int y) const {
+  const Scene& scene = *triangle_->scene;
+  const int count = scene.source().framebuffer.samples;
+  bool all_possible = true;
+  bool all_sure = true;
+  bool first_found = false;
+  std::vector<int> firsts;
+  for (int s = 0; s < count; ++s) {
+    const Verdict verdict = decide(*triangle_, x, y, s).verdict;
+    all_possible = all_possible && verdict != Verdict::forbidden;
+    all_sure = all_sure && verdict == Verdict::required;
+    if (!first_found && verdict != Verdict::forbidden) firsts.push_back(s);
+    first_found = first_found || verdict == Verdict::required;
+  }
+  if (all_sure) firsts.clear();
+
+  std::optional<FieldRange> range;
+  for (const int s : firsts) {
+    const auto value = value_at(quantity, ends, scene.sample_point(x, y, s), Place::sample);
+    if (!value) return std::nullopt;
+    range = hull(range, value);
+  }
+  if (all_possible) {
+    const auto value = value_at(quantity, ends, Scene::center_point(x, y), Place::center);
+    if (!value) return std::nullopt;
+    range = hull(range, value);
+  }
+  if (!range) return std::nullopt;
+  const std::size_t locations = firsts.size() + (all_possible ? 1 : 0);
+  return OpenValue{*range, locations > 1 || single_map() == nullptr};
+}
+
+/// OpenGL and Vulkan: any point of the pixel that lies in the clipped triangle.
+std::optional<FieldRange> TriangleValues::centroid_region(const Quantity& quantity, int x,
+                                                          int y) const {
+  const Scene& scene = *triangle_->scene;
+  const Field zero(0);
+  const ProjectiveMap* map = single_map();
+  const Field spread = map == nullptr ? triangle_->reach : zero;
+  ConvexRegion region(FieldPoint{Field(x) - spread, Field(y) - spread},
+                      FieldPoint{Field(x + 1) + spread, Field(y + 1) + spread});
+  if (map == nullptr || map == &triangle_->ideal) {
+    region = triangle_->clipped_to_triangle(std::move(region));
+  } else {
+    for (std::size_t i = 0; i < 3; ++i) region.clip(map->edge(i));
+  }
+  if (map != nullptr) {
+    region.clip({Ring(1), Ring(0), -scene.viewport_lo().u});
+    region.clip({Ring(-1), Ring(0), scene.viewport_hi().u});
+    region.clip({Ring(0), Ring(1), -scene.viewport_lo().v});
+    region.clip({Ring(0), Ring(-1), scene.viewport_hi().v});
+  }
+  std::optional<FieldRange> range =
+      range_over(quantity, map == nullptr ? triangle_->ideal : *map, region);
+  if (triangle_->shape == Shape::exact) return range;
+
+  // What is drawn need not lie in the exact triangle: an implementation may take a covered sample.
+  const bool ideal_may_be_taken =
+      map != nullptr || scene.contract().basis == cases::Basis::unspecified;
+  if (!ideal_may_be_taken) return range;
+  const ProjectiveMap& drawn = map == nullptr ? triangle_->ideal : *map;
+  for (int s = 0; s < scene.source().framebuffer.samples; ++s) {
+    if (decide(*triangle_, x, y, s).verdict == Verdict::forbidden) continue;
+    const Point p = scene.sample_point(x, y, s);
+    range = hull(range, single(quantity.at(drawn, p)));
+  }
+  return range;
+}
+
+}  // namespace rastercheck::oracle

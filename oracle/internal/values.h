@@ -1,0 +1,72 @@
+#pragma once
+
+// The exact values of a triangle's fragments (RULES §1, §3, §4): depth and attributes, as the range
+// the contract leaves open, mostly a single value.
+
+#include <optional>
+#include <vector>
+
+#include "oracle/internal/triangle_setup.h"
+
+namespace rastercheck::oracle {
+
+/// A value with three per-vertex numbers n_i: Σ E_i n_i over Σ E_i where it is perspective (smooth
+/// attributes, n = r), over |det M| where it is affine in window space (noperspective, n = r w;
+/// depth).
+struct Quantity {
+  std::array<Ring, 3> numerators;
+  bool is_perspective = false;
+
+  /// The value on a map at a point; nothing where a perspective value has no D > 0 there, or where
+  /// the map has no orientation.
+  std::optional<Field> at(const ProjectiveMap& map, const Point& p) const;
+  std::optional<Field> at(const ProjectiveMap& map, const FieldPoint& p) const;
+};
+
+/// A value as the rules leave it. `is_open`: the rules leave it open by their kind (unspecified
+/// snapping or basis, centroid, a cut triangle), so that it is shown as a range even where both
+/// ends are equal.
+struct OpenValue {
+  FieldRange range;
+  bool is_open = false;
+};
+
+class TriangleValues {
+ public:
+  /// The setup must outlive the values.
+  explicit TriangleValues(const TriangleSetup& triangle);
+
+  /// The depth of a fragment; nothing where it is undefined.
+  std::optional<OpenValue> depth(int x, int y, int sample) const;
+  /// An attribute of a fragment; nothing where it is undefined.
+  std::optional<OpenValue> attribute(std::size_t index, int x, int y, int sample) const;
+
+  /// What derivatives and conditioning take apart.
+  Quantity quantity(std::size_t attribute) const;
+  /// The exact vertex values of an attribute.
+  std::array<Ring, 3> vertex_values(std::size_t attribute) const;
+  /// The point an attribute of a fragment is evaluated at; for a centroid that is a range of
+  /// points: the sample.
+  Point location(std::size_t attribute, int x, int y, int sample) const;
+  /// The map that the contract's basis evaluates; nothing where it leaves several.
+  const ProjectiveMap* single_map() const;
+
+ private:
+  enum class Place { sample, center };
+  using Ends = std::array<Field, 3>;
+
+  std::optional<FieldRange> value_at(const Quantity& quantity, const Ends& ends, const Point& p,
+                                     Place place) const;
+  std::optional<FieldRange> placed_value(const Quantity& quantity, const Ends& ends,
+                                         const Point& p, Place place) const;
+  std::optional<FieldRange> cut_value(const Quantity& quantity, const Point& p, Place place) const;
+  std::optional<OpenValue> centroid_sample(const Quantity& quantity, const Ends& ends, int x,
+                                           int y) const;
+  std::optional<FieldRange> centroid_region(const Quantity& quantity, int x, int y) const;
+
+  const TriangleSetup* triangle_;
+  Quantity depth_;
+  Ends depth_ends_;
+};
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,28 @@
+#include "oracle/rational.h"
+
+#include "oracle/internal/rational_number.h"
+
+namespace rastercheck::oracle {
+
+Rational::Rational(double value) : number_(std::make_shared<const Number>(Number{Field(value)})) {}
+
+std::string Rational::to_string() const {
+  const mpq_srcptr q = number_->value.mpq();
+  // Two signs' worth of room, a slash and the end: mpq_get_str's own recipe.
+  std::string text(mpz_sizeinbase(mpq_numref(q), 10) + mpz_sizeinbase(mpq_denref(q), 10) + 3, '\0');
+  mpq_get_str(text.data(), 10, q);
+  text.resize(text.find('\0'));
+  return text;
+}
+
+records::Enclosure Rational::enclosure() const { return enclose(number_->value); }
+
+float Rational::nearest_float() const { return oracle::nearest_float(number_->value); }
+
+std::strong_ordering Rational::operator<=>(const Rational& other) const {
+  return mpq_cmp(number_->value.mpq(), other.number_->value.mpq()) <=> 0;
+}
+
+bool Rational::operator==(const Rational& other) const { return (*this <=> other) == 0; }
+
+}  // namespace rastercheck::oracle

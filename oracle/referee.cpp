@@ -1,0 +1,216 @@
+#include "oracle/referee.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "cases/sample_pattern.h"
+#include "oracle/internal/camera_form.h"
+#include "oracle/internal/rational_number.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+using cases::Rules;
+using FieldVector4 = Eigen::Matrix<Field, 4, 1>;
+using FieldMatrix4 = Eigen::Matrix<Field, 4, 4>;
+
+Field exact(float value) { return {double{value}}; }
+
+FieldMatrix4 exact(const cases::Matrix4& rows) {
+  FieldMatrix4 matrix;
+  for (std::size_t i = 0; i < 16; ++i) {
+    matrix(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = exact(rows[i]);
+  }
+  return matrix;
+}
+
+FieldVector4 clip_position(const cases::Case& c, std::uint32_t vertex) {
+  const cases::ClipVertex& p = c.positions[vertex];
+  FieldVector4 position(exact(p.x), exact(p.y), exact(p.z), exact(p.w));
+  if (!c.camera) return position;
+  position = (exact(c.camera->model) * position).eval();
+  position = (exact(c.camera->view) * position).eval();
+  return exact(c.camera->projection) * position;
+}
+
+/// The image plane of a viewport: window = V (x, y, w)^T, so that a, b, c are the columns of V^-1.
+/// Nothing for a viewport without area.
+std::optional<ImagePlane> image_plane(const cases::Case& c) {
+  const Field half_width = exact(c.viewport.width) / Field(2);
+  const Field half_height = exact(c.viewport.height) / Field(2);
+  const Field scale_y = c.rules == Rules::d3d ? -half_height : half_height;
+  if (sign_of(half_width) == 0 || sign_of(half_height) == 0) return std::nullopt;
+  const Field center_x = exact(c.viewport.x) + half_width;
+  const Field center_y = exact(c.viewport.y) + half_height;
+  return ImagePlane{.eye = {0, 0, 0},
+                    .a = {Field(1) / half_width, 0, 0},
+                    .b = {0, Field(1) / scale_y, 0},
+                    .c = {-center_x / half_width, -center_y / scale_y, 1}};
+}
+
+/// The sign of a functional that is moved by (ε, ±ε²) with a vanishing ε > 0: what a tie rule says
+/// of a sample exactly on a boundary. 0 only for the functional that is 0 everywhere.
+int perturbed_sign(const Field& value, const Field& slope_u, const Field& slope_v, bool v_up) {
+  if (sign_of(value) != 0) return sign_of(value);
+  if (sign_of(slope_u) != 0) return sign_of(slope_u);
+  return v_up ? sign_of(slope_v) : -sign_of(slope_v);
+}
+
+/// Everything about one triangle that the formulas below name.
+struct Plane {
+  std::array<FieldVector4, 3> clip;
+  FieldMatrix3 q;
+
+  Field e(Eigen::Index i, const Field& u, const Field& v) const {
+    return q(i, 0) * u + q(i, 1) * v + q(i, 2);
+  }
+  /// s-weighted sums of the rows of Q: the slopes and the value of Σ s_i e_i.
+  Field slope_u(const std::array<Field, 3>& s) const {
+    return s[0] * q(0, 0) + s[1] * q(1, 0) + s[2] * q(2, 0);
+  }
+  Field slope_v(const std::array<Field, 3>& s) const {
+    return s[0] * q(0, 1) + s[1] * q(1, 1) + s[2] * q(2, 1);
+  }
+  Field sum(const std::array<Field, 3>& s, const Field& u, const Field& v) const {
+    return s[0] * e(0, u, v) + s[1] * e(1, u, v) + s[2] * e(2, u, v);
+  }
+};
+
+bool is_drawn_facing(const cases::Case& c, int facing) {
+  if (c.cull == cases::Cull::none) return true;
+  const bool y_up = c.rules == Rules::opengl;
+  const bool ccw = y_up ? facing > 0 : facing < 0;
+  const bool front = c.front_face == cases::FrontFace::ccw ? ccw : !ccw;
+  return c.cull == cases::Cull::back ? front : !front;
+}
+
+bool is_inside_viewport(const cases::Case& c, const Field& u, const Field& v) {
+  const auto within = [](const Field& at, float from, float extent) {
+    const Field first = exact(from);
+    const Field second = first + exact(extent);
+    return std::min(first, second) <= at && at < std::max(first, second);
+  };
+  return within(u, c.viewport.x, c.viewport.width) && within(v, c.viewport.y, c.viewport.height);
+}
+
+bool is_covered(const cases::Case& c, const cases::Triangle& indices, const Plane& plane,
+                const Field& u, const Field& v) {
+  // Top-left: a sample is moved to the right and, by far less, downwards; bottom-left: upwards.
+  const bool moved_up = c.fill_rule == cases::TieRule::bottom_left;
+  const bool moves_towards_greater_v = moved_up == (c.rules == Rules::opengl);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    if (perturbed_sign(plane.e(i, u, v), plane.q(i, 0), plane.q(i, 1), moves_towards_greater_v) <=
+        0) {
+      return false;
+    }
+  }
+  const std::array<Field, 3> z{plane.clip[0][2], plane.clip[1][2], plane.clip[2][2]};
+  if (!c.depth_clamp) {
+    // z/w lies between the planes; 1/w > 0 inside, and Σ e_i w_i = 1.
+    const Field z_over_w = plane.sum(z, u, v);
+    const Field least = c.rules == Rules::opengl ? Field(-1) : Field(0);
+    if (z_over_w < least || z_over_w > Field(1)) return false;
+  }
+  for (std::size_t d = 0; d < c.clip_distance_count; ++d) {
+    std::array<Field, 3> distance;
+    for (std::size_t i = 0; i < 3; ++i) distance[i] = exact(c.clip_distances_of(indices[i])[d]);
+    const Field value = plane.sum(distance, u, v);
+    const Field du = plane.slope_u(distance);
+    const Field dv = plane.slope_v(distance);
+    const bool everywhere_zero = sign_of(value) == 0 && sign_of(du) == 0 && sign_of(dv) == 0;
+    if (c.rules == Rules::d3d || everywhere_zero) {
+      if (sign_of(value) < 0) return false;
+    } else if (perturbed_sign(value, du, dv, moves_towards_greater_v) <= 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// r at (u, v), by k and l.
+std::optional<Field> value_at(const cases::Attribute& attribute, const std::array<Field, 3>& r,
+                              const Plane& plane, const Field& u, const Field& v) {
+  const Field one_over_w = plane.sum({Field(1), Field(1), Field(1)}, u, v);
+  if (sign_of(one_over_w) <= 0) return std::nullopt;
+  if (attribute.interpolation == cases::Interpolation::noperspective) {
+    // Linear in window space: the weights e_i w_i sum to 1.
+    return plane.sum({r[0] * plane.clip[0][3], r[1] * plane.clip[1][3], r[2] * plane.clip[2][3]},
+                     u, v);
+  }
+  const Field w = Field(1) / one_over_w;
+  const Field k = plane.e(1, u, v) * w;
+  const Field l = plane.e(2, u, v) * w;
+  return r[0] + (r[1] - r[0]) * k + (r[2] - r[0]) * l;
+}
+
+Field depth_at(const cases::Case& c, const Plane& plane, const Field& u, const Field& v) {
+  const Field ndc = plane.sum({plane.clip[0][2], plane.clip[1][2], plane.clip[2][2]}, u, v);
+  const Field n = exact(c.viewport.min_depth);
+  const Field f = exact(c.viewport.max_depth);
+  const Field unit = c.rules == Rules::opengl ? (ndc + Field(1)) / Field(2) : ndc;
+  const Field depth = n + (f - n) * unit;
+  if (!c.depth_clamp && c.rules != Rules::d3d) return depth;
+  return std::clamp(depth, std::min(n, f), std::max(n, f));
+}
+
+}  // namespace
+
+std::optional<FieldMatrix3> q_matrix(const std::array<FieldVector3, 3>& vertices,
+                                     const ImagePlane& plane) {
+  FieldMatrix3 m;
+  for (std::size_t i = 0; i < 3; ++i) m.col(static_cast<Eigen::Index>(i)) = vertices[i] - plane.eye;
+  FieldMatrix3 abc;
+  abc.col(0) = plane.a;
+  abc.col(1) = plane.b;
+  abc.col(2) = plane.c;
+  // Gaussian elimination with exact pivots: the rank it finds is the rank.
+  const Eigen::FullPivLU<FieldMatrix3> lu(m);
+  if (!lu.isInvertible()) return std::nullopt;
+  return FieldMatrix3(lu.solve(abc));
+}
+
+std::optional<RefereeFragment> referee(const cases::Case& c, std::size_t triangle, int x, int y,
+                                       int sample) {
+  const cases::Triangle& indices = c.triangles[triangle];
+  const std::optional<ImagePlane> image = image_plane(c);
+  if (!image) return std::nullopt;
+  Plane plane;
+  std::array<FieldVector3, 3> eye_space;
+  for (std::size_t i = 0; i < 3; ++i) {
+    plane.clip[i] = clip_position(c, indices[i]);
+    eye_space[i] = {plane.clip[i][0], plane.clip[i][1], plane.clip[i][3]};
+  }
+  const std::optional<FieldMatrix3> q = q_matrix(eye_space, *image);
+  if (!q) return std::nullopt;
+  plane.q = *q;
+
+  // Q = M_cam^-1 [a b c], so sign det Q = sign(det M_cam · det [a b c]): the facing.
+  if (!is_drawn_facing(c, sign_of(plane.q.determinant()))) return std::nullopt;
+  if (c.scissor && (x < c.scissor->x || x >= c.scissor->x + c.scissor->width ||
+                    y < c.scissor->y || y >= c.scissor->y + c.scissor->height)) {
+    return std::nullopt;
+  }
+  const auto at = cases::standard_pattern(c.framebuffer.samples)[static_cast<std::size_t>(sample)];
+  const Field u = Field(x) + Field(at.x, 16);
+  const Field v = Field(y) + Field(at.y, 16);
+  if (!is_inside_viewport(c, u, v) || !is_covered(c, indices, plane, u, v)) return std::nullopt;
+
+  RefereeFragment fragment{triangle, x, y, sample, to_rational(depth_at(c, plane, u, v)), {}};
+  for (std::size_t a = 0; a < c.attributes.size(); ++a) {
+    const cases::Attribute& attribute = c.attributes[a];
+    std::array<Field, 3> r;
+    for (std::size_t i = 0; i < 3; ++i) r[i] = exact(c.attributes_of(indices[i])[a]);
+    std::optional<Field> value;
+    if (attribute.interpolation == cases::Interpolation::flat) {
+      value = c.rules == Rules::opengl ? r[2] : r[0];
+    } else if (attribute.location == cases::Location::sample) {
+      value = value_at(attribute, r, plane, u, v);
+    } else if (attribute.location == cases::Location::center) {
+      value = value_at(attribute, r, plane, Field(x) + Field(1, 2), Field(y) + Field(1, 2));
+    }
+    fragment.attributes.push_back(value ? std::optional(to_rational(*value)) : std::nullopt);
+  }
+  return fragment;
+}
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,59 @@
+#include "oracle/triangle_truth.h"
+
+#include <algorithm>
+
+#include "oracle/internal/coverage.h"
+#include "oracle/internal/rational_number.h"
+#include "oracle/internal/scene.h"
+#include "oracle/internal/triangle_setup.h"
+#include "oracle/internal/values.h"
+
+namespace rastercheck::oracle {
+
+SceneTruth::SceneTruth(cases::Case source, const cases::Contract& contract)
+    : source_(std::move(source)),
+      contract_(contract),
+      scene_(std::make_unique<Scene>(source_, contract_)) {}
+
+SceneTruth::~SceneTruth() = default;
+
+TriangleTruth::TriangleTruth(const SceneTruth& scene, std::size_t triangle)
+    : setup_(std::make_unique<TriangleSetup>(scene.scene(), scene.source().triangles[triangle])),
+      values_(std::make_unique<TriangleValues>(*setup_)) {}
+
+TriangleTruth::~TriangleTruth() = default;
+
+Pixels TriangleTruth::pixels() const {
+  const PixelBox box = setup_->pixels();
+  return {box.x0, box.y0, box.x1, box.y1};
+}
+
+int TriangleTruth::orientation() const { return setup_->ideal.orientation(); }
+
+Judgment TriangleTruth::judge(int x, int y, int sample) const {
+  const Decision decision = decide(*setup_, x, y, sample);
+  return {decision.verdict, decision.reason};
+}
+
+std::optional<records::Enclosure> TriangleTruth::distance(int x, int y, int sample) const {
+  return boundary_distance(*setup_, setup_->scene->sample_point(x, y, sample));
+}
+
+std::optional<ValueRange> TriangleTruth::depth(int x, int y, int sample) const {
+  return to_public(values_->depth(x, y, sample));
+}
+
+std::optional<ValueRange> TriangleTruth::attribute(std::size_t attribute, int x, int y,
+                                                   int sample) const {
+  return to_public(values_->attribute(attribute, x, y, sample));
+}
+
+Rational TriangleTruth::attribute_magnitude(std::size_t attribute) const {
+  Ring largest(0);
+  for (const Ring& value : values_->vertex_values(attribute)) {
+    largest = std::max(largest, magnitude(value));
+  }
+  return to_rational(Field(largest));
+}
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,115 @@
+#pragma once
+
+// The exact truth of one triangle of a case: the verdict of every sample, the values a fragment may
+// have, and how far from the decision it was. What it implements is RULES §1–§5; what it does not
+// do is draw: it answers for one sample at a time, from nothing but the case.
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "cases/case.h"
+#include "oracle/rational.h"
+#include "records/enclosure.h"
+#include "records/verdict.h"
+
+namespace rastercheck::oracle {
+
+class Scene;
+struct TriangleSetup;
+class TriangleValues;
+
+/// A case with its clip positions in exact numbers, shared by its triangles. Clip positions of a
+/// case with a camera are projection · view · model · position without rounding.
+class SceneTruth {
+ public:
+  SceneTruth(cases::Case source, const cases::Contract& contract);
+  SceneTruth(const SceneTruth&) = delete;
+  SceneTruth& operator=(const SceneTruth&) = delete;
+  ~SceneTruth();
+
+  const cases::Case& source() const { return source_; }
+  const cases::Contract& contract() const { return contract_; }
+  const Scene& scene() const { return *scene_; }
+
+ private:
+  cases::Case source_;
+  cases::Contract contract_;
+  std::unique_ptr<Scene> scene_;
+};
+
+struct Judgment {
+  records::Verdict verdict = records::Verdict::forbidden;
+  records::Reason reason = records::Reason::outside;
+};
+
+/// Pixels x0 <= x < x1, y0 <= y < y1; empty where x1 <= x0 or y1 <= y0.
+struct Pixels {
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = 0;
+  int y1 = 0;
+};
+
+/// Partial derivatives of an attribute at its location.
+struct Derivatives {
+  Rational du;  ///< ∂r/∂u = (N_u − r D_u)/D, per pixel of window x
+  Rational dv;  ///< ∂r/∂v, per pixel of window y
+};
+
+/// How errors are amplified at a fragment (RULES §5); nothing where the divisor is 0.
+struct Conditioning {
+  std::optional<Rational> kappa;    ///< Σ|r_i| e_i / |N|: relative errors of the weights
+  std::optional<Rational> kappa_d;  ///< max_i(|A_i u| + |B_i v| + |C_i|)/D: cancellation in them
+};
+
+/// All answers are for pixel (x, y) and sample `sample` of the framebuffer's pattern; `attribute`
+/// is an index into the case's attributes. The scene must outlive the truth.
+class TriangleTruth {
+ public:
+  /// `triangle` is an index into the case's triangles.
+  TriangleTruth(const SceneTruth& scene, std::size_t triangle);
+  ~TriangleTruth();
+
+  /// The pixels whose samples may be other than forbidden.
+  Pixels pixels() const;
+
+  /// sign(det M): +1, −1, or 0 for a triangle seen edge-on (it covers nothing).
+  int orientation() const;
+
+  Judgment judge(int x, int y, int sample) const;
+
+  /// The signed distance to the boundary that decided, in pixels, positive inside: certified
+  /// enclosure of an irrational number. Nothing for a triangle without orientation.
+  std::optional<records::Enclosure> distance(int x, int y, int sample) const;
+
+  /// The values that a fragment there may have; nothing where the rules leave them undefined (a
+  /// centre behind the horizon). For samples that are not forbidden.
+  std::optional<ValueRange> depth(int x, int y, int sample) const;
+  std::optional<ValueRange> attribute(std::size_t attribute, int x, int y, int sample) const;
+
+  /// The number scale ULP are measured by: max |r_i|.
+  Rational attribute_magnitude(std::size_t attribute) const;
+
+  /// Analytic screen derivatives of a smooth or noperspective attribute (zero of a flat one).
+  /// Nothing where the value is undefined or the contract leaves several placements.
+  std::optional<Derivatives> derivatives(std::size_t attribute, int x, int y, int sample) const;
+
+  /// What an API's dFdx and dFdy are: exact differences across the even-aligned 2×2 quad of pixels
+  /// that holds (x, y), in its row and in its column; helper pixels extrapolate.
+  std::optional<Derivatives> quad_differences(std::size_t attribute, int x, int y,
+                                              int sample) const;
+
+  /// log2 of the larger of the two lengths of the screen derivatives of texture position
+  /// (s · width, t · height), certified; −infinity where both are zero.
+  std::optional<records::Enclosure> level_of_detail(std::size_t s, std::size_t t, int width,
+                                                    int height, int x, int y, int sample) const;
+
+  std::optional<Conditioning> conditioning(std::size_t attribute, int x, int y, int sample) const;
+
+ private:
+  std::unique_ptr<TriangleSetup> setup_;
+  std::unique_ptr<TriangleValues> values_;
+};
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,24 @@
+#include "records/enclosure.h"
+
+#include <fmt/format.h>
+
+namespace rastercheck::records {
+namespace {
+
+std::string in_decimals(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
+
+}  // namespace
+
+bool contains(const Enclosure& enclosure, double value) {
+  return enclosure.lo <= value && value <= enclosure.hi;
+}
+
+std::string to_decimal(const Enclosure& enclosure, int digits) {
+  for (; digits > 0; --digits) {
+    std::string text = in_decimals(enclosure.lo, digits);
+    if (text == in_decimals(enclosure.hi, digits)) return text;
+  }
+  return "[" + in_decimals(enclosure.lo, 17) + ", " + in_decimals(enclosure.hi, 17) + "]";
+}
+
+}  // namespace rastercheck::records

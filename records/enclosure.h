@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+namespace rastercheck::records {
+
+/// A certified interval: the exact number it stands for lies in [lo, hi], both ends included. An
+/// infinite end means that no double bounds it on that side.
+struct Enclosure {
+  double lo = 0;
+  double hi = 0;
+  bool operator==(const Enclosure&) const = default;
+};
+
+/// Whether `value` may be the enclosed number.
+bool contains(const Enclosure& enclosure, double value);
+
+/// The enclosed number in at most `digits` significant decimals, all of which are certain; the two
+/// ends, as "[lo, hi]", where not even one is.
+std::string to_decimal(const Enclosure& enclosure, int digits);
+
+}  // namespace rastercheck::records
