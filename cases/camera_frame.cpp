@@ -56,18 +56,19 @@ Camera frame(const Bounds& bounds, Rules rules, double width_over_height) {
   const double far = distance + 1.05 * radius;
 
   Camera camera;
-  camera.view = to_float({right[0], right[1], right[2], -dot(right, center),  //
-                          up[0], up[1], up[2], -dot(up, center),              //
+  camera.view = to_float({right[0], right[1], right[2], -dot(right, center),         //
+                          up[0], up[1], up[2], -dot(up, center),                     //
                           back[0], back[1], back[2], -dot(back, center) - distance,  //
                           0, 0, 0, 1});
-  // w = −z_view; z/w runs from −1 (OpenGL) or 0 at `near` to 1 at `far`. Vulkan's NDC y points down.
+  // w = −z_view; z/w runs from −1 (OpenGL) or 0 at `near` to 1 at `far`. Vulkan's NDC y points
+  // down.
   const double nearest_ndc = rules == Rules::opengl ? -1 : 0;
   const double scale = (nearest_ndc * near - far) / (far - near);
   const double offset = (nearest_ndc - 1) * near * far / (far - near);
   const double flip = rules == Rules::vulkan ? -1 : 1;
-  camera.projection = to_float({1 / slope_x, 0, 0, 0,         //
-                                0, flip / slope_y, 0, 0,      //
-                                0, 0, scale, offset,          //
+  camera.projection = to_float({1 / slope_x, 0, 0, 0,     //
+                                0, flip / slope_y, 0, 0,  //
+                                0, 0, scale, offset,      //
                                 0, 0, -1, 0});
   return camera;
 }

@@ -28,9 +28,7 @@ TieRule default_fill_rule(Rules rules) {
   return rules == Rules::opengl ? TieRule::bottom_left : TieRule::top_left;
 }
 
-Basis default_basis(Rules rules) {
-  return rules == Rules::d3d ? Basis::snapped : Basis::ideal;
-}
+Basis default_basis(Rules rules) { return rules == Rules::d3d ? Basis::snapped : Basis::ideal; }
 
 Contract contract_of(const Case& c) {
   Contract contract;

@@ -37,11 +37,12 @@ class Node {
   void expect_object(std::initializer_list<std::string_view> required,
                      std::initializer_list<std::string_view> optional) const {
     if (!value_->is_object()) return refuse("must be an object");
-    for (const auto& [key, value] : value_->items()) {
+    for (const auto& member : value_->items()) {
+      const std::string& key = member.key();
       const auto is_key = [&key](std::string_view known) { return known == key; };
       if (std::none_of(required.begin(), required.end(), is_key) &&
           std::none_of(optional.begin(), optional.end(), is_key)) {
-        return Node(value, child_pointer(pointer_, key), *error_, *file_)
+        return Node(member.value(), child_pointer(pointer_, key), *error_, *file_)
             .refuse(fmt::format("unknown key '{}'", printable(key)));
       }
     }
@@ -76,9 +77,9 @@ class Node {
   std::vector<Node> elements(std::size_t least, std::size_t most, std::string_view what) const {
     std::vector<Node> nodes = elements();
     if (!failed() && (nodes.size() < least || nodes.size() > most)) {
-      refuse(least == most ? fmt::format("must have {} {}, not {}", least, what, nodes.size())
-                           : fmt::format("must have {} to {} {}, not {}", least, most, what,
-                                         nodes.size()));
+      refuse(least == most
+                 ? fmt::format("must have {} {}, not {}", least, what, nodes.size())
+                 : fmt::format("must have {} to {} {}, not {}", least, most, what, nodes.size()));
       nodes.clear();
     }
     return nodes;
@@ -278,7 +279,8 @@ void read_vertices(const Node& node, Case& c) {
 
     const std::size_t count = c.attributes.size();
     if (vertex.has("attributes")) {
-      for (const Node& value : vertex["attributes"].elements(count, count, "numbers, as declared")) {
+      for (const Node& value :
+           vertex["attributes"].elements(count, count, "numbers, as declared")) {
         c.attribute_values.push_back(value.number());
       }
     } else if (count > 0) {
@@ -293,8 +295,8 @@ void read_vertices(const Node& node, Case& c) {
     if (distances.size() != c.clip_distance_count) {
       // Absent where vertex 0 has some, the vertex is the place.
       (vertex.has("clip_distances") ? vertex["clip_distances"] : vertex)
-          .refuse(fmt::format("must have {} clip_distances, as vertex 0 has",
-                              c.clip_distance_count));
+          .refuse(
+              fmt::format("must have {} clip_distances, as vertex 0 has", c.clip_distance_count));
     }
     for (const Node& distance : distances) c.clip_distances.push_back(distance.number());
     first = false;
@@ -309,8 +311,8 @@ void read_triangles(const Node& node, Case& c) {
     for (const Node& index : element.elements(3, 3, "indices")) {
       const std::int64_t value = index.integer(0, std::numeric_limits<std::uint32_t>::max());
       if (value >= static_cast<std::int64_t>(c.positions.size())) {
-        index.refuse(fmt::format("index {} out of range: there are {} vertices", value,
-                                 c.positions.size()));
+        index.refuse(
+            fmt::format("index {} out of range: there are {} vertices", value, c.positions.size()));
       }
       triangle[corner++] = static_cast<std::uint32_t>(value);
     }
@@ -330,10 +332,10 @@ Found read_found(const Node& node) {
 }
 
 void check_header(const Node& root) {
-  root.expect_object({"format", "version", "framebuffer", "viewport", "rules", "vertices",
-                      "triangles"},
-                     {"name", "coverage", "basis", "fill_rule", "cull", "front_face", "scissor",
-                      "depth_test", "depth_clamp", "attributes", "camera", "found"});
+  root.expect_object(
+      {"format", "version", "framebuffer", "viewport", "rules", "vertices", "triangles"},
+      {"name", "coverage", "basis", "fill_rule", "cull", "front_face", "scissor", "depth_test",
+       "depth_clamp", "attributes", "camera", "found"});
   if (root.failed()) return;
   if (root["format"].text() != "rastercheck-case") {
     root["format"].refuse("must be \"rastercheck-case\"");
@@ -382,7 +384,8 @@ Result<Case> parse_case(std::string_view text, const std::string& file) {
 }
 
 Result<Case> read_case(const std::string& file) {
-  return read_text(file).and_then([&file](const std::string& text) { return parse_case(text, file); });
+  return read_text(file).and_then(
+      [&file](const std::string& text) { return parse_case(text, file); });
 }
 
 }  // namespace rastercheck::cases

@@ -39,8 +39,8 @@ std::string lines(const std::vector<std::string>& elements) {
 
 std::string coverage_text(const Coverage& coverage) {
   if (!coverage) return "\"exact\"";
-  std::string text = fmt::format(R"({{"subpixel_bits": {}, "rounding": {})", coverage->subpixel_bits,
-                                 word(coverage->rounding));
+  std::string text = fmt::format(R"({{"subpixel_bits": {}, "rounding": {})",
+                                 coverage->subpixel_bits, word(coverage->rounding));
   if (coverage->position_error != 0) {
     text += fmt::format(R"(, "position_error": {})", number(coverage->position_error));
   }
@@ -49,8 +49,7 @@ std::string coverage_text(const Coverage& coverage) {
 
 std::string vertex_text(const Case& c, std::size_t vertex) {
   const ClipVertex& p = c.positions[vertex];
-  std::string text =
-      fmt::format(R"({{"position": {})", list(std::array{p.x, p.y, p.z, p.w}));
+  std::string text = fmt::format(R"({{"position": {})", list(std::array{p.x, p.y, p.z, p.w}));
   if (!c.attributes.empty()) {
     text += fmt::format(R"(, "attributes": {})", list(c.attributes_of(vertex)));
   }
@@ -73,11 +72,10 @@ std::string to_json(const Case& c) {
   add("framebuffer", fmt::format(R"({{"width": {}, "height": {}, "samples": {}}})",
                                  c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples));
   const Viewport& v = c.viewport;
-  add("viewport",
-      fmt::format(R"({{"x": {}, "y": {}, "width": {}, "height": {}, "min_depth": {}, )"
-                  R"("max_depth": {}}})",
-                  number(v.x), number(v.y), number(v.width), number(v.height), number(v.min_depth),
-                  number(v.max_depth)));
+  add("viewport", fmt::format(R"({{"x": {}, "y": {}, "width": {}, "height": {}, "min_depth": {}, )"
+                              R"("max_depth": {}}})",
+                              number(v.x), number(v.y), number(v.width), number(v.height),
+                              number(v.min_depth), number(v.max_depth)));
   add("rules", word(c.rules));
   add("coverage", coverage_text(c.coverage));
   if (c.basis != default_basis(c.rules)) add("basis", word(c.basis));
@@ -98,9 +96,9 @@ std::string to_json(const Case& c) {
   }
   if (!attributes.empty()) add("attributes", lines(attributes));
   if (c.camera) {
-    add("camera", fmt::format(R"({{"model": {}, "view": {}, "projection": {}}})",
-                              list(c.camera->model), list(c.camera->view),
-                              list(c.camera->projection)));
+    add("camera",
+        fmt::format(R"({{"model": {}, "view": {}, "projection": {}}})", list(c.camera->model),
+                    list(c.camera->view), list(c.camera->projection)));
   }
 
   std::vector<std::string> vertices;

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -88,8 +88,8 @@ std::optional<float> float_from_hex(std::string_view text) {
     mantissa = mantissa * 16 + static_cast<std::uint32_t>(digit_value(digits[i]));
   }
   const long clamped_exponent = std::clamp(parts->exponent, -kExponentLimit, kExponentLimit);
-  const long exponent = clamped_exponent + 4 * (static_cast<long>(parts->whole.size()) -
-                                                static_cast<long>(last) - 1);
+  const long exponent =
+      clamped_exponent + 4 * (static_cast<long>(parts->whole.size()) - static_cast<long>(last) - 1);
   // A float32 lies in 2^-149…2^128; a mantissa of up to 28 bits needs no more than this.
   if (exponent < -256 || exponent > 256) return std::nullopt;
   const double magnitude = std::ldexp(static_cast<double>(mantissa), static_cast<int>(exponent));

@@ -19,7 +19,8 @@ using nlohmann::json;
 
 /// Where byte `offset` (1-based, as nlohmann counts) lies, as "line:column" counted from 1.
 std::string line_and_column(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, std::min(offset > 0 ? offset - 1 : 0, text.size()));
+  const std::string_view before =
+      text.substr(0, std::min(offset > 0 ? offset - 1 : 0, text.size()));
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const std::size_t line_start = before.rfind('\n');
   const std::size_t column =
@@ -51,7 +52,8 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
   bool key(string_t& value) override {
     key_ = std::move(value);
     if (!open_.back()->contains(key_)) return true;
-    return refuse(child_pointer(pointer(), key_), fmt::format("duplicate key '{}'", printable(key_)));
+    return refuse(child_pointer(pointer(), key_),
+                  fmt::format("duplicate key '{}'", printable(key_)));
   }
 
   bool parse_error(std::size_t position, const std::string& /*last_token*/,
@@ -183,10 +185,12 @@ Result<std::string> read_text(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   std::stringstream content;
   // A folder opens but cannot be read; a file that is empty leaves failbit on `content`.
-  if (!stream || (stream.peek() != std::ifstream::traits_type::eof() && !(content << stream.rdbuf())) ||
+  if (!stream ||
+      (stream.peek() != std::ifstream::traits_type::eof() && !(content << stream.rdbuf())) ||
       stream.bad()) {
     const std::error_code why(errno, std::generic_category());
-    return tl::unexpected(Error{file, "", why ? "cannot be read: " + why.message() : "cannot be read"});
+    return tl::unexpected(
+        Error{file, "", why ? "cannot be read: " + why.message() : "cannot be read"});
   }
   return std::move(content).str();
 }

@@ -20,7 +20,7 @@ constexpr unsigned kImport = aiProcess_Triangulate | aiProcess_JoinIdenticalVert
                              aiProcess_PreTransformVertices | aiProcess_SortByPType;
 
 bool has_triangles(const aiMesh& mesh) {
-  return mesh.mPrimitiveTypes == static_cast<unsigned>(aiPrimitiveType_TRIANGLE);
+  return (mesh.mPrimitiveTypes & static_cast<unsigned>(aiPrimitiveType_TRIANGLE)) != 0;
 }
 
 /// Appends a mesh's vertices and triangles; the reason for refusing it, or "".
@@ -106,7 +106,8 @@ Result<Case> case_from_mesh(const std::string& file, const MeshOptions& options)
 
 bool is_mesh_file(const std::string& file) {
   const std::string extension = std::filesystem::path(file).extension().string();
-  return !extension.empty() && extension != ".json" && Assimp::Importer().IsExtensionSupported(extension);
+  return !extension.empty() && extension != ".json" &&
+         Assimp::Importer().IsExtensionSupported(extension);
 }
 
 }  // namespace rastercheck::cases

@@ -18,8 +18,8 @@ Result<void> flush_standard_output() {
   errno = 0;
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return {};
   const std::error_code why(errno, std::generic_category());
-  return tl::unexpected(
-      Error{"standard output", "", why ? "cannot be written: " + why.message() : "cannot be written"});
+  return tl::unexpected(Error{"standard output", "",
+                              why ? "cannot be written: " + why.message() : "cannot be written"});
 }
 
 std::string table(const std::vector<std::vector<std::string>>& rows) {

@@ -15,7 +15,7 @@ target_compile_features(rastercheck_options INTERFACE cxx_std_20)
 target_include_directories(rastercheck_options INTERFACE "${PROJECT_SOURCE_DIR}")
 target_compile_options(rastercheck_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
-  -Wcast-qual -Wnon-virtual-dtor -Woverloaded-virtual -Wdouble-promotion
+  -Wcast-qual -Wnon-virtual-dtor -Woverloaded-virtual
   -Wimplicit-fallthrough -Wundef
   # A fused multiply-add is a different number: it stands only where the source says so.
   -ffp-contract=off

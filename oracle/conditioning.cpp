@@ -32,8 +32,7 @@ std::optional<Rational> weight_cancellation(const ProjectiveMap& map, const Poin
   Ring largest(0);
   for (std::size_t i = 0; i < 3; ++i) {
     const Line& e = map.edge(i);
-    largest =
-        std::max<Ring>(largest, magnitude(e.a * p.u) + magnitude(e.b * p.v) + magnitude(e.c));
+    largest = std::max<Ring>(largest, magnitude(e.a * p.u) + magnitude(e.b * p.v) + magnitude(e.c));
   }
   return to_rational(quotient(largest, d));
 }

@@ -47,8 +47,8 @@ Derivatives to_public(const FieldDerivatives& derivatives) {
 
 std::optional<Derivatives> TriangleTruth::derivatives(std::size_t attribute, int x, int y,
                                                       int sample) const {
-  const auto found = derivatives_at(*setup_, *values_, attribute,
-                                    values_->location(attribute, x, y, sample));
+  const auto found =
+      derivatives_at(*setup_, *values_, attribute, values_->location(attribute, x, y, sample));
   if (!found) return std::nullopt;
   return to_public(*found);
 }
@@ -75,18 +75,15 @@ std::optional<Derivatives> TriangleTruth::quad_differences(std::size_t attribute
 std::optional<records::Enclosure> TriangleTruth::level_of_detail(std::size_t s, std::size_t t,
                                                                  int width, int height, int x,
                                                                  int y, int sample) const {
-  const auto ds =
-      derivatives_at(*setup_, *values_, s, values_->location(s, x, y, sample));
-  const auto dt =
-      derivatives_at(*setup_, *values_, t, values_->location(t, x, y, sample));
+  const auto ds = derivatives_at(*setup_, *values_, s, values_->location(s, x, y, sample));
+  const auto dt = derivatives_at(*setup_, *values_, t, values_->location(t, x, y, sample));
   if (!ds || !dt) return std::nullopt;
   const auto square_length = [width, height](const Field& s_slope, const Field& t_slope) {
     const Field s_texels = s_slope * Field(width);
     const Field t_texels = t_slope * Field(height);
     return Field(s_texels * s_texels + t_texels * t_texels);
   };
-  const Field square =
-      std::max(square_length(ds->du, dt->du), square_length(ds->dv, dt->dv));
+  const Field square = std::max(square_length(ds->du, dt->du), square_length(ds->dv, dt->dv));
   if (sign_of(square) == 0) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return records::Enclosure{-kInfinity, -kInfinity};

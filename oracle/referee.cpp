@@ -134,8 +134,8 @@ std::optional<Field> value_at(const cases::Attribute& attribute, const std::arra
   if (sign_of(one_over_w) <= 0) return std::nullopt;
   if (attribute.interpolation == cases::Interpolation::noperspective) {
     // Linear in window space: the weights e_i w_i sum to 1.
-    return plane.sum({r[0] * plane.clip[0][3], r[1] * plane.clip[1][3], r[2] * plane.clip[2][3]},
-                     u, v);
+    return plane.sum({r[0] * plane.clip[0][3], r[1] * plane.clip[1][3], r[2] * plane.clip[2][3]}, u,
+                     v);
   }
   const Field w = Field(1) / one_over_w;
   const Field k = plane.e(1, u, v) * w;
@@ -148,7 +148,7 @@ Field depth_at(const cases::Case& c, const Plane& plane, const Field& u, const F
   const Field n = exact(c.viewport.min_depth);
   const Field f = exact(c.viewport.max_depth);
   const Field unit = c.rules == Rules::opengl ? (ndc + Field(1)) / Field(2) : ndc;
-  const Field depth = n + (f - n) * unit;
+  Field depth = n + (f - n) * unit;
   if (!c.depth_clamp && c.rules != Rules::d3d) return depth;
   return std::clamp(depth, std::min(n, f), std::max(n, f));
 }
@@ -186,8 +186,8 @@ std::optional<RefereeFragment> referee(const cases::Case& c, std::size_t triangl
 
   // Q = M_cam^-1 [a b c], so sign det Q = sign(det M_cam · det [a b c]): the facing.
   if (!is_drawn_facing(c, sign_of(plane.q.determinant()))) return std::nullopt;
-  if (c.scissor && (x < c.scissor->x || x >= c.scissor->x + c.scissor->width ||
-                    y < c.scissor->y || y >= c.scissor->y + c.scissor->height)) {
+  if (c.scissor && (x < c.scissor->x || x >= c.scissor->x + c.scissor->width || y < c.scissor->y ||
+                    y >= c.scissor->y + c.scissor->height)) {
     return std::nullopt;
   }
   const auto at = cases::standard_pattern(c.framebuffer.samples)[static_cast<std::size_t>(sample)];

@@ -10,8 +10,7 @@ namespace {
 Field ulp_of(const Field& x) {
   constexpr long kLeastExponent = -126;
   constexpr long kFractionBits = 23;
-  const long exponent =
-      sign_of(x) == 0 ? kLeastExponent : std::max(floor_log2(x), kLeastExponent);
+  const long exponent = sign_of(x) == 0 ? kLeastExponent : std::max(floor_log2(x), kLeastExponent);
   return power_of_two(exponent - kFractionBits);
 }
 

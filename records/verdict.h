@@ -10,11 +10,11 @@ enum class Verdict { required, forbidden, permitted };
 
 /// Why a verdict is what it is.
 enum class Reason {
-  inside,         ///< required: strictly inside every edge
-  tie,            ///< on an edge or clip-distance boundary, decided by (or left open by) the tie rule
-  snapping,       ///< permitted: inside for some placements of the snapped vertices only
-  clip_edge,      ///< permitted: within the clip tolerance of a clip edge or of an edge that was cut,
-                  ///< or on the far border of the viewport
+  inside,     ///< required: strictly inside every edge
+  tie,        ///< on an edge or clip-distance boundary, decided by (or left open by) the tie rule
+  snapping,   ///< permitted: inside for some placements of the snapped vertices only
+  clip_edge,  ///< permitted: within the clip tolerance of a clip edge or of an edge that was cut,
+              ///< or on the far border of the viewport
   nonpositive_w,  ///< permitted: the same, of a triangle cut because some w <= 0
   depth,          ///< permitted: which of several fragments is nearest is left open
   outside,        ///< forbidden: beyond an edge

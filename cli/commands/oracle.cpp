@@ -73,8 +73,8 @@ std::string json_details(const cases::Case& c, const Fragment& f, const Triangle
     kappa += fmt::format("{}{}", comma, k ? json_rational(k->kappa) : "null");
     kappa_d += fmt::format("{}{}", comma, k ? json_rational(k->kappa_d) : "null");
   }
-  return text + fmt::format(R"(, "derivatives": [{}], "kappa": [{}], "kappa_d": [{}])",
-                            derivatives, kappa, kappa_d);
+  return text + fmt::format(R"(, "derivatives": [{}], "kappa": [{}], "kappa_d": [{}])", derivatives,
+                            kappa, kappa_d);
 }
 
 void print_json(const oracle::SceneTruth& scene, const Options& options) {
@@ -128,11 +128,12 @@ void print_table(const oracle::SceneTruth& scene, const Options& options) {
   const cases::Case& c = scene.source();
   constexpr std::string_view kRow = "{:>8} {:>5} {:>5} {:>3}  {:<9} {:<9} {:>11}  {:<24}";
   if (!options.quiet) {
-    fmt::print("{}: {} x {} pixels, {} sample{}, {} rules, {}\n", c.name.empty() ? "(case)" : c.name,
-               c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples,
-               c.framebuffer.samples == 1 ? "" : "s", cases::name_of(c.rules), coverage_words(c));
-    std::string header = fmt::format(kRow, "triangle", "x", "y", "s", "verdict", "reason",
-                                     "distance/px", "depth");
+    fmt::print("{}: {} x {} pixels, {} sample{}, {} rules, {}\n",
+               c.name.empty() ? "(case)" : c.name, c.framebuffer.width, c.framebuffer.height,
+               c.framebuffer.samples, c.framebuffer.samples == 1 ? "" : "s",
+               cases::name_of(c.rules), coverage_words(c));
+    std::string header =
+        fmt::format(kRow, "triangle", "x", "y", "s", "verdict", "reason", "distance/px", "depth");
     for (const cases::Attribute& a : c.attributes) header += fmt::format(" {:<24}", a.name);
     header.erase(header.find_last_not_of(' ') + 1);
     fmt::print("{}\n", header);

@@ -143,10 +143,12 @@ Decision decide_by_boxes(const TriangleSetup& triangle, const Point& p) {
       });
   if (inside_all) return {Verdict::required, Reason::inside};
   if (is_outside_hull(p, box_corners(triangle))) return {Verdict::forbidden, Reason::outside};
-  const bool ever_kept = std::any_of(
-      corners.begin(), corners.end(),
-      [&triangle](const ProjectiveMap& map) { return kept_by_culling(triangle, map).possible; });
-  if (!ever_kept) return {Verdict::forbidden, Reason::culled};
+  // The determinant is affine in every coordinate too: if no corner turns the other way, none does.
+  const bool ever_drawn =
+      std::any_of(corners.begin(), corners.end(), [&triangle](const ProjectiveMap& map) {
+        return map.orientation() != 0 && kept_by_culling(triangle, map).possible;
+      });
+  if (!ever_drawn) return {Verdict::forbidden, Reason::culled};
   return {Verdict::permitted, Reason::snapping};
 }
 
@@ -179,8 +181,8 @@ int side_within(const Line& line, const Ring& tolerance, const Point& p) {
 }
 
 /// The answer of an edge both of whose ends are snapped, over all their candidates. A triangle of
-/// the size of a grid unit may have its edge made a point, or turned round the vertex opposite: what
-/// such a line says is not the triangle's answer.
+/// the size of a grid unit may have its edge made a point, or turned round the vertex opposite:
+/// what such a line says is not the triangle's answer.
 Membership snapped_edge_side(const TriangleSetup& triangle, std::size_t edge, const Point& p) {
   const Scene& scene = *triangle.scene;
   const int bits = scene.contract().coverage->subpixel_bits;

@@ -11,8 +11,8 @@ Ring half(const Ring& value) { return value * Ring(0.5); }
 
 RingMatrix4 exact(const cases::Matrix4& rows) {
   RingMatrix4 matrix;
-  for (int r = 0; r < 4; ++r) {
-    for (int c = 0; c < 4; ++c) matrix(r, c) = exact(rows[static_cast<std::size_t>(4 * r + c)]);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    matrix(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = exact(rows[i]);
   }
   return matrix;
 }
@@ -160,8 +160,6 @@ Ring Scene::depth_numerator(std::size_t vertex) const {
   return n * p[3] + (f - n) * z;
 }
 
-bool Scene::clamps_depth() const {
-  return case_->depth_clamp || conventions_.depth_always_clamped;
-}
+bool Scene::clamps_depth() const { return case_->depth_clamp || conventions_.depth_always_clamped; }
 
 }  // namespace rastercheck::oracle

@@ -21,8 +21,7 @@ long nearest_even(const Field& value) {
 }  // namespace
 
 Field candidate_radius(const cases::Snapping& snapping) {
-  const Field rounding =
-      snapping.rounding == cases::Rounding::unspecified ? Field(1) : one_half();
+  const Field rounding = snapping.rounding == cases::Rounding::unspecified ? Field(1) : one_half();
   return rounding + Field(double{snapping.position_error});
 }
 

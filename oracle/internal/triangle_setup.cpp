@@ -13,10 +13,7 @@ std::array<RingVector3, 3> window_columns(const Scene& scene, const cases::Trian
 }  // namespace
 
 TriangleSetup::TriangleSetup(const Scene& owner, const cases::Triangle& triangle)
-    : scene(&owner),
-      indices(triangle),
-      columns(window_columns(owner, triangle)),
-      ideal(columns) {
+    : scene(&owner), indices(triangle), columns(window_columns(owner, triangle)), ideal(columns) {
   for (const RingVector3& column : columns) {
     has_nonpositive_w = has_nonpositive_w || sign_of(column[2]) <= 0;
   }

@@ -18,9 +18,9 @@ namespace rastercheck::oracle {
 /// tie, as its normal decides.
 struct ClipFunctional {
   Line line;
-  bool zero_is_tie = false;      ///< a user clip distance; D3D and the depth planes take zero inside
+  bool zero_is_tie = false;  ///< a user clip distance; D3D and the depth planes take zero inside
   bool is_user_distance = false;
-  bool is_violated = false;      ///< some vertex lies beyond it
+  bool is_violated = false;  ///< some vertex lies beyond it
 };
 
 /// Which triangle a contract draws (RULES §3).
@@ -57,8 +57,8 @@ struct TriangleSetup {
   Field reach;
   bool has_nonpositive_w = false;
 
-  /// The least and the greatest of the exact vertex positions along an axis (0: u, 1: v), in pixels,
-  /// widened by `reach`. Only where all w > 0.
+  /// The least and the greatest of the exact vertex positions along an axis (0: u, 1: v), in
+  /// pixels, widened by `reach`. Only where all w > 0.
   FieldRange extent(Eigen::Index axis) const;
 
   /// The pixels whose samples may be required or permitted; all others are forbidden.

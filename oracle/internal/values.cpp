@@ -158,9 +158,8 @@ std::optional<FieldRange> TriangleValues::cut_value(const Quantity& quantity, co
   if (place == Place::center && decide_point(*triangle_, p).verdict != Verdict::required) {
     return std::nullopt;
   }
-  std::optional<FieldRange> range =
-      range_over(quantity, triangle_->ideal,
-                 triangle_->clipped_to_triangle(box_around(p, triangle_->reach)));
+  std::optional<FieldRange> range = range_over(
+      quantity, triangle_->ideal, triangle_->clipped_to_triangle(box_around(p, triangle_->reach)));
   if (triangle_->scene->contract().basis == cases::Basis::unspecified &&
       (place == Place::sample || has_positive_inverse_w(triangle_->ideal, p))) {
     range = hull(range, single(quantity.at(triangle_->ideal, p)));
@@ -204,10 +203,8 @@ std::optional<OpenValue> TriangleValues::attribute(std::size_t index, int x, int
     if (!range) return std::nullopt;
     return OpenValue{*range, true};
   }
-  const Place place =
-      declared.location == cases::Location::center ? Place::center : Place::sample;
-  const std::optional<FieldRange> range =
-      value_at(q, ends, location(index, x, y, sample), place);
+  const Place place = declared.location == cases::Location::center ? Place::center : Place::sample;
+  const std::optional<FieldRange> range = value_at(q, ends, location(index, x, y, sample), place);
   if (!range) return std::nullopt;
   return OpenValue{*range, always_open || single_map() == nullptr};
 }

@@ -57,8 +57,8 @@ class TriangleValues {
 
   std::optional<FieldRange> value_at(const Quantity& quantity, const Ends& ends, const Point& p,
                                      Place place) const;
-  std::optional<FieldRange> placed_value(const Quantity& quantity, const Ends& ends,
-                                         const Point& p, Place place) const;
+  std::optional<FieldRange> placed_value(const Quantity& quantity, const Ends& ends, const Point& p,
+                                         Place place) const;
   std::optional<FieldRange> cut_value(const Quantity& quantity, const Point& p, Place place) const;
   std::optional<OpenValue> centroid_sample(const Quantity& quantity, const Ends& ends, int x,
                                            int y) const;

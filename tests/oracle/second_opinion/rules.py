@@ -407,7 +407,7 @@ class Triangle:
                        for y in (box[1][0], box[1][-1])]
         if not in_convex_hull(grid_point, box_corners):
             return FORBIDDEN
-        if all(placement.culling == "culled" for placement in self.corners):
+        if all(placement.orientation == 0 or placement.culling == "culled" for placement in self.corners):
             return FORBIDDEN  # det is affine in every coordinate: no placement turns the other way
         orientation = self.corners[0].orientation
         for placement in self.corners:

@@ -1,0 +1,12 @@
+# rastercheck_tests(FOLDER SOURCES…): the GoogleTest program of one folder's tests, each test a
+# CTest test labelled with the folder. It sees the folder's internal headers, as only it may.
+include(GoogleTest)
+function(rastercheck_tests folder)
+  add_executable(rastercheck_tests_${folder} ${ARGN})
+  target_link_libraries(rastercheck_tests_${folder} PRIVATE
+    RasterCheck::${folder} rapidcheck GTest::gmock GTest::gtest_main)
+  target_compile_definitions(rastercheck_tests_${folder} PRIVATE
+    RASTERCHECK_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(rastercheck_tests_${folder}
+    TEST_PREFIX "${folder}." PROPERTIES LABELS ${folder} DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,163 @@
+#!/usr/bin/env python3
+"""Holds the source tree and the build to the rules of docs/architecture.md.
+
+Usage: architecture_test.py SOURCE_DIR BUILD_DIR CONFIG
+Every rule is also tried on something that breaks it, so that a rule that cannot fail shows.
+"""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+SOURCE, BUILD, CONFIG = pathlib.Path(), pathlib.Path(), ""
+
+# What each folder may include, beside itself.
+ALLOWED = {
+    "cases": set(),
+    "records": {"cases"},
+    "rasterizer": set(),
+    "oracle": {"cases", "records"},
+    "backends": {"cases", "records"},
+    "backends/cpu": {"cases", "records", "backends", "rasterizer"},
+    "properties": {"cases", "records", "oracle", "backends"},
+    "reports": {"cases", "records"},
+    "cli": {"cases", "records", "rasterizer", "oracle", "backends", "properties", "reports"},
+}
+# Headers too heavy for a public header: whoever includes it would compile them too.
+HEAVY = re.compile(r"^(CGAL/|gmp|mpfr|Eigen/|rapidcheck|nlohmann/json\.hpp|assimp/|gtest/)")
+# Libraries return errors as values.
+FORBIDDEN_SYMBOLS = {"abort", "exit", "_exit", "quick_exit", "printf", "puts", "putchar", "std::cout",
+                     "std::cerr", "std::clog", "__assert_fail", "std::terminate()"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*(<([^>]+)>|"([^"]+)")', re.MULTILINE)
+
+
+def folder_of(path):
+    """The room of a source path such as backends/cpu/draw.cpp; None outside the rooms."""
+    parts = pathlib.PurePosixPath(path).parts
+    for length in (2, 1):
+        room = "/".join(parts[:length])
+        if len(parts) > length and room in ALLOWED:
+            return room
+    return None
+
+
+def include_faults(path, text):
+    """What is wrong with the includes of one file, as sentences."""
+    faults = []
+    own = folder_of(path)
+    for match in INCLUDE.finditer(text):
+        system, local = match.group(2), match.group(3)
+        if local is None:
+            is_public_header = path.endswith(".h") and "/internal/" not in path
+            if own and is_public_header and HEAVY.match(system):
+                faults.append(f"{path}: a public header includes the heavy <{system}>")
+            continue
+        if local.startswith(".") or "/" not in local:
+            faults.append(f'{path}: "{local}" is not written from the root')
+            continue
+        other = folder_of(local)
+        if own and other and other != own and other not in ALLOWED[own]:
+            faults.append(f"{path}: {own} may not include {other}")
+        if own and local.startswith("tests/"):
+            faults.append(f"{path}: includes a test's file {local}")
+        private_to = local.split("/internal/")[0] if "/internal/" in local else None
+        if private_to and not path.startswith((private_to + "/", "tests/" + private_to + "/")):
+            faults.append(f"{path}: {local} is private to {private_to}")
+    return faults
+
+
+def sources():
+    for pattern in ("*.h", "*.cpp"):
+        for path in SOURCE.rglob(pattern):
+            relative = path.relative_to(SOURCE).as_posix()
+            if not relative.startswith("build/"):
+                yield relative, path.read_text(encoding="utf-8")
+
+
+def undefined_symbols(library):
+    """The names a static library expects from elsewhere, without argument lists."""
+    listing = subprocess.run(["nm", "--undefined-only", "--demangle", library], check=True,
+                             capture_output=True, text=True).stdout
+    return {line.split(" U ", 1)[1].split("@")[0] for line in listing.splitlines() if " U " in line}
+
+
+def needs_exact_numbers(symbol):
+    return "CGAL::" in symbol or symbol.startswith(("__gmp", "mpfr_"))
+
+
+class Includes(unittest.TestCase):
+    def test_run_one_way(self):
+        files = list(sources())
+        self.assertGreater(len(files), 50)
+        faults = [fault for path, text in files for fault in include_faults(path, text)]
+        self.assertEqual(faults, [])
+
+    def test_the_scan_sees_faults(self):
+        for path, line in [
+            ("cases/case.h", '#include "oracle/rational.h"'),
+            ("oracle/ulp.cpp", '#include "rasterizer/edge.h"'),
+            ("rasterizer/edge.cpp", '#include "cases/case.h"'),
+            ("backends/gl/draw.cpp", '#include "rasterizer/draw.h"'),
+            ("cli/main.cpp", '#include "oracle/internal/number.h"'),
+            ("tests/cases/json_test.cpp", '#include "oracle/internal/number.h"'),
+            ("oracle/ulp.cpp", '#include "rational.h"'),
+            ("oracle/ulp.cpp", '#include "../cases/case.h"'),
+            ("oracle/ulp.h", "#include <CGAL/Gmpq.h>"),
+            ("oracle/ulp.cpp", '#include "tests/oracle/small_case.h"'),
+        ]:
+            self.assertEqual(len(include_faults(path, line)), 1, (path, line))
+        self.assertEqual(include_faults("backends/cpu/draw.cpp", '#include "rasterizer/draw.h"'), [])
+
+
+class Libraries(unittest.TestCase):
+    def setUp(self):
+        if CONFIG != "Release":
+            self.skipTest("symbols are those of the release build; assertions and sanitizers add some")
+
+    def libraries(self):
+        found = {path.stem.removeprefix("librastercheck_"): path for path in BUILD.glob("lib/*.a")}
+        self.assertTrue({"cases", "records", "oracle"} <= set(found))
+        return found
+
+    def test_neither_print_nor_exit(self):
+        for name, path in self.libraries().items():
+            self.assertEqual(undefined_symbols(path) & FORBIDDEN_SYMBOLS, set(), name)
+
+    def test_exact_numbers_stay_in_the_oracle(self):
+        for name, path in self.libraries().items():
+            exact = any(map(needs_exact_numbers, undefined_symbols(path)))
+            self.assertEqual(exact, name == "oracle", name)
+
+    def test_rasterizer_and_oracle_share_nothing(self):
+        libraries = self.libraries()
+        uses = [s for s in undefined_symbols(libraries["oracle"]) if "rastercheck::rasterizer" in s]
+        self.assertEqual(uses, [])
+        if "rasterizer" in libraries:
+            uses = [s for s in undefined_symbols(libraries["rasterizer"]) if "rastercheck::oracle" in s]
+            self.assertEqual(uses, [])
+
+
+class Flags(unittest.TestCase):
+    def setUp(self):
+        with open(BUILD / "compile_commands.json", encoding="utf-8") as commands:
+            self.commands = {pathlib.Path(entry["file"]).relative_to(SOURCE).as_posix(): entry["command"]
+                             for entry in json.load(commands)}
+
+    def test_rounding_math_only_where_cgal_is(self):
+        with_flag = {path for path, command in self.commands.items() if "-frounding-math" in command}
+        self.assertTrue(any(path.startswith("oracle/") for path in with_flag))
+        self.assertEqual([path for path in with_flag if not path.startswith(("oracle/", "tests/oracle/"))],
+                         [])
+
+    def test_arithmetic_is_as_written(self):
+        for path, command in self.commands.items():
+            self.assertIn("-ffp-contract=off", command, path)
+            self.assertNotIn("-ffast-math", command, path)
+
+
+if __name__ == "__main__":
+    SOURCE, BUILD, CONFIG = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,39 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "cases/case_reader.h"
+#include "tests/cli/program.h"
+
+namespace rastercheck::cli {
+namespace {
+
+std::string square_mesh() {
+  std::string file = testing::TempDir() + "import_test_square.obj";
+  std::ofstream(file) << "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n";
+  return file;
+}
+
+TEST(Import, PrintsACaseThatTheOracleReads) {
+  const Outcome imported =
+      run_program({"import", square_mesh(), "--width", "16", "--height", "8", "--rules", "opengl"});
+  ASSERT_EQ(imported.code, 0) << imported.err;
+  const auto c = cases::parse_case(imported.out, "-");
+  ASSERT_TRUE(c) << to_string(c.error());
+  EXPECT_EQ(c->framebuffer, (cases::FramebufferSize{16, 8, 1}));
+  EXPECT_EQ(c->rules, cases::Rules::opengl);
+  EXPECT_EQ(c->triangles.size(), 2U);
+  const Outcome oracle = run_program({"oracle", "-", "--json"}, imported.out);
+  EXPECT_EQ(oracle.code, 0) << oracle.err;
+  EXPECT_NE(oracle.out.find("required"), std::string::npos);
+}
+
+TEST(Import, RefusesWhatIsNoMesh) {
+  const Outcome outcome = run_program({"import", source_file("README.md")});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1);
+}
+
+}  // namespace
+}  // namespace rastercheck::cli

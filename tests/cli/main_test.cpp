@@ -1,0 +1,65 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.h"
+
+namespace rastercheck::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+bool is_one_line(const std::string& text) {
+  return !text.empty() && text.find('\n') == text.size() - 1;
+}
+
+TEST(Program, SaysItsVersion) {
+  const Outcome outcome = run_program({"--version"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out, "rastercheck " RASTERCHECK_VERSION "\n");
+}
+
+TEST(Program, HelpsItselfAndEveryCommand) {
+  const Outcome all = run_program({"--help"});
+  EXPECT_EQ(all.code, 0);
+  for (const std::string command : {"import", "list", "oracle"}) {
+    EXPECT_THAT(all.out, HasSubstr("  " + command + " "));
+    const Outcome one = run_program({command, "--help"});
+    EXPECT_EQ(one.code, 0);
+    EXPECT_THAT(one.out, HasSubstr("--help"));
+  }
+}
+
+TEST(Program, AnswersWrongUsageWithOneLineAndExitTwo) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
+                                                    {"frobnicate"},
+                                                    {"oracle"},
+                                                    {"oracle", "a", "b"},
+                                                    {"oracle", "--frobnicate", "x"},
+                                                    {"list", "gadgets"},
+                                                    {"import", "x", "--width", "0"}}) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, StartsWith("rastercheck: "));
+    EXPECT_TRUE(is_one_line(outcome.err)) << outcome.err;
+  }
+}
+
+TEST(Program, NamesAFileThatIsNotThere) {
+  const Outcome outcome = run_program({"oracle", "no/such.json"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.err, "rastercheck: no/such.json: cannot be read: No such file or directory\n");
+}
+
+TEST(Program, ReportsOutputThatCannotBeWritten) {
+  // /dev/full refuses every write.
+  const std::string command = std::string(RASTERCHECK_PROGRAM) + " oracle " +
+                              source_file("cases/corpus/first-triangle.json") +
+                              " > /dev/full 2> /dev/null";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+}
+
+}  // namespace
+}  // namespace rastercheck::cli

@@ -1,0 +1,74 @@
+#include "tests/cli/program.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+
+extern char** environ;
+
+namespace rastercheck::cli {
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+/// Temporary files instead of pipes: nothing can block.
+File temporary_file(const std::string& content = "") {
+  File file(std::tmpfile());
+  if (!file) throw std::runtime_error("no temporary file");
+  std::fwrite(content.data(), 1, content.size(), file.get());
+  std::fflush(file.get());
+  std::rewind(file.get());
+  return file;
+}
+
+std::string content_of(const File& file) {
+  std::string text;
+  std::rewind(file.get());
+  for (int c = std::fgetc(file.get()); c != EOF; c = std::fgetc(file.get())) {
+    text += static_cast<char>(c);
+  }
+  return text;
+}
+
+}  // namespace
+
+Outcome run_program(const std::vector<std::string>& arguments, const std::string& input) {
+  const File in = temporary_file(input);
+  const File out = temporary_file();
+  const File err = temporary_file();
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, fileno(in.get()), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(out.get()), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(err.get()), STDERR_FILENO);
+
+  std::vector<std::string> words{RASTERCHECK_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+
+  pid_t child = 0;
+  const int spawned =
+      posix_spawn(&child, RASTERCHECK_PROGRAM, &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (spawned != 0) throw std::runtime_error("cannot start " RASTERCHECK_PROGRAM);
+  int status = 0;
+  waitpid(child, &status, 0);
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  return {code, content_of(out), content_of(err)};
+}
+
+std::string source_file(const std::string& relative) {
+  return std::string(RASTERCHECK_SOURCE_DIR) + "/" + relative;
+}
+
+}  // namespace rastercheck::cli

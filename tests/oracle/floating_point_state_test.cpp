@@ -1,0 +1,74 @@
+// The oracle leaves the processor's floating-point control as it found it: rounding mode, flushing,
+// masks. A backend that ran after it would otherwise compute something else.
+
+#include <gtest/gtest.h>
+#include <xmmintrin.h>
+
+#include <cfenv>
+
+#include "oracle/fragments.h"
+#include "oracle/referee.h"
+#include "oracle/transform.h"
+#include "oracle/ulp.h"
+#include "tests/oracle/small_case.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+/// MXCSR without its sticky exception flags.
+unsigned control_bits() { return _mm_getcsr() & ~0x3FU; }
+
+void use_everything() {
+  cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
+                             {{{-1, -1, 0, 1}, {1.25F, -1, 0.5F, 1.5F}, {-1, 1, 0.25F, 0.75F}}},
+                             {{{0.5F}, {1}, {3}}});
+  c.attributes[0].location = cases::Location::centroid;
+  c.coverage = cases::Snapping{4, cases::Rounding::unspecified, 0.5F};
+  c.basis = cases::Basis::unspecified;
+  for (const auto& coverage : {c.coverage, cases::Coverage{}}) {
+    c.coverage = coverage;
+    const SceneTruth scene(c, cases::contract_of(c));
+    for_each_fragment(scene, [](const Fragment& f, const TriangleTruth& truth) {
+      truth.distance(f.x, f.y, f.sample);
+      truth.derivatives(0, f.x, f.y, f.sample);
+      truth.level_of_detail(0, 0, 8, 8, f.x, f.y, f.sample);
+      truth.conditioning(0, f.x, f.y, f.sample);
+      if (f.depth) local_ulp_error(0.5F, f.depth->lo);
+      return true;
+    });
+  }
+  referee(c, 0, 1, 1, 0);
+  to_clip_case(c, "");
+}
+
+TEST(FloatingPointState, OracleCallsLeaveTheControlBitsAlone) {
+  for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    ASSERT_EQ(std::fesetround(mode), 0);
+    const unsigned before = control_bits();
+    use_everything();
+    EXPECT_EQ(control_bits(), before);
+    EXPECT_EQ(std::fegetround(), mode);
+  }
+  std::fesetround(FE_TONEAREST);
+}
+
+TEST(FloatingPointState, AnswersDoNotDependOnTheRoundingMode) {
+  const cases::Case c = small_case(
+      cases::Rules::vulkan, 4, 4,
+      {{{-1, -1, 0, 1}, {1.25F, -1, 0.5F, 1.5F}, {-1, 1, 0.25F, 0.75F}}}, {{{0.5F}, {1}, {3}}});
+  const auto answer = [&c] {
+    const SceneTruth scene(c, cases::contract_of(c));
+    const TriangleTruth truth(scene, 0);
+    const records::Enclosure distance = *truth.distance(1, 0, 0);
+    return std::tuple(truth.attribute(0, 1, 0, 0)->lo.to_string(), distance.lo, distance.hi);
+  };
+  const auto expected = answer();
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    EXPECT_EQ(answer(), expected);
+  }
+  std::fesetround(FE_TONEAREST);
+}
+
+}  // namespace
+}  // namespace rastercheck::oracle

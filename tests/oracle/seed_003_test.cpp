@@ -1,0 +1,265 @@
+// The laws of seed 003, "interpolation of varying variables": affine functions, going sideways
+// through matrices, and the rational linear interpolation of OpenGL.
+//
+// Object triangle (−1/2,−1,−1), (1,−2,0), (−2,4,2). Model doubles x, view adds 2 to z, projection
+// keeps x, y and makes z' = z − 1, w' = z:
+//   x' = 2 x_o     y' = y_o     z' = z_o + 1     w' = z_o + 2
+//   clip (−1,−1,0,1), (2,−2,1,2), (−4,4,3,4)      NDC (−1,−1,0), (1,−1,1/2), (−1,1,3/4)
+// The varying is v = 2 x_o + 2 y_o + 5 z_o + 11 = 3, 9, 25. Window (0,0), (8,0), (0,8):
+// x_n = u/4 − 1, y_n = v/4 − 1; pixel (3, 2) is at NDC (−1/8, −3/8).
+
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+#include "oracle/internal/rational_number.h"
+#include "oracle/internal/scene.h"
+#include "oracle/triangle_truth.h"
+#include "tests/oracle/small_case.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+/// The one triangle of a case, under the contract the case asks for.
+struct Drawn {
+  explicit Drawn(const cases::Case& c) : scene(c, cases::contract_of(c)), triangle(scene, 0) {}
+
+  std::vector<std::pair<int, int>> pixels() const {
+    std::vector<std::pair<int, int>> covered;
+    for (int y = 0; y < scene.source().framebuffer.height; ++y) {
+      for (int x = 0; x < scene.source().framebuffer.width; ++x) {
+        if (triangle.judge(x, y, 0).verdict == records::Verdict::required)
+          covered.push_back({x, y});
+      }
+    }
+    return covered;
+  }
+  Field value(std::size_t attribute, int x, int y) const {
+    return to_field(triangle.attribute(attribute, x, y, 0).value().lo);
+  }
+  std::string text(std::size_t attribute, int x, int y) const {
+    return triangle.attribute(attribute, x, y, 0).value().lo.to_string();
+  }
+  Field depth(int x, int y) const { return to_field(triangle.depth(x, y, 0).value().lo); }
+
+  SceneTruth scene;
+  TriangleTruth triangle;
+};
+
+Field center(int pixel) { return Field(pixel) + Field(1, 2); }
+Field ndc(int pixel) { return center(pixel) / Field(4) - Field(1); }
+
+/// v; the clip coordinates x', y', z', w'; the object coordinates.
+enum Varying : std::size_t { kV, kClipX, kClipY, kClipZ, kClipW, kObjectX, kObjectY, kObjectZ };
+
+constexpr std::array<cases::ClipVertex, 3> kObject{
+    {{-0.5f, -1, -1, 1}, {1, -2, 0, 1}, {-2, 4, 2, 1}}};
+constexpr std::array<cases::ClipVertex, 3> kClip{{{-1, -1, 0, 1}, {2, -2, 1, 2}, {-4, 4, 3, 4}}};
+
+/// Without a camera: the clip positions.
+cases::Case clip_case() {
+  return small_case(cases::Rules::vulkan, 8, 8, kClip,
+                    {{{3, -1, -1, 0, 1, -0.5f, -1, -1},
+                      {9, 2, -2, 1, 2, 1, -2, 0},
+                      {25, -4, 4, 3, 4, -2, 4, 2}}});
+}
+
+cases::Case object_case() {
+  cases::Case c = clip_case();
+  c.positions.assign(kObject.begin(), kObject.end());
+  c.camera = cases::Camera{{2, 0, 0, 0,  //
+                            0, 1, 0, 0,  //
+                            0, 0, 1, 0,  //
+                            0, 0, 0, 1},
+                           {1, 0, 0, 0,  //
+                            0, 1, 0, 0,  //
+                            0, 0, 1, 2,  //
+                            0, 0, 0, 1},
+                           {1, 0, 0, 0,   //
+                            0, 1, 0, 0,   //
+                            0, 0, 1, -1,  //
+                            0, 0, 1, 0}};
+  return c;
+}
+
+// Seed 003 eq. (1): v = ax + by + c through three values, "some simple matrix operations to solve".
+// Window (0,0), (8,2), (2,8), w = 1, v = 1, 7, 4: 8a + 2b = 6, 2a + 8b = 3, so a = 42/60 = 7/10,
+// b = 12/60 = 1/5, c = 1. It can be evaluated by plugging in, or incrementally along x or y.
+TEST(Seed003, ThreeValuesDetermineAnAffineFunctionOfThePlane) {
+  const Drawn drawn(small_case(cases::Rules::vulkan, 8, 8,
+                               {{{-1, -1, 0, 1}, {1, -0.5f, 0, 1}, {-0.5f, 1, 0, 1}}},
+                               {{{1}, {7}, {4}}}));
+  EXPECT_EQ(drawn.text(0, 3, 3), "83/20");  // 49/20 + 7/10 + 1
+  for (const auto& [x, y] : drawn.pixels()) {
+    EXPECT_EQ(drawn.value(0, x, y), Field(7, 10) * center(x) + center(y) / Field(5) + Field(1));
+  }
+  EXPECT_EQ(drawn.value(0, 4, 3) - drawn.value(0, 3, 3), Field(7, 10));
+  EXPECT_EQ(drawn.value(0, 3, 4) - drawn.value(0, 3, 3), Field(1, 5));
+}
+
+// Seed 003 eq. (2): many functions affine in (x, y, z) agree with three values, and then on the
+// whole plane of the triangle, 4 x_o + 3 y_o − 3 z_o + 2 = 0 (−2 − 3 + 3 + 2, 4 − 6 + 2,
+// −8 + 12 − 6 + 2). Added to v: 6 x_o + 5 y_o + 2 z_o + 13, another function elsewhere.
+TEST(Seed003, AffineFunctionsThatAgreeAtTheVerticesAgreeOnTheTriangle) {
+  const Drawn drawn(object_case());
+  const auto pixels = drawn.pixels();
+  EXPECT_EQ(pixels.size(), 28u);  // x + y <= 6
+  for (const auto& [px, py] : pixels) {
+    const Field x = drawn.value(kObjectX, px, py);
+    const Field y = drawn.value(kObjectY, px, py);
+    const Field z = drawn.value(kObjectZ, px, py);
+    const Field v = drawn.value(kV, px, py);
+    EXPECT_EQ(v, Field(2) * x + Field(2) * y + Field(5) * z + Field(11));
+    EXPECT_EQ(v, Field(6) * x + Field(5) * y + Field(2) * z + Field(13));
+  }
+}
+
+// Seed 003, projecting down: with z_o = (4 x_o + 3 y_o + 2)/3 on the triangle, v is affine in two
+// variables: (26 x_o + 21 y_o + 43)/3, at the vertices (−13 − 21 + 43)/3, (26 − 42 + 43)/3,
+// (−52 + 84 + 43)/3.
+TEST(Seed003, AffineFunctionOnATriangleIsAffineInTwoCoordinates) {
+  const Drawn drawn(object_case());
+  for (const auto& [x, y] : drawn.pixels()) {
+    EXPECT_EQ(Field(3) * drawn.value(kV, x, y), Field(26) * drawn.value(kObjectX, x, y) +
+                                                    Field(21) * drawn.value(kObjectY, x, y) +
+                                                    Field(43));
+  }
+}
+
+// Seed 003 eq. (3): the rows of M alone make x', y', z', w' affine in (x_o, y_o, z_o), though the
+// last row of M is not (0, 0, 0, 1).
+TEST(Seed003, ClipCoordinatesAreAffineInObjectCoordinates) {
+  const Drawn drawn(object_case());
+  for (const auto& [x, y] : drawn.pixels()) {
+    EXPECT_EQ(drawn.value(kClipX, x, y), Field(2) * drawn.value(kObjectX, x, y));
+    EXPECT_EQ(drawn.value(kClipY, x, y), drawn.value(kObjectY, x, y));
+    EXPECT_EQ(drawn.value(kClipZ, x, y), drawn.value(kObjectZ, x, y) + Field(1));
+    EXPECT_EQ(drawn.value(kClipW, x, y), drawn.value(kObjectZ, x, y) + Field(2));
+  }
+}
+
+// Seed 003 eqs. (4)–(6): v = [2 2 5 11] M^-1 (x', y', z', w'). M^-1: x_o = x'/2, y_o = y',
+// 1 = w' − z', z_o = z' − 1 = 2z' − w'. So v = x' + 2y' + 5(2z' − w') + 11(w' − z')
+// = x' + 2y' − z' + 6w'.
+TEST(Seed003, FunctionAffineInObjectSpaceIsAffineInClipSpace) {
+  const Drawn drawn(object_case());
+  for (const auto& [x, y] : drawn.pixels()) {
+    EXPECT_EQ(drawn.value(kV, x, y),
+              drawn.value(kClipX, x, y) + Field(2) * drawn.value(kClipY, x, y) -
+                  drawn.value(kClipZ, x, y) + Field(6) * drawn.value(kClipW, x, y));
+  }
+}
+
+// Seed 003 eq. (6), "in agreement between object or eye or clip coordinates": the interpolant
+// belongs to the vertex values, whichever of these spaces the positions are given in.
+TEST(Seed003, ObjectSpaceAndClipSpaceInterpolantsAreTheSame) {
+  const Drawn object(object_case());
+  const Drawn clip(clip_case());
+  ASSERT_EQ(object.pixels(), clip.pixels());
+  for (const auto& [x, y] : object.pixels()) {
+    EXPECT_EQ(object.value(kV, x, y), clip.value(kV, x, y));
+    EXPECT_EQ(object.depth(x, y), clip.depth(x, y));
+  }
+}
+
+// Seed 003, affine functions: "z_n is an affine function of x_n, y_n", 5/8 + x_n/4 + 3y_n/8 through
+// 0, 1/2, 3/4. Pixel (3, 2): 5/8 − 1/32 − 9/64.
+TEST(Seed003, NormalizedDepthIsAffineInNormalizedXAndY) {
+  const Drawn drawn(object_case());
+  for (const auto& [x, y] : drawn.pixels()) {
+    EXPECT_EQ(drawn.depth(x, y), Field(5, 8) + ndc(x) / Field(4) + Field(3, 8) * ndc(y));
+  }
+  EXPECT_EQ(drawn.depth(3, 2), Field(29, 64));
+}
+
+// Seed 003, not sideways: after the division v is not affine. Along a row x_n steps evenly, and y_n
+// and z_n with it, but v at pixels 1, 2, 3 of row 2 is 275/43, 287/39, 299/35: with x_n = −5/8,
+// −3/8, −1/8, y_n = −3/8 it is (3/4 x_n + 13/8 y_n + 43/8) / (3/8 − x_n/4 − 3/8 y_n).
+TEST(Seed003, FunctionAffineInObjectSpaceIsNotAffineAfterTheDivision) {
+  const Drawn drawn(object_case());
+  EXPECT_EQ(drawn.text(kV, 1, 2), "275/43");
+  EXPECT_EQ(drawn.text(kV, 2, 2), "287/39");
+  EXPECT_EQ(drawn.text(kV, 3, 2), "299/35");
+  EXPECT_NE(drawn.value(kV, 2, 2) - drawn.value(kV, 1, 2),
+            drawn.value(kV, 3, 2) - drawn.value(kV, 2, 2));
+  EXPECT_EQ(drawn.depth(2, 2) - drawn.depth(1, 2), drawn.depth(3, 2) - drawn.depth(2, 2));
+}
+
+// Seed 003, how to evaluate: dividing by w_n, [v/w_n, 1/w_n] = [e f g h; i j k l] (x_n, y_n, z_n,
+// 1). From v = x' + 2y' − z' + 6w' and 1 = w' − z': (e f g h) = (1, 2, −1, 6), (i j k l) = (0, 0,
+// −1, 1).
+TEST(Seed003, QuotientsByWAreAffineInNormalizedDeviceCoordinates) {
+  const Drawn drawn(object_case());
+  for (const auto& [x, y] : drawn.pixels()) {
+    const Field w = drawn.value(kClipW, x, y);
+    const Field z_n = drawn.depth(x, y);
+    EXPECT_EQ(drawn.value(kV, x, y) / w, ndc(x) + Field(2) * ndc(y) - z_n + Field(6));
+    EXPECT_EQ(Field(1) / w, Field(1) - z_n);
+  }
+}
+
+// Seed 003, sideways and down again: affine in the window's (x_w, y_w). Corner values 3, 9/2, 25/4
+// and 1, 1/2, 1/4: v/w_n = 3 + 3 x_w/16 + 13 y_w/32, 1/w_n = 1 − x_w/16 − 3 y_w/32.
+TEST(Seed003, QuotientsByWAreAffineInWindowCoordinates) {
+  const Drawn drawn(object_case());
+  for (const auto& [x, y] : drawn.pixels()) {
+    const Field w = drawn.value(kClipW, x, y);
+    EXPECT_EQ(drawn.value(kV, x, y) / w,
+              Field(3) + Field(3, 16) * center(x) + Field(13, 32) * center(y));
+    EXPECT_EQ(Field(1) / w, Field(1) - center(x) / Field(16) - Field(3, 32) * center(y));
+  }
+}
+
+/// An OpenGL case with a viewport that is not the framebuffer. v = 3, 9, 25, first smooth, then the
+/// internal variables v/w_n and 1/w_n linear in the window.
+cases::Case opengl_case() {
+  cases::Case c =
+      small_case(cases::Rules::opengl, 8, 8, {{{-1, -1, -1, 1}, {2, -2, 0, 2}, {-4, 4, 2, 4}}},
+                 {{{3, 3, 1}, {9, 4.5f, 0.5f}, {25, 6.25f, 0.25f}}});
+  c.viewport = {2, 0, 4, 8, 0.25f, 0.75f};
+  c.attributes[1].interpolation = cases::Interpolation::noperspective;
+  c.attributes[2].interpolation = cases::Interpolation::noperspective;
+  return c;
+}
+
+// Seed 003, in OpenGL: NDC (−1,−1), (1,−1), (−1,1) become x_w = 2 + 2(x_n + 1), y_w = 4(y_n + 1),
+// upwards: (2,0), (6,0), (2,8). Row y holds the centres with (u − 2)/4 + v/8 < 1: v = 1/2 … 15/2,
+// u < 23/4, 21/4, 19/4, 17/4, 15/4, 13/4, 11/4, 9/4, so 4, 3, 3, 2, 2, 1, 1, 0 of them.
+TEST(Seed003, WindowPositionsComeFromNormalizedDeviceCoordinates) {
+  const Drawn drawn(opengl_case());
+  const std::array<RingVector3, 3> window{RingVector3(2, 0, 1), RingVector3(12, 0, 2),
+                                          RingVector3(8, 32, 4)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(drawn.scene.scene().window_column(i) == window[i]) << i;
+  }
+  std::array<int, 8> row{};
+  for (const auto& [x, y] : drawn.pixels()) ++row[static_cast<std::size_t>(y)];
+  EXPECT_EQ(row, (std::array<int, 8>{4, 3, 3, 2, 2, 1, 1, 0}));
+}
+
+// Seed 003, in OpenGL: z_w is interpolated linearly. z_n = −1, 0, 1/2 is z_w = 1/4 + (z_n + 1)/4 =
+// 1/4, 1/2, 5/8: z_w = 1/4 + (x_w − 2)/16 + 3 y_w/64. Pixel (3, 2): 1/4 + 3/32 + 15/128.
+TEST(Seed003, WindowDepthIsLinearlyInterpolated) {
+  const Drawn drawn(opengl_case());
+  for (const auto& [x, y] : drawn.pixels()) {
+    EXPECT_EQ(drawn.depth(x, y),
+              Field(1, 4) + (center(x) - Field(2)) / Field(16) + Field(3, 64) * center(y));
+  }
+  EXPECT_EQ(drawn.depth(3, 2), Field(59, 128));
+}
+
+// Seed 003, in OpenGL: v = (v/w_n)/(1/w_n) of the linearly interpolated internal variables. Pixel
+// (3, 2): 3 + 9/16 + 65/64 = 293/64 and 1 − 3/16 − 15/64 = 37/64.
+TEST(Seed003, VaryingIsTheQuotientOfLinearlyInterpolatedInternalVariables) {
+  const Drawn drawn(opengl_case());
+  for (const auto& [x, y] : drawn.pixels()) {
+    EXPECT_EQ(drawn.value(0, x, y), drawn.value(1, x, y) / drawn.value(2, x, y));
+  }
+  EXPECT_EQ(drawn.text(1, 3, 2), "293/64");
+  EXPECT_EQ(drawn.text(2, 3, 2), "37/64");
+  EXPECT_EQ(drawn.text(0, 3, 2), "293/37");
+}
+
+}  // namespace
+}  // namespace rastercheck::oracle

@@ -1,0 +1,129 @@
+// Snapped coverage (RULES §3), by hand.
+
+#include "oracle/internal/snapping.h"
+
+#include <gtest/gtest.h>
+
+#include "oracle/triangle_truth.h"
+#include "tests/oracle/small_case.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+using cases::Rounding;
+using cases::Snapping;
+using records::Reason;
+using records::Verdict;
+
+std::pair<long, long> range(double coordinate, const Snapping& snapping) {
+  const GridRange r = candidates(Field(coordinate), snapping);
+  return {r.first, r.last};
+}
+
+TEST(Candidates, OfANamedRoundingAreOne) {
+  EXPECT_EQ(range(0.53125, {4, Rounding::nearest_even, 0}), std::pair(8L, 8L));    // 8.5 units
+  EXPECT_EQ(range(0.59375, {4, Rounding::nearest_even, 0}), std::pair(10L, 10L));  // 9.5
+  EXPECT_EQ(range(0.53125, {4, Rounding::half_up, 0}), std::pair(9L, 9L));
+  EXPECT_EQ(range(-0.53125, {4, Rounding::half_up, 0}), std::pair(-8L, -8L));
+  EXPECT_EQ(range(-0.53125, {4, Rounding::nearest_even, 0}), std::pair(-8L, -8L));
+  EXPECT_EQ(range(-0.59375, {4, Rounding::nearest_even, 0}), std::pair(-10L, -10L));
+}
+
+TEST(Candidates, OfAnUnspecifiedRoundingAreTheNeighbours) {
+  EXPECT_EQ(range(0.53125, {4, Rounding::unspecified, 0}), std::pair(8L, 9L));
+  EXPECT_EQ(range(0.5, {4, Rounding::unspecified, 0}), std::pair(8L, 8L));  // on the grid
+  EXPECT_EQ(range(0.5, {4, Rounding::unspecified, 0.25F}), std::pair(7L, 9L));
+}
+
+TEST(Candidates, OfAPositionErrorAreAllWithinHalfAUnitMore) {
+  // D3D: 0.6 units around 8.5 are 7.9 … 9.1 after rounding, 8 and 9.
+  EXPECT_EQ(range(0.53125, {4, Rounding::nearest_even, 0.125F}), std::pair(8L, 9L));
+  EXPECT_EQ(range(0.5, {4, Rounding::nearest_even, 0.25F}), std::pair(8L, 8L));
+  EXPECT_EQ(range(0.5, {4, Rounding::nearest_even, 0.5F}), std::pair(7L, 9L));
+}
+
+/// Its left side is at window u = 33/64, 1/64 to the right of the samples of column 0, which a grid
+/// of 1/16 moves onto them (8.25 units → 8).
+cases::Case near_column(const cases::Coverage& coverage, cases::Basis basis) {
+  const float left = 33.0F / 64 / 2 - 1;
+  cases::Case c =
+      small_case(cases::Rules::vulkan, 4, 4, {{{left, -1, 0, 1}, {3, -1, 0, 1}, {left, 3, 0, 1}}},
+                 {{{0}, {1}, {0}}});
+  c.coverage = coverage;
+  c.basis = basis;
+  return c;
+}
+
+Judgment judge(const cases::Case& c, int x, int y) {
+  const SceneTruth scene(c, cases::contract_of(c));
+  return TriangleTruth(scene, 0).judge(x, y, 0);
+}
+
+TEST(Snapping, MovesTheTriangleThatIsCovered) {
+  EXPECT_EQ(judge(near_column(std::nullopt, cases::Basis::ideal), 0, 1).verdict,
+            Verdict::forbidden);
+  const auto snapped = near_column(Snapping{4, Rounding::nearest_even, 0}, cases::Basis::ideal);
+  EXPECT_EQ(judge(snapped, 0, 1).verdict, Verdict::required);
+  EXPECT_EQ(judge(snapped, 0, 1).reason, Reason::tie);
+}
+
+TEST(Snapping, UnspecifiedPermitsWhatSomePlacementCovers) {
+  const auto c = near_column(Snapping{4, Rounding::unspecified, 0}, cases::Basis::ideal);
+  EXPECT_EQ(judge(c, 0, 1).verdict, Verdict::permitted);
+  EXPECT_EQ(judge(c, 0, 1).reason, Reason::snapping);
+  EXPECT_EQ(judge(c, 1, 1).verdict, Verdict::required);
+}
+
+TEST(Snapping, ManyPlacementsAreBoundedByTheirBoxes) {
+  // Four units of error: 9 × 9 candidates a vertex, far more than are enumerated.
+  const auto c = near_column(Snapping{4, Rounding::nearest_even, 4}, cases::Basis::ideal);
+  EXPECT_EQ(judge(c, 0, 1).verdict, Verdict::permitted);
+  EXPECT_EQ(judge(c, 1, 1).verdict, Verdict::required);
+}
+
+TEST(Basis, DecidesWhereAttributesComeFrom) {
+  const auto value = [](cases::Basis basis) {
+    const auto c = near_column(Snapping{4, Rounding::nearest_even, 0}, basis);
+    const SceneTruth scene(c, cases::contract_of(c));
+    const auto range = TriangleTruth(scene, 0).attribute(0, 1, 0, 0);
+    return std::pair(range->lo.to_string(), range->hi.to_string());
+  };
+  // r = (u − left)/(8 − left) at u = 3/2: left = 33/64, or 1/2 after snapping.
+  EXPECT_EQ(value(cases::Basis::ideal), std::pair(std::string("63/479"), std::string("63/479")));
+  EXPECT_EQ(value(cases::Basis::snapped), std::pair(std::string("2/15"), std::string("2/15")));
+  EXPECT_EQ(value(cases::Basis::unspecified),
+            std::pair(std::string("63/479"), std::string("2/15")));
+}
+
+TEST(Clipping, PermitsSamplesWithinAGridUnitOfWhatWasCut) {
+  // One vertex behind the eye: the edges to it are cut. They are the lines from window (2,0)
+  // through (0,2) and (4,2); a sample on one is open.
+  cases::Case c =
+      small_case(cases::Rules::vulkan, 8, 4, {{{0, 1, 0, -1}, {-0.5F, 0, 0, 1}, {0.5F, 0, 0, 1}}});
+  c.coverage = Snapping{4, Rounding::nearest_even, 0};
+  // Window: (4, 0) behind, (2, 2) and (6, 2): the cut edge u + v = 4 passes through (1.5, 2.5).
+  EXPECT_EQ(judge(c, 1, 2).verdict, Verdict::permitted);
+  EXPECT_EQ(judge(c, 1, 2).reason, Reason::nonpositive_w);
+  EXPECT_EQ(judge(c, 2, 2).verdict, Verdict::required);
+  EXPECT_EQ(judge(c, 0, 2).verdict, Verdict::forbidden);
+}
+
+TEST(Clipping, ByTheNearPlaneIsOpenAlongTheClipEdge) {
+  // z/w = 1/2 − u/4 passes 0 at u = 2. Row 2 is more than a pixel away from the edges that were
+  // cut.
+  cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
+                             {{{-1, -1, 0.5F, 1}, {3, -1, -1.5F, 1}, {-1, 3, 0.5F, 1}}});
+  c.coverage = Snapping{0, Rounding::nearest_even, 0};
+  EXPECT_EQ(judge(c, 0, 2).verdict, Verdict::required);
+  EXPECT_EQ(judge(c, 1, 2).verdict, Verdict::permitted);  // within a whole pixel of u = 2
+  EXPECT_EQ(judge(c, 1, 2).reason, Reason::clip_edge);
+  EXPECT_EQ(judge(c, 2, 2).verdict, Verdict::permitted);
+  EXPECT_EQ(judge(c, 3, 2).verdict, Verdict::forbidden);
+  EXPECT_EQ(judge(c, 0, 0).verdict, Verdict::permitted);  // within a pixel of the edge v = 0
+  c.coverage = Snapping{4, Rounding::nearest_even, 0};
+  EXPECT_EQ(judge(c, 1, 2).verdict, Verdict::required);
+  EXPECT_EQ(judge(c, 2, 2).verdict, Verdict::forbidden);
+}
+
+}  // namespace
+}  // namespace rastercheck::oracle
