@@ -38,8 +38,9 @@ Camera frame(const Bounds& bounds, Rules rules, double width_over_height) {
     center[i] = (bounds.lo[i] + bounds.hi[i]) / 2;
     half[i] = (bounds.hi[i] - bounds.lo[i]) / 2;
   }
-  // A single point has no size to frame; any positive radius shows it.
-  const double radius = std::max(std::sqrt(dot(half, half)), 0x1p-64);
+  // A twentieth to spare on all sides, so that rounding the matrices to float32 clips nothing. A
+  // single point has no size to frame; any positive radius shows it.
+  const double radius = std::max(1.05 * std::sqrt(dot(half, half)), 0x1p-64);
 
   // The view axes, in object space: the camera looks along −back.
   const Vector3 back = normalized({0.25, 0.25, 1});
@@ -51,9 +52,8 @@ Camera frame(const Bounds& bounds, Rules rules, double width_over_height) {
   const double slope_x = kSlope * std::max(width_over_height, 1.0);
   const double slope_y = kSlope * std::max(1 / width_over_height, 1.0);
   const double distance = radius * std::sqrt(1 + kSlope * kSlope) / kSlope;
-  // The depth range has a twentieth of the radius to spare, so that rounding clips nothing.
-  const double near = distance - 1.05 * radius;
-  const double far = distance + 1.05 * radius;
+  const double near = distance - radius;
+  const double far = distance + radius;
 
   Camera camera;
   camera.view = to_float({right[0], right[1], right[2], -dot(right, center),         //

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -41,7 +42,7 @@ std::string coverage_text(const Coverage& coverage) {
   if (!coverage) return "\"exact\"";
   std::string text = fmt::format(R"({{"subpixel_bits": {}, "rounding": {})",
                                  coverage->subpixel_bits, word(coverage->rounding));
-  if (coverage->position_error != 0) {
+  if (coverage->position_error != 0 || std::signbit(coverage->position_error)) {
     text += fmt::format(R"(, "position_error": {})", number(coverage->position_error));
   }
   return text + "}";

@@ -17,6 +17,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr char kDelete = 0x7f;
+
 /// Where byte `offset` (1-based, as nlohmann counts) lies, as "line:column" counted from 1.
 std::string line_and_column(std::string_view text, std::size_t offset) {
   const std::string_view before =
@@ -147,7 +149,11 @@ std::string printable(std::string_view text) {
            printable(text.substr(text.size() - kLongest / 2));
   }
   const std::string quoted = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
-  return quoted.substr(1, quoted.size() - 2);
+  std::string line;
+  for (const char c : quoted.substr(1, quoted.size() - 2)) {
+    line += c == kDelete ? "\\u007f" : std::string(1, c);  // the control character JSON lets pass
+  }
+  return line;
 }
 
 std::string child_pointer(const std::string& parent, std::string_view key) {
@@ -157,7 +163,7 @@ std::string child_pointer(const std::string& parent, std::string_view key) {
       pointer += "~0";
     } else if (c == '/') {
       pointer += "~1";
-    } else if (static_cast<unsigned char>(c) < 0x20) {
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == kDelete) {
       pointer += printable({&c, 1});  // keeps it on one line
     } else {
       pointer += c;

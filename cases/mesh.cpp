@@ -6,76 +6,125 @@
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
+#include <bit>
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
+#include <span>
 
 #include "cases/camera_frame.h"
+#include "cases/json.h"
 
 namespace rastercheck::cases {
 namespace {
 
-/// Points and lines become meshes of their own, which are skipped.
-constexpr unsigned kImport = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
-                             aiProcess_PreTransformVertices | aiProcess_SortByPType;
+/// Polygons become triangles, points and lines meshes of their own, which are skipped; the
+/// transforms of nodes are applied. Vertices are joined below: assimp joins what is merely near.
+constexpr unsigned kProcessing =
+    aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_SortByPType;
 
 bool has_triangles(const aiMesh& mesh) {
   return (mesh.mPrimitiveTypes & static_cast<unsigned>(aiPrimitiveType_TRIANGLE)) != 0;
 }
 
-/// Appends a mesh's vertices and triangles; the reason for refusing it, or "".
-std::string append(const aiMesh& mesh, bool textured, Case& c, Bounds& bounds) {
-  const std::size_t base = c.positions.size();
-  if (base + mesh.mNumVertices > std::numeric_limits<std::uint32_t>::max()) {
-    return "more than 2^32 - 1 vertices";
-  }
-  for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-    const aiVector3D& p = mesh.mVertices[i];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-      return fmt::format("vertex {} has a coordinate that is not finite", base + i);
-    }
-    const float u = textured ? mesh.mTextureCoords[0][i].x : p.x;
-    const float v = textured ? mesh.mTextureCoords[0][i].y : p.y;
-    if (!std::isfinite(u) || !std::isfinite(v)) {
-      return fmt::format("vertex {} has a texture coordinate that is not finite", base + i);
-    }
-    c.positions.push_back({p.x, p.y, p.z, 1});
-    c.attribute_values.push_back(u);
-    c.attribute_values.push_back(v);
-    const std::array<float, 3> xyz{p.x, p.y, p.z};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      bounds.lo[axis] = std::min(bounds.lo[axis], double{xyz[axis]});
-      bounds.hi[axis] = std::max(bounds.hi[axis], double{xyz[axis]});
-    }
-  }
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    const aiFace& face = mesh.mFaces[f];
-    Triangle triangle{};
-    for (unsigned corner = 0; corner < 3; ++corner) {
-      if (face.mNumIndices != 3 || face.mIndices[corner] >= mesh.mNumVertices) {
-        return fmt::format("face {} does not name three vertices", f);
+bool is_finite(const aiVector3D& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The first thing in a scene that must not be processed further, or "". Some of assimp's readers
+/// pass on indices beyond the vertices, which its processing follows.
+std::string fault_of(const aiScene& scene) {
+  for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
+    for (const aiFace& face : std::span(mesh->mFaces, mesh->mNumFaces)) {
+      for (const unsigned index : std::span(face.mIndices, face.mNumIndices)) {
+        if (index >= mesh->mNumVertices) {
+          return fmt::format("index {} out of range: there are {} vertices", index,
+                             mesh->mNumVertices);
+        }
       }
-      triangle[corner] = static_cast<std::uint32_t>(base + face.mIndices[corner]);
+    }
+    for (unsigned i = 0; i < mesh->mNumVertices; ++i) {
+      if (!is_finite(mesh->mVertices[i])) {
+        return fmt::format("vertex {} has a coordinate that is not finite", i);
+      }
+      if (mesh->HasTextureCoords(0) && !is_finite(mesh->mTextureCoords[0][i])) {
+        return fmt::format("vertex {} has a texture coordinate that is not finite", i);
+      }
+    }
+  }
+  return "";
+}
+
+/// Gathers vertices, each set of equal bits once.
+class VertexTable {
+ public:
+  explicit VertexTable(Case& c) : case_(&c) {}
+
+  std::uint32_t index_of(const aiVector3D& position, const std::array<float, 2>& attributes) {
+    const Bits key{
+        std::bit_cast<std::uint32_t>(position.x), std::bit_cast<std::uint32_t>(position.y),
+        std::bit_cast<std::uint32_t>(position.z), std::bit_cast<std::uint32_t>(attributes[0]),
+        std::bit_cast<std::uint32_t>(attributes[1])};
+    const auto next = static_cast<std::uint32_t>(case_->positions.size());
+    const auto [entry, is_new] = indices_.try_emplace(key, next);
+    if (is_new) {
+      case_->positions.push_back({position.x, position.y, position.z, 1});
+      case_->attribute_values.insert(case_->attribute_values.end(), attributes.begin(),
+                                     attributes.end());
+    }
+    return entry->second;
+  }
+
+ private:
+  using Bits = std::array<std::uint32_t, 5>;
+  Case* case_;
+  std::map<Bits, std::uint32_t> indices_;
+};
+
+/// Appends a mesh's triangles; the reason for refusing it, or "".
+std::string append(const aiMesh& mesh, bool textured, VertexTable& vertices, Case& c) {
+  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+    if (face.mNumIndices != 3) continue;  // a triangulated polygon without area
+    Triangle triangle{};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const unsigned i = face.mIndices[corner];
+      const aiVector3D& p = mesh.mVertices[i];
+      // Transforms may have overflowed.
+      if (!is_finite(p)) return "has a coordinate that is not finite";
+      triangle[corner] = vertices.index_of(
+          p, textured ? std::array{mesh.mTextureCoords[0][i].x, mesh.mTextureCoords[0][i].y}
+                      : std::array{p.x, p.y});
+    }
+    if (c.positions.size() > std::numeric_limits<std::uint32_t>::max()) {
+      return "has more than 2^32 - 1 vertices";
     }
     c.triangles.push_back(triangle);
   }
   return "";
 }
 
-}  // namespace
+Bounds bounds_of(const std::vector<ClipVertex>& positions) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Bounds bounds{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (const ClipVertex& p : positions) {
+    const std::array<double, 3> xyz{p.x, p.y, p.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      bounds.lo[axis] = std::min(bounds.lo[axis], xyz[axis]);
+      bounds.hi[axis] = std::max(bounds.hi[axis], xyz[axis]);
+    }
+  }
+  return bounds;
+}
 
-Result<Case> case_from_mesh(const std::string& file, const MeshOptions& options) {
-  const auto refuse = [&file](std::string reason) {
-    return tl::unexpected(Error{file, "", std::move(reason)});
-  };
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file, kImport);
-  if (scene == nullptr) return refuse(fmt::format("not a mesh: {}", importer.GetErrorString()));
+bool is_finite(const Camera& camera) {
+  const auto finite = [](float value) { return std::isfinite(value); };
+  return std::all_of(camera.view.begin(), camera.view.end(), finite) &&
+         std::all_of(camera.projection.begin(), camera.projection.end(), finite);
+}
 
-  const std::span meshes(scene->mMeshes, scene->mNumMeshes);
-  const bool textured = std::all_of(meshes.begin(), meshes.end(), [](const aiMesh* mesh) {
-    return !has_triangles(*mesh) || mesh->HasTextureCoords(0);
-  });
+/// All but the vertices and triangles.
+Case empty_case(const std::string& file, const MeshOptions& options, bool textured) {
   Case c;
   c.name = std::filesystem::path(file).filename().string();
   c.rules = options.rules;
@@ -86,21 +135,37 @@ Result<Case> case_from_mesh(const std::string& file, const MeshOptions& options)
   c.viewport.height = static_cast<float>(options.height);
   c.attributes = {{textured ? "u" : "x", Interpolation::smooth, Location::sample},
                   {textured ? "v" : "y", Interpolation::smooth, Location::sample}};
+  return c;
+}
 
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Bounds bounds{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+}  // namespace
+
+Result<Case> case_from_mesh(const std::string& file, const MeshOptions& options) {
+  const auto refuse = [&file](const std::string& reason) {
+    return tl::unexpected(Error{file, "", printable(reason)});
+  };
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(file, 0);
+  if (scene == nullptr) return refuse(fmt::format("not a mesh: {}", importer.GetErrorString()));
+  if (const std::string fault = fault_of(*scene); !fault.empty()) return refuse(fault);
+  scene = importer.ApplyPostProcessing(kProcessing);
+  if (scene == nullptr) return refuse(fmt::format("not a mesh: {}", importer.GetErrorString()));
+
+  const std::span meshes(scene->mMeshes, scene->mNumMeshes);
+  const bool textured = std::all_of(meshes.begin(), meshes.end(), [](const aiMesh* mesh) {
+    return !has_triangles(*mesh) || mesh->HasTextureCoords(0);
+  });
+  Case c = empty_case(file, options, textured);
+  VertexTable vertices(c);
   for (const aiMesh* mesh : meshes) {
     if (!has_triangles(*mesh)) continue;
-    std::string reason = append(*mesh, textured, c, bounds);
-    if (!reason.empty()) return refuse(std::move(reason));
+    const std::string fault = append(*mesh, textured, vertices, c);
+    if (!fault.empty()) return refuse(fault);
   }
   if (c.triangles.empty()) return refuse("holds no triangle");
-  c.camera = frame(bounds, c.rules, double{c.viewport.width} / double{c.viewport.height});
-  const auto finite = [](float value) { return std::isfinite(value); };
-  if (!std::all_of(c.camera->view.begin(), c.camera->view.end(), finite) ||
-      !std::all_of(c.camera->projection.begin(), c.camera->projection.end(), finite)) {
-    return refuse("too large to be framed by a float32 camera");
-  }
+  c.camera =
+      frame(bounds_of(c.positions), c.rules, double{c.viewport.width} / double{c.viewport.height});
+  if (!is_finite(*c.camera)) return refuse("too large to be framed by a float32 camera");
   return c;
 }
 

@@ -5,7 +5,10 @@
 namespace rastercheck::records {
 namespace {
 
-std::string in_decimals(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
+std::string in_decimals(double value, int digits) {
+  // An enclosed zero has no sign.
+  return fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits);
+}
 
 }  // namespace
 

@@ -93,31 +93,36 @@ TEST(CameraFrame, HoweverLargeOrSmall) {
   expect_framed({{-1e-15, -1e-15, -1e-15}, {1e-15, 1e-15, 1e-15}});
 }
 
-// The direction in which the sphere around the box touches a side of the view cone, per side: a box
-// that has a corner there has nothing to spare but what the camera adds. Kills: no margin.
+// The directions in which the sphere around a box touches the four sides of the view cone: a box
+// with a corner there has nothing to spare but what the camera adds. Kills: no margin for rounding.
 TEST(CameraFrame, ABoxWithACornerWhereTheSphereTouchesASideLiesInsideToo) {
   const Camera camera = frame({{-1, -1, -1}, {1, 1, 1}}, Rules::opengl, 1);
   for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
     for (const double side : {-2.0, 2.0}) {
-      Bounds bounds;
-      for (std::size_t i = 0; i < 3; ++i) {
-        // Rows of the view matrix are the view axes.
-        const double direction =
-            side * double{camera.view[4 * axis + i]} + double{camera.view[8 + i]};
-        bounds.hi[i] = std::abs(direction);
-        bounds.lo[i] = -bounds.hi[i];
+      for (const double away : {0.0, 1.0, 10.0, 77.0}) {
+        Bounds bounds;
+        for (std::size_t i = 0; i < 3; ++i) {
+          // Rows of the view matrix are the view axes; the sides have the slope 1/2.
+          const double direction =
+              side * double{camera.view[4 * axis + i]} + double{camera.view[8 + i]};
+          bounds.lo[i] = away - std::abs(direction);
+          bounds.hi[i] = away + std::abs(direction);
+        }
+        SCOPED_TRACE(away);
+        expect_framed(bounds);
       }
-      expect_framed(bounds);
     }
   }
 }
 
-// A float32 mesh may lie a million times its size from the origin and still have a shape. Kills: a
-// translation rounded to float32 that comes after the rotation.
+// A float32 mesh may lie a hundred thousand times its size from the origin and still have a shape.
+// Kills: a translation rounded to float32 after the rotation, which is off by more than the margin.
 TEST(CameraFrame, ABoxFarFromTheOriginLiesInsideToo) {
-  for (const double far : {1e3, 1e5, 1e6}) {
+  for (const double far : {1e3, 1e5, 3e5, 1e6}) {
     SCOPED_TRACE(far);
     expect_framed({{far, 2 * far, -far}, {far + 1, 2 * far + 1, -far + 1}});
+    expect_framed({{-3 * far, far, far}, {-3 * far + 1, far, far + 2}});
+    expect_framed({{far, -far, 3 * far}, {far, -far + 1, 3 * far + 1}});
   }
 }
 

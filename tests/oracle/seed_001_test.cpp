@@ -189,10 +189,11 @@ TEST(Seed001, BothFormsOfRAgree) {
 }
 
 // Seed 001 p. 7: the second line, P = C + (c + u a + v b) w, holds; the third prints (u, v, w)
-// where (u w, v w, w) is meant, and the fourth repeats it. P − C = (−32/35, −96/35, 416/35), but u
-// a + v b + w c = (7/2 − 256/35, 5/2 − 256/35, 5/2 + 256/35). Nor does it lead to the line of w
-// below it: (1 − k − l) + k + l = 1 with the printed right side means
-// w = 1 + 7/32 + 15/64 = 93/64, not 64/35.
+// where (u w, v w, w) is meant, and the fourth repeats it.
+//   P − C = (−32/35, −96/35, 416/35)
+//   u a + v b + w c = (7/2 − 256/35, 5/2 − 256/35, 5/2 + 256/35)
+// Nor does the printed line lead to the line of w below it: (1 − k − l) + k + l = 1 with its right
+// side means −u/16 − 3v/32 + w = 1, w = 1 + 7/32 + 15/64 = 93/64, not 64/35.
 TEST(Seed001, ThirdLineLacksWOnUAndV) {
   const Drawn drawn(camera_case(1));
   const FieldVector3 p(drawn.value(4, 3, 2), drawn.value(5, 3, 2), drawn.value(6, 3, 2));
@@ -223,7 +224,7 @@ TEST(Seed001, ClipFormIsTheCameraForm) {
   std::array<RingVector3, 3> m;
   for (std::size_t i = 0; i < 3; ++i) {
     m[i] = drawn.scene.scene().window_column(i);
-    const FieldVector3 column(Field(m[i][0]), Field(m[i][1]), Field(m[i][2]));
+    const auto column = FieldVector3(Field(m[i][0]), Field(m[i][1]), Field(m[i][2]));
     EXPECT_TRUE(FieldVector3(abc * column) == FieldVector3(kVertices[i] - kImage.eye)) << i;
   }
   const ProjectiveMap map(m);
@@ -268,8 +269,8 @@ TEST(Seed001, NegativeMultipleIsBehindTheEyeAndCoversNothing) {
   }
 }
 
-// Seed 001 p. 7, RULES §1: facing is sign(det M_cam · det [a b c]); det [a b c] = 8, det M_cam = 8
-// · 512, and swapping two vertices turns it round.
+// Seed 001 p. 7, RULES §1: facing is sign(det M_cam · det [a b c]), here of 8 · 512 and 8;
+// swapping two vertices turns it round.
 TEST(Seed001, FacingIsTheSignOfTheTwoDeterminants) {
   const FieldMatrix3 m_cam =
       columns(kVertices[0] - kImage.eye, kVertices[1] - kImage.eye, kVertices[2] - kImage.eye);

@@ -1,5 +1,4 @@
-// The laws of seed 002, Heckbert & Moreton, "Interpolation for Polygon Texture Mapping and
-// Shading".
+// The laws of seed 002: Heckbert & Moreton, Interpolation for Polygon Texture Mapping and Shading.
 //
 // Object space triangle (−1,−1,0), (2,−2,1), (−4,4,3); the camera keeps x and y, z = z_o/4 and
 // w = z_o + 1 = 1, 2, 4. Screen corners (0,0), (8,0), (0,8), where screen is the window in pixels:
@@ -109,8 +108,9 @@ TEST(Seed002, ParametersMapToTheScreenByAHomogeneousMatrix) {
 }
 
 // Seed 002 §1.2: projective mappings are inverted by the inverse or the adjoint matrix. From
-// X = 16 kq, Y = 32 lq, W = kq + 3 lq + q, times 512: kq = 32 X, lq = 16 Y, q = 512 W − 32 X − 48
-// Y.
+// X = 16 kq, Y = 32 lq, W = kq + 3 lq + q, times 512:
+//   kq = 32 X     lq = 16 Y     q = 512 W − 32 X − 48 Y
+// At (X, Y, W) = (x, y, 1) these are E_1, E_2 and the sum of all E_i.
 TEST(Seed002, TheInverseMappingIsTheAdjointMatrix) {
   const ProjectiveMap map = Drawn(paper_case()).map();
   expect_line(map.edge(1), 32, 0, 0);

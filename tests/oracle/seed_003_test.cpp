@@ -186,9 +186,8 @@ TEST(Seed003, FunctionAffineInObjectSpaceIsNotAffineAfterTheDivision) {
   EXPECT_EQ(drawn.depth(2, 2) - drawn.depth(1, 2), drawn.depth(3, 2) - drawn.depth(2, 2));
 }
 
-// Seed 003, how to evaluate: dividing by w_n, [v/w_n, 1/w_n] = [e f g h; i j k l] (x_n, y_n, z_n,
-// 1). From v = x' + 2y' − z' + 6w' and 1 = w' − z': (e f g h) = (1, 2, −1, 6), (i j k l) = (0, 0,
-// −1, 1).
+// Seed 003, how to evaluate: v = x' + 2y' − z' + 6w' and 1 = w' − z', divided by w_n, are
+// [v/w_n, 1/w_n] = [e f g h; i j k l] (x_n, y_n, z_n, 1) with 1, 2, −1, 6 and 0, 0, −1, 1.
 TEST(Seed003, QuotientsByWAreAffineInNormalizedDeviceCoordinates) {
   const Drawn drawn(object_case());
   for (const auto& [x, y] : drawn.pixels()) {

@@ -118,8 +118,8 @@ TEST(Seed004, ParameterAlongTheEdge) {
 // Seed 004 slides 12 and 13: premultiplied by w = 1/z, numerators and denominator are interpolated
 // in screen space, each by its own plane equation, and divided at each pixel. u w = 2 … 5/2,
 // v w = 8 … 1 (v = 8 … 4), w = 1 … 1/4; at t = 1/8: (33/16)/(29/32) = 66/29 and
-// (57/8)/(29/32) = 228/29. Slide 13's code, as
-// scanned, names the plane of v w "wPlane", as that of w: three names are meant.
+// (57/8)/(29/32) = 228/29. Slide 13's code, as scanned, names the plane of v w "wPlane", as that of
+// w: three names are meant.
 TEST(Seed004, PremultipliedParametersAreInterpolatedInScreenSpaceAndDivided) {
   const cases::Case planes = screen_linear(edge_case(4, {2, 8, 1}, {2.5f, 1, 0.25f}));
   const Four uw = along_edge(planes, 0);

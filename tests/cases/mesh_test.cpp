@@ -1,0 +1,313 @@
+// Meshes are written by the tests themselves, as small as each format allows.
+
+#include "cases/mesh.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace rastercheck::cases {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+
+/// A file that lives as long as its test.
+class MeshFile {
+ public:
+  MeshFile(const std::string& name, const std::string& content)
+      : path_(testing::TempDir() + "rastercheck_mesh_" + name) {
+    std::ofstream(path_, std::ios::binary) << content;
+  }
+  ~MeshFile() { std::filesystem::remove(path_); }
+  MeshFile(const MeshFile&) = delete;
+  MeshFile& operator=(const MeshFile&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+Case read(const std::string& name, const std::string& content, const MeshOptions& options = {}) {
+  const MeshFile file(name, content);
+  const Result<Case> c = case_from_mesh(file.path(), options);
+  EXPECT_TRUE(c.has_value()) << to_string(c.error());
+  return c.value_or(Case{});
+}
+
+/// The reason for which a mesh is refused; that the error is one line is checked here.
+std::string refusal(const std::string& name, const std::string& content) {
+  const MeshFile file(name, content);
+  const Result<Case> c = case_from_mesh(file.path(), {});
+  EXPECT_FALSE(c.has_value()) << name << ":\n" << content;
+  if (c) return "";
+  const std::string line = to_string(c.error());
+  EXPECT_THAT(line, StartsWith(file.path() + ": "));
+  EXPECT_EQ(c.error().place, "");
+  EXPECT_FALSE(c.error().reason.empty());
+  EXPECT_TRUE(std::none_of(line.begin(), line.end(), [](char character) {
+    return static_cast<unsigned char>(character) < 0x20 || character == 0x7f;
+  })) << line;
+  return c.error().reason;
+}
+
+/// Object positions of the corners of every triangle, in the order of the file.
+std::vector<ClipVertex> corners(const Case& c) {
+  std::vector<ClipVertex> positions;
+  for (const Triangle& triangle : c.triangles) {
+    for (const std::uint32_t index : triangle) positions.push_back(c.positions.at(index));
+  }
+  return positions;
+}
+
+/// Whether every vertex lies strictly inside the clip volume (RULES §4), computed in double.
+bool is_framed(const Case& c) {
+  const auto times = [](const Matrix4& m, const std::array<double, 4>& v) {
+    std::array<double, 4> product{};
+    for (std::size_t i = 0; i < 16; ++i) product[i / 4] += double{m[i]} * v[i % 4];
+    return product;
+  };
+  const Camera camera = c.camera.value_or(Camera{});
+  return std::all_of(c.positions.begin(), c.positions.end(), [&](const ClipVertex& p) {
+    const std::array<double, 4> object{p.x, p.y, p.z, p.w};
+    const auto [x, y, z, w] =
+        times(camera.projection, times(camera.view, times(camera.model, object)));
+    const double nearest = c.rules == Rules::opengl ? -w : 0;
+    return w > 0 && std::abs(x) < w && std::abs(y) < w && nearest < z && z < w;
+  });
+}
+
+constexpr const char* kTexturedQuad =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\n"
+    "vt 0 0.25\nvt 0.5 0.25\nvt 0.5 1\nvt 0 1\n"
+    "f 1/1 2/2 3/3 4/4\n";
+constexpr const char* kTriangle = "v 0 0 0\nv 2 0 0\nv 0 4 1\nf 1 2 3\n";
+
+std::string ply(const std::string& vertices, const std::string& face) {
+  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+         "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+         vertices + face;
+}
+
+/// The bytes of a value as little-endian files have them.
+template <typename Value>
+std::string bytes(Value value) {
+  static_assert(std::endian::native == std::endian::little);
+  const auto raw = std::bit_cast<std::array<char, sizeof(Value)>>(value);
+  return {raw.begin(), raw.end()};
+}
+
+std::string base64(const std::string& data) {
+  constexpr const char* kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < data.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t j = i; j < i + 3; ++j) {
+      group = group << 8U | (j < data.size() ? static_cast<unsigned char>(data[j]) : 0U);
+    }
+    for (std::size_t j = 0; j < 4; ++j) {
+      text += i + j <= data.size() ? kDigits[group >> (18 - 6 * j) & 63U] : '=';
+    }
+  }
+  return text;
+}
+
+/// glTF 2.0: one triangle in a node that is moved by (10, 20, 30).
+std::string gltf(const std::array<float, 9>& coordinates, std::uint16_t last_index) {
+  std::string buffer;
+  for (const float coordinate : coordinates) buffer += bytes(coordinate);
+  for (const std::uint16_t index : {std::uint16_t{0}, std::uint16_t{1}, last_index}) {
+    buffer += bytes(index);
+  }
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0, "translation": [10, 20, 30]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+    "accessors": [
+      {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+      {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}],
+    "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36},
+                    {"buffer": 0, "byteOffset": 36, "byteLength": 6}],
+    "buffers": [{"byteLength": 42, "uri": "data:application/octet-stream;base64,)" +
+         base64(buffer) + R"("}]})";
+}
+
+std::string chunk(std::uint16_t id, const std::string& content) {
+  return bytes(id) + bytes(static_cast<std::uint32_t>(content.size() + 6)) + content;
+}
+
+/// 3DS: a main chunk, the editor's, an object "o", its mesh of one triangle.
+std::string three_ds(const std::array<float, 9>& coordinates) {
+  std::string vertices = bytes(std::uint16_t{3});
+  for (const float coordinate : coordinates) vertices += bytes(coordinate);
+  std::string faces = bytes(std::uint16_t{1});
+  for (std::uint16_t value = 0; value < 4; ++value) {
+    faces += bytes(static_cast<std::uint16_t>(value % 3));  // three indices and flags
+  }
+  const std::string mesh = chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4120, faces));
+  return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("o\0", 2) + mesh)));
+}
+
+TEST(Mesh, QuadsAreCutIntoTrianglesAndTextureCoordinatesAreAttributes) {
+  const Case c = read("quad.obj", kTexturedQuad);
+  EXPECT_THAT(c.positions, ElementsAre(ClipVertex{0, 0, 0, 1}, ClipVertex{1, 0, 0, 1},
+                                       ClipVertex{1, 1, 0, 1}, ClipVertex{0, 1, 0.5F, 1}));
+  EXPECT_THAT(c.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
+  EXPECT_THAT(c.attributes, ElementsAre(Attribute{"u"}, Attribute{"v"}));
+  EXPECT_THAT(c.attribute_values, ElementsAre(0, 0.25F, 0.5F, 0.25F, 0.5F, 1, 0, 1));
+}
+
+TEST(Mesh, WithoutTextureCoordinatesTheAttributesAreObjectXAndY) {
+  const Case c = read("plain.obj", kTriangle);
+  EXPECT_THAT(c.positions,
+              ElementsAre(ClipVertex{0, 0, 0, 1}, ClipVertex{2, 0, 0, 1}, ClipVertex{0, 4, 1, 1}));
+  EXPECT_THAT(c.triangles, ElementsAre(Triangle{0, 1, 2}));
+  EXPECT_THAT(c.attributes, ElementsAre(Attribute{"x"}, Attribute{"y"}));
+  EXPECT_THAT(c.attribute_values, ElementsAre(0, 0, 2, 0, 0, 4));
+}
+
+TEST(Mesh, TheCaseHasTheStateThatWasAskedForAndIsNamedAfterTheFile) {
+  for (const Rules rules : {Rules::opengl, Rules::vulkan, Rules::d3d}) {
+    const Case c = read("state.obj", kTriangle, {40, 30, rules});
+    EXPECT_EQ(c.name, "rastercheck_mesh_state.obj");
+    EXPECT_EQ(c.rules, rules);
+    EXPECT_EQ(c.fill_rule, default_fill_rule(rules));
+    EXPECT_EQ(c.basis, default_basis(rules));
+    EXPECT_EQ(c.framebuffer, (FramebufferSize{40, 30, 1}));
+    EXPECT_EQ(c.viewport, (Viewport{0, 0, 40, 30, 0, 1}));
+    EXPECT_TRUE(c.camera.has_value());
+  }
+}
+
+TEST(Mesh, TheCameraFramesItUnderAllRules) {
+  for (const Rules rules : {Rules::opengl, Rules::vulkan, Rules::d3d}) {
+    for (const auto& [width, height] : {std::pair{512, 512}, std::pair{640, 160}, {1, 4}}) {
+      EXPECT_TRUE(is_framed(read("quad.obj", kTexturedQuad, {width, height, rules})));
+      EXPECT_TRUE(is_framed(read("plain.obj", kTriangle, {width, height, rules})));
+    }
+  }
+}
+
+TEST(Mesh, PlyAndOffAreRead) {
+  const auto positions =
+      ElementsAre(ClipVertex{0, 0, 0, 1}, ClipVertex{2, 0, 0, 1}, ClipVertex{0, 4, 1, 1});
+  EXPECT_THAT(corners(read("a.ply", ply("0 0 0\n2 0 0\n0 4 1\n", "3 0 1 2\n"))), positions);
+  EXPECT_THAT(corners(read("a.off", "OFF\n3 1 0\n0 0 0\n2 0 0\n0 4 1\n3 0 1 2\n")), positions);
+}
+
+TEST(Mesh, GltfNodesMoveTheirVertices) {
+  const Case c = read("a.gltf", gltf({0, 0, 0, 2, 0, 0, 0, 4, 1}, 2));
+  EXPECT_THAT(corners(c), ElementsAre(ClipVertex{10, 20, 30, 1}, ClipVertex{12, 20, 30, 1},
+                                      ClipVertex{10, 24, 31, 1}));
+  EXPECT_TRUE(is_framed(c));
+}
+
+// 3DS has z up; assimp turns it, (x, y, z) to (x, z, -y), by the root node's transform.
+TEST(Mesh, ThreeDsIsReadWithItsUpTurnedToY) {
+  const Case c = read("a.3ds", three_ds({0, 0, 0, 2, 0, 0, 0, 4, 1}));
+  EXPECT_THAT(corners(c),
+              ElementsAre(ClipVertex{0, 0, 0, 1}, ClipVertex{2, 0, 0, 1}, ClipVertex{0, 1, -4, 1}));
+}
+
+// Kills: joining vertices that are nearer than some epsilon instead of identical ones.
+TEST(Mesh, VerticesThatDifferInTheLastBitStayApart) {
+  const Case tiny = read("tiny.obj", "v 0 0 0\nv 1e-6 0 0\nv 0 1e-6 0\nf 1 2 3\n");
+  EXPECT_THAT(tiny.positions, SizeIs(3));
+  EXPECT_THAT(tiny.triangles, ElementsAre(Triangle{0, 1, 2}));
+  const Case close = read("close.obj", "v 0 0 0\nv 0.5 0.5 0\nv 0.50000006 0.5 0\nf 1 2 3\n");
+  EXPECT_THAT(close.triangles, ElementsAre(Triangle{0, 1, 2}));
+}
+
+TEST(Mesh, PolygonsAndTrianglesOfOneFileAreAllDrawn) {
+  const Case c =
+      read("mixed.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 5\nf 1 2 5\nf 1 2 3 4\nl 1 3\n");
+  EXPECT_THAT(c.triangles, SizeIs(3));
+}
+
+TEST(Mesh, WhatIsNoMeshIsRefusedInOneLine) {
+  refusal("empty.obj", "");
+  refusal("empty.ply", "");
+  refusal("empty.off", "");
+  refusal("empty.gltf", "");
+  refusal("empty.3ds", "");
+  for (const char* name : {"text.obj", "text.ply", "text.off", "text.gltf", "text.3ds", "text.x"}) {
+    refusal(name, "This is a text,\nof two lines.\n");
+  }
+}
+
+TEST(Mesh, AMissingFileIsRefusedInOneLine) {
+  const std::string file = testing::TempDir() + "rastercheck_no_such_mesh.obj";
+  const Result<Case> c = case_from_mesh(file, {});
+  ASSERT_FALSE(c.has_value());
+  EXPECT_THAT(to_string(c.error()), StartsWith(file + ": "));
+  EXPECT_EQ(to_string(c.error()).find('\n'), std::string::npos);
+}
+
+TEST(Mesh, AFileWithoutTrianglesIsRefused) {
+  refusal("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  EXPECT_EQ(refusal("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"), "holds no triangle");
+}
+
+// Kills: an importer's message, which quotes the file, passed on as it is.
+TEST(Mesh, WhatAMessageQuotesStaysOnOneLine) {
+  refusal("quote.gltf",
+          R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+              "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+              "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+              "bufferViews": [{"buffer": 0, "byteLength": 36}],
+              "buffers": [{"byteLength": 36, "uri": "no\nsuch\u001b[31m.bin"}]})");
+}
+
+TEST(Mesh, ACoordinateThatIsNotFiniteIsRefused) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  refusal("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  refusal("infinite.obj", "v 0 0 0\nv 1 0 inf\nv 0 1 0\nf 1 2 3\n");
+  refusal("nan.gltf", gltf({0, 0, 0, 1, nan, 0, 0, 1, 0}, 2));
+  refusal("infinite.gltf", gltf({0, 0, 0, 1, -infinity, 0, 0, 1, 0}, 2));
+  refusal("nan.3ds", three_ds({0, 0, 0, 1, 0, nan, 0, 1, 0}));
+}
+
+// Kills: joining a vertex with NaN, which no distance is above, with the one before it.
+TEST(Mesh, ACoordinateThatIsNotFiniteIsRefusedInPlyToo) {
+  refusal("nan.ply", ply("0 0 0\n1 nan 0\n0 1 0\n", "3 0 1 2\n"));
+}
+
+TEST(Mesh, AnIndexOutOfRangeIsRefused) {
+  refusal("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  refusal("index.gltf", gltf({0, 0, 0, 1, 0, 0, 0, 1, 0}, 9));
+}
+
+// Kills: reading beyond the vertices, which ends in a crash or in a triangle that is not in the
+// file.
+TEST(Mesh, AnIndexOutOfRangeIsRefusedInPlyToo) {
+  refusal("index.ply", ply("0 0 0\n1 0 0\n0 1 0\n", "3 0 1 7\n"));
+  refusal("index_huge.ply", ply("0 0 0\n1 0 0\n0 1 0\n", "3 0 1 70000000\n"));
+  refusal("index_negative.ply", ply("0 0 0\n1 0 0\n0 1 0\n", "3 0 1 -1\n"));
+}
+
+TEST(Mesh, FileNamesAreKnownByTheirEnding) {
+  for (const char* file :
+       {"a.obj", "a.OBJ", "/b/c.d/a.ply", "a.off", "a.gltf", "a.glb", "a.3ds", "two.parts.stl"}) {
+    EXPECT_TRUE(is_mesh_file(file)) << file;
+  }
+  for (const char* file :
+       {"", "-", "a", "a.", "obj", ".obj", "a.json", "a.obj.json", "a.cpp", "a.png", "dir.obj/a"}) {
+    EXPECT_FALSE(is_mesh_file(file)) << file;
+  }
+}
+
+}  // namespace
+}  // namespace rastercheck::cases
