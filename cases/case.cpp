@@ -1,20 +1,6 @@
 #include "cases/case.h"
 
-#include "cases/error.h"
-
-namespace rastercheck {
-
-std::string to_string(const Error& error) {
-  std::string line;
-  for (const std::string* part : {&error.file, &error.place, &error.reason}) {
-    if (part->empty()) continue;
-    if (!line.empty()) line += ": ";
-    line += *part;
-  }
-  return line;
-}
-
-namespace cases {
+namespace rastercheck::cases {
 
 std::span<const float> Case::attributes_of(std::size_t vertex) const {
   return std::span(attribute_values).subspan(vertex * attributes.size(), attributes.size());
@@ -38,5 +24,4 @@ Contract contract_of(const Case& c) {
   return contract;
 }
 
-}  // namespace cases
-}  // namespace rastercheck
+}  // namespace rastercheck::cases

@@ -126,7 +126,15 @@ class Node {
 
   std::uint64_t unsigned_integer() const {
     if (value_->is_number_unsigned()) return value_->get<std::uint64_t>();
-    return static_cast<std::uint64_t>(integer(0, std::numeric_limits<std::int64_t>::max()));
+    // Integral floats such as 64.0 are integers, within what a double counts exactly.
+    std::optional<Error> ignored;
+    const std::int64_t value = Node(*value_, pointer_, ignored, *file_)
+                                   .integer(0, std::numeric_limits<std::int64_t>::max());
+    if (ignored) {
+      refuse(fmt::format("out of range: must be an integer from 0 to {}",
+                         std::numeric_limits<std::uint64_t>::max()));
+    }
+    return static_cast<std::uint64_t>(value);
   }
 
   float number() const {

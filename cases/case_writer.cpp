@@ -3,24 +3,20 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "cases/float_text.h"
+#include "cases/json.h"
 #include "cases/names.h"
 
 namespace rastercheck::cases {
 namespace {
 
-std::string json_text(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 std::string number(float value) { return "\"" + to_hex(value) + "\""; }
 
 template <typename Enum>
 std::string word(Enum value) {
-  return json_text(name_of(value));
+  return json_string(name_of(value));
 }
 
 template <typename Range>
@@ -69,7 +65,7 @@ std::string to_json(const Case& c) {
   };
   add("format", "\"rastercheck-case\"");
   add("version", "1");
-  add("name", json_text(c.name));
+  add("name", json_string(c.name));
   add("framebuffer", fmt::format(R"({{"width": {}, "height": {}, "samples": {}}})",
                                  c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples));
   const Viewport& v = c.viewport;
@@ -93,7 +89,7 @@ std::string to_json(const Case& c) {
   std::vector<std::string> attributes;
   for (const Attribute& a : c.attributes) {
     attributes.push_back(fmt::format(R"({{"name": {}, "interpolation": {}, "location": {}}})",
-                                     json_text(a.name), word(a.interpolation), word(a.location)));
+                                     json_string(a.name), word(a.interpolation), word(a.location)));
   }
   if (!attributes.empty()) add("attributes", lines(attributes));
   if (c.camera) {
@@ -113,8 +109,8 @@ std::string to_json(const Case& c) {
   if (c.found) {
     add("found", fmt::format(R"({{"law": {}, "backend": {}, "verdict": {}, "seed": {}, )"
                              R"("index": {}}})",
-                             json_text(c.found->law), json_text(c.found->backend),
-                             json_text(c.found->verdict), c.found->seed, c.found->index));
+                             json_string(c.found->law), json_string(c.found->backend),
+                             json_string(c.found->verdict), c.found->seed, c.found->index));
   }
   return fmt::format("{{\n{}\n}}\n", fmt::join(members, ",\n"));
 }

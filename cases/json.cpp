@@ -141,6 +141,10 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 
 }  // namespace
 
+std::string json_string(std::string_view text) {
+  return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
 std::string printable(std::string_view text) {
   // What is at both ends tells most; a parser's message ends with what it expected.
   constexpr std::size_t kLongest = 240;
@@ -148,10 +152,14 @@ std::string printable(std::string_view text) {
     return printable(text.substr(0, kLongest / 2)) + " ... " +
            printable(text.substr(text.size() - kLongest / 2));
   }
-  const std::string quoted = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string quoted = json_string(text);
   std::string line;
-  for (const char c : quoted.substr(1, quoted.size() - 2)) {
-    line += c == kDelete ? "\\u007f" : std::string(1, c);  // the control character JSON lets pass
+  for (std::size_t i = 1; i + 1 < quoted.size(); ++i) {
+    // Quotes and backslashes read best as they are; only control characters must be escaped.
+    const bool is_escaped_mark =
+        quoted[i] == '\\' && (quoted[i + 1] == '"' || quoted[i + 1] == '\\');
+    if (is_escaped_mark) ++i;
+    line += quoted[i] == kDelete ? "\\u007f" : std::string(1, quoted[i]);
   }
   return line;
 }

@@ -17,7 +17,11 @@ inline constexpr std::size_t kMaxJsonDepth = 16;
 /// `file` is the name for error messages.
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& file);
 
-/// A text for a message of one line, escaped as in a JSON string; shortened where it is long.
+/// A text as a JSON string, quotes included; bytes that are not UTF-8 become U+FFFD.
+std::string json_string(std::string_view text);
+
+/// A text for a message of one line, its control characters as JSON escapes them; shortened where
+/// it is long.
 std::string printable(std::string_view text);
 
 /// The JSON pointer (RFC 6901) of a key or element below `parent`; the document itself is "".

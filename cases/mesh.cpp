@@ -19,10 +19,10 @@
 namespace rastercheck::cases {
 namespace {
 
-/// Polygons become triangles, points and lines meshes of their own, which are skipped; the
-/// transforms of nodes are applied. Vertices are joined below: assimp joins what is merely near.
-constexpr unsigned kProcessing =
-    aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_SortByPType;
+/// Polygons become triangles; points and lines become meshes of their own, which are skipped.
+/// Vertices are joined and transforms applied below: assimp joins what is merely near, and regroups
+/// meshes when it transforms them.
+constexpr unsigned kProcessing = aiProcess_Triangulate | aiProcess_SortByPType;
 
 bool has_triangles(const aiMesh& mesh) {
   return (mesh.mPrimitiveTypes & static_cast<unsigned>(aiPrimitiveType_TRIANGLE)) != 0;
@@ -82,27 +82,54 @@ class VertexTable {
   std::map<Bits, std::uint32_t> indices_;
 };
 
-/// Appends a mesh's triangles; the reason for refusing it, or "".
-std::string append(const aiMesh& mesh, bool textured, VertexTable& vertices, Case& c) {
-  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
-    if (face.mNumIndices != 3) continue;  // a triangulated polygon without area
-    Triangle triangle{};
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const unsigned i = face.mIndices[corner];
-      const aiVector3D& p = mesh.mVertices[i];
-      // Transforms may have overflowed.
-      if (!is_finite(p)) return "has a coordinate that is not finite";
-      triangle[corner] = vertices.index_of(
-          p, textured ? std::array{mesh.mTextureCoords[0][i].x, mesh.mTextureCoords[0][i].y}
-                      : std::array{p.x, p.y});
+/// Gathers the triangles of a scene in the order of its nodes.
+class TriangleCollector {
+ public:
+  TriangleCollector(const aiScene& scene, bool textured, Case& c)
+      : scene_(&scene), textured_(textured), case_(&c), vertices_(c) {}
+
+  /// Appends the meshes of a node and of those below it; the reason for refusing them, or "".
+  std::string append(const aiNode& node, const aiMatrix4x4& parent_to_object) {
+    const aiMatrix4x4 to_object = parent_to_object * node.mTransformation;
+    for (const unsigned index : std::span(node.mMeshes, node.mNumMeshes)) {
+      std::string fault = append(*scene_->mMeshes[index], to_object);
+      if (!fault.empty()) return fault;
     }
-    if (c.positions.size() > std::numeric_limits<std::uint32_t>::max()) {
-      return "has more than 2^32 - 1 vertices";
+    for (const aiNode* child : std::span(node.mChildren, node.mNumChildren)) {
+      std::string fault = append(*child, to_object);
+      if (!fault.empty()) return fault;
     }
-    c.triangles.push_back(triangle);
+    return "";
   }
-  return "";
-}
+
+ private:
+  std::string append(const aiMesh& mesh, const aiMatrix4x4& to_object) {
+    if (!has_triangles(mesh)) return "";
+    for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+      if (face.mNumIndices != 3) continue;  // a triangulated polygon without area
+      Triangle triangle{};
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const unsigned i = face.mIndices[corner];
+        const aiVector3D p =
+            to_object.IsIdentity() ? mesh.mVertices[i] : to_object * mesh.mVertices[i];
+        if (!is_finite(p)) return "a transformed coordinate is not finite";
+        triangle[corner] = vertices_.index_of(
+            p, textured_ ? std::array{mesh.mTextureCoords[0][i].x, mesh.mTextureCoords[0][i].y}
+                         : std::array{p.x, p.y});
+      }
+      if (case_->positions.size() > std::numeric_limits<std::uint32_t>::max()) {
+        return "more than 2^32 - 1 vertices";
+      }
+      case_->triangles.push_back(triangle);
+    }
+    return "";
+  }
+
+  const aiScene* scene_;
+  bool textured_;
+  Case* case_;
+  VertexTable vertices_;
+};
 
 Bounds bounds_of(const std::vector<ClipVertex>& positions) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -126,7 +153,7 @@ bool is_finite(const Camera& camera) {
 /// All but the vertices and triangles.
 Case empty_case(const std::string& file, const MeshOptions& options, bool textured) {
   Case c;
-  c.name = std::filesystem::path(file).filename().string();
+  c.name = printable(std::filesystem::path(file).filename().string());
   c.rules = options.rules;
   c.fill_rule = default_fill_rule(c.rules);
   c.basis = default_basis(c.rules);
@@ -138,16 +165,15 @@ Case empty_case(const std::string& file, const MeshOptions& options, bool textur
   return c;
 }
 
-}  // namespace
-
-Result<Case> case_from_mesh(const std::string& file, const MeshOptions& options) {
+/// The case of what an importer has read.
+Result<Case> case_from_scene(Assimp::Importer& importer, const std::string& file,
+                             const MeshOptions& options) {
   const auto refuse = [&file](const std::string& reason) {
     return tl::unexpected(Error{file, "", printable(reason)});
   };
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file, 0);
+  const aiScene* scene = importer.GetScene();
   if (scene == nullptr) return refuse(fmt::format("not a mesh: {}", importer.GetErrorString()));
-  if (const std::string fault = fault_of(*scene); !fault.empty()) return refuse(fault);
+  if (const std::string broken = fault_of(*scene); !broken.empty()) return refuse(broken);
   scene = importer.ApplyPostProcessing(kProcessing);
   if (scene == nullptr) return refuse(fmt::format("not a mesh: {}", importer.GetErrorString()));
 
@@ -156,17 +182,31 @@ Result<Case> case_from_mesh(const std::string& file, const MeshOptions& options)
     return !has_triangles(*mesh) || mesh->HasTextureCoords(0);
   });
   Case c = empty_case(file, options, textured);
-  VertexTable vertices(c);
-  for (const aiMesh* mesh : meshes) {
-    if (!has_triangles(*mesh)) continue;
-    const std::string fault = append(*mesh, textured, vertices, c);
-    if (!fault.empty()) return refuse(fault);
-  }
+  const std::string fault =
+      TriangleCollector(*scene, textured, c).append(*scene->mRootNode, aiMatrix4x4());
+  if (!fault.empty()) return refuse(fault);
   if (c.triangles.empty()) return refuse("holds no triangle");
   c.camera =
       frame(bounds_of(c.positions), c.rules, double{c.viewport.width} / double{c.viewport.height});
   if (!is_finite(*c.camera)) return refuse("too large to be framed by a float32 camera");
   return c;
+}
+
+}  // namespace
+
+Result<Case> case_from_mesh(const std::string& file, const MeshOptions& options) {
+  // assimp's own words for a file that is not there are not about the file.
+  if (const auto text = read_text(file); !text) return tl::unexpected(text.error());
+  Assimp::Importer importer;
+  importer.ReadFile(file, 0);
+  return case_from_scene(importer, file, options);
+}
+
+Result<Case> case_from_mesh_text(std::string_view text, const std::string& format,
+                                 const std::string& file, const MeshOptions& options) {
+  Assimp::Importer importer;
+  importer.ReadFileFromMemory(text.data(), text.size(), 0, format.c_str());
+  return case_from_scene(importer, file, options);
 }
 
 bool is_mesh_file(const std::string& file) {

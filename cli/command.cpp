@@ -32,4 +32,9 @@ ExitCode fail(const Error& error) {
   return ExitCode::usage;
 }
 
+ExitCode fail_internally(const Error& error) {
+  fmt::print(stderr, "rastercheck: internal error: {}\n", to_string(error));
+  return ExitCode::internal;
+}
+
 }  // namespace rastercheck::cli

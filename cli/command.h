@@ -35,5 +35,7 @@ struct Registration {
 
 /// Prints "rastercheck: file: place: reason" to standard error.
 ExitCode fail(const Error& error);
+/// The same of a fault of this program, as "rastercheck: internal error: …".
+ExitCode fail_internally(const Error& error);
 
 }  // namespace rastercheck::cli

@@ -36,7 +36,10 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& outcome) {
     if (outcome.get_exit_code() == 0) return app.exit(outcome);  // --help, --version
-    fmt::print(stderr, "rastercheck: {} (see rastercheck --help)\n", one_line(outcome.what()));
+    const auto chosen = app.get_subcommands();
+    const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
+    fmt::print(stderr, "rastercheck: {} (see rastercheck{} --help)\n", one_line(outcome.what()),
+               command);
     return static_cast<int>(ExitCode::usage);
   }
 

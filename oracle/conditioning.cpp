@@ -41,9 +41,13 @@ std::optional<Rational> weight_cancellation(const ProjectiveMap& map, const Poin
 
 std::optional<Conditioning> TriangleTruth::conditioning(std::size_t attribute, int x, int y,
                                                         int sample) const {
-  const ProjectiveMap* map = values_->single_map();
-  if (map == nullptr || map->orientation() == 0) return std::nullopt;
+  // A flat attribute is nobody's sum: nothing is amplified.
+  if (setup_->scene->source().attributes[attribute].interpolation == cases::Interpolation::flat) {
+    return std::nullopt;
+  }
   const Point p = values_->location(attribute, x, y, sample);
+  if (!values_->is_defined_at(attribute, p)) return std::nullopt;
+  const ProjectiveMap* map = values_->single_map();
   return Conditioning{amplification(*map, values_->quantity(attribute), p),
                       weight_cancellation(*map, p)};
 }

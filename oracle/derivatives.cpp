@@ -26,8 +26,8 @@ std::optional<FieldDerivatives> derivatives_at(const TriangleSetup& setup,
                                                const TriangleValues& values, std::size_t attribute,
                                                const Point& p) {
   if (is_flat(setup, attribute)) return FieldDerivatives{Field(0), Field(0)};
+  if (!values.is_defined_at(attribute, p)) return std::nullopt;
   const ProjectiveMap* map = values.single_map();
-  if (map == nullptr) return std::nullopt;
   const Quantity quantity = values.quantity(attribute);
   const std::optional<Field> r = quantity.at(*map, p);
   if (!r) return std::nullopt;
@@ -56,11 +56,11 @@ std::optional<Derivatives> TriangleTruth::derivatives(std::size_t attribute, int
 std::optional<Derivatives> TriangleTruth::quad_differences(std::size_t attribute, int x, int y,
                                                            int sample) const {
   if (is_flat(*setup_, attribute)) return to_public({Field(0), Field(0)});
-  const ProjectiveMap* map = values_->single_map();
-  if (map == nullptr) return std::nullopt;
   const Quantity quantity = values_->quantity(attribute);
-  const auto value = [&](int px, int py) {
-    return quantity.at(*map, values_->location(attribute, px, py, sample));
+  const auto value = [&](int px, int py) -> std::optional<Field> {
+    const Point p = values_->location(attribute, px, py, sample);
+    if (!values_->is_defined_at(attribute, p)) return std::nullopt;
+    return quantity.at(*values_->single_map(), p);
   };
   const int left = x - x % 2;
   const int low = y - y % 2;

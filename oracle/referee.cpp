@@ -14,34 +14,33 @@ using cases::Rules;
 using FieldVector4 = Eigen::Matrix<Field, 4, 1>;
 using FieldMatrix4 = Eigen::Matrix<Field, 4, 4>;
 
-Field exact(float value) { return {double{value}}; }
-
-FieldMatrix4 exact(const cases::Matrix4& rows) {
+FieldMatrix4 exact_matrix(const cases::Matrix4& rows) {
   FieldMatrix4 matrix;
   for (std::size_t i = 0; i < 16; ++i) {
-    matrix(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = exact(rows[i]);
+    matrix(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) =
+        exact_field(rows[i]);
   }
   return matrix;
 }
 
 FieldVector4 clip_position(const cases::Case& c, std::uint32_t vertex) {
   const cases::ClipVertex& p = c.positions[vertex];
-  FieldVector4 position(exact(p.x), exact(p.y), exact(p.z), exact(p.w));
+  FieldVector4 position(exact_field(p.x), exact_field(p.y), exact_field(p.z), exact_field(p.w));
   if (!c.camera) return position;
-  position = (exact(c.camera->model) * position).eval();
-  position = (exact(c.camera->view) * position).eval();
-  return exact(c.camera->projection) * position;
+  position = (exact_matrix(c.camera->model) * position).eval();
+  position = (exact_matrix(c.camera->view) * position).eval();
+  return exact_matrix(c.camera->projection) * position;
 }
 
 /// The image plane of a viewport: window = V (x, y, w)^T, so that a, b, c are the columns of V^-1.
 /// Nothing for a viewport without area.
 std::optional<ImagePlane> image_plane(const cases::Case& c) {
-  const Field half_width = exact(c.viewport.width) / Field(2);
-  const Field half_height = exact(c.viewport.height) / Field(2);
+  const Field half_width = exact_field(c.viewport.width) / Field(2);
+  const Field half_height = exact_field(c.viewport.height) / Field(2);
   const Field scale_y = c.rules == Rules::d3d ? -half_height : half_height;
   if (sign_of(half_width) == 0 || sign_of(half_height) == 0) return std::nullopt;
-  const Field center_x = exact(c.viewport.x) + half_width;
-  const Field center_y = exact(c.viewport.y) + half_height;
+  const Field center_x = exact_field(c.viewport.x) + half_width;
+  const Field center_y = exact_field(c.viewport.y) + half_height;
   return ImagePlane{.eye = {0, 0, 0},
                     .a = {Field(1) / half_width, 0, 0},
                     .b = {0, Field(1) / scale_y, 0},
@@ -86,8 +85,8 @@ bool is_drawn_facing(const cases::Case& c, int facing) {
 
 bool is_inside_viewport(const cases::Case& c, const Field& u, const Field& v) {
   const auto within = [](const Field& at, float from, float extent) {
-    const Field first = exact(from);
-    const Field second = first + exact(extent);
+    const Field first = exact_field(from);
+    const Field second = first + exact_field(extent);
     return std::min(first, second) <= at && at < std::max(first, second);
   };
   return within(u, c.viewport.x, c.viewport.width) && within(v, c.viewport.y, c.viewport.height);
@@ -113,7 +112,8 @@ bool is_covered(const cases::Case& c, const cases::Triangle& indices, const Plan
   }
   for (std::size_t d = 0; d < c.clip_distance_count; ++d) {
     std::array<Field, 3> distance;
-    for (std::size_t i = 0; i < 3; ++i) distance[i] = exact(c.clip_distances_of(indices[i])[d]);
+    for (std::size_t i = 0; i < 3; ++i)
+      distance[i] = exact_field(c.clip_distances_of(indices[i])[d]);
     const Field value = plane.sum(distance, u, v);
     const Field du = plane.slope_u(distance);
     const Field dv = plane.slope_v(distance);
@@ -145,8 +145,8 @@ std::optional<Field> value_at(const cases::Attribute& attribute, const std::arra
 
 Field depth_at(const cases::Case& c, const Plane& plane, const Field& u, const Field& v) {
   const Field ndc = plane.sum({plane.clip[0][2], plane.clip[1][2], plane.clip[2][2]}, u, v);
-  const Field n = exact(c.viewport.min_depth);
-  const Field f = exact(c.viewport.max_depth);
+  const Field n = exact_field(c.viewport.min_depth);
+  const Field f = exact_field(c.viewport.max_depth);
   const Field unit = c.rules == Rules::opengl ? (ndc + Field(1)) / Field(2) : ndc;
   Field depth = n + (f - n) * unit;
   if (!c.depth_clamp && c.rules != Rules::d3d) return depth;
@@ -154,20 +154,6 @@ Field depth_at(const cases::Case& c, const Plane& plane, const Field& u, const F
 }
 
 }  // namespace
-
-std::optional<FieldMatrix3> q_matrix(const std::array<FieldVector3, 3>& vertices,
-                                     const ImagePlane& plane) {
-  FieldMatrix3 m;
-  for (std::size_t i = 0; i < 3; ++i) m.col(static_cast<Eigen::Index>(i)) = vertices[i] - plane.eye;
-  FieldMatrix3 abc;
-  abc.col(0) = plane.a;
-  abc.col(1) = plane.b;
-  abc.col(2) = plane.c;
-  // Gaussian elimination with exact pivots: the rank it finds is the rank.
-  const Eigen::FullPivLU<FieldMatrix3> lu(m);
-  if (!lu.isInvertible()) return std::nullopt;
-  return FieldMatrix3(lu.solve(abc));
-}
 
 std::optional<RefereeFragment> referee(const cases::Case& c, std::size_t triangle, int x, int y,
                                        int sample) {
@@ -199,7 +185,7 @@ std::optional<RefereeFragment> referee(const cases::Case& c, std::size_t triangl
   for (std::size_t a = 0; a < c.attributes.size(); ++a) {
     const cases::Attribute& attribute = c.attributes[a];
     std::array<Field, 3> r;
-    for (std::size_t i = 0; i < 3; ++i) r[i] = exact(c.attributes_of(indices[i])[a]);
+    for (std::size_t i = 0; i < 3; ++i) r[i] = exact_field(c.attributes_of(indices[i])[a]);
     std::optional<Field> value;
     if (attribute.interpolation == cases::Interpolation::flat) {
       value = c.rules == Rules::opengl ? r[2] : r[0];

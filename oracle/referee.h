@@ -3,10 +3,10 @@
 // A second oracle, for the first to be held against in every run: slow, dividing, and written from
 // seed 001 alone. It answers for `exact` coverage and for values at samples and centres.
 //
-//   M_cam = [V1−C  V2−C  V3−C]      Q = M_cam^-1 [a b c]          (seed 001, p. 6)
+//   M_cam = [V1−C  V2−C  V3−C]      Q = M_cam^-1 [a b c]          (seed 001, p. 7)
 //   w = 1/((q11+q21+q31) u + (q12+q22+q32) v + q13+q23+q33)
 //   k = (q21 u + q22 v + q23) w     l = (q31 u + q32 v + q33) w
-//   r = r1 + (r2 − r1) k + (r3 − r1) l                            (p. 5)
+//   r = r1 + (r2 − r1) k + (r3 − r1) l                            (p. 6)
 //   P = C + (c + u a + v b) w                                     (its third line lacks this w)
 //
 // A clip position (x, y, w) is taken for V − C, and the image plane is the viewport's: a, b, c are

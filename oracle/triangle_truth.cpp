@@ -48,6 +48,11 @@ std::optional<ValueRange> TriangleTruth::attribute(std::size_t attribute, int x,
   return to_public(values_->attribute(attribute, x, y, sample));
 }
 
+bool TriangleTruth::is_value_free(std::size_t attribute) const {
+  return setup_->has_nonpositive_w && setup_->scene->source().attributes[attribute].interpolation ==
+                                          cases::Interpolation::noperspective;
+}
+
 Rational TriangleTruth::attribute_magnitude(std::size_t attribute) const {
   Ring largest(0);
   for (const Ring& value : values_->vertex_values(attribute)) {

@@ -57,9 +57,10 @@ struct Derivatives {
   Rational dv;  ///< ∂r/∂v, per pixel of window y
 };
 
-/// How errors are amplified at a fragment (RULES §5); nothing where the divisor is 0.
+/// How errors are amplified at a fragment (RULES §5); nothing where the divisor is 0. A smooth
+/// attribute's terms are n_i = r_i, a noperspective one's n_i = r_i w_i.
 struct Conditioning {
-  std::optional<Rational> kappa;    ///< Σ|r_i| e_i / |N|: relative errors of the weights
+  std::optional<Rational> kappa;    ///< Σ|n_i e_i| / |Σ n_i e_i|: relative errors of the weights
   std::optional<Rational> kappa_d;  ///< max_i(|A_i u| + |B_i v| + |C_i|)/D: cancellation in them
 };
 
@@ -88,6 +89,10 @@ class TriangleTruth {
   std::optional<ValueRange> depth(int x, int y, int sample) const;
   std::optional<ValueRange> attribute(std::size_t attribute, int x, int y, int sample) const;
 
+  /// Whether the APIs leave an attribute's value open, so that an implementation may give any
+  /// (RULES §3): noperspective where some w_i <= 0. `attribute` gives the continuation then.
+  bool is_value_free(std::size_t attribute) const;
+
   /// The number scale ULP are measured by: max |r_i|.
   Rational attribute_magnitude(std::size_t attribute) const;
 
@@ -105,6 +110,7 @@ class TriangleTruth {
   std::optional<records::Enclosure> level_of_detail(std::size_t s, std::size_t t, int width,
                                                     int height, int x, int y, int sample) const;
 
+  /// Nothing of a flat attribute, of an undefined value, or where several placements are open.
   std::optional<Conditioning> conditioning(std::size_t attribute, int x, int y, int sample) const;
 
  private:

@@ -15,7 +15,7 @@ Field ulp_of(const Field& x) {
 }
 
 records::Enclosure error_in(const Field& unit, float computed, const Field& exact) {
-  return enclose((Field(double{computed}) - exact) / unit);
+  return enclose((exact_field(computed) - exact) / unit);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cases/case_writer.h"
+#include "cases/json.h"
 #include "cases/mesh.h"
 #include "cases/names.h"
 #include "cli/command.h"
@@ -17,11 +18,18 @@ struct Options {
   std::string file;
   cases::MeshOptions mesh;
   std::string rules = "vulkan";
+  std::string format;
+  bool quiet = false;
 };
 
 ExitCode run(Options options) {
   options.mesh.rules = cases::from_name<cases::Rules>(options.rules).value_or(cases::Rules::vulkan);
-  const Result<cases::Case> c = cases::case_from_mesh(options.file, options.mesh);
+  const auto from_text = [&options](const std::string& text) {
+    return cases::case_from_mesh_text(text, options.format, options.file, options.mesh);
+  };
+  const Result<cases::Case> c = options.file == "-"
+                                    ? cases::read_text("-").and_then(from_text)
+                                    : cases::case_from_mesh(options.file, options.mesh);
   if (!c) return fail(c.error());
   fmt::print("{}", cases::to_json(*c));
   return ExitCode::ok;
@@ -29,7 +37,8 @@ ExitCode run(Options options) {
 
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("MESH", options->file, "OBJ, PLY, OFF, glTF, 3DS or another mesh assimp reads")
+  app.add_option("MESH", options->file,
+                 "OBJ, PLY, OFF, glTF, 3DS or another mesh assimp reads; - reads standard input")
       ->required();
   app.add_option("--width", options->mesh.width, "Pixels")
       ->check(CLI::Range(1, cases::kMaxSize))
@@ -42,6 +51,9 @@ Action set_up(CLI::App& app) {
   app.add_option("--rules", options->rules, "Conventions of the case")
       ->check(CLI::IsMember(names))
       ->capture_default_str();
+  app.add_option("--format", options->format,
+                 "Of standard input: the ending a file would have, as obj");
+  app.add_flag("-q,--quiet", options->quiet, "Accepted as everywhere; there is only the result");
   app.footer("Prints a case that draws the mesh, framed by a camera, to standard output.");
   return [options] { return run(*options); };
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
 
 #include "cases/names.h"
 #include "cases/sample_pattern.h"
@@ -12,69 +14,58 @@
 namespace rastercheck::cli {
 namespace {
 
-using Rows = std::vector<std::vector<std::string>>;
+using nlohmann::ordered_json;
 
-/// One kind of thing that can be listed.
+/// One kind of thing that can be listed: rows are objects with the same keys.
 struct Kind {
   std::string_view name;
-  std::vector<std::string> columns;
-  Rows (*rows)();
+  std::vector<ordered_json> (*rows)();
 };
 
-Rows no_rows() { return {}; }
+std::vector<ordered_json> no_rows() { return {}; }
 
-Rows rules_rows() {
-  Rows rows;
+std::vector<ordered_json> rules_rows() {
+  std::vector<ordered_json> rows;
   for (const auto& [name, rules] : cases::names<cases::Rules>()) {
-    rows.push_back({std::string(name), std::string(name_of(cases::default_fill_rule(rules))),
-                    std::string(name_of(cases::default_basis(rules)))});
+    rows.push_back({{"name", name},
+                    {"fill_rule", name_of(cases::default_fill_rule(rules))},
+                    {"basis", name_of(cases::default_basis(rules))}});
   }
   return rows;
 }
 
-Rows pattern_rows() {
-  Rows rows;
+std::vector<ordered_json> pattern_rows() {
+  std::vector<ordered_json> rows;
   for (const int samples : {1, 2, 4, 8, 16}) {
-    std::string positions;
-    for (const auto& p : cases::standard_pattern(samples)) {
-      positions += fmt::format("{}({},{})", positions.empty() ? "" : " ", p.x, p.y);
-    }
-    rows.push_back({std::to_string(samples), positions});
+    ordered_json positions = ordered_json::array();
+    for (const auto& p : cases::standard_pattern(samples)) positions.push_back({p.x, p.y});
+    rows.push_back({{"samples", samples}, {"positions", positions}});
   }
   return rows;
 }
 
-const std::array<Kind, 5>& kinds() {
-  static const std::array<Kind, 5> all{{
-      {"backends", {"name", "available", "why not"}, &no_rows},
-      {"properties", {"name", "sentence"}, &no_rows},
-      {"methods", {"name", "seed"}, &no_rows},
-      {"rules", {"name", "fill_rule", "basis"}, &rules_rows},
-      {"patterns", {"samples", "positions"}, &pattern_rows},
-  }};
-  return all;
-}
+constexpr std::array<Kind, 5> kKinds{{{"backends", &no_rows},
+                                      {"properties", &no_rows},
+                                      {"methods", &no_rows},
+                                      {"rules", &rules_rows},
+                                      {"patterns", &pattern_rows}}};
 
-std::string json_rows(const Kind& kind) {
-  std::string text;
-  for (const auto& row : kind.rows()) {
-    std::string members;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      members += fmt::format("{}{}: {}", i == 0 ? "" : ", ", json_string(kind.columns[i]),
-                             json_string(row[i]));
-    }
-    text += fmt::format("{}{{{}}}", text.empty() ? "" : ", ", members);
-  }
-  return fmt::format("{}: [{}]", json_string(kind.name), text);
+std::string cell(const ordered_json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 void print_table(const Kind& kind, bool quiet) {
-  Rows rows = kind.rows();
-  if (!quiet) {
-    fmt::print("{}:{}\n", kind.name, rows.empty() ? " none in this version" : "");
-    if (!rows.empty()) rows.insert(rows.begin(), kind.columns);
+  std::vector<std::vector<std::string>> cells;
+  for (const ordered_json& row : kind.rows()) {
+    if (cells.empty() && !quiet) {
+      cells.emplace_back();
+      for (const auto& member : row.items()) cells.back().push_back(member.key());
+    }
+    cells.emplace_back();
+    for (const auto& member : row.items()) cells.back().push_back(cell(member.value()));
   }
-  fmt::print("{}", table(rows));
+  if (!quiet) fmt::print("{}:{}\n", kind.name, cells.empty() ? " none in this version" : "");
+  fmt::print("{}", table(cells));
 }
 
 struct Options {
@@ -84,23 +75,23 @@ struct Options {
 };
 
 ExitCode run(const Options& options) {
-  std::string members;
-  for (const Kind& kind : kinds()) {
+  ordered_json document = ordered_json::object();
+  for (const Kind& kind : kKinds) {
     if (!options.kind.empty() && options.kind != kind.name) continue;
     if (options.json) {
-      members += (members.empty() ? "" : ", ") + json_rows(kind);
+      document[std::string(kind.name)] = kind.rows();
     } else {
       print_table(kind, options.quiet);
     }
   }
-  if (options.json) fmt::print("{{{}}}\n", members);
+  if (options.json) fmt::print("{}\n", document.dump());
   return ExitCode::ok;
 }
 
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   std::vector<std::string> names;
-  for (const Kind& kind : kinds()) names.emplace_back(kind.name);
+  for (const Kind& kind : kKinds) names.emplace_back(kind.name);
   app.add_option("KIND", options->kind, "What to list; everything without it")
       ->check(CLI::IsMember(names));
   app.add_flag("--json", options->json, "As JSON");

@@ -2,15 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdio>
+#include <functional>
 #include <memory>
 
 #include "cases/case_reader.h"
+#include "cases/json.h"
+#include "cases/mesh.h"
 #include "cases/names.h"
 #include "cli/command.h"
-#include "cli/output.h"
+#include "oracle/fragment_json.h"
 #include "oracle/fragments.h"
+#include "oracle/self_check.h"
 #include "oracle/transform.h"
 
 namespace rastercheck::cli {
@@ -36,66 +39,41 @@ std::int64_t sample_count(const cases::FramebufferSize& size) {
   return std::int64_t{size.width} * size.height * size.samples;
 }
 
-// --- JSON: CONTRACT, `oracle` and `render` output ------------------------------------------------
+/// Of every so many fragments one is held against the referee, beside the first ones.
+constexpr std::size_t kCheckedFirst = 16;
+constexpr std::size_t kCheckedEvery = 256;
 
-std::string json_value(const std::optional<ValueRange>& value) {
-  if (!value) return "null";
-  if (!value->is_open) return fmt::format("\"{}\"", value->lo.to_string());
-  return fmt::format(R"(["{}", "{}"])", value->lo.to_string(), value->hi.to_string());
-}
-
-/// An end of an enclosure; JSON has no infinities, null is "no bound".
-std::string json_double(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : "null";
-}
-
-std::string json_rational(const std::optional<oracle::Rational>& value) {
-  return value ? fmt::format("\"{}\"", value->to_string()) : "null";
-}
-
-/// What --details adds to a fragment.
-std::string json_details(const cases::Case& c, const Fragment& f, const TriangleTruth& truth) {
-  const auto distance = truth.distance(f.x, f.y, f.sample);
-  std::string text = fmt::format(
-      R"(, "distance": {})",
-      distance ? fmt::format("[{}, {}]", json_double(distance->lo), json_double(distance->hi))
-               : "null");
-  std::string derivatives;
-  std::string kappa;
-  std::string kappa_d;
-  for (std::size_t a = 0; a < c.attributes.size(); ++a) {
-    const std::string_view comma = a == 0 ? "" : ", ";
-    const auto d = truth.derivatives(a, f.x, f.y, f.sample);
-    derivatives += fmt::format(
-        "{}{}", comma,
-        d ? fmt::format(R"(["{}", "{}"])", d->du.to_string(), d->dv.to_string()) : "null");
-    const auto k = truth.conditioning(a, f.x, f.y, f.sample);
-    kappa += fmt::format("{}{}", comma, k ? json_rational(k->kappa) : "null");
-    kappa_d += fmt::format("{}{}", comma, k ? json_rational(k->kappa_d) : "null");
-  }
-  return text + fmt::format(R"(, "derivatives": [{}], "kappa": [{}], "kappa_d": [{}])", derivatives,
-                            kappa, kappa_d);
-}
-
-void print_json(const oracle::SceneTruth& scene, const Options& options) {
-  const cases::Case& c = scene.source();
-  fmt::print(R"({{"format": "rastercheck-oracle", "version": 1, "case": {}, "fragments": [)",
-             json_string(c.name));
-  std::string_view separator = "\n  ";
+/// Hands every fragment to `print`, and a share of them to the oracle's self-check; what that
+/// found.
+Result<void> for_each_checked(
+    const oracle::SceneTruth& scene,
+    const std::function<void(const Fragment&, const TriangleTruth&)>& print) {
+  std::size_t index = 0;
+  std::optional<std::string> difference;
   oracle::for_each_fragment(scene, [&](const Fragment& f, const TriangleTruth& truth) {
-    std::string attributes;
-    for (const auto& value : f.attributes) {
-      attributes += fmt::format("{}{}", attributes.empty() ? "" : ", ", json_value(value));
+    if (index < kCheckedFirst || index % kCheckedEvery == 0) {
+      difference = oracle::self_check(scene, f);
     }
-    fmt::print(R"({}{{"triangle": {}, "x": {}, "y": {}, "sample": {}, "verdict": "{}", )"
-               R"("reason": "{}", "depth": {}, "attributes": [{}]{}}})",
-               separator, f.triangle, f.x, f.y, f.sample, to_string(f.judgment.verdict),
-               to_string(f.judgment.reason), json_value(f.depth), attributes,
-               options.details ? json_details(c, f, truth) : "");
+    ++index;
+    print(f, truth);
+    return !difference && std::ferror(stdout) == 0;
+  });
+  if (difference) return tl::unexpected(Error{"", "", *difference});
+  return {};
+}
+
+/// CONTRACT, `oracle` and `render` output.
+Result<void> print_json(const oracle::SceneTruth& scene, const Options& options) {
+  fmt::print(R"({{"format": "rastercheck-oracle", "version": 1, "case": {}, "fragments": [)",
+             cases::json_string(scene.source().name));
+  std::string_view separator = "\n  ";
+  const auto checked = for_each_checked(scene, [&](const Fragment& f, const TriangleTruth& truth) {
+    fmt::print("{}{}", separator,
+               options.details ? oracle::to_detailed_json(f, truth) : oracle::to_json(f));
     separator = ",\n  ";
-    return std::ferror(stdout) == 0;
   });
   fmt::print("\n]}}\n");
+  return checked;
 }
 
 // --- A table for people --------------------------------------------------------------------------
@@ -104,7 +82,7 @@ constexpr int kDigits = 9;  // a float32 is told from its neighbours by nine
 
 /// The exact value where it is short enough to be read, else a decimal of which each digit counts.
 std::string readable(const oracle::Rational& value) {
-  constexpr std::size_t kReadable = 15;
+  constexpr std::size_t kReadable = 13;  // with the decimal before it, a column
   std::string decimal = records::to_decimal(value.enclosure(), kDigits);
   const std::string fraction = value.to_string();
   if (fraction == decimal || fraction.size() > kReadable) return decimal;
@@ -124,41 +102,45 @@ std::string coverage_words(const cases::Case& c) {
                      cases::name_of(c.coverage->rounding), cases::name_of(c.basis));
 }
 
-void print_table(const oracle::SceneTruth& scene, const Options& options) {
+Result<void> print_table(const oracle::SceneTruth& scene, const Options& options) {
   const cases::Case& c = scene.source();
-  constexpr std::string_view kRow = "{:>8} {:>5} {:>5} {:>3}  {:<9} {:<9} {:>11}  {:<24}";
+  constexpr std::string_view kRow = "{:>8} {:>5} {:>5} {:>3}  {:<9} {:<9} {:>11}  {:<28}";
   if (!options.quiet) {
     fmt::print("{}: {} x {} pixels, {} sample{}, {} rules, {}\n",
-               c.name.empty() ? "(case)" : c.name, c.framebuffer.width, c.framebuffer.height,
-               c.framebuffer.samples, c.framebuffer.samples == 1 ? "" : "s",
+               c.name.empty() ? "(case)" : cases::printable(c.name), c.framebuffer.width,
+               c.framebuffer.height, c.framebuffer.samples, c.framebuffer.samples == 1 ? "" : "s",
                cases::name_of(c.rules), coverage_words(c));
     std::string header =
         fmt::format(kRow, "triangle", "x", "y", "s", "verdict", "reason", "distance/px", "depth");
-    for (const cases::Attribute& a : c.attributes) header += fmt::format(" {:<24}", a.name);
+    for (const cases::Attribute& a : c.attributes)
+      header += fmt::format(" {:<28}", cases::printable(a.name));
     header.erase(header.find_last_not_of(' ') + 1);
     fmt::print("{}\n", header);
   }
   std::size_t required = 0;
   std::size_t permitted = 0;
-  oracle::for_each_fragment(scene, [&](const Fragment& f, const TriangleTruth& truth) {
+  const auto checked = for_each_checked(scene, [&](const Fragment& f, const TriangleTruth& truth) {
     ++(f.judgment.verdict == records::Verdict::required ? required : permitted);
     const auto distance = truth.distance(f.x, f.y, f.sample);
     std::string row =
         fmt::format(kRow, f.triangle, f.x, f.y, f.sample, to_string(f.judgment.verdict),
                     to_string(f.judgment.reason),
                     distance ? records::to_decimal(*distance, 5) : "-", readable(f.depth));
-    for (const auto& value : f.attributes) row += fmt::format(" {:<24}", readable(value));
+    for (const auto& value : f.attributes) row += fmt::format(" {:<28}", readable(value));
     row.erase(row.find_last_not_of(' ') + 1);
     fmt::print("{}\n", row);
-    return std::ferror(stdout) == 0;
   });
   if (!options.quiet) {
     fmt::print("{} fragments: {} required, {} permitted\n", required + permitted, required,
                permitted);
   }
+  return checked;
 }
 
 ExitCode run(const Options& options) {
+  if (cases::is_mesh_file(options.file)) {
+    return fail({options.file, "", "a mesh, not a case; rastercheck import makes a case of it"});
+  }
   Result<cases::Case> c = cases::read_case(options.file);
   if (c && options.clip) c = oracle::to_clip_case(*c, options.file);
   if (!c) return fail(c.error());
@@ -168,12 +150,8 @@ ExitCode run(const Options& options) {
                  fmt::format("{} samples are more than 2^26; --all looks at them", samples)});
   }
   const oracle::SceneTruth scene(*c, cases::contract_of(*c));
-  if (options.json) {
-    print_json(scene, options);
-  } else {
-    print_table(scene, options);
-  }
-  return ExitCode::ok;
+  const auto checked = options.json ? print_json(scene, options) : print_table(scene, options);
+  return checked ? ExitCode::ok : fail_internally(checked.error());
 }
 
 Action set_up(CLI::App& app) {
@@ -181,9 +159,11 @@ Action set_up(CLI::App& app) {
   app.add_option("CASE", options->file, "Case file; - reads standard input")->required();
   app.add_flag("--clip", options->clip,
                "Of the clip positions rounded once to float32, as backends are handed them");
-  app.add_flag("--json", options->json, "The fragments as JSON, values as fractions");
+  CLI::Option* json =
+      app.add_flag("--json", options->json, "The fragments as JSON, values as fractions");
   app.add_flag("--details", options->details,
-               "With --json: distance to the boundary, derivatives and condition numbers too");
+               "With --json: distance to the boundary, derivatives and condition numbers too")
+      ->needs(json);
   app.add_flag("--all", options->all, "Also where the framebuffer has more than 2^26 samples");
   app.add_flag("-q,--quiet", options->quiet, "No header and no summary");
   app.footer("Lists every sample that has to be drawn (required) or may be (permitted).");

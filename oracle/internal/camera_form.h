@@ -1,6 +1,6 @@
 #pragma once
 
-// The q-matrix in camera form (seed 001, p. 6), solved by elimination in rationals.
+// The q-matrix in camera form (seed 001, p. 7), solved by elimination in rationals.
 
 #include <array>
 #include <optional>

@@ -19,7 +19,9 @@ class ConvexRegion {
 
   /// Keeps what lies in the closed half-plane line >= 0 (Sutherland & Hodgman 1974; exact here, so
   /// that shared vertices need no care).
-  void clip(const Line& line);
+  void clip(const Line& line) { clip_above(line, Field(0)); }
+  /// Keeps what lies in the closed half-plane line >= least.
+  void clip_above(const Line& line, const Field& least);
 
   bool is_empty() const { return vertices_.empty(); }
   const std::vector<FieldPoint>& vertices() const { return vertices_; }

@@ -235,10 +235,15 @@ Decision decide_cut(const TriangleSetup& triangle, const Point& p) {
   const Scene& scene = *triangle.scene;
   const Reason cut = triangle.has_nonpositive_w ? Reason::nonpositive_w : Reason::clip_edge;
   if (triangle.ideal.orientation() == 0) return decide_cut_degenerate(triangle, p, cut);
-  if (scene.is_culled(triangle.ideal.orientation())) return {Verdict::forbidden, Reason::culled};
+  // Facing that comes from the moved corners is open where they may turn the polygon round.
+  const bool facing_is_open = scene.source().cull != cases::Cull::none && triangle.may_turn &&
+                              scene.contract().basis != cases::Basis::ideal;
+  if (!facing_is_open && scene.is_culled(triangle.ideal.orientation())) {
+    return {Verdict::forbidden, Reason::culled};
+  }
 
   Membership snapped_edges;
-  bool near_cut = false;
+  bool near_cut = facing_is_open;
   for (std::size_t i = 0; i < 3; ++i) {
     if (triangle.is_clipped[(i + 1) % 3] || triangle.is_clipped[(i + 2) % 3]) {
       const int where = side_within(triangle.ideal.edge(i), triangle.tolerance, p);

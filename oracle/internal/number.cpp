@@ -3,11 +3,28 @@
 #include <mpfr.h>
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 namespace rastercheck::oracle {
 namespace {
+
+constexpr int kFractionBits = std::numeric_limits<float>::digits - 1;  // 23
+constexpr std::uint32_t kFractionMask = (1U << kFractionBits) - 1;
+constexpr std::uint32_t kSignBit = 1U << 31;
+constexpr std::uint32_t kInfinityBits = 0xffU << kFractionBits;
+constexpr long kLeastUlpExponent = -149;
+
+/// The double that equals a float32. Of a subnormal one by its bits: an integer times 2^-149, which
+/// no mode of the processor flushes.
+double widen(float value) {
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  const bool is_subnormal_or_zero = (bits & ~kSignBit) <= kFractionMask;
+  if (!is_subnormal_or_zero) return double{value};
+  const double magnitude = static_cast<double>(bits & kFractionMask) * 0x1p-149;
+  return (bits & kSignBit) != 0 ? -magnitude : magnitude;
+}
 
 /// An integer with GMP's lifetime rules wrapped up.
 class Integer {
@@ -54,6 +71,10 @@ class Rounded {
 
 }  // namespace
 
+Ring exact_ring(float value) { return {widen(value)}; }
+
+Field exact_field(float value) { return {widen(value)}; }
+
 int sign_of(const Ring& value) { return static_cast<int>(value.sign()); }
 
 int sign_of(const Field& value) { return mpq_sgn(value.mpq()); }
@@ -93,25 +114,24 @@ long floor_log2(const Field& value) {
 
 float nearest_float(const Field& value) {
   if (sign_of(value) == 0) return 0;
-  constexpr long kLeastExponent = std::numeric_limits<float>::min_exponent - 1;  // −126
-  constexpr long kFractionBits = std::numeric_limits<float>::digits - 1;         // 23
+  const std::uint32_t sign = sign_of(value) < 0 ? kSignBit : 0;
   const long exponent = floor_log2(value);
   if (exponent > std::numeric_limits<float>::max_exponent) {
-    return std::copysign(std::numeric_limits<float>::infinity(),
-                         static_cast<float>(sign_of(value)));
+    return std::bit_cast<float>(sign | kInfinityBits);
   }
-  const long ulp_exponent = std::max(exponent, kLeastExponent) - kFractionBits;
+  const long ulp_exponent = std::max(exponent - kFractionBits, kLeastUlpExponent);
   const Field in_ulps = magnitude(value) * power_of_two(-ulp_exponent);
   long count = floor_to_long(in_ulps);
   const Field rest = in_ulps - Field(count);
   const Field half = Field(1, 2);
   if (rest > half || (rest == half && count % 2 != 0)) ++count;
-  // count <= 2^24, so the double is exact; it is a float32, or 2^128, which converts to infinity.
-  const double rounded = std::ldexp(static_cast<double>(count), static_cast<int>(ulp_exponent));
-  const float nearest = rounded > double{std::numeric_limits<float>::max()}
-                            ? std::numeric_limits<float>::infinity()
-                            : static_cast<float>(rounded);
-  return sign_of(value) < 0 ? -nearest : nearest;
+  // A count below 2^23 is a subnormal's fraction. From there on its leading bit adds one to the
+  // exponent field, which is thus counted from 2^-149; and a count of 2^24 carries into the next
+  // exponent, after the last into infinity.
+  const auto exponent_field = static_cast<std::uint32_t>(ulp_exponent - kLeastUlpExponent);
+  const auto bits = std::min((exponent_field << kFractionBits) + static_cast<std::uint32_t>(count),
+                             kInfinityBits);
+  return std::bit_cast<float>(sign | bits);
 }
 
 records::Enclosure enclose(const Field& value) {

@@ -23,6 +23,11 @@ using RingVector3 = Eigen::Matrix<Ring, 3, 1>;
 using RingVector4 = Eigen::Matrix<Ring, 4, 1>;
 using RingMatrix4 = Eigen::Matrix<Ring, 4, 4>;
 
+/// Exactly the float32. Not even the processor rounds: under DAZ or FTZ a conversion of its own
+/// would take a subnormal for zero.
+Ring exact_ring(float value);
+Field exact_field(float value);
+
 /// −1, 0 or 1.
 int sign_of(const Ring& value);
 int sign_of(const Field& value);

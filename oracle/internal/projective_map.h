@@ -1,6 +1,6 @@
 #pragma once
 
-// The projective map of a triangle (RULES §1; seed 001 p. 6, seed 002 §3.2).
+// The projective map of a triangle (RULES §1; seed 001 p. 7, seed 002 §3.2).
 //
 //   M = columns (X_i, Y_i, w_i), window position times w, and w
 //   E_i(u, v) = sign(det M) · row i of adj(M) · (u, v, 1)^T      = |det M| · e_i(u, v)

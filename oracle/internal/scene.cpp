@@ -5,14 +5,13 @@
 namespace rastercheck::oracle {
 namespace {
 
-Ring exact(float value) { return {double{value}}; }
-
 Ring half(const Ring& value) { return value * Ring(0.5); }
 
-RingMatrix4 exact(const cases::Matrix4& rows) {
+RingMatrix4 exact_matrix(const cases::Matrix4& rows) {
   RingMatrix4 matrix;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    matrix(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = exact(rows[i]);
+    matrix(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) =
+        exact_ring(rows[i]);
   }
   return matrix;
 }
@@ -82,11 +81,11 @@ std::vector<RingVector4> clip_positions(const cases::Case& c) {
   std::vector<RingVector4> positions;
   positions.reserve(c.positions.size());
   for (const cases::ClipVertex& p : c.positions) {
-    positions.emplace_back(exact(p.x), exact(p.y), exact(p.z), exact(p.w));
+    positions.emplace_back(exact_ring(p.x), exact_ring(p.y), exact_ring(p.z), exact_ring(p.w));
   }
   if (c.camera) {
-    const RingMatrix4 view_model = exact(c.camera->view) * exact(c.camera->model);
-    const RingMatrix4 matrix = exact(c.camera->projection) * view_model;
+    const RingMatrix4 view_model = exact_matrix(c.camera->view) * exact_matrix(c.camera->model);
+    const RingMatrix4 matrix = exact_matrix(c.camera->projection) * view_model;
     for (RingVector4& p : positions) p = (matrix * p).eval();
   }
   return positions;
@@ -99,10 +98,10 @@ Scene::Scene(const cases::Case& c, const cases::Contract& contract)
       positions_(clip_positions(c)),
       pattern_(cases::standard_pattern(c.framebuffer.samples)) {
   const cases::Viewport& v = c.viewport;
-  const Ring x0 = exact(v.x);
-  const Ring y0 = exact(v.y);
-  const Ring x1 = x0 + exact(v.width);
-  const Ring y1 = y0 + exact(v.height);
+  const Ring x0 = exact_ring(v.x);
+  const Ring y0 = exact_ring(v.y);
+  const Ring x1 = x0 + exact_ring(v.width);
+  const Ring y1 = y0 + exact_ring(v.height);
   viewport_lo_ = {std::min(x0, x1), std::min(y0, y1)};
   viewport_hi_ = {std::max(x0, x1), std::max(y0, y1)};
   // A sample on the far border lies in a pixel that may begin there: closed ranges.
@@ -113,18 +112,18 @@ Scene::Scene(const cases::Case& c, const cases::Contract& contract)
   const bool left_wins_downwards =
       (contract.tie_rule == cases::TieRule::top_left) == !conventions_.window_y_up;
   tie_sign_ = left_wins_downwards ? 1 : -1;
-  least_depth_ = exact(std::min(v.min_depth, v.max_depth));
-  greatest_depth_ = exact(std::max(v.min_depth, v.max_depth));
+  least_depth_ = std::min(exact_ring(v.min_depth), exact_ring(v.max_depth));
+  greatest_depth_ = std::max(exact_ring(v.min_depth), exact_ring(v.max_depth));
 }
 
 RingVector3 Scene::window_column(std::size_t vertex) const {
   const cases::Viewport& v = case_->viewport;
   const RingVector4& p = positions_[vertex];
-  const Ring half_width = half(exact(v.width));
-  const Ring half_height = half(exact(v.height));
+  const Ring half_width = half(exact_ring(v.width));
+  const Ring half_height = half(exact_ring(v.height));
   const Ring y = conventions_.ndc_y_follows_window_y ? p[1] : -p[1];
-  return {p[0] * half_width + p[3] * (exact(v.x) + half_width),
-          y * half_height + p[3] * (exact(v.y) + half_height), p[3]};
+  return {p[0] * half_width + p[3] * (exact_ring(v.x) + half_width),
+          y * half_height + p[3] * (exact_ring(v.y) + half_height), p[3]};
 }
 
 Point Scene::sample_point(int x, int y, int sample) const {
@@ -154,8 +153,8 @@ bool Scene::is_culled(int orientation) const {
 
 Ring Scene::depth_numerator(std::size_t vertex) const {
   const RingVector4& p = positions_[vertex];
-  const Ring n = exact(case_->viewport.min_depth);
-  const Ring f = exact(case_->viewport.max_depth);
+  const Ring n = exact_ring(case_->viewport.min_depth);
+  const Ring f = exact_ring(case_->viewport.max_depth);
   const Ring z = conventions_.depth_is_halved ? half(p[2] + p[3]) : p[2];
   return n * p[3] + (f - n) * z;
 }

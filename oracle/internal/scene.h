@@ -77,8 +77,8 @@ class Scene {
   /// Whether a triangle of that orientation (±1) is culled.
   bool is_culled(int orientation) const;
 
-  /// Numerators whose combination over |det M| is the depth: the depth range's ends weighed with
-  /// z and w (`depth_of` at a vertex = numerator / w).
+  /// A vertex's part in the depth: Σ E_i numerator_i / |det M| is the depth at a point, numerator /
+  /// w that at the vertex itself.
   Ring depth_numerator(std::size_t vertex) const;
   const Ring& least_depth() const { return least_depth_; }
   const Ring& greatest_depth() const { return greatest_depth_; }

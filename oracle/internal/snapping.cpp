@@ -22,7 +22,7 @@ long nearest_even(const Field& value) {
 
 Field candidate_radius(const cases::Snapping& snapping) {
   const Field rounding = snapping.rounding == cases::Rounding::unspecified ? Field(1) : one_half();
-  return rounding + Field(double{snapping.position_error});
+  return rounding + exact_field(snapping.position_error);
 }
 
 GridRange candidates(const Field& coordinate, const cases::Snapping& snapping) {

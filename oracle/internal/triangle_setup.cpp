@@ -43,16 +43,32 @@ void TriangleSetup::set_up_clipping() {
   for (std::size_t d = 0; d < source.clip_distance_count; ++d) {
     std::array<Ring, 3> distances;
     for (std::size_t i = 0; i < 3; ++i) {
-      distances[i] = Ring(double{source.clip_distances_of(indices[i])[d]});
+      distances[i] = exact_ring(source.clip_distances_of(indices[i])[d]);
     }
     add(distances, !scene->conventions().clip_distance_zero_inside, true);
   }
 }
 
+/// A point whose square of half-width `reach` lies inside every side is inside whatever the corners
+/// become, and they still run round it the same way.
+bool TriangleSetup::is_deeper_than_reach() const {
+  const Field band = exact_field(scene->contract().guard_band);
+  ConvexRegion core({-band, -band}, {band, band});
+  const auto clip_inwards = [this, &core](const Line& line) {
+    const Field inset = reach * Field(magnitude(line.a) + magnitude(line.b));
+    core.clip_above(line, inset);
+  };
+  for (std::size_t i = 0; i < 3; ++i) clip_inwards(ideal.edge(i));
+  for (const ClipFunctional& functional : clip_functionals) {
+    if (!functional.line.is_constant()) clip_inwards(functional.line);
+  }
+  return !core.is_empty();
+}
+
 bool TriangleSetup::is_vertex_clipped(std::size_t corner) const {
   const RingVector3& column = columns[corner];
   if (sign_of(column[2]) <= 0) return true;
-  const Ring band = Ring(double{scene->contract().guard_band}) * column[2];
+  const Ring band = exact_ring(scene->contract().guard_band) * column[2];
   if (magnitude(column[0]) > band || magnitude(column[1]) > band) return true;
 
   const cases::Case& source = scene->source();
@@ -61,7 +77,8 @@ bool TriangleSetup::is_vertex_clipped(std::size_t corner) const {
     if (p[2] < Ring(scene->conventions().near_z) * p[3] || p[2] > p[3]) return true;
   }
   const auto distances = source.clip_distances_of(indices[corner]);
-  return std::any_of(distances.begin(), distances.end(), [](float d) { return d < 0; });
+  return std::any_of(distances.begin(), distances.end(),
+                     [](float d) { return sign_of(exact_ring(d)) < 0; });
 }
 
 void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
@@ -80,6 +97,7 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
     const double tolerance_in_units = double{scene->contract().clip_tolerance};
     tolerance = Ring(std::ldexp(tolerance_in_units, -snapping.subpixel_bits));
     reach = std::max(reach, Field(tolerance));
+    may_turn = ideal.orientation() == 0 || !is_deeper_than_reach();
     return;
   }
 

@@ -56,6 +56,9 @@ struct TriangleSetup {
   /// Shape placed and cut: how far any vertex may have been moved, per axis, in pixels.
   Field reach;
   bool has_nonpositive_w = false;
+  /// Shape cut: no point of the polygon is farther than `reach` from all its sides, so that moving
+  /// its corners may turn it round.
+  bool may_turn = false;
 
   /// The least and the greatest of the exact vertex positions along an axis (0: u, 1: v), in
   /// pixels, widened by `reach`. Only where all w > 0.
@@ -70,6 +73,7 @@ struct TriangleSetup {
  private:
   void set_up_clipping();
   void set_up_snapping(const cases::Snapping& snapping);
+  bool is_deeper_than_reach() const;
   bool is_vertex_clipped(std::size_t corner) const;
 };
 

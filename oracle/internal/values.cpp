@@ -74,7 +74,7 @@ std::array<Ring, 3> TriangleValues::vertex_values(std::size_t attribute) const {
   const cases::Case& source = triangle_->scene->source();
   std::array<Ring, 3> values;
   for (std::size_t i = 0; i < 3; ++i) {
-    values[i] = Ring(double{source.attributes_of(triangle_->indices[i])[attribute]});
+    values[i] = exact_ring(source.attributes_of(triangle_->indices[i])[attribute]);
   }
   return values;
 }
@@ -100,6 +100,14 @@ const ProjectiveMap* TriangleValues::single_map() const {
   return nullptr;
 }
 
+bool TriangleValues::is_defined_at(std::size_t attribute, const Point& p) const {
+  const ProjectiveMap* map = single_map();
+  const bool at_center =
+      triangle_->scene->source().attributes[attribute].location == cases::Location::center;
+  return map != nullptr && map->orientation() != 0 &&
+         (!at_center || has_positive_inverse_w(*map, p));
+}
+
 Point TriangleValues::location(std::size_t attribute, int x, int y, int sample) const {
   const Scene& scene = *triangle_->scene;
   return scene.source().attributes[attribute].location == cases::Location::center
@@ -115,6 +123,8 @@ std::optional<FieldRange> TriangleValues::value_at(const Quantity& quantity, con
     if (place == Place::center && !has_positive_inverse_w(*map, p)) return std::nullopt;
     return single(quantity.at(*map, p));
   }
+  // The only sample's place is the centre: it is covered, so it is a mean of the vertices.
+  if (triangle_->scene->source().framebuffer.samples == 1) place = Place::sample;
   return triangle_->shape == Shape::cut ? cut_value(quantity, p, place)
                                         : placed_value(quantity, ends, p, place);
 }
@@ -235,7 +245,9 @@ std::optional<OpenValue> TriangleValues::centroid_sample(const Quantity& quantit
     range = hull(range, value);
   }
   if (all_possible) {
-    const auto value = value_at(quantity, ends, Scene::center_point(x, y), Place::center);
+    // Where all samples of a standard pattern are covered, so is their hull; the centre lies in it.
+    const Place place = single_map() == nullptr ? Place::sample : Place::center;
+    const auto value = value_at(quantity, ends, Scene::center_point(x, y), place);
     if (!value) return std::nullopt;
     range = hull(range, value);
   }

@@ -45,6 +45,8 @@ class TriangleValues {
   Quantity quantity(std::size_t attribute) const;
   /// The exact vertex values of an attribute.
   std::array<Ring, 3> vertex_values(std::size_t attribute) const;
+  /// Whether the rules define the attribute at its location p: not at a centre with 1/w <= 0 there.
+  bool is_defined_at(std::size_t attribute, const Point& p) const;
   /// The point an attribute of a fragment is evaluated at; for a centroid that is a range of
   /// points: the sample.
   Point location(std::size_t attribute, int x, int y, int sample) const;

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdint>
@@ -16,7 +17,7 @@ namespace rastercheck::cases {
 namespace {
 
 using nlohmann::json;
-using std::string_view_literals::operator""sv;
+using namespace std::string_view_literals;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -167,9 +168,9 @@ TEST(ChildPointer, HoldsNoDeleteCharacter) {
   EXPECT_THAT(child_pointer("", "\x7f"), ::testing::Not(HasSubstr("\x7f")));
 }
 
-TEST(Printable, EscapesAsJsonDoes) {
+TEST(Printable, EscapesControlCharactersOnly) {
   EXPECT_EQ(printable("plain"), "plain");
-  EXPECT_EQ(printable("a\"b\\c"), R"(a\"b\\c)");
+  EXPECT_EQ(printable("a\"b\\c"), "a\"b\\c");
   EXPECT_EQ(printable("\n\t\x01"), R"(\n\t\u0001)");
   EXPECT_EQ(printable("\0"sv), R"(\u0000)");
   EXPECT_EQ(printable("\xe2\x82\xac"), "\xe2\x82\xac");
@@ -199,8 +200,13 @@ TEST(Printable, ALongTextOfManyByteCharactersStaysUtf8) {
   }
 }
 
+/// A path that no test running at the same time has.
+std::string temporary_file(const std::string& name) {
+  return testing::TempDir() + "rastercheck_" + name + "_" + std::to_string(getpid());
+}
+
 TEST(ReadText, GivesTheBytesAsTheyAre) {
-  const std::string file = testing::TempDir() + "rastercheck_read_text.bin";
+  const std::string file = temporary_file("bytes");
   const std::string bytes("a\r\n\0\xff", 5);
   std::ofstream(file, std::ios::binary) << bytes;
   EXPECT_EQ(read_text(file).value_or("?"), bytes);
@@ -208,7 +214,7 @@ TEST(ReadText, GivesTheBytesAsTheyAre) {
 }
 
 TEST(ReadText, AnEmptyFileIsAnEmptyText) {
-  const std::string file = testing::TempDir() + "rastercheck_read_text_empty.bin";
+  const std::string file = temporary_file("empty");
   std::ofstream(file, std::ios::binary).flush();
   EXPECT_EQ(read_text(file).value_or("?"), "");
   std::filesystem::remove(file);

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -23,20 +24,24 @@ using ::testing::ElementsAre;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
 
-/// A file that lives as long as its test.
+/// A file that lives as long as its object, in a folder of this process: tests run at the same
+/// time.
 class MeshFile {
  public:
   MeshFile(const std::string& name, const std::string& content)
-      : path_(testing::TempDir() + "rastercheck_mesh_" + name) {
+      : folder_(testing::TempDir() + "rastercheck_mesh_" + std::to_string(getpid())),
+        path_(folder_ + "/" + name) {
+    std::filesystem::create_directory(folder_);
     std::ofstream(path_, std::ios::binary) << content;
   }
-  ~MeshFile() { std::filesystem::remove(path_); }
+  ~MeshFile() { std::filesystem::remove_all(folder_); }
   MeshFile(const MeshFile&) = delete;
   MeshFile& operator=(const MeshFile&) = delete;
 
   const std::string& path() const { return path_; }
 
  private:
+  std::string folder_;
   std::string path_;
 };
 
@@ -181,7 +186,7 @@ TEST(Mesh, WithoutTextureCoordinatesTheAttributesAreObjectXAndY) {
 TEST(Mesh, TheCaseHasTheStateThatWasAskedForAndIsNamedAfterTheFile) {
   for (const Rules rules : {Rules::opengl, Rules::vulkan, Rules::d3d}) {
     const Case c = read("state.obj", kTriangle, {40, 30, rules});
-    EXPECT_EQ(c.name, "rastercheck_mesh_state.obj");
+    EXPECT_EQ(c.name, "state.obj");
     EXPECT_EQ(c.rules, rules);
     EXPECT_EQ(c.fill_rule, default_fill_rule(rules));
     EXPECT_EQ(c.basis, default_basis(rules));
@@ -234,6 +239,22 @@ TEST(Mesh, PolygonsAndTrianglesOfOneFileAreAllDrawn) {
   const Case c =
       read("mixed.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 5\nf 1 2 5\nf 1 2 3 4\nl 1 3\n");
   EXPECT_THAT(c.triangles, SizeIs(3));
+}
+
+constexpr const char* kOneOfTwoObjectsTextured =
+    "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0.5\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\n"
+    "o b\nv 0 0 5\nf 1 2 4\n";
+
+TEST(Mesh, TextureCoordinatesOfSomeVerticesOnlyAreNotUsed) {
+  EXPECT_THAT(read("some.obj", kOneOfTwoObjectsTextured).attributes,
+              ElementsAre(Attribute{"x"}, Attribute{"y"}));
+}
+
+// Kills: objects gathered by what their vertices hold.
+TEST(Mesh, TrianglesComeInTheOrderOfTheFile) {
+  EXPECT_THAT(corners(read("order.obj", kOneOfTwoObjectsTextured)),
+              ElementsAre(ClipVertex{0, 0, 0, 1}, ClipVertex{1, 0, 0, 1}, ClipVertex{0, 1, 0, 1},
+                          ClipVertex{0, 0, 0, 1}, ClipVertex{1, 0, 0, 1}, ClipVertex{0, 0, 5, 1}));
 }
 
 TEST(Mesh, WhatIsNoMeshIsRefusedInOneLine) {

@@ -28,6 +28,18 @@ TEST(Import, PrintsACaseThatTheOracleReads) {
   EXPECT_NE(oracle.out.find("required"), std::string::npos);
 }
 
+TEST(Import, ReadsStandardInputInTheFormatGiven) {
+  const Outcome imported = run_program({"import", "-", "--format", "off", "--quiet"},
+                                       "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  ASSERT_EQ(imported.code, 0) << imported.err;
+  EXPECT_EQ(cases::parse_case(imported.out, "-")->triangles.size(), 1U);
+}
+
+TEST(Import, NamesAFileThatIsNotThere) {
+  EXPECT_EQ(run_program({"import", "no/such.obj"}).err,
+            "rastercheck: no/such.obj: cannot be read: No such file or directory\n");
+}
+
 TEST(Import, RefusesWhatIsNoMesh) {
   const Outcome outcome = run_program({"import", source_file("README.md")});
   EXPECT_EQ(outcome.code, 2);

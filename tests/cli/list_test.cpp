@@ -28,7 +28,8 @@ TEST(List, OfOneKindShowsNoOther) {
 TEST(List, AsJsonIsJson) {
   const auto document = nlohmann::json::parse(run_program({"list", "--json"}).out);
   EXPECT_EQ(document.at("rules").size(), 3U);
-  EXPECT_EQ(document.at("patterns").at(1).at("positions"), "(12,12) (4,4)");
+  EXPECT_EQ(document.at("patterns").at(1),
+            nlohmann::json::parse(R"({"samples": 2, "positions": [[12, 12], [4, 4]]})"));
   EXPECT_TRUE(document.at("backends").is_array());
 }
 

@@ -1,6 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <sstream>
+#include <vector>
+
 #include "tests/cli/program.h"
 
 namespace rastercheck::cli {
@@ -22,8 +26,18 @@ TEST(Program, SaysItsVersion) {
 TEST(Program, HelpsItselfAndEveryCommand) {
   const Outcome all = run_program({"--help"});
   EXPECT_EQ(all.code, 0);
-  for (const std::string command : {"import", "list", "oracle"}) {
-    EXPECT_THAT(all.out, HasSubstr("  " + command + " "));
+  // The commands as the help lists them, each at the start of a line after "Subcommands:".
+  std::istringstream lines(all.out.substr(all.out.find("Subcommands:")));
+  std::vector<std::string> listed;
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::istringstream words(line);
+    std::string command;
+    if (line.starts_with("  ") && line[2] != ' ' && words >> command) listed.push_back(command);
+  }
+  EXPECT_THAT(listed, testing::IsSupersetOf({"import", "list", "oracle"}));
+  for (const std::string& command : listed) {
     const Outcome one = run_program({command, "--help"});
     EXPECT_EQ(one.code, 0);
     EXPECT_THAT(one.out, HasSubstr("--help"));
@@ -50,6 +64,24 @@ TEST(Program, NamesAFileThatIsNotThere) {
   const Outcome outcome = run_program({"oracle", "no/such.json"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.err, "rastercheck: no/such.json: cannot be read: No such file or directory\n");
+}
+
+TEST(Program, SendsMeshesToTheImport) {
+  const Outcome outcome = run_program({"oracle", "bunny.obj"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("rastercheck import"));
+}
+
+TEST(Program, ShowsNoControlCharactersOfACase) {
+  const std::string text =
+      R"({"format": "rastercheck-case", "version": 1, "name": "\u001b[31m\n",
+          "framebuffer": {"width": 1, "height": 1}, "rules": "vulkan",
+          "viewport": {"x": 0, "y": 0, "width": 1, "height": 1},
+          "attributes": [{"name": "a\nb"}], "vertices": [], "triangles": []})";
+  const Outcome outcome = run_program({"oracle", "-"}, text);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 3);
+  EXPECT_EQ(outcome.out.find('\x1b'), std::string::npos);
 }
 
 TEST(Program, ReportsOutputThatCannotBeWritten) {

@@ -27,6 +27,14 @@ TEST(Kappa, GrowsWithCancellation) {
 
 TEST(Kappa, IsAbsentAtAZeroOfTheValue) { EXPECT_FALSE(at_first_pixel({{{-1}, {6}, {0}}}).kappa); }
 
+TEST(Conditioning, IsNotAQuestionOfAFlatAttribute) {
+  cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
+                             {{{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1}}}, {{{1}, {2}, {3}}});
+  c.attributes[0].interpolation = cases::Interpolation::flat;
+  const SceneTruth scene(c, cases::contract_of(c));
+  EXPECT_FALSE(TriangleTruth(scene, 0).conditioning(0, 0, 0, 0));
+}
+
 TEST(KappaD, IsTheWorstCancellationOfAWeight) {
   // e_0 sums 1/8 + 1/8 + 1, D = 1.
   EXPECT_EQ(at_first_pixel({{{1}, {2}, {3}}}).kappa_d->to_string(), "5/4");

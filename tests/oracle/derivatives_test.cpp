@@ -61,6 +61,21 @@ TEST(Derivatives, AreNotGivenWhereSeveralPlacementsAreOpen) {
   EXPECT_FALSE(Truth(c)->derivatives(0, 1, 1, 0));
 }
 
+TEST(Derivatives, AreNotGivenWhereTheValueIsUndefined) {
+  // w1 = −1: 1/w = 1 − u/2 vanishes at u = 2, before the centre of pixel 2.
+  auto c = corner(-1, {{{0}, {1}, {0}}});
+  for (const auto interpolation :
+       {cases::Interpolation::smooth, cases::Interpolation::noperspective}) {
+    c.attributes[0].interpolation = interpolation;
+    c.attributes[0].location = cases::Location::center;
+    const Truth truth(c);
+    EXPECT_FALSE(truth->attribute(0, 2, 0, 0));
+    EXPECT_FALSE(truth->derivatives(0, 2, 0, 0));
+    EXPECT_FALSE(truth->quad_differences(0, 2, 0, 0));
+    EXPECT_FALSE(truth->conditioning(0, 2, 0, 0));
+  }
+}
+
 TEST(QuadDifferences, AreTakenAcrossTheEvenAlignedQuad) {
   const Truth truth(corner(2, {{{0}, {1}, {0}}}));
   // r(3/2) − r(1/2) = 3/13 − 1/15, for both pixels of the quad.

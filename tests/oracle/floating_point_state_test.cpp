@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <xmmintrin.h>
 
+#include <bit>
 #include <cfenv>
+#include <cstdint>
 
 #include "oracle/fragments.h"
 #include "oracle/referee.h"
@@ -50,6 +52,29 @@ TEST(FloatingPointState, OracleCallsLeaveTheControlBitsAlone) {
     EXPECT_EQ(std::fegetround(), mode);
   }
   std::fesetround(FE_TONEAREST);
+}
+
+TEST(FloatingPointState, SubnormalsCountWhenTheProcessorFlushesThem) {
+  // All of the 4 × 4 framebuffer, by coordinates that are subnormal throughout.
+  const float s = 0x1p-130F;
+  const cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
+                                   {{{-s, -s, 0, s}, {3 * s, -s, 0, s}, {-s, 3 * s, 0, s}}},
+                                   {{{0x1p-149F}, {0x1p-149F}, {0x1p-149F}}});
+  constexpr unsigned kFlushToZero = 0x8000;
+  constexpr unsigned kDenormalsAreZero = 0x0040;
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before | kFlushToZero | kDenormalsAreZero);
+  const SceneTruth scene(c, cases::contract_of(c));
+  const TriangleTruth truth(scene, 0);
+  const Judgment judgment = truth.judge(3, 3, 0);
+  const Rational value = truth.attribute(0, 3, 3, 0)->lo;
+  const auto nearest = std::bit_cast<std::uint32_t>(value.nearest_float());
+  const bool referee_covers = referee(c, 0, 3, 3, 0).has_value();
+  _mm_setcsr(before);
+  EXPECT_EQ(judgment.verdict, records::Verdict::required);
+  EXPECT_EQ(value, Rational(0x1p-149));
+  EXPECT_EQ(nearest, 1U);
+  EXPECT_TRUE(referee_covers);
 }
 
 TEST(FloatingPointState, AnswersDoNotDependOnTheRoundingMode) {

@@ -15,35 +15,11 @@
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/scene.h"
 #include "oracle/triangle_truth.h"
+#include "tests/oracle/drawn.h"
 #include "tests/oracle/small_case.h"
 
 namespace rastercheck::oracle {
 namespace {
-
-/// The one triangle of a case, under the contract the case asks for.
-struct Drawn {
-  explicit Drawn(const cases::Case& c) : scene(c, cases::contract_of(c)), triangle(scene, 0) {}
-
-  std::vector<std::pair<int, int>> pixels() const {
-    std::vector<std::pair<int, int>> covered;
-    for (int y = 0; y < scene.source().framebuffer.height; ++y) {
-      for (int x = 0; x < scene.source().framebuffer.width; ++x) {
-        if (triangle.judge(x, y, 0).verdict == records::Verdict::required)
-          covered.push_back({x, y});
-      }
-    }
-    return covered;
-  }
-  Field value(std::size_t attribute, int x, int y) const {
-    return to_field(triangle.attribute(attribute, x, y, 0).value().lo);
-  }
-  std::string text(std::size_t attribute, int x, int y) const {
-    return triangle.attribute(attribute, x, y, 0).value().lo.to_string();
-  }
-
-  SceneTruth scene;
-  TriangleTruth triangle;
-};
 
 /// Samples with u + v < 8, that is x + y <= 6 (x + y = 7 is a tie of an edge that owns none).
 constexpr std::size_t kCoveredPixels = 28;

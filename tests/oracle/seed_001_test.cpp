@@ -20,28 +20,11 @@
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/scene.h"
 #include "oracle/triangle_truth.h"
+#include "tests/oracle/drawn.h"
 #include "tests/oracle/small_case.h"
 
 namespace rastercheck::oracle {
 namespace {
-
-/// The one triangle of a case, under the contract the case asks for.
-struct Drawn {
-  explicit Drawn(const cases::Case& c) : scene(c, cases::contract_of(c)), triangle(scene, 0) {}
-
-  bool covers(int x, int y) const {
-    return triangle.judge(x, y, 0).verdict == records::Verdict::required;
-  }
-  Field value(std::size_t attribute, int x, int y) const {
-    return to_field(triangle.attribute(attribute, x, y, 0).value().lo);
-  }
-  std::string text(std::size_t attribute, int x, int y) const {
-    return triangle.attribute(attribute, x, y, 0).value().lo.to_string();
-  }
-
-  SceneTruth scene;
-  TriangleTruth triangle;
-};
 
 const Field kU(7, 2);
 const Field kV(5, 2);

@@ -108,6 +108,49 @@ TEST(Clipping, PermitsSamplesWithinAGridUnitOfWhatWasCut) {
   EXPECT_EQ(judge(c, 0, 2).verdict, Verdict::forbidden);
 }
 
+TEST(Clipping, LeavesTheFacingOfASliverOpenWhereItComesFromSnappedVertices) {
+  // A sliver along v = u, thinner than a grid unit by far, cut by the near plane: its new vertices
+  // may land on either side of it.
+  cases::Case c = small_case(cases::Rules::d3d, 8, 8,
+                             {{{-1, 1, -0.5F, 1}, {1, -1, 0.5F, 1}, {1, -0x1.ffep-1F, 0.5F, 1}}});
+  c.coverage = Snapping{4, Rounding::nearest_even, 0};
+  c.basis = cases::Basis::snapped;
+  for (const cases::Cull cull : {cases::Cull::back, cases::Cull::front}) {
+    c.cull = cull;
+    EXPECT_EQ(judge(c, 6, 6).verdict, Verdict::permitted);
+  }
+  c.basis = cases::Basis::ideal;
+  c.cull = cases::Cull::back;
+  const Verdict back = judge(c, 6, 6).verdict;
+  c.cull = cases::Cull::front;
+  const Verdict front = judge(c, 6, 6).verdict;
+  EXPECT_TRUE((back == Verdict::forbidden) != (front == Verdict::forbidden));
+}
+
+TEST(Clipping, GivesACentreThatIsTheSampleTheSamplesValue) {
+  // Cut by the near plane along u = 2, whole-pixel grid: what is permitted has a range, wherever
+  // the attribute is located, for one sample is one place.
+  cases::Case c =
+      small_case(cases::Rules::d3d, 4, 4, {{{-1, 1, 0.5F, 1}, {3, 1, -1.5F, 1}, {-1, -3, 0.5F, 1}}},
+                 {{{0, 0, 0}, {1, 1, 1}, {0, 0, 0}}});
+  c.attributes[1].location = cases::Location::center;
+  c.attributes[2].location = cases::Location::centroid;
+  c.coverage = Snapping{0, Rounding::nearest_even, 0};
+  const SceneTruth scene(c, cases::contract_of(c));
+  const TriangleTruth truth(scene, 0);
+  ASSERT_EQ(truth.judge(1, 2, 0).verdict, Verdict::permitted);
+  const auto at_sample = truth.attribute(0, 1, 2, 0);
+  for (const std::size_t other : {1U, 2U}) {
+    const auto value = truth.attribute(other, 1, 2, 0);
+    ASSERT_TRUE(value);
+    EXPECT_EQ(value->lo, at_sample->lo);
+    EXPECT_EQ(value->hi, at_sample->hi);
+  }
+  // r = u/8 on [1/2, 5/2] ∩ [0, 2].
+  EXPECT_EQ(at_sample->lo.to_string(), "1/16");
+  EXPECT_EQ(at_sample->hi.to_string(), "1/4");
+}
+
 TEST(Clipping, ByTheNearPlaneIsOpenAlongTheClipEdge) {
   // z/w = 1/2 − u/4 passes 0 at u = 2. Row 2 is more than a pixel away from the edges that were
   // cut.

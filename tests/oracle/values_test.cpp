@@ -145,6 +145,18 @@ TEST(Unspecified, GivesEveryValueAsARange) {
   EXPECT_EQ(text(TriangleTruth(scene, 0).attribute(1, 0, 0, 0)), "[7, 7]");
 }
 
+TEST(Noperspective, IsFreeWhereSomeWIsNotPositive) {
+  auto c = corner(Rules::vulkan, {{{0, 0}, {1, 1}, {0, 0}}}, {}, -1);
+  c.attributes[1].interpolation = Interpolation::noperspective;
+  const SceneTruth scene(c, cases::contract_of(c));
+  const TriangleTruth truth(scene, 0);
+  EXPECT_FALSE(truth.is_value_free(0));
+  EXPECT_TRUE(truth.is_value_free(1));
+  c.positions[1] = {1, -1, 0, 1};
+  const SceneTruth positive(c, cases::contract_of(c));
+  EXPECT_FALSE(TriangleTruth(positive, 0).is_value_free(1));
+}
+
 TEST(Magnitude, IsTheLargestVertexValue) {
   const auto c = corner(Rules::vulkan, {{{-3}, {1}, {2}}});
   const SceneTruth scene(c, cases::contract_of(c));

@@ -9,6 +9,7 @@
 
 #include "cases/case_reader.h"
 #include "cases/json.h"
+#include "oracle/fragment_json.h"
 #include "oracle/fragments.h"
 
 namespace rastercheck::oracle {
@@ -26,26 +27,11 @@ std::vector<std::filesystem::path> vector_files() {
   return files;
 }
 
-json value_of(const std::optional<ValueRange>& value) {
-  if (!value) return nullptr;
-  if (value->is_open) return json{value->lo.to_string(), value->hi.to_string()};
-  return value->lo.to_string();
-}
-
 json fragments_of(const cases::Case& c) {
   json list = json::array();
   const SceneTruth scene(c, cases::contract_of(c));
   for_each_fragment(scene, [&list](const Fragment& f, const TriangleTruth&) {
-    json attributes = json::array();
-    for (const auto& value : f.attributes) attributes.push_back(value_of(value));
-    list.push_back({{"triangle", f.triangle},
-                    {"x", f.x},
-                    {"y", f.y},
-                    {"sample", f.sample},
-                    {"verdict", to_string(f.judgment.verdict)},
-                    {"reason", to_string(f.judgment.reason)},
-                    {"depth", value_of(f.depth)},
-                    {"attributes", attributes}});
+    list.push_back(json::parse(to_json(f)));
     return true;
   });
   return list;

@@ -34,6 +34,9 @@ import math
 import sys
 from fractions import Fraction
 
+from exact import (adjugate, clip_polygon, combine, corners_of, cross, dot, hull_of, in_convex_hull, number,
+                   rectangle, round_to_float32, sign)
+
 REQUIRED, PERMITTED = "required", "permitted"
 FORBIDDEN = None  # a judgement is FORBIDDEN or a pair (verdict, reason)
 GUARD_BAND = 32768  # pixels from the window's origin; a vertex beyond it is clipped
@@ -48,96 +51,6 @@ SAMPLES = {
     16: [(9, 9), (7, 5), (5, 10), (12, 7), (3, 6), (10, 13), (13, 11), (11, 3),
          (6, 14), (8, 1), (4, 2), (2, 12), (0, 8), (15, 4), (14, 15), (1, 0)],
 }
-
-
-# ---- numbers, lines, polygons ---------------------------------------------------------------------------
-
-def number(x):
-    """The exact value of a JSON number (its nearest double) or a C99 hex-float string."""
-    return Fraction(float.fromhex(x) if isinstance(x, str) else float(x))
-
-
-def round_to_float32(x):
-    """Nearest float32, ties to even, denormals kept; overflow is an error."""
-    if x == 0:
-        return Fraction(0)
-    exponent = abs(x.numerator).bit_length() - x.denominator.bit_length()
-    if Fraction(2) ** exponent > abs(x):
-        exponent -= 1
-    unit = Fraction(2) ** (max(exponent, -126) - 23)
-    rounded = round(x / unit) * unit
-    if abs(rounded) >= 2 ** 128:
-        raise OverflowError("a clip position overflows float32")
-    return rounded
-
-
-def sign(x):
-    return (x > 0) - (x < 0)
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def combine(rows, factors):
-    """The window-affine function sum factors_i rows_i."""
-    return tuple(sum(f * row[k] for f, row in zip(factors, rows)) for k in range(3))
-
-
-def adjugate(columns):
-    """Rows of adj(M): row i is the line through the two vertices other than i, in cyclic order."""
-    c0, c1, c2 = columns
-    return [cross(c1, c2), cross(c2, c0), cross(c0, c1)]
-
-
-def rectangle(x_low, x_high, y_low, y_high):
-    """The four half planes of a closed rectangle."""
-    return [(1, 0, -x_low), (-1, 0, x_high), (0, 1, -y_low), (0, -1, y_high)]
-
-
-def corners_of(x_low, x_high, y_low, y_high):
-    return [(x_low, y_low), (x_high, y_low), (x_high, y_high), (x_low, y_high)]
-
-
-def clip_polygon(points, half_planes):
-    """Vertices of the closed convex polygon `points` within {A u + B v + C >= 0}; [] if they do not meet.
-
-    Touching in one point or along a segment leaves that point or segment (vertices may repeat).
-    """
-    for line in half_planes:
-        values = [dot(line, (u, v, 1)) for u, v in points]
-        kept = []
-        for i, (p, s) in enumerate(zip(points, values)):
-            q, t = points[i - 1], values[i - 1]
-            if s * t < 0:  # the side from q to p crosses the line
-                k = Fraction(t) / (t - s)
-                kept.append((q[0] + k * (p[0] - q[0]), q[1] + k * (p[1] - q[1])))
-            if s >= 0:
-                kept.append(p)
-        points = kept
-    return points
-
-
-def in_convex_hull(p, points):
-    """Is p in the closed convex hull: on the right side of every line that has all points on one side?"""
-    def turn(a, b, c):
-        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-    for axis in (0, 1):  # decides where the hull is a segment or a point
-        if not min(q[axis] for q in points) <= p[axis] <= max(q[axis] for q in points):
-            return False
-    return not any(turn(a, b, p) < 0 and all(turn(a, b, q) >= 0 for q in points)
-                   for a, b in itertools.permutations(points, 2))
-
-
-def hull_of(ranges):
-    """The smallest range containing all of `ranges`; None where there is none."""
-    ranges = list(ranges)
-    return (min(r[0] for r in ranges), max(r[1] for r in ranges)) if ranges else None
 
 
 # ---- the case -------------------------------------------------------------------------------------------
@@ -166,7 +79,7 @@ class Case:
         self.clamps_depth = self.depth_clamp or self.rules == "d3d"
         self.depth_test = case.get("depth_test", "none")
         self.attributes = [(a.get("interpolation", "smooth"), a.get("location", "sample"))
-                           for a in case["attributes"]]
+                           for a in case.get("attributes", [])]
         self.basis = case.get("basis", "snapped" if self.rules == "d3d" else "ideal")
         self.read_coverage(case.get("coverage", "exact"))
         self.clip_positions = self.read_positions(case, clip)
@@ -429,6 +342,10 @@ class Triangle:
             lines = [row for row in self.ideal.adj if row[0] != 0 or row[1] != 0]
             self.flat_line = lines[0] if lines else None
             return
+        # A point deeper than rho inside every side keeps the polygon running round it the same way.
+        inset = [(a, b, c - self.rho * (abs(a) + abs(b))) for a, b, c in self.polygon if a or b]
+        box = corners_of(-GUARD_BAND, GUARD_BAND, -GUARD_BAND, GUARD_BAND)
+        self.may_turn = not clip_polygon(box, inset)
         rows = self.ideal.rows
         for i in range(3):
             j, k = (i + 1) % 3, (i + 2) % 3
@@ -459,9 +376,11 @@ class Triangle:
                     if not min(at) - self.rho <= p[axis] <= max(at) + self.rho:
                         return FORBIDDEN
             return (PERMITTED, cut_reason)
-        if case.culls(self.ideal.det):
+        facing_open = case.cull != "none" and case.basis != "ideal" and self.may_turn
+        if not facing_open and case.culls(self.ideal.det):
             return FORBIDDEN
-        maybe_cut = maybe_snapped = tie = False
+        maybe_snapped = tie = False
+        maybe_cut = facing_open
         for line in self.banded:
             s, band = dot(line, (*p, 1)), self.tolerance * (abs(line[0]) + abs(line[1]))
             if s < -band:
@@ -516,6 +435,8 @@ class Triangle:
         case = self.case
         if case.basis == "ideal":  # exact coverage included
             return self.evaluate(self.ideal, channel, p, style)
+        if len(case.samples) == 1 and not self.has_one_map():
+            style = "sample"  # the centre is the covered sample
         if self.cut:
             return self.cut_value(channel, p, style)
         value = self.snapped_value(channel, p, style)
@@ -523,6 +444,11 @@ class Triangle:
             ideal = self.evaluate(self.ideal, channel, p, style)
             value = hull_of([value, ideal]) if ideal is not None else value
         return value
+
+    def has_one_map(self):
+        """Whether a single map gives the values: nothing about the basis is open."""
+        snapped_once = self.case.basis == "snapped" and not self.cut and self.placement_count == 1
+        return self.case.basis == "ideal" or snapped_once
 
     def snapped_value(self, channel, p, style):
         if self.placement_count == 1:
@@ -570,8 +496,10 @@ class Triangle:
 
     def centroid_d3d(self, channel, centre, points, verdicts):
         """D3D: (range, number of candidates for the location)."""
+        # Where all samples are covered, so is the centre, which lies in the hull of every pattern.
+        style = "center" if self.has_one_map() else "sample"
         if all(j and j[0] == REQUIRED for j in verdicts):
-            return self.value_at(channel, centre, "center"), 1
+            return self.value_at(channel, centre, style), 1
         values = []
         for p, judgement in zip(points, verdicts):
             if judgement:
@@ -579,7 +507,7 @@ class Triangle:
                 if judgement[0] == REQUIRED:
                     break
         if all(verdicts):  # some are merely permitted
-            values.append(self.value_at(channel, centre, "center"))
+            values.append(self.value_at(channel, centre, style))
         return (None if None in values else hull_of(values)), len(values)
 
     # ---- output ----

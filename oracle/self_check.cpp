@@ -1,0 +1,39 @@
+#include "oracle/self_check.h"
+
+#include <fmt/format.h>
+
+#include "oracle/referee.h"
+
+namespace rastercheck::oracle {
+
+std::optional<std::string> self_check(const SceneTruth& scene, const Fragment& fragment) {
+  const cases::Contract& contract = scene.contract();
+  const bool referee_applies = !contract.coverage &&
+                               contract.tie_rule == scene.source().fill_rule &&
+                               fragment.judgment.verdict == records::Verdict::required;
+  if (!referee_applies) return std::nullopt;
+
+  const auto differs = [&fragment](const std::string& what) {
+    return fmt::format("oracle and referee differ at triangle {}, pixel ({}, {}), sample {}: {}",
+                       fragment.triangle, fragment.x, fragment.y, fragment.sample, what);
+  };
+  const std::optional<RefereeFragment> second =
+      referee(scene.source(), fragment.triangle, fragment.x, fragment.y, fragment.sample);
+  if (!second) return differs("covered or not");
+  if (!fragment.depth || fragment.depth->lo != second->depth) return differs("depth");
+  for (std::size_t a = 0; a < fragment.attributes.size(); ++a) {
+    const std::optional<ValueRange>& value = fragment.attributes[a];
+    if (value && value->is_open) continue;  // a centroid: the referee names no point
+    if (scene.source().attributes[a].location == cases::Location::centroid &&
+        scene.source().attributes[a].interpolation != cases::Interpolation::flat) {
+      continue;
+    }
+    const std::optional<Rational>& other = second->attributes[a];
+    if (value.has_value() != other.has_value() || (value && value->lo != *other)) {
+      return differs(fmt::format("attribute {}", a));
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace rastercheck::oracle
