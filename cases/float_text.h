@@ -17,7 +17,8 @@ bool is_hex_float(std::string_view text);
 /// The float32 that a double is exactly; nothing for one that float32 cannot hold, NaN or infinity.
 std::optional<float> exact_float(double value);
 
-/// The shortest C99 hex-float text of a finite value; "-0x0p+0" for minus zero.
+/// The shortest C99 hex-float text of a value; "-0x0p+0" for minus zero, "nan" and "inf" for what
+/// is no number.
 std::string to_hex(float value);
 
 }  // namespace rastercheck::cases

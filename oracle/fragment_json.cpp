@@ -33,8 +33,8 @@ std::string members(const Fragment& f) {
   return fmt::format(
       R"("triangle": {}, "x": {}, "y": {}, "sample": {}, "verdict": "{}", "reason": "{}", )"
       R"("depth": {}, "attributes": [{}])",
-      f.triangle, f.x, f.y, f.sample, records::to_string(f.judgment.verdict),
-      records::to_string(f.judgment.reason), oracle::to_json(f.depth), fmt::join(attributes, ", "));
+      f.triangle, f.x, f.y, f.sample, records::to_string(f.decision.verdict),
+      records::to_string(f.decision.reason), oracle::to_json(f.depth), fmt::join(attributes, ", "));
 }
 
 }  // namespace

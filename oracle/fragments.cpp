@@ -8,8 +8,8 @@ namespace rastercheck::oracle {
 namespace {
 
 Fragment make_fragment(const SceneTruth& scene, const TriangleTruth& truth, std::size_t triangle,
-                       int x, int y, int sample, const Judgment& judgment) {
-  Fragment fragment{triangle, x, y, sample, judgment, truth.depth(x, y, sample), {}};
+                       int x, int y, int sample, const records::SampleVerdict& decision) {
+  Fragment fragment{triangle, x, y, sample, decision, truth.depth(x, y, sample), {}};
   const std::size_t count = scene.source().attributes.size();
   fragment.attributes.reserve(count);
   for (std::size_t a = 0; a < count; ++a) {
@@ -27,9 +27,9 @@ void for_each_alone(const SceneTruth& scene, const FragmentSink& sink) {
     for (int y = pixels.y0; y < pixels.y1; ++y) {
       for (int x = pixels.x0; x < pixels.x1; ++x) {
         for (int s = 0; s < samples; ++s) {
-          const Judgment judgment = truth.judge(x, y, s);
-          if (judgment.verdict == records::Verdict::forbidden) continue;
-          if (!sink(make_fragment(scene, truth, t, x, y, s, judgment), truth)) return;
+          const records::SampleVerdict decision = truth.judge(x, y, s);
+          if (decision.verdict == records::Verdict::forbidden) continue;
+          if (!sink(make_fragment(scene, truth, t, x, y, s, decision), truth)) return;
         }
       }
     }
@@ -48,7 +48,7 @@ void resolve(std::vector<Fragment*>& fragments, std::vector<const Fragment*>& dr
   std::vector<Fragment*> undecided;
   for (Fragment* a : fragments) {
     const bool beaten = std::any_of(fragments.begin(), fragments.end(), [a](const Fragment* b) {
-      return b != a && b->judgment.verdict == records::Verdict::required && surely_nearer(*b, *a);
+      return b != a && b->decision.verdict == records::Verdict::required && surely_nearer(*b, *a);
     });
     if (beaten) {
       dropped.push_back(a);
@@ -60,8 +60,8 @@ void resolve(std::vector<Fragment*>& fragments, std::vector<const Fragment*>& dr
     if (!beats_all) undecided.push_back(a);
   }
   for (Fragment* a : undecided) {
-    if (a->judgment.verdict != records::Verdict::required) continue;
-    a->judgment = {records::Verdict::permitted, records::Reason::depth};
+    if (a->decision.verdict != records::Verdict::required) continue;
+    a->decision = {records::Verdict::permitted, records::Reason::depth};
   }
 }
 

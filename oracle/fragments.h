@@ -19,7 +19,7 @@ struct Fragment {
   int x = 0;
   int y = 0;
   int sample = 0;
-  Judgment judgment;
+  records::SampleVerdict decision;
   std::optional<ValueRange> depth;                    ///< nothing where undefined
   std::vector<std::optional<ValueRange>> attributes;  ///< [attribute]; nothing where undefined
 };

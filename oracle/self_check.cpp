@@ -10,7 +10,7 @@ std::optional<std::string> self_check(const SceneTruth& scene, const Fragment& f
   const cases::Contract& contract = scene.contract();
   const bool referee_applies = !contract.coverage &&
                                contract.tie_rule == scene.source().fill_rule &&
-                               fragment.judgment.verdict == records::Verdict::required;
+                               fragment.decision.verdict == records::Verdict::required;
   if (!referee_applies) return std::nullopt;
 
   const auto differs = [&fragment](const std::string& what) {

@@ -30,9 +30,8 @@ Pixels TriangleTruth::pixels() const {
 
 int TriangleTruth::orientation() const { return setup_->ideal.orientation(); }
 
-Judgment TriangleTruth::judge(int x, int y, int sample) const {
-  const Decision decision = decide(*setup_, x, y, sample);
-  return {decision.verdict, decision.reason};
+records::SampleVerdict TriangleTruth::judge(int x, int y, int sample) const {
+  return decide(*setup_, x, y, sample);
 }
 
 std::optional<records::Enclosure> TriangleTruth::distance(int x, int y, int sample) const {

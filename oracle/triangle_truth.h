@@ -38,11 +38,6 @@ class SceneTruth {
   std::unique_ptr<Scene> scene_;
 };
 
-struct Judgment {
-  records::Verdict verdict = records::Verdict::forbidden;
-  records::Reason reason = records::Reason::outside;
-};
-
 /// Pixels x0 <= x < x1, y0 <= y < y1; empty where x1 <= x0 or y1 <= y0.
 struct Pixels {
   int x0 = 0;
@@ -78,7 +73,7 @@ class TriangleTruth {
   /// sign(det M): +1, −1, or 0 for a triangle seen edge-on (it covers nothing).
   int orientation() const;
 
-  Judgment judge(int x, int y, int sample) const;
+  records::SampleVerdict judge(int x, int y, int sample) const;
 
   /// The signed distance to the boundary that decided, in pixels, positive inside: certified
   /// enclosure of an irrational number. Nothing for a triangle without orientation.

@@ -24,6 +24,12 @@ enum class Reason {
   degenerate,     ///< forbidden: the triangle is seen edge-on or has no area
 };
 
+/// The answer for one sample.
+struct SampleVerdict {
+  Verdict verdict = Verdict::forbidden;
+  Reason reason = Reason::outside;
+};
+
 /// The words that JSON output and tables use: "required", "tie", "clip edge", "w <= 0", …
 std::string_view to_string(Verdict verdict);
 std::string_view to_string(Reason reason);

@@ -91,6 +91,7 @@ ExitCode run(const Options& options) {
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   std::vector<std::string> names;
+  names.reserve(kKinds.size());
   for (const Kind& kind : kKinds) names.emplace_back(kind.name);
   app.add_option("KIND", options->kind, "What to list; everything without it")
       ->check(CLI::IsMember(names));

@@ -67,7 +67,7 @@ Result<void> print_json(const oracle::SceneTruth& scene, const Options& options)
   fmt::print(R"({{"format": "rastercheck-oracle", "version": 1, "case": {}, "fragments": [)",
              cases::json_string(scene.source().name));
   std::string_view separator = "\n  ";
-  const auto checked = for_each_checked(scene, [&](const Fragment& f, const TriangleTruth& truth) {
+  auto checked = for_each_checked(scene, [&](const Fragment& f, const TriangleTruth& truth) {
     fmt::print("{}{}", separator,
                options.details ? oracle::to_detailed_json(f, truth) : oracle::to_json(f));
     separator = ",\n  ";
@@ -119,12 +119,12 @@ Result<void> print_table(const oracle::SceneTruth& scene, const Options& options
   }
   std::size_t required = 0;
   std::size_t permitted = 0;
-  const auto checked = for_each_checked(scene, [&](const Fragment& f, const TriangleTruth& truth) {
-    ++(f.judgment.verdict == records::Verdict::required ? required : permitted);
+  auto checked = for_each_checked(scene, [&](const Fragment& f, const TriangleTruth& truth) {
+    ++(f.decision.verdict == records::Verdict::required ? required : permitted);
     const auto distance = truth.distance(f.x, f.y, f.sample);
     std::string row =
-        fmt::format(kRow, f.triangle, f.x, f.y, f.sample, to_string(f.judgment.verdict),
-                    to_string(f.judgment.reason),
+        fmt::format(kRow, f.triangle, f.x, f.y, f.sample, to_string(f.decision.verdict),
+                    to_string(f.decision.reason),
                     distance ? records::to_decimal(*distance, 5) : "-", readable(f.depth));
     for (const auto& value : f.attributes) row += fmt::format(" {:<28}", readable(value));
     row.erase(row.find_last_not_of(' ') + 1);

@@ -7,6 +7,7 @@ namespace rastercheck::oracle {
 namespace {
 
 using records::Reason;
+using records::SampleVerdict;
 using records::Verdict;
 
 /// What is known of "the point is inside": in some reading of the contract, in every one, and
@@ -56,7 +57,7 @@ Membership inside_edges(const ProjectiveMap& map, const Point& p, const Scene& s
   return all;
 }
 
-Decision decide_exact(const TriangleSetup& triangle, const Point& p) {
+SampleVerdict decide_exact(const TriangleSetup& triangle, const Point& p) {
   const Scene& scene = *triangle.scene;
   if (triangle.ideal.orientation() == 0) return {Verdict::forbidden, Reason::degenerate};
   if (scene.is_culled(triangle.ideal.orientation())) return {Verdict::forbidden, Reason::culled};
@@ -130,10 +131,10 @@ std::vector<Point> box_corners(const TriangleSetup& triangle) {
   return corners;
 }
 
-/// Too many placements to look at each. An edge function is affine in every vertex coordinate, so
-/// its least value over the boxes is taken at corners; and whatever is covered in some placement
-/// lies in the hull of the boxes.
-Decision decide_by_boxes(const TriangleSetup& triangle, const Point& p) {
+/// What the boxes of the placements settle without looking at each: an edge function is affine in
+/// every vertex coordinate, so its least value over the boxes is taken at corners, and whatever is
+/// covered in some placement lies in the hull of the boxes.
+std::optional<SampleVerdict> decide_by_boxes(const TriangleSetup& triangle, const Point& p) {
   const auto& corners = triangle.corner_placements;
   const int orientation = corners.front().orientation();
   const bool inside_all =
@@ -141,23 +142,31 @@ Decision decide_by_boxes(const TriangleSetup& triangle, const Point& p) {
         return map.orientation() == orientation && strictly_inside(map, p) &&
                kept_by_culling(triangle, map).sure;
       });
-  if (inside_all) return {Verdict::required, Reason::inside};
-  if (is_outside_hull(p, box_corners(triangle))) return {Verdict::forbidden, Reason::outside};
+  if (inside_all) return SampleVerdict{Verdict::required, Reason::inside};
+  if (is_outside_hull(p, box_corners(triangle))) {
+    return SampleVerdict{Verdict::forbidden, Reason::outside};
+  }
   // The determinant is affine in every coordinate too: if no corner turns the other way, none does.
   const bool ever_drawn =
       std::any_of(corners.begin(), corners.end(), [&triangle](const ProjectiveMap& map) {
         return map.orientation() != 0 && kept_by_culling(triangle, map).possible;
       });
-  if (!ever_drawn) return {Verdict::forbidden, Reason::culled};
-  return {Verdict::permitted, Reason::snapping};
+  if (!ever_drawn) return SampleVerdict{Verdict::forbidden, Reason::culled};
+  return std::nullopt;
 }
 
-Decision decide_placed(const TriangleSetup& triangle, const Point& p) {
-  if (triangle.placements.empty()) return decide_by_boxes(triangle, p);
+SampleVerdict decide_placed(const TriangleSetup& triangle, const Point& p) {
+  const bool several = triangle.corner_placements.size() > 1;
+  if (several) {
+    if (const std::optional<SampleVerdict> decision = decide_by_boxes(triangle, p))
+      return *decision;
+  }
+  const std::vector<ProjectiveMap>* placements = triangle.placements();
+  if (placements == nullptr) return {Verdict::permitted, Reason::snapping};
   bool possible = false;
   bool sure = true;
   bool tie = false;
-  for (const ProjectiveMap& placement : triangle.placements) {
+  for (const ProjectiveMap& placement : *placements) {
     Membership drawn = inside_edges(placement, p, *triangle.scene);
     tie = tie || drawn.tie;
     if (drawn.possible) drawn &= kept_by_culling(triangle, placement);
@@ -166,7 +175,7 @@ Decision decide_placed(const TriangleSetup& triangle, const Point& p) {
   }
   if (!possible) return {Verdict::forbidden, Reason::outside};
   if (sure) return {Verdict::required, tie ? Reason::tie : Reason::inside};
-  const bool only_ties = triangle.placements.size() == 1 && triangle.ideal.orientation() != 0;
+  const bool only_ties = !several && triangle.ideal.orientation() != 0;
   return {Verdict::permitted, only_ties ? Reason::tie : Reason::snapping};
 }
 
@@ -209,7 +218,7 @@ Membership snapped_edge_side(const TriangleSetup& triangle, std::size_t edge, co
 
 /// A triangle without area that is cut: its new vertices may give it some, near its line and no
 /// farther along it than its vertices.
-Decision decide_cut_degenerate(const TriangleSetup& triangle, const Point& p, Reason cut) {
+SampleVerdict decide_cut_degenerate(const TriangleSetup& triangle, const Point& p, Reason cut) {
   if (!triangle.has_nonpositive_w) {
     const auto misses = [](const FieldRange& range, const Ring& at) {
       return Field(at) < range.lo || Field(at) > range.hi;
@@ -231,7 +240,7 @@ Decision decide_cut_degenerate(const TriangleSetup& triangle, const Point& p, Re
 /// be off by the tolerance along each axis. Moving a polygon's corners by at most t per axis keeps
 /// every point inside whose distance from its boundary exceeds t per axis, and covers none that is
 /// farther than t from the polygon.
-Decision decide_cut(const TriangleSetup& triangle, const Point& p) {
+SampleVerdict decide_cut(const TriangleSetup& triangle, const Point& p) {
   const Scene& scene = *triangle.scene;
   const Reason cut = triangle.has_nonpositive_w ? Reason::nonpositive_w : Reason::clip_edge;
   if (triangle.ideal.orientation() == 0) return decide_cut_degenerate(triangle, p, cut);
@@ -279,7 +288,7 @@ Field signed_square_distance(const Line& line, const Ring& value) {
 
 }  // namespace
 
-Decision decide_point(const TriangleSetup& triangle, const Point& p) {
+SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p) {
   switch (triangle.shape) {
     case Shape::exact:
       return decide_exact(triangle, p);
@@ -291,7 +300,7 @@ Decision decide_point(const TriangleSetup& triangle, const Point& p) {
   return decide_cut(triangle, p);
 }
 
-Decision decide(const TriangleSetup& triangle, int x, int y, int sample) {
+SampleVerdict decide(const TriangleSetup& triangle, int x, int y, int sample) {
   const Scene& scene = *triangle.scene;
   const PixelBox& box = scene.pixels();
   if (x < box.x0 || x >= box.x1 || y < box.y0 || y >= box.y1) {
@@ -300,7 +309,7 @@ Decision decide(const TriangleSetup& triangle, int x, int y, int sample) {
   const Point p = scene.sample_point(x, y, sample);
   const ViewportSide side = scene.viewport_side(p);
   if (side == ViewportSide::outside) return {Verdict::forbidden, Reason::viewport};
-  const Decision decision = decide_point(triangle, p);
+  const SampleVerdict decision = decide_point(triangle, p);
   if (side == ViewportSide::far_border && decision.verdict == Verdict::required) {
     return {Verdict::permitted, Reason::clip_edge};
   }
@@ -309,7 +318,7 @@ Decision decide(const TriangleSetup& triangle, int x, int y, int sample) {
 
 std::optional<records::Enclosure> boundary_distance(const TriangleSetup& triangle, const Point& p) {
   const ProjectiveMap& map =
-      triangle.placements.size() == 1 ? triangle.placements.front() : triangle.ideal;
+      triangle.corner_placements.size() == 1 ? triangle.corner_placements.front() : triangle.ideal;
   if (map.orientation() == 0) return std::nullopt;
 
   std::vector<Line> boundaries{map.edge(0), map.edge(1), map.edge(2)};

@@ -10,16 +10,11 @@
 
 namespace rastercheck::oracle {
 
-struct Decision {
-  records::Verdict verdict = records::Verdict::forbidden;
-  records::Reason reason = records::Reason::outside;
-};
-
 /// The verdict of a sample of any pixel, drawn as the scene's contract allows.
-Decision decide(const TriangleSetup& triangle, int x, int y, int sample);
+records::SampleVerdict decide(const TriangleSetup& triangle, int x, int y, int sample);
 
 /// The verdict of a point as if it were a sample, whatever viewport and scissor say.
-Decision decide_point(const TriangleSetup& triangle, const Point& p);
+records::SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p);
 
 /// The signed distance from a point to the boundary that decides it, in pixels: the least over all
 /// edges, clip functionals and viewport sides, positive inside. Of a triangle with several

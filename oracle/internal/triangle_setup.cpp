@@ -101,20 +101,27 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
     return;
   }
 
-  const auto maps = [this, &snapping](bool corners_only) {
-    std::array<std::vector<RingVector3>, 3> choices;
-    for (std::size_t i = 0; i < 3; ++i) {
-      choices[i] = placed_columns(*snapped[i], snapping.subpixel_bits, corners_only);
-    }
-    return placed_maps(choices);
-  };
-  corner_placements = maps(true);
-  // The product of three counts may exceed a long; the largest alone settles it first.
+  corner_placements = placed(true);
+}
+
+std::vector<ProjectiveMap> TriangleSetup::placed(bool corners_only) const {
+  std::array<std::vector<RingVector3>, 3> choices;
+  for (std::size_t i = 0; i < 3; ++i) {
+    choices[i] =
+        placed_columns(*snapped[i], scene->contract().coverage->subpixel_bits, corners_only);
+  }
+  return placed_maps(choices);
+}
+
+const std::vector<ProjectiveMap>* TriangleSetup::placements() const {
+  // In double, because the product of six counts may exceed a long.
   double count = 1;
   for (const auto& vertex : snapped) {
     count *= static_cast<double>(vertex->x.count()) * static_cast<double>(vertex->y.count());
   }
-  if (count <= kMostPlacements) placements = maps(false);
+  if (count > kMostPlacements) return nullptr;
+  if (!placements_) placements_ = placed(false);
+  return &*placements_;
 }
 
 FieldRange TriangleSetup::extent(Eigen::Index axis) const {

@@ -46,10 +46,12 @@ struct TriangleSetup {
 
   /// Shape placed and cut: the grid points of each vertex that is not clipped.
   std::array<std::optional<SnappedVertex>, 3> snapped;
-  /// Shape placed: the maps of all placements; empty where they are more than kMostPlacements.
-  std::vector<ProjectiveMap> placements;
-  /// Shape placed: the maps of the extreme placements (at most 64).
+  /// Shape placed: the maps of the extreme placements (at most 64); one where there is one
+  /// placement.
   std::vector<ProjectiveMap> corner_placements;
+  /// Shape placed: the maps of all placements, made when first asked for; nullptr where they are
+  /// more than kMostPlacements.
+  const std::vector<ProjectiveMap>* placements() const;
 
   /// Shape cut: how far a boundary that was cut may be off, per axis, in pixels.
   Ring tolerance;
@@ -74,6 +76,9 @@ struct TriangleSetup {
   void set_up_clipping();
   void set_up_snapping(const cases::Snapping& snapping);
   bool is_deeper_than_reach() const;
+  std::vector<ProjectiveMap> placed(bool corners_only) const;
+
+  mutable std::optional<std::vector<ProjectiveMap>> placements_;
   bool is_vertex_clipped(std::size_t corner) const;
 };
 

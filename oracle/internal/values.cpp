@@ -94,8 +94,8 @@ Quantity TriangleValues::quantity(std::size_t attribute) const {
 const ProjectiveMap* TriangleValues::single_map() const {
   const cases::Basis basis = triangle_->scene->contract().basis;
   if (triangle_->shape == Shape::exact || basis == cases::Basis::ideal) return &triangle_->ideal;
-  if (basis == cases::Basis::snapped && triangle_->placements.size() == 1) {
-    return &triangle_->placements.front();
+  if (basis == cases::Basis::snapped && triangle_->corner_placements.size() == 1) {
+    return &triangle_->corner_placements.front();
   }
   return nullptr;
 }

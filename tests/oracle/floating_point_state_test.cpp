@@ -66,12 +66,12 @@ TEST(FloatingPointState, SubnormalsCountWhenTheProcessorFlushesThem) {
   _mm_setcsr(before | kFlushToZero | kDenormalsAreZero);
   const SceneTruth scene(c, cases::contract_of(c));
   const TriangleTruth truth(scene, 0);
-  const Judgment judgment = truth.judge(3, 3, 0);
+  const records::SampleVerdict decision = truth.judge(3, 3, 0);
   const Rational value = truth.attribute(0, 3, 3, 0)->lo;
   const auto nearest = std::bit_cast<std::uint32_t>(value.nearest_float());
   const bool referee_covers = referee(c, 0, 3, 3, 0).has_value();
   _mm_setcsr(before);
-  EXPECT_EQ(judgment.verdict, records::Verdict::required);
+  EXPECT_EQ(decision.verdict, records::Verdict::required);
   EXPECT_EQ(value, Rational(0x1p-149));
   EXPECT_EQ(nearest, 1U);
   EXPECT_TRUE(referee_covers);

@@ -18,7 +18,7 @@ std::vector<Fragment> fast_fragments(const cases::Case& c) {
   const SceneTruth scene(c, cases::contract_of(c));
   for_each_fragment(scene, [&fragments](const Fragment& f, const TriangleTruth&) {
     // The referee knows no third answer; the far border of the viewport is its only source here.
-    if (f.judgment.verdict == records::Verdict::required) fragments.push_back(f);
+    if (f.decision.verdict == records::Verdict::required) fragments.push_back(f);
     return true;
   });
   return fragments;

@@ -253,7 +253,7 @@ TEST(Seed002, HandClippedPolygonHasTheFragmentsOfTheUnclippedTriangle) {
     std::map<std::pair<int, int>, Values> found;
     const SceneTruth scene(c, cases::contract_of(c));
     for_each_fragment(scene, [&](const Fragment& f, const TriangleTruth&) {
-      EXPECT_EQ(f.judgment.verdict, records::Verdict::required);
+      EXPECT_EQ(f.decision.verdict, records::Verdict::required);
       const bool is_new =
           found
               .insert({{f.x, f.y},

@@ -54,7 +54,7 @@ cases::Case near_column(const cases::Coverage& coverage, cases::Basis basis) {
   return c;
 }
 
-Judgment judge(const cases::Case& c, int x, int y) {
+records::SampleVerdict judge(const cases::Case& c, int x, int y) {
   const SceneTruth scene(c, cases::contract_of(c));
   return TriangleTruth(scene, 0).judge(x, y, 0);
 }

@@ -114,8 +114,9 @@ RC_GTEST_PROP(ToDecimal, GivesTheMostDigitsThatEveryNumberBetweenTheEndsRoundsTo
   const auto digits = *rc::gen::inRange(1, 18);
   const bool negative = *rc::gen::arbitrary<bool>();
   const std::int64_t width = (std::int64_t{1} << width_bits) - 1;
+  const std::int64_t half_width = width / 2;
   const double lo = std::ldexp(static_cast<double>(mantissa), exponent);
-  const double middle = std::ldexp(static_cast<double>(mantissa + width / 2), exponent);
+  const double middle = std::ldexp(static_cast<double>(mantissa + half_width), exponent);
   const double hi = std::ldexp(static_cast<double>(mantissa + width), exponent);
   const std::string text = negative ? to_decimal({-hi, -lo}, digits) : to_decimal({lo, hi}, digits);
 

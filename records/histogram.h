@@ -1,0 +1,81 @@
+#pragma once
+
+// How often errors of which size were seen. The buckets are the same in every histogram, so that
+// any two merge by adding counts, exactly and in any order.
+//
+// Borders. With b_k = 2^(k/8 - 20), k = 0…480, eight to an octave from 2^-20 to 2^40:
+//
+//   bucket 0       exactly 0
+//   bucket 1       0 < m <= b_0
+//   bucket 1 + k   b_(k-1) < m <= b_k      k = 1…480
+//   bucket 482     b_480 < m
+//
+// and a count for what is not finite. A border that is no power of two is the double that chains of
+// correctly rounded square roots give, within one unit in the last place of the true one; the eight
+// of an octave stand in a table, and all others are these times a power of two, which is exact. No
+// pow or log of a library is asked, and so the borders are the same on all machines.
+//
+// A bucket holds its upper border, not its lower one: the errors of correctly rounded values end at
+// 1/2 ULP, and their quantiles then do too. It also makes counting exact: as borders are doubles, a
+// magnitude and the least double that is not below it lie in the same bucket.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "records/enclosure.h"
+
+namespace rastercheck::records {
+
+/// A histogram of magnitudes |error|, in the unit that its owner names (ULP for floats).
+class Histogram {
+ public:
+  static constexpr int kBucketsPerOctave = 8;
+  static constexpr int kLeastExponent = -20;    ///< b_0 = 2^kLeastExponent
+  static constexpr int kGreatestExponent = 40;  ///< the last border is 2^kGreatestExponent
+  static constexpr std::size_t kBorderCount =
+      1 + std::size_t{kBucketsPerOctave} * (kGreatestExponent - kLeastExponent);
+  static constexpr std::size_t kZeroBucket = 0;
+  static constexpr std::size_t kOverflowBucket = 1 + kBorderCount;
+  static constexpr std::size_t kBucketCount = kOverflowBucket + 1;
+
+  /// The bucket of a finite magnitude; its sign is ignored.
+  static std::size_t bucket_of(double magnitude);
+  /// A bucket's borders. Magnitudes in it are at most `hi` and, but for the zero bucket, above
+  /// `lo`; `hi` of the overflow bucket is infinite.
+  static Enclosure borders(std::size_t bucket);
+
+  /// Counts one magnitude, given exactly or rounded up (magnitude_bound of an error's enclosure);
+  /// its sign is ignored. NaN and infinities go to non_finite().
+  void add(double magnitude);
+  /// Counts `times` magnitudes of a bucket below kBucketCount, or of none that is finite.
+  void add_to_bucket(std::size_t bucket, std::uint64_t times);
+  void add_non_finite(std::uint64_t times);
+
+  /// Adds the counts of the other histogram.
+  void merge(const Histogram& other);
+
+  /// How many finite magnitudes were counted.
+  std::uint64_t count() const;
+  std::uint64_t count_in(std::size_t bucket) const { return counts_[bucket]; }
+  /// How many were counted that are not finite. No quantile sees them: they have no size.
+  std::uint64_t non_finite() const { return non_finite_; }
+
+  /// The borders of the bucket that holds the p-quantile of the finite magnitudes: the least of
+  /// them that a share p of all does not exceed, which is the one of rank max(1, ceil(p·count()))
+  /// with the product rounded to double. Exact, [0, 0], where it is zero. p is in [0, 1]; 1 asks
+  /// for the largest. Nothing where nothing finite was counted.
+  std::optional<Enclosure> quantile(double p) const;
+
+  bool operator==(const Histogram&) const = default;
+
+ private:
+  std::array<std::uint64_t, kBucketCount> counts_{};
+  std::uint64_t non_finite_ = 0;
+};
+
+/// The least double known not to be below |x|, x the enclosed number: what Histogram::add takes.
+double magnitude_bound(const Enclosure& enclosure);
+
+}  // namespace rastercheck::records

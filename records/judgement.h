@@ -1,0 +1,123 @@
+#pragma once
+
+// What holding one framebuffer against the truth gives, as plain data.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "records/enclosure.h"
+#include "records/histogram.h"
+
+namespace rastercheck::records {
+
+/// What was judged of the fragments: whether they are there at all, or one of their values, by the
+/// way it varies. The kind decides the unit of its errors (RULES §5).
+enum class AttributeKind {
+  coverage,       ///< samples drawn or not; has no errors, only classes
+  depth,          ///< ULP of max(|n|, |f|), or steps of a fixed-point target
+  smooth,         ///< scale ULP
+  noperspective,  ///< scale ULP
+  flat,           ///< scale ULP
+};
+
+/// How one fragment, or one value of it, came out. Those that are no numbers are classes of their
+/// own and have no error. A value whose exact one rounds beyond float32 is correct as infinity of
+/// that sign, and beyond_bound as anything finite.
+enum class FragmentClass {
+  correct,             ///< drawn rightly; the value is within the bound
+  beyond_bound,        ///< a number, but farther from the exact value than the bound
+  missing,             ///< required and not drawn
+  extra,               ///< drawn and forbidden
+  wrong_triangle,      ///< drawn, but not from the nearest triangle (depth test only)
+  not_a_number,        ///< NaN
+  infinite,            ///< infinite where float32 holds the exact value, or of the wrong sign
+  wrong_sign_of_zero,  ///< the other zero, where all vertex values are the same zero
+};
+
+/// The words that JSON output and tables use, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 5> kAttributeKindWords{"coverage", "depth", "smooth",
+                                                                     "noperspective", "flat"};
+inline constexpr std::array<std::string_view, 8> kFragmentClassWords{
+    "correct",        "beyond bound", "missing",  "extra",
+    "wrong triangle", "not a number", "infinite", "wrong sign of zero"};
+
+constexpr std::string_view to_string(AttributeKind kind) {
+  return kAttributeKindWords[static_cast<std::size_t>(kind)];
+}
+constexpr std::string_view to_string(FragmentClass fragment_class) {
+  return kFragmentClassWords[static_cast<std::size_t>(fragment_class)];
+}
+
+/// How many fragments, or values of them, came out in each class.
+struct ClassCounts {
+  std::array<std::uint64_t, kFragmentClassWords.size()> counts{};  ///< [FragmentClass]
+
+  std::uint64_t& operator[](FragmentClass fragment_class) {
+    return counts[static_cast<std::size_t>(fragment_class)];
+  }
+  std::uint64_t operator[](FragmentClass fragment_class) const {
+    return counts[static_cast<std::size_t>(fragment_class)];
+  }
+  bool operator==(const ClassCounts&) const = default;
+};
+
+/// One error that was seen, where, and of what.
+struct WorstError {
+  /// (actual − exact) in the unit of its kind, signed. It is to depend on nothing but the fragment
+  /// (so: as narrow as doubles get, not as narrow as some comparison needed), or records of
+  /// different splits of the work would differ.
+  Enclosure error;
+  /// The exact value: a fraction in lowest terms, "84/5", or a range of two where the contract
+  /// leaves it open.
+  std::string exact;
+  /// What the backend gave; finite, as all that is not is a class.
+  float actual = 0;
+  std::uint64_t case_index = 0;  ///< of its law and seed
+  std::string case_name;         ///< empty where the case has none
+  std::uint32_t triangle = 0;    ///< index into the case's triangles
+  std::uint32_t x = 0;           ///< pixels
+  std::uint32_t y = 0;           ///< pixels
+  std::uint32_t sample = 0;      ///< index into the sample pattern
+  /// Index into the case's attributes; nothing for depth.
+  std::optional<std::uint32_t> attribute;
+  bool operator==(const WorstError&) const = default;
+};
+
+/// The largest error below and above the exact values; nothing where there was none on that side.
+struct Extremes {
+  std::optional<WorstError> most_negative;
+  std::optional<WorstError> most_positive;
+  bool operator==(const Extremes&) const = default;
+};
+
+/// Samples by verdict. `undecided` is what the oracle could not answer; a run prints it, and it is
+/// zero.
+struct Counts {
+  std::uint64_t required = 0;
+  std::uint64_t forbidden = 0;
+  std::uint64_t permitted = 0;
+  std::uint64_t undecided = 0;
+  bool operator==(const Counts&) const = default;
+};
+
+/// The errors of one attribute kind, in its unit.
+struct ErrorStatistics {
+  Histogram histogram;  ///< of |error|
+  Extremes extremes;
+  ClassCounts classes;
+  bool operator==(const ErrorStatistics&) const = default;
+};
+
+/// What judging one framebuffer gives; only kinds that the case has appear.
+struct Judgement {
+  Counts counts;
+  std::map<AttributeKind, ErrorStatistics> errors;
+  bool operator==(const Judgement&) const = default;
+};
+
+}  // namespace rastercheck::records

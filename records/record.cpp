@@ -1,0 +1,122 @@
+#include "records/record.h"
+
+#include <optional>
+#include <tuple>
+
+namespace rastercheck::records {
+namespace {
+
+/// Both ends of an error's magnitude, the one farther from zero first: of two errors, that with the
+/// larger pair is the larger. Of enclosures as narrow as doubles get, either end alone never
+/// contradicts the exact order.
+struct Extent {
+  double far;
+  double near;
+};
+
+std::strong_ordering operator<=>(const Extent& a, const Extent& b) {
+  // std::strong_order is IEEE 754's total order: it leaves no two doubles incomparable.
+  const auto by_far = std::strong_order(a.far, b.far);
+  return by_far != 0 ? by_far : std::strong_order(a.near, b.near);
+}
+
+enum class Side { negative, positive };
+
+Extent extent_of(const Enclosure& error, Side side) {
+  return side == Side::positive ? Extent{error.hi, error.lo} : Extent{-error.lo, -error.hi};
+}
+
+auto place_of(const WorstError& error) {
+  return std::tie(error.case_index, error.case_name, error.triangle, error.y, error.x, error.sample,
+                  error.attribute, error.exact);
+}
+
+/// Whether `a` is to be kept rather than `b`. A strict total order: neither of two is only where
+/// they are the same, bit by bit.
+bool goes_before(const WorstError& a, const WorstError& b, Side side) {
+  const auto by_size = extent_of(a.error, side) <=> extent_of(b.error, side);
+  if (by_size != 0) return by_size > 0;
+  const auto by_place = place_of(a) <=> place_of(b);
+  if (by_place != 0) return by_place < 0;
+  return std::strong_order(a.actual, b.actual) < 0;
+}
+
+void keep(std::optional<WorstError>& kept, const WorstError& error, Side side) {
+  if (!kept || goes_before(error, *kept, side)) kept = error;
+}
+
+bool may_keep(const std::optional<WorstError>& kept, const Enclosure& error, Side side) {
+  return !kept || (extent_of(error, side) <=> extent_of(kept->error, side)) >= 0;
+}
+
+bool is_on(Side side, const Enclosure& error) { return extent_of(error, side).far > 0; }
+
+void add(std::map<std::string, std::uint64_t>& into,
+         const std::map<std::string, std::uint64_t>& from) {
+  for (const auto& [name, count] : from) into[name] += count;
+}
+
+}  // namespace
+
+void keep(Extremes& extremes, const WorstError& error) {
+  if (is_on(Side::negative, error.error)) keep(extremes.most_negative, error, Side::negative);
+  if (is_on(Side::positive, error.error)) keep(extremes.most_positive, error, Side::positive);
+}
+
+bool may_keep(const Extremes& extremes, const Enclosure& error) {
+  return (is_on(Side::negative, error) &&
+          may_keep(extremes.most_negative, error, Side::negative)) ||
+         (is_on(Side::positive, error) && may_keep(extremes.most_positive, error, Side::positive));
+}
+
+void add(RecordSet& into, RecordKey key, const Judgement& judgement) {
+  key.attribute_kind = AttributeKind::coverage;
+  merge(into[key].counts, judgement.counts);
+  for (const auto& [kind, errors] : judgement.errors) {
+    key.attribute_kind = kind;
+    merge(into[key].errors, errors);
+  }
+}
+
+void merge(Counts& into, const Counts& from) {
+  into.required += from.required;
+  into.forbidden += from.forbidden;
+  into.permitted += from.permitted;
+  into.undecided += from.undecided;
+}
+
+void merge(CaseCounts& into, const CaseCounts& from) {
+  into.checked += from.checked;
+  into.not_applicable += from.not_applicable;
+  into.violations += from.violations;
+}
+
+void merge(ClassCounts& into, const ClassCounts& from) {
+  for (std::size_t i = 0; i < into.counts.size(); ++i) into.counts[i] += from.counts[i];
+}
+
+void merge(Extremes& into, const Extremes& from) {
+  // Side by side: an enclosure may hold zero, and then belongs to one side only by choice.
+  if (from.most_negative) keep(into.most_negative, *from.most_negative, Side::negative);
+  if (from.most_positive) keep(into.most_positive, *from.most_positive, Side::positive);
+}
+
+void merge(ErrorStatistics& into, const ErrorStatistics& from) {
+  into.histogram.merge(from.histogram);
+  merge(into.extremes, from.extremes);
+  merge(into.classes, from.classes);
+}
+
+void merge(Record& into, const Record& from) {
+  merge(into.cases, from.cases);
+  merge(into.counts, from.counts);
+  merge(into.errors, from.errors);
+  add(into.labels, from.labels);
+  add(into.decided_at, from.decided_at);
+}
+
+void merge(RecordSet& into, const RecordSet& from) {
+  for (const auto& [key, record] : from) merge(into[key], record);
+}
+
+}  // namespace rastercheck::records

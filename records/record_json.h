@@ -1,0 +1,40 @@
+#pragma once
+
+// Records as JSON:
+//
+//   [{"law": "…", "backend": "cpu", "attribute_kind": "smooth", "stratum": "…",
+//     "cases": {"checked": 7, "not_applicable": 0, "violations": 1},
+//     "counts": {"required": 9, "forbidden": 90, "permitted": 1, "undecided": 0},
+//     "classes": {"correct": 8, "beyond bound": 1, …},
+//     "histogram": {"buckets": [[0, 5], [155, 4]], "non_finite": 0},
+//     "most_negative": {"error": [-0.5, -0.5], "exact": "84/5", "actual": "0x1.0cccccp+4",
+//                       "case": {"index": 3, "name": "…"},
+//                       "triangle": 0, "x": 3, "y": 5, "sample": 0, "attribute": 0},
+//     "labels": {"tie": 4}, "decided_at": {"filter": 100}}]
+//
+// The array is ordered by key. A bucket is [its number (histogram.h), its count]; empty ones are
+// left out. "most_negative" and "most_positive" are absent where there is no such error, and its
+// "attribute" for depth. The doubles of "error" are numbers in decimals that read back as the same
+// double (nlohmann writes no more than 17 digits, without asking the locale); an infinite end is
+// "inf" or "-inf". The float32 of "actual" is a hex float, as in all files. Objects list their
+// keys alphabetically, so that equal records give equal bytes.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "cases/error.h"
+#include "records/record.h"
+
+namespace rastercheck::records {
+
+/// The records as a JSON array. Texts are UTF-8 and every `actual` is finite.
+nlohmann::json records_to_json(const RecordSet& records);
+
+/// The records that a document by cases::parse_json holds. `pointer` is where in `file` the array
+/// stands (a JSON pointer; "" for the whole document), so that errors name their place in the file.
+/// Unknown and missing keys, numbers that their members cannot hold exactly and two records of one
+/// key are refused.
+Result<RecordSet> records_from_json(const nlohmann::json& array, const std::string& file,
+                                    const std::string& pointer = "");
+
+}  // namespace rastercheck::records

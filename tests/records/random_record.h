@@ -1,0 +1,136 @@
+#pragma once
+
+// Random records for laws about merging and JSON. One draw per statement: the order of draws in one
+// expression differs between compilers.
+
+#include <rapidcheck.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "records/record.h"
+
+namespace rastercheck::records {
+
+template <typename T>
+T one_of(const std::vector<T>& choices) {
+  return choices[*rc::gen::inRange<std::size_t>(0, choices.size())];
+}
+
+/// Any finite double, by its bits: exponents are as likely at the ends as in the middle.
+inline double any_finite_double() {
+  const auto bits = *rc::gen::arbitrary<std::uint64_t>();
+  const auto value = std::bit_cast<double>(bits);
+  return std::isfinite(value) ? value : std::bit_cast<double>(bits & 0xbfffffffffffffffU);
+}
+
+inline float any_finite_float() {
+  const auto bits = *rc::gen::arbitrary<std::uint32_t>();
+  const auto value = std::bit_cast<float>(bits);
+  return std::isfinite(value) ? value : std::bit_cast<float>(bits & 0xbfffffffU);
+}
+
+/// An error that often is as large as another one: few ends, either sign, exact or not.
+inline Enclosure random_error() {
+  const double end = one_of<double>({0, 0.25, 0.5, 0.5, 1, 4});
+  const bool is_exact = *rc::gen::arbitrary<bool>();
+  const bool is_negative = *rc::gen::arbitrary<bool>();
+  const double other = is_exact ? end : std::nextafter(end, 0);
+  return is_negative ? Enclosure{-end, -other} : Enclosure{other, end};
+}
+
+/// A WorstError whose every member often is that of another one.
+inline WorstError random_worst() {
+  WorstError worst;
+  worst.error = random_error();
+  worst.exact = one_of<std::string>({"0", "84/5", "-1/3"});
+  worst.actual = one_of<float>({0.0F, -0.0F, 1.5F});
+  worst.case_index = *rc::gen::inRange<std::uint64_t>(0, 3);
+  worst.case_name = one_of<std::string>({"", "sliver"});
+  worst.triangle = *rc::gen::inRange<std::uint32_t>(0, 2);
+  worst.x = *rc::gen::inRange<std::uint32_t>(0, 2);
+  worst.y = *rc::gen::inRange<std::uint32_t>(0, 2);
+  worst.sample = *rc::gen::inRange<std::uint32_t>(0, 2);
+  if (*rc::gen::arbitrary<bool>()) worst.attribute = *rc::gen::inRange<std::uint32_t>(0, 2);
+  return worst;
+}
+
+inline FragmentClass random_class() {
+  return static_cast<FragmentClass>(*rc::gen::inRange<std::size_t>(0, kFragmentClassWords.size()));
+}
+
+inline RecordKey random_key() {
+  RecordKey key;
+  key.law = one_of<std::string>({"coverage is exact", "errors are bounded"});
+  key.backend = one_of<std::string>({"cpu", "method:float32"});
+  key.attribute_kind = one_of<AttributeKind>({AttributeKind::depth, AttributeKind::smooth});
+  key.stratum = one_of<std::string>({"sliver", "grid"});
+  return key;
+}
+
+/// What one fragment of one case adds to the records.
+struct Observation {
+  RecordKey key;
+  WorstError worst;
+  FragmentClass fragment_class = FragmentClass::correct;
+  double magnitude = 0;  ///< of another value; may be infinite
+  std::string label;
+  bool is_violation = false;
+};
+
+inline Observation random_observation() {
+  Observation observation;
+  observation.key = random_key();
+  observation.worst = random_worst();
+  observation.fragment_class = random_class();
+  observation.magnitude =
+      *rc::gen::inRange(0, 8) == 0 ? std::numeric_limits<double>::infinity() : any_finite_double();
+  observation.label = one_of<std::string>({"tie", "w <= 0", "clipped"});
+  observation.is_violation = *rc::gen::arbitrary<bool>();
+  return observation;
+}
+
+inline void add(RecordSet& records, const Observation& observation) {
+  Judgement judgement;
+  ++judgement.counts.required;
+  ErrorStatistics& errors = judgement.errors[observation.key.attribute_kind];
+  errors.histogram.add(magnitude_bound(observation.worst.error));
+  errors.histogram.add(observation.magnitude);
+  keep(errors.extremes, observation.worst);
+  ++errors.classes[observation.fragment_class];
+  add(records, observation.key, judgement);
+
+  RecordKey key = observation.key;
+  key.attribute_kind = AttributeKind::coverage;
+  Record& record = records[key];
+  ++record.cases.checked;
+  record.cases.violations += observation.is_violation ? 1 : 0;
+  ++record.labels[observation.label];
+  ++record.decided_at["exact"];
+}
+
+inline std::vector<Observation> random_observations() {
+  std::vector<Observation> observations;
+  const auto count = *rc::gen::inRange<std::size_t>(0, 12);
+  observations.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) observations.push_back(random_observation());
+  return observations;
+}
+
+inline RecordSet records_of(const std::vector<Observation>& observations) {
+  RecordSet records;
+  for (const Observation& observation : observations) add(records, observation);
+  return records;
+}
+
+inline RecordSet merged(RecordSet a, const RecordSet& b) {
+  merge(a, b);
+  return a;
+}
+
+}  // namespace rastercheck::records
