@@ -110,7 +110,7 @@ TEST(Extremes, OfEqualErrorsTheFirstPlaceWins) {
       {[](WorstError& e) { e.sample = 4; }, [](WorstError& e) { e.sample = 6; }},
       {[](WorstError& e) { e.attribute = std::nullopt; }, [](WorstError& e) { e.attribute = 6; }},
       {[](WorstError& e) { e.exact = "4"; }, [](WorstError& e) { e.exact = "6"; }},
-      {[](WorstError& e) { e.actual = -0.0F; }, [](WorstError& e) { e.actual = 0.0F; }},
+      {[](WorstError& e) { e.actual = 4; }, [](WorstError& e) { e.actual = 6; }},
   };
   for (std::size_t i = 0; i < members.size(); ++i) {
     // First in member i, last in all that are compared after it.
