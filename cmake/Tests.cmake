@@ -1,10 +1,11 @@
 # rastercheck_tests(FOLDER SOURCES…): the GoogleTest program of one folder's tests, each test a
-# CTest test labelled with the folder. It sees the folder's internal headers, as only it may.
+# CTest test labelled with the folder. It sees the folder's internal headers, as only it may. The whole
+# library is linked, so that nothing that registers itself is dropped.
 include(GoogleTest)
 function(rastercheck_tests folder)
   add_executable(rastercheck_tests_${folder} ${ARGN})
   target_link_libraries(rastercheck_tests_${folder} PRIVATE
-    RasterCheck::${folder} rapidcheck GTest::gmock GTest::gtest_main)
+    $<LINK_LIBRARY:WHOLE_ARCHIVE,RasterCheck::${folder}> rapidcheck GTest::gmock GTest::gtest_main)
   target_compile_definitions(rastercheck_tests_${folder} PRIVATE
     RASTERCHECK_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(rastercheck_tests_${folder}

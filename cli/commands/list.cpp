@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "backends/backend.h"
 #include "cases/names.h"
 #include "cases/sample_pattern.h"
 #include "cli/command.h"
@@ -23,6 +24,29 @@ struct Kind {
 };
 
 std::vector<ordered_json> no_rows() { return {}; }
+
+std::vector<ordered_json> backend_rows() {
+  std::vector<ordered_json> rows;
+  for (const backends::Listing& listing : backends::list_backends()) {
+    rows.push_back({{"name", listing.specification},
+                    {"available", listing.unavailable_because.empty()},
+                    {"summary", listing.summary},
+                    {"why not", listing.unavailable_because}});
+  }
+  return rows;
+}
+
+/// The textbook methods are the backends of one kind.
+std::vector<ordered_json> method_rows() {
+  constexpr std::string_view kPrefix = "method:";
+  std::vector<ordered_json> rows;
+  for (const backends::Listing& listing : backends::list_backends()) {
+    if (!listing.specification.starts_with(kPrefix)) continue;
+    rows.push_back(
+        {{"name", listing.specification.substr(kPrefix.size())}, {"source", listing.summary}});
+  }
+  return rows;
+}
 
 std::vector<ordered_json> rules_rows() {
   std::vector<ordered_json> rows;
@@ -44,9 +68,9 @@ std::vector<ordered_json> pattern_rows() {
   return rows;
 }
 
-constexpr std::array<Kind, 5> kKinds{{{"backends", &no_rows},
+constexpr std::array<Kind, 5> kKinds{{{"backends", &backend_rows},
                                       {"properties", &no_rows},
-                                      {"methods", &no_rows},
+                                      {"methods", &method_rows},
                                       {"rules", &rules_rows},
                                       {"patterns", &pattern_rows}}};
 

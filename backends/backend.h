@@ -1,0 +1,61 @@
+#pragma once
+
+// Anything that can draw a case. A kind of backend is one file that registers itself:
+//
+//   const BackendRegistration kRegistration({"name", "what it is", &make, &names});
+//
+// A backend is asked for by its specification, KIND or KIND:OPTIONS, as `method:rational-linear`.
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/case.h"
+#include "cases/contract.h"
+#include "cases/error.h"
+#include "cases/framebuffer.h"
+
+namespace rastercheck::backends {
+
+class Backend {
+ public:
+  Backend() = default;
+  Backend(const Backend&) = delete;
+  Backend& operator=(const Backend&) = delete;
+  virtual ~Backend() = default;
+
+  /// What it promises about coverage and attributes under these rules; decides the verdicts.
+  virtual cases::Contract contract(const cases::Case& c) const = 0;
+
+  /// Draws a case without a camera (oracle/transform.h rounds one away). The error names what of
+  /// the case cannot be drawn.
+  virtual Result<cases::Framebuffer> draw(const cases::Case& c) = 0;
+};
+
+/// A backend that could be asked for, and whether it can run here.
+struct Listing {
+  std::string specification;
+  std::string summary;
+  std::string unavailable_because;  ///< empty where it can run
+};
+
+struct BackendKind {
+  std::string_view kind;
+  /// Fails where the options name nothing, or where it cannot run here.
+  Result<std::unique_ptr<Backend>> (*make)(const std::string& options);
+  std::vector<Listing> (*list)();
+};
+
+/// Makes the backend of a specification. The error's file is the specification.
+Result<std::unique_ptr<Backend>> make_backend(const std::string& specification);
+
+/// Everything that could be asked for, by kind.
+std::vector<Listing> list_backends();
+
+struct BackendRegistration {
+  explicit BackendRegistration(const BackendKind& kind);
+};
+
+}  // namespace rastercheck::backends

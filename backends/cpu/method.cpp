@@ -1,0 +1,31 @@
+// The backends `method:NAME`: the textbook methods, one by one.
+
+#include "rasterizer/methods/method.h"
+
+#include "backends/backend.h"
+#include "backends/cpu/rasterizer_backend.h"
+
+namespace rastercheck::backends {
+namespace {
+
+Result<std::unique_ptr<Backend>> make(const std::string& name) {
+  std::string known;
+  for (const rasterizer::Method& method : rasterizer::methods()) {
+    if (method.name == name) return make_rasterizer_backend(name);
+    known += (known.empty() ? "" : ", ") + std::string(method.name);
+  }
+  return tl::unexpected(Error{"method:" + name, "", "no method of that name; there are: " + known});
+}
+
+std::vector<Listing> list() {
+  std::vector<Listing> all;
+  for (const rasterizer::Method& method : rasterizer::methods()) {
+    all.push_back({"method:" + std::string(method.name), std::string(method.source), ""});
+  }
+  return all;
+}
+
+const BackendRegistration kRegistration({"method", &make, &list});
+
+}  // namespace
+}  // namespace rastercheck::backends

@@ -1,0 +1,176 @@
+#include "backends/cpu/rasterizer_backend.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "rasterizer/methods/method.h"
+#include "rasterizer/rasterizer.h"
+
+namespace rastercheck::backends {
+namespace {
+
+namespace ras = rasterizer;
+
+ras::Convention convention(cases::Rules rules) {
+  switch (rules) {
+    case cases::Rules::opengl:
+      return ras::Convention::opengl;
+    case cases::Rules::vulkan:
+      return ras::Convention::vulkan;
+    case cases::Rules::d3d:
+      break;
+  }
+  return ras::Convention::d3d;
+}
+
+ras::Cull cull(cases::Cull cull) {
+  switch (cull) {
+    case cases::Cull::none:
+      return ras::Cull::none;
+    case cases::Cull::back:
+      return ras::Cull::back;
+    case cases::Cull::front:
+      break;
+  }
+  return ras::Cull::front;
+}
+
+ras::Qualifier qualifier(const cases::Attribute& attribute) {
+  ras::Qualifier q;
+  switch (attribute.interpolation) {
+    case cases::Interpolation::smooth:
+      q.interpolation = ras::Interpolation::smooth;
+      break;
+    case cases::Interpolation::noperspective:
+      q.interpolation = ras::Interpolation::noperspective;
+      break;
+    case cases::Interpolation::flat:
+      q.interpolation = ras::Interpolation::flat;
+      break;
+  }
+  switch (attribute.location) {
+    case cases::Location::sample:
+      q.location = ras::Location::sample;
+      break;
+    case cases::Location::center:
+      q.location = ras::Location::center;
+      break;
+    case cases::Location::centroid:
+      q.location = ras::Location::centroid;
+      break;
+  }
+  return q;
+}
+
+ras::State state(const cases::Case& c) {
+  ras::State s;
+  s.convention = convention(c.rules);
+  s.viewport = {{c.viewport.x, c.viewport.y},
+                {c.viewport.width, c.viewport.height},
+                c.viewport.min_depth,
+                c.viewport.max_depth};
+  if (c.scissor) s.scissor = {{c.scissor->x, c.scissor->y}, {c.scissor->width, c.scissor->height}};
+  s.cull = cull(c.cull);
+  s.front_face = c.front_face == cases::FrontFace::ccw ? ras::FrontFace::ccw : ras::FrontFace::cw;
+  s.fill_rule = c.fill_rule == cases::TieRule::top_left ? ras::FillRule::top_left
+                                                        : ras::FillRule::bottom_left;
+  s.depth_clamp = c.depth_clamp;
+  for (const cases::Attribute& attribute : c.attributes) {
+    s.attributes.push_back(qualifier(attribute));
+  }
+  s.clip_distance_count = c.clip_distance_count;
+  return s;
+}
+
+/// The fragments that a depth test `less` leaves: of each sample the nearest, of equals the first
+/// drawn. Indices in ascending order.
+std::vector<std::size_t> nearest(const ras::Fragments& fragments) {
+  std::map<std::tuple<int, int, int>, std::size_t> best;
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const auto [entry, is_first] =
+        best.try_emplace({fragments.y[i], fragments.x[i], fragments.sample[i]}, i);
+    if (!is_first && fragments.depth[i] < fragments.depth[entry->second]) entry->second = i;
+  }
+  std::vector<std::size_t> kept;
+  kept.reserve(best.size());
+  for (const auto& [place, index] : best) kept.push_back(index);
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+cases::Framebuffer framebuffer(const ras::Fragments& fragments,
+                               const std::vector<std::size_t>& indices, std::size_t attributes) {
+  cases::Framebuffer result;
+  result.attribute_count = attributes;
+  for (const std::size_t i : indices) {
+    result.triangle.push_back(fragments.triangle[i]);
+    result.x.push_back(fragments.x[i]);
+    result.y.push_back(fragments.y[i]);
+    result.sample.push_back(fragments.sample[i]);
+    result.depth.push_back(fragments.depth[i]);
+    const auto first = fragments.attributes.begin() + static_cast<std::ptrdiff_t>(i * attributes);
+    result.attributes.insert(result.attributes.end(), first,
+                             first + static_cast<std::ptrdiff_t>(attributes));
+  }
+  return result;
+}
+
+/// What a rasterizer promises that clips, transforms and interpolates in double and rounds nothing
+/// to a grid. Its vertices lie within a few roundings of a double from the exact ones, at most
+/// 2^-50 of the guard band's 2^15 pixels: far below the 2^-24 pixels granted here.
+cases::Contract double_precision_contract() {
+  cases::Contract contract;
+  contract.coverage = cases::Snapping{16, cases::Rounding::unspecified, 0x1p-8F};
+  contract.basis = cases::Basis::unspecified;
+  contract.tie_rule = cases::TieRule::unspecified;
+  return contract;
+}
+
+Result<cases::Framebuffer> draw_with_rasterizer(const cases::Case& c, std::string_view method) {
+  std::vector<glm::vec4> positions;
+  positions.reserve(c.positions.size());
+  for (const cases::ClipVertex& p : c.positions) positions.emplace_back(p.x, p.y, p.z, p.w);
+  std::vector<glm::uvec3> triangles;
+  triangles.reserve(c.triangles.size());
+  for (const cases::Triangle& t : c.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+
+  const ras::State s = state(c);
+  const ras::Mesh mesh{positions, c.attribute_values, c.clip_distances, triangles};
+  const ras::TargetSize size{c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples};
+  ras::Fragments fragments;
+  const ras::DrawResult drawn = method.empty()
+                                    ? ras::draw_fragments(s, mesh, size, fragments)
+                                    : ras::draw_fragments_by(method, s, mesh, size, fragments);
+  if (drawn.error) {
+    return tl::unexpected(Error{"", "", std::string(ras::to_string(*drawn.error))});
+  }
+  std::vector<std::size_t> indices(fragments.size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  if (c.depth_test == cases::DepthTest::less) indices = nearest(fragments);
+  return framebuffer(fragments, indices, c.attributes.size());
+}
+
+class RasterizerBackend : public Backend {
+ public:
+  explicit RasterizerBackend(std::string method) : method_(std::move(method)) {}
+
+  cases::Contract contract(const cases::Case& /*c*/) const override {
+    return double_precision_contract();
+  }
+  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+    return draw_with_rasterizer(c, method_);
+  }
+
+ private:
+  std::string method_;
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_rasterizer_backend(const std::string& method) {
+  return std::make_unique<RasterizerBackend>(method);
+}
+
+}  // namespace rastercheck::backends

@@ -1,0 +1,16 @@
+#pragma once
+
+// The project's own rasterizer as a backend. This folder is the only place that knows both cases
+// and the rasterizer's own words.
+
+#include <memory>
+#include <string>
+
+#include "backends/backend.h"
+
+namespace rastercheck::backends {
+
+/// Draws with the rasterizer, or with one of its textbook methods where `method` is not empty.
+std::unique_ptr<Backend> make_rasterizer_backend(const std::string& method);
+
+}  // namespace rastercheck::backends

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rastercheck::cases {
+
+/// What a backend drew, raw: its fragments as a structure of arrays, ordered by triangle, y, x,
+/// sample. Each triangle as if drawn alone; with the case's depth test `less`, the nearest fragment
+/// of each sample instead.
+struct Framebuffer {
+  std::size_t attribute_count = 0;
+  std::vector<std::uint32_t> triangle;  ///< index into the case's triangles
+  std::vector<std::uint16_t> x;         ///< pixels
+  std::vector<std::uint16_t> y;         ///< pixels
+  std::vector<std::uint8_t> sample;     ///< index into the sample pattern
+  std::vector<float> depth;
+  std::vector<float> attributes;  ///< [fragment][attribute]
+
+  std::size_t size() const { return triangle.size(); }
+  std::span<const float> attributes_of(std::size_t fragment) const {
+    return std::span(attributes).subspan(fragment * attribute_count, attribute_count);
+  }
+};
+
+}  // namespace rastercheck::cases

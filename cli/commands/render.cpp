@@ -1,0 +1,94 @@
+// `rastercheck render CASE --backend B`: what a backend draws, as fragments.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "backends/backend.h"
+#include "cases/case_reader.h"
+#include "cases/float_text.h"
+#include "cases/json.h"
+#include "cli/command.h"
+#include "oracle/transform.h"
+
+namespace rastercheck::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  std::string backend = "cpu";
+  bool json = false;
+  bool quiet = false;
+};
+
+/// CONTRACT, `oracle` and `render` output.
+void print_json(const std::string& backend, const cases::Framebuffer& drawn) {
+  fmt::print(R"({{"format": "rastercheck-fragments", "version": 1, "backend": {}, "fragments": [)",
+             cases::json_string(backend));
+  for (std::size_t i = 0; i < drawn.size() && std::ferror(stdout) == 0; ++i) {
+    std::string attributes;
+    for (const float value : drawn.attributes_of(i)) {
+      attributes += fmt::format("{}\"{}\"", attributes.empty() ? "" : ", ", cases::to_hex(value));
+    }
+    fmt::print(
+        R"({}{{"triangle": {}, "x": {}, "y": {}, "sample": {}, "depth": "{}", "attributes": [{}]}})",
+        i == 0 ? "\n  " : ",\n  ", drawn.triangle[i], drawn.x[i], drawn.y[i], drawn.sample[i],
+        cases::to_hex(drawn.depth[i]), attributes);
+  }
+  fmt::print("\n]}}\n");
+}
+
+void print_table(const cases::Case& c, const cases::Framebuffer& drawn, bool quiet) {
+  constexpr std::string_view kRow = "{:>8} {:>5} {:>5} {:>3}  {:<15}";
+  if (!quiet) {
+    std::string header = fmt::format(kRow, "triangle", "x", "y", "s", "depth");
+    for (const cases::Attribute& a : c.attributes) {
+      header += fmt::format(" {:<15}", cases::printable(a.name));
+    }
+    header.erase(header.find_last_not_of(' ') + 1);
+    fmt::print("{}\n", header);
+  }
+  for (std::size_t i = 0; i < drawn.size() && std::ferror(stdout) == 0; ++i) {
+    std::string row = fmt::format(kRow, drawn.triangle[i], drawn.x[i], drawn.y[i], drawn.sample[i],
+                                  fmt::format("{:.9g}", drawn.depth[i]));
+    for (const float value : drawn.attributes_of(i)) {
+      row += fmt::format(" {:<15}", fmt::format("{:.9g}", value));
+    }
+    row.erase(row.find_last_not_of(' ') + 1);
+    fmt::print("{}\n", row);
+  }
+  if (!quiet) fmt::print("{} fragments\n", drawn.size());
+}
+
+ExitCode run(const Options& options) {
+  auto backend = backends::make_backend(options.backend);
+  if (!backend) return fail(backend.error());
+  Result<cases::Case> c = cases::read_case(options.file);
+  if (c) c = oracle::to_clip_case(*c, options.file);
+  if (!c) return fail(c.error());
+  const Result<cases::Framebuffer> drawn = (*backend)->draw(*c);
+  if (!drawn) return fail({options.file, drawn.error().place, drawn.error().reason});
+  if (options.json) {
+    print_json(options.backend, *drawn);
+  } else {
+    print_table(*c, *drawn, options.quiet);
+  }
+  return ExitCode::ok;
+}
+
+Action set_up(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("CASE", options->file, "Case file; - reads standard input")->required();
+  app.add_option("--backend", options->backend, "What draws it (see rastercheck list backends)")
+      ->capture_default_str();
+  app.add_flag("--json", options->json, "The fragments as JSON, values as hex floats");
+  app.add_flag("-q,--quiet", options->quiet, "No header and no summary");
+  app.footer("A case with a camera is drawn from its clip positions, rounded once to float32.");
+  return [options] { return run(*options); };
+}
+
+const Registration kRegistration("render", "What a backend draws, as fragments", &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

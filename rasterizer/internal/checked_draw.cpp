@@ -1,0 +1,83 @@
+#include "rasterizer/internal/checked_draw.h"
+
+#include <cmath>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <new>
+#include <stdexcept>
+
+#include "rasterizer/internal/standard_pattern.h"
+
+namespace rastercheck::rasterizer {
+namespace {
+
+bool is_depth(float value) { return 0 <= value && value <= 1; }
+
+bool is_viewport(const Viewport& viewport) {
+  return std::isfinite(viewport.origin.x) && std::isfinite(viewport.origin.y) &&
+         std::isfinite(viewport.size.x) && std::isfinite(viewport.size.y) &&
+         is_depth(viewport.min_depth) && is_depth(viewport.max_depth);
+}
+
+/// Cuts the fragments back to `size`; `attributes` is how many floats that is.
+void cut_back(Fragments& fragments, std::size_t size, std::size_t attributes) {
+  fragments.triangle.resize(size);
+  fragments.x.resize(size);
+  fragments.y.resize(size);
+  fragments.sample.resize(size);
+  fragments.depth.resize(size);
+  fragments.attributes.resize(attributes);
+}
+
+}  // namespace
+
+std::optional<Error> check_size(const TargetSize& size) {
+  if (size.width < 1 || size.width > kMaxSize) return Error::target_size;
+  if (size.height < 1 || size.height > kMaxSize) return Error::target_size;
+  if (standard_pattern(size.samples).empty()) return Error::sample_count;
+  return std::nullopt;
+}
+
+std::optional<Error> check_state(const State& state) {
+  if (!is_viewport(state.viewport)) return Error::viewport;
+  if (state.scissor.size.x < 0 || state.scissor.size.y < 0) return Error::scissor;
+  if (state.attributes.size() > kMaxAttributes) return Error::attribute_count;
+  if (state.clip_distance_count > kMaxClipDistances) return Error::clip_distance_count;
+  return std::nullopt;
+}
+
+std::optional<Error> check_mesh(const State& state, const Mesh& mesh) {
+  const std::size_t vertices = mesh.positions.size();
+  if (mesh.attributes.size() != vertices * state.attributes.size()) return Error::attribute_values;
+  if (mesh.clip_distances.size() != vertices * state.clip_distance_count) {
+    return Error::clip_distance_values;
+  }
+  for (const glm::uvec3& corner : mesh.triangles) {
+    if (corner.x >= vertices || corner.y >= vertices || corner.z >= vertices) return Error::index;
+  }
+  return std::nullopt;
+}
+
+DrawResult draw_checked(DrawFragments draw, const State& state, const Mesh& mesh,
+                        const TargetSize& size, Fragments& fragments) {
+  std::optional<Error> error = check_size(size);
+  if (!error) error = check_state(state);
+  if (!error) error = check_mesh(state, mesh);
+  if (error) return {error, {}};
+
+  const std::size_t before = fragments.size();
+  const std::size_t attributes_before = fragments.attributes.size();
+  std::optional<DrawCounts> counts;
+  try {
+    counts = draw(state, mesh, size, fragments);
+  } catch (const std::bad_alloc&) {
+    counts.reset();
+  } catch (const std::length_error&) {  // more than a vector can ever hold
+    counts.reset();
+  }
+  if (counts) return {std::nullopt, *counts};
+  cut_back(fragments, before, attributes_before);
+  return {Error::out_of_memory, {}};
+}
+
+}  // namespace rastercheck::rasterizer

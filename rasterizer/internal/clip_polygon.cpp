@@ -1,0 +1,168 @@
+// The mathematics. A plane is an affine functional d of the clip position, inside where d >= 0. On
+// an edge from a (inside, d_a >= 0) to b (outside, d_b < 0) it vanishes at
+//
+//   p = (d_a b − d_b a) / (d_a − d_b),
+//
+// for the position and every parameter alike. The formula names the inside end first, whichever way
+// the polygon runs, so that two triangles that share the edge get the same p, bit for bit. It is
+// preferred to a + t (b − a) because it rounds once, at the division, where the products and their
+// difference happen to be exact, as they are on coarse grids.
+//
+// Afterwards one coordinate of p is settled from the plane's own equation, which has no
+// cancellation: z on a depth plane, w on the guard band (where w may be G times smaller than at the
+// ends, and its error from the formula above as many times larger).
+
+#include "rasterizer/internal/clip_polygon.h"
+
+#include <utility>
+
+namespace rastercheck::rasterizer {
+namespace {
+
+/// The functional's zero between a and b; exactly their value where they are equal.
+double between(double a, double b, double d_a, double d_b) {
+  if (a == b) return a;
+  return (d_a * b - d_b * a) / (d_a - d_b);
+}
+
+ClipVertex cut(const ClipVolume& volume, const ClipVertex& a, const ClipVertex& b, double d_a,
+               double d_b) {
+  ClipVertex p;
+  p.x = between(a.x, b.x, d_a, d_b);
+  p.y = between(a.y, b.y, d_a, d_b);
+  p.z = between(a.z, b.z, d_a, d_b);
+  p.w = between(a.w, b.w, d_a, d_b);
+  for (std::size_t i = 0; i < volume.parameter_count; ++i) {
+    p.parameters[i] = between(a.parameters[i], b.parameters[i], d_a, d_b);
+  }
+  for (std::size_t i = 0; i < volume.distance_count; ++i) {
+    p.distances[i] = between(a.distances[i], b.distances[i], d_a, d_b);
+  }
+  return p;
+}
+
+/// Clips by one plane. distance(vertex) is its functional; settle(p, a) makes a vertex p that was
+/// cut from an edge at a lie on it.
+template <class Distance, class Settle>
+class Plane {
+ public:
+  Plane(const ClipVolume& volume, bool closed, Distance distance, Settle settle)
+      : volume_(volume), closed_(closed), distance_(distance), settle_(settle) {}
+
+  /// Leaves the result in `polygon`; `spare` is working memory.
+  void clip(ClipPolygon*& polygon, ClipPolygon*& spare) const {
+    if (contains(*polygon)) return;
+    spare->size = 0;
+    for (std::size_t i = 0; i < polygon->size; ++i) {
+      const std::size_t next = i + 1 == polygon->size ? 0 : i + 1;
+      clip_edge(polygon->vertices[i], polygon->vertices[next], *spare);
+    }
+    std::swap(polygon, spare);
+  }
+
+ private:
+  bool contains(const ClipPolygon& polygon) const {
+    for (std::size_t i = 0; i < polygon.size; ++i) {
+      if (!(distance_(polygon.vertices[i]) >= 0)) return false;
+    }
+    return true;
+  }
+
+  /// Appends what is left of the edge, without its last vertex unless that was cut.
+  void clip_edge(const ClipVertex& a, const ClipVertex& b, ClipPolygon& result) const {
+    const double d_a = distance_(a);
+    const double d_b = distance_(b);
+    if (d_a >= 0) {
+      append(result, a);
+      if (d_b >= 0) return;
+      // Leaving: from here the plane itself is the edge.
+      if (d_a > 0) append(result, settled(a, b, d_a, d_b));
+      result.vertices[result.size - 1].closed = closed_;
+    } else if (d_b > 0) {
+      // Entering: the rest of the old edge. (Where d_b = 0 that is b alone, which comes by itself.)
+      ClipVertex p = settled(b, a, d_b, d_a);
+      p.closed = a.closed;
+      append(result, p);
+    }
+  }
+
+  ClipVertex settled(const ClipVertex& inside, const ClipVertex& outside, double d_inside,
+                     double d_outside) const {
+    ClipVertex p = cut(volume_, inside, outside, d_inside, d_outside);
+    settle_(p, inside.w == outside.w);
+    return p;
+  }
+
+  static void append(ClipPolygon& result, const ClipVertex& vertex) {
+    if (result.size < ClipPolygon::kCapacity) result.vertices[result.size++] = vertex;
+  }
+
+  const ClipVolume& volume_;
+  bool closed_;
+  Distance distance_;
+  Settle settle_;
+};
+
+/// −w or 0 <= z <= w. Their boundary is inside.
+void clip_depth(const ClipVolume& volume, ClipPolygon*& polygon, ClipPolygon*& spare) {
+  // In units of w: the least depth in the clip volume.
+  const double least = volume.convention == Convention::opengl ? -1.0 : 0.0;
+  Plane(
+      volume, true, [least](const ClipVertex& p) { return p.z - least * p.w; },
+      [least](ClipVertex& p, bool) { p.z = least * p.w; })
+      .clip(polygon, spare);
+  Plane(
+      volume, true, [](const ClipVertex& p) { return p.w - p.z; },
+      [](ClipVertex& p, bool) { p.z = p.w; })
+      .clip(polygon, spare);
+}
+
+/// Distance >= 0. A zero belongs to the inside in D3D; elsewhere the fill rule decides, so that a
+/// distance and its negative never draw a sample twice.
+void clip_distances(const ClipVolume& volume, ClipPolygon*& polygon, ClipPolygon*& spare) {
+  for (std::size_t i = 0; i < volume.distance_count; ++i) {
+    Plane(
+        volume, volume.convention == Convention::d3d,
+        [i](const ClipVertex& p) { return p.distances[i]; },
+        [i](ClipVertex& p, bool) { p.distances[i] = 0; })
+        .clip(polygon, spare);
+  }
+}
+
+/// ±axis <= G w, on either side of the viewport.
+void clip_guard_band(const ClipVolume& volume, double ClipVertex::*axis, ClipPolygon*& polygon,
+                     ClipPolygon*& spare) {
+  for (const double side : {-1.0, 1.0}) {
+    Plane(
+        volume, false,
+        [side, axis](const ClipVertex& p) { return kGuardBand * p.w - side * p.*axis; },
+        [side, axis](ClipVertex& p, bool same_w) {
+          if (same_w) {
+            p.*axis = side * kGuardBand * p.w;
+          } else {
+            p.w = side * p.*axis / kGuardBand;
+          }
+        })
+        .clip(polygon, spare);
+  }
+}
+
+}  // namespace
+
+bool clip(const ClipVolume& volume, ClipPolygon& polygon, ClipPolygon& spare) {
+  ClipPolygon* current = &polygon;
+  ClipPolygon* other = &spare;
+  if (!volume.depth_clamp) clip_depth(volume, current, other);
+  clip_distances(volume, current, other);
+  clip_guard_band(volume, &ClipVertex::x, current, other);
+  clip_guard_band(volume, &ClipVertex::y, current, other);
+  if (current != &polygon) polygon = *current;
+  if (polygon.size < 2) return false;
+  for (std::size_t i = 0; i < polygon.size; ++i) {
+    // Only where x, y and w all but vanish together, and rounding has taken the rest of w.
+    if (!(polygon.vertices[i].w > 0)) return false;
+  }
+  return true;
+}
+
+}  // namespace rastercheck::rasterizer

@@ -1,0 +1,95 @@
+// The sign of a 3x3 determinant of float32, exactly.
+//
+//   det = x_a (y_b w_c − y_c w_b) + x_b (y_c w_a − y_a w_c) + x_c (y_a w_b − y_b w_a)
+//
+// First in double, with an error bound; where the bound leaves the sign open, exactly: the six
+// triple products as unevaluated sums of two doubles each, added up without error (J. R. Shewchuk,
+// Adaptive Precision Floating-Point Arithmetic, 1997, GROW-EXPANSION). A product of three floats is
+// a multiple of 2^-447 below 2^384, so no double over- or underflows on the way; flush-to-zero must
+// be off.
+
+#include "rasterizer/internal/determinant.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace rastercheck::rasterizer {
+namespace {
+
+/// Unit roundoff of double, 2^-53.
+constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
+
+int sign(double value) { return (value > 0) - (value < 0); }
+
+/// A bound of the error of the sum of x_i m_i in double, `magnitude` the computed sum of their
+/// sizes. The two products in a minor m_i are exact, as 24 + 24 <= 53 bits, so a minor has one
+/// rounding; then come its product with x_i and two sums: four roundings, each within kUnit of
+/// something below the sum of the sizes. The factor 8 rather than 4 takes in the second-order terms
+/// and the rounding of `magnitude`, which itself is at least (1 − kUnit)^4 of the exact sum.
+double determinant_error(double magnitude) { return 8 * kUnit * magnitude; }
+
+/// A sum of doubles without rounding: components that do not overlap, the last one the largest.
+class ExactSum {
+ public:
+  void add(double value) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      // Knuth's TwoSum: sum + error = value + component, exactly.
+      const double component = components_[i];
+      const double sum = value + component;
+      const double shadow = sum - value;
+      const double error = (value - (sum - shadow)) + (component - shadow);
+      value = sum;
+      if (error != 0) components_[kept++] = error;
+    }
+    if (value != 0) components_[kept++] = value;
+    size_ = kept;
+  }
+
+  int sign_of_sum() const { return size_ == 0 ? 0 : sign(components_[size_ - 1]); }
+
+ private:
+  std::array<double, 12> components_{};
+  std::size_t size_ = 0;
+};
+
+/// Adds x y w, as many times as its sign `s` says (1 or −1).
+void add_product(ExactSum& sum, float x, float y, float w, double s) {
+  const double pair = double{y} * double{w};
+  const double factor = s * double{x};
+  const double high = factor * pair;
+  sum.add(high);
+  sum.add(std::fma(factor, pair, -high));
+}
+
+int exact_determinant_sign(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c) {
+  ExactSum sum;
+  add_product(sum, a.x, b.y, c.w, 1);
+  add_product(sum, a.x, c.y, b.w, -1);
+  add_product(sum, b.x, c.y, a.w, 1);
+  add_product(sum, b.x, a.y, c.w, -1);
+  add_product(sum, c.x, a.y, b.w, 1);
+  add_product(sum, c.x, b.y, a.w, -1);
+  return sum.sign_of_sum();
+}
+
+/// y_p w_q − y_q w_p, with one rounding.
+double minor_of(const glm::vec4& p, const glm::vec4& q) {
+  return double{p.y} * double{q.w} - double{q.y} * double{p.w};
+}
+
+}  // namespace
+
+int determinant_sign(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c) {
+  const double from_a = double{a.x} * minor_of(b, c);
+  const double from_b = double{b.x} * minor_of(c, a);
+  const double from_c = double{c.x} * minor_of(a, b);
+  const double determinant = from_a + from_b + from_c;
+  const double magnitude = std::abs(from_a) + std::abs(from_b) + std::abs(from_c);
+  if (std::abs(determinant) > determinant_error(magnitude)) return sign(determinant);
+  return exact_determinant_sign(a, b, c);
+}
+
+}  // namespace rastercheck::rasterizer

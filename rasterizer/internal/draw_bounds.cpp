@@ -1,0 +1,58 @@
+#include "rasterizer/internal/draw_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace rastercheck::rasterizer {
+namespace {
+
+/// `value`, a whole number, infinite or not a number (then the range's begin), held to the range.
+int held_to(const PixelRange& range, double value) {
+  if (!(value > range.begin)) return range.begin;
+  if (value >= range.end) return range.end;
+  return static_cast<int>(value);
+}
+
+PixelRange scissored(int target, int origin, int size) {
+  const std::int64_t end = std::int64_t{origin} + size;
+  return {std::clamp(origin, 0, target),
+          static_cast<int>(std::clamp(end, std::int64_t{0}, std::int64_t{target}))};
+}
+
+}  // namespace
+
+PixelRange intersection(const PixelRange& a, const PixelRange& b) {
+  return {std::max(a.begin, b.begin), std::min(a.end, b.end)};
+}
+
+PixelRange pixels_from_to(const PixelRange& range, double offset, double low, double high) {
+  return {held_to(range, std::ceil(low - offset)), held_to(range, std::ceil(high - offset))};
+}
+
+PixelRange pixels_from_through(const PixelRange& range, double offset, double low, double high) {
+  return {held_to(range, std::ceil(low - offset)), held_to(range, std::floor(high - offset) + 1)};
+}
+
+DrawBounds draw_bounds(const State& state, const TargetSize& size) {
+  DrawBounds bounds;
+  bounds.columns = scissored(size.width, state.scissor.origin.x, state.scissor.size.x);
+  bounds.rows = scissored(size.height, state.scissor.origin.y, state.scissor.size.y);
+
+  const double x0 = state.viewport.origin.x;
+  const double y0 = state.viewport.origin.y;
+  const double x1 = x0 + double{state.viewport.size.x};
+  const double y1 = y0 + double{state.viewport.size.y};
+  const std::span<const SampleOffset> pattern = standard_pattern(size.samples);
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    bounds.sample_columns[i] =
+        pixels_from_to(bounds.columns, pattern[i].x, std::min(x0, x1), std::max(x0, x1));
+    bounds.sample_rows[i] =
+        pixels_from_to(bounds.rows, pattern[i].y, std::min(y0, y1), std::max(y0, y1));
+  }
+  return bounds;
+}
+
+}  // namespace rastercheck::rasterizer

@@ -1,0 +1,21 @@
+#pragma once
+
+// The standard sample positions that OpenGL, Vulkan and D3D share.
+
+#include <span>
+
+namespace rastercheck::rasterizer {
+
+/// From the pixel's corner of least window x and y, in pixels: multiples of 1/16 in [0, 1).
+struct SampleOffset {
+  double x = 0;
+  double y = 0;
+};
+
+/// The middle of a pixel, the one sample of the pattern of one.
+inline constexpr SampleOffset kPixelCenter{0.5, 0.5};
+
+/// The offsets in index order; empty where `samples` is not 1, 2, 4, 8 or 16.
+std::span<const SampleOffset> standard_pattern(int samples);
+
+}  // namespace rastercheck::rasterizer

@@ -1,0 +1,138 @@
+#include "rasterizer/rasterizer.h"
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include "rasterizer/internal/checked_draw.h"
+#include "rasterizer/internal/rational_linear.h"
+
+namespace rastercheck::rasterizer {
+namespace {
+
+std::size_t sample_count(const TargetSize& size) {
+  return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) *
+         static_cast<std::size_t>(size.samples);
+}
+
+/// Whether the arrays of a framebuffer are those of its own size, and its attributes the state's.
+std::optional<Error> check_framebuffer(const State& state, const Framebuffer& framebuffer) {
+  if (const std::optional<Error> error = check_size(framebuffer.size)) return error;
+  if (framebuffer.attribute_count != state.attributes.size()) return Error::attribute_count;
+  const std::size_t samples = sample_count(framebuffer.size);
+  if (framebuffer.depth.size() != samples ||
+      framebuffer.attributes.size() != samples * framebuffer.attribute_count) {
+    return Error::target_size;
+  }
+  return std::nullopt;
+}
+
+void keep_visible(DepthTest test, const Fragments& fragments, Framebuffer& framebuffer) {
+  const TargetSize& size = framebuffer.size;
+  const std::size_t attributes = framebuffer.attribute_count;
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const std::size_t pixel =
+        std::size_t{fragments.y[i]} * static_cast<std::size_t>(size.width) + fragments.x[i];
+    const std::size_t place = pixel * static_cast<std::size_t>(size.samples) + fragments.sample[i];
+    if (test == DepthTest::less && !(fragments.depth[i] < framebuffer.depth[place])) continue;
+    framebuffer.depth[place] = fragments.depth[i];
+    std::copy_n(fragments.attributes.data() + i * attributes, attributes,
+                framebuffer.attributes.data() + place * attributes);
+  }
+}
+
+/// Triangle by triangle, so that the memory needed depends on the target and not on the depth of
+/// the scene. The arguments were checked.
+DrawCounts draw_triangles(const State& state, const Mesh& mesh, Framebuffer& framebuffer) {
+  DrawCounts counts;
+  Fragments fragments;
+  for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+    fragments.triangle.clear();
+    fragments.x.clear();
+    fragments.y.clear();
+    fragments.sample.clear();
+    fragments.depth.clear();
+    fragments.attributes.clear();
+    Mesh alone = mesh;
+    alone.triangles = mesh.triangles.subspan(triangle, 1);
+    const DrawCounts more = draw_rational_linear(state, alone, framebuffer.size, fragments);
+    counts.discarded_not_finite += more.discarded_not_finite;
+    counts.discarded_degenerate += more.discarded_degenerate;
+    keep_visible(state.depth_test, fragments, framebuffer);
+  }
+  return counts;
+}
+
+}  // namespace
+
+std::string_view to_string(Error error) {
+  switch (error) {
+    case Error::target_size:
+      return "the width or height of the target is not within 1 to 16384, or a framebuffer's "
+             "arrays "
+             "do not have its size";
+    case Error::sample_count:
+      return "the samples per pixel of the target are not 1, 2, 4, 8 or 16";
+    case Error::viewport:
+      return "the viewport has a number that is not finite, or a depth outside [0, 1]";
+    case Error::scissor:
+      return "the scissor has a negative size";
+    case Error::attribute_count:
+      return "there are more than 32 attributes, or not as many as the framebuffer has";
+    case Error::clip_distance_count:
+      return "there are more than 8 clip distances";
+    case Error::attribute_values:
+      return "the attributes of the mesh are not one value for each vertex and attribute";
+    case Error::clip_distance_values:
+      return "the clip distances of the mesh are not one value for each vertex and distance";
+    case Error::index:
+      return "a triangle of the mesh has a vertex index beyond the positions";
+    case Error::unknown_method:
+      return "the method is not one of the registered methods";
+    case Error::out_of_memory:
+      return "the memory for the result cannot be allocated";
+  }
+  return "the error is none of the enumeration";
+}
+
+DrawResult draw_fragments(const State& state, const Mesh& mesh, const TargetSize& size,
+                          Fragments& fragments) {
+  return draw_checked(&draw_rational_linear, state, mesh, size, fragments);
+}
+
+std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,
+                           std::size_t attribute_count, float depth) {
+  if (const std::optional<Error> error = check_size(size)) return error;
+  if (attribute_count > kMaxAttributes) return Error::attribute_count;
+  try {
+    const std::size_t samples = sample_count(size);
+    framebuffer = {size, attribute_count, std::vector<float>(samples, depth),
+                   std::vector<float>(samples * attribute_count, 0.0F)};
+  } catch (const std::bad_alloc&) {
+    return Error::out_of_memory;
+  } catch (const std::length_error&) {  // more than a vector can ever hold
+    return Error::out_of_memory;
+  }
+  return std::nullopt;
+}
+
+DrawResult draw(const State& state, const Mesh& mesh, Framebuffer& framebuffer) {
+  std::optional<Error> error = check_state(state);
+  if (!error) error = check_framebuffer(state, framebuffer);
+  if (!error) error = check_mesh(state, mesh);
+  if (error) return {error, {}};
+  try {
+    // On a copy: where memory runs out half-way, nothing was drawn.
+    Framebuffer drawn = framebuffer;
+    const DrawCounts counts = draw_triangles(state, mesh, drawn);
+    framebuffer = std::move(drawn);
+    return {std::nullopt, counts};
+  } catch (const std::bad_alloc&) {
+    return {Error::out_of_memory, {}};
+  } catch (const std::length_error&) {  // more than a vector can ever hold
+    return {Error::out_of_memory, {}};
+  }
+}
+
+}  // namespace rastercheck::rasterizer

@@ -1,0 +1,94 @@
+// The rasterizer behind the backend interface, held against the oracle under its own contract.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <tuple>
+
+#include "backends/backend.h"
+#include "cases/case_reader.h"
+#include "oracle/fragments.h"
+#include "oracle/transform.h"
+#include "oracle/ulp.h"
+
+namespace rastercheck::backends {
+namespace {
+
+using oracle::Fragment;
+using oracle::TriangleTruth;
+using Place = std::tuple<std::size_t, int, int, int>;  // triangle, x, y, sample
+
+/// The corpus cases, as drawn from rounded clip positions, each triangle alone.
+std::vector<cases::Case> corpus() {
+  std::vector<cases::Case> all;
+  const std::filesystem::path folder = RASTERCHECK_SOURCE_DIR "/cases/corpus";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    cases::Case c =
+        cases::read_case(entry.path().string())
+            .and_then([](const cases::Case& read) { return oracle::to_clip_case(read, ""); })
+            .value();
+    c.depth_test = cases::DepthTest::none;
+    all.push_back(std::move(c));
+  }
+  return all;
+}
+
+std::map<Place, std::size_t> by_place(const cases::Framebuffer& drawn) {
+  std::map<Place, std::size_t> places;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    places[{drawn.triangle[i], drawn.x[i], drawn.y[i], drawn.sample[i]}] = i;
+  }
+  return places;
+}
+
+TEST(Cpu, ObeysItsContractInCoverage) {
+  std::size_t required = 0;
+  for (const cases::Case& c : corpus()) {
+    const auto backend = make_backend("cpu").value();
+    const cases::Framebuffer drawn = backend->draw(c).value();
+    std::map<Place, std::size_t> left = by_place(drawn);
+    EXPECT_EQ(left.size(), drawn.size()) << c.name << ": a sample drawn twice";
+    const oracle::SceneTruth scene(c, backend->contract(c));
+    oracle::for_each_fragment(scene, [&](const Fragment& f, const TriangleTruth&) {
+      const bool is_drawn = left.erase({f.triangle, f.x, f.y, f.sample}) > 0;
+      if (f.decision.verdict == records::Verdict::required) {
+        ++required;
+        EXPECT_TRUE(is_drawn) << c.name << ": missing " << f.x << "," << f.y;
+      }
+      return true;
+    });
+    EXPECT_TRUE(left.empty()) << c.name << ": " << left.size() << " samples drawn and forbidden";
+  }
+  EXPECT_GT(required, 500U);
+}
+
+TEST(Cpu, OrdersItsFragmentsByTriangleRowColumnSample) {
+  for (const cases::Case& c : corpus()) {
+    const cases::Framebuffer drawn = make_backend("cpu").value()->draw(c).value();
+    std::vector<std::tuple<int, int, int, int>> order;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      order.emplace_back(drawn.triangle[i], drawn.y[i], drawn.x[i], drawn.sample[i]);
+    }
+    EXPECT_TRUE(std::is_sorted(order.begin(), order.end())) << c.name;
+  }
+}
+
+TEST(Cpu, KeepsTheNearestFragmentUnderADepthTest) {
+  cases::Case c = cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
+  const cases::Framebuffer drawn = make_backend("cpu").value()->draw(c).value();
+  const oracle::SceneTruth scene(c, cases::contract_of(c));
+  const std::map<Place, std::size_t> places = by_place(drawn);
+  std::size_t count = 0;
+  oracle::for_each_fragment(scene, [&](const Fragment& f, const TriangleTruth&) {
+    EXPECT_TRUE(places.contains({f.triangle, f.x, f.y, f.sample}));
+    ++count;
+    return true;
+  });
+  EXPECT_EQ(count, drawn.size());
+}
+
+}  // namespace
+}  // namespace rastercheck::backends

@@ -1,0 +1,624 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "rasterizer/rasterizer.h"
+#include "tests/rasterizer/small_draw.h"
+
+namespace rastercheck::rasterizer {
+namespace {
+
+constexpr TargetSize kFour{4, 4, 1};
+constexpr TargetSize kEight{8, 8, 1};
+constexpr Convention kConventions[] = {Convention::opengl, Convention::vulkan, Convention::d3d};
+
+/// The value of the first attribute at a sample; NaN where it was not drawn.
+float value_at(const Fragments& fragments, int x, int y, int sample = 0) {
+  const std::size_t stride = fragments.attributes.size() / fragments.size();
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    if (fragments.x[i] == x && fragments.y[i] == y && fragments.sample[i] == sample) {
+      return fragments.attributes[i * stride];
+    }
+  }
+  return NAN;
+}
+
+/// Holds the first attribute of every fragment against a function of its pixel's centre, to half a
+/// unit of float32 and a little.
+void expect_values(const Fragments& fragments, const std::function<double(double, double)>& exact) {
+  ASSERT_GT(fragments.size(), 0U);
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const double expected = exact(fragments.x[i] + 0.5, fragments.y[i] + 0.5);
+    EXPECT_NEAR(fragments.attributes[i], expected, 0x1.001p-24 * std::abs(expected))
+        << fragments.x[i] << ", " << fragments.y[i];
+  }
+}
+
+// --- Coverage -----------------------------------------------------------------------------------
+
+TEST(RationalLinearCoverage, ARightEdgeExcludesTheSamplesOnIt) {
+  const State state = small_state(4, 4);
+  EXPECT_EQ(picture(state, triangle(state, {0, 0}, {4, 0}, {0, 4}), kFour),
+            (Picture{"###.", "##..", "#...", "...."}));
+}
+
+TEST(RationalLinearCoverage, ALeftEdgeIncludesTheSamplesOnIt) {
+  const State state = small_state(4, 4);
+  EXPECT_EQ(picture(state, triangle(state, {4, 0}, {4, 4}, {0, 4}), kFour),
+            (Picture{"...#", "..##", ".###", "####"}));
+}
+
+TEST(RationalLinearCoverage, IsTheSameForEveryOrderOfTheVertices) {
+  const State state = small_state(4, 4);
+  SmallMesh mesh = triangle(state, {0, 0}, {4, 0}, {0, 4});
+  for (const glm::uvec3& order :
+       {glm::uvec3{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}) {
+    mesh.triangles = {order};
+    EXPECT_EQ(picture(state, mesh, kFour), (Picture{"###.", "##..", "#...", "...."}));
+  }
+}
+
+// Kills: the fill rule ignored, or taken without regard to where v points.
+TEST(RationalLinearCoverage, TheFillRuleIsMeantAsDisplayed) {
+  const Picture least{"##..", "##..", "....", "...."};
+  const Picture greatest{"....", "##..", "##..", "...."};
+  for (const Convention convention : kConventions) {
+    State state = small_state(4, 4, convention);
+    const SmallMesh mesh = rectangle(state, {0.5F, 0.5F}, {2.5F, 2.5F});
+    const bool down = convention != Convention::opengl;
+    state.fill_rule = FillRule::top_left;
+    EXPECT_EQ(picture(state, mesh, kFour), down ? least : greatest);
+    state.fill_rule = FillRule::bottom_left;
+    EXPECT_EQ(picture(state, mesh, kFour), down ? greatest : least);
+  }
+}
+
+TEST(RationalLinearCoverage, ASampleOnAVertexFollowsBothItsEdges) {
+  const State state = small_state(4, 4);
+  // A left and a top edge meet at (1/2, 1/2); a left and a bottom one, or a top and a right one, do
+  // at the others.
+  EXPECT_EQ(picture(state, triangle(state, {0.5F, 0.5F}, {2.5F, 0.5F}, {0.5F, 2.5F}), kFour),
+            (Picture{"##..", "#...", "....", "...."}));
+}
+
+// Kills: a shared edge crossed at two places, or owned by both or by none.
+TEST(RationalLinearCoverage, ASquareSplitByEitherDiagonalCoversEachSampleOnce) {
+  for (const Convention convention : kConventions) {
+    for (const int samples : {1, 2, 4, 8, 16}) {
+      for (const FillRule rule : {FillRule::top_left, FillRule::bottom_left}) {
+        State state = small_state(8, 8, convention);
+        state.fill_rule = rule;
+        const TargetSize size{8, 8, samples};
+        for (const bool across : {false, true}) {
+          // Larger than the target, whose own border has samples on it.
+          const SmallMesh mesh = rectangle(state, {-4, -4}, {12, 12}, across);
+          EXPECT_EQ(times_drawn(fragments_of(state, mesh, size), size),
+                    std::vector<int>(static_cast<std::size_t>(64 * samples), 1));
+        }
+      }
+    }
+  }
+}
+
+// Kills: crossings that depend on which of the two triangles is asked; clipping likewise.
+TEST(RationalLinearCoverage, AFanAroundAPointCoversEachSampleOnce) {
+  std::mt19937 random(20260801);
+  const auto between = [&random](float low, float high) {
+    return low + (high - low) * static_cast<float>(random() >> 8) * 0x1p-24F;
+  };
+  for (int round = 0; round < 300; ++round) {
+    State state = small_state(16, 16, kConventions[round % 3]);
+    state.depth_clamp = round % 2 == 0;
+    const TargetSize size{16, 16, round % 5 == 0 ? 4 : 1};
+    SmallMesh mesh;
+    mesh.positions = {at(state, between(2, 14), between(2, 14), between(0.5F, 4))};
+    const unsigned spokes = 3 + static_cast<unsigned>(random() % 10);
+    // Far spokes too: they reach beyond the guard band, 1024 half widths.
+    const float radius = round % 4 == 0 ? 1e6F : 40;
+    for (unsigned i = 0; i < spokes; ++i) {
+      const double angle = 6.283185307179586 * i / spokes;
+      mesh.positions.push_back(at(state, 8 + radius * static_cast<float>(std::cos(angle)),
+                                  8 + radius * static_cast<float>(std::sin(angle)),
+                                  between(0.5F, 4)));
+      mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % spokes});
+    }
+    EXPECT_EQ(times_drawn(fragments_of(state, mesh, size), size),
+              std::vector<int>(static_cast<std::size_t>(256 * size.samples), 1))
+        << round;
+  }
+}
+
+TEST(RationalLinearCoverage, TheStandardPatternsAreCoveredSampleBySample) {
+  const State state = small_state(1, 1);
+  // Left of 1/2: samples with x < 8/16.
+  const SmallMesh mesh = rectangle(state, {0, 0}, {0.5F, 1});
+  EXPECT_EQ(picture(state, mesh, {1, 1, 1}), (Picture{"."}));
+  EXPECT_EQ(picture(state, mesh, {1, 1, 2}), (Picture{".#"}));
+  EXPECT_EQ(picture(state, mesh, {1, 1, 4}), (Picture{"#.#."}));
+  EXPECT_EQ(picture(state, mesh, {1, 1, 8}), (Picture{".#.###.."}));
+  EXPECT_EQ(picture(state, mesh, {1, 1, 16}), (Picture{".##.#...#.###..#"}));
+}
+
+// --- Clipping -----------------------------------------------------------------------------------
+
+/// Vertices at window (2, 0) and (6, 0) before the eye; the third is behind it, at (4, −8): what is
+/// seen are the points below v = 0 between the lines from (4, −8) through the other two.
+SmallMesh behind_the_eye(const State& state) {
+  SmallMesh mesh;
+  mesh.positions = {at(state, 2, 0), at(state, 6, 0), at(state, 4, -8, -1)};
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+// Kills: dividing before clipping.
+TEST(RationalLinearClipping, AVertexBehindTheEyeOpensTheTriangleToInfinity) {
+  const Picture expected{"..####..", "..####..", ".######.", ".######.",
+                         ".######.", ".######.", "########", "########"};
+  for (const bool depth_clamp : {false, true}) {
+    for (const Convention convention : kConventions) {
+      State state = small_state(8, 8, convention);
+      state.depth_clamp = depth_clamp;
+      EXPECT_EQ(picture(state, behind_the_eye(state), kEight), expected);
+    }
+  }
+}
+
+TEST(RationalLinearClipping, ValuesGoOnBehindTheEye) {
+  State state = small_state(8, 8);
+  state.attributes = {{}};
+  SmallMesh mesh = behind_the_eye(state);
+  mesh.attributes = {0, 0, 1};
+  // With weights a, b, c of the vertices: v = 8c / (a + b − c) = 8c / (1 − 2c).
+  const auto exact = [](double, double v) { return v / (8 + 2 * v); };
+  expect_values(fragments_of(state, mesh, kEight), exact);
+  state.depth_clamp = true;
+  expect_values(fragments_of(state, mesh, kEight), exact);
+}
+
+TEST(RationalLinearClipping, WhatIsWhollyBehindTheEyeIsNotDrawn) {
+  for (const bool depth_clamp : {false, true}) {
+    State state = small_state(8, 8);
+    state.depth_clamp = depth_clamp;
+    SmallMesh mesh = behind_the_eye(state);
+    mesh.positions[0] *= -1.0F;
+    mesh.positions[1] *= -1.0F;
+    EXPECT_EQ(fragments_of(state, mesh, kEight).size(), 0U);
+  }
+}
+
+/// A rectangle over the whole target whose depth z/w is `slope` times the distance from v = 1.5 or,
+/// if not `along_v`, from u = 1.5.
+SmallMesh sloping(const State& state, bool along_v, float slope, float level) {
+  SmallMesh mesh = rectangle(state, {0, 0}, {4, 4});
+  const glm::vec2 corners[] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    mesh.positions[i].z = level + slope * ((along_v ? corners[i].y : corners[i].x) - 1.5F);
+  }
+  return mesh;
+}
+
+/// Columns or rows 0 to 3, those in `which` drawn.
+Picture stripes(bool along_v, const std::string& which) {
+  Picture rows;
+  for (std::size_t i = 0; i < 4; ++i) rows.push_back(along_v ? std::string(4, which[i]) : which);
+  return rows;
+}
+
+// Kills: clip edges that follow the fill rule; near for far; OpenGL's depth for the others'.
+TEST(RationalLinearClipping, SamplesOnANearOrFarCutAreInside) {
+  for (const Convention convention : kConventions) {
+    const State state = small_state(4, 4, convention);
+    const float nearest = convention == Convention::opengl ? -1 : 0;
+    for (const bool along_v : {false, true}) {
+      for (const float slope : {0.125F, -0.125F}) {
+        const Picture low = stripes(along_v, "##..");
+        const Picture high = stripes(along_v, ".###");
+        EXPECT_EQ(picture(state, sloping(state, along_v, slope, nearest), kFour),
+                  slope > 0 ? high : low);
+        EXPECT_EQ(picture(state, sloping(state, along_v, slope, 1), kFour), slope > 0 ? low : high);
+      }
+    }
+  }
+}
+
+TEST(RationalLinearClipping, DepthClampKeepsWhatIsNearerOrFartherAndClampsItsDepth) {
+  State state = small_state(4, 4);
+  state.depth_clamp = true;
+  state.viewport.min_depth = 0.25F;
+  state.viewport.max_depth = 0.75F;
+  const Fragments fragments = fragments_of(state, sloping(state, false, 1, 0.5F), kFour);
+  ASSERT_EQ(fragments.size(), 16U);
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const float expected = fragments.x[i] == 0 ? 0.25F : fragments.x[i] == 1 ? 0.5F : 0.75F;
+    EXPECT_EQ(fragments.depth[i], expected);
+  }
+}
+
+// Kills: clip distances closed everywhere, or open everywhere.
+TEST(RationalLinearClipping, ADistanceAndItsNegativeShareNoSampleButInD3d) {
+  for (const Convention convention : kConventions) {
+    for (const bool along_v : {false, true}) {
+      State state = small_state(4, 4, convention);
+      state.clip_distance_count = 1;
+      SmallMesh mesh = sloping(state, along_v, 1, 0);
+      for (glm::vec4& p : mesh.positions) {
+        mesh.clip_distances.push_back(p.z);
+        p.z = 0;
+      }
+      const Picture positive = picture(state, mesh, kFour);
+      for (float& distance : mesh.clip_distances) distance = -distance;
+      const Picture negative = picture(state, mesh, kFour);
+      EXPECT_EQ(positive, stripes(along_v, ".###"));
+      EXPECT_EQ(negative, stripes(along_v, convention == Convention::d3d ? "##.." : "#..."));
+    }
+  }
+}
+
+TEST(RationalLinearClipping, DistancesThatVanishEverywhereClipNothing) {
+  State state = small_state(4, 4);
+  state.clip_distance_count = kMaxClipDistances;
+  SmallMesh mesh = rectangle(state, {0, 0}, {4, 4});
+  mesh.clip_distances.assign(4 * kMaxClipDistances, 0);
+  EXPECT_EQ(picture(state, mesh, kFour), Picture(4, "####"));
+}
+
+TEST(RationalLinearClipping, EveryDistanceClips) {
+  for (std::size_t i = 0; i < kMaxClipDistances; ++i) {
+    State state = small_state(4, 4);
+    state.clip_distance_count = kMaxClipDistances;
+    SmallMesh mesh = rectangle(state, {0, 0}, {4, 4});
+    mesh.clip_distances.assign(4 * kMaxClipDistances, 1);
+    // Falls from 1 to −1 from left to right.
+    mesh.clip_distances[1 * kMaxClipDistances + i] = -1;
+    mesh.clip_distances[2 * kMaxClipDistances + i] = -1;
+    EXPECT_EQ(picture(state, mesh, kFour), Picture(4, "##..")) << i;
+  }
+}
+
+// Kills: a guard band that moves edges or values.
+TEST(RationalLinearClipping, ValuesStayWhereTheGuardBandCuts) {
+  for (const float far : {512.0F, 4096.0F, 0x1p20F}) {
+    State state = small_state(8, 8);
+    state.attributes = {{}};
+    SmallMesh mesh = triangle(state, {0, 0}, {far, 0}, {0, far});
+    mesh.attributes = {1, 1 + far, 1};
+    expect_values(fragments_of(state, mesh, kEight), [](double u, double) { return 1 + u; });
+    EXPECT_EQ(picture(state, mesh, kEight), Picture(8, "########"));
+  }
+}
+
+// --- Values -------------------------------------------------------------------------------------
+
+/// w = 1 at u = 0 and 2 at u = 4, the attribute 0 and 1: u/8 over (8 − u)/8.
+SmallMesh in_perspective(const State& state) {
+  SmallMesh mesh;
+  mesh.positions = {at(state, 0, 0, 1, 0), at(state, 4, 0, 2, 0.5F), at(state, 0, 4, 1, 0)};
+  mesh.attributes = {0, 1, 0};
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+// Kills: interpolation linear in window space ("rubber sheet").
+TEST(RationalLinearValues, SmoothIsLinearOverLinear) {
+  for (const Convention convention : kConventions) {
+    State state = small_state(4, 4, convention);
+    state.attributes = {{}};
+    expect_values(fragments_of(state, in_perspective(state), kFour),
+                  [](double u, double) { return u / (8 - u); });
+  }
+}
+
+TEST(RationalLinearValues, NoperspectiveIsLinearInTheWindow) {
+  State state = small_state(4, 4);
+  state.attributes = {{Interpolation::noperspective, Location::sample}};
+  expect_values(fragments_of(state, in_perspective(state), kFour),
+                [](double u, double) { return u / 4; });
+}
+
+// Kills: noperspective values made linear in clip space by clipping.
+TEST(RationalLinearValues, NoperspectiveStaysLinearInTheWindowWhereClipped) {
+  State state = small_state(4, 4);
+  state.attributes = {{Interpolation::noperspective, Location::sample}};
+  SmallMesh mesh = in_perspective(state);
+  // Depth falls from 1 to −1 along u: cut at u = 2.
+  mesh.positions[0].z = 1;
+  mesh.positions[1].z = -2;
+  mesh.positions[2].z = 1;
+  const Fragments fragments = fragments_of(state, mesh, kFour);
+  EXPECT_EQ(picture(fragments, kFour), (Picture{"##..", "##..", "#...", "...."}));
+  expect_values(fragments, [](double u, double) { return u / 4; });
+}
+
+TEST(RationalLinearValues, FlatIsTheProvokingVertex) {
+  for (const Convention convention : kConventions) {
+    State state = small_state(4, 4, convention);
+    state.attributes = {{Interpolation::flat, Location::sample}};
+    SmallMesh mesh = triangle(state, {0, 0}, {4, 0}, {0, 4});
+    mesh.attributes = {0.1F, 0.2F, 0.3F};
+    mesh.triangles = {{1, 0, 2}};
+    const float expected = convention == Convention::opengl ? 0.3F : 0.2F;
+    const Fragments fragments = fragments_of(state, mesh, kFour);
+    EXPECT_EQ(fragments.attributes, std::vector<float>(fragments.size(), expected));
+  }
+}
+
+TEST(RationalLinearValues, EveryAttributeHasItsOwnQualifier) {
+  State state = small_state(4, 4);
+  state.attributes = {{Interpolation::noperspective, Location::sample},
+                      {Interpolation::flat, Location::center},
+                      {Interpolation::smooth, Location::center}};
+  SmallMesh mesh = in_perspective(state);
+  mesh.attributes = {0, 5, 0, 1, 6, 1, 0, 7, 0};
+  const Fragments fragments = fragments_of(state, mesh, kFour);
+  ASSERT_EQ(fragments.attributes.size(), 3 * fragments.size());
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const float u = static_cast<float>(fragments.x[i]) + 0.5F;
+    EXPECT_EQ(fragments.attributes[3 * i], u / 4);
+    EXPECT_EQ(fragments.attributes[3 * i + 1], 5);
+    EXPECT_FLOAT_EQ(fragments.attributes[3 * i + 2], u / (8 - u));
+  }
+}
+
+// Kills: a + (b − a) t with weights that do not add to one.
+TEST(RationalLinearValues, ConstantsComeOutExactly) {
+  for (const float constant : {0.1F, -3e38F, 1e-45F, 1.0F / 3}) {
+    State state = small_state(16, 16);
+    state.attributes = {{}, {Interpolation::noperspective, Location::center}};
+    SmallMesh mesh;
+    mesh.positions = {at(state, 1, 2, 0.7F), at(state, 15, 3, 1.9F), at(state, 4, 16, 3.1F)};
+    mesh.attributes.assign(6, constant);
+    mesh.triangles = {{0, 1, 2}};
+    const Fragments fragments = fragments_of(state, mesh, {16, 16, 4});
+    ASSERT_GT(fragments.size(), 200U);
+    EXPECT_EQ(fragments.attributes, std::vector<float>(2 * fragments.size(), constant));
+  }
+}
+
+TEST(RationalLinearValues, ASampleOnAVertexHasItsValue) {
+  State state = small_state(4, 4);
+  state.attributes = {{}};
+  SmallMesh mesh;
+  mesh.positions = {at(state, 0.5F, 0.5F, 3), at(state, 3.5F, 0.5F, 5), at(state, 0.5F, 3.5F, 7)};
+  mesh.attributes = {0.1F, 0.2F, 0.3F};
+  mesh.triangles = {{0, 1, 2}};
+  EXPECT_EQ(value_at(fragments_of(state, mesh, kFour), 0, 0), 0.1F);
+}
+
+// Kills: sums in float32, where the parts overflow.
+TEST(RationalLinearValues, WhatIsBeyondFloatComesOutInfinite) {
+  State state = small_state(1, 1);
+  state.attributes = {{Interpolation::noperspective, Location::center}};
+  // u + v < 9/16: sample 1 of two, (4, 4), is covered; at the centre the value is 16/9 of 3e38.
+  SmallMesh mesh = triangle(state, {0, 0}, {0.5625F, 0}, {0, 0.5625F});
+  mesh.attributes = {0, 3e38F, 3e38F};
+  const Fragments fragments = fragments_of(state, mesh, {1, 1, 2});
+  ASSERT_GT(fragments.size(), 0U);
+  EXPECT_EQ(fragments.attributes[0], std::numeric_limits<float>::infinity());
+}
+
+// --- Locations ----------------------------------------------------------------------------------
+
+/// Left of u = 9/8, w = 1, with the attribute u, in a target of 2 x 1 pixels with 4 samples. Pixel
+/// 0 is covered; of pixel 1 only sample 2, at u = 1 + 2/16 − … : x of the samples in 1/16: 6, 14,
+/// 2, 10.
+Fragments left_part(Location location, float edge) {
+  State state = small_state(2, 1);
+  state.attributes = {{Interpolation::smooth, location}};
+  SmallMesh mesh = rectangle(state, {0, 0}, {edge, 1});
+  mesh.attributes = {0, edge, edge, 0};
+  return fragments_of(state, mesh, {2, 1, 4});
+}
+
+TEST(RationalLinearLocations, SampleIsWhereTheSampleLies) {
+  const Fragments fragments = left_part(Location::sample, 1.25F);
+  ASSERT_EQ(picture(fragments, {2, 1, 4}), (Picture{"####..#."}));
+  EXPECT_EQ(value_at(fragments, 0, 0, 0), 6 / 16.0F);
+  EXPECT_EQ(value_at(fragments, 0, 0, 1), 14 / 16.0F);
+  EXPECT_EQ(value_at(fragments, 0, 0, 3), 10 / 16.0F);
+  EXPECT_EQ(value_at(fragments, 1, 0, 2), 18 / 16.0F);
+}
+
+// Kills: the centre held to the triangle.
+TEST(RationalLinearLocations, CenterExtrapolatesWhereTheCentreIsUncovered) {
+  const Fragments fragments = left_part(Location::center, 1.25F);
+  for (int sample = 0; sample < 4; ++sample) EXPECT_EQ(value_at(fragments, 0, 0, sample), 0.5F);
+  EXPECT_EQ(value_at(fragments, 1, 0, 2), 1.5F);
+}
+
+TEST(RationalLinearLocations, CenterExtrapolatesInPerspective) {
+  State state = small_state(4, 4);
+  state.attributes = {{Interpolation::smooth, Location::center}};
+  const Fragments fragments = fragments_of(state, in_perspective(state), {4, 4, 8});
+  ASSERT_GT(fragments.size(), 0U);
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const double u = fragments.x[i] + 0.5;
+    EXPECT_FLOAT_EQ(fragments.attributes[i], static_cast<float>(u / (8 - u)));
+  }
+}
+
+// Kills: the plane through what clipping left, here a line.
+TEST(RationalLinearLocations, CenterIsByThePlaneOfTheWholeTriangle) {
+  State state = small_state(4, 4);
+  state.attributes = {{Interpolation::smooth, Location::center}};
+  // Its left edge, through the first sample of each pixel of column 0, touches the near plane.
+  SmallMesh mesh = triangle(state, {0.375F, 0}, {4.375F, 0}, {0.375F, 4});
+  mesh.positions[1].z = -1;
+  mesh.attributes = {0.375F, 4.375F, 0.375F};
+  const Fragments fragments = fragments_of(state, mesh, {4, 4, 4});
+  EXPECT_EQ(picture(fragments, {4, 4, 4}), Picture(4, "#..............."));
+  EXPECT_EQ(fragments.attributes, std::vector<float>(4, 0.5F));
+}
+
+// Kills: centroid as centre; the last covered sample for the first.
+TEST(RationalLinearLocations, CentroidIsTheCentreOrTheFirstCoveredSample) {
+  // Each triangle of a rectangle counts by itself, so one triangle over all of pixel 0 is needed:
+  // its right side falls from u = 2 to u = 1.
+  State state = small_state(2, 1);
+  state.attributes = {{Interpolation::smooth, Location::centroid}};
+  SmallMesh mesh = triangle(state, {0, 0}, {2, 0}, {0, 2});
+  mesh.attributes = {0, 2, 0};
+  const Fragments fragments = fragments_of(state, mesh, {2, 1, 4});
+  // u + v < 2; (u, v) of pixel 1 in 1/16: (22, 2), (30, 6), (18, 10), (26, 14).
+  ASSERT_EQ(picture(fragments, {2, 1, 4}), (Picture{"#####.#."}));
+  for (int sample = 0; sample < 4; ++sample) EXPECT_EQ(value_at(fragments, 0, 0, sample), 0.5F);
+  EXPECT_EQ(value_at(fragments, 1, 0, 0), 22 / 16.0F);
+  EXPECT_EQ(value_at(fragments, 1, 0, 2), 22 / 16.0F);
+}
+
+TEST(RationalLinearLocations, CentroidTakesSamplesOutsideTheViewportForUncovered) {
+  State state = small_state(2, 2);
+  state.attributes = {{Interpolation::smooth, Location::centroid}};
+  state.viewport.origin = {0.5F, 0};
+  SmallMesh mesh = triangle(state, {-2, 0}, {4, 0}, {-2, 6});
+  mesh.attributes = {-1.5F, 4.5F, -1.5F};  // the window's u, from 1/2 right of small_state's
+  const Fragments fragments = fragments_of(state, mesh, {1, 1, 4});
+  ASSERT_EQ(picture(fragments, {1, 1, 4}), (Picture{".#.#"}));
+  EXPECT_EQ(value_at(fragments, 0, 0, 3), 14 / 16.0F);
+}
+
+TEST(RationalLinearLocations, WithOneSampleAllThreeAreTheSame) {
+  State state = small_state(16, 16);
+  state.attributes = {{Interpolation::smooth, Location::sample},
+                      {Interpolation::smooth, Location::center},
+                      {Interpolation::smooth, Location::centroid}};
+  SmallMesh mesh;
+  mesh.positions = {at(state, 1, 2, 0.7F), at(state, 15, 3, 1.9F), at(state, 4, 16, 3.1F)};
+  mesh.attributes = {0.1F, 0.1F, 0.1F, 0.7F, 0.7F, 0.7F, -0.3F, -0.3F, -0.3F};
+  mesh.triangles = {{0, 1, 2}};
+  const Fragments fragments = fragments_of(state, mesh, {16, 16, 1});
+  ASSERT_GT(fragments.size(), 50U);
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    EXPECT_EQ(fragments.attributes[3 * i], fragments.attributes[3 * i + 1]);
+    EXPECT_EQ(fragments.attributes[3 * i], fragments.attributes[3 * i + 2]);
+  }
+}
+
+// --- Conventions --------------------------------------------------------------------------------
+
+TEST(RationalLinearConventions, NdcYPointsDownInVulkanAndTheWindowUpInOpengl) {
+  // The corner of least x and y in NDC.
+  const SmallMesh mesh{{{-1, -1, 0, 1}, {0, -1, 0, 1}, {-1, 0, 0, 1}}, {}, {}, {{0, 1, 2}}};
+  const Picture least_rows{"#.", ".."};
+  const Picture greatest_rows{"..", "#."};
+  for (const Convention convention : kConventions) {
+    State state = small_state(4, 4, convention);
+    state.viewport.size = {2, 2};
+    state.fill_rule = FillRule::bottom_left;
+    SmallMesh larger = mesh;
+    larger.positions[1].x = 0.25F;
+    larger.positions[2].y = 0.25F;
+    EXPECT_EQ(picture(state, larger, {2, 2, 1}),
+              convention == Convention::d3d ? greatest_rows : least_rows);
+  }
+}
+
+TEST(RationalLinearConventions, DepthIsMappedFromTheConventionsRange) {
+  for (const Convention convention : kConventions) {
+    State state = small_state(1, 1, convention);
+    state.viewport.min_depth = 0.25F;
+    state.viewport.max_depth = 0.75F;
+    const SmallMesh mesh = [&] {
+      SmallMesh m = triangle(state, {0, 0}, {2, 0}, {0, 2});
+      for (glm::vec4& p : m.positions) p = {p.x * 4, p.y * 4, 1, 4};
+      return m;
+    }();
+    // z/w = 1/4, of −1…1 it is 5/8 of the way.
+    const float expected = convention == Convention::opengl ? 0.5625F : 0.375F;
+    EXPECT_EQ(fragments_of(state, mesh, {1, 1, 1}).depth, (std::vector<float>{expected}));
+  }
+}
+
+TEST(RationalLinearConventions, AReversedDepthRangeReversesDepth) {
+  State state = small_state(4, 4);
+  state.viewport.min_depth = 1;
+  state.viewport.max_depth = 0;
+  const Fragments fragments = fragments_of(state, sloping(state, false, 0.25F, 0.5F), kFour);
+  ASSERT_EQ(fragments.size(), 16U);
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    EXPECT_EQ(fragments.depth[i], 0.75F - 0.25F * static_cast<float>(fragments.x[i]));
+  }
+}
+
+TEST(RationalLinearConventions, DepthIsLinearInTheWindow) {
+  State state = small_state(4, 4);
+  state.attributes = {{}};
+  const Fragments fragments = fragments_of(state, in_perspective(state), kFour);
+  ASSERT_GT(fragments.size(), 0U);
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    EXPECT_EQ(fragments.depth[i], (static_cast<float>(fragments.x[i]) + 0.5F) / 8);
+  }
+}
+
+TEST(RationalLinearConventions, ANegativeViewportHeightTurnsThePictureOver) {
+  State state = small_state(4, 4);
+  const SmallMesh mesh = triangle(state, {0, 0}, {4.25F, 0}, {0, 4.25F});
+  state.viewport.origin = {0, 4};
+  state.viewport.size = {4, -4};
+  EXPECT_EQ(picture(state, mesh, kFour), (Picture{"#...", "##..", "###.", "####"}));
+}
+
+/// Whether the triangle window (0, 0), (4, 0), (0, 4), which turns from u to v, is drawn.
+bool is_drawn(const State& state) {
+  return fragments_of(state, triangle(small_state(4, 4, state.convention), {0, 0}, {4, 0}, {0, 4}),
+                      kFour)
+             .size() > 0;
+}
+
+// Kills: facing without regard to where v points.
+TEST(RationalLinearConventions, FacingIsMeantAsDisplayed) {
+  for (const Convention convention : kConventions) {
+    State state = small_state(4, 4, convention);
+    const bool is_ccw = convention == Convention::opengl;  // v up
+    for (const FrontFace front : {FrontFace::ccw, FrontFace::cw}) {
+      state.front_face = front;
+      const bool is_front = is_ccw == (front == FrontFace::ccw);
+      state.cull = Cull::none;
+      EXPECT_TRUE(is_drawn(state));
+      state.cull = Cull::back;
+      EXPECT_EQ(is_drawn(state), is_front);
+      state.cull = Cull::front;
+      EXPECT_EQ(is_drawn(state), !is_front);
+    }
+  }
+}
+
+TEST(RationalLinearConventions, ANegativeViewportHeightTurnsFacing) {
+  State state = small_state(4, 4);
+  state.viewport.origin = {0, 4};
+  state.viewport.size = {4, -4};
+  state.cull = Cull::back;
+  state.front_face = FrontFace::ccw;
+  EXPECT_TRUE(is_drawn(state));
+  state.front_face = FrontFace::cw;
+  EXPECT_FALSE(is_drawn(state));
+}
+
+// Kills: facing from divided positions.
+TEST(RationalLinearConventions, FacingHoldsWithAVertexBehindTheEye) {
+  State state = small_state(8, 8);
+  state.cull = Cull::back;
+  const SmallMesh mesh = behind_the_eye(state);
+  // Seen from v = 0 downwards, (2, 0) to (6, 0) is the upper side: clockwise as displayed.
+  state.front_face = FrontFace::cw;
+  EXPECT_GT(fragments_of(state, mesh, kEight).size(), 0U);
+  state.front_face = FrontFace::ccw;
+  EXPECT_EQ(fragments_of(state, mesh, kEight).size(), 0U);
+}
+
+TEST(RationalLinearConventions, CulledTrianglesAreNotCounted) {
+  State state = small_state(4, 4);
+  state.cull = Cull::back;
+  Fragments fragments;
+  const SmallMesh mesh = triangle(state, {0, 0}, {4, 0}, {0, 4});
+  EXPECT_EQ(draw_fragments(state, mesh.mesh(), kFour, fragments).counts, DrawCounts{});
+  EXPECT_EQ(fragments.size(), 0U);
+}
+
+}  // namespace
+}  // namespace rastercheck::rasterizer

@@ -1,0 +1,105 @@
+#pragma once
+
+// Small draws for the tests: triangles given by their window positions, and pictures of what they
+// cover.
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+#include <vector>
+
+#include "rasterizer/rasterizer.h"
+
+namespace rastercheck::rasterizer {
+
+/// A mesh with its memory.
+struct SmallMesh {
+  std::vector<glm::vec4> positions;
+  std::vector<float> attributes;
+  std::vector<float> clip_distances;
+  std::vector<glm::uvec3> triangles;
+
+  Mesh mesh() const { return {positions, attributes, clip_distances, triangles}; }
+};
+
+/// A state with the viewport (0, 0, width, height), depths 0 and 1, and the fill rule of the
+/// convention.
+inline State small_state(int width, int height, Convention convention = Convention::vulkan) {
+  State state;
+  state.convention = convention;
+  state.viewport.size = {width, height};
+  state.fill_rule = convention == Convention::opengl ? FillRule::bottom_left : FillRule::top_left;
+  return state;
+}
+
+/// The clip position that small_state's viewport takes to the window position (u, v), depth z/w and
+/// w. Exact for dyadic numbers of few digits where width and height are powers of two.
+inline glm::vec4 at(const State& state, float u, float v, float w = 1, float depth = 0) {
+  const glm::vec2 size = state.viewport.size;
+  const float y = 2 * v / size.y - 1;
+  return {(2 * u / size.x - 1) * w, (state.convention == Convention::d3d ? -y : y) * w, depth * w,
+          w};
+}
+
+/// One triangle with these window positions, w = 1.
+inline SmallMesh triangle(const State& state, glm::vec2 a, glm::vec2 b, glm::vec2 c) {
+  SmallMesh mesh;
+  mesh.positions = {at(state, a.x, a.y), at(state, b.x, b.y), at(state, c.x, c.y)};
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+/// The rectangle with window corners `low` and `high` as two triangles, split from low to high or
+/// across.
+inline SmallMesh rectangle(const State& state, glm::vec2 low, glm::vec2 high, bool across = false) {
+  SmallMesh mesh;
+  mesh.positions = {at(state, low.x, low.y), at(state, high.x, low.y), at(state, high.x, high.y),
+                    at(state, low.x, high.y)};
+  if (across) {
+    mesh.triangles = {{0, 1, 3}, {1, 2, 3}};
+  } else {
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  }
+  return mesh;
+}
+
+inline Fragments fragments_of(const State& state, const SmallMesh& mesh, const TargetSize& size) {
+  Fragments fragments;
+  static_cast<void>(draw_fragments(state, mesh.mesh(), size, fragments));
+  return fragments;
+}
+
+/// How often each sample was drawn: [y][x][sample].
+inline std::vector<int> times_drawn(const Fragments& fragments, const TargetSize& size) {
+  const auto width = static_cast<std::size_t>(size.width);
+  const auto samples = static_cast<std::size_t>(size.samples);
+  std::vector<int> times(width * static_cast<std::size_t>(size.height) * samples);
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    ++times[(fragments.y[i] * width + fragments.x[i]) * samples + fragments.sample[i]];
+  }
+  return times;
+}
+
+using Picture = std::vector<std::string>;
+
+/// One string for each row, y = 0 first; one letter for each sample: '.' not drawn, '#' once, else
+/// how often.
+inline Picture picture(const Fragments& fragments, const TargetSize& size) {
+  const std::vector<int> times = times_drawn(fragments, size);
+  const auto row_length = static_cast<std::size_t>(size.width * size.samples);
+  Picture rows;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (i % row_length == 0) rows.emplace_back();
+    rows.back() += times[i] == 0 ? '.' : times[i] == 1 ? '#' : static_cast<char>('0' + times[i]);
+  }
+  return rows;
+}
+
+inline Picture picture(const State& state, const SmallMesh& mesh, const TargetSize& size) {
+  return picture(fragments_of(state, mesh, size), size);
+}
+
+}  // namespace rastercheck::rasterizer
