@@ -227,6 +227,17 @@ TEST(RationalLinearClipping, SamplesOnANearOrFarCutAreInside) {
   }
 }
 
+// Kills: a cut edge that forgets, when it is cut again, that it is one.
+TEST(RationalLinearClipping, SamplesOnADepthCutAreInsideHoweverItIsCutItself) {
+  State state = small_state(4, 4);
+  state.clip_distance_count = 1;
+  SmallMesh mesh = sloping(state, false, -0.125F, 0);  // inside up to u = 1.5
+  mesh.clip_distances = {1, 1, -1, -1};                // inside up to v = 2
+  EXPECT_EQ(picture(state, mesh, kFour), (Picture{"##..", "##..", "....", "...."}));
+  mesh.clip_distances = {-1, -1, 1, 1};
+  EXPECT_EQ(picture(state, mesh, kFour), (Picture{"....", "....", "##..", "##.."}));
+}
+
 TEST(RationalLinearClipping, DepthClampKeepsWhatIsNearerOrFartherAndClampsItsDepth) {
   State state = small_state(4, 4);
   state.depth_clamp = true;
@@ -553,6 +564,29 @@ TEST(RationalLinearConventions, DepthIsLinearInTheWindow) {
   for (std::size_t i = 0; i < fragments.size(); ++i) {
     EXPECT_EQ(fragments.depth[i], (static_cast<float>(fragments.x[i]) + 0.5F) / 8);
   }
+}
+
+// Kills: a mean of equal ends that is not always their value. The depth, 3/4 of 12000002 · 2^-24,
+// lies halfway between two floats, where any error shows.
+TEST(RationalLinearConventions, APlaneOfEqualDepthHasOneDepth) {
+  State state = small_state(16, 16);
+  state.viewport.max_depth = 0.75F;
+  const float depth = 12000002 * 0x1p-24F;
+  SmallMesh mesh;
+  mesh.triangles = {{0, 1, 2}};
+  mesh.positions = {at(state, 0.3F, 0.9F, 4, depth), at(state, 15.7F, 2.1F, 2, depth),
+                    at(state, 3.3F, 15.9F, 1, depth)};
+  const auto expect_one_depth = [&] {
+    const Fragments fragments = fragments_of(state, mesh, {16, 16, 4});
+    ASSERT_GT(fragments.size(), 100U);
+    EXPECT_EQ(fragments.depth, std::vector<float>(fragments.size(), 9000002 * 0x1p-24F));
+  };
+  expect_one_depth();
+  // Clipped, with one w.
+  for (glm::vec4& p : mesh.positions) p /= p.w;
+  state.clip_distance_count = 2;
+  mesh.clip_distances = {0.7F, -0.1F, -0.3F, 0.9F, 0.3F, 0.7F};
+  expect_one_depth();
 }
 
 TEST(RationalLinearConventions, ANegativeViewportHeightTurnsThePictureOver) {

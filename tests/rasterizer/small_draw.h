@@ -89,7 +89,8 @@ using Picture = std::vector<std::string>;
 /// how often.
 inline Picture picture(const Fragments& fragments, const TargetSize& size) {
   const std::vector<int> times = times_drawn(fragments, size);
-  const auto row_length = static_cast<std::size_t>(size.width * size.samples);
+  const auto row_length =
+      static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.samples);
   Picture rows;
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (i % row_length == 0) rows.emplace_back();
