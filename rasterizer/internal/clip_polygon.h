@@ -23,7 +23,7 @@ namespace rastercheck::rasterizer {
 /// Half widths of the viewport, a power of two so that testing a vertex rounds nothing. Edges that
 /// stay below it are not moved at all; beyond it their far ends are cut off, a thousand viewports
 /// away. Less would move edges without need. More would lose digits at the crossings with the rows:
-/// their rounding is relative to the far end (convex_scan.h), here within 2^-53 · 2^10 half widths.
+/// their rounding is relative to the far end (convex_scan.h), here 11 · 2^-53 · 2^10 half widths.
 inline constexpr double kGuardBand = 1024;
 
 struct ClipVertex {

@@ -26,35 +26,47 @@
 // counted.
 //
 // Locations. `sample`: where the fragment's sample lies. `center`: on the span of the centre's row
-// where that covers the centre, otherwise by the plane of s_i, which is undefined where s_{n+1} <=
-// 0 there. `centroid`: the centre where every sample of the pixel is drawn (viewport included),
-// otherwise the first sample that is.
+// where that covers the centre, otherwise by the plane of s_i, undefined where s_{n+1} <= 0 there.
+// The plane is the whole triangle's, as what clipping left of it may be too thin to carry one. With
+// the centre as origin of window space and e_0 = X_1 Y_2 - X_2 Y_1 and so on,
+//
+//   s_k = (sum of p_ik e_i) / (sum of w_i e_i),   p_ik what is linear in clip space (r, r w, or 1).
+//
+// No w_i is divided by, so vertices with w <= 0 are no different. `centroid`: the centre where
+// every sample of the pixel is drawn (viewport included), otherwise the first sample that is.
 //
 // Error, first order, u = 2^-53 (rounding to float32, once, comes on top).
-//  - A vertex: X and Y have at most two roundings of products and sums and one of the division, so
-//    δ <= 2 u (|x W/2w| + |x0 + W/2|) + u |position| pixels; s_i one, relative u.
-//  - A crossing is off by δ_c <= 11 u max|u_end| (internal/convex_scan.h), besides what the
-//  vertices'
-//    errors move the edge. Coordinates reach 2^10 half widths (internal/clip_polygon.h), so a far
-//    end costs up to 2^-43 half widths; ends within the target cost some 2^-52 widths.
-//  - Along an edge and along a span, s_i is a mean of two ends, five roundings each time, so
-//  |δs_i| <= 11 u max|s_i| with the vertices', and what the places contribute: an edge that is off
-//  by δ carries the values of a row or column δ away, (|∂s_i/∂u| + |∂s_i/∂v|) δ.
-//  - The quotient: |δr_i| <= (|δs_i| + |r_i| |δs_{n+1}|) / s_{n+1} + u |r_i|, that is
-//      |δr_i| <= (|∂r_i/∂u| + |∂r_i/∂v|) δ + 23 u max|r_i| max(1/w) / s_{n+1}.
-//  The first term has no bound in terms of the triangle's values alone: a sliver d pixels wide has
-//  derivatives of about the range of its values over d, so it loses log2(δ/(d u)) bits. The second
-//  grows where 1/w cancels, near the horizon.
-//  - By the plane: δe_0 <= 8 u (|X_1| + |w_1| m) (|Y_2| + |w_2| m) and its mirror, m the distance
-//  of the centre from the viewport's middle; δr_i <= 2 max|r_i| (sum of |δe|) / |sum of e|.
-//  - Coverage: wrong only for samples within δ_c, and what the vertices' errors move the edge, of
-//  it.
+//
+// Vertices. X and Y have at most two roundings of products and sums and one of the division, so
+// they are off by δ <= 2 u (|x W/2w| + |x0 + W/2|) + u |position| pixels; s_i has one, relative u.
+//
+// Crossings. Off by δ_c <= 11 u max|u_end| (internal/convex_scan.h), besides what the errors of the
+// vertices move the edge. Coordinates reach 2^10 half widths (internal/clip_polygon.h), so a far
+// end costs up to 2^-39 half widths; ends within the target cost some 2^-49 widths.
+//
+// Means. Along an edge and along a span s_i is a mean of two ends, five roundings each time, so
+// with the rounding at the vertices |δs_i| <= 11 u max|s_i|. To this comes what the places
+// contribute: an edge that is off by δ carries the values of a row or column δ away, (|∂s_i/∂u| +
+// |∂s_i/∂v|) δ.
+//
+// Quotients. |δr_i| <= (|δs_i| + |r_i| |δs_{n+1}|) / s_{n+1} + u |r_i|, that is
+//
+//   |δr_i| <= (|∂r_i/∂u| + |∂r_i/∂v|) δ + 23 u max|r_i| max(1/w) / s_{n+1}.
+//
+// The first term has no bound in terms of the triangle's values alone: a sliver d pixels wide has
+// derivatives of about the range of its values over d, so they are off by δ/d of that range. The
+// second grows towards the horizon, where s_{n+1} is small against the greatest 1/w.
+//
+// By the plane. δe_0 <= 8 u (|X_1| + |w_1| m) (|Y_2| + |w_2| m) and its mirror, m the distance of
+// the centre from the viewport's middle; then |δr_i| <= 2 max|r_i| (sum of |δe_i|) / |sum of e_i|.
+//
+// Coverage. Wrong only for samples within δ_c, and what the vertices' errors move the edge, of it.
 //
 // What it does not do: snap positions to a subpixel grid; decide coverage exactly (ties come out
-// right where positions lie on a coarse grid, see internal/convex_scan.h); draw a triangle that
-// touches a clip plane in one point only; bound its errors. Seed 002's reciprocal and products in
-// place of the n divisions per pixel are not taken: they cost a rounding more, and constants would
-// not be kept.
+// right where positions lie on a coarse grid, see internal/convex_scan.h, but not always on an edge
+// that clipping has cut, whose new end is rounded); draw a triangle that touches a clip plane in
+// one point only; bound its errors. Seed 002's reciprocal and products in place of the n divisions
+// per pixel are not taken: they cost a rounding more.
 //
 // Triangles with a clip distance that is not finite are counted with those that have such a
 // position.

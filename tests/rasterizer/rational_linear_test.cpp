@@ -1,9 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
-#include <functional>
-#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -17,28 +14,6 @@ namespace {
 constexpr TargetSize kFour{4, 4, 1};
 constexpr TargetSize kEight{8, 8, 1};
 constexpr Convention kConventions[] = {Convention::opengl, Convention::vulkan, Convention::d3d};
-
-/// The value of the first attribute at a sample; NaN where it was not drawn.
-float value_at(const Fragments& fragments, int x, int y, int sample = 0) {
-  const std::size_t stride = fragments.attributes.size() / fragments.size();
-  for (std::size_t i = 0; i < fragments.size(); ++i) {
-    if (fragments.x[i] == x && fragments.y[i] == y && fragments.sample[i] == sample) {
-      return fragments.attributes[i * stride];
-    }
-  }
-  return NAN;
-}
-
-/// Holds the first attribute of every fragment against a function of its pixel's centre, to half a
-/// unit of float32 and a little.
-void expect_values(const Fragments& fragments, const std::function<double(double, double)>& exact) {
-  ASSERT_GT(fragments.size(), 0U);
-  for (std::size_t i = 0; i < fragments.size(); ++i) {
-    const double expected = exact(fragments.x[i] + 0.5, fragments.y[i] + 0.5);
-    EXPECT_NEAR(fragments.attributes[i], expected, 0x1.001p-24 * std::abs(expected))
-        << fragments.x[i] << ", " << fragments.y[i];
-  }
-}
 
 // --- Coverage -----------------------------------------------------------------------------------
 
@@ -192,17 +167,6 @@ TEST(RationalLinearClipping, WhatIsWhollyBehindTheEyeIsNotDrawn) {
   }
 }
 
-/// A rectangle over the whole target whose depth z/w is `slope` times the distance from v = 1.5 or,
-/// if not `along_v`, from u = 1.5.
-SmallMesh sloping(const State& state, bool along_v, float slope, float level) {
-  SmallMesh mesh = rectangle(state, {0, 0}, {4, 4});
-  const glm::vec2 corners[] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    mesh.positions[i].z = level + slope * ((along_v ? corners[i].y : corners[i].x) - 1.5F);
-  }
-  return mesh;
-}
-
 /// Columns or rows 0 to 3, those in `which` drawn.
 Picture stripes(bool along_v, const std::string& which) {
   Picture rows;
@@ -304,212 +268,6 @@ TEST(RationalLinearClipping, ValuesStayWhereTheGuardBandCuts) {
   }
 }
 
-// --- Values -------------------------------------------------------------------------------------
-
-/// w = 1 at u = 0 and 2 at u = 4, the attribute 0 and 1: u/8 over (8 − u)/8.
-SmallMesh in_perspective(const State& state) {
-  SmallMesh mesh;
-  mesh.positions = {at(state, 0, 0, 1, 0), at(state, 4, 0, 2, 0.5F), at(state, 0, 4, 1, 0)};
-  mesh.attributes = {0, 1, 0};
-  mesh.triangles = {{0, 1, 2}};
-  return mesh;
-}
-
-// Kills: interpolation linear in window space ("rubber sheet").
-TEST(RationalLinearValues, SmoothIsLinearOverLinear) {
-  for (const Convention convention : kConventions) {
-    State state = small_state(4, 4, convention);
-    state.attributes = {{}};
-    expect_values(fragments_of(state, in_perspective(state), kFour),
-                  [](double u, double) { return u / (8 - u); });
-  }
-}
-
-TEST(RationalLinearValues, NoperspectiveIsLinearInTheWindow) {
-  State state = small_state(4, 4);
-  state.attributes = {{Interpolation::noperspective, Location::sample}};
-  expect_values(fragments_of(state, in_perspective(state), kFour),
-                [](double u, double) { return u / 4; });
-}
-
-// Kills: noperspective values made linear in clip space by clipping.
-TEST(RationalLinearValues, NoperspectiveStaysLinearInTheWindowWhereClipped) {
-  State state = small_state(4, 4);
-  state.attributes = {{Interpolation::noperspective, Location::sample}};
-  SmallMesh mesh = in_perspective(state);
-  // Depth falls from 1 to −1 along u: cut at u = 2.
-  mesh.positions[0].z = 1;
-  mesh.positions[1].z = -2;
-  mesh.positions[2].z = 1;
-  const Fragments fragments = fragments_of(state, mesh, kFour);
-  EXPECT_EQ(picture(fragments, kFour), (Picture{"##..", "##..", "#...", "...."}));
-  expect_values(fragments, [](double u, double) { return u / 4; });
-}
-
-TEST(RationalLinearValues, FlatIsTheProvokingVertex) {
-  for (const Convention convention : kConventions) {
-    State state = small_state(4, 4, convention);
-    state.attributes = {{Interpolation::flat, Location::sample}};
-    SmallMesh mesh = triangle(state, {0, 0}, {4, 0}, {0, 4});
-    mesh.attributes = {0.1F, 0.2F, 0.3F};
-    mesh.triangles = {{1, 0, 2}};
-    const float expected = convention == Convention::opengl ? 0.3F : 0.2F;
-    const Fragments fragments = fragments_of(state, mesh, kFour);
-    EXPECT_EQ(fragments.attributes, std::vector<float>(fragments.size(), expected));
-  }
-}
-
-TEST(RationalLinearValues, EveryAttributeHasItsOwnQualifier) {
-  State state = small_state(4, 4);
-  state.attributes = {{Interpolation::noperspective, Location::sample},
-                      {Interpolation::flat, Location::center},
-                      {Interpolation::smooth, Location::center}};
-  SmallMesh mesh = in_perspective(state);
-  mesh.attributes = {0, 5, 0, 1, 6, 1, 0, 7, 0};
-  const Fragments fragments = fragments_of(state, mesh, kFour);
-  ASSERT_EQ(fragments.attributes.size(), 3 * fragments.size());
-  for (std::size_t i = 0; i < fragments.size(); ++i) {
-    const float u = static_cast<float>(fragments.x[i]) + 0.5F;
-    EXPECT_EQ(fragments.attributes[3 * i], u / 4);
-    EXPECT_EQ(fragments.attributes[3 * i + 1], 5);
-    EXPECT_FLOAT_EQ(fragments.attributes[3 * i + 2], u / (8 - u));
-  }
-}
-
-// Kills: a + (b − a) t with weights that do not add to one.
-TEST(RationalLinearValues, ConstantsComeOutExactly) {
-  for (const float constant : {0.1F, -3e38F, 1e-45F, 1.0F / 3}) {
-    State state = small_state(16, 16);
-    state.attributes = {{}, {Interpolation::noperspective, Location::center}};
-    SmallMesh mesh;
-    mesh.positions = {at(state, 1, 2, 0.7F), at(state, 15, 3, 1.9F), at(state, 4, 16, 3.1F)};
-    mesh.attributes.assign(6, constant);
-    mesh.triangles = {{0, 1, 2}};
-    const Fragments fragments = fragments_of(state, mesh, {16, 16, 4});
-    ASSERT_GT(fragments.size(), 200U);
-    EXPECT_EQ(fragments.attributes, std::vector<float>(2 * fragments.size(), constant));
-  }
-}
-
-TEST(RationalLinearValues, ASampleOnAVertexHasItsValue) {
-  State state = small_state(4, 4);
-  state.attributes = {{}};
-  SmallMesh mesh;
-  mesh.positions = {at(state, 0.5F, 0.5F, 3), at(state, 3.5F, 0.5F, 5), at(state, 0.5F, 3.5F, 7)};
-  mesh.attributes = {0.1F, 0.2F, 0.3F};
-  mesh.triangles = {{0, 1, 2}};
-  EXPECT_EQ(value_at(fragments_of(state, mesh, kFour), 0, 0), 0.1F);
-}
-
-// Kills: sums in float32, where the parts overflow.
-TEST(RationalLinearValues, WhatIsBeyondFloatComesOutInfinite) {
-  State state = small_state(1, 1);
-  state.attributes = {{Interpolation::noperspective, Location::center}};
-  // u + v < 9/16: sample 1 of two, (4, 4), is covered; at the centre the value is 16/9 of 3e38.
-  SmallMesh mesh = triangle(state, {0, 0}, {0.5625F, 0}, {0, 0.5625F});
-  mesh.attributes = {0, 3e38F, 3e38F};
-  const Fragments fragments = fragments_of(state, mesh, {1, 1, 2});
-  ASSERT_GT(fragments.size(), 0U);
-  EXPECT_EQ(fragments.attributes[0], std::numeric_limits<float>::infinity());
-}
-
-// --- Locations ----------------------------------------------------------------------------------
-
-/// Left of u = 9/8, w = 1, with the attribute u, in a target of 2 x 1 pixels with 4 samples. Pixel
-/// 0 is covered; of pixel 1 only sample 2, at u = 1 + 2/16 − … : x of the samples in 1/16: 6, 14,
-/// 2, 10.
-Fragments left_part(Location location, float edge) {
-  State state = small_state(2, 1);
-  state.attributes = {{Interpolation::smooth, location}};
-  SmallMesh mesh = rectangle(state, {0, 0}, {edge, 1});
-  mesh.attributes = {0, edge, edge, 0};
-  return fragments_of(state, mesh, {2, 1, 4});
-}
-
-TEST(RationalLinearLocations, SampleIsWhereTheSampleLies) {
-  const Fragments fragments = left_part(Location::sample, 1.25F);
-  ASSERT_EQ(picture(fragments, {2, 1, 4}), (Picture{"####..#."}));
-  EXPECT_EQ(value_at(fragments, 0, 0, 0), 6 / 16.0F);
-  EXPECT_EQ(value_at(fragments, 0, 0, 1), 14 / 16.0F);
-  EXPECT_EQ(value_at(fragments, 0, 0, 3), 10 / 16.0F);
-  EXPECT_EQ(value_at(fragments, 1, 0, 2), 18 / 16.0F);
-}
-
-// Kills: the centre held to the triangle.
-TEST(RationalLinearLocations, CenterExtrapolatesWhereTheCentreIsUncovered) {
-  const Fragments fragments = left_part(Location::center, 1.25F);
-  for (int sample = 0; sample < 4; ++sample) EXPECT_EQ(value_at(fragments, 0, 0, sample), 0.5F);
-  EXPECT_EQ(value_at(fragments, 1, 0, 2), 1.5F);
-}
-
-TEST(RationalLinearLocations, CenterExtrapolatesInPerspective) {
-  State state = small_state(4, 4);
-  state.attributes = {{Interpolation::smooth, Location::center}};
-  const Fragments fragments = fragments_of(state, in_perspective(state), {4, 4, 8});
-  ASSERT_GT(fragments.size(), 0U);
-  for (std::size_t i = 0; i < fragments.size(); ++i) {
-    const double u = fragments.x[i] + 0.5;
-    EXPECT_FLOAT_EQ(fragments.attributes[i], static_cast<float>(u / (8 - u)));
-  }
-}
-
-// Kills: the plane through what clipping left, here a line.
-TEST(RationalLinearLocations, CenterIsByThePlaneOfTheWholeTriangle) {
-  State state = small_state(4, 4);
-  state.attributes = {{Interpolation::smooth, Location::center}};
-  // Its left edge, through the first sample of each pixel of column 0, touches the near plane.
-  SmallMesh mesh = triangle(state, {0.375F, 0}, {4.375F, 0}, {0.375F, 4});
-  mesh.positions[1].z = -1;
-  mesh.attributes = {0.375F, 4.375F, 0.375F};
-  const Fragments fragments = fragments_of(state, mesh, {4, 4, 4});
-  EXPECT_EQ(picture(fragments, {4, 4, 4}), Picture(4, "#..............."));
-  EXPECT_EQ(fragments.attributes, std::vector<float>(4, 0.5F));
-}
-
-// Kills: centroid as centre; the last covered sample for the first.
-TEST(RationalLinearLocations, CentroidIsTheCentreOrTheFirstCoveredSample) {
-  // Each triangle of a rectangle counts by itself, so one triangle over all of pixel 0 is needed:
-  // its right side falls from u = 2 to u = 1.
-  State state = small_state(2, 1);
-  state.attributes = {{Interpolation::smooth, Location::centroid}};
-  SmallMesh mesh = triangle(state, {0, 0}, {2, 0}, {0, 2});
-  mesh.attributes = {0, 2, 0};
-  const Fragments fragments = fragments_of(state, mesh, {2, 1, 4});
-  // u + v < 2; (u, v) of pixel 1 in 1/16: (22, 2), (30, 6), (18, 10), (26, 14).
-  ASSERT_EQ(picture(fragments, {2, 1, 4}), (Picture{"#####.#."}));
-  for (int sample = 0; sample < 4; ++sample) EXPECT_EQ(value_at(fragments, 0, 0, sample), 0.5F);
-  EXPECT_EQ(value_at(fragments, 1, 0, 0), 22 / 16.0F);
-  EXPECT_EQ(value_at(fragments, 1, 0, 2), 22 / 16.0F);
-}
-
-TEST(RationalLinearLocations, CentroidTakesSamplesOutsideTheViewportForUncovered) {
-  State state = small_state(2, 2);
-  state.attributes = {{Interpolation::smooth, Location::centroid}};
-  state.viewport.origin = {0.5F, 0};
-  SmallMesh mesh = triangle(state, {-2, 0}, {4, 0}, {-2, 6});
-  mesh.attributes = {-1.5F, 4.5F, -1.5F};  // the window's u, from 1/2 right of small_state's
-  const Fragments fragments = fragments_of(state, mesh, {1, 1, 4});
-  ASSERT_EQ(picture(fragments, {1, 1, 4}), (Picture{".#.#"}));
-  EXPECT_EQ(value_at(fragments, 0, 0, 3), 14 / 16.0F);
-}
-
-TEST(RationalLinearLocations, WithOneSampleAllThreeAreTheSame) {
-  State state = small_state(16, 16);
-  state.attributes = {{Interpolation::smooth, Location::sample},
-                      {Interpolation::smooth, Location::center},
-                      {Interpolation::smooth, Location::centroid}};
-  SmallMesh mesh;
-  mesh.positions = {at(state, 1, 2, 0.7F), at(state, 15, 3, 1.9F), at(state, 4, 16, 3.1F)};
-  mesh.attributes = {0.1F, 0.1F, 0.1F, 0.7F, 0.7F, 0.7F, -0.3F, -0.3F, -0.3F};
-  mesh.triangles = {{0, 1, 2}};
-  const Fragments fragments = fragments_of(state, mesh, {16, 16, 1});
-  ASSERT_GT(fragments.size(), 50U);
-  for (std::size_t i = 0; i < fragments.size(); ++i) {
-    EXPECT_EQ(fragments.attributes[3 * i], fragments.attributes[3 * i + 1]);
-    EXPECT_EQ(fragments.attributes[3 * i], fragments.attributes[3 * i + 2]);
-  }
-}
-
 // --- Conventions --------------------------------------------------------------------------------
 
 TEST(RationalLinearConventions, NdcYPointsDownInVulkanAndTheWindowUpInOpengl) {
@@ -527,66 +285,6 @@ TEST(RationalLinearConventions, NdcYPointsDownInVulkanAndTheWindowUpInOpengl) {
     EXPECT_EQ(picture(state, larger, {2, 2, 1}),
               convention == Convention::d3d ? greatest_rows : least_rows);
   }
-}
-
-TEST(RationalLinearConventions, DepthIsMappedFromTheConventionsRange) {
-  for (const Convention convention : kConventions) {
-    State state = small_state(1, 1, convention);
-    state.viewport.min_depth = 0.25F;
-    state.viewport.max_depth = 0.75F;
-    const SmallMesh mesh = [&] {
-      SmallMesh m = triangle(state, {0, 0}, {2, 0}, {0, 2});
-      for (glm::vec4& p : m.positions) p = {p.x * 4, p.y * 4, 1, 4};
-      return m;
-    }();
-    // z/w = 1/4, of −1…1 it is 5/8 of the way.
-    const float expected = convention == Convention::opengl ? 0.5625F : 0.375F;
-    EXPECT_EQ(fragments_of(state, mesh, {1, 1, 1}).depth, (std::vector<float>{expected}));
-  }
-}
-
-TEST(RationalLinearConventions, AReversedDepthRangeReversesDepth) {
-  State state = small_state(4, 4);
-  state.viewport.min_depth = 1;
-  state.viewport.max_depth = 0;
-  const Fragments fragments = fragments_of(state, sloping(state, false, 0.25F, 0.5F), kFour);
-  ASSERT_EQ(fragments.size(), 16U);
-  for (std::size_t i = 0; i < fragments.size(); ++i) {
-    EXPECT_EQ(fragments.depth[i], 0.75F - 0.25F * static_cast<float>(fragments.x[i]));
-  }
-}
-
-TEST(RationalLinearConventions, DepthIsLinearInTheWindow) {
-  State state = small_state(4, 4);
-  state.attributes = {{}};
-  const Fragments fragments = fragments_of(state, in_perspective(state), kFour);
-  ASSERT_GT(fragments.size(), 0U);
-  for (std::size_t i = 0; i < fragments.size(); ++i) {
-    EXPECT_EQ(fragments.depth[i], (static_cast<float>(fragments.x[i]) + 0.5F) / 8);
-  }
-}
-
-// Kills: a mean of equal ends that is not always their value. The depth, 3/4 of 12000002 · 2^-24,
-// lies halfway between two floats, where any error shows.
-TEST(RationalLinearConventions, APlaneOfEqualDepthHasOneDepth) {
-  State state = small_state(16, 16);
-  state.viewport.max_depth = 0.75F;
-  const float depth = 12000002 * 0x1p-24F;
-  SmallMesh mesh;
-  mesh.triangles = {{0, 1, 2}};
-  mesh.positions = {at(state, 0.3F, 0.9F, 4, depth), at(state, 15.7F, 2.1F, 2, depth),
-                    at(state, 3.3F, 15.9F, 1, depth)};
-  const auto expect_one_depth = [&] {
-    const Fragments fragments = fragments_of(state, mesh, {16, 16, 4});
-    ASSERT_GT(fragments.size(), 100U);
-    EXPECT_EQ(fragments.depth, std::vector<float>(fragments.size(), 9000002 * 0x1p-24F));
-  };
-  expect_one_depth();
-  // Clipped, with one w.
-  for (glm::vec4& p : mesh.positions) p /= p.w;
-  state.clip_distance_count = 2;
-  mesh.clip_distances = {0.7F, -0.1F, -0.3F, 0.9F, 0.3F, 0.7F};
-  expect_one_depth();
 }
 
 TEST(RationalLinearConventions, ANegativeViewportHeightTurnsThePictureOver) {

@@ -3,8 +3,11 @@
 // Small draws for the tests: triangles given by their window positions, and pictures of what they
 // cover.
 
+#include <gtest/gtest.h>
+
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -101,6 +104,40 @@ inline Picture picture(const Fragments& fragments, const TargetSize& size) {
 
 inline Picture picture(const State& state, const SmallMesh& mesh, const TargetSize& size) {
   return picture(fragments_of(state, mesh, size), size);
+}
+
+/// The value of the first attribute at a sample; NaN where it was not drawn.
+inline float value_at(const Fragments& fragments, int x, int y, int sample = 0) {
+  const std::size_t stride = fragments.attributes.size() / fragments.size();
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    if (fragments.x[i] == x && fragments.y[i] == y && fragments.sample[i] == sample) {
+      return fragments.attributes[i * stride];
+    }
+  }
+  return NAN;
+}
+
+/// Holds the first attribute of every fragment against a function of its pixel's centre, to half a
+/// unit of float32 and a little.
+inline void expect_values(const Fragments& fragments,
+                          const std::function<double(double, double)>& exact) {
+  ASSERT_GT(fragments.size(), 0U);
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const double expected = exact(fragments.x[i] + 0.5, fragments.y[i] + 0.5);
+    EXPECT_NEAR(fragments.attributes[i], expected, 0x1.001p-24 * std::abs(expected))
+        << fragments.x[i] << ", " << fragments.y[i];
+  }
+}
+
+/// A rectangle over a target of 4 x 4 whose depth z/w is `slope` times the distance from v = 1.5
+/// or, if not `along_v`, from u = 1.5.
+inline SmallMesh sloping(const State& state, bool along_v, float slope, float level) {
+  SmallMesh mesh = rectangle(state, {0, 0}, {4, 4});
+  const glm::vec2 corners[] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    mesh.positions[i].z = level + slope * ((along_v ? corners[i].y : corners[i].x) - 1.5F);
+  }
+  return mesh;
 }
 
 }  // namespace rastercheck::rasterizer
