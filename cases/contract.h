@@ -31,6 +31,26 @@ enum class Basis { ideal, snapped, unspecified };
 /// Which edges own a sample that lies exactly on them.
 enum class TieRule { top_left, bottom_left, unspecified };
 
+/// How far a value may be beyond what coverage and basis leave open, in scale ULP (RULES §5):
+///
+///   constant + per_horizon · g,    g = the greatest 1/w of what is drawn of the triangle / 1/w
+///
+/// where 1/w is the fragment's own. Interpolating r/w and 1/w is off by a share of the greatest
+/// 1/w, and so loses digits of r towards the horizon, where 1/w is small.
+struct ValueBound {
+  float constant = 0.5F;
+  float per_horizon = 0;
+  bool operator==(const ValueBound&) const = default;
+};
+
+/// Flat attributes are copies and have no bound but 0.
+struct ValueBounds {
+  ValueBound smooth;
+  ValueBound noperspective;
+  ValueBound depth;  ///< ULP of max(|n|, |f|)
+  bool operator==(const ValueBounds&) const = default;
+};
+
 struct Contract {
   Coverage coverage;
   Basis basis = Basis::ideal;
@@ -41,6 +61,7 @@ struct Contract {
   /// How far an edge that was cut by a clip plane, and the clip edge itself, may be off, in grid
   /// units per axis. Only where `coverage` is snapped.
   float clip_tolerance = 1;
+  ValueBounds bounds;
   bool operator==(const Contract&) const = default;
 
   /// Whether it leaves more than one answer open, so that values are ranges.

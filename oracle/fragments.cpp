@@ -7,17 +7,6 @@
 namespace rastercheck::oracle {
 namespace {
 
-Fragment make_fragment(const SceneTruth& scene, const TriangleTruth& truth, std::size_t triangle,
-                       int x, int y, int sample, const records::SampleVerdict& decision) {
-  Fragment fragment{triangle, x, y, sample, decision, truth.depth(x, y, sample), {}};
-  const std::size_t count = scene.source().attributes.size();
-  fragment.attributes.reserve(count);
-  for (std::size_t a = 0; a < count; ++a) {
-    fragment.attributes.push_back(truth.attribute(a, x, y, sample));
-  }
-  return fragment;
-}
-
 /// Every fragment, each triangle as if drawn alone.
 void for_each_alone(const SceneTruth& scene, const FragmentSink& sink) {
   const int samples = scene.source().framebuffer.samples;
@@ -29,7 +18,7 @@ void for_each_alone(const SceneTruth& scene, const FragmentSink& sink) {
         for (int s = 0; s < samples; ++s) {
           const records::SampleVerdict decision = truth.judge(x, y, s);
           if (decision.verdict == records::Verdict::forbidden) continue;
-          if (!sink(make_fragment(scene, truth, t, x, y, s, decision), truth)) return;
+          if (!sink(fragment_at(scene, truth, t, x, y, s, decision), truth)) return;
         }
       }
     }
@@ -66,6 +55,17 @@ void resolve(std::vector<Fragment*>& fragments, std::vector<const Fragment*>& dr
 }
 
 }  // namespace
+
+Fragment fragment_at(const SceneTruth& scene, const TriangleTruth& truth, std::size_t triangle,
+                     int x, int y, int sample, const records::SampleVerdict& decision) {
+  Fragment fragment{triangle, x, y, sample, decision, truth.depth(x, y, sample), {}};
+  const std::size_t count = scene.source().attributes.size();
+  fragment.attributes.reserve(count);
+  for (std::size_t a = 0; a < count; ++a) {
+    fragment.attributes.push_back(truth.attribute(a, x, y, sample));
+  }
+  return fragment;
+}
 
 void for_each_fragment(const SceneTruth& scene, const FragmentSink& sink) {
   if (scene.source().depth_test == cases::DepthTest::none) return for_each_alone(scene, sink);

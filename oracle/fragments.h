@@ -24,6 +24,10 @@ struct Fragment {
   std::vector<std::optional<ValueRange>> attributes;  ///< [attribute]; nothing where undefined
 };
 
+/// The values of a sample that is not forbidden; `truth` is its triangle's.
+Fragment fragment_at(const SceneTruth& scene, const TriangleTruth& truth, std::size_t triangle,
+                     int x, int y, int sample, const records::SampleVerdict& decision);
+
 /// Takes each fragment, with the truth of its triangle for further questions; false stops.
 using FragmentSink = std::function<bool(const Fragment&, const TriangleTruth&)>;
 

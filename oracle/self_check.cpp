@@ -6,6 +6,15 @@
 
 namespace rastercheck::oracle {
 
+namespace {
+
+std::string difference(std::size_t triangle, int x, int y, int sample, const std::string& what) {
+  return fmt::format("oracle and referee differ at triangle {}, pixel ({}, {}), sample {}: {}",
+                     triangle, x, y, sample, what);
+}
+
+}  // namespace
+
 std::optional<std::string> self_check(const SceneTruth& scene, const Fragment& fragment) {
   const cases::Contract& contract = scene.contract();
   const bool referee_applies = !contract.coverage &&
@@ -14,8 +23,7 @@ std::optional<std::string> self_check(const SceneTruth& scene, const Fragment& f
   if (!referee_applies) return std::nullopt;
 
   const auto differs = [&fragment](const std::string& what) {
-    return fmt::format("oracle and referee differ at triangle {}, pixel ({}, {}), sample {}: {}",
-                       fragment.triangle, fragment.x, fragment.y, fragment.sample, what);
+    return difference(fragment.triangle, fragment.x, fragment.y, fragment.sample, what);
   };
   const std::optional<RefereeFragment> second =
       referee(scene.source(), fragment.triangle, fragment.x, fragment.y, fragment.sample);
@@ -34,6 +42,21 @@ std::optional<std::string> self_check(const SceneTruth& scene, const Fragment& f
     }
   }
   return std::nullopt;
+}
+
+std::optional<std::string> self_check(const SceneTruth& scene, std::size_t triangle, int x, int y,
+                                      int sample) {
+  const cases::FramebufferSize& size = scene.source().framebuffer;
+  if (x >= size.width || y >= size.height) return std::nullopt;
+  const TriangleTruth truth(scene, triangle);
+  const records::SampleVerdict decision = truth.judge(x, y, sample);
+  if (decision.verdict == records::Verdict::required) {
+    return self_check(scene, fragment_at(scene, truth, triangle, x, y, sample, decision));
+  }
+  const bool differs = decision.verdict == records::Verdict::forbidden &&
+                       referee(scene.source(), triangle, x, y, sample).has_value();
+  if (!differs) return std::nullopt;
+  return difference(triangle, x, y, sample, "covered or not");
 }
 
 }  // namespace rastercheck::oracle

@@ -6,6 +6,7 @@
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/scene.h"
 #include "oracle/internal/triangle_setup.h"
+#include "oracle/internal/value_errors.h"
 #include "oracle/internal/values.h"
 
 namespace rastercheck::oracle {
@@ -30,6 +31,8 @@ Pixels TriangleTruth::pixels() const {
 
 int TriangleTruth::orientation() const { return setup_->ideal.orientation(); }
 
+bool TriangleTruth::has_certain_orientation() const { return setup_->has_certain_orientation(); }
+
 records::SampleVerdict TriangleTruth::judge(int x, int y, int sample) const {
   return decide(*setup_, x, y, sample);
 }
@@ -50,6 +53,19 @@ std::optional<ValueRange> TriangleTruth::attribute(std::size_t attribute, int x,
 bool TriangleTruth::is_value_free(std::size_t attribute) const {
   return setup_->has_nonpositive_w && setup_->scene->source().attributes[attribute].interpolation ==
                                           cases::Interpolation::noperspective;
+}
+
+std::optional<Rational> TriangleTruth::horizon_ratio(std::size_t attribute, int x, int y,
+                                                     int sample) const {
+  const std::optional<Field> ratio =
+      oracle::horizon_ratio(*setup_, values_->location(attribute, x, y, sample));
+  if (!ratio) return std::nullopt;
+  return to_rational(*ratio);
+}
+
+const ValueErrors& TriangleTruth::errors() const {
+  if (!errors_) errors_ = std::make_unique<ValueErrors>(*setup_, *values_);
+  return *errors_;
 }
 
 Rational TriangleTruth::attribute_magnitude(std::size_t attribute) const {

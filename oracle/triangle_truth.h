@@ -18,6 +18,7 @@ namespace rastercheck::oracle {
 class Scene;
 struct TriangleSetup;
 class TriangleValues;
+class ValueErrors;
 
 /// A case with its clip positions in exact numbers, shared by its triangles. Clip positions of a
 /// case with a camera are projection · view · model · position without rounding.
@@ -73,6 +74,10 @@ class TriangleTruth {
   /// sign(det M): +1, −1, or 0 for a triangle seen edge-on (it covers nothing).
   int orientation() const;
 
+  /// Whether no vertex is clipped and the triangle turns the same way however the contract lets it
+  /// be placed.
+  bool has_certain_orientation() const;
+
   records::SampleVerdict judge(int x, int y, int sample) const;
 
   /// The signed distance to the boundary that decided, in pixels, positive inside: certified
@@ -87,6 +92,10 @@ class TriangleTruth {
   /// Whether the APIs leave an attribute's value open, so that an implementation may give any
   /// (RULES §3): noperspective where some w_i <= 0. `attribute` gives the continuation then.
   bool is_value_free(std::size_t attribute) const;
+
+  /// g of cases::ValueBound where the attribute is evaluated (at the sample of a centroid); nothing
+  /// where 1/w <= 0 there.
+  std::optional<Rational> horizon_ratio(std::size_t attribute, int x, int y, int sample) const;
 
   /// The number scale ULP are measured by: max |r_i|.
   Rational attribute_magnitude(std::size_t attribute) const;
@@ -108,9 +117,13 @@ class TriangleTruth {
   /// Nothing of a flat attribute, of an undefined value, or where several placements are open.
   std::optional<Conditioning> conditioning(std::size_t attribute, int x, int y, int sample) const;
 
+  /// The errors of computed values, for the judge.
+  const ValueErrors& errors() const;
+
  private:
   std::unique_ptr<TriangleSetup> setup_;
   std::unique_ptr<TriangleValues> values_;
+  mutable std::unique_ptr<ValueErrors> errors_;  ///< made when first asked for
 };
 
 }  // namespace rastercheck::oracle

@@ -1,6 +1,7 @@
 #include "backends/cpu/rasterizer_backend.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -118,13 +119,29 @@ cases::Framebuffer framebuffer(const ras::Fragments& fragments,
 }
 
 /// What a rasterizer promises that clips, transforms and interpolates in double and rounds nothing
-/// to a grid. Its vertices lie within a few roundings of a double from the exact ones, at most
-/// 2^-50 of the guard band's 2^15 pixels: far below the 2^-24 pixels granted here.
-cases::Contract double_precision_contract() {
+/// to a grid; the figures are derived in rasterizer/methods/rational_linear.cpp.
+///
+/// Positions. Vertices are off by a few roundings of a double, and crossings with rows by
+/// 11 · 2^-53 of the edge's farthest coordinate, which lies within the guard band of 2^10 half
+/// widths around the viewport's middle: below 2^-24 pixels for viewports up to 2^14. Half a grid
+/// unit of 2^-16 pixels is far more. An edge carries its values along, so what its errors do to
+/// values lies within the range that moving the vertices leaves open.
+///
+/// Values. Besides one rounding to float32, half an ULP, means of s = r/w and of 1/w are off by
+/// 11 · 2^-53 of the greatest; for r that is 23 · 2^-53 max|r_i| g, g the horizon ratio, or, with
+/// ulp(m) >= 2^-24 m, less than 2^-24 g scale ULP. Depth and noperspective divide nothing: g is 1.
+cases::Contract double_precision_contract(const cases::Viewport& viewport) {
   cases::Contract contract;
   contract.coverage = cases::Snapping{16, cases::Rounding::unspecified, 0x1p-8F};
   contract.basis = cases::Basis::unspecified;
   contract.tie_rule = cases::TieRule::unspecified;
+  const float half_width = std::max(std::abs(viewport.width), std::abs(viewport.height)) / 2;
+  const float middle = std::max(std::abs(viewport.x), std::abs(viewport.y)) + half_width;
+  contract.guard_band = std::max(contract.guard_band, 1024 * half_width + middle);
+  constexpr float kInterpolation = 0x1p-24F;
+  contract.bounds.smooth = {0.5F, kInterpolation};
+  contract.bounds.noperspective = {0.5F + kInterpolation, 0};
+  contract.bounds.depth = {0.5F + kInterpolation, 0};
   return contract;
 }
 
@@ -156,8 +173,8 @@ class RasterizerBackend : public Backend {
  public:
   explicit RasterizerBackend(std::string method) : method_(std::move(method)) {}
 
-  cases::Contract contract(const cases::Case& /*c*/) const override {
-    return double_precision_contract();
+  cases::Contract contract(const cases::Case& c) const override {
+    return double_precision_contract(c.viewport);
   }
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
     return draw_with_rasterizer(c, method_);

@@ -73,7 +73,7 @@ SampleVerdict decide_exact(const TriangleSetup& triangle, const Point& p) {
 }
 
 /// Whether a placement is drawn, as far as culling goes.
-Membership kept_by_culling(const TriangleSetup& triangle, const ProjectiveMap& placement) {
+Membership kept_by_culling(const TriangleSetup& triangle, int orientation_when_placed) {
   const Scene& scene = *triangle.scene;
   const auto kept = [&scene](int orientation) -> Membership {
     if (orientation == 0) return {.possible = true, .sure = false};  // neither front nor back
@@ -84,13 +84,13 @@ Membership kept_by_culling(const TriangleSetup& triangle, const ProjectiveMap& p
     case cases::Basis::ideal:
       return kept(triangle.ideal.orientation());
     case cases::Basis::snapped:
-      return kept(placement.orientation());
+      return kept(orientation_when_placed);
     case cases::Basis::unspecified:
       break;
   }
   if (scene.source().cull == cases::Cull::none) return {};
   const Membership by_ideal = kept(triangle.ideal.orientation());
-  const Membership by_snapped = kept(placement.orientation());
+  const Membership by_snapped = kept(orientation_when_placed);
   return {.possible = by_ideal.possible || by_snapped.possible,
           .sure = by_ideal.sure && by_snapped.sure};
 }
@@ -131,35 +131,52 @@ std::vector<Point> box_corners(const TriangleSetup& triangle) {
   return corners;
 }
 
+/// What the distance from the exact edges settles (TriangleSetup::edge_bands): nearly every sample.
+std::optional<SampleVerdict> decide_by_distance(const TriangleSetup& triangle, const Point& p) {
+  const int orientation = triangle.ideal.orientation();
+  if (orientation == 0) return std::nullopt;
+  bool is_deep = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Ring value = triangle.ideal.edge(i).at(p);
+    if (value < -triangle.edge_bands[i]) return SampleVerdict{Verdict::forbidden, Reason::outside};
+    is_deep = is_deep && value > triangle.edge_bands[i];
+  }
+  if (!is_deep) return std::nullopt;
+  const bool is_drawn = kept_by_culling(triangle, orientation).sure;
+  return is_drawn ? SampleVerdict{Verdict::required, Reason::inside}
+                  : SampleVerdict{Verdict::forbidden, Reason::culled};
+}
+
 /// What the boxes of the placements settle without looking at each: an edge function is affine in
 /// every vertex coordinate, so its least value over the boxes is taken at corners, and whatever is
 /// covered in some placement lies in the hull of the boxes.
 std::optional<SampleVerdict> decide_by_boxes(const TriangleSetup& triangle, const Point& p) {
-  const auto& corners = triangle.corner_placements;
-  const int orientation = corners.front().orientation();
-  const bool inside_all =
-      std::all_of(corners.begin(), corners.end(), [&](const ProjectiveMap& map) {
-        return map.orientation() == orientation && strictly_inside(map, p) &&
-               kept_by_culling(triangle, map).sure;
-      });
+  const int orientation = triangle.corner(0).orientation();
+  bool inside_all = true;
+  for (std::size_t k = 0; inside_all && k < triangle.corner_count(); ++k) {
+    const ProjectiveMap& map = triangle.corner(k);
+    inside_all = map.orientation() == orientation && strictly_inside(map, p) &&
+                 kept_by_culling(triangle, map.orientation()).sure;
+  }
   if (inside_all) return SampleVerdict{Verdict::required, Reason::inside};
   if (is_outside_hull(p, box_corners(triangle))) {
     return SampleVerdict{Verdict::forbidden, Reason::outside};
   }
   // The determinant is affine in every coordinate too: if no corner turns the other way, none does.
-  const bool ever_drawn =
-      std::any_of(corners.begin(), corners.end(), [&triangle](const ProjectiveMap& map) {
-        return map.orientation() != 0 && kept_by_culling(triangle, map).possible;
-      });
+  bool ever_drawn = false;
+  for (std::size_t k = 0; !ever_drawn && k < triangle.corner_count(); ++k) {
+    const int turns = triangle.corner(k).orientation();
+    ever_drawn = turns != 0 && kept_by_culling(triangle, turns).possible;
+  }
   if (!ever_drawn) return SampleVerdict{Verdict::forbidden, Reason::culled};
   return std::nullopt;
 }
 
 SampleVerdict decide_placed(const TriangleSetup& triangle, const Point& p) {
-  const bool several = triangle.corner_placements.size() > 1;
+  const bool several = triangle.corner_count() > 1;
   if (several) {
-    if (const std::optional<SampleVerdict> decision = decide_by_boxes(triangle, p))
-      return *decision;
+    if (const auto decision = decide_by_distance(triangle, p)) return *decision;
+    if (const auto decision = decide_by_boxes(triangle, p)) return *decision;
   }
   const std::vector<ProjectiveMap>* placements = triangle.placements();
   if (placements == nullptr) return {Verdict::permitted, Reason::snapping};
@@ -169,7 +186,7 @@ SampleVerdict decide_placed(const TriangleSetup& triangle, const Point& p) {
   for (const ProjectiveMap& placement : *placements) {
     Membership drawn = inside_edges(placement, p, *triangle.scene);
     tie = tie || drawn.tie;
-    if (drawn.possible) drawn &= kept_by_culling(triangle, placement);
+    if (drawn.possible) drawn &= kept_by_culling(triangle, placement.orientation());
     possible = possible || drawn.possible;
     sure = sure && drawn.sure;
   }
@@ -184,7 +201,7 @@ SampleVerdict decide_placed(const TriangleSetup& triangle, const Point& p) {
 int side_within(const Line& line, const Ring& tolerance, const Point& p) {
   const Ring value = line.at(p);
   if (line.is_constant()) return sign_of(value) < 0 ? -1 : 1;
-  const Ring band = tolerance * (magnitude(line.a) + magnitude(line.b));
+  const Ring band = band_of(line, tolerance);
   if (value > band) return 1;
   return value < -band ? -1 : 0;
 }
@@ -193,27 +210,25 @@ int side_within(const Line& line, const Ring& tolerance, const Point& p) {
 /// the size of a grid unit may have its edge made a point, or turned round the vertex opposite:
 /// what such a line says is not the triangle's answer.
 Membership snapped_edge_side(const TriangleSetup& triangle, std::size_t edge, const Point& p) {
-  const Scene& scene = *triangle.scene;
-  const int bits = scene.contract().coverage->subpixel_bits;
-  const SnappedVertex& from = *triangle.snapped[(edge + 1) % 3];
-  const SnappedVertex& to = *triangle.snapped[(edge + 2) % 3];
-  const bool corners_only = from.placements() * to.placements() > kMostPlacements;
-
   Membership over_all{.possible = false, .sure = true};
-  for (const RingVector3& a : placed_columns(from, bits, corners_only)) {
-    for (const RingVector3& b : placed_columns(to, bits, corners_only)) {
-      RingVector3 row = a.cross(b);
-      if (triangle.ideal.orientation() < 0) row = -row;
-      const Line line{row[0], row[1], row[2]};
-      const bool is_turned = sign_of(row.dot(triangle.columns[edge])) <= 0;
-      const Membership one =
-          is_turned ? Membership{.possible = true, .sure = false} : side(line, p, scene);
-      over_all.possible = over_all.possible || one.possible;
-      over_all.sure = over_all.sure && one.sure;
-      over_all.tie = over_all.tie || one.tie;
-    }
+  for (const TriangleSetup::SnappedEdge& snapped : triangle.snapped_edge(edge)) {
+    const Membership one = snapped.is_turned ? Membership{.possible = true, .sure = false}
+                                             : side(snapped.line, p, *triangle.scene);
+    over_all.possible = over_all.possible || one.possible;
+    over_all.sure = over_all.sure && one.sure;
+    over_all.tie = over_all.tie || one.tie;
   }
   return over_all;
+}
+
+/// Whether p lies in the closed ideal triangle and inside all its clip functionals.
+bool is_in_clipped_triangle(const TriangleSetup& triangle, const Point& p) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (sign_of(triangle.ideal.edge(i).at(p)) < 0) return false;
+  }
+  return std::all_of(
+      triangle.clip_functionals.begin(), triangle.clip_functionals.end(),
+      [&p](const ClipFunctional& functional) { return sign_of(functional.line.at(p)) >= 0; });
 }
 
 /// A triangle without area that is cut: its new vertices may give it some, near its line and no
@@ -271,7 +286,8 @@ SampleVerdict decide_cut(const TriangleSetup& triangle, const Point& p) {
   }
 
   // Lines meet far beyond a sharp or a moved corner; nothing drawn reaches there.
-  if (triangle.clipped_to_triangle(box_around(p, triangle.reach)).is_empty()) {
+  if (!is_in_clipped_triangle(triangle, p) &&
+      triangle.clipped_to_triangle(box_around(p, triangle.reach)).is_empty()) {
     return {Verdict::forbidden, Reason::outside};
   }
   if (!near_cut && snapped_edges.sure) {
@@ -317,8 +333,7 @@ SampleVerdict decide(const TriangleSetup& triangle, int x, int y, int sample) {
 }
 
 std::optional<records::Enclosure> boundary_distance(const TriangleSetup& triangle, const Point& p) {
-  const ProjectiveMap& map =
-      triangle.corner_placements.size() == 1 ? triangle.corner_placements.front() : triangle.ideal;
+  const ProjectiveMap& map = triangle.corner_count() == 1 ? triangle.corner(0) : triangle.ideal;
   if (map.orientation() == 0) return std::nullopt;
 
   std::vector<Line> boundaries{map.edge(0), map.edge(1), map.edge(2)};

@@ -20,14 +20,14 @@ long nearest_even(const Field& value) {
 
 }  // namespace
 
-Field candidate_radius(const cases::Snapping& snapping) {
-  const Field rounding = snapping.rounding == cases::Rounding::unspecified ? Field(1) : one_half();
-  return rounding + exact_field(snapping.position_error);
+Ring candidate_radius(const cases::Snapping& snapping) {
+  const Ring rounding(snapping.rounding == cases::Rounding::unspecified ? 1.0 : 0.5);
+  return rounding + exact_ring(snapping.position_error);
 }
 
 GridRange candidates(const Field& coordinate, const cases::Snapping& snapping) {
   const Field in_units = coordinate * power_of_two(snapping.subpixel_bits);
-  const Field radius = candidate_radius(snapping);
+  const Field radius(candidate_radius(snapping));
   if (snapping.rounding == cases::Rounding::unspecified) {
     return {floor_to_long(in_units - radius) + 1, ceil_to_long(in_units + radius) - 1};
   }

@@ -25,7 +25,7 @@ struct GridRange {
 GridRange candidates(const Field& coordinate, const cases::Snapping& snapping);
 
 /// The farthest, in grid units per axis, that a placement may lie from the position.
-Field candidate_radius(const cases::Snapping& snapping);
+Ring candidate_radius(const cases::Snapping& snapping);
 
 /// A vertex that is not clipped, with w > 0, and the grid points it may be placed on.
 struct SnappedVertex {

@@ -55,8 +55,7 @@ bool TriangleSetup::is_deeper_than_reach() const {
   const Field band = exact_field(scene->contract().guard_band);
   ConvexRegion core({-band, -band}, {band, band});
   const auto clip_inwards = [this, &core](const Line& line) {
-    const Field inset = reach * Field(magnitude(line.a) + magnitude(line.b));
-    core.clip_above(line, inset);
+    core.clip_above(line, Field(band_of(line, reach)));
   };
   for (std::size_t i = 0; i < 3; ++i) clip_inwards(ideal.edge(i));
   for (const ClipFunctional& functional : clip_functionals) {
@@ -91,26 +90,80 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
       snapped[i] = snap(columns[i], snapping);
     }
   }
-  const Field unit = power_of_two(-snapping.subpixel_bits);
+  const Ring unit(std::ldexp(1.0, -snapping.subpixel_bits));
   reach = candidate_radius(snapping) * unit;
   if (shape == Shape::cut) {
-    const double tolerance_in_units = double{scene->contract().clip_tolerance};
-    tolerance = Ring(std::ldexp(tolerance_in_units, -snapping.subpixel_bits));
-    reach = std::max(reach, Field(tolerance));
+    tolerance = exact_ring(scene->contract().clip_tolerance) * unit;
+    reach = std::max(reach, tolerance);
     may_turn = ideal.orientation() == 0 || !is_deeper_than_reach();
-    return;
+  } else {
+    for (std::size_t i = 0; i < 3; ++i) {
+      extreme_columns_[i] = placed_columns(*snapped[i], snapping.subpixel_bits, true);
+    }
+    corners_.resize(corner_count());
   }
-
-  corner_placements = placed(true);
+  for (std::size_t i = 0; i < 3; ++i) edge_bands[i] = band_of(ideal.edge(i), reach);
 }
 
-std::vector<ProjectiveMap> TriangleSetup::placed(bool corners_only) const {
-  std::array<std::vector<RingVector3>, 3> choices;
-  for (std::size_t i = 0; i < 3; ++i) {
-    choices[i] =
-        placed_columns(*snapped[i], scene->contract().coverage->subpixel_bits, corners_only);
+std::size_t TriangleSetup::corner_count() const {
+  return extreme_columns_[0].size() * extreme_columns_[1].size() * extreme_columns_[2].size();
+}
+
+const ProjectiveMap& TriangleSetup::corner(std::size_t index) const {
+  std::optional<ProjectiveMap>& map = corners_[index];
+  if (!map) {
+    // Three digits of the index, one per vertex. The second and third count from the first, so that
+    // the lowest indices have all three alike.
+    const auto& choices = extreme_columns_;
+    const std::size_t first = index % choices[0].size();
+    const std::size_t second = index / choices[0].size() % choices[1].size();
+    const std::size_t third = index / choices[0].size() / choices[1].size();
+    map.emplace(std::array{choices[0][first], choices[1][(first + second) % choices[1].size()],
+                           choices[2][(first + third) % choices[2].size()]});
   }
-  return placed_maps(choices);
+  return *map;
+}
+
+const std::vector<TriangleSetup::SnappedEdge>& TriangleSetup::snapped_edge(std::size_t edge) const {
+  std::optional<std::vector<SnappedEdge>>& all = snapped_edges_[edge];
+  if (all) return *all;
+  all.emplace();
+  const int bits = scene->contract().coverage->subpixel_bits;
+  const SnappedVertex& from = *snapped[(edge + 1) % 3];
+  const SnappedVertex& to = *snapped[(edge + 2) % 3];
+  const bool corners_only = from.placements() * to.placements() > kMostPlacements;
+  for (const RingVector3& a : placed_columns(from, bits, corners_only)) {
+    for (const RingVector3& b : placed_columns(to, bits, corners_only)) {
+      RingVector3 row = a.cross(b);
+      if (ideal.orientation() < 0) row = -row;
+      const bool is_turned = sign_of(row.dot(columns[edge])) <= 0;
+      all->push_back({{row[0], row[1], row[2]}, is_turned});
+    }
+  }
+  return *all;
+}
+
+bool TriangleSetup::has_certain_orientation() const {
+  if (ideal.orientation() == 0 || has_nonpositive_w || shape == Shape::cut) return false;
+  if (shape == Shape::exact) {
+    return std::none_of(clip_functionals.begin(), clip_functionals.end(),
+                        [](const ClipFunctional& functional) { return functional.is_violated; });
+  }
+  // The determinant is affine in every coordinate of a vertex: its signs at the corners are all.
+  for (std::size_t k = 0; k < corner_count(); ++k) {
+    if (corner(k).orientation() != ideal.orientation()) return false;
+  }
+  return true;
+}
+
+bool TriangleSetup::holds_box_around(const Point& p) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (ideal.edge(i).at(p) < edge_bands[i]) return false;
+  }
+  return std::all_of(clip_functionals.begin(), clip_functionals.end(),
+                     [this, &p](const ClipFunctional& functional) {
+                       return functional.line.at(p) >= band_of(functional.line, reach);
+                     });
 }
 
 const std::vector<ProjectiveMap>* TriangleSetup::placements() const {
@@ -120,14 +173,21 @@ const std::vector<ProjectiveMap>* TriangleSetup::placements() const {
     count *= static_cast<double>(vertex->x.count()) * static_cast<double>(vertex->y.count());
   }
   if (count > kMostPlacements) return nullptr;
-  if (!placements_) placements_ = placed(false);
+  if (!placements_) {
+    std::array<std::vector<RingVector3>, 3> columns_of;
+    for (std::size_t i = 0; i < 3; ++i) {
+      columns_of[i] = placed_columns(*snapped[i], scene->contract().coverage->subpixel_bits, false);
+    }
+    placements_ = placed_maps(columns_of);
+  }
   return &*placements_;
 }
 
 FieldRange TriangleSetup::extent(Eigen::Index axis) const {
   std::array<Field, 3> at;
   for (std::size_t i = 0; i < 3; ++i) at[i] = quotient(columns[i][axis], columns[i][2]);
-  return {std::min({at[0], at[1], at[2]}) - reach, std::max({at[0], at[1], at[2]}) + reach};
+  const Field spread(reach);
+  return {std::min({at[0], at[1], at[2]}) - spread, std::max({at[0], at[1], at[2]}) + spread};
 }
 
 PixelBox TriangleSetup::pixels() const {
@@ -152,10 +212,13 @@ ConvexRegion TriangleSetup::clipped_to_triangle(ConvexRegion region) const {
   return region;
 }
 
-ConvexRegion box_around(const Point& p, const Field& reach) {
-  const Field u(p.u);
-  const Field v(p.v);
-  return {FieldPoint{u - reach, v - reach}, FieldPoint{u + reach, v + reach}};
+ConvexRegion box_around(const Point& p, const Ring& reach) {
+  return {FieldPoint{Field(p.u - reach), Field(p.v - reach)},
+          FieldPoint{Field(p.u + reach), Field(p.v + reach)}};
+}
+
+Ring band_of(const Line& line, const Ring& reach) {
+  return reach * (magnitude(line.a) + magnitude(line.b));
 }
 
 }  // namespace rastercheck::oracle

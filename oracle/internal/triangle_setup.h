@@ -46,9 +46,12 @@ struct TriangleSetup {
 
   /// Shape placed and cut: the grid points of each vertex that is not clipped.
   std::array<std::optional<SnappedVertex>, 3> snapped;
-  /// Shape placed: the maps of the extreme placements (at most 64); one where there is one
+  /// Shape placed: how many extreme placements there are (at most 64); one where there is one
   /// placement.
-  std::vector<ProjectiveMap> corner_placements;
+  std::size_t corner_count() const;
+  /// Shape placed: the map of an extreme placement, made when first asked for. The first few are
+  /// those that move all vertices the same way, so that among them values differ most.
+  const ProjectiveMap& corner(std::size_t index) const;
   /// Shape placed: the maps of all placements, made when first asked for; nullptr where they are
   /// more than kMostPlacements.
   const std::vector<ProjectiveMap>* placements() const;
@@ -56,11 +59,34 @@ struct TriangleSetup {
   /// Shape cut: how far a boundary that was cut may be off, per axis, in pixels.
   Ring tolerance;
   /// Shape placed and cut: how far any vertex may have been moved, per axis, in pixels.
-  Field reach;
+  Ring reach;
+  /// Shape placed and cut: E_i changes by at most this where a point moves by `reach` along both
+  /// axes: reach · (|A_i| + |B_i|). A point that is deeper inside every edge is inside however the
+  /// vertices are placed, and they run round it the same way; one that is farther outside some edge
+  /// is outside.
+  std::array<Ring, 3> edge_bands;
   bool has_nonpositive_w = false;
   /// Shape cut: no point of the polygon is farther than `reach` from all its sides, so that moving
   /// its corners may turn it round.
   bool may_turn = false;
+
+  /// An edge both of whose ends are snapped, as one pair of their candidates has it. `is_turned`:
+  /// the vertex opposite lies on it or beyond, so that its sides say nothing of the triangle.
+  struct SnappedEdge {
+    Line line;
+    bool is_turned = false;
+  };
+  /// Shape cut: the edge opposite a vertex, whose ends are not clipped, for all pairs of candidates
+  /// or, where they are more than kMostPlacements, the extreme ones.
+  const std::vector<SnappedEdge>& snapped_edge(std::size_t edge) const;
+
+  /// Whether the contract leaves no doubt which way the triangle turns: no vertex is clipped, and
+  /// all placements turn the same way.
+  bool has_certain_orientation() const;
+
+  /// The square of half-width `reach` around p lies in the closed triangle and inside all its clip
+  /// functionals.
+  bool holds_box_around(const Point& p) const;
 
   /// The least and the greatest of the exact vertex positions along an axis (0: u, 1: v), in
   /// pixels, widened by `reach`. Only where all w > 0.
@@ -76,13 +102,18 @@ struct TriangleSetup {
   void set_up_clipping();
   void set_up_snapping(const cases::Snapping& snapping);
   bool is_deeper_than_reach() const;
-  std::vector<ProjectiveMap> placed(bool corners_only) const;
-
-  mutable std::optional<std::vector<ProjectiveMap>> placements_;
   bool is_vertex_clipped(std::size_t corner) const;
+
+  std::array<std::vector<RingVector3>, 3> extreme_columns_;
+  mutable std::vector<std::optional<ProjectiveMap>> corners_;
+  mutable std::optional<std::vector<ProjectiveMap>> placements_;
+  mutable std::array<std::optional<std::vector<SnappedEdge>>, 3> snapped_edges_;
 };
 
 /// The closed square of half-width `reach` around a point.
-ConvexRegion box_around(const Point& p, const Field& reach);
+ConvexRegion box_around(const Point& p, const Ring& reach);
+
+/// How much a line changes where a point moves by `reach` along both axes.
+Ring band_of(const Line& line, const Ring& reach);
 
 }  // namespace rastercheck::oracle

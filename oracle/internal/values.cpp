@@ -94,8 +94,8 @@ Quantity TriangleValues::quantity(std::size_t attribute) const {
 const ProjectiveMap* TriangleValues::single_map() const {
   const cases::Basis basis = triangle_->scene->contract().basis;
   if (triangle_->shape == Shape::exact || basis == cases::Basis::ideal) return &triangle_->ideal;
-  if (basis == cases::Basis::snapped && triangle_->corner_placements.size() == 1) {
-    return &triangle_->corner_placements.front();
+  if (basis == cases::Basis::snapped && triangle_->corner_count() == 1) {
+    return &triangle_->corner(0);
   }
   return nullptr;
 }
@@ -134,18 +134,21 @@ std::optional<FieldRange> TriangleValues::value_at(const Quantity& quantity, con
 /// pole lies between.
 std::optional<FieldRange> TriangleValues::placed_value(const Quantity& quantity, const Ends& ends,
                                                        const Point& p, Place place) const {
-  const auto& corners = triangle_->corner_placements;
-  const int orientation = corners.front().orientation();
-  const bool has_pole = std::any_of(corners.begin(), corners.end(), [&](const ProjectiveMap& map) {
-    return map.orientation() == 0 || map.orientation() != orientation ||
-           !has_positive_inverse_w(map, p);
-  });
+  const std::size_t corners = triangle_->corner_count();
+  const int orientation = triangle_->corner(0).orientation();
+  bool has_pole = orientation == 0;
+  for (std::size_t k = 0; !has_pole && k < corners; ++k) {
+    const ProjectiveMap& map = triangle_->corner(k);
+    has_pole = map.orientation() != orientation || !has_positive_inverse_w(map, p);
+  }
   std::optional<FieldRange> range;
   if (has_pole) {
     if (place == Place::center) return std::nullopt;
     range = end_range(ends);
   } else {
-    for (const ProjectiveMap& map : corners) range = hull(range, single(quantity.at(map, p)));
+    for (std::size_t k = 0; k < corners; ++k) {
+      range = hull(range, single(quantity.at(triangle_->corner(k), p)));
+    }
     // Inside a triangle a value is a mean of its vertices' values.
     if (place == Place::sample) range = intersection(*range, end_range(ends));
   }
@@ -262,7 +265,7 @@ std::optional<FieldRange> TriangleValues::centroid_region(const Quantity& quanti
   const Scene& scene = *triangle_->scene;
   const Field zero(0);
   const ProjectiveMap* map = single_map();
-  const Field spread = map == nullptr ? triangle_->reach : zero;
+  const Field spread = map == nullptr ? Field(triangle_->reach) : zero;
   ConvexRegion region(FieldPoint{Field(x) - spread, Field(y) - spread},
                       FieldPoint{Field(x + 1) + spread, Field(y + 1) + spread});
   if (map == nullptr || map == &triangle_->ideal) {

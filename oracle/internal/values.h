@@ -41,7 +41,8 @@ class TriangleValues {
   /// An attribute of a fragment; nothing where it is undefined.
   std::optional<OpenValue> attribute(std::size_t index, int x, int y, int sample) const;
 
-  /// What derivatives and conditioning take apart.
+  const Quantity& depth_quantity() const { return depth_; }
+  /// What derivatives, conditioning and errors take apart.
   Quantity quantity(std::size_t attribute) const;
   /// The exact vertex values of an attribute.
   std::array<Ring, 3> vertex_values(std::size_t attribute) const;

@@ -1,0 +1,84 @@
+#include "oracle/internal/ulp_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rastercheck::oracle {
+namespace {
+
+constexpr long kLeastExponent = -126;
+constexpr long kFractionBits = 23;
+
+Ring ring_power_of_two(long exponent) { return {std::ldexp(1.0, static_cast<int>(exponent))}; }
+
+/// The exponent of ulp(max(|exact|, magnitude)).
+long ulp_exponent(const Fraction& exact, const ScaleExponent& scale) {
+  const Ring size = magnitude(exact.numerator);
+  long exponent = scale.value_or(kLeastExponent);
+  // 2^exponent <= magnitude < 2^(exponent + 1), so a smaller value than that changes nothing.
+  if (size >= exact.denominator * ring_power_of_two(exponent + 1)) {
+    exponent = floor_log2(quotient(size, exact.denominator));
+  }
+  return std::max(exponent, kLeastExponent) - kFractionBits;
+}
+
+/// Doubles around n/d from doubles around n and d. The division is faithful in every rounding mode,
+/// so one step to either side certifies it; where it comes near the ends of the doubles' range, or
+/// what is rounded is not normal, nothing is returned.
+std::optional<records::Enclosure> quick_quotient(const Ring& n, const Ring& d) {
+  constexpr double kLeast = 0x1p-960;
+  constexpr double kMost = 0x1p960;
+  const auto [n_lo, n_hi] = n.to_interval();
+  const auto [d_lo, d_hi] = d.to_interval();
+  const auto is_tame = [](double x) { return std::abs(x) > kLeast && std::abs(x) < kMost; };
+  if (!is_tame(n_lo) || !is_tame(n_hi) || !is_tame(d_lo) || !is_tame(d_hi)) return std::nullopt;
+  const double lo = n_lo / (n_lo > 0 ? d_hi : d_lo);
+  const double hi = n_hi / (n_hi > 0 ? d_lo : d_hi);
+  if (!is_tame(lo) || !is_tame(hi)) return std::nullopt;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return records::Enclosure{std::nextafter(lo, -kInfinity), std::nextafter(hi, kInfinity)};
+}
+
+}  // namespace
+
+Fraction to_fraction(const Field& value) {
+  // Mpzf cannot be made from the integer 0.
+  if (sign_of(value) == 0) return {};
+  return {Ring(value.numerator()), Ring(value.denominator())};
+}
+
+int compare(const Ring& computed, const Fraction& exact) {
+  return sign_of(computed * exact.denominator - exact.numerator);
+}
+
+int compare(const Fraction& a, const Fraction& b) {
+  return sign_of(a.numerator * b.denominator - b.numerator * a.denominator);
+}
+
+records::Enclosure enclose(const Fraction& value) {
+  if (sign_of(value.numerator) == 0) return {0, 0};
+  if (const auto quick = quick_quotient(value.numerator, value.denominator)) return *quick;
+  return enclose(value.value());
+}
+
+ScaleExponent scale_exponent(const Ring& magnitude) {
+  if (sign_of(magnitude) == 0) return std::nullopt;
+  return floor_log2(Field(magnitude));
+}
+
+UlpError::UlpError(const Ring& computed, Fraction exact, const ScaleExponent& scale)
+    : exact_(std::move(exact)),
+      difference_(computed * exact_.denominator - exact_.numerator),
+      ulp_exponent_(ulp_exponent(exact_, scale)) {}
+
+records::Enclosure UlpError::enclosure() const {
+  if (is_zero()) return {0, 0};
+  return enclose(Fraction{difference_, exact_.denominator * ring_power_of_two(ulp_exponent_)});
+}
+
+Field UlpError::value() const {
+  return quotient(difference_, exact_.denominator * ring_power_of_two(ulp_exponent_));
+}
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,60 @@
+#pragma once
+
+// Errors in ULP (RULES §5) as exact numbers that are looked at no closer than a question needs:
+//
+//   (f − n/d) / 2^k  =  (f d − n) / (d 2^k),      d > 0,  2^k = ulp(max(|n/d|, magnitude))
+//
+// Numerator and denominator stay in the ring; a quotient is formed in doubles first, certified by
+// the conversion's own bounds, and exactly only where doubles leave a question open.
+
+#include <optional>
+
+#include "oracle/internal/number.h"
+#include "records/enclosure.h"
+
+namespace rastercheck::oracle {
+
+/// An exact value; the denominator is positive.
+struct Fraction {
+  Ring numerator{0};
+  Ring denominator{1};
+
+  Field value() const { return quotient(numerator, denominator); }
+};
+
+/// A field value as a ratio of ring elements.
+Fraction to_fraction(const Field& value);
+
+/// The sign of computed − exact.
+int compare(const Ring& computed, const Fraction& exact);
+/// The sign of a − b.
+int compare(const Fraction& a, const Fraction& b);
+
+/// Certified doubles around n/d, a few units in the last place apart.
+records::Enclosure enclose(const Fraction& value);
+
+/// What scale ULP are measured by: floor(log2(magnitude)); nothing for magnitude 0.
+using ScaleExponent = std::optional<long>;
+ScaleExponent scale_exponent(const Ring& magnitude);
+
+class UlpError {
+ public:
+  /// 0, whatever the value: within a range that the contract leaves open.
+  UlpError() = default;
+  UlpError(const Ring& computed, Fraction exact, const ScaleExponent& scale);
+
+  bool is_zero() const { return sign_of(difference_) == 0; }
+  /// Certified, a few units in the last place wide; [0, 0] exactly where the error is zero.
+  records::Enclosure enclosure() const;
+  /// The error itself.
+  Field value() const;
+  /// The value it is measured from.
+  const Fraction& exact() const { return exact_; }
+
+ private:
+  Fraction exact_;
+  Ring difference_{0};  ///< (f d − n)
+  long ulp_exponent_ = 0;
+};
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,292 @@
+#include "oracle/internal/value_errors.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rastercheck::oracle {
+namespace {
+
+const Fraction& least(const Fraction& a, const Fraction& b) { return compare(b, a) < 0 ? b : a; }
+const Fraction& greatest(const Fraction& a, const Fraction& b) { return compare(a, b) < 0 ? b : a; }
+
+Fraction whole(const Ring& value) { return {value, Ring(1)}; }
+
+/// The least and the greatest of some readings. Their doubles tell most apart.
+class Hull {
+ public:
+  void add(Fraction reading) {
+    const records::Enclosure around = enclose(reading);
+    if (!least_ || is_below(reading, around, *least_, least_around_)) {
+      least_ = reading;
+      least_around_ = around;
+    }
+    if (!greatest_ || is_below(*greatest_, greatest_around_, reading, around)) {
+      greatest_ = std::move(reading);
+      greatest_around_ = around;
+    }
+  }
+  const Fraction& lo() const { return *least_; }
+  const Fraction& hi() const { return *greatest_; }
+
+ private:
+  static bool is_below(const Fraction& a, const records::Enclosure& around_a, const Fraction& b,
+                       const records::Enclosure& around_b) {
+    if (around_a.hi < around_b.lo) return true;
+    if (around_a.lo > around_b.hi) return false;
+    return compare(a, b) < 0;
+  }
+
+  std::optional<Fraction> least_;
+  std::optional<Fraction> greatest_;
+  records::Enclosure least_around_;
+  records::Enclosure greatest_around_;
+};
+
+/// Whether readings on both sides of a computed value have been seen, so that it lies between.
+class Bracket {
+ public:
+  /// `sign` of computed − reading.
+  void see(int sign) {
+    some_below_ = some_below_ || sign >= 0;
+    some_above_ = some_above_ || sign <= 0;
+  }
+  bool holds() const { return some_below_ && some_above_; }
+
+ private:
+  bool some_below_ = false;
+  bool some_above_ = false;
+};
+
+}  // namespace
+
+ValueErrors::ValueErrors(const TriangleSetup& triangle, const TriangleValues& values)
+    : triangle_(&triangle), values_(&values) {
+  const std::size_t attributes = triangle.scene->source().attributes.size();
+  subjects_.reserve(1 + attributes);
+  subjects_.push_back(depth_subject());
+  for (std::size_t a = 0; a < attributes; ++a) subjects_.push_back(attribute_subject(a));
+}
+
+ValueErrors::Subject ValueErrors::depth_subject() const {
+  const Scene& scene = *triangle_->scene;
+  Subject subject;
+  subject.quantity = values_->depth_quantity();
+  subject.scale = scale_exponent(std::max(scene.least_depth(), scene.greatest_depth()));
+  subject.is_clamped = scene.clamps_depth();
+  if (!triangle_->has_nonpositive_w) {
+    std::array<Fraction, 3> ends;
+    for (std::size_t i = 0; i < 3; ++i) {
+      ends[i] = {subject.quantity.numerators[i], triangle_->columns[i][2]};
+    }
+    subject.least_end = least(least(ends[0], ends[1]), ends[2]);
+    subject.greatest_end = greatest(greatest(ends[0], ends[1]), ends[2]);
+  }
+  subject.corners.resize(triangle_->corner_count());
+  return subject;
+}
+
+ValueErrors::Subject ValueErrors::attribute_subject(std::size_t attribute) const {
+  const std::array<Ring, 3> values = values_->vertex_values(attribute);
+  Subject subject;
+  subject.quantity = values_->quantity(attribute);
+  Ring largest(0);
+  for (const Ring& value : values) largest = std::max(largest, magnitude(value));
+  subject.scale = scale_exponent(largest);
+  subject.least_end = whole(std::min({values[0], values[1], values[2]}));
+  subject.greatest_end = whole(std::max({values[0], values[1], values[2]}));
+  subject.corners.resize(triangle_->corner_count());
+  return subject;
+}
+
+ValueErrors::Reading ValueErrors::reading_on(const ProjectiveMap& map, const Quantity& quantity) {
+  return {map.combine(quantity.numerators),
+          quantity.is_perspective ? map.inverse_w() : Line{Ring(0), Ring(0), map.determinant()}};
+}
+
+const ValueErrors::Reading& ValueErrors::ideal(const Subject& subject) const {
+  if (!subject.ideal) subject.ideal = reading_on(triangle_->ideal, subject.quantity);
+  return *subject.ideal;
+}
+
+const ValueErrors::Reading& ValueErrors::corner(const Subject& subject, std::size_t index) const {
+  std::optional<Reading>& reading = subject.corners[index];
+  if (!reading) reading = reading_on(triangle_->corner(index), subject.quantity);
+  return *reading;
+}
+
+Fraction ValueErrors::clamped(const Subject& subject, Fraction value) const {
+  if (!subject.is_clamped) return value;
+  const Scene& scene = *triangle_->scene;
+  if (compare(scene.least_depth(), value) > 0) return whole(scene.least_depth());
+  if (compare(scene.greatest_depth(), value) < 0) return whole(scene.greatest_depth());
+  return value;
+}
+
+/// The sign of computed − (the value as the rules clamp it).
+int ValueErrors::compare_clamped(const Subject& subject, const Ring& computed,
+                                 const Fraction& value) const {
+  const int sign = compare(computed, value);
+  if (!subject.is_clamped) return sign;
+  const Ring& lo = triangle_->scene->least_depth();
+  const Ring& hi = triangle_->scene->greatest_depth();
+  if (computed < lo) return -1;
+  if (computed > hi) return 1;
+  const bool both_at_an_end = (computed == lo && sign > 0) || (computed == hi && sign < 0);
+  return both_at_an_end ? 0 : sign;
+}
+
+/// What the contract leaves of the value being [lo, hi] before the rules clamp it.
+UlpError ValueErrors::beyond(const Subject& subject, Fraction lo, Fraction hi,
+                             const Ring& computed) const {
+  if (compare_clamped(subject, computed, hi) > 0) {
+    return {computed, clamped(subject, std::move(hi)), subject.scale};
+  }
+  if (compare_clamped(subject, computed, lo) < 0) {
+    return {computed, clamped(subject, std::move(lo)), subject.scale};
+  }
+  return {};
+}
+
+bool ValueErrors::has_readings_at(const Point& p, Place place) const {
+  return values_->single_map() != nullptr || triangle_->shape == Shape::placed ||
+         (place == Place::sample && triangle_->holds_box_around(p));
+}
+
+std::optional<UlpError> ValueErrors::single_excess(const Subject& subject, const Point& p,
+                                                   Place place, const Ring& computed) const {
+  const ProjectiveMap& map = *values_->single_map();
+  if (map.orientation() == 0) return std::nullopt;
+  if (place == Place::center && sign_of(map.inverse_w().at(p)) <= 0) return std::nullopt;
+  const Reading& reading = &map == &triangle_->ideal ? ideal(subject) : corner(subject, 0);
+  const Fraction value = reading.at(p);
+  if (sign_of(value.denominator) <= 0) return std::nullopt;
+  return beyond(subject, value, value, computed);
+}
+
+std::optional<UlpError> ValueErrors::placed_excess(const Subject& subject, const Point& p,
+                                                   Place place, const Ring& computed) const {
+  const bool has_ideal = triangle_->scene->contract().basis == cases::Basis::unspecified &&
+                         sign_of(triangle_->ideal.inverse_w().at(p)) > 0;
+  const bool is_between_ends = compare_clamped(subject, computed, subject.least_end) >= 0 &&
+                               compare_clamped(subject, computed, subject.greatest_end) <= 0;
+  const int orientation = triangle_->corner(0).orientation();
+  bool has_pole = orientation == 0;
+  Bracket bracket;
+  std::vector<Fraction> readings;
+  if (has_ideal) {
+    readings.push_back(ideal(subject).at(p));
+    bracket.see(compare_clamped(subject, computed, readings.back()));
+  }
+  for (std::size_t k = 0; !has_pole && k < triangle_->corner_count(); ++k) {
+    const ProjectiveMap& map = triangle_->corner(k);
+    has_pole = map.orientation() != orientation || sign_of(map.inverse_w().at(p)) <= 0;
+    if (has_pole) break;
+    readings.push_back(corner(subject, k).at(p));
+    bracket.see(compare_clamped(subject, computed, readings.back()));
+    // Even if a pole were still to come: the range would then be that of the ends.
+    if (place == Place::sample && is_between_ends && bracket.holds()) return UlpError();
+  }
+  if (has_pole && place == Place::center) return std::nullopt;
+
+  Hull hull;
+  if (has_pole) {
+    hull.add(subject.least_end);
+    hull.add(subject.greatest_end);
+    if (has_ideal) hull.add(readings.front());
+    return beyond(subject, hull.lo(), hull.hi(), computed);
+  }
+  for (std::size_t k = has_ideal ? 1 : 0; k < readings.size(); ++k) hull.add(readings[k]);
+  Fraction lo = hull.lo();
+  Fraction hi = hull.hi();
+  if (place == Place::sample) {
+    lo = greatest(lo, subject.least_end);
+    hi = least(hi, subject.greatest_end);
+  }
+  if (has_ideal) {
+    lo = least(lo, readings.front());
+    hi = greatest(hi, readings.front());
+  }
+  return beyond(subject, std::move(lo), std::move(hi), computed);
+}
+
+UlpError ValueErrors::cut_excess(const Subject& subject, const Point& p,
+                                 const Ring& computed) const {
+  Hull hull;
+  for (const int du : {-1, 1}) {
+    for (const int dv : {-1, 1}) {
+      hull.add(ideal(subject).at(
+          {p.u + Ring(du) * triangle_->reach, p.v + Ring(dv) * triangle_->reach}));
+    }
+  }
+  return beyond(subject, hull.lo(), hull.hi(), computed);
+}
+
+std::optional<UlpError> ValueErrors::ideal_error(const Subject& subject, const Point& p,
+                                                 const Ring& computed) const {
+  const ProjectiveMap& map = triangle_->ideal;
+  if (map.orientation() == 0 || sign_of(map.inverse_w().at(p)) <= 0) return std::nullopt;
+  return UlpError(computed, clamped(subject, ideal(subject).at(p)), subject.scale);
+}
+
+std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, int x, int y,
+                                          int sample, const Ring& computed) const {
+  const Scene& scene = *triangle_->scene;
+  const Subject& subject = subjects_[attribute ? 1 + *attribute : 0];
+  cases::Attribute declared;  // of the depth: at the sample
+  if (attribute) declared = scene.source().attributes[*attribute];
+  if (declared.interpolation == cases::Interpolation::flat) {
+    const Ring value = values_->vertex_values(*attribute)[scene.conventions().provoking_vertex];
+    const UlpError error(computed, whole(value), subject.scale);
+    return ValueError{error, error};
+  }
+
+  // The only sample of a pixel is its centre: what covers it makes it a mean of the vertices.
+  const bool at_center =
+      declared.location == cases::Location::center &&
+      (scene.source().framebuffer.samples > 1 || values_->single_map() != nullptr);
+  const Point p = at_center ? Scene::center_point(x, y) : scene.sample_point(x, y, sample);
+  const Place place = at_center ? Place::center : Place::sample;
+  if (declared.location != cases::Location::centroid && has_readings_at(p, place)) {
+    std::optional<UlpError> error;
+    if (values_->single_map() != nullptr) {
+      error = single_excess(subject, p, place, computed);
+    } else if (triangle_->shape == Shape::placed) {
+      error = placed_excess(subject, p, place, computed);
+    } else {
+      error = cut_excess(subject, p, computed);
+    }
+    if (!error) return std::nullopt;
+    return ValueError{*error, ideal_error(subject, p, computed)};
+  }
+
+  const std::optional<OpenValue> open =
+      attribute ? values_->attribute(*attribute, x, y, sample) : values_->depth(x, y, sample);
+  if (!open) return std::nullopt;
+  ValueError errors{
+      beyond(subject, to_fraction(open->range.lo), to_fraction(open->range.hi), computed), {}};
+  if (declared.location != cases::Location::centroid) {
+    errors.ideal = ideal_error(subject, p, computed);
+  }
+  return errors;
+}
+
+std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const Point& p) {
+  const ProjectiveMap& map = triangle.ideal;
+  const Ring here = map.inverse_w().at(p);
+  if (map.orientation() == 0 || sign_of(here) <= 0) return std::nullopt;
+  if (!triangle.has_nonpositive_w) {
+    const Ring least_w =
+        std::min({triangle.columns[0][2], triangle.columns[1][2], triangle.columns[2][2]});
+    return quotient(map.determinant(), least_w * here);
+  }
+  const Field band = exact_field(triangle.scene->contract().guard_band);
+  const ConvexRegion drawn =
+      triangle.clipped_to_triangle(ConvexRegion({-band, -band}, {band, band}));
+  Field greatest_here(here);
+  for (const FieldPoint& corner : drawn.vertices()) {
+    greatest_here = std::max(greatest_here, map.inverse_w().at(corner));
+  }
+  return greatest_here / Field(here);
+}
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,92 @@
+#pragma once
+
+// The errors of one triangle's values against what the rules leave open of them (oracle/judge.h).
+//
+// TriangleValues gives the exact range of a value, from up to 64 placements or from a polygon. To
+// judge a computed f that range is hardly ever needed: if one *reading* (a value the range surely
+// holds) is at most f and another at least f, f lies within it. Each comparison is the sign of
+// f d − n, in the ring. Where all readings are on one side of f the nearest of them is the end of
+// the range.
+//
+//   placed   readings are the extreme placements' values, and the exact triangle's where the basis
+//            is unspecified; a mean of the vertices' values stays between the least and the
+//            greatest of these, so the range is cut down to them
+//   cut      with the square of half-width `reach` around the point inside the polygon, readings
+//            are the exact triangle's values at its corners, where a ratio of affine functions has
+//            its extremes
+//
+// Everything else (centroids, squares that leave the polygon, poles) asks TriangleValues.
+
+#include <optional>
+#include <vector>
+
+#include "oracle/internal/triangle_setup.h"
+#include "oracle/internal/ulp_error.h"
+#include "oracle/internal/values.h"
+
+namespace rastercheck::oracle {
+
+/// The errors of one value (oracle/judge.h).
+struct ValueError {
+  UlpError excess;
+  std::optional<UlpError> ideal;
+};
+
+class ValueErrors {
+ public:
+  /// Both must outlive it.
+  ValueErrors(const TriangleSetup& triangle, const TriangleValues& values);
+
+  /// The errors of a computed value: of an attribute, or of the depth where `attribute` is nothing.
+  /// Nothing where the rules leave the value undefined.
+  std::optional<ValueError> of(std::optional<std::size_t> attribute, int x, int y, int sample,
+                               const Ring& computed) const;
+
+ private:
+  /// A value's readings are quotients of two functionals of window positions; those of a map are
+  /// made when first asked for.
+  struct Reading {
+    Line numerator;
+    Line denominator;
+    Fraction at(const Point& p) const { return {numerator.at(p), denominator.at(p)}; }
+  };
+  struct Subject {
+    Quantity quantity;
+    ScaleExponent scale;
+    /// The least and the greatest value at a vertex; of depth only where all w > 0.
+    Fraction least_end;
+    Fraction greatest_end;
+    bool is_clamped = false;  ///< depth that the rules clamp
+    mutable std::optional<Reading> ideal;
+    mutable std::vector<std::optional<Reading>> corners;
+  };
+  enum class Place { sample, center };
+
+  Subject depth_subject() const;
+  Subject attribute_subject(std::size_t attribute) const;
+  static Reading reading_on(const ProjectiveMap& map, const Quantity& quantity);
+  const Reading& ideal(const Subject& subject) const;
+  const Reading& corner(const Subject& subject, std::size_t index) const;
+  Fraction clamped(const Subject& subject, Fraction value) const;
+  int compare_clamped(const Subject& subject, const Ring& computed, const Fraction& value) const;
+
+  bool has_readings_at(const Point& p, Place place) const;
+  std::optional<UlpError> single_excess(const Subject& subject, const Point& p, Place place,
+                                        const Ring& computed) const;
+  std::optional<UlpError> placed_excess(const Subject& subject, const Point& p, Place place,
+                                        const Ring& computed) const;
+  UlpError cut_excess(const Subject& subject, const Point& p, const Ring& computed) const;
+  UlpError beyond(const Subject& subject, Fraction lo, Fraction hi, const Ring& computed) const;
+  std::optional<UlpError> ideal_error(const Subject& subject, const Point& p,
+                                      const Ring& computed) const;
+
+  const TriangleSetup* triangle_;
+  const TriangleValues* values_;
+  std::vector<Subject> subjects_;  ///< the depth, then the attributes
+};
+
+/// g of cases::ValueBound at a point: the greatest 1/w of the triangle's vertices (of its corners
+/// after clipping where some w <= 0), divided by 1/w there. Nothing where 1/w <= 0.
+std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const Point& p);
+
+}  // namespace rastercheck::oracle

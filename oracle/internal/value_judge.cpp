@@ -1,0 +1,182 @@
+#include "oracle/internal/value_judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "oracle/internal/rational_number.h"
+#include "oracle/internal/value_errors.h"
+#include "records/record.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+
+/// What an infinite value is taken for: the number after the largest float32.
+constexpr double kBeyondFloat = 0x1p128;
+
+AttributeKind kind_of(const cases::Case& source, const ComputedValue& value) {
+  if (!value.attribute) return AttributeKind::depth;
+  switch (source.attributes[*value.attribute].interpolation) {
+    case cases::Interpolation::smooth:
+      return AttributeKind::smooth;
+    case cases::Interpolation::noperspective:
+      return AttributeKind::noperspective;
+    case cases::Interpolation::flat:
+      break;
+  }
+  return AttributeKind::flat;
+}
+
+cases::ValueBound bound_of(const cases::Contract& contract, AttributeKind kind) {
+  switch (kind) {
+    case AttributeKind::depth:
+      return contract.bounds.depth;
+    case AttributeKind::smooth:
+      return contract.bounds.smooth;
+    case AttributeKind::noperspective:
+      return contract.bounds.noperspective;
+    case AttributeKind::coverage:
+    case AttributeKind::flat:
+      break;
+  }
+  return {0, 0};
+}
+
+/// Whether |excess| <= constant + per_horizon · g, exactly.
+bool is_within(const UlpError& excess, const cases::ValueBound& bound, const TriangleTruth& truth,
+               const ComputedValue& value) {
+  if (excess.is_zero()) return true;
+  if (records::magnitude_bound(excess.enclosure()) <= double{bound.constant}) return true;
+  Field most = exact_field(bound.constant);
+  if (bound.per_horizon > 0 && value.attribute) {
+    const auto horizon =
+        truth.horizon_ratio(*value.attribute, static_cast<int>(value.x), static_cast<int>(value.y),
+                            static_cast<int>(value.sample));
+    if (!horizon) return true;  // no bound is promised where 1/w <= 0
+    most = most + exact_field(bound.per_horizon) * to_field(*horizon);
+  }
+  return magnitude(excess.value()) <= most;
+}
+
+/// Whether all three vertices have the same zero, and the value is the other one.
+bool is_other_zero(const cases::Case& source, const ComputedValue& value) {
+  if (!value.attribute || value.actual != 0) return false;
+  const cases::Triangle& triangle = source.triangles[value.triangle];
+  return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t vertex) {
+    const float at_vertex = source.attributes_of(vertex)[*value.attribute];
+    return at_vertex == 0 && std::signbit(at_vertex) != std::signbit(value.actual);
+  });
+}
+
+FragmentClass class_of(const SceneTruth& scene, const TriangleTruth& truth,
+                       const ComputedValue& value, const UlpError& excess,
+                       const cases::ValueBound& bound) {
+  const bool is_right = is_within(excess, bound, truth, value);
+  if (std::isinf(value.actual)) {
+    // Everything from 2^128 on has to come out infinite.
+    const records::Enclosure error = excess.enclosure();
+    const bool lies_farther = value.actual > 0 ? error.hi < 0 : error.lo > 0;
+    return is_right || lies_farther ? FragmentClass::correct : FragmentClass::infinite;
+  }
+  if (!is_right) return FragmentClass::beyond_bound;
+  return is_other_zero(scene.source(), value) ? FragmentClass::wrong_sign_of_zero
+                                              : FragmentClass::correct;
+}
+
+/// The bucket of an error's exact magnitude.
+void count(records::Histogram& histogram, const UlpError& error) {
+  const records::Enclosure rough = error.enclosure();
+  const auto lower =
+      records::Histogram::bucket_of(std::min(std::abs(rough.lo), std::abs(rough.hi)));
+  const auto upper = records::Histogram::bucket_of(records::magnitude_bound(rough));
+  if (lower == upper) {
+    histogram.add_to_bucket(lower, 1);
+  } else {
+    histogram.add(records::magnitude_bound(enclose(error.value())));
+  }
+}
+
+std::string range_text(const std::optional<ValueRange>& range) {
+  if (!range) return "undefined";
+  if (range->lo == range->hi) return range->lo.to_string();
+  return fmt::format("[{}, {}]", range->lo.to_string(), range->hi.to_string());
+}
+
+/// Counts an error, and keeps it where it is an extreme. `exact` gives the exact value's text.
+template <typename Text>
+void add(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& scene,
+         const ComputedValue& value, std::uint64_t case_index, const Text& exact) {
+  count(sizes.histogram, error);
+  if (!records::may_keep(sizes.extremes, error.enclosure())) return;
+  records::WorstError worst;
+  worst.error = enclose(error.value());
+  // Asked again, as the first answer may have been too rough for the work that follows.
+  if (!records::may_keep(sizes.extremes, worst.error)) return;
+  worst.exact = exact();
+  worst.actual = value.actual;
+  worst.case_index = case_index;
+  worst.case_name = scene.source().name;
+  worst.triangle = value.triangle;
+  worst.x = value.x;
+  worst.y = value.y;
+  worst.sample = value.sample;
+  worst.attribute = value.attribute;
+  records::keep(sizes.extremes, worst);
+}
+
+Ring as_ring(float actual) {
+  if (std::isinf(actual)) return {actual > 0 ? kBeyondFloat : -kBeyondFloat};
+  return exact_ring(actual);
+}
+
+std::optional<ValueRange> range_of(const TriangleTruth& truth, const ComputedValue& value) {
+  const auto x = static_cast<int>(value.x);
+  const auto y = static_cast<int>(value.y);
+  const auto s = static_cast<int>(value.sample);
+  return value.attribute ? truth.attribute(*value.attribute, x, y, s) : truth.depth(x, y, s);
+}
+
+}  // namespace
+
+std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTruth& truth,
+                                       const ComputedValue& value, std::uint64_t case_index,
+                                       records::Judgement& judgement) {
+  if (value.attribute && truth.is_value_free(*value.attribute)) return std::nullopt;
+  JudgedValue judged;
+  judged.kind = kind_of(scene.source(), value);
+  judged.attribute = value.attribute;
+  judged.actual = value.actual;
+  if (std::isnan(value.actual)) {
+    if (!range_of(truth, value)) return std::nullopt;
+    judged.fragment_class = FragmentClass::not_a_number;
+    ++judgement.errors[judged.kind].classes[judged.fragment_class];
+    return judged;
+  }
+
+  const std::optional<ValueError> errors =
+      truth.errors().of(value.attribute, static_cast<int>(value.x), static_cast<int>(value.y),
+                        static_cast<int>(value.sample), as_ring(value.actual));
+  if (!errors) return std::nullopt;
+  const cases::ValueBound bound = bound_of(scene.contract(), judged.kind);
+  judged.fragment_class = class_of(scene, truth, value, errors->excess, bound);
+  records::ErrorStatistics& statistics = judgement.errors[judged.kind];
+  ++statistics.classes[judged.fragment_class];
+  if (std::isinf(value.actual)) return judged;
+
+  judged.excess = errors->excess.enclosure();
+  add(statistics.excess, errors->excess, scene, value, case_index,
+      [&] { return range_text(range_of(truth, value)); });
+  if (errors->ideal) {
+    judged.ideal = errors->ideal->enclosure();
+    add(statistics.ideal, *errors->ideal, scene, value, case_index,
+        [&] { return to_rational(errors->ideal->exact().value()).to_string(); });
+  }
+  return judged;
+}
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,86 @@
+#pragma once
+
+// The judge: holds what a backend drew against the exact truth (RULES §2, §3, §5).
+//
+// Coverage. Every sample of every triangle is required, forbidden or permitted; what was drawn is
+// then right, missing or extra. Nothing is close enough.
+//
+// Values. The contract leaves a value open within a range [lo, hi], mostly of one point. The
+// *excess* of a computed f is
+//
+//   (f − hi)/ulp where f > hi,   (f − lo)/ulp where f < lo,   0 between,
+//
+// in scale ULP (oracle/ulp.h) of the end it lies beyond; it is held against the contract's bound.
+// The *ideal* error is (f − r)/ulp, r the value of the exact triangle there: how precise the
+// backend is, whatever its contract leaves open. Both are certified, and decided exactly in the
+// last resort; none is left undecided.
+//
+// What is no number is a class. An infinite f counts as ±2^128, the number after the largest
+// float32, and is right where the exact value lies beyond that or the bound reaches it.
+//
+// Not judged: values that the rules leave free (TriangleTruth::is_value_free) or undefined.
+//
+// With the case's depth test, fragments are those of for_each_fragment (oracle/fragments.h), but
+// which of two is nearer is open where their depths, moved by the contract's bound, overlap.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/framebuffer.h"
+#include "oracle/triangle_truth.h"
+#include "records/judgement.h"
+#include "records/verdict.h"
+
+namespace rastercheck::oracle {
+
+/// How one value of a fragment came out.
+struct JudgedValue {
+  records::AttributeKind kind = records::AttributeKind::depth;
+  std::optional<std::uint32_t> attribute;  ///< index into the case's attributes; nothing for depth
+  records::FragmentClass fragment_class = records::FragmentClass::correct;
+  float actual = 0;
+  /// Scale ULP, certified, as narrow as the class and the histogram needed; nothing of what is no
+  /// finite number.
+  std::optional<records::Enclosure> excess;
+  std::optional<records::Enclosure> ideal;  ///< also nothing where the exact triangle has no value
+};
+
+/// How one sample of one triangle came out, of those that were drawn or are missing.
+struct JudgedSample {
+  std::uint32_t triangle = 0;
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+  std::uint32_t sample = 0;
+  records::SampleVerdict decision;
+  /// correct, missing, extra or wrong_triangle
+  records::FragmentClass fragment_class = records::FragmentClass::correct;
+  std::vector<JudgedValue> values;  ///< only of correct ones; depth first, then the attributes
+};
+
+/// Takes each judged sample, with the truth of its triangle; nullptr where it names a triangle that
+/// the case does not have. Both live no longer than the call.
+using JudgeSink = std::function<void(const JudgedSample&, const TriangleTruth*)>;
+
+struct JudgeOptions {
+  bool judges_values = true;              ///< else coverage only
+  std::uint64_t case_index = 0;           ///< for WorstError
+  std::uint64_t self_check_one_in = 256;  ///< share of the fragments held against the referee
+};
+
+struct Judged {
+  records::Judgement judgement;
+  /// A difference between oracle and referee: a fault of the oracle, whose answers are then worth
+  /// nothing. One line.
+  std::optional<std::string> fault;
+};
+
+/// Judges by the scene's contract. The framebuffer may hold anything: fragments that name no
+/// triangle, pixel or sample of the case, or that come twice, are `extra`; their order does not
+/// matter.
+Judged judge(const SceneTruth& scene, const cases::Framebuffer& drawn,
+             const JudgeOptions& options = {}, const JudgeSink& sink = {});
+
+}  // namespace rastercheck::oracle
