@@ -43,9 +43,10 @@ std::optional<records::Enclosure> quick_quotient(const Ring& n, const Ring& d) {
 }  // namespace
 
 Fraction to_fraction(const Field& value) {
-  // Mpzf cannot be made from the integer 0.
+  // CGAL 5.5's Mpzf takes no integer 0, and loses the sign of others.
   if (sign_of(value) == 0) return {};
-  return {Ring(value.numerator()), Ring(value.denominator())};
+  const Ring size(magnitude(value).numerator());
+  return {sign_of(value) < 0 ? -size : size, Ring(value.denominator())};
 }
 
 int compare(const Ring& computed, const Fraction& exact) {

@@ -1,0 +1,290 @@
+#include "oracle/judge.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "oracle/fragments.h"
+#include "oracle/self_check.h"
+#include "records/record.h"
+#include "tests/oracle/random_case.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+void push(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y, int sample, float depth,
+          const std::vector<float>& attributes) {
+  drawn.attribute_count = attributes.size();
+  drawn.triangle.push_back(triangle);
+  drawn.x.push_back(static_cast<std::uint16_t>(x));
+  drawn.y.push_back(static_cast<std::uint16_t>(y));
+  drawn.sample.push_back(static_cast<std::uint8_t>(sample));
+  drawn.depth.push_back(depth);
+  drawn.attributes.insert(drawn.attributes.end(), attributes.begin(), attributes.end());
+}
+
+/// What a rasterizer without error draws: every required fragment, each value rounded once.
+cases::Framebuffer perfect(const SceneTruth& scene) {
+  cases::Framebuffer drawn;
+  drawn.attribute_count = scene.source().attributes.size();
+  for_each_fragment(scene, [&drawn](const Fragment& f, const TriangleTruth&) {
+    std::vector<float> attributes;
+    for (const auto& value : f.attributes) {
+      attributes.push_back(value ? value->lo.nearest_float() : kNan);
+    }
+    push(drawn, static_cast<std::uint32_t>(f.triangle), f.x, f.y, f.sample,
+         f.depth->lo.nearest_float(), attributes);
+    return true;
+  });
+  return drawn;
+}
+
+/// The corner triangle of a 4×4 target: pixels with x + y < 3, and the diagonal's ties. u runs from
+/// 0 at the left to 4 at the right border; v is a constant.
+class JudgeOf : public testing::Test {
+ protected:
+  JudgeOf()
+      : case_(small_case(cases::Rules::vulkan, 4, 4,
+                         {{{-1, -1, 0.5F, 1}, {1, -1, 0.5F, 1}, {-1, 1, 0.5F, 1}}},
+                         {{{0, 0}, {4, 0}, {0, 0}}})),
+        scene_(case_, cases::contract_of(case_)),
+        drawn_(perfect(scene_)) {}
+
+  records::Judgement judged() const { return judge(scene_, drawn_).judgement; }
+  std::uint64_t count(AttributeKind kind, FragmentClass fragment_class) const {
+    const records::Judgement judgement = judged();
+    const auto found = judgement.errors.find(kind);
+    return found == judgement.errors.end() ? 0 : found->second.classes[fragment_class];
+  }
+
+  cases::Case case_;
+  SceneTruth scene_;
+  cases::Framebuffer drawn_;
+};
+
+TEST_F(JudgeOf, AFaultlessDrawingIsCorrectThroughout) {
+  const records::Judgement judgement = judged();
+  EXPECT_EQ(judgement.counts, (records::Counts{6, 10, 0, 0}));
+  for (const auto& [kind, errors] : judgement.errors) {
+    const std::uint64_t each = kind == AttributeKind::smooth ? 12 : 6;
+    EXPECT_EQ(errors.classes[FragmentClass::correct], each) << to_string(kind);
+    EXPECT_EQ(errors.excess.extremes, records::Extremes()) << to_string(kind);
+  }
+}
+
+TEST_F(JudgeOf, WhatIsNotDrawnIsMissing) {
+  drawn_ = {};
+  EXPECT_EQ(count(AttributeKind::coverage, FragmentClass::missing), 6U);
+}
+
+TEST_F(JudgeOf, WhatIsForbiddenOrUnheardOfIsExtra) {
+  push(drawn_, 0, 3, 3, 0, 0, {0, 0});
+  EXPECT_EQ(count(AttributeKind::coverage, FragmentClass::extra), 1U);
+  push(drawn_, 0, 0, 0, 0, 0, {0, 0});  // a second time
+  push(drawn_, 0, 0, 0, 1, 0, {0, 0});  // no such sample
+  push(drawn_, 0, 900, 0, 0, 0, {0, 0});
+  push(drawn_, 7, 0, 0, 0, 0, {0, 0});
+  EXPECT_EQ(count(AttributeKind::coverage, FragmentClass::extra), 5U);
+  EXPECT_EQ(count(AttributeKind::coverage, FragmentClass::correct), 6U);
+}
+
+TEST_F(JudgeOf, TheOrderOfFragmentsDoesNotMatter) {
+  cases::Framebuffer reversed;
+  for (std::size_t i = drawn_.size(); i-- > 0;) {
+    const auto values = drawn_.attributes_of(i);
+    push(reversed, drawn_.triangle[i], drawn_.x[i], drawn_.y[i], drawn_.sample[i], drawn_.depth[i],
+         {values.begin(), values.end()});
+  }
+  const records::Judgement in_order = judged();
+  drawn_ = reversed;
+  EXPECT_EQ(judged(), in_order);
+}
+
+// By hand: u is 1/2 at the first pixel, its vertices reach 4, so a scale ULP is 2^-21. One step of
+// 1/2, 2^-24, is 1/8 of it; four are 1/2, the bound; five are beyond.
+TEST_F(JudgeOf, ErrorsAreInScaleUlpAndHeldAgainstTheBound) {
+  drawn_.attributes[0] = 0.5F + 4 * 0x1p-24F;
+  EXPECT_EQ(count(AttributeKind::smooth, FragmentClass::beyond_bound), 0U);
+  drawn_.attributes[0] = 0.5F + 5 * 0x1p-24F;
+  EXPECT_EQ(count(AttributeKind::smooth, FragmentClass::beyond_bound), 1U);
+  const auto worst = judged().errors.at(AttributeKind::smooth).excess.extremes.most_positive;
+  EXPECT_EQ(worst->error, (records::Enclosure{0.625, 0.625}));
+  EXPECT_EQ(worst->exact, "1/2");
+  EXPECT_EQ(worst->attribute, 0U);
+  EXPECT_EQ(judged().errors.at(AttributeKind::smooth).ideal.extremes.most_positive, worst);
+}
+
+TEST_F(JudgeOf, WhatIsNoNumberIsAClass) {
+  drawn_.attributes[0] = kNan;
+  drawn_.attributes[2] = -kInfinity;
+  drawn_.depth[0] = kNan;
+  EXPECT_EQ(count(AttributeKind::smooth, FragmentClass::not_a_number), 1U);
+  EXPECT_EQ(count(AttributeKind::smooth, FragmentClass::infinite), 1U);
+  EXPECT_EQ(count(AttributeKind::depth, FragmentClass::not_a_number), 1U);
+  EXPECT_EQ(judged().errors.at(AttributeKind::smooth).excess.histogram.count(), 10U);
+}
+
+TEST_F(JudgeOf, TheOtherZeroIsWrongWhereAllVerticesHaveTheSame) {
+  drawn_.attributes[1] = -0.0F;
+  EXPECT_EQ(count(AttributeKind::smooth, FragmentClass::wrong_sign_of_zero), 1U);
+}
+
+TEST_F(JudgeOf, CoverageAloneAsksForNoValues) {
+  drawn_.attributes[0] = kNan;
+  const records::Judgement judgement = judge(scene_, drawn_, {.judges_values = false}).judgement;
+  EXPECT_EQ(judgement.errors.size(), 1U);
+}
+
+TEST_F(JudgeOf, TheSinkSeesEveryDrawnOrMissingSample) {
+  drawn_ = {};
+  push(drawn_, 0, 3, 3, 0, 0.5F, {0, 0});
+  push(drawn_, 9, 0, 0, 0, 0.5F, {0, 0});
+  std::string seen;
+  judge(scene_, drawn_, {}, [&seen](const JudgedSample& s, const TriangleTruth* truth) {
+    seen += std::to_string(s.triangle) + ":" + std::to_string(s.x) + std::to_string(s.y) +
+            (truth == nullptr ? "? " : " ") + std::string(to_string(s.fragment_class)) + "; ";
+  });
+  EXPECT_EQ(seen,
+            "0:00 missing; 0:10 missing; 0:20 missing; 0:01 missing; 0:11 missing; 0:02 missing; "
+            "0:33 extra; 9:00? extra; ");
+}
+
+// Under an unspecified tie rule the diagonal's samples may be drawn or not.
+TEST_F(JudgeOf, PermittedSamplesAreRightEitherWay) {
+  cases::Contract contract = cases::contract_of(case_);
+  contract.tie_rule = cases::TieRule::unspecified;
+  const SceneTruth scene(case_, contract);
+  const records::Judgement without = judge(scene, drawn_).judgement;
+  EXPECT_EQ(without.counts, (records::Counts{6, 6, 4, 0}));
+  push(drawn_, 0, 3, 0, 0, 0.5F, {3.5F, 0});
+  const auto& classes = judge(scene, drawn_).judgement.errors.at(AttributeKind::coverage).classes;
+  EXPECT_EQ(classes[FragmentClass::correct], 7U);
+  EXPECT_EQ(classes[FragmentClass::extra], 0U);
+}
+
+// 1/w is 1 at the left and 2^-30 at the right border, and a bound that grows towards it allows
+// there what it does not allow at the left.
+TEST(JudgedBounds, GrowTowardsTheHorizon) {
+  const cases::Case c = small_case(
+      cases::Rules::vulkan, 4, 4,
+      {{{-1, -1, 0, 1}, {0x1p30F, -0x1p30F, 0, 0x1p30F}, {-1, 3, 0, 1}}}, {{{1}, {1}, {1}}});
+  cases::Contract contract = cases::contract_of(c);
+  contract.bounds.smooth = {0.5F, 0.25F};
+  const SceneTruth scene(c, contract);
+  cases::Framebuffer drawn = perfect(scene);
+  // By hand: 1/w is 7/8, 5/8, 3/8, 1/8 in the four columns, so the bound of an error of 1 ULP is
+  // about 0.79, 0.9, 1.17 and 2.5.
+  for (float& value : drawn.attributes) value = std::nextafter(value, 2.0F);
+  std::string beyond;
+  judge(scene, drawn, {}, [&beyond](const JudgedSample& s, const TriangleTruth*) {
+    if (s.values[1].fragment_class == FragmentClass::beyond_bound) beyond += std::to_string(s.x);
+  });
+  EXPECT_EQ(beyond, "01010101");
+}
+
+/// Layers over a 1×1 target, at the given depths.
+cases::Case layers(const std::vector<float>& depths) {
+  cases::Case c = small_case(cases::Rules::vulkan, 1, 1, {});
+  c.positions.clear();
+  c.triangles.clear();
+  for (const float z : depths) {
+    const auto first = static_cast<std::uint32_t>(c.positions.size());
+    c.positions.insert(c.positions.end(), {{-1, -1, z, 1}, {3, -1, z, 1}, {-1, 3, z, 1}});
+    c.triangles.push_back({first, first + 1, first + 2});
+  }
+  c.depth_test = cases::DepthTest::less;
+  return c;
+}
+
+/// The classes of what is drawn of the layers, in words.
+std::string judge_layers(const std::vector<float>& depths, const cases::Framebuffer& drawn) {
+  const SceneTruth scene(layers(depths), cases::contract_of(layers(depths)));
+  std::string classes;
+  judge(scene, drawn, {}, [&classes](const JudgedSample& s, const TriangleTruth*) {
+    classes += std::string(to_string(s.fragment_class)) + ";";
+  });
+  return classes;
+}
+
+cases::Framebuffer one_fragment(std::uint32_t triangle, float depth) {
+  cases::Framebuffer drawn;
+  push(drawn, triangle, 0, 0, 0, depth, {});
+  return drawn;
+}
+
+TEST(JudgedNearest, TheNearestIsCorrectAndAnotherTheWrongTriangle) {
+  EXPECT_EQ(judge_layers({0.5F, 0.25F}, one_fragment(1, 0.25F)), "correct;");
+  EXPECT_EQ(judge_layers({0.5F, 0.25F}, one_fragment(0, 0.5F)), "wrong triangle;");
+  EXPECT_EQ(judge_layers({0.5F, 0.25F}, {}), "missing;");
+  cases::Framebuffer both = one_fragment(1, 0.25F);
+  push(both, 0, 0, 0, 0, 0.5F, {});
+  EXPECT_EQ(judge_layers({0.5F, 0.25F}, both), "wrong triangle;extra;");
+}
+
+// Two depths less than an ULP apart round to what may be the same float: either may be drawn.
+TEST(JudgedNearest, DepthsThatRoundingMayExchangeAreOpen) {
+  const float near = 0.5F;
+  const float far = std::nextafter(near, 1.0F);
+  EXPECT_EQ(judge_layers({far, near}, one_fragment(0, far)), "correct;");
+  EXPECT_EQ(judge_layers({far, near}, one_fragment(1, near)), "correct;");
+  EXPECT_EQ(judge_layers({0.5F, 0.5F + 0x1p-22F}, one_fragment(1, 0.5F + 0x1p-22F)),
+            "wrong triangle;");
+}
+
+// The centre of a pixel whose second sample alone is covered lies outside the triangle, where a
+// noperspective value runs beyond the largest float32.
+TEST(JudgedInfinity, IsRightWhereTheExactValueIsBeyondFloat) {
+  cases::Case c = small_case(cases::Rules::vulkan, 1, 1,
+                             {{{-1, 0.25F, 0, 1}, {-1, -1, 0, 1}, {0.25F, -1, 0, 1}}},
+                             {{{3e38F}, {-3e38F}, {3e38F}}});
+  c.framebuffer.samples = 2;
+  c.attributes[0] = {"a", cases::Interpolation::noperspective, cases::Location::center};
+  const SceneTruth scene(c, cases::contract_of(c));
+  cases::Framebuffer drawn;
+  for (const float value : {kInfinity, -kInfinity, 3.4e38F}) {
+    drawn = {};
+    push(drawn, 0, 0, 0, 1, 0, {value});
+    const auto judgement = judge(scene, drawn).judgement;
+    const auto& classes = judgement.errors.at(AttributeKind::noperspective).classes;
+    EXPECT_EQ(classes[FragmentClass::correct], value == kInfinity ? 1U : 0U) << value;
+    EXPECT_EQ(classes[FragmentClass::infinite], value == -kInfinity ? 1U : 0U) << value;
+    EXPECT_EQ(classes[FragmentClass::beyond_bound], value == 3.4e38F ? 1U : 0U) << value;
+  }
+}
+
+// Kills: whatever the judge and the fragments disagree on; and every sample is counted once.
+RC_GTEST_PROP(Judged, AFaultlessDrawingIsCorrect, ()) {
+  const cases::Case c = random_exact_case();
+  const SceneTruth scene(c, cases::contract_of(c));
+  const Judged judged = judge(scene, perfect(scene), {.self_check_one_in = 1});
+  RC_ASSERT(!judged.fault);
+  for (const auto& [kind, errors] : judged.judgement.errors) {
+    for (std::size_t i = 1; i < errors.classes.counts.size(); ++i) {
+      RC_ASSERT(errors.classes.counts[i] == 0U);
+    }
+  }
+  const records::Counts& counts = judged.judgement.counts;
+  RC_ASSERT(counts.required + counts.permitted + counts.forbidden ==
+            static_cast<std::uint64_t>(30 * c.framebuffer.samples));
+  RC_ASSERT(counts.undecided == 0U);
+}
+
+// Oracle and referee, of samples that are not covered too.
+RC_GTEST_PROP(SelfCheck, FindsNothingToSayOfAnySample, ()) {
+  const cases::Case c = random_exact_case();
+  const SceneTruth scene(c, cases::contract_of(c));
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 0; x < 6; ++x) RC_ASSERT(!self_check(scene, 0, x, y, 0));
+  }
+}
+
+}  // namespace
+}  // namespace rastercheck::oracle
