@@ -8,6 +8,8 @@
 
 namespace rastercheck::cases {
 
+class JsonNode;
+
 /// Reads a case file (CONTRACT, version 1; docs/case-format.md): everything that it accepts can be
 /// drawn, and nothing in it was rounded, defaulted by guess, or ignored. `file` names the source in
 /// errors.
@@ -15,5 +17,8 @@ Result<Case> parse_case(std::string_view text, const std::string& file);
 
 /// The same from a file, or from standard input for "-".
 Result<Case> read_case(const std::string& file);
+
+/// The same of a value within another document, whose node keeps the error.
+Case read_case(const JsonNode& node);
 
 }  // namespace rastercheck::cases

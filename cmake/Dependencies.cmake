@@ -9,10 +9,14 @@ find_package(tl-expected REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(assimp REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(Boost REQUIRED)  # headers only
+find_package(PNG REQUIRED)
+find_package(rapidcheck REQUIRED)
+find_package(Threads REQUIRED)
 
 if(RASTERCHECK_TESTS)
   find_package(GTest REQUIRED)
-  find_package(rapidcheck REQUIRED)
   # Debian's interpreter, the one its python3-jsonschema is installed for.
   find_program(RASTERCHECK_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+  find_program(RASTERCHECK_PATCH patch REQUIRED)
 endif()

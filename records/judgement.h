@@ -105,10 +105,20 @@ struct Counts {
   bool operator==(const Counts&) const = default;
 };
 
-/// The errors of one attribute kind, in its unit.
-struct ErrorStatistics {
+/// How large errors of one sort were.
+struct ErrorSizes {
   Histogram histogram;  ///< of |error|
   Extremes extremes;
+  bool operator==(const ErrorSizes&) const = default;
+};
+
+/// The errors of one attribute kind, in its unit.
+struct ErrorStatistics {
+  /// Beyond what the contract leaves open, 0 within it: what the bound is held against.
+  ErrorSizes excess;
+  /// Against the value of the exact triangle, whatever the contract leaves open: how precise it is.
+  /// Not of fragments where the exact triangle has no value.
+  ErrorSizes ideal;
   ClassCounts classes;
   bool operator==(const ErrorStatistics&) const = default;
 };

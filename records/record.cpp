@@ -101,9 +101,14 @@ void merge(Extremes& into, const Extremes& from) {
   if (from.most_positive) keep(into.most_positive, *from.most_positive, Side::positive);
 }
 
-void merge(ErrorStatistics& into, const ErrorStatistics& from) {
+void merge(ErrorSizes& into, const ErrorSizes& from) {
   into.histogram.merge(from.histogram);
   merge(into.extremes, from.extremes);
+}
+
+void merge(ErrorStatistics& into, const ErrorStatistics& from) {
+  merge(into.excess, from.excess);
+  merge(into.ideal, from.ideal);
   merge(into.classes, from.classes);
 }
 

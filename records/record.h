@@ -67,6 +67,7 @@ void merge(Counts& into, const Counts& from);
 void merge(CaseCounts& into, const CaseCounts& from);
 void merge(ClassCounts& into, const ClassCounts& from);
 void merge(Extremes& into, const Extremes& from);
+void merge(ErrorSizes& into, const ErrorSizes& from);
 void merge(ErrorStatistics& into, const ErrorStatistics& from);
 void merge(Record& into, const Record& from);
 void merge(RecordSet& into, const RecordSet& from);

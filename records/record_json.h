@@ -6,10 +6,11 @@
 //     "cases": {"checked": 7, "not_applicable": 0, "violations": 1},
 //     "counts": {"required": 9, "forbidden": 90, "permitted": 1, "undecided": 0},
 //     "classes": {"correct": 8, "beyond bound": 1, …},
-//     "histogram": {"buckets": [[0, 5], [155, 4]], "non_finite": 0},
-//     "most_negative": {"error": [-0.5, -0.5], "exact": "84/5", "actual": "0x1.0cccccp+4",
-//                       "case": {"index": 3, "name": "…"},
-//                       "triangle": 0, "x": 3, "y": 5, "sample": 0, "attribute": 0},
+//     "excess": {"histogram": {"buckets": [[0, 5], [155, 4]], "non_finite": 0},
+//                "most_negative": {"error": [-0.5, -0.5], "exact": "84/5",
+//                                  "actual": "0x1.0cccccp+4", "case": {"index": 3, "name": "…"},
+//                                  "triangle": 0, "x": 3, "y": 5, "sample": 0, "attribute": 0}},
+//     "ideal": {"histogram": {"buckets": [[0, 9]], "non_finite": 0}},
 //     "labels": {"tie": 4}, "decided_at": {"filter": 100}}]
 //
 // The array is ordered by key. A bucket is [its number (histogram.h), its count]; empty ones are

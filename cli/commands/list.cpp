@@ -11,6 +11,8 @@
 #include "cases/sample_pattern.h"
 #include "cli/command.h"
 #include "cli/output.h"
+#include "properties/generator.h"
+#include "properties/law.h"
 
 namespace rastercheck::cli {
 namespace {
@@ -23,8 +25,6 @@ struct Kind {
   std::vector<ordered_json> (*rows)();
 };
 
-std::vector<ordered_json> no_rows() { return {}; }
-
 std::vector<ordered_json> backend_rows() {
   std::vector<ordered_json> rows;
   for (const backends::Listing& listing : backends::list_backends()) {
@@ -32,6 +32,20 @@ std::vector<ordered_json> backend_rows() {
                     {"available", listing.unavailable_because.empty()},
                     {"summary", listing.summary},
                     {"why not", listing.unavailable_because}});
+  }
+  return rows;
+}
+
+std::vector<ordered_json> property_rows() {
+  std::vector<ordered_json> rows;
+  for (const properties::Law& law : properties::laws()) rows.push_back({{"name", law.name}});
+  return rows;
+}
+
+std::vector<ordered_json> generator_rows() {
+  std::vector<ordered_json> rows;
+  for (const properties::Generator& generator : properties::generators()) {
+    rows.push_back({{"name", generator.name}, {"summary", generator.summary}});
   }
   return rows;
 }
@@ -68,8 +82,9 @@ std::vector<ordered_json> pattern_rows() {
   return rows;
 }
 
-constexpr std::array<Kind, 5> kKinds{{{"backends", &backend_rows},
-                                      {"properties", &no_rows},
+constexpr std::array<Kind, 6> kKinds{{{"backends", &backend_rows},
+                                      {"properties", &property_rows},
+                                      {"generators", &generator_rows},
                                       {"methods", &method_rows},
                                       {"rules", &rules_rows},
                                       {"patterns", &pattern_rows}}};
@@ -124,8 +139,8 @@ Action set_up(CLI::App& app) {
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("list", "Backends, properties, methods, rules, sample patterns",
-                                 &set_up);
+const Registration kRegistration(
+    "list", "Backends, properties, generators, methods, rules, sample patterns", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli

@@ -9,8 +9,12 @@
 #include "cases/case_reader.h"
 #include "cases/float_text.h"
 #include "cases/json.h"
+#include "cli/backend_failure.h"
 #include "cli/command.h"
 #include "oracle/transform.h"
+#include "reports/picture.h"
+#include "reports/png.h"
+#include "reports/write.h"
 
 namespace rastercheck::cli {
 namespace {
@@ -18,6 +22,7 @@ namespace {
 struct Options {
   std::string file;
   std::string backend = "cpu";
+  std::string png;
   bool json = false;
   bool quiet = false;
 };
@@ -63,12 +68,20 @@ void print_table(const cases::Case& c, const cases::Framebuffer& drawn, bool qui
 
 ExitCode run(const Options& options) {
   auto backend = backends::make_backend(options.backend);
-  if (!backend) return fail(backend.error());
+  if (!backend) return fail_backend(backend.error());
   Result<cases::Case> c = cases::read_case(options.file);
   if (c) c = oracle::to_clip_case(*c, options.file);
   if (!c) return fail(c.error());
   const Result<cases::Framebuffer> drawn = (*backend)->draw(*c);
   if (!drawn) return fail({options.file, drawn.error().place, drawn.error().reason});
+  if (!options.png.empty()) {
+    const Result<void> written =
+        reports::to_png(reports::draw_picture(*c, *drawn)).and_then([&options](const auto& bytes) {
+          return reports::write_file(options.png, bytes);
+        });
+    if (!written) return fail(written.error());
+    return ExitCode::ok;
+  }
   if (options.json) {
     print_json(options.backend, *drawn);
   } else {
@@ -82,6 +95,7 @@ Action set_up(CLI::App& app) {
   app.add_option("CASE", options->file, "Case file; - reads standard input")->required();
   app.add_option("--backend", options->backend, "What draws it (see rastercheck list backends)")
       ->capture_default_str();
+  app.add_option("--png", options->png, "Writes the picture to this file, and prints nothing");
   app.add_flag("--json", options->json, "The fragments as JSON, values as hex floats");
   app.add_flag("-q,--quiet", options->quiet, "No header and no summary");
   app.footer("A case with a camera is drawn from its clip positions, rounded once to float32.");

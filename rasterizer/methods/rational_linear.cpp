@@ -253,6 +253,9 @@ class Drawing {
   ClipPolygon spare_;
   WindowPolygon window_;
   Values flat_{};  ///< [attribute]: the provoking vertex's value
+  /// [attribute]: whether all three values are the same zero. Sums and products of zeros may come
+  /// out as the other one.
+  std::array<bool, kMaxAttributes> is_zero_{};
   // Of the row of pixels at hand.
   std::array<SampleRow, kMaxSamples> rows_;
   SampleRow center_row_;
@@ -313,6 +316,13 @@ void Drawing::load(const glm::uvec3& corners) {
   const std::size_t count = state_.attributes.size();
   std::copy_n(mesh_.attributes.begin() + static_cast<std::ptrdiff_t>(provoking * count), count,
               flat_.begin());
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto is_same_zero = [&](std::uint32_t vertex) {
+      const float value = mesh_.attributes[vertex * count + i];
+      return value == 0 && std::signbit(value) == std::signbit(flat_[i]);
+    };
+    is_zero_[i] = is_same_zero(corners.x) && is_same_zero(corners.y) && is_same_zero(corners.z);
+  }
 }
 
 void Drawing::load_vertex(std::uint32_t vertex, ClipVertex& to) const {
@@ -441,7 +451,8 @@ void Drawing::extrapolate(double u, double v, ScanParameters& s) const {
 void Drawing::evaluate(Location location, const ScanParameters& s, Values& values) const {
   for (std::size_t i = 0; i < state_.attributes.size(); ++i) {
     const Qualifier& qualifier = state_.attributes[i];
-    if (qualifier.interpolation == Interpolation::flat || qualifier.location != location) continue;
+    const bool is_copied = qualifier.interpolation == Interpolation::flat || is_zero_[i];
+    if (is_copied || qualifier.location != location) continue;
     const double numerator = s[kFirstAttribute + i];
     const bool is_smooth = qualifier.interpolation == Interpolation::smooth;
     values[i] = rounded(is_smooth ? numerator / s[kReciprocalW] : numerator);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
@@ -31,6 +32,28 @@ TEST(RationalLinearValues, SmoothIsLinearOverLinear) {
     state.attributes = {{}};
     expect_values(fragments_of(state, in_perspective(state), kFour),
                   [](double u, double) { return u / (8 - u); });
+  }
+}
+
+// Kills: sums of zeros of both signs at an extrapolated centre, and −0 · w with w < 0.
+TEST(RationalLinearValues, AZeroAtAllVerticesKeepsItsSign) {
+  State state = small_state(4, 4);
+  for (const Location location : {Location::sample, Location::center, Location::centroid}) {
+    for (const Interpolation interpolation :
+         {Interpolation::smooth, Interpolation::noperspective}) {
+      state.attributes = {{interpolation, location}};
+      for (const float zero : {0.0F, -0.0F}) {
+        SmallMesh mesh = in_perspective(state);
+        mesh.positions[0] = -mesh.positions[0];
+        mesh.attributes = {zero, zero, zero};
+        const Fragments fragments = fragments_of(state, mesh, {4, 4, 4});
+        ASSERT_GT(fragments.size(), 0U);
+        for (const float value : fragments.attributes) {
+          EXPECT_EQ(value, 0);
+          EXPECT_EQ(std::signbit(value), std::signbit(zero));
+        }
+      }
+    }
   }
 }
 

@@ -99,9 +99,11 @@ inline void add(RecordSet& records, const Observation& observation) {
   Judgement judgement;
   ++judgement.counts.required;
   ErrorStatistics& errors = judgement.errors[observation.key.attribute_kind];
-  errors.histogram.add(magnitude_bound(observation.worst.error));
-  errors.histogram.add(observation.magnitude);
-  keep(errors.extremes, observation.worst);
+  errors.excess.histogram.add(magnitude_bound(observation.worst.error));
+  errors.excess.histogram.add(observation.magnitude);
+  keep(errors.excess.extremes, observation.worst);
+  errors.ideal.histogram.add(observation.magnitude);
+  keep(errors.ideal.extremes, observation.worst);
   ++errors.classes[observation.fragment_class];
   add(records, observation.key, judgement);
 

@@ -50,14 +50,16 @@ RecordSet small_records() {
   record.cases = {7, 1, 2};
   record.counts = {9, 90, 1, 3};
   record.errors.classes.counts = {1, 2, 3, 4, 5, 6, 7, 8};
-  record.errors.histogram.add_to_bucket(155, 4);
-  record.errors.histogram.add(0);
-  record.errors.histogram.add_non_finite(2);
-  record.errors.extremes.most_negative = small_worst();
+  record.errors.excess.histogram.add_to_bucket(155, 4);
+  record.errors.excess.histogram.add(0);
+  record.errors.excess.histogram.add_non_finite(2);
+  record.errors.excess.extremes.most_negative = small_worst();
   WorstError above = small_worst();
   above.error = {1, kInfinity};
   above.attribute = 6;
-  record.errors.extremes.most_positive = above;
+  record.errors.excess.extremes.most_positive = above;
+  record.errors.ideal.histogram.add_to_bucket(3, 5);
+  record.errors.ideal.extremes.most_positive = above;
   record.labels = {{"tie", 4}};
   record.decided_at = {{"filter", 100}};
   return {{{"law", "cpu", AttributeKind::smooth, "grid"}, record}};
@@ -71,15 +73,21 @@ TEST(RecordsToJson, WritesTheFormat) {
     "counts": {"required": 9, "forbidden": 90, "permitted": 1, "undecided": 3},
     "classes": {"correct": 1, "beyond bound": 2, "missing": 3, "extra": 4, "wrong triangle": 5,
                 "not a number": 6, "infinite": 7, "wrong sign of zero": 8},
-    "histogram": {"buckets": [[0, 1], [155, 4]], "non_finite": 2},
-    "most_negative": {"error": [-0.1, -0.0625], "exact": "84/5", "actual": "0x1.8p-2",
-                      "case": {"index": 18446744073709551615,
-                               "name": "one vertex \"behind\" the eye"},
-                      "triangle": 1, "x": 2, "y": 3, "sample": 4},
-    "most_positive": {"error": [1.0, "inf"], "exact": "84/5", "actual": "0x1.8p-2",
-                      "case": {"index": 18446744073709551615,
-                               "name": "one vertex \"behind\" the eye"},
-                      "triangle": 1, "x": 2, "y": 3, "sample": 4, "attribute": 6},
+    "excess": {
+      "histogram": {"buckets": [[0, 1], [155, 4]], "non_finite": 2},
+      "most_negative": {"error": [-0.1, -0.0625], "exact": "84/5", "actual": "0x1.8p-2",
+                        "case": {"index": 18446744073709551615,
+                                 "name": "one vertex \"behind\" the eye"},
+                        "triangle": 1, "x": 2, "y": 3, "sample": 4},
+      "most_positive": {"error": [1.0, "inf"], "exact": "84/5", "actual": "0x1.8p-2",
+                        "case": {"index": 18446744073709551615,
+                                 "name": "one vertex \"behind\" the eye"},
+                        "triangle": 1, "x": 2, "y": 3, "sample": 4, "attribute": 6}},
+    "ideal": {"histogram": {"buckets": [[3, 5]], "non_finite": 0},
+              "most_positive": {"error": [1.0, "inf"], "exact": "84/5", "actual": "0x1.8p-2",
+                                "case": {"index": 18446744073709551615,
+                                         "name": "one vertex \"behind\" the eye"},
+                                "triangle": 1, "x": 2, "y": 3, "sample": 4, "attribute": 6}},
     "labels": {"tie": 4}, "decided_at": {"filter": 100}}])");
   EXPECT_EQ(records_to_json(small_records()), expected);
   EXPECT_EQ(records_to_json({}), json::array());
@@ -116,7 +124,7 @@ RC_GTEST_PROP(RecordsFromJson, GivesBackAnyRecords, ()) {
   for (auto& [key, record] : records) {
     record.cases.not_applicable = *rc::gen::arbitrary<std::uint64_t>();
     record.counts.undecided = *rc::gen::arbitrary<std::uint64_t>();
-    record.errors.histogram.add_to_bucket(7, *rc::gen::arbitrary<std::uint64_t>());
+    record.errors.excess.histogram.add_to_bucket(7, *rc::gen::arbitrary<std::uint64_t>());
     record.labels[*rc::gen::element<std::string>("", "a/b~c", "\n\"")] = 1;
     WorstError worst = random_worst();
     const double a = any_finite_double();
@@ -124,7 +132,7 @@ RC_GTEST_PROP(RecordsFromJson, GivesBackAnyRecords, ()) {
     worst.error = {std::min(a, b), std::max(a, b)};
     worst.actual = any_finite_float();
     worst.x = *rc::gen::arbitrary<std::uint32_t>();
-    keep(record.errors.extremes, worst);
+    keep(record.errors.excess.extremes, worst);
   }
   const std::string text = records_to_json(records).dump();
   const Result<RecordSet> again = read(text);
@@ -140,8 +148,8 @@ RC_GTEST_PROP(RecordsFromJson, GivesBackAnyDoubleToTheBit, ()) {
   worst.error = end > 0 ? Enclosure{-0.0, end} : Enclosure{end, -0.0};
   if (end == 0) worst.error = {-1, end};
   RecordSet records;
-  keep(records[{}].errors.extremes, worst);
-  const Extremes again = read(records_to_json(records).dump()).value()[{}].errors.extremes;
+  keep(records[{}].errors.excess.extremes, worst);
+  const Extremes again = read(records_to_json(records).dump()).value()[{}].errors.excess.extremes;
   const Enclosure error =
       again.most_positive ? again.most_positive->error : again.most_negative.value().error;
   RC_ASSERT(std::bit_cast<std::uint64_t>(error.lo) == std::bit_cast<std::uint64_t>(worst.error.lo));
@@ -150,9 +158,10 @@ RC_GTEST_PROP(RecordsFromJson, GivesBackAnyDoubleToTheBit, ()) {
 
 TEST(RecordsFromJson, AWholeNumberMayStandForADouble) {
   json array = records_to_json(small_records());
-  array[0]["most_negative"]["error"] = {-3, -2};
+  array[0]["excess"]["most_negative"]["error"] = {-3, -2};
   const RecordSet records = read(array.dump()).value();
-  EXPECT_EQ(records.begin()->second.errors.extremes.most_negative->error, (Enclosure{-3, -2}));
+  EXPECT_EQ(records.begin()->second.errors.excess.extremes.most_negative->error,
+            (Enclosure{-3, -2}));
 }
 
 /// A fault that is to be refused: the value at a place of a good document is replaced.
@@ -200,27 +209,36 @@ const Fault kFaults[] = {
     {"/0/counts/odd", "1", "/0/counts/odd", "unknown key"},
     {"/0/classes/late", "1", "/0/classes/late", "unknown key 'late'"},
     {"/0/classes/extra", "", "/0/classes", "missing key 'extra'"},
-    {"/0/histogram/buckets", "{}", "/0/histogram/buckets", "must be an array"},
-    {"/0/histogram/buckets/1", "[155]", "/0/histogram/buckets/1", "array of two"},
-    {"/0/histogram/buckets/1/0", "483", "/0/histogram/buckets/1/0", "from 0 to 482"},
-    {"/0/histogram/buckets/1/0", "0", "/0/histogram/buckets/1/0", "ascending"},
-    {"/0/histogram/non_finite", "null", "/0/histogram/non_finite", "must be an integer"},
+    {"/0/excess/histogram/buckets", "{}", "/0/excess/histogram/buckets", "must be an array"},
+    {"/0/excess/histogram/buckets/1", "[155]", "/0/excess/histogram/buckets/1", "array of two"},
+    {"/0/excess/histogram/buckets/1/0", "483", "/0/excess/histogram/buckets/1/0", "from 0 to 482"},
+    {"/0/excess/histogram/buckets/1/0", "0", "/0/excess/histogram/buckets/1/0", "ascending"},
+    {"/0/excess/histogram/non_finite", "null", "/0/excess/histogram/non_finite",
+     "must be an integer"},
+    {"/0/ideal", "", "/0", "missing key 'ideal'"},
+    {"/0/ideal/odd", "1", "/0/ideal/odd", "unknown key 'odd'"},
+    {"/0/ideal/histogram/non_finite", "-1", "/0/ideal/histogram/non_finite", "must be an integer"},
     {"/0/labels", "[]", "/0/labels", "must be an object"},
     {"/0/labels/tie", "true", "/0/labels/tie", "must be an integer"},
     {"/0/decided_at", "", "/0", "missing key 'decided_at'"},
-    {"/0/most_negative", "null", "/0/most_negative", "must be an object"},
-    {"/0/most_negative/case/name", "", "/0/most_negative/case", "missing key 'name'"},
-    {"/0/most_negative/error", "[-1]", "/0/most_negative/error", "array of two"},
-    {"/0/most_negative/error", "[-1, -2]", "/0/most_negative/error", "lower end"},
-    {"/0/most_negative/error", "[1, 2]", "/0/most_negative/error", "must be below 0"},
-    {"/0/most_negative/error/0", "9007199254740993", "/0/most_negative/error/0",
+    {"/0/excess/most_negative", "null", "/0/excess/most_negative", "must be an object"},
+    {"/0/excess/most_negative/case/name", "", "/0/excess/most_negative/case", "missing key 'name'"},
+    {"/0/excess/most_negative/error", "[-1]", "/0/excess/most_negative/error", "array of two"},
+    {"/0/excess/most_negative/error", "[-1, -2]", "/0/excess/most_negative/error", "lower end"},
+    {"/0/excess/most_negative/error", "[1, 2]", "/0/excess/most_negative/error", "must be below 0"},
+    {"/0/excess/most_negative/error/0", "9007199254740993", "/0/excess/most_negative/error/0",
      "not exactly a double"},
-    {"/0/most_positive/error", "[-2, 0]", "/0/most_positive/error", "must be above 0"},
-    {"/0/most_positive/error/1", R"("nan")", "/0/most_positive/error/1", "must be a number"},
-    {"/0/most_positive/actual", "0.5", "/0/most_positive/actual", "must be a string"},
-    {"/0/most_positive/actual", R"("0x1.0000001p+0")", "/0/most_positive/actual", "hex float"},
-    {"/0/most_positive/x", "4294967296", "/0/most_positive/x", "from 0 to 4294967295"},
-    {"/0/most_positive/attribute", "-1", "/0/most_positive/attribute", "must be an integer"},
+    {"/0/excess/most_positive/error", "[-2, 0]", "/0/excess/most_positive/error",
+     "must be above 0"},
+    {"/0/excess/most_positive/error/1", R"("nan")", "/0/excess/most_positive/error/1",
+     "must be a number"},
+    {"/0/excess/most_positive/actual", "0.5", "/0/excess/most_positive/actual", "must be a string"},
+    {"/0/excess/most_positive/actual", R"("0x1.0000001p+0")", "/0/excess/most_positive/actual",
+     "hex float"},
+    {"/0/excess/most_positive/x", "4294967296", "/0/excess/most_positive/x",
+     "from 0 to 4294967295"},
+    {"/0/excess/most_positive/attribute", "-1", "/0/excess/most_positive/attribute",
+     "must be an integer"},
 };
 
 INSTANTIATE_TEST_SUITE_P(RecordsFromJson, BadRecords, ::testing::ValuesIn(kFaults));

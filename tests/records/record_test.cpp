@@ -170,8 +170,8 @@ TEST(Merge, AddsEveryCount) {
   a.cases = {1, 2, 3};
   a.counts = {4, 5, 6, 7};
   a.errors.classes.counts = {1, 2, 3, 4, 5, 6, 7, 8};
-  a.errors.histogram.add(1);
-  a.errors.histogram.add_non_finite(3);
+  a.errors.excess.histogram.add(1);
+  a.errors.excess.histogram.add_non_finite(3);
   a.labels = {{"tie", 1}, {"clipped", 2}};
   a.decided_at = {{"filter", 9}};
   Record b = a;
@@ -181,8 +181,8 @@ TEST(Merge, AddsEveryCount) {
   EXPECT_EQ(a.cases, (CaseCounts{2, 4, 6}));
   EXPECT_EQ(a.counts, (Counts{8, 10, 12, 14}));
   EXPECT_EQ(a.errors.classes.counts, (std::array<std::uint64_t, 8>{2, 4, 6, 8, 10, 12, 14, 16}));
-  EXPECT_EQ(a.errors.histogram.count(), 2U);
-  EXPECT_EQ(a.errors.histogram.non_finite(), 6U);
+  EXPECT_EQ(a.errors.excess.histogram.count(), 2U);
+  EXPECT_EQ(a.errors.excess.histogram.non_finite(), 6U);
   EXPECT_EQ(a.labels,
             (std::map<std::string, std::uint64_t>{{"tie", 11}, {"clipped", 2}, {"w <= 0", 3}}));
   EXPECT_EQ(a.decided_at, (std::map<std::string, std::uint64_t>{{"exact", 1}, {"filter", 9}}));

@@ -1,0 +1,226 @@
+#include "cases/json_node.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cases/float_text.h"
+#include "cases/json.h"
+
+namespace rastercheck::cases {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view kInfinityText = "inf";
+constexpr std::string_view kMinusInfinityText = "-inf";
+/// Up to here every integer is a double.
+constexpr double kExactIntegers = 0x1p53;
+
+}  // namespace
+
+void JsonNode::refuse(std::string reason) const {
+  if (failed()) return;
+  *error_ = Error{*file_, pointer_.empty() ? "/" : pointer_, std::move(reason)};
+}
+
+void JsonNode::expect_object(std::initializer_list<std::string_view> required,
+                             std::initializer_list<std::string_view> optional) const {
+  if (!value_->is_object()) return refuse("must be an object");
+  for (const auto& member : value_->items()) {
+    const std::string& key = member.key();
+    const auto is_key = [&key](std::string_view known) { return known == key; };
+    if (std::none_of(required.begin(), required.end(), is_key) &&
+        std::none_of(optional.begin(), optional.end(), is_key)) {
+      return (*this)[key].refuse(fmt::format("unknown key '{}'", printable(key)));
+    }
+  }
+  for (const std::string_view key : required) {
+    if (!has(key)) refuse(fmt::format("missing key '{}'", key));
+  }
+}
+
+bool JsonNode::has(std::string_view key) const {
+  return value_->is_object() && value_->contains(key);
+}
+
+JsonNode JsonNode::operator[](std::string_view key) const {
+  static const json kMissing;
+  return {has(key) ? value_->at(std::string(key)) : kMissing, child_pointer(pointer_, key), *error_,
+          *file_};
+}
+
+std::vector<std::string> JsonNode::keys() const {
+  std::vector<std::string> keys;
+  if (!value_->is_object()) {
+    refuse("must be an object");
+    return keys;
+  }
+  for (const auto& member : value_->items()) keys.push_back(member.key());
+  return keys;
+}
+
+JsonNode JsonNode::element(std::size_t i) const {
+  return {(*value_)[i], child_pointer(pointer_, std::to_string(i)), *error_, *file_};
+}
+
+std::vector<JsonNode> JsonNode::elements() const {
+  std::vector<JsonNode> nodes;
+  if (!value_->is_array()) {
+    refuse("must be an array");
+    return nodes;
+  }
+  nodes.reserve(value_->size());
+  for (std::size_t i = 0; i < value_->size(); ++i) nodes.push_back(element(i));
+  return nodes;
+}
+
+std::vector<JsonNode> JsonNode::elements(std::size_t least, std::size_t most,
+                                         std::string_view what) const {
+  std::vector<JsonNode> nodes = elements();
+  if (!failed() && (nodes.size() < least || nodes.size() > most)) {
+    refuse(least == most
+               ? fmt::format("must have {} {}, not {}", least, what, nodes.size())
+               : fmt::format("must have {} to {} {}, not {}", least, most, what, nodes.size()));
+    nodes.clear();
+  }
+  return nodes;
+}
+
+std::pair<JsonNode, JsonNode> JsonNode::two_elements(std::string_view what) const {
+  if (value_->is_array() && value_->size() == 2) return {element(0), element(1)};
+  refuse(fmt::format("must be an array of two: {}", what));
+  return {*this, *this};
+}
+
+bool JsonNode::is_string() const { return value_->is_string(); }
+
+std::string JsonNode::text() const {
+  if (value_->is_string()) return value_->get<std::string>();
+  refuse("must be a string");
+  return {};
+}
+
+bool JsonNode::boolean() const {
+  if (value_->is_boolean()) return value_->get<bool>();
+  refuse("must be true or false");
+  return false;
+}
+
+std::size_t JsonNode::word(std::span<const std::string_view> words) const {
+  const std::string chosen = text();
+  const auto found = std::find(words.begin(), words.end(), chosen);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  refuse(fmt::format("must be one of '{}'", fmt::join(words, "', '")));
+  return 0;
+}
+
+std::int64_t JsonNode::integer(std::int64_t least, std::int64_t most) const {
+  std::optional<std::int64_t> number;
+  if (value_->is_number_unsigned()) {
+    const auto value = value_->get<std::uint64_t>();
+    if (std::in_range<std::int64_t>(value)) number = static_cast<std::int64_t>(value);
+  } else if (value_->is_number_integer()) {
+    number = value_->get<std::int64_t>();
+  } else if (value_->is_number_float()) {
+    const auto value = value_->get<double>();
+    if (value != std::floor(value)) {
+      refuse("must be an integer");
+      return least;
+    }
+    if (std::abs(value) <= kExactIntegers) number = static_cast<std::int64_t>(value);
+  } else {
+    refuse("must be an integer");
+    return least;
+  }
+  if (!number || *number < least || *number > most) {
+    refuse(fmt::format("out of range: must be an integer from {} to {}", least, most));
+    return least;
+  }
+  return *number;
+}
+
+std::uint64_t JsonNode::unsigned_integer() const {
+  if (value_->is_number_unsigned()) return value_->get<std::uint64_t>();
+  std::optional<Error> ignored;
+  const std::int64_t value = JsonNode(*value_, pointer_, ignored, *file_)
+                                 .integer(0, std::numeric_limits<std::int64_t>::max());
+  if (ignored) {
+    refuse(fmt::format("out of range: must be an integer from 0 to {}",
+                       std::numeric_limits<std::uint64_t>::max()));
+  }
+  return static_cast<std::uint64_t>(value);
+}
+
+std::uint64_t JsonNode::count_up_to(std::uint64_t most) const {
+  // A number that was not parsed but put there may be signed, whatever its value.
+  if (value_->is_number_unsigned() ||
+      (value_->is_number_integer() && value_->get<std::int64_t>() >= 0)) {
+    const auto value = value_->get<std::uint64_t>();
+    if (value <= most) return value;
+  }
+  refuse(fmt::format("must be an integer from 0 to {}", most));
+  return 0;
+}
+
+std::map<std::string, std::uint64_t> JsonNode::counts_by_name() const {
+  std::map<std::string, std::uint64_t> counts;
+  for (const std::string& key : keys()) counts[key] = (*this)[key].count();
+  return counts;
+}
+
+float JsonNode::float32() const {
+  if (value_->is_string()) {
+    const auto text = value_->get<std::string>();
+    if (!is_hex_float(text)) {
+      refuse(fmt::format("must be a number or a hex float such as \"0x1.8p-2\", not \"{}\"",
+                         printable(text)));
+      return 0;
+    }
+    const std::optional<float> value = float_from_hex(text);
+    if (!value) refuse(fmt::format("not exactly a float32: {}", printable(text)));
+    return value.value_or(0.0F);
+  }
+  if (!value_->is_number()) {
+    refuse("must be a number or a hex-float string");
+    return 0;
+  }
+  const std::optional<float> value = exact_float(value_->get<double>());
+  if (!value) refuse(fmt::format("not exactly a float32: {}", value_->dump()));
+  return value.value_or(0.0F);
+}
+
+float JsonNode::float32(float least, float most) const {
+  const float value = float32();
+  if (failed() || (value >= least && value <= most)) return value;
+  refuse(fmt::format("out of range: must be from {} to {}", least, most));
+  return least;
+}
+
+float JsonNode::hex_float32() const {
+  const std::optional<float> value = float_from_hex(text());
+  if (!value) refuse("must be the hex float of a float32, such as \"0x1.8p-2\"");
+  return value.value_or(0.0F);
+}
+
+double JsonNode::float64() const {
+  if (*value_ == kInfinityText) return std::numeric_limits<double>::infinity();
+  if (*value_ == kMinusInfinityText) return -std::numeric_limits<double>::infinity();
+  if (value_->is_number_float()) return value_->get<double>();
+  if (value_->is_number_integer()) {
+    const auto value = value_->get<double>();
+    if (std::abs(value) < kExactIntegers) return value;
+    refuse("not exactly a double: write it with a decimal point or an exponent");
+    return 0;
+  }
+  refuse("must be a number, \"inf\" or \"-inf\"");
+  return 0;
+}
+
+json float64_to_json(double value) {
+  if (std::isinf(value)) return value > 0 ? kInfinityText : kMinusInfinityText;
+  return value;
+}
+
+}  // namespace rastercheck::cases

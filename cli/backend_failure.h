@@ -1,0 +1,12 @@
+#pragma once
+
+#include "cases/error.h"
+#include "cli/exit_code.h"
+
+namespace rastercheck::cli {
+
+/// Says why a backend could not be made (backends::make_backend): `backend_unavailable` where it is
+/// one that cannot run here, `usage` where there is none of that name.
+ExitCode fail_backend(const Error& error);
+
+}  // namespace rastercheck::cli

@@ -1,0 +1,181 @@
+// `rastercheck replay FILE…`: saved cases and counterexamples once more.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "backends/backend.h"
+#include "cases/case_reader.h"
+#include "cases/json.h"
+#include "cli/backend_failure.h"
+#include "cli/command.h"
+#include "cli/output.h"
+#include "properties/campaign.h"
+
+namespace rastercheck::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::string backend;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// A law checked on a file's case.
+struct Outcome {
+  std::string file;
+  std::string law;
+  std::string backend;
+  properties::Check check;
+  std::string found;  ///< the verdict the file was saved with; empty where it says none
+
+  std::string verdict() const {
+    if (!check.is_applicable) return "not applicable";
+    if (check.violation_count == 0) return "held";
+    return check.violations.empty()
+               ? "violated"
+               : std::string(to_string(check.violations.front().fragment_class));
+  }
+};
+
+/// The laws to check: the one it was found by, or all.
+Result<std::vector<const properties::Law*>> laws_for(const cases::Case& c,
+                                                     const std::string& file) {
+  std::vector<const properties::Law*> chosen;
+  for (const properties::Law& law : properties::laws()) {
+    if (!c.found || c.found->law == law.name) chosen.push_back(&law);
+  }
+  if (chosen.empty()) {
+    return tl::unexpected(Error{file, "/found/law",
+                                fmt::format("there is no law '{}' (see rastercheck list "
+                                            "properties)",
+                                            cases::printable(c.found->law))});
+  }
+  return chosen;
+}
+
+std::string enclosure_text(const std::optional<records::Enclosure>& enclosure) {
+  return enclosure ? records::to_decimal(*enclosure, 6) : "-";
+}
+
+void print_violations(const Outcome& outcome) {
+  std::vector<std::vector<std::string>> rows{{"  class", "of", "triangle", "x", "y", "s", "exact",
+                                              "actual", "error", "bound", "distance", "note"}};
+  for (const records::Violation& v : outcome.check.violations) {
+    const std::string of = v.attribute ? fmt::format("{} [{}]", to_string(v.kind), *v.attribute)
+                                       : std::string(to_string(v.kind));
+    rows.push_back({"  " + std::string(to_string(v.fragment_class)), of, std::to_string(v.triangle),
+                    std::to_string(v.x), std::to_string(v.y), std::to_string(v.sample), v.exact,
+                    v.actual, enclosure_text(v.error), enclosure_text(v.bound),
+                    enclosure_text(v.distance), cases::printable(v.note)});
+  }
+  fmt::print("{}", table(rows));
+  if (outcome.check.violation_count > outcome.check.violations.size()) {
+    fmt::print("  … {} in all\n", outcome.check.violation_count);
+  }
+}
+
+void print_outcome(const Outcome& outcome, bool quiet) {
+  std::string note;
+  if (!outcome.found.empty()) {
+    note = outcome.found == outcome.verdict()
+               ? " (as it was found)"
+               : fmt::format(" (found as: {})", cases::printable(outcome.found));
+  }
+  fmt::print("{}: {}, {}: {}{}\n", outcome.file, outcome.law, outcome.backend, outcome.verdict(),
+             note);
+  if (!quiet && outcome.check.violation_count > 0) print_violations(outcome);
+}
+
+nlohmann::ordered_json violation_json(const records::Violation& v) {
+  nlohmann::ordered_json json{{"class", to_string(v.fragment_class)},
+                              {"kind", to_string(v.kind)},
+                              {"triangle", v.triangle},
+                              {"x", v.x},
+                              {"y", v.y},
+                              {"sample", v.sample},
+                              {"exact", v.exact},
+                              {"actual", v.actual}};
+  if (v.attribute) json["attribute"] = *v.attribute;
+  if (v.error) json["error"] = {v.error->lo, v.error->hi};
+  if (v.bound) json["bound"] = {v.bound->lo, v.bound->hi};
+  if (v.distance) json["distance"] = {v.distance->lo, v.distance->hi};
+  if (!v.note.empty()) json["note"] = v.note;
+  return json;
+}
+
+void print_json(const std::vector<Outcome>& outcomes) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const Outcome& outcome : outcomes) {
+    nlohmann::ordered_json json{{"file", outcome.file},
+                                {"law", outcome.law},
+                                {"backend", outcome.backend},
+                                {"verdict", outcome.verdict()},
+                                {"violation_count", outcome.check.violation_count},
+                                {"violations", nlohmann::ordered_json::array()}};
+    for (const records::Violation& v : outcome.check.violations) {
+      json["violations"].push_back(violation_json(v));
+    }
+    all.push_back(std::move(json));
+  }
+  fmt::print("{}\n", all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+ExitCode run(const Options& options) {
+  std::vector<Outcome> outcomes;
+  std::map<std::string, std::unique_ptr<backends::Backend>> made;
+  for (const std::string& file : options.files) {
+    const Result<cases::Case> c = cases::read_case(file);
+    if (!c) return fail(c.error());
+    const auto laws = laws_for(*c, file);
+    if (!laws) return fail(laws.error());
+    std::string specification = options.backend;
+    if (specification.empty()) specification = c->found ? c->found->backend : "cpu";
+    if (!made.contains(specification)) {
+      auto backend = backends::make_backend(specification);
+      if (!backend) return fail_backend(backend.error());
+      made[specification] = *std::move(backend);
+    }
+    for (const properties::Law* law : *laws) {
+      Outcome outcome{file, std::string(law->name), specification, {}, {}};
+      outcome.check = properties::check_or_note(*law, *c, *made[specification],
+                                                {c->found ? c->found->index : 0});
+      if (c->found) outcome.found = c->found->verdict;
+      if (outcome.check.fault) return fail_internally({file, "", *outcome.check.fault});
+      outcomes.push_back(std::move(outcome));
+    }
+  }
+  if (options.json) {
+    print_json(outcomes);
+  } else {
+    for (const Outcome& outcome : outcomes) print_outcome(outcome, options.quiet);
+  }
+  const auto is_violated = [](const Outcome& o) { return o.check.violation_count > 0; };
+  const auto is_checked = [](const Outcome& o) { return o.check.is_applicable; };
+  if (std::any_of(outcomes.begin(), outcomes.end(), is_violated)) return ExitCode::violated;
+  const bool some = std::any_of(outcomes.begin(), outcomes.end(), is_checked);
+  return some ? ExitCode::ok : ExitCode::nothing_checked;
+}
+
+Action set_up(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("FILE", options->files, "Case files or counterexamples; - reads standard input")
+      ->required();
+  app.add_option("--backend", options->backend,
+                 "What draws; without it the one it was found with, or cpu");
+  app.add_flag("--json", options->json, "As JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Verdicts only");
+  app.footer(
+      "A counterexample is checked by the property that it was found by, any other case by all.\n"
+      "Exit code 0 if they held, 1 if one was violated, 5 if none says anything of the case.");
+  return [options] { return run(*options); };
+}
+
+const Registration kRegistration("replay", "Checks saved cases and counterexamples again", &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

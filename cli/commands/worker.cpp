@@ -1,0 +1,41 @@
+// `rastercheck worker`: the process that `rastercheck run --jobs` hands its tasks to. Not for
+// users.
+
+#include <memory>
+
+#include "cli/command.h"
+#include "properties/workers.h"
+
+namespace rastercheck::cli {
+namespace {
+
+struct Options {
+  std::uint64_t seed = 0;
+  std::string corpus;
+};
+
+ExitCode run(const Options& options) {
+  std::vector<cases::Case> corpus;
+  if (!options.corpus.empty()) {
+    Result<std::vector<cases::Case>> read = properties::read_corpus(options.corpus);
+    if (!read) return fail(read.error());
+    corpus = *std::move(read);
+  }
+  properties::TaskRunner runner(options.seed, std::move(corpus));
+  const Result<void> served = properties::serve_tasks(runner);
+  if (!served) return fail_internally(served.error());
+  return ExitCode::ok;
+}
+
+Action set_up(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.group("");  // not in --help
+  app.add_option("--seed", options->seed)->required();
+  app.add_option("--corpus", options->corpus);
+  return [options] { return run(*options); };
+}
+
+const Registration kRegistration("worker", "Runs tasks of a campaign from standard input", &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

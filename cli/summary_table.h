@@ -1,0 +1,19 @@
+#pragma once
+
+// The table of a run, for people and for programs.
+
+#include <span>
+#include <string>
+
+#include "records/run.h"
+#include "records/summary.h"
+
+namespace rastercheck::cli {
+
+/// One row per law and backend; errors in scale ULP.
+std::string summary_table(std::span<const records::LawSummary> rows, bool quiet);
+
+/// The same as one JSON document, without its end of line.
+std::string summary_json(const records::Run& run, std::span<const records::LawSummary> rows);
+
+}  // namespace rastercheck::cli

@@ -1,0 +1,34 @@
+#include "properties/generator.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace rastercheck::properties {
+namespace {
+
+std::vector<Generator>& registry() {
+  static std::vector<Generator> all;
+  return all;
+}
+
+}  // namespace
+
+GeneratorRegistration::GeneratorRegistration(const Generator& generator) {
+  // The order in which files register is the linker's; which of them a random number picks must
+  // not depend on it.
+  const auto after =
+      std::find_if(registry().begin(), registry().end(),
+                   [&generator](const Generator& other) { return other.name > generator.name; });
+  registry().insert(after, generator);
+}
+
+std::span<const Generator> generators() { return registry(); }
+
+const Generator* find_generator(std::string_view name) {
+  const auto found =
+      std::find_if(registry().begin(), registry().end(),
+                   [name](const Generator& generator) { return generator.name == name; });
+  return found == registry().end() ? nullptr : &*found;
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,34 @@
+#pragma once
+
+// Generators: where cases come from. A file in properties/generators/ defines one and registers it:
+//
+//   const GeneratorRegistration kRegistration({"slivers", "triangles as thin as …", &make});
+//
+// docs/adding-a-generator.md walks through it.
+
+#include <span>
+#include <string_view>
+
+#include "cases/case.h"
+#include "properties/draw.h"
+
+namespace rastercheck::properties {
+
+/// Makes cases of one kind: a stratum of the records.
+struct Generator {
+  std::string_view name;
+  std::string_view summary;
+  /// A valid case of at most 64×64 pixels with clip positions (no camera), whose name is empty.
+  cases::Case (*make)(Draw& draw);
+};
+
+/// All generators, in the order of their names.
+std::span<const Generator> generators();
+/// The generator of a name; nullptr where there is none.
+const Generator* find_generator(std::string_view name);
+
+struct GeneratorRegistration {
+  explicit GeneratorRegistration(const Generator& generator);
+};
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,57 @@
+// ordinary: what everyday drawing is made of. Triangles mostly on screen, w within [1/8, 8] in all
+// proportions, separate or as a strip. What fails here fails for everybody.
+
+#include <array>
+
+#include "properties/generator.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/window_position.h"
+
+namespace rastercheck::properties {
+namespace {
+
+/// How the weights of a case's vertices are made.
+enum class Weights { free, equal, powers_of_two };
+
+float random_weight(Draw& draw, Weights kind, float equal) {
+  switch (kind) {
+    case Weights::equal:
+      return equal;
+    case Weights::powers_of_two:
+      return draw.pick(std::array{0.125F, 0.25F, 0.5F, 1.0F, 2.0F, 4.0F, 8.0F});
+    default:
+      // Quotients spread evenly, so that weights below 1 are as likely as those above.
+      return draw.one_in(2) ? draw.uniform(0.125F, 1) : draw.uniform(1, 8);
+  }
+}
+
+cases::Case make(Draw& draw) {
+  StateRequest request;
+  request.least_side = 24;
+  cases::Case c = random_state(draw, request);
+  const auto weights =
+      draw.pick(std::array{Weights::free, Weights::free, Weights::equal, Weights::powers_of_two});
+  const float equal = draw.pick(std::array{1.0F, 0.333F, 3.0F});
+  const int triangles = draw.between(1, 1 + draw.size() / 30);
+  const bool is_strip = draw.one_in(4);
+  const int vertices = is_strip ? triangles + 2 : 3 * triangles;
+  for (int i = 0; i < vertices; ++i) {
+    const WindowPoint p = point_about(draw, c);
+    const float depth = random_depth(draw, c);
+    const float w = random_weight(draw, weights, equal);
+    add_vertex(c, at_window(c, p, depth, w));
+  }
+  for (int i = 0; i < triangles; ++i) {
+    const auto first = static_cast<std::uint32_t>(is_strip ? i : 3 * i);
+    c.triangles.push_back({first, first + 1, first + 2});
+  }
+  add_attribute_values(draw, c);
+  add_clip_distances(draw, c);
+  return c;
+}
+
+const GeneratorRegistration kRegistration(
+    {"ordinary", "one to four triangles mostly on screen, w within [1/8, 8]", &make});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,84 @@
+#include "properties/internal/findings_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "cases/json.h"
+#include "cases/json_node.h"
+#include "records/counterexample_json.h"
+#include "records/record_json.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::JsonNode;
+using nlohmann::json;
+
+constexpr const char* kWorker = "worker";
+
+}  // namespace
+
+std::string findings_to_line(const Result<Findings>& findings) {
+  json line;
+  if (!findings) {
+    const Error& error = findings.error();
+    line["error"] = {{"file", error.file}, {"place", error.place}, {"reason", error.reason}};
+  } else {
+    line["records"] = records::records_to_json(findings->records);
+    line["counterexamples"] = json::array();
+    for (const records::Counterexample& one : findings->counterexamples) {
+      line["counterexamples"].push_back(records::counterexample_to_json(one));
+    }
+    if (findings->fault) line["fault"] = *findings->fault;
+  }
+  return line.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+Result<Findings> findings_from_line(const std::string& line) {
+  const Result<json> document = cases::parse_json(line, kWorker);
+  if (!document) return tl::unexpected(document.error());
+  std::optional<Error> error;
+  const std::string file = kWorker;
+  const JsonNode root(*document, "", error, file);
+  if (root.has("error")) {
+    const JsonNode node = root["error"];
+    Error said{node["file"].text(), node["place"].text(), node["reason"].text()};
+    return tl::unexpected(error ? *error : said);
+  }
+  root.expect_object({"records", "counterexamples"}, {"fault"});
+  if (error) return tl::unexpected(*error);
+  Result<records::RecordSet> found =
+      records::records_from_json((*document)["records"], file, "/records");
+  if (!found) return tl::unexpected(found.error());
+  Findings findings;
+  findings.records = *std::move(found);
+  for (const JsonNode& node : root["counterexamples"].elements()) {
+    findings.counterexamples.push_back(records::counterexample_from_json(node));
+  }
+  if (root.has("fault")) findings.fault = root["fault"].text();
+  if (error) return tl::unexpected(*error);
+  return findings;
+}
+
+std::string task_to_line(const Task& task) {
+  return json{{"backend", task.backend},
+              {"law", task.law},
+              {"corpus", task.is_corpus},
+              {"first", task.first},
+              {"last", task.last}}
+      .dump();
+}
+
+std::optional<Task> task_from_line(const std::string& line) {
+  const Result<json> document = cases::parse_json(line, kWorker);
+  if (!document) return std::nullopt;
+  std::optional<Error> error;
+  const std::string file = kWorker;
+  const JsonNode root(*document, "", error, file);
+  root.expect_object({"backend", "law", "corpus", "first", "last"});
+  Task task{root["backend"].text(), root["law"].text(), root["corpus"].boolean(),
+            root["first"].count(), root["last"].count()};
+  if (error) return std::nullopt;
+  return task;
+}
+
+}  // namespace rastercheck::properties

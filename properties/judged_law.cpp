@@ -1,0 +1,286 @@
+#include "properties/judged_law.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "cases/float_text.h"
+#include "oracle/transform.h"
+#include "records/record.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using oracle::JudgedSample;
+using oracle::JudgedValue;
+using oracle::SceneTruth;
+using oracle::TriangleTruth;
+using records::AttributeKind;
+using records::FragmentClass;
+using records::Verdict;
+
+bool is_sample_of(const cases::Case& c, const JudgedSample& sample) {
+  const cases::FramebufferSize& size = c.framebuffer;
+  return std::cmp_less(sample.x, size.width) && std::cmp_less(sample.y, size.height) &&
+         std::cmp_less(sample.sample, size.samples);
+}
+
+std::string decision_text(const records::SampleVerdict& decision) {
+  return fmt::format("{}: {}", records::to_string(decision.verdict),
+                     records::to_string(decision.reason));
+}
+
+std::string range_text(const std::optional<oracle::ValueRange>& range) {
+  if (!range) return "undefined";
+  if (range->lo == range->hi) return range->lo.to_string();
+  return fmt::format("[{}, {}]", range->lo.to_string(), range->hi.to_string());
+}
+
+void describe_coverage(const JudgedSample& sample, const TriangleTruth* truth,
+                       const SceneTruth& scene, records::Violation& violation) {
+  violation.kind = AttributeKind::coverage;
+  violation.fragment_class = sample.fragment_class;
+  violation.actual = sample.fragment_class == FragmentClass::missing ? "not drawn" : "drawn";
+  if (truth == nullptr || !is_sample_of(scene.source(), sample)) {
+    violation.exact = "forbidden: no such triangle, pixel or sample";
+    return;
+  }
+  const auto x = static_cast<int>(sample.x);
+  const auto y = static_cast<int>(sample.y);
+  const auto s = static_cast<int>(sample.sample);
+  // The judge does not ask why of samples far from the triangle, or drawn once too often.
+  const records::SampleVerdict decision = truth->judge(x, y, s);
+  violation.exact = decision_text(decision);
+  violation.distance = truth->distance(x, y, s);
+  if (violation.actual == "drawn" && decision.verdict != Verdict::forbidden) {
+    violation.note = scene.source().depth_test == cases::DepthTest::none
+                         ? "drawn more than once"
+                         : "drawn more than once, or hidden by a nearer triangle";
+  }
+}
+
+void describe_value(const JudgedSample& sample, const JudgedValue& value,
+                    const TriangleTruth& truth, const SceneTruth& scene,
+                    records::Violation& violation) {
+  const auto x = static_cast<int>(sample.x);
+  const auto y = static_cast<int>(sample.y);
+  const auto s = static_cast<int>(sample.sample);
+  violation.kind = value.kind;
+  violation.fragment_class = value.fragment_class;
+  violation.attribute = value.attribute;
+  violation.exact = range_text(value.attribute ? truth.attribute(*value.attribute, x, y, s)
+                                               : truth.depth(x, y, s));
+  violation.actual = value_text(value.actual);
+  violation.error = value.excess;
+  violation.bound = promised_bound(truth, scene, value.attribute, x, y, s);
+}
+
+/// Whether a drawn sample's pixel has a centre that its triangle does not cover, so that attributes
+/// located there are extrapolated: asked of the same triangle with one sample, the centre.
+class CentreQuestion {
+ public:
+  explicit CentreQuestion(const SceneTruth& scene) {
+    cases::Case source = scene.source();
+    const bool has_centre = std::any_of(
+        source.attributes.begin(), source.attributes.end(), [](const cases::Attribute& attribute) {
+          return attribute.location == cases::Location::center &&
+                 attribute.interpolation != cases::Interpolation::flat;
+        });
+    if (!has_centre || source.framebuffer.samples == 1) return;
+    source.framebuffer.samples = 1;
+    scene_ = std::make_unique<SceneTruth>(std::move(source), scene.contract());
+  }
+
+  bool is_extrapolated(const JudgedSample& sample) {
+    if (!scene_) return false;
+    if (!truth_ || triangle_ != sample.triangle) {
+      truth_ = std::make_unique<TriangleTruth>(*scene_, sample.triangle);
+      triangle_ = sample.triangle;
+    }
+    const records::SampleVerdict decision =
+        truth_->judge(static_cast<int>(sample.x), static_cast<int>(sample.y), 0);
+    return decision.verdict == Verdict::forbidden;
+  }
+
+ private:
+  std::unique_ptr<SceneTruth> scene_;
+  std::unique_ptr<TriangleTruth> truth_;
+  std::uint32_t triangle_ = 0;
+};
+
+/// What the judged samples of a case reached.
+class LabelCollector {
+ public:
+  explicit LabelCollector(const SceneTruth& scene) : scene_(&scene), centre_(scene) {}
+
+  void see(const JudgedSample& sample) {
+    if (sample.fragment_class != FragmentClass::correct &&
+        sample.fragment_class != FragmentClass::missing) {
+      return;
+    }
+    triangles_.insert(sample.triangle);
+    is_permitted_ = is_permitted_ || sample.decision.verdict == Verdict::permitted;
+    reasons_.insert(sample.decision.reason);
+    if (!is_extrapolated_ && sample.fragment_class == FragmentClass::correct) {
+      is_extrapolated_ = centre_.is_extrapolated(sample);
+    }
+  }
+
+  std::vector<std::string> labels() const {
+    std::set<std::string> all;
+    for (const records::Reason reason : reasons_) {
+      if (reason != records::Reason::inside) all.emplace(records::to_string(reason));
+    }
+    if (!triangles_.empty()) all.emplace("drawn");
+    if (is_permitted_) all.emplace("permitted");
+    if (is_extrapolated_) all.emplace("extrapolated centre");
+    add_state_labels(scene_->source(), triangles_, all);
+    return {all.begin(), all.end()};
+  }
+
+ private:
+  const SceneTruth* scene_;
+  CentreQuestion centre_;
+  std::set<std::uint32_t> triangles_;
+  std::set<records::Reason> reasons_;
+  bool is_permitted_ = false;
+  bool is_extrapolated_ = false;
+};
+
+/// Whether a vertex lies beyond a clip plane, so that something of its triangle is cut away.
+bool is_beyond_a_plane(const cases::Case& c, std::uint32_t vertex) {
+  const cases::ClipVertex& p = c.positions[vertex];
+  const auto distances = c.clip_distances_of(vertex);
+  if (std::any_of(distances.begin(), distances.end(), [](float d) { return d < 0; })) return true;
+  const float near = c.rules == cases::Rules::opengl ? -p.w : 0.0F;
+  return !c.depth_clamp && (p.z < near || p.z > p.w);
+}
+
+}  // namespace
+
+void add_state_labels(const cases::Case& c, const std::set<std::uint32_t>& drawn_triangles,
+                      std::set<std::string>& labels) {
+  if (drawn_triangles.empty()) return;
+  if (c.framebuffer.samples > 1) labels.emplace("several samples");
+  if (c.depth_test == cases::DepthTest::less) labels.emplace("depth test");
+  for (const std::uint32_t triangle : drawn_triangles) {
+    for (const std::uint32_t vertex : c.triangles[triangle]) {
+      if (c.positions[vertex].w <= 0) labels.emplace("w <= 0");
+      if (is_beyond_a_plane(c, vertex)) labels.emplace("clipped");
+    }
+  }
+}
+
+std::string value_text(float value) {
+  if (!std::isfinite(value)) return fmt::format("{}", std::isnan(value) ? std::abs(value) : value);
+  return fmt::format("{:.9g} ({})", value, cases::to_hex(value));
+}
+
+std::optional<records::Enclosure> promised_bound(const TriangleTruth& truth,
+                                                 const SceneTruth& scene,
+                                                 std::optional<std::uint32_t> attribute, int x,
+                                                 int y, int sample) {
+  const cases::ValueBounds& bounds = scene.contract().bounds;
+  cases::ValueBound bound = bounds.depth;
+  if (attribute) {
+    switch (scene.source().attributes[*attribute].interpolation) {
+      case cases::Interpolation::smooth:
+        bound = bounds.smooth;
+        break;
+      case cases::Interpolation::noperspective:
+        bound = bounds.noperspective;
+        break;
+      case cases::Interpolation::flat:
+        return records::Enclosure{0, 0};
+    }
+  }
+  const double constant{bound.constant};
+  if (!attribute || bound.per_horizon == 0) return records::Enclosure{constant, constant};
+  const auto horizon = truth.horizon_ratio(*attribute, x, y, sample);
+  if (!horizon) return std::nullopt;
+  const records::Enclosure g = horizon->enclosure();
+  // Each operation rounds by at most half a step: a step outwards after each keeps it certain.
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double slope{bound.per_horizon};
+  const auto down = [](double v) { return std::nextafter(v, 0.0); };
+  const auto up = [](double v) { return std::nextafter(v, kInfinity); };
+  return records::Enclosure{down(constant + down(slope * g.lo)), up(constant + up(slope * g.hi))};
+}
+
+records::Violation to_violation(const JudgedSample& sample, const JudgedValue* value,
+                                const TriangleTruth* truth, const SceneTruth& scene) {
+  records::Violation violation;
+  violation.triangle = sample.triangle;
+  violation.x = sample.x;
+  violation.y = sample.y;
+  violation.sample = sample.sample;
+  if (value == nullptr || truth == nullptr) {
+    describe_coverage(sample, truth, scene, violation);
+  } else {
+    describe_value(sample, *value, *truth, scene, violation);
+  }
+  return violation;
+}
+
+void note(Check& check, const records::Violation& violation) {
+  ++check.violation_count;
+  if (check.violations.size() < records::kMostViolations) check.violations.push_back(violation);
+}
+
+void merge(Check& into, const Check& from) {
+  into.violation_count += from.violation_count;
+  for (const records::Violation& violation : from.violations) {
+    if (into.violations.size() == records::kMostViolations) break;
+    into.violations.push_back(violation);
+  }
+  records::merge(into.judgement.counts, from.judgement.counts);
+  for (const auto& [kind, statistics] : from.judgement.errors) {
+    records::merge(into.judgement.errors[kind], statistics);
+  }
+  std::set<std::string> labels(into.labels.begin(), into.labels.end());
+  labels.insert(from.labels.begin(), from.labels.end());
+  into.labels.assign(labels.begin(), labels.end());
+  if (!into.fault) into.fault = from.fault;
+}
+
+Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
+                  const cases::Framebuffer& drawn, const JudgeRequest& request,
+                  const CheckOptions& options) {
+  const SceneTruth scene(truth_of, contract);
+  Check check;
+  LabelCollector labels(scene);
+  const auto see = [&](const JudgedSample& sample, const TriangleTruth* truth) {
+    labels.see(sample);
+    if (request.counts_coverage && sample.fragment_class != FragmentClass::correct) {
+      note(check, to_violation(sample, nullptr, truth, scene));
+    }
+    for (const JudgedValue& value : sample.values) {
+      if (value.fragment_class != FragmentClass::correct) {
+        note(check, to_violation(sample, &value, truth, scene));
+      }
+    }
+  };
+  oracle::JudgeOptions judge_options;
+  judge_options.judges_values = request.judges_values;
+  judge_options.case_index = options.case_index;
+  oracle::Judged judged = oracle::judge(scene, drawn, judge_options, see);
+  check.judgement = std::move(judged.judgement);
+  check.labels = labels.labels();
+  check.fault = std::move(judged.fault);
+  return check;
+}
+
+Result<Check> check_judged(const cases::Case& c, backends::Backend& backend,
+                           const JudgeRequest& request, const CheckOptions& options) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  return judge_drawn(*clip, backend.contract(*clip), *drawn, request, options);
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,59 @@
+#pragma once
+
+// What laws have in common that hold a framebuffer against the contract.
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "oracle/judge.h"
+#include "properties/law.h"
+
+namespace rastercheck::properties {
+
+/// What of a judged framebuffer is a violation. Statistics cover all that was judged either way.
+struct JudgeRequest {
+  bool judges_values = true;    ///< whether values are judged, and violations where not correct
+  bool counts_coverage = true;  ///< whether missing, extra and hidden samples are violations
+};
+
+/// Judges what was drawn of `truth_of`, a case without a camera, or of another case with the same
+/// triangles, by the contract.
+Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
+                  const cases::Framebuffer& drawn, const JudgeRequest& request,
+                  const CheckOptions& options);
+
+/// Draws the case and judges that. Fails where the backend cannot draw it.
+Result<Check> check_judged(const cases::Case& c, backends::Backend& backend,
+                           const JudgeRequest& request, const CheckOptions& options);
+
+/// The violation that a judged sample, or one value of it, is. `value` is nullptr where coverage is
+/// meant; `truth` is nullptr where the case has no such triangle.
+records::Violation to_violation(const oracle::JudgedSample& sample,
+                                const oracle::JudgedValue* value,
+                                const oracle::TriangleTruth* truth,
+                                const oracle::SceneTruth& scene);
+
+/// What the contract promises of one value there, in scale ULP: certified, {0, 0} for flat ones.
+/// Nothing where it promises nothing, as behind the horizon.
+std::optional<records::Enclosure> promised_bound(const oracle::TriangleTruth& truth,
+                                                 const oracle::SceneTruth& scene,
+                                                 std::optional<std::uint32_t> attribute, int x,
+                                                 int y, int sample);
+
+/// A computed value for readers: decimal and hex float, or "nan", "inf", "-inf".
+std::string value_text(float value);
+
+/// Adds a violation: counted always, kept while few.
+void note(Check& check, const records::Violation& violation);
+
+/// Adds what another drawing of the same case gave: statistics, violations, labels.
+void merge(Check& into, const Check& from);
+
+/// The labels of a case's state, of its triangles that drew something: "several samples", "depth
+/// test", "w <= 0", "clipped".
+void add_state_labels(const cases::Case& c, const std::set<std::uint32_t>& drawn_triangles,
+                      std::set<std::string>& labels);
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,75 @@
+#pragma once
+
+// Laws: what has to hold of every case, stated as a sentence. A file in properties/laws/ defines
+// one and registers it:
+//
+//   const LawRegistration kRegistration({"constants stay constant", &generate, &check});
+//
+// docs/adding-a-law.md walks through it. A law is checked on a Case alone, wherever it comes from:
+// its generator, the corpus, or a saved counterexample.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "backends/backend.h"
+#include "cases/case.h"
+#include "cases/error.h"
+#include "properties/draw.h"
+#include "records/counterexample.h"
+#include "records/judgement.h"
+
+namespace rastercheck::properties {
+
+/// A case of a law's own making.
+struct Generated {
+  cases::Case source;
+  std::string stratum;
+};
+
+/// What a law found of one case.
+struct Check {
+  bool is_applicable = true;  ///< else the law says nothing of the case, and the rest is empty
+  records::Judgement judgement;
+  std::uint64_t violation_count = 0;
+  std::vector<records::Violation> violations;  ///< the first records::kMostViolations
+  std::vector<std::string> labels;             ///< what the case reached, each once
+  /// A fault of the oracle itself (oracle::Judged::fault), or of the harness: nothing else counts.
+  std::optional<std::string> fault;
+};
+
+struct CheckOptions {
+  std::uint64_t case_index = 0;  ///< for the records
+};
+
+struct Law {
+  /// The sentence; also the name that cases, records and --property know it by.
+  std::string_view name;
+  Generated (*generate)(Draw& draw);
+  /// Draws the case, perhaps changed ones too, and says what is wrong. Fails where the backend
+  /// cannot draw it.
+  Result<Check> (*check)(const cases::Case& c, backends::Backend& backend,
+                         const CheckOptions& options);
+};
+
+/// All laws, in the order of their names.
+std::span<const Law> laws();
+/// The law of a name; nullptr where there is none.
+const Law* find_law(std::string_view name);
+
+struct LawRegistration {
+  explicit LawRegistration(const Law& law);
+};
+
+/// Draws the case: its clip positions handed over rounded once (oracle/transform.h), and a
+/// backend that returns with another rounding mode, FTZ or DAZ than it was called with fails.
+Result<cases::Framebuffer> draw(const cases::Case& c, backends::Backend& backend);
+
+/// A case by one of all generators, each as likely as another; the stratum is the generator's name.
+Generated generate_any(Draw& draw);
+
+}  // namespace rastercheck::properties

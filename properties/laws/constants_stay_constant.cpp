@@ -1,0 +1,322 @@
+// Constants stay constant: an attribute that has the same value at all three vertices has it
+// everywhere, to the bit; and a plane of equal depth is drawn with one depth.
+//
+// How far that follows from the contract. A bound of b scale ULP, one half of it for the rounding
+// to float32, promises a result before rounding that is off by less than e = b − 1/2. Where e < 1/4
+// rounding to nearest gives the constant back: neighbouring floats are an ulp away, or half an ulp
+// below a power of two, so that the nearest middle between floats is 1/4 ulp from the constant.
+// Where the promise is weaker, as towards the horizon, nothing is judged.
+//
+// A plane of equal depth, z_i w_j = z_j w_i, asks for more than the bound does where the exact
+// depth lies close to the middle between two floats: both of them are then within the bound, but
+// two neighbouring fragments that take different ones make a surface fight with itself (RULES §6).
+//
+// Attributes: smooth and noperspective ones, at every location; flat ones are copies anyhow.
+// Samples: those that are required, so that no snapped or clipped outline has a say.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "oracle/ulp.h"
+#include "properties/generator.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using oracle::Rational;
+using records::AttributeKind;
+using records::FragmentClass;
+
+/// b with b − 1/2 < 1/4, exclusive.
+constexpr double kMostBound = 0.75;
+
+bool is_same_float(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+/// What of one triangle the law speaks about.
+struct Constants {
+  std::vector<std::uint32_t> attributes;  ///< indices
+  bool has_equal_depth = false;
+  bool is_empty() const { return attributes.empty() && !has_equal_depth; }
+};
+
+bool is_constant(const cases::Case& c, const cases::Triangle& triangle, std::size_t attribute) {
+  const float first = c.attributes_of(triangle[0])[attribute];
+  return is_same_float(first, c.attributes_of(triangle[1])[attribute]) &&
+         is_same_float(first, c.attributes_of(triangle[2])[attribute]);
+}
+
+/// Whether z/w is exactly the same at all vertices, all of them in front of the eye. Products of
+/// two floats are exact in double.
+bool has_equal_depth(const cases::Case& c, const cases::Triangle& triangle) {
+  const cases::ClipVertex& first = c.positions[triangle[0]];
+  return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t index) {
+    const cases::ClipVertex& p = c.positions[index];
+    return p.w > 0 && double{p.z} * double{first.w} == double{first.z} * double{p.w};
+  });
+}
+
+/// Whether the promise is strong enough anywhere: g >= 1 but for extrapolated centres.
+bool may_be_exact(const cases::ValueBound& bound) {
+  return double{bound.constant} + double{bound.per_horizon} < kMostBound;
+}
+
+Constants constants_of(const cases::Case& c, const cases::Contract& contract, std::size_t index) {
+  const cases::Triangle& triangle = c.triangles[index];
+  Constants constants;
+  for (std::uint32_t a = 0; a < c.attributes.size(); ++a) {
+    const cases::Interpolation interpolation = c.attributes[a].interpolation;
+    if (interpolation == cases::Interpolation::flat) continue;
+    const bool is_smooth = interpolation == cases::Interpolation::smooth;
+    const cases::ValueBound& bound =
+        is_smooth ? contract.bounds.smooth : contract.bounds.noperspective;
+    if (may_be_exact(bound) && is_constant(c, triangle, a)) constants.attributes.push_back(a);
+  }
+  constants.has_equal_depth =
+      double{contract.bounds.depth.constant} < kMostBound && has_equal_depth(c, triangle);
+  return constants;
+}
+
+FragmentClass class_of(float actual, float expected) {
+  if (is_same_float(actual, expected)) return FragmentClass::correct;
+  if (std::isnan(actual)) return FragmentClass::not_a_number;
+  if (std::isinf(actual)) return FragmentClass::infinite;
+  if (actual == expected) return FragmentClass::wrong_sign_of_zero;
+  return FragmentClass::beyond_bound;
+}
+
+/// Both zeros are the same depth.
+FragmentClass class_of_depth(float actual, float first) {
+  if (std::isnan(actual)) return FragmentClass::not_a_number;
+  if (std::isinf(actual)) return FragmentClass::infinite;
+  return actual == first ? FragmentClass::correct : FragmentClass::beyond_bound;
+}
+
+/// One triangle with its constants, and the depth its first fragment had.
+struct Subject {
+  Subject(const oracle::SceneTruth& scene, std::uint32_t triangle)
+      : constants(constants_of(scene.source(), scene.contract(), triangle)),
+        truth(scene, triangle) {}
+  Constants constants;
+  oracle::TriangleTruth truth;
+  std::optional<float> depth;
+};
+
+/// Where a fragment is.
+struct Place {
+  std::uint32_t triangle = 0;
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+  std::uint32_t sample = 0;
+};
+
+class ConstantsCheck {
+ public:
+  ConstantsCheck(const oracle::SceneTruth& scene, const cases::Framebuffer& drawn)
+      : scene_(&scene), drawn_(&drawn) {
+    const std::size_t triangles = scene.source().triangles.size();
+    check_.is_applicable = false;
+    for (std::uint32_t t = 0; t < triangles; ++t) {
+      if (!constants_of(scene.source(), scene.contract(), t).is_empty()) {
+        check_.is_applicable = true;
+      }
+    }
+  }
+
+  Check run() {
+    if (!check_.is_applicable) return std::move(check_);
+    check_.judgement.errors[AttributeKind::coverage];
+    for (std::size_t i = 0; i < drawn_->size(); ++i) check_fragment(i);
+    add_state_labels(scene_->source(), triangles_, labels_);
+    check_.labels.assign(labels_.begin(), labels_.end());
+    return std::move(check_);
+  }
+
+ private:
+  /// Whether a fragment is of the case at all; what is not is a matter of coverage.
+  bool is_of_case(const Place& place) const {
+    const cases::Case& c = scene_->source();
+    return place.triangle < c.triangles.size() && std::cmp_less(place.x, c.framebuffer.width) &&
+           std::cmp_less(place.y, c.framebuffer.height) &&
+           std::cmp_less(place.sample, c.framebuffer.samples);
+  }
+
+  Subject& subject_of(std::uint32_t triangle) {
+    // Fragments come by triangle: one is enough, and meshes have many.
+    if (!subject_ || subject_triangle_ != triangle) {
+      subject_ = std::make_unique<Subject>(*scene_, triangle);
+      subject_triangle_ = triangle;
+      if (const auto seen = depths_.find(triangle); seen != depths_.end()) {
+        subject_->depth = seen->second;
+      }
+    }
+    return *subject_;
+  }
+
+  void check_fragment(std::size_t i) {
+    const Place place{drawn_->triangle[i], drawn_->x[i], drawn_->y[i], drawn_->sample[i]};
+    if (!is_of_case(place)) return;
+    Subject& subject = subject_of(place.triangle);
+    if (subject.constants.is_empty()) return;
+    const records::SampleVerdict decision = subject.truth.judge(
+        static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.sample));
+    if (decision.verdict != records::Verdict::required) return;
+    ++check_.judgement.counts.required;
+    triangles_.insert(place.triangle);
+    if (decision.reason != records::Reason::inside) {
+      labels_.emplace(records::to_string(decision.reason));
+    }
+    for (const std::uint32_t a : subject.constants.attributes) {
+      check_attribute(subject, place, a, drawn_->attributes_of(i)[a]);
+    }
+    if (subject.constants.has_equal_depth) check_depth(subject, place, drawn_->depth[i]);
+  }
+
+  void check_attribute(const Subject& subject, const Place& place, std::uint32_t attribute,
+                       float actual) {
+    const auto x = static_cast<int>(place.x);
+    const auto y = static_cast<int>(place.y);
+    const auto s = static_cast<int>(place.sample);
+    if (subject.truth.is_value_free(attribute)) return;
+    const cases::Case& c = scene_->source();
+    const cases::Attribute& declared = c.attributes[attribute];
+    const bool may_be_undefined = declared.location == cases::Location::center;
+    if (may_be_undefined && !subject.truth.attribute(attribute, x, y, s)) return;
+    const auto bound = promised_bound(subject.truth, *scene_, attribute, x, y, s);
+    if (!bound || bound->hi >= kMostBound) {
+      labels_.emplace("bound too wide");
+      return;
+    }
+
+    labels_.emplace("constant attribute");
+    const float expected = c.attributes_of(c.triangles[place.triangle][0])[attribute];
+    if (expected == 0) labels_.emplace("constant zero");
+    const AttributeKind kind = declared.interpolation == cases::Interpolation::smooth
+                                   ? AttributeKind::smooth
+                                   : AttributeKind::noperspective;
+    const FragmentClass found = class_of(actual, expected);
+    ++check_.judgement.errors[kind].classes[found];
+    if (found == FragmentClass::correct) return;
+    const Rational exact{double{expected}};
+    records::Violation violation = violation_at(place, kind, found, actual);
+    violation.attribute = attribute;
+    violation.exact = exact.to_string();
+    violation.bound = bound;
+    if (std::isfinite(actual)) {
+      violation.error =
+          oracle::scale_ulp_error(actual, exact, subject.truth.attribute_magnitude(attribute));
+    }
+    violation.note = "all three vertices have " + value_text(expected);
+    note(check_, violation);
+  }
+
+  void check_depth(Subject& subject, const Place& place, float actual) {
+    labels_.emplace("equal depth");
+    if (!subject.depth) {
+      subject.depth = actual;
+      depths_[place.triangle] = actual;
+    }
+    const float first = *subject.depth;
+    const FragmentClass found = class_of_depth(actual, first);
+    ++check_.judgement.errors[AttributeKind::depth].classes[found];
+    if (found == FragmentClass::correct) return;
+    records::Violation violation = violation_at(place, AttributeKind::depth, found, actual);
+    const auto exact = subject.truth.depth(static_cast<int>(place.x), static_cast<int>(place.y),
+                                           static_cast<int>(place.sample));
+    if (exact) violation.exact = exact->lo.to_string();
+    violation.note =
+        "z/w is the same at all vertices, and the first fragment's depth was " + value_text(first);
+    note(check_, violation);
+  }
+
+  static records::Violation violation_at(const Place& place, AttributeKind kind,
+                                         FragmentClass found, float actual) {
+    records::Violation violation;
+    violation.fragment_class = found;
+    violation.kind = kind;
+    violation.triangle = place.triangle;
+    violation.x = place.x;
+    violation.y = place.y;
+    violation.sample = place.sample;
+    violation.actual = value_text(actual);
+    return violation;
+  }
+
+  const oracle::SceneTruth* scene_;
+  const cases::Framebuffer* drawn_;
+  Check check_;
+  std::set<std::string> labels_;
+  std::set<std::uint32_t> triangles_;
+  std::map<std::uint32_t, float> depths_;  ///< of triangles that were seen before
+  std::unique_ptr<Subject> subject_;
+  std::uint32_t subject_triangle_ = 0;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  const oracle::SceneTruth scene(*clip, backend.contract(*clip));
+  return ConstantsCheck(scene, *drawn).run();
+}
+
+float random_constant(Draw& draw) {
+  switch (draw.between(0, 7)) {
+    case 0:
+      return 0.0F;
+    case 1:
+      return -0.0F;
+    case 2:
+      return -1.0F;
+    case 3:
+      return draw.spread(-149, -120);
+    case 4:
+      return draw.spread(100, 127);
+    case 5:  // a power of two, below which floats are twice as close, or a float beside one
+      return draw.pick(std::array{1.0F, 0x1.fffffep-1F, 0x1.000002p+0F, -0x1p20F, 0x1p-20F});
+    default:
+      return draw.spread(-8, 8);
+  }
+}
+
+/// Gives most attributes one value at all vertices, and in a third of the cases most triangles a
+/// plane of equal depth.
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  cases::Case& c = made.source;
+  if (c.attributes.empty()) {
+    c.attributes.emplace_back();
+    c.attributes.back().name = "a0";
+    c.attribute_values.assign(c.positions.size(), 0);
+  }
+  const std::size_t count = c.attributes.size();
+  for (std::size_t a = 0; a < count; ++a) {
+    if (a > 0 && draw.one_in(4)) continue;
+    const float constant = random_constant(draw);
+    for (std::size_t v = 0; v < c.positions.size(); ++v) {
+      c.attribute_values[v * count + a] = constant;
+    }
+  }
+  if (draw.one_in(3)) {
+    const float depth = draw.pick(std::array{0.0F, 0.25F, 0.5F, 0.75F, 0.625F, 1.0F});
+    for (cases::ClipVertex& p : c.positions) p.z = depth * p.w;
+  }
+  return made;
+}
+
+const LawRegistration kRegistration({"constants stay constant", &generate, &check});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,17 @@
+// Values stay within the bound: depth and attributes of what was rightly drawn are no farther from
+// the exact values than the contract says, and are numbers. Samples that are missing, or should not
+// be there, are another law's business.
+
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
+  return check_judged(c, backend, {.judges_values = true, .counts_coverage = false}, options);
+}
+
+const LawRegistration kRegistration({"values stay within the bound", &generate_any, &check});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,151 @@
+#include "properties/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "oracle/judge.h"
+#include "oracle/transform.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using oracle::JudgedSample;
+using oracle::JudgedValue;
+using records::FragmentClass;
+using records::PixelState;
+
+/// The laws that hold of every case, and of which a scene is one more.
+constexpr std::string_view kCoverageLaw = "coverage obeys the contract";
+constexpr std::string_view kValuesLaw = "values stay within the bound";
+
+/// Gathers what the judge says of a scene into its map and its first violations.
+class SceneReader {
+ public:
+  explicit SceneReader(const oracle::SceneTruth& scene) : scene_(&scene) {
+    const cases::FramebufferSize& size = scene.source().framebuffer;
+    map_.width = size.width;
+    map_.height = size.height;
+    const std::size_t pixels =
+        static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    map_.states.resize(pixels, PixelState::empty);
+    map_.errors.resize(pixels, 0);
+    depths_.resize(pixels, std::numeric_limits<float>::infinity());
+  }
+
+  void see(const JudgedSample& sample, const oracle::TriangleTruth* truth) {
+    const bool is_in_map =
+        std::cmp_less(sample.x, map_.width) && std::cmp_less(sample.y, map_.height);
+    const std::size_t pixel = sample.y * static_cast<std::size_t>(map_.width) + sample.x;
+    bool is_violated = sample.fragment_class != FragmentClass::correct;
+    if (is_violated) note_violation(coverage_, sample, nullptr, truth);
+    for (const JudgedValue& value : sample.values) {
+      if (value.fragment_class == FragmentClass::correct) continue;
+      note_violation(values_, sample, &value, truth);
+      is_violated = true;
+    }
+    if (!is_in_map) return;
+    if (is_violated) {
+      map_.states[pixel] = PixelState::violated;
+    } else if (map_.states[pixel] == PixelState::empty) {
+      map_.states[pixel] = PixelState::correct;
+    }
+    see_nearest(sample, pixel);
+  }
+
+  records::ErrorMap take_map() { return std::move(map_); }
+  const std::vector<records::Violation>& coverage() const { return coverage_.violations; }
+  const std::vector<records::Violation>& values() const { return values_.violations; }
+
+ private:
+  /// The first violation of each of the first few triangles that have one.
+  struct Few {
+    std::set<std::uint32_t> triangles;
+    std::vector<records::Violation> violations;
+  };
+
+  void note_violation(Few& few, const JudgedSample& sample, const JudgedValue* value,
+                      const oracle::TriangleTruth* truth) {
+    if (few.violations.size() == records::kMostCounterexamples) return;
+    if (!few.triangles.insert(sample.triangle).second) return;
+    few.violations.push_back(to_violation(sample, value, truth, *scene_));
+  }
+
+  /// The map shows the fragment that the picture shows: the nearest of the pixel.
+  void see_nearest(const JudgedSample& sample, std::size_t pixel) {
+    if (sample.values.empty()) return;
+    const float depth = sample.values.front().actual;
+    if (!(depth < depths_[pixel])) return;
+    depths_[pixel] = depth;
+    double largest = 0;
+    for (const JudgedValue& value : sample.values) {
+      if (!value.attribute || !value.ideal) continue;
+      largest = std::max(largest, records::magnitude_bound(*value.ideal));
+    }
+    map_.errors[pixel] = static_cast<float>(largest);
+  }
+
+  const oracle::SceneTruth* scene_;
+  records::ErrorMap map_;
+  std::vector<float> depths_;
+  Few coverage_;
+  Few values_;
+};
+
+/// The part of a judgement that a law is about.
+records::Judgement coverage_part(const records::Judgement& all) {
+  records::Judgement part;
+  part.counts = all.counts;
+  part.errors[records::AttributeKind::coverage] = all.errors.at(records::AttributeKind::coverage);
+  return part;
+}
+
+}  // namespace
+
+Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& specification,
+                                  backends::Backend& backend, std::uint64_t seed,
+                                  const std::vector<std::string>& laws) {
+  Result<cases::Case> clip = oracle::to_clip_case(scene, scene.name);
+  if (!clip) return tl::unexpected(clip.error());
+  SceneFindings result;
+  result.source = *std::move(clip);
+  Result<cases::Framebuffer> drawn = draw(result.source, backend);
+  if (!drawn) return tl::unexpected(Error{scene.name, drawn.error().place, drawn.error().reason});
+  result.drawn = *std::move(drawn);
+
+  const oracle::SceneTruth truth(result.source, backend.contract(result.source));
+  SceneReader reader(truth);
+  const oracle::Judged judged =
+      oracle::judge(truth, result.drawn, {},
+                    [&reader](const JudgedSample& sample, const oracle::TriangleTruth* triangle) {
+                      reader.see(sample, triangle);
+                    });
+  result.findings.fault = judged.fault;
+  result.map = reader.take_map();
+
+  const auto add = [&](std::string_view name, const records::Judgement& judgement,
+                       const std::vector<records::Violation>& violations) {
+    const Law* law = find_law(name);
+    if (law == nullptr || std::find(laws.begin(), laws.end(), name) == laws.end()) return;
+    const records::RecordKey key{std::string(name), specification, records::AttributeKind::coverage,
+                                 "scene " + scene.name};
+    records::add(result.findings.records, key, judgement);
+    records::Record& record = result.findings.records[key];
+    ++record.cases.checked;
+    record.cases.violations += violations.empty() ? 0U : 1U;
+    for (const records::Violation& violation : violations) {
+      const NumberedCase numbered{result.source, key.stratum, violation.triangle};
+      Check check;
+      check.violation_count = 1;
+      check.violations = {violation};
+      keep_counterexample(*law, specification, backend, seed, numbered, check, result.findings);
+    }
+  };
+  add(kCoverageLaw, coverage_part(judged.judgement), reader.coverage());
+  add(kValuesLaw, judged.judgement, reader.values());
+  return result;
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,29 @@
+#pragma once
+
+// A whole scene, such as a mesh, drawn once and every fragment of it judged.
+
+#include <string>
+
+#include "backends/backend.h"
+#include "cases/case.h"
+#include "cases/error.h"
+#include "properties/campaign.h"
+#include "records/error_map.h"
+
+namespace rastercheck::properties {
+
+struct SceneFindings {
+  /// Under the laws on coverage and on values, in the stratum "scene NAME".
+  Findings findings;
+  cases::Case source;  ///< of clip positions
+  cases::Framebuffer drawn;
+  records::ErrorMap map;
+};
+
+/// Draws and judges the scene; `laws` names the laws that are asked for. Fails where the backend
+/// cannot draw it.
+Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& specification,
+                                  backends::Backend& backend, std::uint64_t seed,
+                                  const std::vector<std::string>& laws);
+
+}  // namespace rastercheck::properties

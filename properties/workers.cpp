@@ -1,0 +1,309 @@
+#include "properties/workers.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <deque>
+#include <memory>
+#include <utility>
+
+#include "properties/internal/findings_json.h"
+
+extern char** environ;
+
+namespace rastercheck::properties {
+namespace {
+
+Error system_error(const std::string& what) { return {what, "", std::strerror(errno)}; }
+
+/// A file descriptor that is closed when it goes.
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  int number() const { return number_; }
+  bool is_open() const { return number_ >= 0; }
+  void close() { *this = Descriptor(); }
+
+ private:
+  int number_ = -1;
+};
+
+/// Lines over a descriptor: sent whole, received as they come.
+class LineChannel {
+ public:
+  explicit LineChannel(int number) : number_(number) {}
+
+  bool send(std::string line) const {
+    line += '\n';
+    std::string_view rest = line;
+    while (!rest.empty()) {
+      const ssize_t written = write_some(rest);
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) return false;
+      rest.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+  }
+
+  /// Reads what is there; false at the end or on an error.
+  bool receive() {
+    std::array<char, 65536> part{};
+    for (;;) {
+      const ssize_t count = ::read(number_, part.data(), part.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return false;
+      received_.append(part.data(), static_cast<std::size_t>(count));
+      return true;
+    }
+  }
+
+  /// The next whole line that was received.
+  std::optional<std::string> next_line() {
+    const std::size_t end = received_.find('\n', searched_);
+    if (end == std::string::npos) {
+      searched_ = received_.size();
+      return std::nullopt;
+    }
+    std::string line = received_.substr(0, end);
+    received_.erase(0, end + 1);
+    searched_ = 0;
+    return line;
+  }
+
+ private:
+  ssize_t write_some(std::string_view text) const {
+    // Of a socket whose other end is gone this is an error, not a signal that ends the process.
+    const ssize_t sent = ::send(number_, text.data(), text.size(), MSG_NOSIGNAL);
+    if (sent < 0 && errno == ENOTSOCK) return ::write(number_, text.data(), text.size());
+    return sent;
+  }
+
+  int number_;
+  std::string received_;
+  std::size_t searched_ = 0;
+};
+
+/// A worker process and the task it is at.
+class Worker {
+ public:
+  static Result<std::unique_ptr<Worker>> start(const std::vector<std::string>& command) {
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+      return tl::unexpected(system_error("socketpair"));
+    }
+    Descriptor ours(ends[0]);
+    const Descriptor theirs(ends[1]);
+    std::vector<std::string> words = command;
+    std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, theirs.number(), STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, theirs.number(), STDOUT_FILENO);
+    pid_t process = 0;
+    const int problem = ::posix_spawn(&process, words.front().c_str(), &actions, nullptr,
+                                      arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (problem != 0) return tl::unexpected(Error{words.front(), "", std::strerror(problem)});
+    return std::unique_ptr<Worker>(new Worker(process, std::move(ours)));
+  }
+
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+  /// Closing the socket ends a worker that waits; one that works is killed.
+  ~Worker() {
+    if (task_) ::kill(process_, SIGKILL);
+    socket_.close();
+    wait();
+  }
+
+  int socket() const { return socket_.number(); }
+  bool is_busy() const { return task_.has_value(); }
+  const Task& task() const { return *task_; }
+
+  bool give(const Task& task) {
+    task_ = task;
+    return channel_.send(task_to_line(task));
+  }
+  bool receive() { return channel_.receive(); }
+  std::optional<std::string> next_line() { return channel_.next_line(); }
+  void finish_task() { task_.reset(); }
+
+  /// How a worker that hung up ended, in words.
+  std::string ending() {
+    const int status = wait();
+    task_.reset();
+    if (WIFSIGNALED(status)) {
+      return std::string("ended by signal ") + ::strsignal(WTERMSIG(status));
+    }
+    return "ended with exit code " + std::to_string(WEXITSTATUS(status));
+  }
+
+ private:
+  Worker(pid_t process, Descriptor socket)
+      : process_(process), socket_(std::move(socket)), channel_(socket_.number()) {}
+
+  int wait() {
+    int status = 0;
+    if (process_ == 0) return status;
+    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    }
+    process_ = 0;
+    return status;
+  }
+
+  pid_t process_;
+  Descriptor socket_;
+  LineChannel channel_;
+  std::optional<Task> task_;
+};
+
+/// Hands out tasks and gathers findings until there is nothing left of either.
+class Dispatcher {
+ public:
+  Dispatcher(const std::vector<Task>& tasks, const Progress& progress)
+      : waiting_(tasks.begin(), tasks.end()), progress_(&progress) {
+    for (const Task& task : tasks) all_ += task.last - task.first;
+  }
+
+  Result<Findings> run(const std::vector<std::string>& command, int jobs) {
+    for (int i = 0; i < jobs && !waiting_.empty(); ++i) {
+      Result<std::unique_ptr<Worker>> worker = Worker::start(command);
+      if (!worker) return tl::unexpected(worker.error());
+      workers_.push_back(*std::move(worker));
+      feed(*workers_.back());
+    }
+    while (!error_ && wait_for_some()) {
+    }
+    if (error_) return tl::unexpected(*error_);
+    return std::move(findings_);
+  }
+
+ private:
+  void feed(Worker& worker) {
+    if (waiting_.empty() || findings_.fault) return;
+    const Task task = waiting_.front();
+    waiting_.pop_front();
+    if (!worker.give(task)) lose(worker);
+  }
+
+  /// Waits until some worker has something to say and hears it; false when all are done.
+  bool wait_for_some() {
+    std::vector<pollfd> sockets;
+    std::vector<Worker*> busy;
+    for (const auto& worker : workers_) {
+      if (!worker->is_busy()) continue;
+      sockets.push_back({worker->socket(), POLLIN, 0});
+      busy.push_back(worker.get());
+    }
+    if (busy.empty()) return false;
+    if (::poll(sockets.data(), sockets.size(), -1) < 0) {
+      if (errno != EINTR) error_ = system_error("poll");
+      return true;
+    }
+    for (std::size_t i = 0; i < busy.size() && !error_; ++i) {
+      if (sockets[i].revents != 0) hear(*busy[i]);
+    }
+    return true;
+  }
+
+  void hear(Worker& worker) {
+    if (!worker.receive()) return lose(worker);
+    const std::optional<std::string> line = worker.next_line();
+    if (!line) return;
+    Result<Findings> found = findings_from_line(*line);
+    if (!found) {
+      error_ = found.error();
+      return;
+    }
+    done_ += worker.task().last - worker.task().first;
+    merge(findings_, *std::move(found));
+    worker.finish_task();
+    if (*progress_) (*progress_)(done_, all_);
+    feed(worker);
+  }
+
+  void lose(Worker& worker) {
+    const Task task = worker.task();
+    error_ =
+        Error{"worker", "",
+              worker.ending() + " at the law '" + task.law + "' with " + task.backend + ", cases " +
+                  std::to_string(task.first) + " to " + std::to_string(task.last - 1)};
+  }
+
+  std::deque<Task> waiting_;
+  const Progress* progress_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+  Findings findings_;
+  std::optional<Error> error_;
+  std::uint64_t done_ = 0;
+  std::uint64_t all_ = 0;
+};
+
+}  // namespace
+
+Result<Findings> run_tasks(TaskRunner& runner, const std::vector<Task>& tasks,
+                           const Progress& progress) {
+  std::uint64_t all = 0;
+  for (const Task& task : tasks) all += task.last - task.first;
+  std::uint64_t done = 0;
+  Findings findings;
+  for (const Task& task : tasks) {
+    Result<Findings> found = runner.run(task);
+    if (!found) return found;
+    merge(findings, *std::move(found));
+    if (findings.fault) break;
+    done += task.last - task.first;
+    if (progress) progress(done, all);
+  }
+  return findings;
+}
+
+Result<Findings> run_tasks_in_processes(const std::vector<std::string>& command, int jobs,
+                                        const std::vector<Task>& tasks, const Progress& progress) {
+  return Dispatcher(tasks, progress).run(command, jobs);
+}
+
+Result<void> serve_tasks(TaskRunner& runner) {
+  // Backends may print; their words are not to get between ours.
+  const Descriptor answers(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3));
+  if (!answers.is_open() || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+    return tl::unexpected(system_error("standard output"));
+  }
+  LineChannel input(STDIN_FILENO);
+  const LineChannel output(answers.number());
+  while (input.receive()) {
+    while (const std::optional<std::string> line = input.next_line()) {
+      const std::optional<Task> task = task_from_line(*line);
+      if (!task) return tl::unexpected(Error{"-", "", "not a task of a campaign"});
+      if (!output.send(findings_to_line(runner.run(*task)))) {
+        return tl::unexpected(system_error("standard output"));
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace rastercheck::properties

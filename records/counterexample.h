@@ -1,0 +1,50 @@
+#pragma once
+
+// A case that breaks a law, and how.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/case.h"
+#include "records/enclosure.h"
+#include "records/judgement.h"
+
+namespace rastercheck::records {
+
+/// One sample, or one value of it, that a law does not allow.
+struct Violation {
+  FragmentClass fragment_class = FragmentClass::correct;
+  AttributeKind kind = AttributeKind::coverage;
+  std::uint32_t triangle = 0;              ///< index into the case's triangles
+  std::uint32_t x = 0;                     ///< pixels
+  std::uint32_t y = 0;                     ///< pixels
+  std::uint32_t sample = 0;                ///< index into the sample pattern
+  std::optional<std::uint32_t> attribute;  ///< index into the case's attributes
+  /// What is exactly true there: of coverage the verdict and its reason, of a value a fraction, or
+  /// "[fraction, fraction]" where the contract leaves a range.
+  std::string exact;
+  /// What the backend gave: "drawn", "not drawn", a decimal and hex float, "nan", "inf".
+  std::string actual;
+  std::optional<Enclosure> error;     ///< of a value, in scale ULP, beyond what is left open
+  std::optional<Enclosure> bound;     ///< what the contract promises of it, in the same unit
+  std::optional<Enclosure> distance;  ///< of coverage: to the boundary that decided, in pixels
+  std::string note;                   ///< what more the law has to say, one line; may be empty
+  bool operator==(const Violation&) const = default;
+};
+
+/// The case's `found` names law, backend, verdict, seed and index. It is saved as a case file.
+struct Counterexample {
+  cases::Case source;
+  std::uint64_t violation_count = 0;  ///< of all in the case
+  std::vector<Violation> violations;  ///< the first of them
+  bool operator==(const Counterexample&) const = default;
+};
+
+/// At most so many violations of a case are kept, and at most so many cases of a law and backend:
+/// those of lowest index.
+inline constexpr std::size_t kMostViolations = 8;
+inline constexpr std::size_t kMostCounterexamples = 5;
+
+}  // namespace rastercheck::records

@@ -1,0 +1,83 @@
+#include "records/counterexample_json.h"
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "cases/case_reader.h"
+#include "cases/case_writer.h"
+#include "cases/json.h"
+#include "records/enclosure_json.h"
+
+namespace rastercheck::records {
+namespace {
+
+using cases::JsonNode;
+using nlohmann::json;
+
+json json_of(const Violation& violation) {
+  json object{{"class", to_string(violation.fragment_class)},
+              {"kind", to_string(violation.kind)},
+              {"triangle", violation.triangle},
+              {"x", violation.x},
+              {"y", violation.y},
+              {"sample", violation.sample},
+              {"exact", violation.exact},
+              {"actual", violation.actual},
+              {"note", violation.note}};
+  if (violation.attribute) object["attribute"] = *violation.attribute;
+  if (violation.error) object["error"] = enclosure_to_json(*violation.error);
+  if (violation.bound) object["bound"] = enclosure_to_json(*violation.bound);
+  if (violation.distance) object["distance"] = enclosure_to_json(*violation.distance);
+  return object;
+}
+
+Violation read_violation(const JsonNode& node) {
+  node.expect_object({"class", "kind", "triangle", "x", "y", "sample", "exact", "actual", "note"},
+                     {"attribute", "error", "bound", "distance"});
+  Violation violation;
+  violation.fragment_class = static_cast<FragmentClass>(node["class"].word(kFragmentClassWords));
+  violation.kind = static_cast<AttributeKind>(node["kind"].word(kAttributeKindWords));
+  violation.triangle = node["triangle"].count<std::uint32_t>();
+  violation.x = node["x"].count<std::uint32_t>();
+  violation.y = node["y"].count<std::uint32_t>();
+  violation.sample = node["sample"].count<std::uint32_t>();
+  violation.exact = node["exact"].text();
+  violation.actual = node["actual"].text();
+  violation.note = node["note"].text();
+  if (node.has("attribute")) violation.attribute = node["attribute"].count<std::uint32_t>();
+  if (node.has("error")) violation.error = enclosure_from_json(node["error"]);
+  if (node.has("bound")) violation.bound = enclosure_from_json(node["bound"]);
+  if (node.has("distance")) violation.distance = enclosure_from_json(node["distance"]);
+  return violation;
+}
+
+}  // namespace
+
+json counterexample_to_json(const Counterexample& counterexample) {
+  // The writer's own text is what a case file holds, so that the two cannot drift apart.
+  const Result<json> source =
+      cases::parse_json(cases::to_json(counterexample.source), "counterexample");
+  json violations = json::array();
+  for (const Violation& violation : counterexample.violations) {
+    violations.push_back(json_of(violation));
+  }
+  return {{"case", source.value_or(json())},
+          {"violation_count", counterexample.violation_count},
+          {"violations", std::move(violations)}};
+}
+
+Counterexample counterexample_from_json(const JsonNode& node) {
+  node.expect_object({"case", "violation_count", "violations"});
+  Counterexample counterexample;
+  if (node.failed()) return counterexample;
+  counterexample.source = cases::read_case(node["case"]);
+  counterexample.violation_count = node["violation_count"].count();
+  for (const JsonNode& violation : node["violations"].elements()) {
+    if (node.failed()) break;
+    counterexample.violations.push_back(read_violation(violation));
+  }
+  return counterexample;
+}
+
+}  // namespace rastercheck::records

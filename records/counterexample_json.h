@@ -1,0 +1,25 @@
+#pragma once
+
+// A counterexample as JSON:
+//
+//   {"case": {the case file, docs/case-format.md}, "violation_count": 12,
+//    "violations": [{"class": "beyond bound", "kind": "smooth", "triangle": 0, "x": 3, "y": 5,
+//                    "sample": 0, "attribute": 0, "exact": "84/5", "actual": "16.8
+//                    (0x1.0cccccp+4)", "error": [0.7, 0.7], "bound": [0.5, 0.5], "note": ""}]}
+//
+// "attribute", "error", "bound" and "distance" are absent where a violation has none. Texts are
+// UTF-8.
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "cases/json_node.h"
+#include "records/counterexample.h"
+
+namespace rastercheck::records {
+
+nlohmann::json counterexample_to_json(const Counterexample& counterexample);
+
+/// Refuses unknown and missing keys, and whatever a case file may not have.
+Counterexample counterexample_from_json(const cases::JsonNode& node);
+
+}  // namespace rastercheck::records

@@ -1,0 +1,31 @@
+#include "records/run.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace rastercheck::records {
+namespace {
+
+bool is_letter_or_digit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+/// ASCII only, whatever the locale: a file name that every system and archive takes as it is.
+std::string file_word(std::string_view text) {
+  std::string word;
+  for (const char c : text) word += is_letter_or_digit(c) ? c : '-';
+  return word;
+}
+
+}  // namespace
+
+std::string file_of(const Counterexample& counterexample) {
+  const cases::Found found = counterexample.source.found.value_or(cases::Found());
+  const std::string& name = counterexample.source.name;
+  return fmt::format("counterexamples/{}-{}{}-{}.json", file_word(found.law),
+                     file_word(found.backend), name.empty() ? "" : "-" + file_word(name),
+                     found.index);
+}
+
+}  // namespace rastercheck::records

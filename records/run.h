@@ -1,0 +1,45 @@
+#pragma once
+
+// Everything a run found: what run.json holds, and all that reports are made from.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "records/counterexample.h"
+#include "records/record.h"
+
+namespace rastercheck::records {
+
+/// A picture of the run, PNG.
+struct Picture {
+  std::string name;     ///< file name without extension, as "bunny-cpu"
+  std::string caption;  ///< one sentence
+  int width = 0;        ///< pixels
+  int height = 0;       ///< pixels
+  std::string png;      ///< the file's bytes
+  bool operator==(const Picture&) const = default;
+};
+
+struct Run {
+  std::uint64_t seed = 0;
+  std::uint64_t cases_per_law = 0;
+  std::vector<std::string> backends;  ///< as asked for
+  std::vector<std::string> laws;      ///< those that were run, in the order of tables
+  std::string scene;                  ///< its name; empty where there was none
+  RecordSet records;
+  /// Ordered by (law, backend, index).
+  std::vector<Counterexample> counterexamples;
+  std::vector<Picture> pictures;
+  /// All that depends on machine or time: version, compiler, jobs, date, seconds…
+  std::map<std::string, std::string> environment;
+  bool operator==(const Run&) const = default;
+};
+
+/// The file that a counterexample is saved as, within the run's folder:
+/// "counterexamples/LAW-BACKEND-NAME-INDEX.json", with what is neither letter nor digit made '-'.
+/// Only cases of the corpus and of scenes have a name; random ones go without.
+std::string file_of(const Counterexample& counterexample);
+
+}  // namespace rastercheck::records

@@ -1,0 +1,101 @@
+#include "records/summary.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace rastercheck::records {
+namespace {
+
+constexpr double kTail = 0.99;
+
+/// |x| of the enclosed x.
+Enclosure magnitude_of(const Enclosure& error) {
+  const double a = std::abs(error.lo);
+  const double b = std::abs(error.hi);
+  const bool holds_zero = error.lo <= 0 && error.hi >= 0;
+  return {holds_zero ? 0 : std::min(a, b), std::max(a, b)};
+}
+
+/// Takes in one side's extreme; of equally large ones the first stays, which is the negative.
+void keep_worst(SizeSummary& summary, const std::optional<WorstError>& extreme) {
+  if (!extreme) return;
+  const Enclosure magnitude = magnitude_of(extreme->error);
+  const auto size = [](const Enclosure& of) { return std::pair(of.hi, of.lo); };
+  if (summary.worst && size(magnitude) <= size(*summary.worst)) return;
+  summary.worst = magnitude;
+  summary.worst_at = extreme;
+}
+
+/// Of two kinds the extremes are compared by size alone: each is in its own unit, and the larger
+/// number is what a table shows.
+void take_in(SizeSummary& summary, const ErrorSizes& sizes) {
+  summary.histogram.merge(sizes.histogram);
+  keep_worst(summary, sizes.extremes.most_negative);
+  keep_worst(summary, sizes.extremes.most_positive);
+}
+
+void conclude(SizeSummary& summary) {
+  summary.values = summary.histogram.count();
+  // Errors of zero are on neither side and leave no extreme.
+  if (summary.values > 0 && !summary.worst) summary.worst = Enclosure{0, 0};
+  summary.p99 = summary.histogram.quantile(kTail);
+}
+
+LawVerdict verdict_of(const CaseCounts& cases) {
+  if (cases.violations > 0) return LawVerdict::violated;
+  return cases.checked > 0 ? LawVerdict::held : LawVerdict::not_checked;
+}
+
+LawSummary summarize(const Run& run, const std::string& law, const std::string& backend) {
+  LawSummary row;
+  row.law = law;
+  row.backend = backend;
+  // Strata first: of one kind, merging decides between equally large errors by their place.
+  std::map<AttributeKind, Record> by_kind;
+  for (const auto& [key, record] : run.records) {
+    if (key.law == law && key.backend == backend) merge(by_kind[key.attribute_kind], record);
+  }
+  for (const auto& [kind, record] : by_kind) {
+    merge(row.cases, record.cases);
+    merge(row.counts, record.counts);
+    merge(row.classes, record.errors.classes);
+    for (const auto& [label, cases] : record.labels) row.labels[label] += cases;
+    if (kind == AttributeKind::coverage) {
+      const auto& classes = record.errors.classes.counts;
+      row.fragments = std::accumulate(classes.begin(), classes.end(), std::uint64_t{0});
+    } else {
+      take_in(row.ideal, record.errors.ideal);
+      take_in(row.excess, record.errors.excess);
+    }
+  }
+  conclude(row.ideal);
+  conclude(row.excess);
+  row.verdict = verdict_of(row.cases);
+  return row;
+}
+
+}  // namespace
+
+std::string_view to_string(LawVerdict verdict) {
+  constexpr std::array<std::string_view, 3> kWords{"held", "violated", "not checked"};
+  return kWords[static_cast<std::size_t>(verdict)];
+}
+
+std::vector<LawSummary> summarize(const Run& run) {
+  std::vector<LawSummary> rows;
+  for (const std::string& law : run.laws) {
+    for (const std::string& backend : run.backends) rows.push_back(summarize(run, law, backend));
+  }
+  return rows;
+}
+
+LawVerdict verdict_of(const std::vector<LawSummary>& rows) {
+  CaseCounts all;
+  for (const LawSummary& row : rows) merge(all, row.cases);
+  return verdict_of(all);
+}
+
+}  // namespace rastercheck::records

@@ -1,0 +1,55 @@
+#pragma once
+
+// What a table says of a run: one row per law and backend.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "records/run.h"
+
+namespace rastercheck::records {
+
+enum class LawVerdict {
+  held,
+  violated,
+  not_checked,  ///< no case that the law says anything of
+};
+
+/// "held", "violated", "not checked".
+std::string_view to_string(LawVerdict verdict);
+
+/// How large errors were, over all kinds that have errors, each in its own unit: scale ULP; of
+/// depth ULP of max(|n|, |f|).
+struct SizeSummary {
+  std::uint64_t values = 0;        ///< that have an error
+  Histogram histogram;             ///< of their magnitudes
+  std::optional<Enclosure> worst;  ///< the largest magnitude, as narrow as doubles get
+  std::optional<WorstError> worst_at;
+  std::optional<Enclosure> p99;  ///< the borders of the histogram bucket that holds it
+};
+
+struct LawSummary {
+  std::string law;
+  std::string backend;
+  CaseCounts cases;
+  std::uint64_t fragments = 0;  ///< judged for coverage: drawn, or missing
+  Counts counts;
+  ClassCounts classes;  ///< over all kinds, coverage included
+  SizeSummary ideal;    ///< against the exact triangle
+  SizeSummary excess;   ///< beyond what the contract leaves open
+  std::map<std::string, std::uint64_t> labels;
+  LawVerdict verdict = LawVerdict::not_checked;
+};
+
+/// In the order of the run's laws, and of each its backends. A pair without records was not
+/// checked.
+std::vector<LawSummary> summarize(const Run& run);
+
+/// Of all rows together: violated where one is, not checked where none was checked.
+LawVerdict verdict_of(const std::vector<LawSummary>& rows);
+
+}  // namespace rastercheck::records

@@ -1,0 +1,84 @@
+// run.json: everything a run found. All but "environment" depends on the run's seed and settings
+// alone, to the byte. Read again by reports/run_reader.h.
+//
+//   {
+//     "format": "rastercheck-run",
+//     "version": 1,
+//     "seed": 1,
+//     "cases_per_law": 1000,
+//     "backends": ["cpu"],
+//     "laws": ["…"],
+//     "scene": "bunny",
+//     "records": […],           records/record_json.h
+//     "counterexamples": […],   records/counterexample_json.h
+//     "pictures": [{"name": "…", "caption": "…", "width": 640, "height": 480, "png": "base64…"}],
+//     "environment": {"version": "0.1.0", …}
+//   }
+//
+// A record, a counterexample and a picture take a line each, so that a text comparison of two runs
+// shows which differ.
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "records/counterexample_json.h"
+#include "records/record_json.h"
+#include "reports/base64.h"
+#include "reports/format.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using nlohmann::json;
+
+/// On one line; bytes that are not UTF-8 become U+FFFD, as the file has to be.
+std::string text_of(const json& value) {
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+/// An array, each element on a line of its own.
+std::string lines_of(const json& array) {
+  std::string text = "[";
+  for (const json& element : array) text += (text.size() > 1 ? ",\n" : "\n") + text_of(element);
+  return text + (array.empty() ? "]" : "\n]");
+}
+
+json json_of(const records::Picture& picture) {
+  return {{"name", picture.name},
+          {"caption", picture.caption},
+          {"width", picture.width},
+          {"height", picture.height},
+          {"png", to_base64(picture.png)}};
+}
+
+std::string write(const records::Run& run) {
+  json counterexamples = json::array();
+  for (const records::Counterexample& counterexample : run.counterexamples) {
+    counterexamples.push_back(records::counterexample_to_json(counterexample));
+  }
+  json pictures = json::array();
+  for (const records::Picture& picture : run.pictures) pictures.push_back(json_of(picture));
+
+  std::string text = "{\n";
+  const auto add = [&text](std::string_view key, const std::string& value) {
+    text += fmt::format("{}\"{}\": {}", text.size() > 2 ? ",\n" : "", key, value);
+  };
+  add("format", "\"rastercheck-run\"");
+  add("version", "1");
+  add("seed", std::to_string(run.seed));
+  add("cases_per_law", std::to_string(run.cases_per_law));
+  add("backends", text_of(run.backends));
+  add("laws", text_of(run.laws));
+  add("scene", text_of(run.scene));
+  add("records", lines_of(records::records_to_json(run.records)));
+  add("counterexamples", lines_of(counterexamples));
+  add("pictures", lines_of(pictures));
+  add("environment", text_of(run.environment));
+  return text + "\n}\n";
+}
+
+const FormatRegistration kRegistration({"json", "run.json", &write});
+
+}  // namespace
+}  // namespace rastercheck::reports

@@ -1,0 +1,115 @@
+// summary.md: a run on one page, for a terminal, a pull request or a CI job's summary.
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "cases/json.h"
+#include "records/summary.h"
+#include "reports/format.h"
+#include "reports/internal/wording.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using records::Counterexample;
+using records::LawSummary;
+using records::Run;
+
+constexpr std::size_t kLongestValue = 60;  ///< characters
+
+/// A text that Markdown shows as it is, on one line and within a table's cell.
+std::string markdown(std::string_view text) {
+  std::string escaped;
+  for (const char c : cases::printable(text)) {
+    if (std::string_view("\\`*_{}[]<>#|~&").find(c) != std::string_view::npos) escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
+/// A command in a block of its own. No text can end the block, as line breaks are escaped.
+std::string command_block(std::string_view command) {
+  return "    " + cases::printable(command) + "\n";
+}
+
+std::string table_of(const std::vector<LawSummary>& rows) {
+  std::string text =
+      "| law | backend | cases | fragments | worst ULP | p99 ULP | worst excess | verdict |\n"
+      "|---|---|--:|--:|--:|--:|--:|---|\n";
+  for (const LawSummary& row : rows) {
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", markdown(row.law),
+                        markdown(row.backend), grouped(row.cases.checked), grouped(row.fragments),
+                        markdown(number_text(row.ideal.worst)), at_most_text(row.ideal.p99),
+                        markdown(number_text(row.excess.worst)),
+                        row.verdict == records::LawVerdict::violated
+                            ? fmt::format("**violated** in {}", grouped(row.cases.violations))
+                            : std::string(to_string(row.verdict)));
+  }
+  return text;
+}
+
+std::string counts_of(const LawSummary& total) {
+  const records::Counts& counts = total.counts;
+  return fmt::format(
+      "Samples by what is right: required {}, forbidden {}, permitted {}, undecided {}.\n",
+      grouped(counts.required), grouped(counts.forbidden), grouped(counts.permitted),
+      grouped(counts.undecided));
+}
+
+std::string violation_line(const records::Violation& violation, const cases::Case& source) {
+  std::string text =
+      fmt::format("- {} ({}) at {}; exact: {}; actual: {}", to_string(violation.fragment_class),
+                  to_string(violation.kind), markdown(place_text(violation, source)),
+                  markdown(elided(violation.exact, kLongestValue)),
+                  markdown(elided(violation.actual, kLongestValue)));
+  if (violation.error) {
+    text += fmt::format("; error {} ULP", markdown(number_text(violation.error)));
+  }
+  if (violation.bound) text += fmt::format(", bound {}", markdown(number_text(violation.bound)));
+  if (violation.distance) {
+    text += fmt::format("; {} pixels from the boundary", markdown(number_text(violation.distance)));
+  }
+  if (!violation.note.empty()) text += "; " + markdown(violation.note);
+  return text + "\n";
+}
+
+std::string counterexample_text(const Counterexample& counterexample) {
+  const cases::Found found = counterexample.source.found.value_or(cases::Found());
+  std::string text = fmt::format("\n### {} on {}, case {}\n\n", markdown(found.law),
+                                 markdown(found.backend), found.index);
+  if (!counterexample.source.name.empty()) {
+    text += fmt::format("“{}”. ", markdown(counterexample.source.name));
+  }
+  text += counted(counterexample.violation_count, "violation", "violations") + "; replay with\n\n" +
+          command_block(replay_command(counterexample));
+  if (!counterexample.violations.empty()) text += "\n";
+  for (const records::Violation& violation : counterexample.violations) {
+    text += violation_line(violation, counterexample.source);
+  }
+  return text;
+}
+
+std::string write(const Run& run) {
+  const std::vector<LawSummary> rows = records::summarize(run);
+  std::string text = fmt::format("# RasterCheck\n\n**{}**\n\n", verdict_sentence(rows));
+  text += table_of(rows);
+  text += fmt::format("\n{}\n\n{}\n\n", kUnitSentence, kExcessSentence);
+  text += counts_of(totals(rows));
+  text += "\n## Do it again\n\n" + command_block(run_command(run));
+  if (!run.counterexamples.empty())
+    text += "\n## Counterexamples\n\nCommands are for the folder that this file is in.\n";
+  for (const Counterexample& counterexample : run.counterexamples) {
+    text += counterexample_text(counterexample);
+  }
+  text += "\n## Environment\n\n";
+  for (const auto& [name, value] : run.environment) {
+    text += fmt::format("- {}: {}\n", markdown(name), markdown(value));
+  }
+  return text;
+}
+
+const FormatRegistration kRegistration({"markdown", "summary.md", &write});
+
+}  // namespace
+}  // namespace rastercheck::reports

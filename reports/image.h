@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rastercheck::reports {
+
+/// Red, green, blue; sRGB, 0…255.
+using Color = std::array<std::uint8_t, 3>;
+
+struct Image {
+  int width = 0;   ///< pixels
+  int height = 0;  ///< pixels
+  /// [(row · width + column) · 3 + channel], row 0 on top.
+  std::vector<std::uint8_t> rgb;
+  bool operator==(const Image&) const = default;
+
+  /// All of one colour.
+  static Image filled(int width, int height, Color color);
+
+  Color at(int column, int row) const;
+  /// Outside the image nothing happens.
+  void set(int column, int row, Color color);
+};
+
+}  // namespace rastercheck::reports

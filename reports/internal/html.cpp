@@ -1,0 +1,41 @@
+#include "reports/internal/html.h"
+
+#include <nlohmann/json.hpp>
+
+namespace rastercheck::reports {
+
+std::string html(std::string_view text) {
+  using nlohmann::json;
+  // The JSON text knows which bytes are UTF-8; parsed again it is the text itself.
+  const std::string valid =
+      json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
+  std::string escaped;
+  for (const char c : valid) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default: {
+        constexpr char kDelete = 0x7f;
+        const bool is_control =
+            (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == kDelete;
+        escaped += is_control ? std::string("�") : std::string(1, c);
+      }
+    }
+  }
+  return escaped;
+}
+
+}  // namespace rastercheck::reports

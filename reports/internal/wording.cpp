@@ -1,0 +1,166 @@
+#include "reports/internal/wording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "cases/json.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using records::Counterexample;
+using records::LawSummary;
+using records::LawVerdict;
+using records::Run;
+
+double to_double(std::string_view text) {
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+/// A positive finite number in `digits` significant digits, rounded up.
+std::string rounded_up(double value, int digits) {
+  const std::string text = fmt::format("{:.{}e}", value, digits - 1);
+  const double nearest = to_double(text);
+  if (nearest >= value) return fmt::format("{:.{}g}", nearest, digits);
+  // The next decimal of so many digits: one unit in the last of them.
+  int exponent = 0;
+  const std::size_t mark = text.find('e') + 1;
+  const char* const sign_skipped = text.data() + mark + (text[mark] == '+' ? 1 : 0);
+  std::from_chars(sign_skipped, text.data() + text.size(), exponent);
+  const double unit = to_double(fmt::format("1e{}", exponent - digits + 1));
+  return fmt::format("{:.{}g}", nearest + unit, digits);
+}
+
+/// A word as a shell reads it back.
+std::string shell_word(std::string_view word) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=:,./@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) {
+    return std::string(word);
+  }
+  std::string quoted = "'";
+  for (const char c : word) {
+    if (c == '\'') {
+      quoted += "'\\''";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "'";
+}
+
+}  // namespace
+
+std::string grouped(std::uint64_t number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+  return digits;
+}
+
+std::string counted(std::uint64_t number, std::string_view singular, std::string_view plural) {
+  return fmt::format("{} {}", grouped(number), number == 1 ? singular : plural);
+}
+
+std::string number_text(const std::optional<records::Enclosure>& number) {
+  constexpr int kDigits = 6;
+  return number ? records::to_decimal(*number, kDigits) : std::string(kNothing);
+}
+
+std::string at_most_text(const std::optional<records::Enclosure>& number) {
+  constexpr int kDigits = 3;
+  if (!number) return std::string(kNothing);
+  if (number->hi == 0) return "0";
+  if (std::isinf(number->hi)) return "> " + fmt::format("{:.{}g}", number->lo, kDigits);
+  return "≤ " + rounded_up(number->hi, kDigits);
+}
+
+std::string elided(std::string_view text, std::size_t most) {
+  const auto continues = [text](std::size_t i) {
+    return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0U) == 0x80U;
+  };
+  std::size_t characters = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) characters += continues(i) ? 0U : 1U;
+  if (characters <= most) return std::string(text);
+
+  const std::size_t of_end = (most - 1) / 2;
+  const std::size_t of_start = most - 1 - of_end;
+  std::size_t start = 0;  // where the part left out begins
+  for (std::size_t i = 0; i < of_start; ++i) {
+    do {
+      ++start;
+    } while (continues(start));
+  }
+  std::size_t end = text.size();  // and where it ends
+  for (std::size_t i = 0; i < of_end; ++i) {
+    do {
+      --end;
+    } while (continues(end));
+  }
+  return std::string(text.substr(0, start)) + "…" + std::string(text.substr(end));
+}
+
+std::string run_command(const Run& run) {
+  std::string command = "rastercheck run";
+  for (const std::string& backend : run.backends) command += " --backend " + shell_word(backend);
+  command += fmt::format(" --cases {} --seed {}", run.cases_per_law, run.seed);
+  if (!run.scene.empty()) command += " --scene " + shell_word(run.scene);
+  return command;
+}
+
+std::string replay_command(const Counterexample& counterexample) {
+  return "rastercheck replay " + records::file_of(counterexample);
+}
+
+std::string verdict_sentence(const std::vector<LawSummary>& rows) {
+  const auto count = [&rows](LawVerdict verdict) {
+    return std::count_if(rows.begin(), rows.end(),
+                         [verdict](const LawSummary& row) { return row.verdict == verdict; });
+  };
+  const auto violated = count(LawVerdict::violated);
+  const auto unchecked = count(LawVerdict::not_checked);
+  const std::string rest = unchecked > 0 ? fmt::format("; {} not checked", unchecked) : "";
+  switch (records::verdict_of(rows)) {
+    case LawVerdict::violated:
+      return fmt::format("Violated: {} of {} checks{}.", violated, rows.size(), rest);
+    case LawVerdict::held:
+      return unchecked > 0 ? fmt::format("Held: {} of {} checks{}.", count(LawVerdict::held),
+                                         rows.size(), rest)
+                           : fmt::format("Held: all {} checks.", rows.size());
+    case LawVerdict::not_checked:
+      break;
+  }
+  return "Nothing was checked.";
+}
+
+LawSummary totals(const std::vector<LawSummary>& rows) {
+  LawSummary total;
+  for (const LawSummary& row : rows) {
+    records::merge(total.cases, row.cases);
+    records::merge(total.counts, row.counts);
+    records::merge(total.classes, row.classes);
+    total.fragments += row.fragments;
+    total.ideal.values += row.ideal.values;
+    total.excess.values += row.excess.values;
+  }
+  total.verdict = records::verdict_of(rows);
+  return total;
+}
+
+std::string place_text(const records::Violation& violation, const cases::Case& source) {
+  std::string text = fmt::format("triangle {}, pixel ({}, {}), sample {}", violation.triangle,
+                                 violation.x, violation.y, violation.sample);
+  if (violation.attribute) {
+    const std::size_t attribute = *violation.attribute;
+    text += attribute < source.attributes.size()
+                ? ", attribute " + cases::printable(source.attributes[attribute].name)
+                : fmt::format(", attribute {}", attribute);
+  }
+  return text;
+}
+
+}  // namespace rastercheck::reports

@@ -1,0 +1,60 @@
+#pragma once
+
+// What the reports that people read have in common: how numbers, commands and the verdict are put.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "records/run.h"
+#include "records/summary.h"
+
+namespace rastercheck::reports {
+
+/// What the numbers of a table mean, one sentence each.
+inline constexpr std::string_view kUnitSentence =
+    "Errors are in scale ULP: 1 is the spacing of float32 numbers at the largest of the "
+    "triangle's three values of the attribute (or at the exact value, where that is larger), so "
+    "that a correctly rounded value is off by at most 0.5; depth counts the spacing at the "
+    "greater end of the depth range.";
+inline constexpr std::string_view kExcessSentence =
+    "Worst and p99 are against the exact triangle, and 99 of 100 errors are at most p99; worst "
+    "excess is against all that the backend's contract leaves open, and is what its bounds are "
+    "held against.";
+
+/// Stands for a number that there is not.
+inline constexpr std::string_view kNothing = "–";
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::uint64_t number);
+
+/// "1 case", "2 cases".
+std::string counted(std::uint64_t number, std::string_view singular, std::string_view plural);
+
+/// The certain digits of an enclosed number, or a dash.
+std::string number_text(const std::optional<records::Enclosure>& number);
+
+/// The upper end in three significant digits, rounded up: "≤ 0.459". Of a zero "0", without a
+/// number a dash.
+std::string at_most_text(const std::optional<records::Enclosure>& number);
+
+/// A text of at most `most` characters (at least 16): what is longer has "…" for its middle. Exact
+/// fractions may have hundreds of digits; run.json has all of them. Characters of UTF-8 stay whole.
+std::string elided(std::string_view text, std::size_t most);
+
+/// What does the same run again, as a line for a shell.
+std::string run_command(const records::Run& run);
+std::string replay_command(const records::Counterexample& counterexample);
+
+/// "Violated: 2 of 12 checks." A check is one law on one backend.
+std::string verdict_sentence(const std::vector<records::LawSummary>& rows);
+
+/// All rows together; of sizes and labels nothing.
+records::LawSummary totals(const std::vector<records::LawSummary>& rows);
+
+/// "triangle 0, pixel (3, 5), sample 0, attribute u".
+std::string place_text(const records::Violation& violation, const cases::Case& source);
+
+}  // namespace rastercheck::reports

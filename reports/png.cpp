@@ -1,0 +1,44 @@
+// libpng's simplified interface: it catches its own long jumps and hands an error back as a text,
+// so that none ever crosses a C++ frame. Its compression level and filters are zlib's and libpng's
+// defaults, which are constants; it writes the chunks IHDR, sRGB, gAMA, cHRM, IDAT and IEND.
+//
+// Rejected: the full interface with setjmp, whose only gain would be another compression level.
+
+#include "reports/png.h"
+
+#include <fmt/format.h>
+#include <png.h>
+
+namespace rastercheck::reports {
+namespace {
+
+Error refusal(std::string reason) { return {"", "", "no PNG: " + std::move(reason)}; }
+
+}  // namespace
+
+Result<std::string> to_png(const Image& image) {
+  if (image.width <= 0 || image.height <= 0) return tl::unexpected(refusal("no pixels"));
+  const std::size_t wanted =
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3;
+  if (image.rgb.size() != wanted) {
+    return tl::unexpected(refusal(fmt::format("{} bytes of colour for {} × {} pixels",
+                                              image.rgb.size(), image.width, image.height)));
+  }
+
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(image.width);
+  header.height = static_cast<png_uint_32>(image.height);
+  header.format = PNG_FORMAT_RGB;
+
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&header, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) ==
+      0) {
+    return tl::unexpected(refusal(static_cast<const char*>(header.message)));
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+}  // namespace rastercheck::reports

@@ -1,0 +1,96 @@
+#include "reports/run_reader.h"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "cases/json.h"
+#include "cases/json_node.h"
+#include "records/counterexample_json.h"
+#include "records/record_json.h"
+#include "reports/base64.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using cases::JsonNode;
+using nlohmann::json;
+
+void check_header(const JsonNode& root) {
+  // These first: of a later version, its unknown keys are not what is wrong.
+  if (root.has("format") && root["format"].text() != "rastercheck-run") {
+    root["format"].refuse("must be \"rastercheck-run\"");
+  }
+  if (root.has("version") && root["version"].count() != 1) {
+    root["version"].refuse("version must be 1");
+  }
+  root.expect_object({"format", "version", "seed", "cases_per_law", "backends", "laws", "scene",
+                      "records", "counterexamples", "pictures", "environment"});
+}
+
+std::vector<std::string> read_texts(const JsonNode& node) {
+  std::vector<std::string> texts;
+  for (const JsonNode& element : node.elements()) texts.push_back(element.text());
+  return texts;
+}
+
+records::Picture read_picture(const JsonNode& node) {
+  constexpr auto kLargest = std::uint64_t{std::numeric_limits<int>::max()};
+  node.expect_object({"name", "caption", "width", "height", "png"});
+  records::Picture picture;
+  picture.name = node["name"].text();
+  picture.caption = node["caption"].text();
+  picture.width = static_cast<int>(node["width"].count(kLargest));
+  picture.height = static_cast<int>(node["height"].count(kLargest));
+  Result<std::string> png = from_base64(node["png"].text());
+  if (!png) node["png"].refuse(png.error().reason);
+  picture.png = std::move(png).value_or("");
+  return picture;
+}
+
+records::Run read_document(const JsonNode& root) {
+  records::Run run;
+  check_header(root);
+  if (root.failed()) return run;
+  run.seed = root["seed"].count();
+  run.cases_per_law = root["cases_per_law"].count();
+  run.backends = read_texts(root["backends"]);
+  run.laws = read_texts(root["laws"]);
+  run.scene = root["scene"].text();
+  for (const JsonNode& node : root["counterexamples"].elements()) {
+    if (root.failed()) return run;
+    run.counterexamples.push_back(records::counterexample_from_json(node));
+  }
+  for (const JsonNode& node : root["pictures"].elements()) {
+    if (root.failed()) return run;
+    run.pictures.push_back(read_picture(node));
+  }
+  for (const std::string& key : root["environment"].keys()) {
+    run.environment[key] = root["environment"][key].text();
+  }
+  return run;
+}
+
+}  // namespace
+
+Result<records::Run> parse_run(std::string_view text, const std::string& file) {
+  const Result<json> document = cases::parse_json(text, file);
+  if (!document) return tl::unexpected(document.error());
+  std::optional<Error> error;
+  records::Run run = read_document(JsonNode(*document, "", error, file));
+  if (error) return tl::unexpected(*error);
+  return records::records_from_json(document->at("records"), file, "/records")
+      .map([&run](records::RecordSet records) {
+        run.records = std::move(records);
+        return std::move(run);
+      });
+}
+
+Result<records::Run> read_run(const std::string& file) {
+  return cases::read_text(file).and_then(
+      [&file](const std::string& text) { return parse_run(text, file); });
+}
+
+}  // namespace rastercheck::reports

@@ -1,0 +1,122 @@
+#include "reports/write.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "cases/case_reader.h"
+#include "cases/case_writer.h"
+#include "reports/format.h"
+
+namespace rastercheck::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kCounterexamples = "counterexamples";
+
+Error failure(const fs::path& file, std::string_view what, const std::error_code& why) {
+  return {file.string(), "", std::string(what) + (why ? ": " + why.message() : "")};
+}
+
+Result<void> make_folder(const fs::path& folder) {
+  std::error_code why;
+  fs::create_directories(folder, why);
+  if (why) return tl::unexpected(failure(folder, "cannot be made", why));
+  return {};
+}
+
+/// Whether a run of this tool wrote the file: a case whose `found` gives it the name it has.
+bool is_counterexample(const fs::path& file) {
+  std::error_code ignored;
+  if (file.extension() != ".json" || !fs::is_regular_file(file, ignored)) return false;
+  const Result<cases::Case> source = cases::read_case(file.string());
+  if (!source || !source->found) return false;
+  return fs::path(records::file_of({*source, 0, {}})).filename() == file.filename();
+}
+
+/// Removes the counterexamples that are not among `current`.
+Result<void> remove_stale(const fs::path& folder, const std::set<fs::path>& current) {
+  std::error_code why;
+  if (!fs::exists(folder, why)) return {};
+  // Removing while listing would leave open what the list shows.
+  std::vector<fs::path> stale;
+  for (auto entry = fs::directory_iterator(folder, why); !why && entry != fs::directory_iterator();
+       entry.increment(why)) {
+    if (!current.contains(entry->path()) && is_counterexample(entry->path())) {
+      stale.push_back(entry->path());
+    }
+  }
+  if (why) return tl::unexpected(failure(folder, "cannot be listed", why));
+  for (const fs::path& file : stale) {
+    fs::remove(file, why);
+    if (why) return tl::unexpected(failure(file, "cannot be removed", why));
+  }
+  return {};
+}
+
+Result<void> write_counterexamples(const records::Run& run, const fs::path& directory) {
+  std::set<fs::path> written;
+  for (const records::Counterexample& counterexample : run.counterexamples) {
+    const fs::path file = directory / records::file_of(counterexample);
+    if (!written.insert(file).second) {
+      return tl::unexpected(failure(file, "two counterexamples would have this name", {}));
+    }
+    Result<void> done = make_folder(file.parent_path()).and_then([&] {
+      return write_file(file.string(), cases::to_json(counterexample.source));
+    });
+    if (!done) return done;
+  }
+  return remove_stale(directory / kCounterexamples, written);
+}
+
+}  // namespace
+
+Result<void> write_file(const std::string& name, const std::string& content) {
+  const fs::path file = name;
+  fs::path partial = file;
+  partial += ".partial";
+  errno = 0;
+  {
+    std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
+    stream << content;
+    stream.close();
+    if (!stream) {
+      const std::error_code why(errno, std::generic_category());
+      std::error_code ignored;
+      fs::remove(partial, ignored);
+      return tl::unexpected(failure(file, "cannot be written", why));
+    }
+  }
+  std::error_code why;
+  fs::rename(partial, file, why);
+  if (why) {
+    std::error_code ignored;
+    fs::remove(partial, ignored);
+    return tl::unexpected(failure(file, "cannot be written", why));
+  }
+  return {};
+}
+
+Result<void> write_reports(const records::Run& run, const std::string& directory,
+                           std::span<const std::string> format_names) {
+  // A misspelt format is found before anything is written.
+  std::vector<Format> chosen;
+  for (const std::string& name : format_names) {
+    const Result<Format> format = find_format(name);
+    if (!format) return tl::unexpected(format.error());
+    chosen.push_back(*format);
+  }
+  Result<void> done =
+      make_folder(directory).and_then([&] { return write_counterexamples(run, directory); });
+  for (std::size_t i = 0; done && i < chosen.size(); ++i) {
+    done = write_file((fs::path(directory) / chosen[i].file_name).string(), chosen[i].write(run));
+  }
+  return done;
+}
+
+}  // namespace rastercheck::reports

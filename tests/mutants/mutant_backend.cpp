@@ -1,0 +1,79 @@
+#include "tests/mutants/mutant_backend.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+#include "backends/backend.h"
+
+namespace rastercheck::mutants {
+namespace {
+
+struct CloseLibrary {
+  void operator()(void* library) const { dlclose(library); }
+};
+using Library = std::unique_ptr<void, CloseLibrary>;
+
+/// A mutant's own backend, and what keeps its module loaded as long as it lives.
+class MutantBackend : public backends::Backend {
+ public:
+  MutantBackend(Library library, std::unique_ptr<backends::Backend> backend)
+      : library_(std::move(library)), backend_(std::move(backend)) {}
+
+  cases::Contract contract(const cases::Case& c) const override { return backend_->contract(c); }
+  Result<cases::Framebuffer> draw(const cases::Case& c) override { return backend_->draw(c); }
+
+ private:
+  Library library_;
+  std::unique_ptr<backends::Backend> backend_;
+};
+
+Error cannot_load(const std::string& name) {
+  const char* reason = dlerror();
+  return {"mutant:" + name, "", reason == nullptr ? "its module cannot be loaded" : reason};
+}
+
+Result<std::unique_ptr<backends::Backend>> make(const std::string& name) {
+  const std::vector<std::string>& names = mutant_names();
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    return tl::unexpected(Error{"mutant:" + name, "", "no mutant of that name"});
+  }
+  const std::string path = RASTERCHECK_MUTANT_MODULES "/" + name + ".so";
+  // RTLD_LOCAL: two mutants at once must not see each other's symbols.
+  Library library(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL));
+  if (library == nullptr) return tl::unexpected(cannot_load(name));
+  void* symbol = dlsym(library.get(), "rastercheck_make_mutant");
+  if (symbol == nullptr) return tl::unexpected(cannot_load(name));
+  std::unique_ptr<backends::Backend> backend(reinterpret_cast<backends::Backend* (*)()>(symbol)());
+  return std::make_unique<MutantBackend>(std::move(library), std::move(backend));
+}
+
+std::vector<backends::Listing> list() {
+  std::vector<backends::Listing> all;
+  for (const std::string& name : mutant_names()) {
+    const std::string specification = "mutant:" + name;
+    const auto made = make(name);
+    all.push_back({specification, "the rasterizer with a defect",
+                   made ? std::string() : to_string(made.error())});
+  }
+  return all;
+}
+
+const backends::BackendRegistration kRegistration({"mutant", &make, &list});
+
+}  // namespace
+
+const std::vector<std::string>& mutant_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    std::istringstream list(RASTERCHECK_MUTANT_NAMES);
+    for (std::string name; std::getline(list, name, ',');) all.push_back(name);
+    return all;
+  }();
+  return names;
+}
+
+}  // namespace rastercheck::mutants

@@ -1,0 +1,152 @@
+// The laws can fail: each mutant, a rasterizer with one defect, breaks the law that its patch
+// names.
+//
+// A patch opens with a header, before the first line of the diff:
+//
+//   Defect: one sentence
+//   Killed by: the name of a law
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include "backends/backend.h"
+#include "cases/case_reader.h"
+#include "cases/case_writer.h"
+#include "properties/law.h"
+#include "tests/mutants/mutant_backend.h"
+
+namespace rastercheck::mutants {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kCases = 200;
+
+struct Header {
+  std::string defect;
+  std::string killed_by;
+};
+
+/// The header of a mutant's patch; a part that is missing is empty.
+Header header_of(const std::string& mutant) {
+  constexpr std::string_view kDefect = "Defect: ";
+  constexpr std::string_view kKilledBy = "Killed by: ";
+  Header header;
+  std::ifstream patch(RASTERCHECK_SOURCE_DIR "/tests/mutants/" + mutant + ".patch");
+  for (std::string line; std::getline(patch, line) && !line.starts_with("--- ");) {
+    if (line.starts_with(kDefect)) header.defect = line.substr(kDefect.size());
+    if (line.starts_with(kKilledBy)) header.killed_by = line.substr(kKilledBy.size());
+  }
+  return header;
+}
+
+/// A case by which a mutant breaks a law.
+struct Kill {
+  std::uint64_t index = 0;
+  cases::Case source;
+  properties::Check check;
+};
+
+/// The first of the law's own cases whose check finds violations.
+Result<std::optional<Kill>> first_kill(const properties::Law& law, backends::Backend& mutant) {
+  for (std::uint64_t index = 0; index < kCases; ++index) {
+    properties::Draw draw(kSeed, law.name, index);
+    const properties::Generated generated = law.generate(draw);
+    Result<properties::Check> check = law.check(generated.source, mutant, {index});
+    if (!check) return tl::unexpected(check.error());
+    if (check->fault) return tl::unexpected(Error{"", "", *check->fault});
+    if (check->violation_count > 0) return Kill{index, generated.source, *std::move(check)};
+  }
+  return std::nullopt;
+}
+
+/// The rasterizer without the defect finds nothing to object to in the same case, so it is the
+/// defect that the law has found.
+void expect_unharmed_passes(const properties::Law& law, const Kill& kill) {
+  const auto unharmed = backends::make_backend("cpu");
+  ASSERT_TRUE(unharmed) << to_string(unharmed.error());
+  const auto check = law.check(kill.source, **unharmed, {kill.index});
+  ASSERT_TRUE(check) << to_string(check.error());
+  EXPECT_TRUE(check->is_applicable);
+  EXPECT_EQ(check->fault, std::nullopt);
+  EXPECT_EQ(check->violation_count, 0U);
+}
+
+/// Written as a case file and read back, the case gets the same verdict from a mutant loaded anew.
+void expect_replays(const properties::Law& law, const std::string& mutant, const Kill& kill) {
+  cases::Case saved = kill.source;
+  saved.found = {std::string(law.name), "mutant:" + mutant, "violated", kSeed, kill.index};
+  const auto read = cases::parse_case(cases::to_json(saved), "counterexample");
+  ASSERT_TRUE(read) << to_string(read.error());
+  EXPECT_EQ(*read, saved);
+  const auto backend = backends::make_backend(read->found->backend);
+  ASSERT_TRUE(backend) << to_string(backend.error());
+  const auto again = law.check(*read, **backend, {});
+  ASSERT_TRUE(again) << to_string(again.error());
+  EXPECT_EQ(again->violation_count, kill.check.violation_count);
+  EXPECT_EQ(again->violations, kill.check.violations);
+}
+
+class Mutants : public testing::TestWithParam<std::string> {};
+
+TEST_P(Mutants, HasADefectAndALawThatKillsIt) {
+  const Header header = header_of(GetParam());
+  EXPECT_FALSE(header.defect.empty());
+  EXPECT_NE(properties::find_law(header.killed_by), nullptr) << "'" << header.killed_by << "'";
+}
+
+TEST_P(Mutants, IsKilledByItsLawAtAFixedSeed) {
+  const properties::Law* law = properties::find_law(header_of(GetParam()).killed_by);
+  ASSERT_NE(law, nullptr);
+  const auto mutant = backends::make_backend("mutant:" + GetParam());
+  ASSERT_TRUE(mutant) << to_string(mutant.error());
+  const auto kill = first_kill(*law, **mutant);
+  ASSERT_TRUE(kill) << to_string(kill.error());
+  ASSERT_TRUE(*kill) << "survives " << kCases << " cases of seed " << kSeed;
+  RecordProperty("killing_case", std::to_string((*kill)->index));
+  SCOPED_TRACE("case " + std::to_string((*kill)->index));
+  ASSERT_FALSE((*kill)->check.violations.empty());
+  expect_unharmed_passes(*law, **kill);
+  expect_replays(*law, GetParam(), **kill);
+}
+
+/// GoogleTest takes no hyphens.
+std::string test_name(const testing::TestParamInfo<std::string>& mutant) {
+  std::string name = mutant.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Mutants, testing::ValuesIn(mutant_names()), test_name);
+
+TEST(Laws, HaveAMutantEach) {
+  ASSERT_FALSE(properties::laws().empty());
+  for (const properties::Law& law : properties::laws()) {
+    EXPECT_TRUE(
+        std::any_of(mutant_names().begin(), mutant_names().end(),
+                    [&law](const std::string& m) { return header_of(m).killed_by == law.name; }))
+        << law.name;
+  }
+}
+
+TEST(MutantBackend, ListsEveryMutantAsAbleToRun) {
+  std::size_t count = 0;
+  for (const backends::Listing& listing : backends::list_backends()) {
+    if (!listing.specification.starts_with("mutant:")) continue;
+    ++count;
+    EXPECT_EQ(listing.unavailable_because, "") << listing.specification;
+  }
+  EXPECT_EQ(count, mutant_names().size());
+}
+
+TEST(MutantBackend, KnowsNoOther) {
+  EXPECT_FALSE(backends::make_backend("mutant:"));
+  EXPECT_FALSE(backends::make_backend("mutant:../modules/pixel-corner"));
+}
+
+}  // namespace
+}  // namespace rastercheck::mutants

@@ -1,0 +1,108 @@
+#pragma once
+
+// Backends that draw as `cpu` does and then go wrong in one way, and a case small enough to say by
+// hand what each law has to find.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "backends/backend.h"
+#include "cases/case.h"
+#include "properties/law.h"
+
+namespace rastercheck::properties {
+
+using Damage = std::function<void(const cases::Case&, cases::Framebuffer&)>;
+
+class DamagedBackend : public backends::Backend {
+ public:
+  explicit DamagedBackend(Damage damage = {})
+      : inner_(backends::make_backend("cpu").value()), damage_(std::move(damage)) {}
+
+  cases::Contract contract(const cases::Case& c) const override {
+    return promised ? *promised : inner_->contract(c);
+  }
+  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+    Result<cases::Framebuffer> drawn = inner_->draw(c);
+    if (drawn && damage_) damage_(c, *drawn);
+    return drawn;
+  }
+
+  std::optional<cases::Contract> promised;
+
+ private:
+  std::unique_ptr<backends::Backend> inner_;
+  Damage damage_;
+};
+
+/// The index of a triangle's fragment at a pixel's sample 0; the number of fragments where it drew
+/// none.
+inline std::size_t find(const cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y) {
+  std::size_t i = 0;
+  while (i < drawn.size() && (drawn.triangle[i] != triangle || drawn.x[i] != x || drawn.y[i] != y ||
+                              drawn.sample[i] != 0)) {
+    ++i;
+  }
+  return i;
+}
+
+inline void drop(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y) {
+  const auto i = static_cast<std::ptrdiff_t>(find(drawn, triangle, x, y));
+  const auto count = static_cast<std::ptrdiff_t>(drawn.attribute_count);
+  drawn.triangle.erase(drawn.triangle.begin() + i);
+  drawn.x.erase(drawn.x.begin() + i);
+  drawn.y.erase(drawn.y.begin() + i);
+  drawn.sample.erase(drawn.sample.begin() + i);
+  drawn.depth.erase(drawn.depth.begin() + i);
+  drawn.attributes.erase(drawn.attributes.begin() + i * count,
+                         drawn.attributes.begin() + (i + 1) * count);
+}
+
+/// Appends a fragment with zero values.
+inline void add(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y) {
+  drawn.triangle.push_back(triangle);
+  drawn.x.push_back(static_cast<std::uint16_t>(x));
+  drawn.y.push_back(static_cast<std::uint16_t>(y));
+  drawn.sample.push_back(0);
+  drawn.depth.push_back(0);
+  drawn.attributes.resize(drawn.attributes.size() + drawn.attribute_count);
+}
+
+inline float& value(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y,
+                    std::size_t attribute) {
+  return drawn.attributes[find(drawn, triangle, x, y) * drawn.attribute_count + attribute];
+}
+
+/// A square that fills 8×8 pixels, as two triangles that share the diagonal from the upper right to
+/// the lower left corner; w = 1, depth 1/4 everywhere. Window positions:
+///
+///   0 (0, 0)   1 (8, 0)      A = (0, 1, 2)   covers pixels with x + y < 7
+///   2 (0, 8)   3 (8, 8)      B = (2, 1, 3)   covers pixels with x + y > 7
+///
+/// Centres of pixels with x + y = 7 lie on the diagonal; top-left: they are B's, whose left edge it
+/// is. Attributes: 0 is the window x, 1 is one and 2 is zero everywhere.
+inline cases::Case square() {
+  cases::Case c;
+  c.rules = cases::Rules::vulkan;
+  c.framebuffer = {8, 8, 1};
+  c.viewport.width = 8;
+  c.viewport.height = 8;
+  c.positions = {{-1, -1, 0.25F, 1}, {1, -1, 0.25F, 1}, {-1, 1, 0.25F, 1}, {1, 1, 0.25F, 1}};
+  c.attributes = {{"x", cases::Interpolation::smooth, cases::Location::sample},
+                  {"one", cases::Interpolation::smooth, cases::Location::sample},
+                  {"zero", cases::Interpolation::smooth, cases::Location::sample}};
+  c.attribute_values = {0, 1, 0, 8, 1, 0, 0, 1, 0, 8, 1, 0};
+  c.triangles = {{0, 1, 2}, {2, 1, 3}};
+  return c;
+}
+
+/// What the law of that name finds of a case drawn by a backend that goes wrong so.
+inline Check check_of(std::string_view law, const cases::Case& c, const Damage& damage) {
+  DamagedBackend backend(damage);
+  return find_law(law)->check(c, backend, {}).value();
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,85 @@
+// draw(): what a backend may not do to the process it runs in, and what it may not hand back.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cfenv>
+#include <string>
+
+#include "properties/law.h"
+#include "tests/properties/damaged_backend.h"
+
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
+namespace rastercheck::properties {
+namespace {
+
+TEST(Drawing, HandsBackWhatTheBackendDrew) {
+  DamagedBackend backend;
+  const cases::Framebuffer drawn = draw(square(), backend).value();
+  EXPECT_EQ(drawn.size(), 64U);
+  EXPECT_EQ(drawn.attribute_count, 3U);
+}
+
+// A quarter of the size about the middle: pixels 3 and 4.
+TEST(Drawing, RoundsACameraAway) {
+  cases::Case c = square();
+  c.camera.emplace();
+  c.camera->model = {0.25F, 0, 0, 0, 0, 0.25F, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  DamagedBackend backend;
+  EXPECT_EQ(draw(c, backend).value().size(), 4U);
+}
+
+TEST(Drawing, FailsWhereAClipPositionOverflows) {
+  cases::Case c = square();
+  c.camera.emplace();
+  c.camera->model = {0x1p127F, 0, 0, 0x1p127F, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  DamagedBackend backend;
+  EXPECT_FALSE(draw(c, backend).has_value());
+}
+
+TEST(Drawing, FailsOnAnotherRoundingModeAndPutsItBack) {
+  DamagedBackend backend(
+      [](const cases::Case&, cases::Framebuffer&) { std::fesetround(FE_UPWARD); });
+  const auto drawn = draw(square(), backend);
+  ASSERT_FALSE(drawn.has_value());
+  EXPECT_NE(drawn.error().reason.find("rounding mode"), std::string::npos);
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+}
+
+#if defined(__SSE__)
+TEST(Drawing, FailsOnFlushedSubnormalsAndPutsThemBack) {
+  const unsigned before = _mm_getcsr();
+  for (const unsigned mode : {0x8000U, 0x0040U}) {  // FTZ, DAZ
+    DamagedBackend backend(
+        [mode](const cases::Case&, cases::Framebuffer&) { _mm_setcsr(_mm_getcsr() | mode); });
+    EXPECT_FALSE(draw(square(), backend).has_value());
+    EXPECT_EQ(_mm_getcsr() & 0xffc0U, before & 0xffc0U);
+  }
+}
+
+TEST(Drawing, LetsStickyFlagsPass) {
+  DamagedBackend backend(
+      [](const cases::Case&, cases::Framebuffer&) { _mm_setcsr(_mm_getcsr() | 0x003fU); });
+  EXPECT_TRUE(draw(square(), backend).has_value());
+}
+#endif
+
+TEST(Drawing, FailsOnArraysOfDifferentLengths) {
+  const std::array<Damage, 3> damages{
+      [](const cases::Case&, cases::Framebuffer& drawn) { drawn.depth.pop_back(); },
+      [](const cases::Case&, cases::Framebuffer& drawn) { drawn.attributes.pop_back(); },
+      [](const cases::Case&, cases::Framebuffer& drawn) {
+        drawn.attribute_count = 1;
+        drawn.attributes.resize(drawn.size());
+      }};
+  for (const Damage& damage : damages) {
+    DamagedBackend backend(damage);
+    EXPECT_FALSE(draw(square(), backend).has_value());
+  }
+}
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,332 @@
+// Every generator makes valid cases, reaches what it is named for, and does so within bounds that
+// exact judging can afford.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/case_reader.h"
+#include "cases/case_writer.h"
+#include "oracle/triangle_truth.h"
+#include "properties/draw.h"
+#include "properties/generator.h"
+#include "properties/law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Case;
+using cases::ClipVertex;
+
+constexpr std::uint64_t kSeed = 1;
+
+Case make(const Generator& generator, std::uint64_t index) {
+  Draw draw(kSeed, generator.name, index);
+  return generator.make(draw);
+}
+
+Case make(std::string_view name, std::uint64_t index) { return make(*find_generator(name), index); }
+
+using Question = std::function<bool(const Case&)>;
+
+/// How many of 200 cases answer yes.
+int count(std::string_view generator, const Question& question) {
+  int yes = 0;
+  for (std::uint64_t i = 0; i < 200; ++i) yes += question(make(generator, i)) ? 1 : 0;
+  return yes;
+}
+
+bool any_vertex(const Case& c, const std::function<bool(const ClipVertex&)>& question) {
+  return std::any_of(c.positions.begin(), c.positions.end(), question);
+}
+
+/// Window coordinates of a vertex with w != 0, in pixels, rounded as double rounds.
+double window_u(const Case& c, const ClipVertex& p) {
+  const double x = double{p.x} / double{p.w};
+  return double{c.viewport.x} + (x + 1) * double{c.viewport.width} / 2;
+}
+double window_v(const Case& c, const ClipVertex& p) {
+  const double y = double{p.y} / double{p.w} * (c.rules == cases::Rules::d3d ? -1 : 1);
+  return double{c.viewport.y} + (y + 1) * double{c.viewport.height} / 2;
+}
+
+TEST(Generators, AreKnownByTheirNames) {
+  std::vector<std::string_view> names;
+  for (const Generator& generator : generators()) names.push_back(generator.name);
+  EXPECT_EQ(names, (std::vector<std::string_view>{"grazing", "huge", "on-grid", "ordinary",
+                                                  "slivers", "through-eye", "tiny"}));
+  EXPECT_EQ(find_generator("tiny")->name, "tiny");
+  EXPECT_EQ(find_generator("tin"), nullptr);
+}
+
+TEST(Generators, MakeCasesThatComeBackFromTheirFiles) {
+  for (const Generator& generator : generators()) {
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      const Case c = make(generator, i);
+      const Result<Case> read = cases::parse_case(cases::to_json(c), "");
+      ASSERT_TRUE(read.has_value()) << generator.name << i << ": " << to_string(read.error());
+      EXPECT_EQ(*read, c) << generator.name << i;
+      EXPECT_FALSE(c.triangles.empty());
+      EXPECT_LE(c.framebuffer.width, 64);
+      EXPECT_LE(c.framebuffer.height, 64);
+      EXPECT_FALSE(c.camera.has_value());
+      EXPECT_EQ(c.name, "");
+    }
+  }
+}
+
+TEST(Generators, DependOnTheDrawAlone) {
+  for (const Generator& generator : generators()) {
+    EXPECT_EQ(make(generator, 77), make(generator, 77)) << generator.name;
+    EXPECT_NE(make(generator, 77), make(generator, 78)) << generator.name;
+  }
+}
+
+// The same with every compiler and on every machine. A generator that is changed on purpose has
+// other cases from then on, and baselines start anew.
+TEST(Generators, MakeTheSameCasesEverywhere) {
+  std::map<std::string, std::uint64_t> hashes;
+  for (const Generator& generator : generators()) {
+    std::string all;
+    for (std::uint64_t i = 0; i < 101; ++i) all += cases::to_json(make(generator, i));
+    hashes[std::string(generator.name)] = fnv1a(all);
+  }
+  const std::map<std::string, std::uint64_t> expected{
+      {"grazing", 0xd2f2abcd2b123c36}, {"huge", 0xcd8d6a8f16e03e7d},
+      {"on-grid", 0x53ff69b2ebe4d8df}, {"ordinary", 0x3cbe6588c188f12d},
+      {"slivers", 0x9f5bf1a1a70cdf11}, {"through-eye", 0x6137f08e2e2e05e3},
+      {"tiny", 0x48acf9aa90a91fa7}};
+  EXPECT_EQ(hashes, expected);
+}
+
+struct Samples {
+  long required = 0;
+  long all = 0;
+};
+
+/// How many samples the exact triangles of the first cases require, and how many were asked.
+Samples drawn_by(const Generator& generator, std::uint64_t cases_count) {
+  Samples total;
+  for (std::uint64_t i = 0; i < cases_count; ++i) {
+    const Case c = make(generator, i);
+    const oracle::SceneTruth scene(c, cases::contract_of(c));
+    for (std::size_t t = 0; t < c.triangles.size(); ++t) {
+      const oracle::TriangleTruth truth(scene, t);
+      const oracle::Pixels pixels = truth.pixels();
+      for (int y = pixels.y0; y < pixels.y1; ++y) {
+        for (int x = pixels.x0; x < pixels.x1; ++x) {
+          for (int s = 0; s < c.framebuffer.samples; ++s) {
+            ++total.all;
+            if (truth.judge(x, y, s).verdict == records::Verdict::required) ++total.required;
+          }
+        }
+      }
+    }
+  }
+  return total;
+}
+
+TEST(Generators, DrawSomethingButNotTooMuch) {
+  for (const Generator& generator : generators()) {
+    const Samples drawn = drawn_by(generator, 100);
+    RecordProperty(std::string(generator.name) + "-required", std::to_string(drawn.required));
+    EXPECT_GT(drawn.required, 100 * 5) << generator.name;
+    EXPECT_LT(drawn.required, 100 * 1500) << generator.name;
+  }
+}
+
+/// Every state that is not the default is met by each generator within 400 cases.
+TEST(Generators, VaryTheState) {
+  for (const Generator& generator : generators()) {
+    std::map<std::string, int> seen;
+    for (std::uint64_t i = 0; i < 400; ++i) {
+      const Case c = make(generator, i);
+      const cases::Viewport& viewport = c.viewport;
+      seen["opengl"] += c.rules == cases::Rules::opengl ? 1 : 0;
+      seen["vulkan"] += c.rules == cases::Rules::vulkan ? 1 : 0;
+      seen["d3d"] += c.rules == cases::Rules::d3d ? 1 : 0;
+      seen["turned"] += viewport.height < 0 ? 1 : 0;
+      seen["offset"] += viewport.x != 0 ? 1 : 0;
+      seen["reversed depth"] += viewport.min_depth > viewport.max_depth ? 1 : 0;
+      seen["4 samples"] += c.framebuffer.samples == 4 ? 1 : 0;
+      seen["16 samples"] += c.framebuffer.samples == 16 ? 1 : 0;
+      seen["cull"] += c.cull != cases::Cull::none ? 1 : 0;
+      seen["cw"] += c.front_face == cases::FrontFace::cw ? 1 : 0;
+      seen["scissor"] += c.scissor.has_value() ? 1 : 0;
+      seen["depth clamp"] += c.depth_clamp ? 1 : 0;
+      seen["depth test"] += c.depth_test == cases::DepthTest::less ? 1 : 0;
+      seen["clip distances"] += c.clip_distance_count > 0 ? 1 : 0;
+      seen["no attribute"] += c.attributes.empty() ? 1 : 0;
+      seen["three attributes"] += c.attributes.size() == 3 ? 1 : 0;
+      for (const cases::Attribute& attribute : c.attributes) {
+        seen["flat"] += attribute.interpolation == cases::Interpolation::flat ? 1 : 0;
+        seen["centroid"] += attribute.location == cases::Location::centroid ? 1 : 0;
+        seen["center"] += attribute.location == cases::Location::center ? 1 : 0;
+      }
+    }
+    for (const auto& [what, times] : seen) EXPECT_GT(times, 3) << generator.name << ": " << what;
+  }
+}
+
+TEST(Ordinary, HasOneToFourTrianglesOfPositiveWeight) {
+  const Question obeys = [](const Case& c) {
+    return c.triangles.size() <= 4 &&
+           !any_vertex(c, [](const ClipVertex& p) { return p.w < 0.125F || p.w > 8; });
+  };
+  EXPECT_EQ(count("ordinary", obeys), 200);
+  EXPECT_GT(count("ordinary", [](const Case& c) { return c.triangles.size() == 4; }), 3);
+}
+
+TEST(ThroughEye, MostlyHasAWeightOfZeroOrLess) {
+  const auto reaches_behind = [](const ClipVertex& p) { return p.w <= 0; };
+  EXPECT_GT(count("through-eye", [&](const Case& c) { return any_vertex(c, reaches_behind); }),
+            150);
+  const auto is_last_float = [](const ClipVertex& p) { return std::abs(p.w) == 0x1p-149F; };
+  EXPECT_GT(count("through-eye", [&](const Case& c) { return any_vertex(c, is_last_float); }), 10);
+  const auto is_zero = [](const ClipVertex& p) { return p.w == 0; };
+  EXPECT_GT(count("through-eye", [&](const Case& c) { return any_vertex(c, is_zero); }), 20);
+}
+
+/// The least height of the window triangle over its longest side, in double.
+double least_height(const Case& c, const cases::Triangle& triangle) {
+  std::array<double, 3> u{};
+  std::array<double, 3> v{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    u[i] = window_u(c, c.positions[triangle[i]]);
+    v[i] = window_v(c, c.positions[triangle[i]]);
+  }
+  double longest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    longest = std::max(longest, std::hypot(u[j] - u[i], v[j] - v[i]));
+  }
+  const double area = (u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]);
+  return longest == 0 ? 0 : std::abs(area) / longest;
+}
+
+TEST(Slivers, AreThin) {
+  int all = 0;
+  int below_a_pixel = 0;
+  int below_a_grid_step = 0;
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const Case c = make("slivers", i);
+    for (const cases::Triangle& triangle : c.triangles) {
+      const double height = least_height(c, triangle);
+      ++all;
+      if (height <= 1.5) ++below_a_pixel;
+      if (height < 0x1p-8) ++below_a_grid_step;
+    }
+  }
+  EXPECT_EQ(below_a_pixel, all);
+  EXPECT_GT(below_a_grid_step, all / 10);
+  EXPECT_LT(below_a_grid_step, all / 2 + all / 4);
+}
+
+TEST(OnGrid, MostlyHasItsCornersOnThe256Grid) {
+  const auto is_on_grid = [](double coordinate) {
+    return coordinate * 256 == std::floor(coordinate * 256);
+  };
+  const Question obeys = [&](const Case& c) {
+    return !any_vertex(c, [&](const ClipVertex& p) {
+      return !is_on_grid(window_u(c, p)) || !is_on_grid(window_v(c, p));
+    });
+  };
+  // The others have edges through samples from vertices whose weights are no powers of two.
+  EXPECT_GT(count("on-grid", obeys), 70);
+  EXPECT_LT(count("on-grid", obeys), 190);
+}
+
+TEST(OnGrid, AsksTheTieRule) {
+  int ties = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    const Case c = make("on-grid", i);
+    const oracle::SceneTruth scene(c, cases::contract_of(c));
+    bool has_tie = false;
+    for (std::size_t t = 0; t < c.triangles.size(); ++t) {
+      const oracle::TriangleTruth truth(scene, t);
+      const oracle::Pixels pixels = truth.pixels();
+      for (int y = pixels.y0; y < pixels.y1; ++y) {
+        for (int x = pixels.x0; x < pixels.x1; ++x) {
+          for (int s = 0; s < c.framebuffer.samples; ++s) {
+            has_tie = has_tie || truth.judge(x, y, s).reason == records::Reason::tie;
+          }
+        }
+      }
+    }
+    if (has_tie) ++ties;
+  }
+  EXPECT_GT(ties, 45);
+}
+
+TEST(Tiny, ReachesBelowThePixelTheGridAndTheFloats) {
+  const auto has = [](double least, double most) {
+    return [least, most](const Case& c) {
+      return std::any_of(c.triangles.begin(), c.triangles.end(), [&](const cases::Triangle& t) {
+        const double height = least_height(c, t);
+        return least <= height && height < most;
+      });
+    };
+  };
+  EXPECT_GT(count("tiny", has(0.1, 8)), 100);
+  EXPECT_GT(count("tiny", has(0x1p-12, 0x1p-8)), 50);
+  EXPECT_GT(count("tiny", has(0, 0x1p-30)), 50);
+  const auto is_subnormal = [](const ClipVertex& p) {
+    return p.x != 0 && std::abs(p.x) < 0x1p-126F;
+  };
+  EXPECT_GT(count("tiny", [&](const Case& c) { return any_vertex(c, is_subnormal); }), 40);
+}
+
+TEST(Huge, ReachesBeyondTheGuardBandAnd2To31) {
+  const auto beyond = [](double pixels) {
+    return [pixels](const Case& c) {
+      return any_vertex(c, [&](const ClipVertex& p) { return std::abs(window_u(c, p)) >= pixels; });
+    };
+  };
+  EXPECT_GT(count("huge", beyond(0x1p15)), 100);
+  EXPECT_GT(count("huge", beyond(0x1p31)), 30);
+  const Question has_wide_weights = [](const Case& c) {
+    const auto& p = c.positions;
+    const float least = std::min({p[0].w, p[1].w, p[2].w});
+    const float most = std::max({p[0].w, p[1].w, p[2].w});
+    return double{most} / double{least} >= 0x1p20;
+  };
+  EXPECT_GT(count("huge", has_wide_weights), 5);
+  const auto is_far_out = [](const ClipVertex& p) { return std::abs(p.x) >= 0x1p90F; };
+  EXPECT_GT(count("huge", [&](const Case& c) { return any_vertex(c, is_far_out); }), 5);
+}
+
+TEST(Grazing, HasVerticesOnAndBesideThePlanes) {
+  const auto is_on_plane = [](const ClipVertex& p) {
+    return std::abs(p.x) == p.w || std::abs(p.y) == p.w || std::abs(p.z) == p.w;
+  };
+  EXPECT_GT(count("grazing", [&](const Case& c) { return any_vertex(c, is_on_plane); }), 150);
+  const auto is_beside = [](const ClipVertex& p) {
+    return std::abs(p.z) != p.w && std::abs(std::abs(p.z) - p.w) <= p.w * 0x1p-23F;
+  };
+  EXPECT_GT(count("grazing", [&](const Case& c) { return any_vertex(c, is_beside); }), 20);
+  const Question has_zero_distance = [](const Case& c) {
+    return std::find(c.clip_distances.begin(), c.clip_distances.end(), 0.0F) !=
+           c.clip_distances.end();
+  };
+  EXPECT_GT(count("grazing", has_zero_distance), 30);
+}
+
+TEST(GenerateAny, TakesEveryGeneratorAndNamesIt) {
+  std::map<std::string, int> strata;
+  for (std::uint64_t i = 0; i < 700; ++i) {
+    Draw draw(kSeed, "a law", i);
+    ++strata[generate_any(draw).stratum];
+  }
+  EXPECT_EQ(strata.size(), generators().size());
+  for (const auto& [name, times] : strata) EXPECT_GT(times, 50) << name;
+}
+
+}  // namespace
+}  // namespace rastercheck::properties

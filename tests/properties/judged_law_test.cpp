@@ -1,0 +1,129 @@
+#include "properties/judged_law.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/properties/damaged_backend.h"
+
+namespace rastercheck::properties {
+namespace {
+
+TEST(ValueText, IsDecimalAndHex) {
+  EXPECT_EQ(value_text(0.5F), "0.5 (0x1p-1)");
+  EXPECT_EQ(value_text(-0.0F), "-0 (-0x0p+0)");
+  EXPECT_EQ(value_text(std::numeric_limits<float>::infinity()), "inf");
+  EXPECT_EQ(value_text(-std::numeric_limits<float>::infinity()), "-inf");
+  EXPECT_EQ(value_text(-std::numeric_limits<float>::quiet_NaN()), "nan");
+}
+
+TEST(Note, CountsAllAndKeepsTheFirst) {
+  Check check;
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    records::Violation violation;
+    violation.x = i;
+    note(check, violation);
+  }
+  EXPECT_EQ(check.violation_count, 20U);
+  ASSERT_EQ(check.violations.size(), records::kMostViolations);
+  EXPECT_EQ(check.violations.back().x, records::kMostViolations - 1);
+}
+
+TEST(Merge, AddsCountsViolationsAndLabels) {
+  Check a;
+  a.labels = {"drawn", "tie"};
+  a.judgement.counts.required = 3;
+  a.judgement.errors[records::AttributeKind::depth].classes[records::FragmentClass::correct] = 3;
+  for (int i = 0; i < 5; ++i) note(a, {});
+  Check b = a;
+  b.labels = {"clipped", "drawn"};
+  b.fault = "a fault";
+  merge(a, b);
+  EXPECT_EQ(a.violation_count, 10U);
+  EXPECT_EQ(a.violations.size(), records::kMostViolations);
+  EXPECT_EQ(a.judgement.counts.required, 6U);
+  EXPECT_EQ(
+      a.judgement.errors[records::AttributeKind::depth].classes[records::FragmentClass::correct],
+      6U);
+  EXPECT_THAT(a.labels, testing::ElementsAre("clipped", "drawn", "tie"));
+  EXPECT_EQ(a.fault, "a fault");
+}
+
+// 1/w runs from 1 at the left vertices to 1/4 at the right one, where g = 4; at the middle of the
+// edge between, 1/w = 5/8 and g = 8/5.
+TEST(PromisedBound, GrowsTowardsTheHorizon) {
+  cases::Case c = square();
+  c.framebuffer.width = 9;  // the centre of pixel 4 is then the middle of the viewport
+  c.framebuffer.height = 9;
+  c.viewport.width = 9;
+  c.viewport.height = 9;
+  c.positions = {{-1, -1, 0, 1}, {4, 0, 0, 4}, {-1, 1, 0, 1}};
+  c.attribute_values.resize(9);
+  c.attributes[1].interpolation = cases::Interpolation::flat;
+  c.triangles = {{0, 1, 2}};
+  cases::Contract contract;
+  contract.bounds.smooth = {0.5F, 0.25F};
+  contract.bounds.depth = {2, 0};
+  const oracle::SceneTruth scene(c, contract);
+  const oracle::TriangleTruth truth(scene, 0);
+  const auto smooth = promised_bound(truth, scene, 0, 4, 4, 0);
+  ASSERT_TRUE(smooth.has_value());
+  EXPECT_LE(smooth->lo, 0.9);
+  EXPECT_GE(smooth->hi, 0.9);
+  EXPECT_LT(smooth->hi - smooth->lo, 0x1p-48);
+  EXPECT_EQ(promised_bound(truth, scene, 1, 4, 4, 0), (records::Enclosure{0, 0}));
+  EXPECT_EQ(promised_bound(truth, scene, std::nullopt, 4, 4, 0), (records::Enclosure{2, 2}));
+}
+
+TEST(JudgeDrawn, SaysWhatIsExactlyTrueAndWhatWasDrawn) {
+  DamagedBackend backend;
+  const cases::Case c = square();
+  cases::Framebuffer drawn = draw(c, backend).value();
+  drop(drawn, 0, 1, 1);
+  value(drawn, 0, 2, 3, 1) = 1.5F;
+  const Check check = judge_drawn(c, backend.contract(c), drawn, {}, {});
+  ASSERT_EQ(check.violation_count, 2U);
+  const records::Violation& missing = check.violations[0];
+  EXPECT_EQ(missing.fragment_class, records::FragmentClass::missing);
+  EXPECT_EQ(missing.kind, records::AttributeKind::coverage);
+  EXPECT_EQ(missing.exact, "required: inside");
+  EXPECT_EQ(missing.actual, "not drawn");
+  ASSERT_TRUE(missing.distance.has_value());
+  EXPECT_NEAR(missing.distance->lo, 1.5, 1e-3);  // to the left edge, but for the snapping
+
+  const records::Violation& beyond = check.violations[1];
+  EXPECT_EQ(beyond.fragment_class, records::FragmentClass::beyond_bound);
+  EXPECT_EQ(beyond.kind, records::AttributeKind::smooth);
+  EXPECT_EQ(beyond.attribute, 1U);
+  EXPECT_EQ(beyond.exact, "1");
+  EXPECT_EQ(beyond.actual, "1.5 (0x1.8p+0)");
+  ASSERT_TRUE(beyond.error.has_value());
+  EXPECT_NEAR(beyond.error->lo, 0x1p22, 1);  // a half in ulps of one
+  EXPECT_TRUE(beyond.bound.has_value());
+  EXPECT_EQ(check.judgement.counts.required, 56U);  // the 8 on the diagonal are permitted, twice
+  EXPECT_EQ(check.judgement.counts.permitted, 16U);
+}
+
+TEST(JudgeDrawn, LabelsWhatWasReached) {
+  cases::Case c = square();
+  c.framebuffer.samples = 4;
+  c.depth_test = cases::DepthTest::less;
+  c.attributes[0].location = cases::Location::center;
+  c.positions[0] = {-1.5F, -1, 0.25F, -0.5F};  // behind the eye
+  c.positions[3].z = 1.5F;                     // beyond the far plane
+  DamagedBackend backend;
+  const cases::Framebuffer drawn = draw(c, backend).value();
+  const Check check = judge_drawn(c, backend.contract(c), drawn, {}, {});
+  EXPECT_EQ(check.violation_count, 0U);
+  EXPECT_THAT(check.labels,
+              testing::IsSupersetOf({"clipped", "depth test", "drawn", "extrapolated centre",
+                                     "several samples", "w <= 0"}));
+
+  const Check plain =
+      judge_drawn(square(), backend.contract(square()), draw(square(), backend).value(), {}, {});
+  EXPECT_THAT(plain.labels, testing::ElementsAre("drawn", "permitted", "snapping"));
+}
+
+}  // namespace
+}  // namespace rastercheck::properties

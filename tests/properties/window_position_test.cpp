@@ -1,0 +1,97 @@
+#include "properties/internal/window_position.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "properties/internal/random_state.h"
+
+namespace rastercheck::properties {
+namespace {
+
+constexpr float kLargest = std::numeric_limits<float>::max();
+
+cases::Case screen(cases::Rules rules) {
+  cases::Case c;
+  c.rules = rules;
+  c.framebuffer = {8, 8, 1};
+  c.viewport = {2, 4, 8, 16, 0, 1};
+  return c;
+}
+
+// (8, 8) is three quarters along the viewport's [2, 10] and a quarter along its [4, 20]: NDC 1/2
+// and −1/2, turned over where NDC y points up and window y down.
+TEST(AtWindow, IsTheInverseOfTheViewport) {
+  EXPECT_EQ(at_window(screen(cases::Rules::vulkan), {8, 8}, 0.25F, 2),
+            (cases::ClipVertex{1, -1, 0.5F, 2}));
+  EXPECT_EQ(at_window(screen(cases::Rules::opengl), {8, 8}, 0.25F, 2),
+            (cases::ClipVertex{1, -1, 0.5F, 2}));
+  EXPECT_EQ(at_window(screen(cases::Rules::d3d), {8, 8}, 0.25F, 2),
+            (cases::ClipVertex{1, 1, 0.5F, 2}));
+}
+
+TEST(AtWindow, StaysFinite) {
+  const cases::ClipVertex far = at_window(screen(cases::Rules::vulkan), {1e30, 8}, 0, 0x1p100F);
+  EXPECT_EQ(far.x, kLargest);
+}
+
+TEST(Stepped, GoesFromFloatToFloat) {
+  EXPECT_EQ(stepped(1, 1), 0x1.000002p+0F);
+  EXPECT_EQ(stepped(1, -1), 0x1.fffffep-1F);
+  EXPECT_EQ(stepped(-1, 1), -0x1.fffffep-1F);
+  EXPECT_EQ(stepped(0, 1), 0x1p-149F);
+  EXPECT_EQ(stepped(-0.0F, -2), -0x1p-148F);
+  EXPECT_EQ(stepped(0x1p-149F, -2), -0x1p-149F);
+  EXPECT_EQ(stepped(kLargest, 1), kLargest);
+  EXPECT_EQ(stepped(-kLargest, -1), -kLargest);
+}
+
+TEST(ToFloat, IsHeldAtTheLargest) {
+  EXPECT_EQ(to_float(1e300), kLargest);
+  EXPECT_EQ(to_float(-1e300), -kLargest);
+  EXPECT_EQ(to_float(0.5), 0.5F);
+}
+
+TEST(VisiblePoint, LiesInViewportAndFramebuffer) {
+  Draw draw(1, "a law", 0);
+  cases::Case c = screen(cases::Rules::vulkan);
+  c.framebuffer.samples = 4;
+  for (int i = 0; i < 100; ++i) {
+    const WindowPoint p = visible_point(draw, c);
+    EXPECT_TRUE(2 <= p.u && p.u <= 8 && 4 <= p.v && p.v <= 8) << p.u << ", " << p.v;
+    const WindowPoint sample = visible_sample(draw, c);
+    const double u = 16 * (sample.u - std::floor(sample.u));
+    EXPECT_TRUE(u == 2 || u == 6 || u == 10 || u == 14) << u;
+  }
+  c.viewport.x = 100;  // nothing visible: the framebuffer
+  EXPECT_LE(visible_point(draw, c).u, 8);
+}
+
+// a + b = k q: all sums and products below are exact in double.
+TEST(EdgeThrough, HoldsThePointExactly) {
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    Draw draw(1, "a law", i);
+    StateRequest request;
+    request.is_on_grid = true;
+    const cases::Case c = random_state(draw, request);
+    const WindowPoint p = visible_sample(draw, c);
+    const auto [a, b] = edge_through(draw, c, p, 0.625F);
+    const cases::ClipVertex q = at_window(c, p, 0.625F, 1);
+    const double k = double{a.w} + double{b.w};
+    EXPECT_GT(a.w, 0);
+    EXPECT_GT(b.w, 0);
+    EXPECT_EQ(double{a.x} + double{b.x}, k * double{q.x}) << i;
+    EXPECT_EQ(double{a.y} + double{b.y}, k * double{q.y}) << i;
+    EXPECT_EQ(double{a.z} + double{b.z}, k * double{q.z}) << i;
+    const WindowPoint back{
+        double{c.viewport.x} + (double{q.x} + 1) * double{c.viewport.width} / 2,
+        double{c.viewport.y} + ((c.rules == cases::Rules::d3d ? -1 : 1) * double{q.y} + 1) *
+                                   double{c.viewport.height} / 2};
+    EXPECT_EQ(back.u, p.u);
+    EXPECT_EQ(back.v, p.v);
+  }
+}
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,92 @@
+#include "records/counterexample_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "cases/case_writer.h"
+#include "cases/json.h"
+
+namespace rastercheck::records {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+Counterexample small_counterexample() {
+  Counterexample counterexample;
+  counterexample.source.framebuffer = {8, 4, 1};
+  counterexample.source.viewport = {0, 0, 8, 4, 0, 1};
+  counterexample.source.positions = {{-0.0F, 0, 0, 1}};
+  counterexample.source.triangles = {{0, 0, 0}};
+  counterexample.source.found = {"law", "cpu", "violated", 1, 2};
+  counterexample.violation_count = 12;
+  Violation bare;
+  bare.exact = "required, inside";
+  bare.actual = "not drawn";
+  Violation full = bare;
+  full.fragment_class = FragmentClass::wrong_sign_of_zero;
+  full.kind = AttributeKind::flat;
+  full.triangle = 1;
+  full.x = 2;
+  full.y = 3;
+  full.sample = 4;
+  full.attribute = 5;
+  full.error = {0.1, std::numeric_limits<double>::infinity()};
+  full.bound = {0.5, 0.5};
+  full.distance = {0, 0.25};
+  full.note = "n";
+  counterexample.violations = {bare, full};
+  return counterexample;
+}
+
+// Kills: any change of the format, which those who read old files would not notice.
+TEST(CounterexampleToJson, WritesTheFormat) {
+  const json written = counterexample_to_json(small_counterexample());
+  EXPECT_EQ(written["case"], json::parse(cases::to_json(small_counterexample().source)));
+  EXPECT_EQ(written["violation_count"], 12);
+  EXPECT_EQ(written["violations"], json::parse(R"([
+    {"class": "correct", "kind": "coverage", "triangle": 0, "x": 0, "y": 0, "sample": 0,
+     "exact": "required, inside", "actual": "not drawn", "note": ""},
+    {"class": "wrong sign of zero", "kind": "flat", "triangle": 1, "x": 2, "y": 3, "sample": 4,
+     "attribute": 5, "exact": "required, inside", "actual": "not drawn", "error": [0.1, "inf"],
+     "bound": [0.5, 0.5], "distance": [0.0, 0.25], "note": "n"}])"));
+  EXPECT_EQ(written.size(), 3U);
+}
+
+Result<Counterexample> read(const json& document) {
+  const std::string file = "run.json";
+  std::optional<Error> error;
+  Counterexample counterexample =
+      counterexample_from_json(cases::JsonNode(document, "/counterexamples/0", error, file));
+  if (error) return tl::unexpected(*error);
+  return counterexample;
+}
+
+TEST(CounterexampleFromJson, ReadsWhatWasWritten) {
+  const json written = counterexample_to_json(small_counterexample());
+  const Result<Counterexample> again = read(written);
+  ASSERT_TRUE(again.has_value()) << to_string(again.error());
+  EXPECT_EQ(*again, small_counterexample());
+  EXPECT_EQ(counterexample_to_json(*again), written);
+}
+
+TEST(CounterexampleFromJson, PlacesAreThoseOfTheWholeFile) {
+  json document = counterexample_to_json(small_counterexample());
+  document["case"]["rules"] = "metal";
+  EXPECT_EQ(to_string(read(document).error()),
+            "run.json: /counterexamples/0/case/rules: must be opengl, vulkan or d3d");
+  document = counterexample_to_json(small_counterexample());
+  document["violations"][1]["attribute"] = 4294967296;
+  EXPECT_EQ(to_string(read(document).error()),
+            "run.json: /counterexamples/0/violations/1/attribute: must be an integer from 0 to "
+            "4294967295");
+  EXPECT_THAT(to_string(read(json::array()).error()), HasSubstr("must be an object"));
+}
+
+}  // namespace
+}  // namespace rastercheck::records

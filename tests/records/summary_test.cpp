@@ -1,0 +1,166 @@
+#include "records/summary.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace rastercheck::records {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+WorstError worst(const Enclosure& error, std::uint64_t case_index = 0) {
+  WorstError worst;
+  worst.error = error;
+  worst.case_index = case_index;
+  return worst;
+}
+
+Record with_ideal(const std::vector<Enclosure>& errors) {
+  Record record;
+  for (const Enclosure& error : errors) {
+    record.errors.ideal.histogram.add(magnitude_bound(error));
+    keep(record.errors.ideal.extremes, worst(error));
+  }
+  return record;
+}
+
+Run small_run() {
+  Run run;
+  run.laws = {"b", "a"};
+  run.backends = {"gl", "cpu"};
+  return run;
+}
+
+LawSummary summary_of(const RecordSet& records) {
+  Run run;
+  run.laws = {"law"};
+  run.backends = {"cpu"};
+  run.records = records;
+  return summarize(run).front();
+}
+
+// Kills: the order of the records, which is that of names.
+TEST(Summarize, HasARowForEveryLawAndBackendInTheOrderOfTheRun) {
+  std::vector<std::string> order;
+  for (const LawSummary& row : summarize(small_run())) order.push_back(row.law + row.backend);
+  EXPECT_EQ(order, (std::vector<std::string>{"bgl", "bcpu", "agl", "acpu"}));
+  EXPECT_TRUE(summarize({}).empty());
+}
+
+TEST(Summarize, TakesTheRecordsOfItsLawAndBackend) {
+  records::Run run = small_run();
+  run.records[{"a", "cpu", AttributeKind::coverage, ""}].cases = {5, 0, 1};
+  run.records[{"b", "gl", AttributeKind::coverage, ""}].cases = {7, 0, 0};
+  run.records[{"c", "gl", AttributeKind::coverage, ""}].cases = {100, 0, 100};
+  std::vector<std::uint64_t> checked;
+  for (const LawSummary& row : summarize(run)) checked.push_back(row.cases.checked);
+  EXPECT_EQ(checked, (std::vector<std::uint64_t>{7, 0, 0, 5}));
+}
+
+TEST(Summarize, AddsStrata) {
+  RecordSet records;
+  Record& one = records[{"law", "cpu", AttributeKind::coverage, "grid"}];
+  one.cases = {5, 1, 2};
+  one.counts = {1, 2, 3, 4};
+  one.labels = {{"tie", 3}};
+  Record& other = records[{"law", "cpu", AttributeKind::coverage, "sliver"}];
+  other.cases = {50, 10, 20};
+  other.counts = {10, 20, 30, 40};
+  other.labels = {{"tie", 1}, {"clipped", 2}};
+  const LawSummary row = summary_of(records);
+  EXPECT_EQ(row.cases, (CaseCounts{55, 11, 22}));
+  EXPECT_EQ(row.counts, (Counts{11, 22, 33, 44}));
+  EXPECT_EQ(row.labels, (std::map<std::string, std::uint64_t>{{"clipped", 2}, {"tie", 4}}));
+}
+
+// A fragment has several values and is counted once. Kills: values counted as fragments.
+TEST(Summarize, CountsFragmentsByTheirCoverage) {
+  RecordSet records;
+  for (const AttributeKind kind : {AttributeKind::coverage, AttributeKind::smooth}) {
+    ClassCounts& classes = records[{"law", "cpu", kind, ""}].errors.classes;
+    classes[FragmentClass::correct] = 10;
+    classes[FragmentClass::missing] = 3;
+  }
+  const LawSummary row = summary_of(records);
+  EXPECT_EQ(row.fragments, 13U);
+  EXPECT_EQ(row.classes[FragmentClass::correct], 20U);
+  EXPECT_EQ(row.classes[FragmentClass::missing], 6U);
+}
+
+TEST(Summarize, TheWorstIsTheLargestMagnitudeOfAllKinds) {
+  RecordSet records;
+  records[{"law", "cpu", AttributeKind::depth, ""}] = with_ideal({{0.25, 0.25}, {-0.5, -0.5}});
+  records[{"law", "cpu", AttributeKind::smooth, "grid"}] = with_ideal({{-3.5, -3.25}});
+  records[{"law", "cpu", AttributeKind::smooth, "sliver"}] = with_ideal({{2, 2}});
+  records[{"law", "cpu", AttributeKind::flat, ""}] = with_ideal({{0, 0}});
+  const LawSummary row = summary_of(records);
+  EXPECT_EQ(row.ideal.values, 5U);
+  EXPECT_EQ(row.ideal.worst, (Enclosure{3.25, 3.5}));
+  EXPECT_EQ(row.ideal.worst_at->error, (Enclosure{-3.5, -3.25}));
+  EXPECT_EQ(row.excess.values, 0U);
+  EXPECT_FALSE(row.excess.worst.has_value());
+  EXPECT_FALSE(row.excess.p99.has_value());
+}
+
+TEST(Summarize, TheWorstMayBeOnEitherSideOrUnbounded) {
+  const auto worst_of = [](const std::vector<Enclosure>& errors) {
+    return summary_of({{{"law", "cpu", AttributeKind::depth, ""}, with_ideal(errors)}})
+        .ideal.worst.value();
+  };
+  EXPECT_EQ(worst_of({{0.5, 0.5}, {-0.25, -0.25}}), (Enclosure{0.5, 0.5}));
+  EXPECT_EQ(worst_of({{-0.25, 0.5}}), (Enclosure{0, 0.5}));
+  EXPECT_EQ(worst_of({{1, kInfinity}, {2, 2}}), (Enclosure{1, kInfinity}));
+  EXPECT_EQ(worst_of({{0, 0}}), (Enclosure{0, 0}));
+}
+
+// 99 of 100 are 1/4: the 99th is one. One more, and it is not. Kills: quantiles of a stratum.
+TEST(Summarize, P99IsOfAllKindsAndStrata) {
+  RecordSet records;
+  const std::size_t quarter = Histogram::bucket_of(0.25);
+  records[{"law", "cpu", AttributeKind::depth, ""}].errors.ideal.histogram.add_to_bucket(quarter,
+                                                                                         60);
+  records[{"law", "cpu", AttributeKind::smooth, "a"}].errors.ideal.histogram.add_to_bucket(quarter,
+                                                                                           39);
+  Histogram& last = records[{"law", "cpu", AttributeKind::smooth, "b"}].errors.ideal.histogram;
+  last.add(8);
+  EXPECT_EQ(summary_of(records).ideal.p99, Histogram::borders(quarter));
+  last.add(8);
+  EXPECT_EQ(summary_of(records).ideal.p99, Histogram::borders(Histogram::bucket_of(8)));
+}
+
+// Kills: what was not checked taken for what held.
+TEST(Summarize, VerdictsAreThreeValued) {
+  const auto verdict_with = [](const CaseCounts& cases) {
+    Record record;
+    record.cases = cases;
+    return summary_of({{{"law", "cpu", AttributeKind::coverage, ""}, record}}).verdict;
+  };
+  EXPECT_EQ(verdict_with({0, 0, 0}), LawVerdict::not_checked);
+  EXPECT_EQ(verdict_with({0, 9, 0}), LawVerdict::not_checked);
+  EXPECT_EQ(verdict_with({9, 0, 0}), LawVerdict::held);
+  EXPECT_EQ(verdict_with({9, 0, 1}), LawVerdict::violated);
+  EXPECT_EQ(summary_of({}).verdict, LawVerdict::not_checked);
+}
+
+TEST(VerdictOf, IsThatOfAllRows) {
+  LawSummary held;
+  held.cases = {3, 0, 0};
+  LawSummary violated;
+  violated.cases = {3, 0, 1};
+  EXPECT_EQ(verdict_of({}), LawVerdict::not_checked);
+  EXPECT_EQ(verdict_of({LawSummary()}), LawVerdict::not_checked);
+  EXPECT_EQ(verdict_of({LawSummary(), held}), LawVerdict::held);
+  EXPECT_EQ(verdict_of({held, violated, held}), LawVerdict::violated);
+}
+
+TEST(LawVerdict, HasWords) {
+  EXPECT_EQ(to_string(LawVerdict::held), "held");
+  EXPECT_EQ(to_string(LawVerdict::violated), "violated");
+  EXPECT_EQ(to_string(LawVerdict::not_checked), "not checked");
+}
+
+}  // namespace
+}  // namespace rastercheck::records

@@ -1,0 +1,112 @@
+// What the formats write of the sample run, held against approved files byte by byte. To approve
+// what they write now, look at it, then run this program with UPDATE_APPROVED=1.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "reports/format.h"
+#include "tests/reports/sample_run.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string written(std::string_view format, const records::Run& run) {
+  return find_format(format).value().write(run);
+}
+
+class ApprovedFormat : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(ApprovedFormat, WritesWhatWasApproved) {
+  const Format format = find_format(GetParam()).value();
+  const std::string file = std::string(RASTERCHECK_SOURCE_DIR "/tests/reports/approved/") +
+                           std::string(format.file_name);
+  const std::string text = format.write(sample_run());
+  if (std::getenv("UPDATE_APPROVED") != nullptr) std::ofstream(file, std::ios::binary) << text;
+  std::ifstream stream(file, std::ios::binary);
+  const std::string approved(std::istreambuf_iterator<char>(stream), {});
+  // No diff of whole pages: where they part says more.
+  const auto at = std::mismatch(text.begin(), text.end(), approved.begin(), approved.end()).first;
+  const auto offset = static_cast<std::size_t>(at - text.begin());
+  EXPECT_TRUE(text == approved) << file << " differs from byte " << offset << ":\n"
+                                << text.substr(offset, 200) << "\ninstead of\n"
+                                << approved.substr(std::min(offset, approved.size()), 200);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ApprovedFormat, ::testing::Values("html", "json", "markdown"),
+                         [](const auto& format) { return format.param; });
+
+// Kills: a text that goes into the page as it is.
+TEST(HtmlFormat, EscapesEveryText) {
+  records::Run run = sample_run();
+  const std::string attack = "<script>'\"&";
+  run.laws.push_back(attack);
+  run.backends = {attack};
+  run.scene = attack;
+  add_sample_records(run.records, attack, attack, 1);
+  for (auto& [key, record] : run.records) {
+    record.labels[attack] = 1;
+    for (records::ErrorSizes* sizes : {&record.errors.ideal, &record.errors.excess}) {
+      records::WorstError worst = sample_worst(100);
+      worst.case_name = worst.exact = attack;
+      keep(sizes->extremes, worst);
+    }
+  }
+  for (records::Counterexample& counterexample : run.counterexamples) {
+    counterexample.source.name = attack;
+    counterexample.source.attributes[0].name = attack;
+    counterexample.source.found = {attack, attack, attack, 1, 1};
+    for (records::Violation& violation : counterexample.violations) {
+      violation.exact = violation.actual = violation.note = attack;
+    }
+  }
+  for (records::Picture& picture : run.pictures) picture.name = picture.caption = attack;
+  run.environment[attack] = attack;
+  const std::string page = written("html", run);
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, Not(HasSubstr("'\"")));
+  EXPECT_THAT(page, HasSubstr("&lt;script&gt;&#39;&quot;&amp;"));
+}
+
+TEST(HtmlFormat, NeedsNothingFromElsewhere) {
+  const std::string page = written("html", sample_run());
+  for (const char* elsewhere : {"http://", "https://", "<script", "<link", "@import", "src=\"/"}) {
+    EXPECT_THAT(page, Not(HasSubstr(elsewhere)));
+  }
+}
+
+// Kills: an exception where a text is no UTF-8, control characters that break a line.
+TEST(AllFormats, TakeAnyBytes) {
+  records::Run run = sample_run();
+  run.counterexamples[0].source.name = "\xff\n\x01";
+  run.environment["\xc3"] = "\xe2\x82";
+  for (const Format& format : formats()) {
+    const std::string text = format.write(run);
+    EXPECT_THAT(text, Not(HasSubstr("\xff"))) << format.name;
+    EXPECT_THAT(text, Not(HasSubstr("\x01"))) << format.name;
+  }
+}
+
+TEST(AllFormats, AnEmptyRunIsNotChecked) {
+  EXPECT_THAT(written("markdown", {}), HasSubstr("**Nothing was checked.**"));
+  EXPECT_THAT(written("html", {}), HasSubstr("<h1 class=\"unchecked\">Nothing was checked.</h1>"));
+}
+
+TEST(MarkdownFormat, SaysHowToDoItAgain) {
+  const std::string text = written("markdown", sample_run());
+  EXPECT_THAT(text, HasSubstr("    rastercheck run --backend cpu --backend method:float32 --cases "
+                              "1000 --seed 18446744073709551615 --scene 'it'\\''s a bunny'\n"));
+  EXPECT_THAT(text, HasSubstr("    rastercheck replay "
+                              "counterexamples/values-are-within-bounds-method-float32-3.json\n"));
+}
+
+}  // namespace
+}  // namespace rastercheck::reports

@@ -1,0 +1,27 @@
+#include "reports/internal/log2.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rastercheck::reports {
+namespace {
+
+TEST(DrawnLog2, IsExactAtPowersOfTwoAndLinearBetween) {
+  for (const int exponent : {-1074, -20, -1, 0, 1, 40, 1023}) {
+    EXPECT_EQ(drawn_log2(std::ldexp(1, exponent)), exponent);
+  }
+  EXPECT_EQ(drawn_log2(1.5), 0.5);
+  EXPECT_EQ(drawn_log2(7), 2.75);
+  EXPECT_EQ(drawn_log2(0.75), -0.5);
+}
+
+TEST(DrawnLog2, IsAtMost009Below) {
+  for (double value = 1; value < 2; value += 0x1p-8) {
+    EXPECT_LE(drawn_log2(value), std::log2(value) + 1e-12);
+    EXPECT_GE(drawn_log2(value), std::log2(value) - 0.09);
+  }
+}
+
+}  // namespace
+}  // namespace rastercheck::reports

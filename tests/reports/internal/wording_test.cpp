@@ -1,0 +1,130 @@
+#include "reports/internal/wording.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+namespace rastercheck::reports {
+namespace {
+
+using records::Enclosure;
+using records::LawSummary;
+using records::LawVerdict;
+
+TEST(Grouped, SeparatesThousands) {
+  EXPECT_EQ(grouped(0), "0");
+  EXPECT_EQ(grouped(999), "999");
+  EXPECT_EQ(grouped(1000), "1,000");
+  EXPECT_EQ(grouped(123456), "123,456");
+  EXPECT_EQ(grouped(std::numeric_limits<std::uint64_t>::max()), "18,446,744,073,709,551,615");
+}
+
+TEST(Counted, IsPluralButForOne) {
+  EXPECT_EQ(counted(0, "case", "cases"), "0 cases");
+  EXPECT_EQ(counted(1, "case", "cases"), "1 case");
+  EXPECT_EQ(counted(2000, "case", "cases"), "2,000 cases");
+}
+
+TEST(NumberText, HasCertainDigitsOrADash) {
+  EXPECT_EQ(number_text(std::nullopt), "–");
+  EXPECT_EQ(number_text(Enclosure{0.5, 0.5}), "0.5");
+  EXPECT_EQ(number_text(Enclosure{0.12345649, 0.12345651}), "0.12346");
+}
+
+// 2^(-9/8) = 0.45850202..., the border of a bucket. Kills: rounding to nearest, 0.458 or 0.459 by
+// luck.
+TEST(AtMostText, RoundsUp) {
+  EXPECT_EQ(at_most_text(std::nullopt), "–");
+  EXPECT_EQ(at_most_text(Enclosure{0, 0}), "0");
+  EXPECT_EQ(at_most_text(Enclosure{0.25, 0.5}), "≤ 0.5");
+  EXPECT_EQ(at_most_text(Enclosure{0.4, 0.4581}), "≤ 0.459");
+  EXPECT_EQ(at_most_text(Enclosure{0.4, 0.9991}), "≤ 1");
+  EXPECT_EQ(at_most_text(Enclosure{900, 1024}), "≤ 1.03e+03");
+  EXPECT_EQ(at_most_text(Enclosure{0, 0x1p-20}), "≤ 9.54e-07");
+  EXPECT_EQ(at_most_text(Enclosure{0x1p40, std::numeric_limits<double>::infinity()}), "> 1.1e+12");
+}
+
+RC_GTEST_PROP(AtMostText, IsNeverBelowAndNeverFarAbove, ()) {
+  const auto bits = *rc::gen::inRange<int>(1, 1 << 30);
+  const auto exponent = *rc::gen::inRange(-60, 60);
+  const double value = std::ldexp(bits, exponent);
+  const std::string text = at_most_text(Enclosure{0, value});
+  const double shown = std::strtod(text.substr(std::string("≤ ").size()).c_str(), nullptr);
+  RC_ASSERT(shown >= value);
+  RC_ASSERT(shown <= value * 1.01);
+}
+
+TEST(Elided, KeepsBothEnds) {
+  EXPECT_EQ(elided("1234567890123456", 16), "1234567890123456");
+  EXPECT_EQ(elided("1234567890-abcdefghij", 16), "12345678…defghij");
+  // Seventeen characters of two bytes.
+  std::string text;
+  for (int i = 0; i < 17; ++i) text += "é";
+  EXPECT_EQ(elided(text, 17), text);
+  EXPECT_EQ(elided(text, 16), "éééééééé…ééééééé");
+}
+
+TEST(RunCommand, NamesWhatDecidesTheRun) {
+  records::Run run;
+  run.seed = 7;
+  run.cases_per_law = 20;
+  run.backends = {"cpu:threads=2,simd=sse4", "plugin:my renderer.so"};
+  EXPECT_EQ(run_command(run),
+            "rastercheck run --backend cpu:threads=2,simd=sse4 --backend 'plugin:my renderer.so' "
+            "--cases 20 --seed 7");
+  run.backends.clear();
+  run.scene = "it's";
+  EXPECT_EQ(run_command(run), "rastercheck run --cases 20 --seed 7 --scene 'it'\\''s'");
+}
+
+LawSummary row_with(std::uint64_t checked, std::uint64_t violations) {
+  LawSummary row;
+  row.cases = {checked, 0, violations};
+  row.verdict = violations > 0 ? LawVerdict::violated
+                : checked > 0  ? LawVerdict::held
+                               : LawVerdict::not_checked;
+  return row;
+}
+
+// Kills: "all held" where some were not checked.
+TEST(VerdictSentence, CountsChecks) {
+  EXPECT_EQ(verdict_sentence({}), "Nothing was checked.");
+  EXPECT_EQ(verdict_sentence({row_with(0, 0)}), "Nothing was checked.");
+  EXPECT_EQ(verdict_sentence({row_with(3, 0), row_with(1, 0)}), "Held: all 2 checks.");
+  EXPECT_EQ(verdict_sentence({row_with(3, 0), row_with(0, 0)}),
+            "Held: 1 of 2 checks; 1 not checked.");
+  EXPECT_EQ(verdict_sentence({row_with(3, 1), row_with(3, 0)}), "Violated: 1 of 2 checks.");
+  EXPECT_EQ(verdict_sentence({row_with(3, 1), row_with(3, 0), row_with(0, 0)}),
+            "Violated: 1 of 3 checks; 1 not checked.");
+}
+
+TEST(Totals, AddsRows) {
+  LawSummary row = row_with(3, 1);
+  row.fragments = 10;
+  row.counts = {1, 2, 3, 4};
+  const LawSummary total = totals({row, row, row_with(5, 0)});
+  EXPECT_EQ(total.cases, (records::CaseCounts{11, 0, 2}));
+  EXPECT_EQ(total.fragments, 20U);
+  EXPECT_EQ(total.counts, (records::Counts{2, 4, 6, 8}));
+  EXPECT_EQ(total.verdict, LawVerdict::violated);
+}
+
+TEST(PlaceText, NamesTheAttribute) {
+  cases::Case c;
+  c.attributes = {{"u"}};
+  records::Violation violation;
+  violation.x = 3;
+  violation.y = 5;
+  EXPECT_EQ(place_text(violation, c), "triangle 0, pixel (3, 5), sample 0");
+  violation.attribute = 0;
+  EXPECT_EQ(place_text(violation, c), "triangle 0, pixel (3, 5), sample 0, attribute u");
+  violation.attribute = 1;
+  EXPECT_EQ(place_text(violation, c), "triangle 0, pixel (3, 5), sample 0, attribute 1");
+}
+
+}  // namespace
+}  // namespace rastercheck::reports

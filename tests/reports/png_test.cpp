@@ -1,0 +1,70 @@
+#include "reports/png.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <cstdint>
+#include <string>
+
+namespace rastercheck::reports {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+/// What libpng reads from the bytes; an empty image where it refuses them.
+Image decoded(const std::string& bytes) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()) == 0) return {};
+  header.format = PNG_FORMAT_RGB;
+  Image image;
+  image.width = static_cast<int>(header.width);
+  image.height = static_cast<int>(header.height);
+  image.rgb.resize(PNG_IMAGE_SIZE(header));
+  if (png_image_finish_read(&header, nullptr, image.rgb.data(), 0, nullptr) == 0) return {};
+  return image;
+}
+
+/// Every pixel another colour.
+Image gradient(int width, int height) {
+  Image image = Image::filled(width, height, {0, 0, 0});
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      image.set(column, row,
+                {static_cast<std::uint8_t>(column), static_cast<std::uint8_t>(row),
+                 static_cast<std::uint8_t>(column ^ row)});
+    }
+  }
+  return image;
+}
+
+// Kills: rows upside down, channels swapped, a row too few.
+TEST(ToPng, IsReadBackByLibpng) {
+  for (const auto& [width, height] : {std::pair{1, 1}, {3, 2}, {200, 120}}) {
+    const Image image = gradient(width, height);
+    const Result<std::string> png = to_png(image);
+    ASSERT_TRUE(png.has_value());
+    EXPECT_THAT(*png, StartsWith("\x89PNG\r\n\x1a\n"));
+    EXPECT_EQ(decoded(*png), image);
+  }
+}
+
+TEST(ToPng, SameImageSameBytes) {
+  const std::string png = to_png(gradient(60, 40)).value();
+  EXPECT_EQ(to_png(gradient(60, 40)).value(), png);
+  for (const char* chunk : {"tIME", "tEXt", "zTXt", "iTXt"})
+    EXPECT_THAT(png, Not(HasSubstr(chunk)));
+}
+
+TEST(ToPng, RefusesWhatIsNoImage) {
+  EXPECT_EQ(to_png({}).error().reason, "no PNG: no pixels");
+  EXPECT_EQ(to_png({0, 4, {}}).error().reason, "no PNG: no pixels");
+  EXPECT_EQ(to_png({4, -1, {}}).error().reason, "no PNG: no pixels");
+  EXPECT_EQ(to_png({2, 2, {1, 2, 3}}).error().reason, "no PNG: 3 bytes of colour for 2 × 2 pixels");
+}
+
+}  // namespace
+}  // namespace rastercheck::reports

@@ -1,0 +1,153 @@
+#include "reports/run_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cases/case_writer.h"
+#include "reports/format.h"
+#include "tests/records/random_record.h"
+#include "tests/reports/sample_run.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+std::string written(const records::Run& run) { return find_format("json").value().write(run); }
+
+TEST(ParseRun, ReadsWhatWasWritten) {
+  const std::string text = written(sample_run());
+  const Result<records::Run> again = parse_run(text, "run.json");
+  ASSERT_TRUE(again.has_value()) << to_string(again.error());
+  EXPECT_EQ(*again, sample_run());
+  EXPECT_EQ(written(*again), text);
+  // Zeros compare equal whatever their sign; as case files they do not.
+  EXPECT_EQ(cases::to_json(again->counterexamples[0].source),
+            cases::to_json(sample_run().counterexamples[0].source));
+}
+
+TEST(ParseRun, ReadsAnEmptyRun) {
+  EXPECT_EQ(parse_run(written({}), "run.json").value(), records::Run());
+}
+
+// Kills: a member of the run left out.
+RC_GTEST_PROP(ParseRun, GivesBackAnyRun, ()) {
+  records::Run run;
+  run.seed = *rc::gen::arbitrary<std::uint64_t>();
+  run.cases_per_law = *rc::gen::arbitrary<std::uint64_t>();
+  run.records = records::records_of(records::random_observations());
+  run.scene = records::one_of<std::string>({"", "bunny", "\"\n\\"});
+  run.laws = {run.scene, "b"};
+  run.backends = {"cpu", run.scene};
+  run.environment[run.scene] = "x";
+  for (auto left = *rc::gen::inRange(0, 3); left > 0; --left) {
+    records::Counterexample counterexample =
+        sample_counterexample(*rc::gen::arbitrary<std::uint64_t>());
+    counterexample.violation_count = *rc::gen::arbitrary<std::uint64_t>();
+    records::Violation& violation = counterexample.violations[0];
+    violation.fragment_class = records::random_class();
+    violation.error = records::random_error();
+    if (*rc::gen::arbitrary<bool>()) violation.attribute.reset();
+    if (*rc::gen::arbitrary<bool>()) violation.bound.reset();
+    run.counterexamples.push_back(counterexample);
+    records::Picture picture;
+    picture.name = run.scene;
+    picture.width = *rc::gen::inRange(0, 20000);
+    picture.height = *rc::gen::inRange(0, 20000);
+    picture.png = *rc::gen::arbitrary<std::string>();
+    run.pictures.push_back(picture);
+  }
+  const std::string text = written(run);
+  const Result<records::Run> again = parse_run(text, "run.json");
+  RC_ASSERT(again.has_value());
+  RC_ASSERT(*again == run);
+  RC_ASSERT(written(*again) == text);
+}
+
+// What depends on the machine is under one key. Kills: a date or a duration elsewhere.
+TEST(RunJson, AllButTheEnvironmentIsOfTheRunAlone) {
+  records::Run elsewhere = sample_run();
+  elsewhere.environment = {{"machine", "another"}};
+  json here = json::parse(written(sample_run()));
+  json there = json::parse(written(elsewhere));
+  EXPECT_NE(here, there);
+  here.erase("environment");
+  there.erase("environment");
+  EXPECT_EQ(here, there);
+}
+
+/// A fault that is to be refused: the value at a place of a good document is replaced.
+struct Fault {
+  std::string pointer;
+  std::string value;  ///< JSON text; empty: the value is taken out
+  std::string place;
+  std::string reason;  ///< part of it
+};
+
+class BadRun : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(BadRun, IsRefusedWithItsPlace) {
+  const Fault& fault = GetParam();
+  json document = json::parse(written(sample_run()));
+  const json::json_pointer pointer(fault.pointer);
+  if (fault.value.empty()) {
+    document[pointer.parent_pointer()].erase(pointer.back());
+  } else {
+    document[pointer] = json::parse(fault.value);
+  }
+  const Result<records::Run> run = parse_run(document.dump(), "run.json");
+  ASSERT_FALSE(run.has_value());
+  EXPECT_EQ(run.error().file, "run.json");
+  EXPECT_EQ(run.error().place, fault.place);
+  EXPECT_THAT(run.error().reason, HasSubstr(fault.reason));
+}
+
+const Fault kFaults[] = {
+    {"", "[]", "/", "must be an object"},
+    {"/format", R"("rastercheck-case")", "/format", "must be \"rastercheck-run\""},
+    {"/format", "", "/", "missing key 'format'"},
+    {"/version", "2", "/version", "version must be 1"},
+    {"/more", "1", "/more", "unknown key 'more'"},
+    {"/seed", "-1", "/seed", "must be an integer from 0"},
+    {"/seed", "1.0", "/seed", "must be an integer from 0"},
+    {"/cases_per_law", "", "/", "missing key 'cases_per_law'"},
+    {"/backends", R"("cpu")", "/backends", "must be an array"},
+    {"/backends/1", "7", "/backends/1", "must be a string"},
+    {"/laws/0", "null", "/laws/0", "must be a string"},
+    {"/scene", "null", "/scene", "must be a string"},
+    {"/records", "{}", "/records", "must be an array"},
+    {"/records/0/law", "", "/records/0", "missing key 'law'"},
+    {"/counterexamples/0/more", "1", "/counterexamples/0/more", "unknown key"},
+    {"/counterexamples/1/case/version", "2", "/counterexamples/1/case/version", "must be 1"},
+    {"/counterexamples/1/case/vertices/2/position/0", "0.1",
+     "/counterexamples/1/case/vertices/2/position/0", "not exactly a float32"},
+    {"/counterexamples/0/violation_count", "-3", "/counterexamples/0/violation_count",
+     "must be an integer"},
+    {"/counterexamples/0/violations/0/class", R"("late")", "/counterexamples/0/violations/0/class",
+     "must be one of 'correct'"},
+    {"/counterexamples/0/violations/0/error", "[1, 0]", "/counterexamples/0/violations/0/error",
+     "lower end"},
+    {"/counterexamples/0/violations/1/note", "", "/counterexamples/0/violations/1",
+     "missing key 'note'"},
+    {"/pictures/0/png", R"("Zg=")", "/pictures/0/png", "must be base64"},
+    {"/pictures/0/width", "2147483648", "/pictures/0/width", "from 0 to 2147483647"},
+    {"/pictures/1/caption", "", "/pictures/1", "missing key 'caption'"},
+    {"/environment/version", "1", "/environment/version", "must be a string"},
+    {"/environment", "[]", "/environment", "must be an object"},
+};
+
+INSTANTIATE_TEST_SUITE_P(ParseRun, BadRun, ::testing::ValuesIn(kFaults));
+
+TEST(ReadRun, NamesAFileThatIsNotThere) {
+  const Result<records::Run> run = read_run("no/such/run.json");
+  ASSERT_FALSE(run.has_value());
+  EXPECT_EQ(to_string(run.error()), "no/such/run.json: cannot be read: No such file or directory");
+}
+
+}  // namespace
+}  // namespace rastercheck::reports

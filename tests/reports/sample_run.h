@@ -1,0 +1,116 @@
+#pragma once
+
+// A run with every member set and texts that want escaping.
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "records/run.h"
+
+namespace rastercheck::reports {
+
+inline cases::Case sample_case(const std::string& law, const std::string& backend,
+                               std::uint64_t index) {
+  cases::Case c;
+  c.name = "a <b>bold</b> | \"case\"";
+  c.framebuffer = {64, 48, 4};
+  c.viewport = {0, 0, 64, 48, 0, 1};
+  c.coverage = cases::Snapping{};
+  c.attributes = {{"u & v"}};
+  c.positions = {{0, -0.0F, 0, 1}, {0x1p-149F, 1, 0, 1}, {1, 1, 0.5F, 3}};
+  c.attribute_values = {1, 0x1.fffffep+127F, -0.0F};
+  c.triangles = {{0, 1, 2}};
+  c.found = {law, backend, "violated", 1, index};
+  return c;
+}
+
+inline records::Counterexample sample_counterexample(std::uint64_t index) {
+  using namespace records;
+  Violation value;
+  value.fragment_class = FragmentClass::beyond_bound;
+  value.kind = AttributeKind::smooth;
+  value.x = 3;
+  value.y = 5;
+  value.sample = 2;
+  value.attribute = 0;
+  value.exact = "84/5";
+  value.actual = "16.8000011 (0x1.0cccdp+4)";
+  value.error = {0.7000000000000001, 0.7000000000000002};
+  value.bound = {0.5, 0.5};
+  Violation missing;
+  missing.fragment_class = FragmentClass::missing;
+  missing.x = 63;
+  missing.exact = "required, inside";
+  missing.actual = "not drawn";
+  missing.distance = {0.125, 0.125};
+  missing.note = "its neighbour <(64, 0)> was drawn";
+  return {sample_case("values are within bounds", "method:float32", index), 12, {value, missing}};
+}
+
+inline records::WorstError sample_worst(double error) {
+  records::WorstError worst;
+  worst.error = {error, error};
+  worst.exact = "1/3";
+  worst.actual = 0.25F;
+  worst.case_index = 17;
+  worst.case_name = "slivers & <needles>";
+  worst.x = 3;
+  worst.y = 5;
+  worst.attribute = 0;
+  return worst;
+}
+
+/// What one law found on one backend, in two strata.
+inline void add_sample_records(records::RecordSet& into, const std::string& law,
+                               const std::string& backend, std::uint64_t violations) {
+  using namespace records;
+  Record coverage;
+  coverage.cases = {600, 3, violations};
+  coverage.counts = {12000, 3000000, 40, 0};
+  coverage.errors.classes[FragmentClass::correct] = 12010;
+  coverage.errors.classes[FragmentClass::missing] = violations;
+  coverage.labels = {{"tie", 4}, {"<clipped>", 57}};
+  coverage.decided_at = {{"filter", 100}};
+  into[{law, backend, AttributeKind::coverage, "grid"}] = coverage;
+  coverage.cases = {400, 0, 0};
+  coverage.labels = {{"tie", 1}};
+  into[{law, backend, AttributeKind::coverage, "sliver"}] = coverage;
+
+  Record smooth;
+  smooth.errors.classes[FragmentClass::correct] = 12000;
+  smooth.errors.classes[FragmentClass::beyond_bound] = violations;
+  for (const double error : {0.0, 0.001, 0.125, 0.25, 0.375, 0.5}) {
+    smooth.errors.ideal.histogram.add_to_bucket(Histogram::bucket_of(error), 2000);
+    smooth.errors.excess.histogram.add_to_bucket(Histogram::bucket_of(error / 2), 2000);
+  }
+  keep(smooth.errors.ideal.extremes, sample_worst(0.5));
+  keep(smooth.errors.excess.extremes, sample_worst(-0.25));
+  if (violations > 0) {
+    smooth.errors.ideal.histogram.add(0.7);
+    smooth.errors.excess.histogram.add(0.7);
+    keep(smooth.errors.ideal.extremes, sample_worst(-0.7));
+    keep(smooth.errors.excess.extremes, sample_worst(0.7));
+  }
+  into[{law, backend, AttributeKind::smooth, "grid"}] = smooth;
+}
+
+inline records::Run sample_run() {
+  records::Run run;
+  run.seed = std::numeric_limits<std::uint64_t>::max();
+  run.cases_per_law = 1000;
+  run.backends = {"cpu", "method:float32"};
+  run.laws = {"coverage is exact", "values are within bounds", "a law <that> says | nothing"};
+  run.scene = "it's a bunny";
+  for (const std::string& backend : run.backends) {
+    add_sample_records(run.records, run.laws[0], backend, 0);
+    add_sample_records(run.records, run.laws[1], backend, backend == "cpu" ? 0 : 2);
+  }
+  run.counterexamples = {sample_counterexample(3), sample_counterexample(41)};
+  run.pictures = {{"bunny-cpu", "What cpu draws <of it>.", 64, 48, std::string("\x89PNG\0\xff", 6)},
+                  {"bunny-error", "Its error.", 64, 80, "P"}};
+  run.environment = {{"version", "0.1.0"}, {"compiler", "g++ <12> & more"}, {"seconds", "1.5"}};
+  return run;
+}
+
+}  // namespace rastercheck::reports

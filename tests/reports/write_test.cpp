@@ -1,0 +1,139 @@
+#include "reports/write.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "cases/case_reader.h"
+#include "cases/case_writer.h"
+#include "cases/json.h"
+#include "reports/run_reader.h"
+#include "tests/reports/sample_run.h"
+
+namespace rastercheck::reports {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const std::vector<std::string> kAll{"json", "html", "markdown"};
+
+/// A folder of its own for every test, which is not there yet.
+class WriteReports : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    root_ = fs::path(::testing::TempDir()) / (std::string("rastercheck-") + test->name());
+    fs::remove_all(root_);
+  }
+  void TearDown() override { fs::remove_all(root_); }
+
+  std::string directory() const { return (root_ / "out").string(); }
+
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(root_)) {
+      if (entry.is_regular_file()) {
+        names.push_back(entry.path().lexically_relative(root_ / "out").generic_string());
+      }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  void put(const std::string& name, const std::string& content) const {
+    const fs::path file = root_ / "out" / name;
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << content;
+  }
+
+  fs::path root_;
+};
+
+constexpr const char* kThird = "counterexamples/values-are-within-bounds-method-float32-3.json";
+constexpr const char* kOther = "counterexamples/values-are-within-bounds-method-float32-41.json";
+
+TEST_F(WriteReports, WritesWhatTheContractLists) {
+  ASSERT_TRUE(write_reports(sample_run(), directory(), kAll).has_value());
+  EXPECT_THAT(files(), ElementsAre(kThird, kOther, "report.html", "run.json", "summary.md"));
+  EXPECT_EQ(read_run(directory() + "/run.json").value(), sample_run());
+  EXPECT_EQ(cases::read_case(directory() + "/" + kThird).value(),
+            sample_run().counterexamples[0].source);
+}
+
+TEST_F(WriteReports, WritesTheFormatsAskedFor) {
+  ASSERT_TRUE(write_reports(sample_run(), directory(), std::vector<std::string>{"markdown"}));
+  EXPECT_THAT(files(), ElementsAre(kThird, kOther, "summary.md"));
+}
+
+TEST_F(WriteReports, AMisspeltFormatStopsItBeforeAnythingIsWritten) {
+  const Result<void> done =
+      write_reports(sample_run(), directory(), std::vector<std::string>{"markdown", "htlm"});
+  ASSERT_FALSE(done.has_value());
+  EXPECT_THAT(to_string(done.error()), HasSubstr("htlm: no report format of that name"));
+  EXPECT_FALSE(fs::exists(directory()));
+}
+
+// Kills: counterexamples of an earlier run that look like today's.
+TEST_F(WriteReports, RemovesTheCounterexamplesOfEarlierRuns) {
+  ASSERT_TRUE(write_reports(sample_run(), directory(), kAll).has_value());
+  records::Run later = sample_run();
+  later.counterexamples.erase(later.counterexamples.begin());
+  ASSERT_TRUE(write_reports(later, directory(), kAll).has_value());
+  EXPECT_THAT(files(), ElementsAre(kOther, "report.html", "run.json", "summary.md"));
+}
+
+// Kills: removing by the ending of the name, or every case file.
+TEST_F(WriteReports, LeavesWhatItDidNotWrite) {
+  cases::Case without_found = sample_case("law", "cpu", 1);
+  without_found.found.reset();
+  put("counterexamples/law-cpu-1.json", cases::to_json(without_found));
+  put("counterexamples/--0.json", cases::to_json(without_found));  // the name of no `found`
+  put("counterexamples/mine.json", cases::to_json(sample_case("law", "cpu", 2)));
+  put("counterexamples/law-cpu-3.json", "no case");
+  put("counterexamples/notes.txt", "");
+  put("law-cpu-4.json", cases::to_json(sample_case("law", "cpu", 4)));
+  put("counterexamples/law-cpu-5.json", cases::to_json(sample_case("law", "cpu", 5)));
+  ASSERT_TRUE(write_reports({}, directory(), {}).has_value());
+  EXPECT_THAT(files(), ElementsAre("counterexamples/--0.json", "counterexamples/law-cpu-1.json",
+                                   "counterexamples/law-cpu-3.json", "counterexamples/mine.json",
+                                   "counterexamples/notes.txt", "law-cpu-4.json"));
+}
+
+TEST_F(WriteReports, NamesTheFileThatCannotBeWritten) {
+  put("summary.md/in-the-way", "");
+  const Result<void> done = write_reports(sample_run(), directory(), kAll);
+  ASSERT_FALSE(done.has_value());
+  EXPECT_EQ(to_string(done.error()),
+            directory() + "/summary.md: cannot be written: Is a directory");
+  // Nothing half done stays behind.
+  for (const std::string& file : files()) EXPECT_FALSE(file.ends_with(".partial")) << file;
+}
+
+TEST_F(WriteReports, NamesAFolderThatCannotBeMade) {
+  fs::create_directories(root_);
+  std::ofstream(root_ / "out") << "a file";
+  const Result<void> done = write_reports(sample_run(), directory(), kAll);
+  ASSERT_FALSE(done.has_value());
+  EXPECT_EQ(to_string(done.error()), directory() + ": cannot be made: Not a directory");
+}
+
+// Kills: one counterexample silently taking another's place.
+TEST_F(WriteReports, RefusesTwoCounterexamplesOfOneName) {
+  records::Run run;
+  run.counterexamples = {sample_counterexample(3), sample_counterexample(3)};
+  const Result<void> done = write_reports(run, directory(), {});
+  ASSERT_FALSE(done.has_value());
+  EXPECT_EQ(to_string(done.error()),
+            directory() + "/" + kThird + ": two counterexamples would have this name");
+}
+
+}  // namespace
+}  // namespace rastercheck::reports
