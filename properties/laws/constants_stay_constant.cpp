@@ -172,6 +172,7 @@ class ConstantsCheck {
         static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.sample));
     if (decision.verdict != records::Verdict::required) return;
     ++check_.judgement.counts.required;
+    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
     triangles_.insert(place.triangle);
     if (decision.reason != records::Reason::inside) {
       labels_.emplace(records::to_string(decision.reason));
