@@ -35,8 +35,9 @@ enum class TieRule { top_left, bottom_left, unspecified };
 ///
 ///   constant + per_horizon · g,    g = the greatest 1/w of what is drawn of the triangle / 1/w
 ///
-/// where 1/w is the fragment's own. Interpolating r/w and 1/w is off by a share of the greatest
-/// 1/w, and so loses digits of r towards the horizon, where 1/w is small.
+/// where 1/w is the fragment's own and g is 1 for noperspective values and depth. Interpolating r/w
+/// and 1/w is off by a share of the greatest 1/w, and so loses digits of r towards the horizon,
+/// where 1/w is small.
 struct ValueBound {
   float constant = 0.5F;
   float per_horizon = 0;
@@ -58,10 +59,16 @@ struct Contract {
   /// A vertex whose window position is farther than this from the window origin in x or y, in
   /// pixels, may be clipped. Only where `coverage` is snapped. D3D: 2^15.
   float guard_band = 32768;
+  /// Whether vertices are placed on points of `coverage`'s grid; else anywhere between those they
+  /// may be placed on: a backend that rounds nothing to a grid and is merely a little off.
+  bool is_on_grid = true;
   /// How far an edge that was cut by a clip plane, and the clip edge itself, may be off, in grid
   /// units per axis. Only where `coverage` is snapped.
   float clip_tolerance = 1;
   ValueBounds bounds;
+  /// Whether a triangle whose z/w is the same at all vertices has one depth (RULES §6); the bound
+  /// alone allows two where the exact depth lies near the middle between two floats.
+  bool keeps_equal_depth = false;
   bool operator==(const Contract&) const = default;
 
   /// Whether it leaves more than one answer open, so that values are ranges.

@@ -145,6 +145,10 @@ std::string json_string(std::string_view text) {
   return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
+std::string valid_utf8(std::string_view text) {
+  return json::parse(json_string(text)).get<std::string>();
+}
+
 std::string printable(std::string_view text) {
   // What is at both ends tells most; a parser's message ends with what it expected.
   constexpr std::size_t kLongest = 240;

@@ -20,6 +20,9 @@ Result<nlohmann::json> parse_json(std::string_view text, const std::string& file
 /// A text as a JSON string, quotes included; bytes that are not UTF-8 become U+FFFD.
 std::string json_string(std::string_view text);
 
+/// The text with bytes that are not UTF-8 as U+FFFD: what it becomes when written and read again.
+std::string valid_utf8(std::string_view text);
+
 /// A text for a message of one line, its control characters as JSON escapes them; shortened where
 /// it is long.
 std::string printable(std::string_view text);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cases/error.h"
 #include "cli/exit_code.h"
 
@@ -8,5 +11,9 @@ namespace rastercheck::cli {
 /// Says why a backend could not be made (backends::make_backend): `backend_unavailable` where it is
 /// one that cannot run here, `usage` where there is none of that name.
 ExitCode fail_backend(const Error& error);
+
+/// Whether all these backends can be made; else says why the first cannot, `usage` before
+/// `backend_unavailable`.
+ExitCode check_backends(const std::vector<std::string>& specifications);
 
 }  // namespace rastercheck::cli

@@ -35,4 +35,9 @@ std::string table(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
+std::string where_reports_are(const std::string& directory, std::span<const std::string> formats) {
+  const bool has_page = std::find(formats.begin(), formats.end(), "html") != formats.end();
+  return fmt::format("Report: {}{}\n", directory, has_page ? "/report.html" : "");
+}
+
 }  // namespace rastercheck::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,5 +14,9 @@ Result<void> flush_standard_output();
 
 /// A table for people: columns as wide as their widest cell, the header first.
 std::string table(const std::vector<std::vector<std::string>>& rows);
+
+/// The line that ends a command that wrote a run's folder: the page to look at, or, where HTML is
+/// not among the formats, the folder.
+std::string where_reports_are(const std::string& directory, std::span<const std::string> formats);
 
 }  // namespace rastercheck::cli

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "oracle/fragments.h"
 #include "oracle/internal/nearest.h"
 #include "oracle/internal/value_judge.h"
 #include "oracle/self_check.h"
@@ -112,8 +111,9 @@ class Judging {
   /// The nearest fragment of each sample: what is drawn there has to be among those that may be.
   void judge_nearest() {
     const auto answers = nearest_answers(*scene_);
-    std::sort(order_.begin(), order_.end(),
-              [this](std::size_t a, std::size_t b) { return nearest_order(a) < nearest_order(b); });
+    std::stable_sort(order_.begin(), order_.end(), [this](std::size_t a, std::size_t b) {
+      return nearest_order(a) < nearest_order(b);
+    });
     for (const auto& [where, answer] : answers) {
       while (next_ < order_.size() && sample_of(order_[next_]) < where) {
         take_unasked(FragmentClass::extra);

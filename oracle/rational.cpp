@@ -25,4 +25,10 @@ std::strong_ordering Rational::operator<=>(const Rational& other) const {
 
 bool Rational::operator==(const Rational& other) const { return (*this <=> other) == 0; }
 
+std::string to_string(const std::optional<ValueRange>& range) {
+  if (!range) return "undefined";
+  if (range->lo == range->hi) return range->lo.to_string();
+  return "[" + range->lo.to_string() + ", " + range->hi.to_string() + "]";
+}
+
 }  // namespace rastercheck::oracle

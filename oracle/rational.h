@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "records/enclosure.h"
@@ -41,5 +42,9 @@ struct ValueRange {
   Rational hi;
   bool is_open = false;
 };
+
+/// A range for readers: one fraction where it is one value, else "[fraction, fraction]";
+/// "undefined" of nothing.
+std::string to_string(const std::optional<ValueRange>& range);
 
 }  // namespace rastercheck::oracle

@@ -55,14 +55,6 @@ bool TriangleTruth::is_value_free(std::size_t attribute) const {
                                           cases::Interpolation::noperspective;
 }
 
-std::optional<Rational> TriangleTruth::horizon_ratio(std::size_t attribute, int x, int y,
-                                                     int sample) const {
-  const std::optional<Field> ratio =
-      oracle::horizon_ratio(*setup_, values_->location(attribute, x, y, sample));
-  if (!ratio) return std::nullopt;
-  return to_rational(*ratio);
-}
-
 const ValueErrors& TriangleTruth::errors() const {
   if (!errors_) errors_ = std::make_unique<ValueErrors>(*setup_, *values_);
   return *errors_;

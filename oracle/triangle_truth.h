@@ -93,9 +93,11 @@ class TriangleTruth {
   /// (RULES §3): noperspective where some w_i <= 0. `attribute` gives the continuation then.
   bool is_value_free(std::size_t attribute) const;
 
-  /// g of cases::ValueBound where the attribute is evaluated (at the sample of a centroid); nothing
-  /// where 1/w <= 0 there.
-  std::optional<Rational> horizon_ratio(std::size_t attribute, int x, int y, int sample) const;
+  /// The most that a value may be beyond what the contract leaves open, in scale ULP: of an
+  /// attribute, or of the depth where `attribute` is nothing. Nothing where no bound is promised,
+  /// as 1/w <= 0 where the value is evaluated. Where that is one of several points, the greatest.
+  std::optional<Rational> value_bound(std::optional<std::size_t> attribute, int x, int y,
+                                      int sample) const;
 
   /// The number scale ULP are measured by: max |r_i|.
   Rational attribute_magnitude(std::size_t attribute) const;

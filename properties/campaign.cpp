@@ -5,6 +5,8 @@
 #include <tuple>
 
 #include "cases/case_reader.h"
+#include "cases/json.h"
+#include "oracle/transform.h"
 #include "properties/draw.h"
 
 namespace rastercheck::properties {
@@ -14,6 +16,8 @@ using records::Counterexample;
 
 /// Cases in a task: some seconds of work at most, and a process more or less makes no difference.
 constexpr std::uint64_t kCasesPerTask = 10;
+/// Of a law and backend; beyond it tasks grow, or a list of them all would fill the memory.
+constexpr std::uint64_t kMostTasks = 10000;
 
 auto place_of(const Counterexample& counterexample) {
   const cases::Found& found = *counterexample.source.found;
@@ -73,10 +77,12 @@ void merge(Findings& into, Findings from) {
 std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_size) {
   std::vector<Task> tasks;
   const auto add = [&](bool is_corpus, std::uint64_t count) {
+    const std::uint64_t size = std::max(kCasesPerTask, count / kMostTasks);
     for (const std::string& backend : options.backends) {
       for (const std::string& law : options.laws) {
-        for (std::uint64_t first = 0; first < count; first += kCasesPerTask) {
-          tasks.push_back({backend, law, is_corpus, first, std::min(first + kCasesPerTask, count)});
+        for (std::uint64_t first = 0, last = 0; first < count; first = last) {
+          last = first + std::min(size, count - first);
+          tasks.push_back({backend, law, is_corpus, first, last});
         }
       }
     }
@@ -90,7 +96,10 @@ Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& bac
                     const CheckOptions& options) {
   Result<Check> check = law.check(c, backend, options);
   if (check) return *std::move(check);
+  // Positions beyond float32 cannot even be handed over: that is nobody's fault.
   Check failed;
+  failed.is_applicable = oracle::to_clip_case(c, "").has_value();
+  if (!failed.is_applicable) return failed;
   failed.violation_count = 1;
   records::Violation violation;
   violation.fragment_class = records::FragmentClass::missing;
@@ -190,14 +199,16 @@ Result<std::vector<cases::Case>> read_corpus(const std::string& directory) {
        entry.increment(problem)) {
     if (entry->path().extension() == ".json") files.push_back(entry->path());
   }
-  if (problem) return tl::unexpected(Error{directory, "", problem.message()});
+  if (problem) {
+    return tl::unexpected(Error{directory, "", "cannot be read: " + problem.message()});
+  }
   std::sort(files.begin(), files.end());
 
   std::vector<cases::Case> corpus;
   for (const std::filesystem::path& file : files) {
     Result<cases::Case> c = cases::read_case(file.string());
     if (!c) return tl::unexpected(c.error());
-    if (c->name.empty()) c->name = file.stem().string();
+    if (c->name.empty()) c->name = cases::valid_utf8(file.stem().string());
     corpus.push_back(*std::move(c));
   }
   return corpus;

@@ -90,7 +90,7 @@ void check_case(const Law& law, const std::string& specification, backends::Back
                 std::uint64_t seed, const NumberedCase& numbered, Findings& findings);
 
 /// A drawing that fails is a violation of whatever was to be checked: what the backend says stands
-/// in its note.
+/// in its note. Nothing is said of a case with positions beyond float32, which no backend gets.
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& options);
 

@@ -34,12 +34,6 @@ std::string decision_text(const records::SampleVerdict& decision) {
                      records::to_string(decision.reason));
 }
 
-std::string range_text(const std::optional<oracle::ValueRange>& range) {
-  if (!range) return "undefined";
-  if (range->lo == range->hi) return range->lo.to_string();
-  return fmt::format("[{}, {}]", range->lo.to_string(), range->hi.to_string());
-}
-
 void describe_coverage(const JudgedSample& sample, const TriangleTruth* truth,
                        const SceneTruth& scene, records::Violation& violation) {
   violation.kind = AttributeKind::coverage;
@@ -64,19 +58,20 @@ void describe_coverage(const JudgedSample& sample, const TriangleTruth* truth,
 }
 
 void describe_value(const JudgedSample& sample, const JudgedValue& value,
-                    const TriangleTruth& truth, const SceneTruth& scene,
-                    records::Violation& violation) {
+                    const TriangleTruth& truth, records::Violation& violation) {
   const auto x = static_cast<int>(sample.x);
   const auto y = static_cast<int>(sample.y);
   const auto s = static_cast<int>(sample.sample);
   violation.kind = value.kind;
   violation.fragment_class = value.fragment_class;
   violation.attribute = value.attribute;
-  violation.exact = range_text(value.attribute ? truth.attribute(*value.attribute, x, y, s)
-                                               : truth.depth(x, y, s));
+  violation.exact = oracle::to_string(value.attribute ? truth.attribute(*value.attribute, x, y, s)
+                                                      : truth.depth(x, y, s));
   violation.actual = value_text(value.actual);
   violation.error = value.excess;
-  violation.bound = promised_bound(truth, scene, value.attribute, x, y, s);
+  if (const auto bound = truth.value_bound(value.attribute, x, y, s)) {
+    violation.bound = bound->enclosure();
+  }
 }
 
 /// Whether a drawn sample's pixel has a centre that its triangle does not cover, so that attributes
@@ -180,37 +175,6 @@ std::string value_text(float value) {
   return fmt::format("{:.9g} ({})", value, cases::to_hex(value));
 }
 
-std::optional<records::Enclosure> promised_bound(const TriangleTruth& truth,
-                                                 const SceneTruth& scene,
-                                                 std::optional<std::uint32_t> attribute, int x,
-                                                 int y, int sample) {
-  const cases::ValueBounds& bounds = scene.contract().bounds;
-  cases::ValueBound bound = bounds.depth;
-  if (attribute) {
-    switch (scene.source().attributes[*attribute].interpolation) {
-      case cases::Interpolation::smooth:
-        bound = bounds.smooth;
-        break;
-      case cases::Interpolation::noperspective:
-        bound = bounds.noperspective;
-        break;
-      case cases::Interpolation::flat:
-        return records::Enclosure{0, 0};
-    }
-  }
-  const double constant{bound.constant};
-  if (!attribute || bound.per_horizon == 0) return records::Enclosure{constant, constant};
-  const auto horizon = truth.horizon_ratio(*attribute, x, y, sample);
-  if (!horizon) return std::nullopt;
-  const records::Enclosure g = horizon->enclosure();
-  // Each operation rounds by at most half a step: a step outwards after each keeps it certain.
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const double slope{bound.per_horizon};
-  const auto down = [](double v) { return std::nextafter(v, 0.0); };
-  const auto up = [](double v) { return std::nextafter(v, kInfinity); };
-  return records::Enclosure{down(constant + down(slope * g.lo)), up(constant + up(slope * g.hi))};
-}
-
 records::Violation to_violation(const JudgedSample& sample, const JudgedValue* value,
                                 const TriangleTruth* truth, const SceneTruth& scene) {
   records::Violation violation;
@@ -221,7 +185,7 @@ records::Violation to_violation(const JudgedSample& sample, const JudgedValue* v
   if (value == nullptr || truth == nullptr) {
     describe_coverage(sample, truth, scene, violation);
   } else {
-    describe_value(sample, *value, *truth, scene, violation);
+    describe_value(sample, *value, *truth, violation);
   }
   return violation;
 }

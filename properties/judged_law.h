@@ -35,13 +35,6 @@ records::Violation to_violation(const oracle::JudgedSample& sample,
                                 const oracle::TriangleTruth* truth,
                                 const oracle::SceneTruth& scene);
 
-/// What the contract promises of one value there, in scale ULP: certified, {0, 0} for flat ones.
-/// Nothing where it promises nothing, as behind the horizon.
-std::optional<records::Enclosure> promised_bound(const oracle::TriangleTruth& truth,
-                                                 const oracle::SceneTruth& scene,
-                                                 std::optional<std::uint32_t> attribute, int x,
-                                                 int y, int sample);
-
 /// A computed value for readers: decimal and hex float, or "nan", "inf", "-inf".
 std::string value_text(float value);
 

@@ -102,6 +102,32 @@ records::Judgement coverage_part(const records::Judgement& all) {
   return part;
 }
 
+/// Keeps a counterexample for each violation, under the index of its triangle.
+void keep_violations(const Law& law, const std::string& specification, backends::Backend& backend,
+                     std::uint64_t seed, NumberedCase numbered,
+                     const std::vector<records::Violation>& violations, Findings& findings) {
+  for (const records::Violation& violation : violations) {
+    numbered.index = violation.triangle;
+    Check check;
+    check.violation_count = 1;
+    check.violations = {violation};
+    keep_counterexample(law, specification, backend, seed, numbered, check, findings);
+  }
+}
+
+/// The two laws, of those asked for.
+std::vector<const Law*> scene_laws(const std::vector<std::string>& asked_for) {
+  std::vector<const Law*> chosen;
+  for (const std::string_view name : {kCoverageLaw, kValuesLaw}) {
+    const Law* law = find_law(name);
+    if (law == nullptr) continue;
+    if (std::find(asked_for.begin(), asked_for.end(), name) != asked_for.end()) {
+      chosen.push_back(law);
+    }
+  }
+  return chosen;
+}
+
 }  // namespace
 
 Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& specification,
@@ -111,12 +137,22 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
   if (!clip) return tl::unexpected(clip.error());
   SceneFindings result;
   result.source = *std::move(clip);
-  Result<cases::Framebuffer> drawn = draw(result.source, backend);
-  if (!drawn) return tl::unexpected(Error{scene.name, drawn.error().place, drawn.error().reason});
-  result.drawn = *std::move(drawn);
+  NumberedCase numbered{result.source, "scene " + scene.name, 0};
+  numbered.source.name = numbered.stratum;
 
   const oracle::SceneTruth truth(result.source, backend.contract(result.source));
   SceneReader reader(truth);
+  Result<cases::Framebuffer> drawn = draw(result.source, backend);
+  if (!drawn) {
+    for (const Law* law : scene_laws(laws)) {
+      check_case(*law, specification, backend, seed, numbered, result.findings);
+    }
+    result.drawn.attribute_count = result.source.attributes.size();
+    result.map = reader.take_map();
+    return result;
+  }
+  result.drawn = *std::move(drawn);
+
   const oracle::Judged judged =
       oracle::judge(truth, result.drawn, {},
                     [&reader](const JudgedSample& sample, const oracle::TriangleTruth* triangle) {
@@ -125,26 +161,19 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
   result.findings.fault = judged.fault;
   result.map = reader.take_map();
 
-  const auto add = [&](std::string_view name, const records::Judgement& judgement,
-                       const std::vector<records::Violation>& violations) {
-    const Law* law = find_law(name);
-    if (law == nullptr || std::find(laws.begin(), laws.end(), name) == laws.end()) return;
-    const records::RecordKey key{std::string(name), specification, records::AttributeKind::coverage,
-                                 "scene " + scene.name};
-    records::add(result.findings.records, key, judgement);
-    records::Record& record = result.findings.records[key];
-    ++record.cases.checked;
-    record.cases.violations += violations.empty() ? 0U : 1U;
-    for (const records::Violation& violation : violations) {
-      const NumberedCase numbered{result.source, key.stratum, violation.triangle};
-      Check check;
-      check.violation_count = 1;
-      check.violations = {violation};
-      keep_counterexample(*law, specification, backend, seed, numbered, check, result.findings);
-    }
-  };
-  add(kCoverageLaw, coverage_part(judged.judgement), reader.coverage());
-  add(kValuesLaw, judged.judgement, reader.values());
+  for (const Law* law : scene_laws(laws)) {
+    const bool is_coverage = law->name == kCoverageLaw;
+    const records::RecordKey key{std::string(law->name), specification,
+                                 records::AttributeKind::coverage, numbered.stratum};
+    const std::vector<records::Violation>& violations =
+        is_coverage ? reader.coverage() : reader.values();
+    records::add(result.findings.records, key,
+                 is_coverage ? coverage_part(judged.judgement) : judged.judgement);
+    records::CaseCounts& cases = result.findings.records[key].cases;
+    ++cases.checked;
+    cases.violations += violations.empty() ? 0U : 1U;
+    keep_violations(*law, specification, backend, seed, numbered, violations, result.findings);
+  }
   return result;
 }
 

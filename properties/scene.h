@@ -13,15 +13,16 @@
 namespace rastercheck::properties {
 
 struct SceneFindings {
-  /// Under the laws on coverage and on values, in the stratum "scene NAME".
+  /// Under the laws on coverage and on values, in the stratum "scene NAME". Counterexamples are
+  /// named like the stratum, and their index is a triangle's: the corpus may have that scene too.
   Findings findings;
   cases::Case source;  ///< of clip positions
   cases::Framebuffer drawn;
   records::ErrorMap map;
 };
 
-/// Draws and judges the scene; `laws` names the laws that are asked for. Fails where the backend
-/// cannot draw it.
+/// Draws and judges the scene; `laws` names the laws that are asked for. A scene that the backend
+/// cannot draw violates them all. Fails where positions lie beyond float32.
 Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& specification,
                                   backends::Backend& backend, std::uint64_t seed,
                                   const std::vector<std::string>& laws);

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cassert>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -126,7 +127,10 @@ class Worker {
     const int problem = ::posix_spawn(&process, words.front().c_str(), &actions, nullptr,
                                       arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
-    if (problem != 0) return tl::unexpected(Error{words.front(), "", std::strerror(problem)});
+    if (problem != 0) {
+      return tl::unexpected(
+          Error{words.front(), "", std::string("cannot be started: ") + std::strerror(problem)});
+    }
     return std::unique_ptr<Worker>(new Worker(process, std::move(ours)));
   }
 
@@ -134,7 +138,7 @@ class Worker {
   Worker& operator=(const Worker&) = delete;
   /// Closing the socket ends a worker that waits; one that works is killed.
   ~Worker() {
-    if (task_) ::kill(process_, SIGKILL);
+    if (task_ && process_ != 0) ::kill(process_, SIGKILL);
     socket_.close();
     wait();
   }
@@ -153,6 +157,8 @@ class Worker {
 
   /// How a worker that hung up ended, in words.
   std::string ending() {
+    // One that hung up and goes on is of no use; of one that has ended this changes nothing.
+    if (process_ != 0) ::kill(process_, SIGKILL);
     const int status = wait();
     task_.reset();
     if (WIFSIGNALED(status)) {
@@ -189,7 +195,8 @@ class Dispatcher {
   }
 
   Result<Findings> run(const std::vector<std::string>& command, int jobs) {
-    for (int i = 0; i < jobs && !waiting_.empty(); ++i) {
+    assert(jobs >= 1);
+    for (int i = 0; i < jobs && !waiting_.empty() && !error_; ++i) {
       Result<std::unique_ptr<Worker>> worker = Worker::start(command);
       if (!worker) return tl::unexpected(worker.error());
       workers_.push_back(*std::move(worker));

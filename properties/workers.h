@@ -20,7 +20,7 @@ using Progress = std::function<void(std::uint64_t done, std::uint64_t all)>;
 Result<Findings> run_tasks(TaskRunner& runner, const std::vector<Task>& tasks,
                            const Progress& progress);
 
-/// Runs the tasks in `jobs` processes of `command` (program and arguments), which are to call
+/// Runs the tasks in `jobs` >= 1 processes of `command` (program and arguments), which are to call
 /// serve_tasks() with the same seed and corpus. Fails where a process cannot be started, ends
 /// before its task does, or where a task fails; all are ended then. May be called from a thread of
 /// its own: it touches nothing but its arguments.

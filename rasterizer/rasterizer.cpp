@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "rasterizer/internal/checked_draw.h"
-#include "rasterizer/internal/rational_linear.h"
+#include "rasterizer/internal/exact_draw.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -56,7 +56,7 @@ DrawCounts draw_triangles(const State& state, const Mesh& mesh, Framebuffer& fra
     fragments.attributes.clear();
     Mesh alone = mesh;
     alone.triangles = mesh.triangles.subspan(triangle, 1);
-    const DrawCounts more = draw_rational_linear(state, alone, framebuffer.size, fragments);
+    const DrawCounts more = draw_exact(state, alone, framebuffer.size, fragments);
     counts.discarded_not_finite += more.discarded_not_finite;
     counts.discarded_degenerate += more.discarded_degenerate;
     keep_visible(state.depth_test, fragments, framebuffer);
@@ -98,7 +98,7 @@ std::string_view to_string(Error error) {
 
 DrawResult draw_fragments(const State& state, const Mesh& mesh, const TargetSize& size,
                           Fragments& fragments) {
-  return draw_checked(&draw_rational_linear, state, mesh, size, fragments);
+  return draw_checked(&draw_exact, state, mesh, size, fragments);
 }
 
 std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,

@@ -38,7 +38,8 @@ struct Run {
 };
 
 /// The file that a counterexample is saved as, within the run's folder:
-/// "counterexamples/LAW-BACKEND-NAME-INDEX.json", with what is neither letter nor digit made '-'.
+/// "counterexamples/LAW-BACKEND-NAME-INDEX.json", with what is neither letter nor digit made '-',
+/// and of a name 64 characters.
 /// Only cases of the corpus and of scenes have a name; random ones go without.
 std::string file_of(const Counterexample& counterexample);
 

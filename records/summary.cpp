@@ -44,9 +44,11 @@ void conclude(SizeSummary& summary) {
   summary.p99 = summary.histogram.quantile(kTail);
 }
 
-LawVerdict verdict_of(const CaseCounts& cases) {
+/// Cases in which nothing was drawn rightly say nothing for a law: it only held if it held of
+/// something.
+LawVerdict verdict_of(const CaseCounts& cases, std::uint64_t correct_fragments) {
   if (cases.violations > 0) return LawVerdict::violated;
-  return cases.checked > 0 ? LawVerdict::held : LawVerdict::not_checked;
+  return correct_fragments > 0 ? LawVerdict::held : LawVerdict::not_checked;
 }
 
 LawSummary summarize(const Run& run, const std::string& law, const std::string& backend) {
@@ -58,6 +60,7 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
   for (const auto& [key, record] : run.records) {
     if (key.law == law && key.backend == backend) merge(by_kind[key.attribute_kind], record);
   }
+  std::uint64_t correct_fragments = 0;
   for (const auto& [kind, record] : by_kind) {
     merge(row.cases, record.cases);
     merge(row.counts, record.counts);
@@ -66,6 +69,7 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
     if (kind == AttributeKind::coverage) {
       const auto& classes = record.errors.classes.counts;
       row.fragments = std::accumulate(classes.begin(), classes.end(), std::uint64_t{0});
+      correct_fragments = record.errors.classes[FragmentClass::correct];
     } else {
       take_in(row.ideal, record.errors.ideal);
       take_in(row.excess, record.errors.excess);
@@ -73,7 +77,7 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
   }
   conclude(row.ideal);
   conclude(row.excess);
-  row.verdict = verdict_of(row.cases);
+  row.verdict = verdict_of(row.cases, correct_fragments);
   return row;
 }
 
@@ -93,9 +97,12 @@ std::vector<LawSummary> summarize(const Run& run) {
 }
 
 LawVerdict verdict_of(const std::vector<LawSummary>& rows) {
-  CaseCounts all;
-  for (const LawSummary& row : rows) merge(all, row.cases);
-  return verdict_of(all);
+  const auto any = [&rows](LawVerdict verdict) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [verdict](const LawSummary& row) { return row.verdict == verdict; });
+  };
+  if (any(LawVerdict::violated)) return LawVerdict::violated;
+  return any(LawVerdict::held) ? LawVerdict::held : LawVerdict::not_checked;
 }
 
 }  // namespace rastercheck::records

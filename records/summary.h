@@ -16,7 +16,7 @@ namespace rastercheck::records {
 enum class LawVerdict {
   held,
   violated,
-  not_checked,  ///< no case that the law says anything of
+  not_checked,  ///< no case that the law says anything of, or nothing drawn rightly in any
 };
 
 /// "held", "violated", "not checked".

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 
@@ -12,6 +13,7 @@
 #include "cli/backend_failure.h"
 #include "cli/command.h"
 #include "oracle/transform.h"
+#include "properties/law.h"
 #include "reports/picture.h"
 #include "reports/png.h"
 #include "reports/write.h"
@@ -23,9 +25,13 @@ struct Options {
   std::string file;
   std::string backend = "cpu";
   std::string png;
+  bool all = false;
   bool json = false;
   bool quiet = false;
 };
+
+/// More samples than this are drawn with --all, so that nobody waits for them by mistake.
+constexpr std::int64_t kManySamples = std::int64_t{1} << 26;
 
 /// CONTRACT, `oracle` and `render` output.
 void print_json(const std::string& backend, const cases::Framebuffer& drawn) {
@@ -72,7 +78,13 @@ ExitCode run(const Options& options) {
   Result<cases::Case> c = cases::read_case(options.file);
   if (c) c = oracle::to_clip_case(*c, options.file);
   if (!c) return fail(c.error());
-  const Result<cases::Framebuffer> drawn = (*backend)->draw(*c);
+  const cases::FramebufferSize& size = c->framebuffer;
+  const std::int64_t samples = std::int64_t{size.width} * size.height * size.samples;
+  if (samples > kManySamples && !options.all) {
+    return fail({options.file, "/framebuffer",
+                 fmt::format("{} samples are more than 2^26; --all draws them", samples)});
+  }
+  const Result<cases::Framebuffer> drawn = properties::draw(*c, **backend);
   if (!drawn) return fail({options.file, drawn.error().place, drawn.error().reason});
   if (!options.png.empty()) {
     const Result<void> written =
@@ -96,6 +108,7 @@ Action set_up(CLI::App& app) {
   app.add_option("--backend", options->backend, "What draws it (see rastercheck list backends)")
       ->capture_default_str();
   app.add_option("--png", options->png, "Writes the picture to this file, and prints nothing");
+  app.add_flag("--all", options->all, "Also where the framebuffer has more than 2^26 samples");
   app.add_flag("--json", options->json, "The fragments as JSON, values as hex floats");
   app.add_flag("-q,--quiet", options->quiet, "No header and no summary");
   app.footer("A case with a camera is drawn from its clip positions, rounded once to float32.");

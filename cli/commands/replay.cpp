@@ -13,6 +13,7 @@
 #include "cli/backend_failure.h"
 #include "cli/command.h"
 #include "cli/output.h"
+#include "oracle/transform.h"
 #include "properties/campaign.h"
 
 namespace rastercheck::cli {
@@ -117,6 +118,7 @@ void print_json(const std::vector<Outcome>& outcomes) {
                                 {"verdict", outcome.verdict()},
                                 {"violation_count", outcome.check.violation_count},
                                 {"violations", nlohmann::ordered_json::array()}};
+    if (!outcome.found.empty()) json["found"] = outcome.found;
     for (const records::Violation& v : outcome.check.violations) {
       json["violations"].push_back(violation_json(v));
     }
@@ -125,30 +127,59 @@ void print_json(const std::vector<Outcome>& outcomes) {
   fmt::print("{}\n", all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-ExitCode run(const Options& options) {
+/// A file's case, and what it is to be checked by.
+struct Input {
+  std::string file;
+  cases::Case source;
+  std::vector<const properties::Law*> laws;
+  std::string backend;
+};
+
+Result<std::vector<Input>> read_inputs(const Options& options) {
+  std::vector<Input> inputs;
+  for (const std::string& file : options.files) {
+    Result<cases::Case> c = cases::read_case(file);
+    // What positions beyond float32 draw is no question to a backend.
+    if (c) c = oracle::to_clip_case(*c, file).map([&c](const cases::Case&) { return *c; });
+    if (!c) return tl::unexpected(c.error());
+    auto laws = laws_for(*c, file);
+    if (!laws) return tl::unexpected(laws.error());
+    std::string backend = options.backend;
+    if (backend.empty()) backend = c->found ? c->found->backend : "cpu";
+    inputs.push_back({file, *std::move(c), *std::move(laws), std::move(backend)});
+  }
+  return inputs;
+}
+
+Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs) {
   std::vector<Outcome> outcomes;
   std::map<std::string, std::unique_ptr<backends::Backend>> made;
-  for (const std::string& file : options.files) {
-    const Result<cases::Case> c = cases::read_case(file);
-    if (!c) return fail(c.error());
-    const auto laws = laws_for(*c, file);
-    if (!laws) return fail(laws.error());
-    std::string specification = options.backend;
-    if (specification.empty()) specification = c->found ? c->found->backend : "cpu";
+  for (const auto& [file, source, laws, specification] : inputs) {
     if (!made.contains(specification)) {
       auto backend = backends::make_backend(specification);
-      if (!backend) return fail_backend(backend.error());
+      if (!backend) return tl::unexpected(backend.error());
       made[specification] = *std::move(backend);
     }
-    for (const properties::Law* law : *laws) {
-      Outcome outcome{file, std::string(law->name), specification, {}, {}};
-      outcome.check = properties::check_or_note(*law, *c, *made[specification],
-                                                {c->found ? c->found->index : 0});
-      if (c->found) outcome.found = c->found->verdict;
-      if (outcome.check.fault) return fail_internally({file, "", *outcome.check.fault});
+    const cases::Found found = source.found.value_or(cases::Found());
+    for (const properties::Law* law : laws) {
+      Outcome outcome{file, std::string(law->name), specification, {}, found.verdict};
+      outcome.check = properties::check_or_note(*law, source, *made[specification], {found.index});
+      if (outcome.check.fault) return tl::unexpected(Error{file, "", *outcome.check.fault});
       outcomes.push_back(std::move(outcome));
     }
   }
+  return outcomes;
+}
+
+ExitCode run(const Options& options) {
+  const Result<std::vector<Input>> inputs = read_inputs(options);
+  if (!inputs) return fail(inputs.error());
+  std::vector<std::string> specifications;
+  for (const Input& input : *inputs) specifications.push_back(input.backend);
+  if (const ExitCode code = check_backends(specifications); code != ExitCode::ok) return code;
+  const Result<std::vector<Outcome>> checked = check_inputs(*inputs);
+  if (!checked) return fail_internally(checked.error());
+  const std::vector<Outcome>& outcomes = *checked;
   if (options.json) {
     print_json(outcomes);
   } else {

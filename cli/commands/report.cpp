@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/output.h"
 #include "reports/run_reader.h"
 #include "reports/write.h"
 
@@ -22,7 +23,7 @@ ExitCode run(const Options& options) {
   if (!read) return fail(read.error());
   const Result<void> written = reports::write_reports(*read, options.directory, options.formats);
   if (!written) return fail(written.error());
-  if (!options.quiet) fmt::print("Report: {}/report.html\n", options.directory);
+  if (!options.quiet) fmt::print("{}", where_reports_are(options.directory, options.formats));
   return ExitCode::ok;
 }
 

@@ -12,20 +12,24 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <random>
-#include <thread>
 
 #include "backends/backend.h"
 #include "cases/case_reader.h"
+#include "cases/json.h"
 #include "cases/mesh.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/summary_table.h"
+#include "cli/whole_number.h"
+#include "oracle/transform.h"
 #include "properties/scene.h"
 #include "properties/workers.h"
+#include "reports/format.h"
 #include "reports/picture.h"
 #include "reports/png.h"
 #include "reports/write.h"
@@ -72,11 +76,20 @@ std::vector<std::string> chosen_laws(const std::string& pattern) {
   return names;
 }
 
+/// The scene's clip case, under the name of its file if it has no other.
 Result<cases::Case> read_scene(const Options& options) {
-  if (!cases::is_mesh_file(options.scene)) return cases::read_case(options.scene);
-  Result<cases::Case> scene = cases::case_from_mesh(
-      options.scene, {options.scene_size, options.scene_size, cases::Rules::vulkan});
-  if (scene) scene->name = std::filesystem::path(options.scene).filename().string();
+  const bool is_mesh = cases::is_mesh_file(options.scene);
+  Result<cases::Case> scene =
+      is_mesh ? cases::case_from_mesh(
+                    options.scene, {options.scene_size, options.scene_size, cases::Rules::vulkan})
+              : cases::read_case(options.scene);
+  if (scene) scene = oracle::to_clip_case(*scene, options.scene);
+  if (scene && (is_mesh || scene->name.empty())) {
+    const bool is_file = options.scene != "-";
+    scene->name = is_file
+                      ? cases::valid_utf8(std::filesystem::path(options.scene).filename().string())
+                      : "standard input";
+  }
   return scene;
 }
 
@@ -89,10 +102,9 @@ Result<records::Picture> picture(std::string name, std::string caption,
 }
 
 /// Judges the scene with every backend, and keeps what was drawn and its error map as pictures.
-Result<properties::Findings> judge_scenes(const Options& options, const cases::Case& scene,
-                                          records::Run& run) {
+Result<properties::Findings> judge_scenes(const cases::Case& scene, records::Run& run) {
   properties::Findings all;
-  for (const std::string& specification : options.backends) {
+  for (const std::string& specification : run.backends) {
     auto backend = backends::make_backend(specification);
     if (!backend) return tl::unexpected(backend.error());
     Result<properties::SceneFindings> found =
@@ -133,16 +145,16 @@ Result<properties::Findings> find(const Options& options, const std::string& cor
   Result<properties::Findings> of_scene;
   if (options.jobs == 1) {
     properties::TaskRunner runner(run.seed, std::move(corpus));
-    if (scene) of_scene = judge_scenes(options, *scene, run);
+    if (scene) of_scene = judge_scenes(*scene, run);
     if (of_scene) campaign = properties::run_tasks(runner, tasks, progress);
   } else {
     const std::vector<std::string> command{
         kOwnProgram, "worker", "--seed", std::to_string(run.seed), "--corpus", corpus_directory};
-    std::thread dispatcher([&] {
-      campaign = properties::run_tasks_in_processes(command, options.jobs, tasks, progress);
+    auto dispatched = std::async(std::launch::async, [&] {
+      return properties::run_tasks_in_processes(command, options.jobs, tasks, progress);
     });
-    if (scene) of_scene = judge_scenes(options, *scene, run);
-    dispatcher.join();
+    if (scene) of_scene = judge_scenes(*scene, run);
+    campaign = dispatched.get();
   }
   if (!of_scene) return of_scene;
   if (!campaign) return campaign;
@@ -192,7 +204,30 @@ void print_results(const Options& options, const records::Run& run,
     fmt::print("Counterexample: {}/{} ({})\n", options.output, records::file_of(found),
                found.source.found->verdict);
   }
-  fmt::print("Seed {}, {:.1f} s. Report: {}/report.html\n", run.seed, seconds, options.output);
+  fmt::print("Seed {}, {:.1f} s. {}", run.seed, seconds,
+             where_reports_are(options.output, options.formats));
+}
+
+/// The same without those that were there before: twice the same is no more work.
+std::vector<std::string> without_repetitions(const std::vector<std::string>& all) {
+  std::vector<std::string> once;
+  for (const std::string& one : all) {
+    if (std::find(once.begin(), once.end(), one) == once.end()) once.push_back(one);
+  }
+  return once;
+}
+
+/// Whether reports can be written there; asked before the work rather than after it.
+Result<void> check_output(const Options& options) {
+  for (const std::string& name : options.formats) {
+    if (const auto format = reports::find_format(name); !format) {
+      return tl::unexpected(format.error());
+    }
+  }
+  std::error_code why;
+  std::filesystem::create_directories(options.output, why);
+  if (why) return tl::unexpected(Error{options.output, "", "cannot be made: " + why.message()});
+  return {};
 }
 
 ExitCode run_campaign(const Options& options) {
@@ -200,14 +235,10 @@ ExitCode run_campaign(const Options& options) {
   records::Run run;
   run.seed = options.seed ? *options.seed : std::random_device()();
   run.cases_per_law = options.cases;
-  run.backends = options.backends;
+  run.backends = without_repetitions(options.backends);
   run.laws = chosen_laws(options.property);
   if (run.laws.empty()) {
     return fail({"--property", "", "no property matches (see rastercheck list properties)"});
-  }
-  for (const std::string& specification : options.backends) {
-    const auto backend = backends::make_backend(specification);
-    if (!backend) return fail_backend(backend.error());
   }
   const std::string corpus_directory = options.corpus.empty() ? default_corpus() : options.corpus;
   Result<std::vector<cases::Case>> corpus = properties::read_corpus(corpus_directory);
@@ -219,6 +250,10 @@ ExitCode run_campaign(const Options& options) {
     scene = *std::move(read);
     run.scene = options.scene;
   }
+
+  if (const auto can_write = check_output(options); !can_write) return fail(can_write.error());
+  // Last: input that cannot be read goes before backends that cannot run.
+  if (const ExitCode code = check_backends(run.backends); code != ExitCode::ok) return code;
 
   Result<properties::Findings> found =
       find(options, corpus_directory, *std::move(corpus), scene, run);
@@ -244,8 +279,11 @@ Action set_up(CLI::App& app) {
                  "Only properties whose name matches, as '*edge*' (see rastercheck list "
                  "properties)")
       ->capture_default_str();
-  app.add_option("--cases", options->cases, "Random cases of each property")->capture_default_str();
-  app.add_option("--seed", options->seed, "Seed of the random cases; random without it");
+  app.add_option("--cases", options->cases, "Random cases of each property")
+      ->check(whole_number())
+      ->capture_default_str();
+  app.add_option("--seed", options->seed, "Seed of the random cases; random without it")
+      ->check(whole_number());
   app.add_option("--scene", options->scene, "Mesh or case file that is drawn and judged whole");
   app.add_option("--scene-size", options->scene_size, "Width and height of a mesh's picture")
       ->check(CLI::Range(1, cases::kMaxSize))

@@ -15,9 +15,13 @@ using records::Verdict;
 struct Covering {
   std::uint32_t triangle = 0;
   records::SampleVerdict decision;
-  /// The depths that a backend may compute.
-  FieldRange depth;
+  /// The depths that a backend may compute; nothing where the rules leave it undefined.
+  std::optional<FieldRange> depth;
 };
+
+bool is_surely_nearer(const Covering& a, const Covering& b) {
+  return a.depth && b.depth && a.depth->hi < b.depth->lo;
+}
 
 /// The most that a computed depth may be off, in depth.
 Field depth_slack(const Scene& scene) {
@@ -33,12 +37,12 @@ NearestAnswer resolve(const std::vector<Covering>& all) {
       return b.decision.verdict == Verdict::required;
     };
     const bool is_beaten = std::any_of(all.begin(), all.end(), [&](const Covering& b) {
-      return &b != &a && is_required(b) && b.depth.hi < a.depth.lo;
+      return &b != &a && is_required(b) && is_surely_nearer(b, a);
     });
     answer.is_required = answer.is_required || is_required(a);
     if (is_beaten) continue;
     const bool beats_all = std::all_of(all.begin(), all.end(), [&a](const Covering& b) {
-      return &b == &a || a.depth.hi < b.depth.lo;
+      return &b == &a || is_surely_nearer(a, b);
     });
     answer.candidates.push_back({a.triangle, a.decision});
     if (!beats_all && is_required(a)) {
@@ -61,10 +65,11 @@ std::map<std::tuple<int, int, int>, NearestAnswer> nearest_answers(const SceneTr
         for (int s = 0; s < scene.source().framebuffer.samples; ++s) {
           const records::SampleVerdict decision = truth.judge(x, y, s);
           if (decision.verdict == Verdict::forbidden) continue;
-          const std::optional<ValueRange> depth = truth.depth(x, y, s);
-          if (!depth) continue;
-          coverings[{y, x, s}].push_back(
-              {t, decision, {to_field(depth->lo) - slack, to_field(depth->hi) + slack}});
+          Covering covering{t, decision, std::nullopt};
+          if (const std::optional<ValueRange> depth = truth.depth(x, y, s)) {
+            covering.depth = {to_field(depth->lo) - slack, to_field(depth->hi) + slack};
+          }
+          coverings[{y, x, s}].push_back(std::move(covering));
         }
       }
     }

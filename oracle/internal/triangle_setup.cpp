@@ -167,6 +167,9 @@ bool TriangleSetup::holds_box_around(const Point& p) const {
 }
 
 const std::vector<ProjectiveMap>* TriangleSetup::placements() const {
+  // Where all corners of the boxes agree all positions between do, as every coordinate enters
+  // alone and linearly; but a point may be covered for some position between and at no corner.
+  if (!scene->contract().is_on_grid && corner_count() > 1) return nullptr;
   // In double, because the product of six counts may exceed a long.
   double count = 1;
   for (const auto& vertex : snapped) {

@@ -53,7 +53,7 @@ struct TriangleSetup {
   /// those that move all vertices the same way, so that among them values differ most.
   const ProjectiveMap& corner(std::size_t index) const;
   /// Shape placed: the maps of all placements, made when first asked for; nullptr where they are
-  /// more than kMostPlacements.
+  /// more than kMostPlacements, or where vertices need not be on grid points.
   const std::vector<ProjectiveMap>* placements() const;
 
   /// Shape cut: how far a boundary that was cut may be off, per axis, in pixels.

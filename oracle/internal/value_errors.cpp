@@ -166,10 +166,9 @@ std::optional<UlpError> ValueErrors::single_excess(const Subject& subject, const
 std::optional<UlpError> ValueErrors::placed_excess(const Subject& subject, const Point& p,
                                                    Place place, const Ring& computed) const {
   const bool is_affine_at_sample = place == Place::sample && !subject.quantity.is_perspective;
-  const bool has_ideal =
-      triangle_->scene->contract().basis == cases::Basis::unspecified &&
-      triangle_->ideal.orientation() != 0 &&
-      (is_affine_at_sample || sign_of(triangle_->ideal.inverse_w().at(p)) > 0);
+  const bool has_ideal = triangle_->scene->contract().basis == cases::Basis::unspecified &&
+                         triangle_->ideal.orientation() != 0 &&
+                         (is_affine_at_sample || sign_of(triangle_->ideal.inverse_w().at(p)) > 0);
   const bool is_between_ends = compare_clamped(subject, computed, subject.least_end) >= 0 &&
                                compare_clamped(subject, computed, subject.greatest_end) <= 0;
   const int orientation = triangle_->corner(0).orientation();

@@ -1,12 +1,10 @@
 #include "oracle/internal/value_judge.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "oracle/internal/rational_number.h"
+#include "oracle/internal/value_bound.h"
 #include "oracle/internal/value_errors.h"
 #include "records/record.h"
 
@@ -32,35 +30,15 @@ AttributeKind kind_of(const cases::Case& source, const ComputedValue& value) {
   return AttributeKind::flat;
 }
 
-cases::ValueBound bound_of(const cases::Contract& contract, AttributeKind kind) {
-  switch (kind) {
-    case AttributeKind::depth:
-      return contract.bounds.depth;
-    case AttributeKind::smooth:
-      return contract.bounds.smooth;
-    case AttributeKind::noperspective:
-      return contract.bounds.noperspective;
-    case AttributeKind::coverage:
-    case AttributeKind::flat:
-      break;
-  }
-  return {0, 0};
-}
-
-/// Whether |excess| <= constant + per_horizon · g, exactly.
+/// Whether |excess| is within what the contract promises, exactly.
 bool is_within(const UlpError& excess, const cases::ValueBound& bound, const TriangleTruth& truth,
                const ComputedValue& value) {
   if (excess.is_zero()) return true;
   if (records::magnitude_bound(excess.enclosure()) <= double{bound.constant}) return true;
-  Field most = exact_field(bound.constant);
-  if (bound.per_horizon > 0 && value.attribute) {
-    const auto horizon =
-        truth.horizon_ratio(*value.attribute, static_cast<int>(value.x), static_cast<int>(value.y),
-                            static_cast<int>(value.sample));
-    if (!horizon) return true;  // no bound is promised where 1/w <= 0
-    most = most + exact_field(bound.per_horizon) * to_field(*horizon);
-  }
-  return magnitude(excess.value()) <= most;
+  const std::optional<Rational> most =
+      truth.value_bound(value.attribute, static_cast<int>(value.x), static_cast<int>(value.y),
+                        static_cast<int>(value.sample));
+  return !most || magnitude(excess.value()) <= to_field(*most);
 }
 
 /// Whether all three vertices have the same zero, and the value is the other one.
@@ -99,12 +77,6 @@ void count(records::Histogram& histogram, const UlpError& error) {
   } else {
     histogram.add(records::magnitude_bound(enclose(error.value())));
   }
-}
-
-std::string range_text(const std::optional<ValueRange>& range) {
-  if (!range) return "undefined";
-  if (range->lo == range->hi) return range->lo.to_string();
-  return fmt::format("[{}, {}]", range->lo.to_string(), range->hi.to_string());
 }
 
 /// Counts an error, and keeps it where it is an extreme. `exact` gives the exact value's text.
@@ -162,7 +134,7 @@ std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTr
       truth.errors().of(value.attribute, static_cast<int>(value.x), static_cast<int>(value.y),
                         static_cast<int>(value.sample), as_ring(value.actual));
   if (!errors) return std::nullopt;
-  const cases::ValueBound bound = bound_of(scene.contract(), judged.kind);
+  const cases::ValueBound bound = bound_of(scene.contract(), scene.source(), value.attribute);
   judged.fragment_class = class_of(scene, truth, value, errors->excess, bound);
   records::ErrorStatistics& statistics = judgement.errors[judged.kind];
   ++statistics.classes[judged.fragment_class];
@@ -170,7 +142,7 @@ std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTr
 
   judged.excess = errors->excess.enclosure();
   add(statistics.excess, errors->excess, scene, value, case_index,
-      [&] { return range_text(range_of(truth, value)); });
+      [&] { return to_string(range_of(truth, value)); });
   if (errors->ideal) {
     judged.ideal = errors->ideal->enclosure();
     add(statistics.ideal, *errors->ideal, scene, value, case_index,

@@ -112,6 +112,19 @@ void add_projective_edge(Draw& draw, cases::Case& c) {
   add_triangle(c, edge[0], edge[1], last);
 }
 
+/// A distance at every triangle's first vertex and its opposite at the second: of equal weights,
+/// and on an edge of add_projective_edge, the plane meets the edge in its middle, which often is a
+/// sample.
+void add_opposite_distances(Draw& draw, cases::Case& c) {
+  for (const cases::Triangle& triangle : c.triangles) {
+    for (std::size_t d = 0; d < c.clip_distance_count; ++d) {
+      const float distance = draw.uniform(-1, 1);
+      c.clip_distances[triangle[0] * c.clip_distance_count + d] = distance;
+      c.clip_distances[triangle[1] * c.clip_distance_count + d] = -distance;
+    }
+  }
+}
+
 cases::Case make(Draw& draw) {
   StateRequest request;
   request.is_on_grid = true;
@@ -135,7 +148,9 @@ cases::Case make(Draw& draw) {
     }
   }
   add_attribute_values(draw, c);
+  if (draw.one_in(3)) c.clip_distance_count = 1;
   add_clip_distances(draw, c);
+  if (!draw.one_in(4)) add_opposite_distances(draw, c);
   return c;
 }
 

@@ -74,12 +74,51 @@ void add_sliver(Draw& draw, cases::Case& c) {
   add_triangle(c, corners[0], corners[1], corners[2]);
 }
 
+/// A triangle with an edge exactly through a sample, whose coordinates have up to 24 bits, so that
+/// no double holds the edge; the third corner lies a float's breadth off it. With the sample as q
+/// in homogeneous coordinates, free of divisions, the edge's ends are a and q − a.
+void add_needle(Draw& draw, cases::Case& c) {
+  const WindowPoint p = visible_sample(draw, c);
+  const double width{c.viewport.width};
+  const double height{c.viewport.height};
+  const double side = c.rules == cases::Rules::d3d ? -1 : 1;
+  const double sign = width * height < 0 ? -1 : 1;
+  const double q_x = sign * (2 * (p.u - double{c.viewport.x}) - width) * height;
+  const double q_y = sign * side * (2 * (p.v - double{c.viewport.y}) - height) * width;
+  const double q_w = sign * width * height;
+
+  // Below 2^13 in multiples of 2^-11, as q is where the viewport's numbers are whole.
+  const auto most = static_cast<int>(q_w * 0x1p11);
+  const int n_w = draw.between(most / 8, most - most / 8);
+  const int n_x = draw.between(-n_w, n_w);
+  const int n_y = draw.between(-n_w, n_w);
+  const float depth = random_depth(draw, c);
+  const auto corner = [depth](double x, double y, double w) {
+    return cases::ClipVertex{to_float(x), to_float(y), to_float(double{depth} * w), to_float(w)};
+  };
+  const double a_x = n_x * 0x1p-11;
+  const double a_y = n_y * 0x1p-11;
+  const double a_w = n_w * 0x1p-11;
+  const double s = double{draw.unit()};
+  const auto between = [s](double a, double q) { return s * a + (1 - s) * (q - a); };
+  cases::ClipVertex third = corner(between(a_x, q_x), between(a_y, q_y), between(a_w, q_w));
+  third.x = stepped(third.x, draw.between(-2, 2));
+  third.y = stepped(third.y, draw.between(-2, 2));
+  add_triangle(c, corner(a_x, a_y, a_w), corner(q_x - a_x, q_y - a_y, q_w - a_w), third);
+}
+
 cases::Case make(Draw& draw) {
   StateRequest request;
   request.least_side = 24;
   cases::Case c = random_state(draw, request);
   const int triangles = draw.between(6, 10 + draw.size() / 8);
-  for (int i = 0; i < triangles; ++i) add_sliver(draw, c);
+  for (int i = 0; i < triangles; ++i) {
+    if (draw.one_in(3)) {
+      add_needle(draw, c);
+    } else {
+      add_sliver(draw, c);
+    }
+  }
   add_attribute_values(draw, c);
   add_clip_distances(draw, c);
   return c;

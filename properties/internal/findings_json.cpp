@@ -40,7 +40,9 @@ Result<Findings> findings_from_line(const std::string& line) {
   const std::string file = kWorker;
   const JsonNode root(*document, "", error, file);
   if (root.has("error")) {
+    root.expect_object({"error"});
     const JsonNode node = root["error"];
+    node.expect_object({"file", "place", "reason"});
     Error said{node["file"].text(), node["place"].text(), node["reason"].text()};
     return tl::unexpected(error ? *error : said);
   }
@@ -53,6 +55,8 @@ Result<Findings> findings_from_line(const std::string& line) {
   findings.records = *std::move(found);
   for (const JsonNode& node : root["counterexamples"].elements()) {
     findings.counterexamples.push_back(records::counterexample_from_json(node));
+    // By it counterexamples are ordered.
+    if (!findings.counterexamples.back().source.found) node.refuse("its case has no 'found'");
   }
   if (root.has("fault")) findings.fault = root["fault"].text();
   if (error) return tl::unexpected(*error);

@@ -7,8 +7,8 @@
 // below a power of two, so that the nearest middle between floats is 1/4 ulp from the constant.
 // Where the promise is weaker, as towards the horizon, nothing is judged.
 //
-// A plane of equal depth, z_i w_j = z_j w_i, asks for more than the bound does where the exact
-// depth lies close to the middle between two floats: both of them are then within the bound, but
+// A plane of equal depth, z_i w_j = z_j w_i, is judged where the contract promises to keep it. The
+// bound alone allows two depths where the exact one lies close to the middle between two floats;
 // two neighbouring fragments that take different ones make a surface fight with itself (RULES §6).
 //
 // Attributes: smooth and noperspective ones, at every location; flat ones are copies anyhow.
@@ -82,8 +82,7 @@ Constants constants_of(const cases::Case& c, const cases::Contract& contract, st
         is_smooth ? contract.bounds.smooth : contract.bounds.noperspective;
     if (may_be_exact(bound) && is_constant(c, triangle, a)) constants.attributes.push_back(a);
   }
-  constants.has_equal_depth =
-      double{contract.bounds.depth.constant} < kMostBound && has_equal_depth(c, triangle);
+  constants.has_equal_depth = contract.keeps_equal_depth && has_equal_depth(c, triangle);
   return constants;
 }
 
@@ -193,7 +192,8 @@ class ConstantsCheck {
     const cases::Attribute& declared = c.attributes[attribute];
     const bool may_be_undefined = declared.location == cases::Location::center;
     if (may_be_undefined && !subject.truth.attribute(attribute, x, y, s)) return;
-    const auto bound = promised_bound(subject.truth, *scene_, attribute, x, y, s);
+    const auto promised = subject.truth.value_bound(attribute, x, y, s);
+    const auto bound = promised ? std::optional(promised->enclosure()) : std::nullopt;
     if (!bound || bound->hi >= kMostBound) {
       labels_.emplace("bound too wide");
       return;

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
+
+#include "rasterizer/internal/exact_sum.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -14,6 +17,13 @@ int held_to(const PixelRange& range, double value) {
   if (!(value > range.begin)) return range.begin;
   if (value >= range.end) return range.end;
   return static_cast<int>(value);
+}
+
+/// Where `origin + size` is no double, the next one above: every double is on the same side of
+/// both.
+double far_side(double origin, double size) {
+  const TwoSum sum(origin, size);
+  return sum.error > 0 ? std::nextafter(sum.sum, std::numeric_limits<double>::infinity()) : sum.sum;
 }
 
 PixelRange scissored(int target, int origin, int size) {
@@ -43,8 +53,8 @@ DrawBounds draw_bounds(const State& state, const TargetSize& size) {
 
   const double x0 = state.viewport.origin.x;
   const double y0 = state.viewport.origin.y;
-  const double x1 = x0 + double{state.viewport.size.x};
-  const double y1 = y0 + double{state.viewport.size.y};
+  const double x1 = far_side(x0, state.viewport.size.x);
+  const double y1 = far_side(y0, state.viewport.size.y);
   const std::span<const SampleOffset> pattern = standard_pattern(size.samples);
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     bounds.sample_columns[i] =

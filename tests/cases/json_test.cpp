@@ -200,6 +200,16 @@ TEST(Printable, ALongTextOfManyByteCharactersStaysUtf8) {
   }
 }
 
+TEST(ValidUtf8, ReplacesOnlyWhatIsNone) {
+  EXPECT_EQ(valid_utf8("a\n\"\\\xe2\x82\xac"), "a\n\"\\\xe2\x82\xac");
+  EXPECT_EQ(valid_utf8("\0"sv), "\0"sv);
+  EXPECT_EQ(valid_utf8("a\xff"
+                       "b\xc3"),
+            "a\xef\xbf\xbd"
+            "b\xef\xbf\xbd");
+  EXPECT_EQ(valid_utf8(""), "");
+}
+
 /// A path that no test running at the same time has.
 std::string temporary_file(const std::string& name) {
   return testing::TempDir() + "rastercheck_" + name + "_" + std::to_string(getpid());

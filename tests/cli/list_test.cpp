@@ -1,9 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
+#include "tests/temporary_folder.h"
 
 namespace rastercheck::cli {
 namespace {
@@ -31,6 +33,44 @@ TEST(List, AsJsonIsJson) {
   EXPECT_EQ(document.at("patterns").at(1),
             nlohmann::json::parse(R"({"samples": 2, "positions": [[12, 12], [4, 4]]})"));
   EXPECT_TRUE(document.at("backends").is_array());
+}
+
+TEST(List, SaysWhichBackendsCanRunHereAndWhyNot) {
+  const auto document =
+      nlohmann::json::parse(run_damaged_program({"list", "backends", "--json"}).out);
+  std::map<std::string, nlohmann::json> rows;
+  for (const auto& row : document.at("backends")) rows[row.at("name")] = row;
+  EXPECT_EQ(rows.at("cpu").at("available"), true);
+  EXPECT_EQ(rows.at("cpu").at("why not"), "");
+  EXPECT_EQ(rows.at("damaged:absent").at("available"), false);
+  EXPECT_EQ(rows.at("damaged:absent").at("why not"), "needs what no machine has");
+  const Outcome table = run_damaged_program({"list", "backends"});
+  EXPECT_THAT(table.out, HasSubstr("needs what no machine has"));
+}
+
+TEST(List, NamesTheMethodsByTheirSources) {
+  const auto document = nlohmann::json::parse(run_program({"list", "methods", "--json"}).out);
+  EXPECT_THAT(document.at("methods"), testing::Not(testing::IsEmpty()));
+  for (const auto& row : document.at("methods")) EXPECT_NE(row.at("source"), "") << row;
+}
+
+// Whatever is listed as able to run can be asked for by the name it is listed by.
+TEST(List, NamesWhatOtherCommandsTake) {
+  const auto document = nlohmann::json::parse(run_program({"list", "--json"}).out);
+  for (const auto& row : document.at("backends")) {
+    if (!row.at("available")) continue;
+    const Outcome outcome =
+        run_program({"render", "--backend", row.at("name"), "-"}, square_case());
+    EXPECT_EQ(outcome.code, 0) << outcome;
+  }
+  const TemporaryFolder folder;
+  folder.put("corpus/square.json", square_case());
+  for (const auto& row : document.at("properties")) {
+    const Outcome outcome =
+        run_program({"run", "--corpus", folder.path("corpus"), "--cases", "0", "--output",
+                     folder.path("out"), "--property", row.at("name")});
+    EXPECT_EQ(outcome.code, 0) << outcome;
+  }
 }
 
 }  // namespace

@@ -38,9 +38,8 @@ std::string content_of(const File& file) {
   return text;
 }
 
-}  // namespace
-
-Outcome run_program(const std::vector<std::string>& arguments, const std::string& input) {
+Outcome run(const char* program, const std::vector<std::string>& arguments,
+            const std::string& input) {
   const File in = temporary_file(input);
   const File out = temporary_file();
   const File err = temporary_file();
@@ -50,21 +49,53 @@ Outcome run_program(const std::vector<std::string>& arguments, const std::string
   posix_spawn_file_actions_adddup2(&actions, fileno(out.get()), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, fileno(err.get()), STDERR_FILENO);
 
-  std::vector<std::string> words{RASTERCHECK_PROGRAM};
+  std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 
   pid_t child = 0;
-  const int spawned =
-      posix_spawn(&child, RASTERCHECK_PROGRAM, &actions, nullptr, argv.data(), environ);
+  const int spawned = posix_spawn(&child, program, &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (spawned != 0) throw std::runtime_error("cannot start " RASTERCHECK_PROGRAM);
+  if (spawned != 0) throw std::runtime_error("cannot start " + words.front());
   int status = 0;
   waitpid(child, &status, 0);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   return {code, content_of(out), content_of(err)};
+}
+
+}  // namespace
+
+Outcome run_program(const std::vector<std::string>& arguments, const std::string& input) {
+  return run(RASTERCHECK_PROGRAM, arguments, input);
+}
+
+Outcome run_damaged_program(const std::vector<std::string>& arguments, const std::string& input) {
+  return run(RASTERCHECK_DAMAGED_PROGRAM, arguments, input);
+}
+
+bool is_failure(const Outcome& outcome, int code) {
+  return outcome.code == code && outcome.out.empty() && outcome.err.starts_with("rastercheck: ") &&
+         outcome.err.find('\n') == outcome.err.size() - 1;
+}
+
+std::ostream& operator<<(std::ostream& stream, const Outcome& outcome) {
+  return stream << "exit code " << outcome.code << "\nstandard output:\n"
+                << outcome.out << "standard error:\n"
+                << outcome.err;
+}
+
+std::string square_case(const std::string& more_keys) {
+  return R"({"format": "rastercheck-case", "version": 1, "name": "square",
+    "framebuffer": {"width": 8, "height": 8}, "rules": "vulkan",
+    "viewport": {"x": 0, "y": 0, "width": 8, "height": 8}, )" +
+         more_keys + R"("attributes": [{"name": "x"}, {"name": "one"}],
+    "vertices": [{"position": [-1, -1, 0.25, 1], "attributes": [0, 1]},
+                 {"position": [1, -1, 0.25, 1], "attributes": [8, 1]},
+                 {"position": [-1, 1, 0.25, 1], "attributes": [0, 1]},
+                 {"position": [1, 1, 0.25, 1], "attributes": [8, 1]}],
+    "triangles": [[0, 1, 2], [2, 1, 3]]})";
 }
 
 std::string source_file(const std::string& relative) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,21 @@ struct Outcome {
 
 /// Runs the `rastercheck` program with these arguments, `input` on its standard input.
 Outcome run_program(const std::vector<std::string>& arguments, const std::string& input = "");
+
+/// The same with the program that has the backends `damaged:…` too (properties/damaged_kind.cpp).
+Outcome run_damaged_program(const std::vector<std::string>& arguments,
+                            const std::string& input = "");
+
+/// Whether it failed as CONTRACT has it: this exit code, nothing on standard output, and on the
+/// other one line that starts with "rastercheck: ".
+bool is_failure(const Outcome& outcome, int code);
+
+/// What failed and how, for messages.
+std::ostream& operator<<(std::ostream& stream, const Outcome& outcome);
+
+/// A case file's text: the square of two triangles that fills 8×8 pixels, w = 1, with the
+/// attributes x, the window x, and one, which is 1. Its name is "square".
+std::string square_case(const std::string& more_keys = "");
 
 /// A file of the source tree.
 std::string source_file(const std::string& relative);

@@ -1,5 +1,6 @@
-// Compiled into every mutant, with a mutated copy of the rasterizer and of its backend: the one
-// function that its module exports.
+// Compiled into every mutant, with the damaged rasterizer and its backend: the one function that
+// its module exports. RASTERCHECK_MUTANT_METHOD is the textbook method that the patch damages,
+// empty where that is the rasterizer proper.
 
 #include "backends/backend.h"
 #include "backends/cpu/rasterizer_backend.h"
@@ -7,5 +8,5 @@
 /// The caller deletes it. Its virtual functions, the destructor among them, are the module's.
 extern "C" __attribute__((visibility("default"))) rastercheck::backends::Backend*
 rastercheck_make_mutant() {
-  return rastercheck::backends::make_rasterizer_backend("").release();
+  return rastercheck::backends::make_rasterizer_backend(RASTERCHECK_MUTANT_METHOD).release();
 }

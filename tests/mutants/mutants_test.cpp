@@ -5,6 +5,7 @@
 //
 //   Defect: one sentence
 //   Killed by: the name of a law
+//   Of: the backend whose sources it damages
 
 #include <gtest/gtest.h>
 
@@ -29,17 +30,20 @@ constexpr std::uint64_t kCases = 200;
 struct Header {
   std::string defect;
   std::string killed_by;
+  std::string of;
 };
 
 /// The header of a mutant's patch; a part that is missing is empty.
 Header header_of(const std::string& mutant) {
   constexpr std::string_view kDefect = "Defect: ";
   constexpr std::string_view kKilledBy = "Killed by: ";
+  constexpr std::string_view kOf = "Of: ";
   Header header;
   std::ifstream patch(RASTERCHECK_SOURCE_DIR "/tests/mutants/" + mutant + ".patch");
   for (std::string line; std::getline(patch, line) && !line.starts_with("--- ");) {
     if (line.starts_with(kDefect)) header.defect = line.substr(kDefect.size());
     if (line.starts_with(kKilledBy)) header.killed_by = line.substr(kKilledBy.size());
+    if (line.starts_with(kOf)) header.of = line.substr(kOf.size());
   }
   return header;
 }
@@ -64,10 +68,10 @@ Result<std::optional<Kill>> first_kill(const properties::Law& law, backends::Bac
   return std::nullopt;
 }
 
-/// The rasterizer without the defect finds nothing to object to in the same case, so it is the
-/// defect that the law has found.
-void expect_unharmed_passes(const properties::Law& law, const Kill& kill) {
-  const auto unharmed = backends::make_backend("cpu");
+/// The law finds nothing to object to in what the backend without the defect draws of the same
+/// case, so it is the defect that it has found.
+void expect_unharmed_passes(const properties::Law& law, const std::string& of, const Kill& kill) {
+  const auto unharmed = backends::make_backend(of);
   ASSERT_TRUE(unharmed) << to_string(unharmed.error());
   const auto check = law.check(kill.source, **unharmed, {kill.index});
   ASSERT_TRUE(check) << to_string(check.error());
@@ -97,10 +101,12 @@ TEST_P(Mutants, HasADefectAndALawThatKillsIt) {
   const Header header = header_of(GetParam());
   EXPECT_FALSE(header.defect.empty());
   EXPECT_NE(properties::find_law(header.killed_by), nullptr) << "'" << header.killed_by << "'";
+  EXPECT_TRUE(backends::make_backend(header.of)) << "'" << header.of << "'";
 }
 
 TEST_P(Mutants, IsKilledByItsLawAtAFixedSeed) {
-  const properties::Law* law = properties::find_law(header_of(GetParam()).killed_by);
+  const Header header = header_of(GetParam());
+  const properties::Law* law = properties::find_law(header.killed_by);
   ASSERT_NE(law, nullptr);
   const auto mutant = backends::make_backend("mutant:" + GetParam());
   ASSERT_TRUE(mutant) << to_string(mutant.error());
@@ -110,7 +116,7 @@ TEST_P(Mutants, IsKilledByItsLawAtAFixedSeed) {
   RecordProperty("killing_case", std::to_string((*kill)->index));
   SCOPED_TRACE("case " + std::to_string((*kill)->index));
   ASSERT_FALSE((*kill)->check.violations.empty());
-  expect_unharmed_passes(*law, **kill);
+  expect_unharmed_passes(*law, header.of, **kill);
   expect_replays(*law, GetParam(), **kill);
 }
 

@@ -140,5 +140,64 @@ TEST(HorizonRatio, OfATriangleThroughTheEyeGoesToItsClippedCorners) {
   EXPECT_EQ(horizon_ratio(setup, {Ring(2), Ring(5)}).value(), Field(7) / Field(3, 2));
 }
 
+// By hand: w is 1 on the left border and 4 at the middle of the right one, so that 1/w, linear in
+// the window, is 5/8 at the centre: g = 8/5, and the bound 1/2 + 1/4 · 8/5.
+TEST(ValueBound, GrowsTowardsTheHorizon) {
+  cases::Case c =
+      small_case(cases::Rules::vulkan, 9, 9, {{{-1, -1, 0, 1}, {4, 0, 0, 4}, {-1, 1, 0, 1}}},
+                 {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}});
+  c.attributes[1].interpolation = cases::Interpolation::flat;
+  c.attributes[2].interpolation = cases::Interpolation::noperspective;
+  cases::Contract contract;
+  contract.bounds.smooth = {0.5F, 0.25F};
+  contract.bounds.noperspective = {3, 0.25F};
+  contract.bounds.depth = {2, 0};
+  const SceneTruth scene(c, contract);
+  const TriangleTruth truth(scene, 0);
+  EXPECT_EQ(truth.value_bound(0, 4, 4, 0)->to_string(), "9/10");
+  EXPECT_EQ(truth.value_bound(1, 4, 4, 0)->to_string(), "0");
+  EXPECT_EQ(truth.value_bound(2, 4, 4, 0)->to_string(), "3");
+  EXPECT_EQ(truth.value_bound(std::nullopt, 4, 4, 0)->to_string(), "2");
+}
+
+// Kills: no bound at all where the exact triangle has no area and its snapped one has.
+TEST(ValueBound, IsTheConstantWhereTheExactTriangleIsDegenerate) {
+  const cases::Case c =
+      small_case(cases::Rules::vulkan, 9, 9, {{{-1, -1, 0, 1}, {0, 0, 0, 1}, {1, 1, 0, 1}}},
+                 {{{0}, {1}, {2}}});
+  cases::Contract contract;
+  contract.bounds.smooth = {0.5F, 0.25F};
+  const SceneTruth scene(c, contract);
+  EXPECT_EQ(TriangleTruth(scene, 0).value_bound(0, 4, 4, 0)->to_string(), "1/2");
+}
+
+// A point may be covered by the triangle of some positions between grid points and by none of the
+// grid points': where vertices need not be on the grid it is permitted. An apex at (1/2, 3/2) grid
+// units from the sample, about a degree wide.
+TEST(PositionsOffTheGrid, LeaveOpenWhatNoPlacementDecides) {
+  constexpr float kUnit = 0x1p-8F;  // in NDC of a target of 2 pixels: 2^-8 pixels
+  cases::Case c = small_case(cases::Rules::vulkan, 2, 2,
+                             {{{-0.5F + 0.5F * kUnit, -0.5F + 1.5F * kUnit, 0, 1},
+                               {-0.51F, -1, 0, 1},
+                               {-0.5F, -1, 0, 1}}});
+  cases::Contract contract;
+  contract.coverage = cases::Snapping{8, cases::Rounding::unspecified, 0};
+  contract.tie_rule = cases::TieRule::unspecified;
+  const SceneTruth on_grid(c, contract);
+  contract.is_on_grid = false;
+  const SceneTruth off_grid(c, contract);
+  int open = 0;
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 2; ++x) {
+      const records::Verdict placed = TriangleTruth(on_grid, 0).judge(x, y, 0).verdict;
+      const records::Verdict free = TriangleTruth(off_grid, 0).judge(x, y, 0).verdict;
+      open += free == records::Verdict::permitted ? 1 : 0;
+      // What positions on the grid decide may be open off it; never the other way round.
+      EXPECT_TRUE(free == placed || free == records::Verdict::permitted);
+    }
+  }
+  EXPECT_EQ(open, 1);
+}
+
 }  // namespace
 }  // namespace rastercheck::oracle

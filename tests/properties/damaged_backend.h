@@ -1,6 +1,7 @@
 #pragma once
 
-// Backends that draw as `cpu` does and then go wrong in one way, and a case small enough to say by
+// Backends that draw as the textbook method does, whose contract leaves ties and snapping open, and
+// then go wrong in one way, and a case small enough to say by
 // hand what each law has to find.
 
 #include <functional>
@@ -20,10 +21,14 @@ using Damage = std::function<void(const cases::Case&, cases::Framebuffer&)>;
 class DamagedBackend : public backends::Backend {
  public:
   explicit DamagedBackend(Damage damage = {})
-      : inner_(backends::make_backend("cpu").value()), damage_(std::move(damage)) {}
+      : inner_(backends::make_backend("method:rational-linear").value()),
+        damage_(std::move(damage)) {}
 
   cases::Contract contract(const cases::Case& c) const override {
-    return promised ? *promised : inner_->contract(c);
+    if (promised) return *promised;
+    cases::Contract contract = inner_->contract(c);
+    contract.keeps_equal_depth = true;  // as it does of the simple planes that the tests draw
+    return contract;
   }
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
     Result<cases::Framebuffer> drawn = inner_->draw(c);

@@ -52,30 +52,6 @@ TEST(Merge, AddsCountsViolationsAndLabels) {
 
 // 1/w runs from 1 at the left vertices to 1/4 at the right one, where g = 4; at the middle of the
 // edge between, 1/w = 5/8 and g = 8/5.
-TEST(PromisedBound, GrowsTowardsTheHorizon) {
-  cases::Case c = square();
-  c.framebuffer.width = 9;  // the centre of pixel 4 is then the middle of the viewport
-  c.framebuffer.height = 9;
-  c.viewport.width = 9;
-  c.viewport.height = 9;
-  c.positions = {{-1, -1, 0, 1}, {4, 0, 0, 4}, {-1, 1, 0, 1}};
-  c.attribute_values.resize(9);
-  c.attributes[1].interpolation = cases::Interpolation::flat;
-  c.triangles = {{0, 1, 2}};
-  cases::Contract contract;
-  contract.bounds.smooth = {0.5F, 0.25F};
-  contract.bounds.depth = {2, 0};
-  const oracle::SceneTruth scene(c, contract);
-  const oracle::TriangleTruth truth(scene, 0);
-  const auto smooth = promised_bound(truth, scene, 0, 4, 4, 0);
-  ASSERT_TRUE(smooth.has_value());
-  EXPECT_LE(smooth->lo, 0.9);
-  EXPECT_GE(smooth->hi, 0.9);
-  EXPECT_LT(smooth->hi - smooth->lo, 0x1p-48);
-  EXPECT_EQ(promised_bound(truth, scene, 1, 4, 4, 0), (records::Enclosure{0, 0}));
-  EXPECT_EQ(promised_bound(truth, scene, std::nullopt, 4, 4, 0), (records::Enclosure{2, 2}));
-}
-
 TEST(JudgeDrawn, SaysWhatIsExactlyTrueAndWhatWasDrawn) {
   DamagedBackend backend;
   const cases::Case c = square();

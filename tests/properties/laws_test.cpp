@@ -369,7 +369,7 @@ TEST(SharedEdge, SaysNothingOfPairsThatItsPromiseLeavesOut) {
 TEST(SharedEdge, MeetsTiesWithDifferentWeightsAndSamples) {
   std::set<std::string> labels;
   std::set<std::string> strata;
-  const auto backend = backends::make_backend("cpu").value();
+  const auto backend = backends::make_backend("method:rational-linear").value();
   for (std::uint64_t i = 0; i < 100; ++i) {
     Draw draw(1, kSharedEdge, i);
     const Generated made = find_law(kSharedEdge)->generate(draw);

@@ -28,6 +28,14 @@ TEST(FileOf, NamesTheCaseWhereItHasAName) {
   EXPECT_EQ(file_of(counterexample), "counterexamples/law-cpu-w---0-3.json");
 }
 
+// Kills: a name longer than file systems take.
+TEST(FileOf, ShortensALongName) {
+  Counterexample counterexample;
+  counterexample.source.name = std::string(300, 'x');
+  counterexample.source.found = {"law", "cpu", "missing", 1, 3};
+  EXPECT_EQ(file_of(counterexample), "counterexamples/law-cpu-" + std::string(64, 'x') + "-3.json");
+}
+
 TEST(FileOf, DoesWithoutFound) { EXPECT_EQ(file_of({}), "counterexamples/--0.json"); }
 
 }  // namespace

@@ -131,15 +131,18 @@ TEST(Summarize, P99IsOfAllKindsAndStrata) {
   EXPECT_EQ(summary_of(records).ideal.p99, Histogram::borders(Histogram::bucket_of(8)));
 }
 
-// Kills: what was not checked taken for what held.
+// Kills: what was not checked, or checked on nothing, taken for what held.
 TEST(Summarize, VerdictsAreThreeValued) {
-  const auto verdict_with = [](const CaseCounts& cases) {
+  const auto verdict_with = [](const CaseCounts& cases, std::uint64_t correct = 5) {
     Record record;
     record.cases = cases;
+    record.errors.classes[FragmentClass::correct] = correct;
     return summary_of({{{"law", "cpu", AttributeKind::coverage, ""}, record}}).verdict;
   };
-  EXPECT_EQ(verdict_with({0, 0, 0}), LawVerdict::not_checked);
-  EXPECT_EQ(verdict_with({0, 9, 0}), LawVerdict::not_checked);
+  EXPECT_EQ(verdict_with({0, 0, 0}, 0), LawVerdict::not_checked);
+  EXPECT_EQ(verdict_with({0, 9, 0}, 0), LawVerdict::not_checked);
+  EXPECT_EQ(verdict_with({9, 0, 0}, 0), LawVerdict::not_checked);
+  EXPECT_EQ(verdict_with({9, 0, 1}, 0), LawVerdict::violated);
   EXPECT_EQ(verdict_with({9, 0, 0}), LawVerdict::held);
   EXPECT_EQ(verdict_with({9, 0, 1}), LawVerdict::violated);
   EXPECT_EQ(summary_of({}).verdict, LawVerdict::not_checked);
@@ -148,8 +151,10 @@ TEST(Summarize, VerdictsAreThreeValued) {
 TEST(VerdictOf, IsThatOfAllRows) {
   LawSummary held;
   held.cases = {3, 0, 0};
+  held.verdict = LawVerdict::held;
   LawSummary violated;
   violated.cases = {3, 0, 1};
+  violated.verdict = LawVerdict::violated;
   EXPECT_EQ(verdict_of({}), LawVerdict::not_checked);
   EXPECT_EQ(verdict_of({LawSummary()}), LawVerdict::not_checked);
   EXPECT_EQ(verdict_of({LawSummary(), held}), LawVerdict::held);

@@ -105,7 +105,8 @@ TEST(MarkdownFormat, SaysHowToDoItAgain) {
   EXPECT_THAT(text, HasSubstr("    rastercheck run --backend cpu --backend method:float32 --cases "
                               "1000 --seed 18446744073709551615 --scene 'it'\\''s a bunny'\n"));
   EXPECT_THAT(text, HasSubstr("    rastercheck replay "
-                              "counterexamples/values-are-within-bounds-method-float32-3.json\n"));
+                              "counterexamples/values-are-within-bounds-method-float32-"
+                              "a--b-bold--b-----case--3.json\n"));
 }
 
 }  // namespace

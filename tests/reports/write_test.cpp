@@ -57,8 +57,12 @@ class WriteReports : public ::testing::Test {
   fs::path root_;
 };
 
-constexpr const char* kThird = "counterexamples/values-are-within-bounds-method-float32-3.json";
-constexpr const char* kOther = "counterexamples/values-are-within-bounds-method-float32-41.json";
+constexpr const char* kThird =
+    "counterexamples/values-are-within-bounds-method-float32-"
+    "a--b-bold--b-----case--3.json";
+constexpr const char* kOther =
+    "counterexamples/values-are-within-bounds-method-float32-"
+    "a--b-bold--b-----case--41.json";
 
 TEST_F(WriteReports, WritesWhatTheContractLists) {
   ASSERT_TRUE(write_reports(sample_run(), directory(), kAll).has_value());
@@ -100,7 +104,8 @@ TEST_F(WriteReports, LeavesWhatItDidNotWrite) {
   put("counterexamples/law-cpu-3.json", "no case");
   put("counterexamples/notes.txt", "");
   put("law-cpu-4.json", cases::to_json(sample_case("law", "cpu", 4)));
-  put("counterexamples/law-cpu-5.json", cases::to_json(sample_case("law", "cpu", 5)));
+  put("counterexamples/law-cpu-a--b-bold--b-----case--5.json",
+      cases::to_json(sample_case("law", "cpu", 5)));
   ASSERT_TRUE(write_reports({}, directory(), {}).has_value());
   EXPECT_THAT(files(), ElementsAre("counterexamples/--0.json", "counterexamples/law-cpu-1.json",
                                    "counterexamples/law-cpu-3.json", "counterexamples/mine.json",

@@ -1,0 +1,63 @@
+// raster/…: draw_fragments of the production rasterizer, one thread, two perspective attributes and
+// depth, into 1024×1024; and the textbook method beside it.
+
+#include <benchmark/benchmark.h>
+
+#include "rasterizer/methods/method.h"
+#include "tests/bench/bench_scenes.h"
+
+namespace rastercheck::bench {
+namespace {
+
+rasterizer::State two_attributes() {
+  rasterizer::State state;
+  state.viewport.size = {kTarget, kTarget};
+  state.attributes.resize(2);
+  return state;
+}
+
+/// Draws the scene over and over; `method` empty: the production rasterizer.
+void draw(benchmark::State& bench, const Scene& scene, const char* method) {
+  const rasterizer::State state = two_attributes();
+  const rasterizer::Mesh mesh = scene.mesh();
+  const rasterizer::TargetSize size{kTarget, kTarget, 1};
+  std::size_t fragments = 0;
+  for (auto _ : bench) {
+    rasterizer::Fragments drawn;
+    const rasterizer::DrawResult result =
+        *method == '\0' ? rasterizer::draw_fragments(state, mesh, size, drawn)
+                        : rasterizer::draw_fragments_by(method, state, mesh, size, drawn);
+    if (result.error) return bench.SkipWithError("the draw was refused");
+    fragments = drawn.size();
+    benchmark::DoNotOptimize(drawn.depth.data());
+  }
+  const auto rate = [&bench](std::size_t count) {
+    return benchmark::Counter(static_cast<double>(count) * static_cast<double>(bench.iterations()),
+                              benchmark::Counter::kIsRate);
+  };
+  bench.counters["triangles_per_second"] = rate(scene.triangles.size());
+  bench.counters["fragments_per_second"] = rate(fragments);
+}
+
+void add(const std::string& name, const Scene& scene) {
+  benchmark::RegisterBenchmark(("raster/" + name).c_str(), [scene](benchmark::State& bench) {
+    draw(bench, scene, "");
+  })->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark(
+      ("raster/rational-linear/" + name).c_str(),
+      [scene](benchmark::State& bench) { draw(bench, scene, "rational-linear"); })
+      ->Unit(benchmark::kMillisecond);
+}
+
+const bool kRegistered = [] {
+  add("fill", full_triangles(4));
+  add("random_1px", random_triangles(20000, 1.3F));
+  add("random_8px", random_triangles(20000, 8));
+  add("grid_8px", grid_triangles(20000, 8));
+  add("random_72px", random_triangles(2000, 72));
+  add("random_805px", random_triangles(20, 805));
+  return true;
+}();
+
+}  // namespace
+}  // namespace rastercheck::bench

@@ -1,0 +1,352 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+#include "tests/temporary_folder.h"
+
+namespace rastercheck::cli {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+using testing::StartsWith;
+
+constexpr const char* kCoverage = "coverage obeys the contract";
+
+/// A run.json without the line of its environment, the only one that is another each time.
+std::string without_environment(const std::string& run_json) {
+  const std::size_t start = run_json.find("\n\"environment\": {");
+  if (start == std::string::npos) return "no environment";
+  return run_json.substr(0, start) + run_json.substr(run_json.find('\n', start + 1));
+}
+
+/// Runs of a corpus of one case, the square, into the folder "out".
+class Run : public testing::Test {
+ protected:
+  Run() { folder_.put("corpus/square.json", square_case()); }
+
+  std::vector<std::string> with_folders(const std::vector<std::string>& more,
+                                        const std::string& output = "out") const {
+    std::vector<std::string> arguments{"run", "--corpus", folder_.path("corpus"), "--output",
+                                       folder_.path(output)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  Outcome run(const std::vector<std::string>& more) const {
+    return run_program(with_folders(more));
+  }
+  Outcome run_damaged(const std::vector<std::string>& more) const {
+    return run_damaged_program(with_folders(more));
+  }
+  json run_json() const { return json::parse(folder_.content("out/run.json")); }
+
+  TemporaryFolder folder_;
+};
+
+// --- Outcomes ------------------------------------------------------------------------------------
+
+TEST_F(Run, ThatHoldsSaysSoAndWritesItsFolder) {
+  const Outcome outcome = run({"--cases", "3", "--seed", "1"});
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("law "), HasSubstr("held"), Not(HasSubstr("violated")),
+                                 HasSubstr("0 undecided"), HasSubstr("\nSeed 1, "),
+                                 HasSubstr(" Report: " + folder_.path("out") + "/report.html\n")));
+  EXPECT_THAT(folder_.files("out"), ElementsAre("report.html", "run.json", "summary.md"));
+}
+
+TEST_F(Run, ThatIsViolatedKeepsCounterexamples) {
+  const Outcome outcome = run_damaged({"--backend", "damaged", "--cases", "12", "--seed", "1"});
+  EXPECT_EQ(outcome.code, 1) << outcome;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, HasSubstr("violated"));
+  const std::vector<std::string> files = folder_.files("out/counterexamples");
+  EXPECT_THAT(files, testing::Contains("coverage-obeys-the-contract-damaged-square-0.json"));
+  for (const std::string& file : files) {
+    EXPECT_THAT(outcome.out,
+                HasSubstr("Counterexample: " + folder_.path("out/counterexamples/") + file + " ("));
+  }
+  EXPECT_THAT(run_json().at("counterexamples"), SizeIs(files.size()));
+}
+
+TEST_F(Run, ThatCannotDrawIsViolatedNotBroken) {
+  const Outcome outcome = run_damaged({"--backend", "damaged:refuses", "--cases", "0"});
+  EXPECT_EQ(outcome.code, 1) << outcome;
+  EXPECT_THAT(folder_.content("out/run.json"), HasSubstr("out of memory"));
+}
+
+TEST_F(Run, ThatCheckedNothingIsNotOk) {
+  const Outcome outcome = run_program(
+      {"run", "--corpus", folder_.path("out"), "--cases", "0", "--output", folder_.path("out")});
+  EXPECT_EQ(outcome.code, 2) << outcome;  // no such folder
+  folder_.put("empty/note.txt", "");
+  const Outcome empty = run_program(
+      {"run", "--corpus", folder_.path("empty"), "--cases", "0", "--output", folder_.path("out")});
+  EXPECT_EQ(empty.code, 5) << empty;
+  EXPECT_THAT(empty.out, HasSubstr("not checked"));
+  EXPECT_THAT(folder_.content("out/summary.md"), HasSubstr("Nothing was checked"));
+}
+
+// Kills: a law that says nothing of any case, and passes.
+TEST_F(Run, ThatNoLawAppliesToIsNotOk) {
+  const std::string camera =
+      R"("camera": {"model": ["0x1p+127",0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1],
+                    "view": [4,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]}, )";
+  folder_.put("corpus/square.json", square_case(camera));  // beyond float32
+  const Outcome outcome = run({"--cases", "0", "--json"});
+  EXPECT_EQ(outcome.code, 5) << outcome;
+  EXPECT_EQ(json::parse(outcome.out).at("laws").at(0).at("not_applicable"), 1);
+}
+
+// Kills: one violation hidden by a law that checked nothing.
+TEST_F(Run, ThatIsViolatedAndCheckedNothingIsViolated) {
+  EXPECT_EQ(run_damaged({"--backend", "damaged", "--cases", "0", "--property", "co*"}).code, 1);
+}
+
+// --- The same again ------------------------------------------------------------------------------
+
+// Kills: records that depend on the split over processes, on their order, or on time.
+TEST_F(Run, IsTheSameWhateverTheJobs) {
+  const auto run_with_jobs = [this](const std::string& jobs) {
+    const std::string out = "out" + jobs;
+    const Outcome outcome = run_damaged_program(
+        with_folders({"--cases", "21", "--seed", "5", "--backend", "damaged", "--backend", "cpu",
+                      "--scene", source_file("cases/corpus/nearest.json"), "--jobs", jobs},
+                     out));
+    EXPECT_EQ(outcome.code, 1) << outcome;
+    EXPECT_THAT(folder_.files(out + "/counterexamples"), Not(IsEmpty()));
+    return without_environment(folder_.content(out + "/run.json"));
+  };
+  const std::string one = run_with_jobs("1");
+  EXPECT_GT(one.size(), 1000U);
+  EXPECT_TRUE(one == run_with_jobs("2"));
+  EXPECT_TRUE(one == run_with_jobs("3"));
+  EXPECT_EQ(folder_.files("out1/counterexamples"), folder_.files("out2/counterexamples"));
+}
+
+// A campaign of the project's own corpus and few random cases, whose records are held to the byte.
+// CI runs it in an optimised build of g++ and in one of clang++ with sanitizers, so that it proves
+// that records depend neither on the compiler nor on its flags. A change to laws, generators,
+// corpus or rasterizer changes them rightly: to approve what a run gives now, look at the
+// difference, then run this program with UPDATE_APPROVED=1.
+TEST_F(Run, OfASmallCampaignGivesTheApprovedRecords) {
+  const Outcome outcome = run_program({"run", "--seed", "1", "--cases", "20", "--format", "json",
+                                       "--output", folder_.path("out"), "--quiet"});
+  ASSERT_EQ(outcome.code, 0) << outcome;
+  const std::string text = without_environment(folder_.content("out/run.json"));
+  const std::string file = source_file("tests/cli/approved/small_campaign.json");
+  if (std::getenv("UPDATE_APPROVED") != nullptr) std::ofstream(file, std::ios::binary) << text;
+  std::ifstream stream(file, std::ios::binary);
+  const std::string approved(std::istreambuf_iterator<char>(stream), {});
+  const auto at = std::mismatch(text.begin(), text.end(), approved.begin(), approved.end()).first;
+  const auto offset = static_cast<std::size_t>(at - text.begin());
+  EXPECT_TRUE(text == approved) << file << " differs from byte " << offset << ":\n"
+                                << text.substr(offset, 300) << "\ninstead of\n"
+                                << approved.substr(std::min(offset, approved.size()), 300);
+}
+
+TEST_F(Run, WithoutASeedNamesTheOneItTook) {
+  const Outcome first = run({"--cases", "2"});
+  const json seed = run_json().at("seed");
+  EXPECT_THAT(first.out, HasSubstr("\nSeed " + seed.dump() + ", "));
+  const std::string records = without_environment(folder_.content("out/run.json"));
+  run({"--cases", "2", "--seed", seed.dump()});
+  EXPECT_EQ(without_environment(folder_.content("out/run.json")), records);
+}
+
+TEST_F(Run, TakesABackendOnceHoweverOftenItIsNamed) {
+  const Outcome outcome = run_damaged(
+      {"--backend", "damaged", "--backend", "cpu", "--backend", "damaged", "--cases", "3"});
+  EXPECT_EQ(outcome.code, 1) << outcome;
+  EXPECT_EQ(run_json().at("backends"), (json{"damaged", "cpu"}));
+  run_damaged({"--backend", "damaged", "--cases", "3", "--json"});
+  EXPECT_EQ(run_json().at("backends"), json{"damaged"});
+  // The corpus' case, once.
+  EXPECT_EQ(run_json().at("records").at(0).at("cases").at("checked"), 1);
+}
+
+// Kills: yesterday's counterexamples among today's.
+TEST_F(Run, IntoAFolderOfAnotherReplacesIt) {
+  EXPECT_EQ(run_damaged({"--backend", "damaged", "--cases", "3"}).code, 1);
+  EXPECT_EQ(run({"--cases", "3"}).code, 0);
+  EXPECT_THAT(folder_.files("out"), ElementsAre("report.html", "run.json", "summary.md"));
+}
+
+// --- What is printed and written -----------------------------------------------------------------
+
+TEST_F(Run, PrintsTheTableAsJson) {
+  const Outcome outcome =
+      run_damaged({"--backend", "damaged", "--cases", "4", "--seed", "9", "--json"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.err, "");
+  const json document = json::parse(outcome.out);
+  EXPECT_EQ(document.at("seed"), 9);
+  EXPECT_EQ(document.at("laws").size(), run_json().at("laws").size());
+  const auto row =
+      std::find_if(document.at("laws").begin(), document.at("laws").end(),
+                   [](const json& candidate) { return candidate.at("law") == kCoverage; });
+  ASSERT_NE(row, document.at("laws").end());
+  EXPECT_EQ(row->at("backend"), "damaged");
+  EXPECT_EQ(row->at("checked"), 5);
+  EXPECT_GT(row->at("violations"), 0);
+  EXPECT_EQ(row->at("undecided"), 0);
+  EXPECT_EQ(row->at("verdict"), "violated");
+}
+
+TEST_F(Run, QuietlyPrintsRowsOnly) {
+  const Outcome outcome = run_damaged({"--backend", "damaged", "--cases", "1", "--quiet"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'),
+            static_cast<std::ptrdiff_t>(run_json().at("laws").size()));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("Seed")));
+}
+
+TEST_F(Run, ChecksThePropertiesThatMatch) {
+  const Outcome outcome = run({"--cases", "2", "--property", "*contract*"});
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_EQ(run_json().at("laws"), json{kCoverage});
+  run({"--cases", "2", "--property", "co*"});
+  EXPECT_EQ(run_json().at("laws"), (json{"constants stay constant", kCoverage}));
+  run({"--cases", "2", "--property", kCoverage});
+  EXPECT_EQ(run_json().at("laws"), json{kCoverage});
+}
+
+TEST_F(Run, WritesTheFormatsAskedFor) {
+  const Outcome outcome = run({"--cases", "1", "--format", "markdown"});
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_THAT(folder_.files("out"), ElementsAre("summary.md"));
+  EXPECT_THAT(outcome.out, HasSubstr(" Report: " + folder_.path("out") + "\n"));
+  run({"--cases", "1", "--format", "markdown,json"});
+  EXPECT_THAT(folder_.files("out"), ElementsAre("run.json", "summary.md"));
+}
+
+TEST_F(Run, JudgesAScene) {
+  const std::string mesh = folder_.put("roof.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 1\nf 1 2 3\n");
+  const Outcome outcome =
+      run({"--cases", "0", "--scene", mesh, "--scene-size", "16", "--property", "cover*"});
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  const json run = run_json();
+  EXPECT_EQ(run.at("scene"), mesh);
+  EXPECT_EQ(run.at("records").at(0).at("stratum"), "corpus");
+  EXPECT_EQ(run.at("records").at(1).at("stratum"), "scene roof.obj");
+  ASSERT_THAT(run.at("pictures"), SizeIs(2));
+  EXPECT_EQ(run.at("pictures").at(0).at("name"), "roof-cpu");
+  EXPECT_EQ(run.at("pictures").at(0).at("width"), 16);
+  EXPECT_EQ(run.at("pictures").at(1).at("name"), "roof-cpu-errors");
+}
+
+// Kills: two counterexamples of one name, for which a run of minutes ends without a report.
+TEST_F(Run, JudgesACaseOfTheCorpusAsAScene) {
+  folder_.put("corpus/square.json", square_case());
+  const Outcome outcome = run_damaged({"--backend", "damaged", "--cases", "0", "--scene",
+                                       folder_.path("corpus/square.json"), "--property", "cov*"});
+  EXPECT_EQ(outcome.code, 1) << outcome;
+  EXPECT_THAT(folder_.files("out/counterexamples"),
+              ElementsAre("coverage-obeys-the-contract-damaged-scene-square-1.json",
+                          "coverage-obeys-the-contract-damaged-square-0.json"));
+}
+
+TEST_F(Run, ReadsASceneFromStandardInput) {
+  std::string nameless = square_case();
+  nameless.replace(nameless.find("\"square\""), 8, "\"\"");
+  const Outcome outcome =
+      run_program(with_folders({"--cases", "0", "--scene", "-", "--property", "cov*"}), nameless);
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_EQ(run_json().at("records").at(1).at("stratum"), "scene standard input");
+}
+
+// --- What cannot be run --------------------------------------------------------------------------
+
+TEST_F(Run, RefusesWrongUsageInOneLine) {
+  const std::string broken = folder_.put("broken/x.json", "{");
+  const std::string file = folder_.put("file", "");
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--backend", "gpu"},
+                                                    {"--backend", "method:none"},
+                                                    {"--backend", "cpu", "--backend", "gpu"},
+                                                    {"--property", "no such*"},
+                                                    {"--format", "jsn"},
+                                                    {"--format", "json,htlm"},
+                                                    {"--corpus", folder_.path("none")},
+                                                    {"--corpus", folder_.path("broken")},
+                                                    {"--corpus", file},
+                                                    {"--scene", folder_.path("none.json")},
+                                                    {"--scene", folder_.path("none.obj")},
+                                                    {"--scene", broken},
+                                                    {"--output", file},
+                                                    {"--cases", "-1"},
+                                                    {"--cases", "many"},
+                                                    {"--cases", "1.5"},
+                                                    {"--cases", "18446744073709551616"},
+                                                    {"--seed", "-1"},
+                                                    {"--seed", "18446744073709551616"},
+                                                    {"--seed", ""},
+                                                    {"--jobs", "0"},
+                                                    {"--scene-size", "0"},
+                                                    {"--scene-size", "16385"}}) {
+    std::vector<std::string> all{"run"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const auto give = [&](const std::string& option, const std::string& value) {
+      if (arguments[0] != option) all.insert(all.end(), {option, value});
+    };
+    give("--corpus", folder_.path("corpus"));
+    give("--output", folder_.path("out"));
+    give("--cases", "1");
+    const Outcome outcome = run_program(all);
+    EXPECT_TRUE(is_failure(outcome, 2)) << arguments[0] << " " << arguments[1] << "\n" << outcome;
+    EXPECT_FALSE(std::filesystem::exists(folder_.path("out/run.json")));
+  }
+}
+
+TEST_F(Run, NamesWhatItCannotRead) {
+  const std::string broken = folder_.put("broken/x.json", "{");
+  EXPECT_THAT(run({"--scene", broken}).err, StartsWith("rastercheck: " + broken + ": 1:"));
+  EXPECT_EQ(
+      run({"--scene", folder_.path("no.obj")}).err,
+      "rastercheck: " + folder_.path("no.obj") + ": cannot be read: No such file or directory\n");
+  EXPECT_THAT(run({"--format", "jsn"}).err, HasSubstr("jsn: no report format of that name"));
+}
+
+TEST_F(Run, TellsABackendThatCannotRunHereFromNone) {
+  const Outcome absent = run_damaged({"--backend", "damaged:absent", "--cases", "1"});
+  EXPECT_TRUE(is_failure(absent, 4)) << absent;
+  EXPECT_EQ(absent.err, "rastercheck: damaged:absent: needs what no machine has\n");
+  EXPECT_EQ(run_damaged({"--backend", "cpu", "--backend", "damaged:absent"}).code, 4);
+}
+
+// Kills: 4 where 2 applies as well.
+TEST_F(Run, PutsWrongUsageBeforeWhatCannotRun) {
+  EXPECT_TRUE(is_failure(run_damaged({"--backend", "damaged:absent", "--backend", "gpu"}), 2));
+  EXPECT_TRUE(is_failure(
+      run_damaged({"--backend", "damaged:absent", "--scene", folder_.path("none.json")}), 2));
+}
+
+TEST_F(Run, RefusesASceneBeyondFloat32) {
+  const std::string camera =
+      R"("camera": {"model": ["0x1p+127",0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1],
+                    "view": [4,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]}, )";
+  const std::string scene = folder_.put("far.json", square_case(camera));
+  const Outcome outcome = run({"--cases", "0", "--scene", scene});
+  EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+  EXPECT_EQ(outcome.err,
+            "rastercheck: " + scene + ": /vertices/0/position: its clip x overflows float32\n");
+}
+
+TEST(WorkerCommand, RefusesWhatIsNoTask) {
+  const Outcome outcome = run_program({"worker", "--seed", "1"}, "rubbish\n");
+  EXPECT_TRUE(is_failure(outcome, 70)) << outcome;
+  EXPECT_EQ(run_program({"worker", "--seed", "1"}).code, 0);
+  EXPECT_TRUE(is_failure(run_program({"worker", "--seed", "1", "--corpus", "no/such"}), 2));
+}
+
+}  // namespace
+}  // namespace rastercheck::cli

@@ -1,0 +1,206 @@
+#include "rasterizer/internal/block_kernels.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <bit>
+#include <string>
+
+#include "tests/rasterizer/exact.h"
+
+namespace rastercheck::rasterizer {
+namespace {
+
+/// Sees to it that the kernels run on one kind of vectors, until it goes.
+class OnTarget {
+ public:
+  explicit OnTarget(std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+  OnTarget(const OnTarget&) = delete;
+  OnTarget& operator=(const OnTarget&) = delete;
+  ~OnTarget() {
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().DeInit();
+  }
+};
+
+std::string target_name(const ::testing::TestParamInfo<std::int64_t>& target) {
+  return hwy::TargetName(target.param);
+}
+
+std::vector<std::int64_t> all_targets() {
+  std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+  std::sort(targets.begin(), targets.end());
+  targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
+  return targets;
+}
+
+/// The same arithmetic, one sample at a time.
+struct Scalar {
+  BlockCoverage coverage;
+  std::array<std::array<double, kBlockSize>, 3> e{};
+  std::array<double, kBlockSize> sum{};
+
+  Scalar(const EdgeRow& row, int first, int count) {
+    for (int j = 0; j < count; ++j) {
+      const double u = row.scale * (2 * (first + row.offset + j) - row.shift);
+      bool is_possible = true;
+      bool is_sure = true;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double value = row.a[i] * u + row.row[i];
+        e[i][static_cast<std::size_t>(j)] = value;
+        is_possible = is_possible && value >= -row.band[i];
+        is_sure = is_sure && value > row.band[i];
+      }
+      sum[static_cast<std::size_t>(j)] = e[0][static_cast<std::size_t>(j)] +
+                                         e[1][static_cast<std::size_t>(j)] +
+                                         e[2][static_cast<std::size_t>(j)];
+      coverage.possible |= std::uint64_t{is_possible} << j;
+      coverage.sure |= std::uint64_t{is_sure} << j;
+    }
+  }
+
+  double combine(const std::array<double, 3>& k, std::size_t j) const {
+    return k[0] * e[0][j] + k[1] * e[1][j] + k[2] * e[2][j];
+  }
+};
+
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
+
+/// A row whose edges cross zero within the block, or somewhere else; some bands are met exactly.
+EdgeRow random_row(Random& random, int first) {
+  EdgeRow row;
+  row.offset = random.between(0, 15) / 16.0;
+  const bool is_on_grid = random.one_in(2);
+  row.scale = is_on_grid ? 64 : random.number(24, -40, 40);
+  row.shift = is_on_grid ? random.between(0, 640) / 4.0 : random.number(53, -10, 14);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double middle = first + random.between(-20, 80) + row.offset;
+    row.a[i] = is_on_grid ? random.between(-9, 9) : random.number(53, -60, 60);
+    row.row[i] = -row.a[i] * (row.scale * (2 * middle - row.shift));
+    row.band[i] = random.one_in(2) ? 0 : std::abs(row.a[i] * row.scale * 2);
+  }
+  return row;
+}
+
+class BlockKernels : public ::testing::TestWithParam<std::int64_t> {
+ protected:
+  const OnTarget on_target_{GetParam()};
+  Random random_{50};
+  BlockWeights weights_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Targets, BlockKernels, ::testing::ValuesIn(all_targets()), target_name);
+
+// Kills: a fused product and sum, lanes in the wrong order, a mask shifted wrongly, bits beyond the
+// end of the row, > for >=.
+TEST_P(BlockKernels, EdgesAreThoseOfScalarArithmetic) {
+  int doubtful = 0;
+  for (int i = 0; i < 40; ++i) {
+    for (int count = 1; count <= kBlockSize; ++count) {
+      const int first = random_.pick({0, 1, 63, 64, 8'191, 16'384 - count});
+      const EdgeRow row = random_row(random_, first);
+      const Scalar expected(row, first, count);
+      const BlockCoverage coverage = evaluate_edges(row, first, count, weights_);
+      ASSERT_EQ(coverage.possible, expected.coverage.possible) << count;
+      ASSERT_EQ(coverage.sure, expected.coverage.sure) << count;
+      ASSERT_EQ(coverage.possible >> (count - 1) >> 1, 0U);
+      doubtful += std::popcount(coverage.possible & ~coverage.sure);
+      for (std::size_t e = 0; e < 3; ++e) {
+        for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j) {
+          ASSERT_EQ(bits(weights_.e[e][j]), bits(expected.e[e][j])) << count;
+        }
+      }
+    }
+  }
+  EXPECT_GT(doubtful, 1'000);
+}
+
+TEST_P(BlockKernels, SumsAreThoseOfScalarArithmetic) {
+  for (int i = 0; i < 20; ++i) {
+    for (int count = 1; count <= kBlockSize; ++count) {
+      const EdgeRow row = random_row(random_, 100);
+      const Scalar expected(row, 100, count);
+      evaluate_edges(row, 100, count, weights_);
+      // Sometimes just what one of the sums is: above means more than that.
+      const double least =
+          random_.one_in(2) ? expected.sum[static_cast<std::size_t>(random_.between(0, count - 1))]
+                            : std::abs(row.row[0]);
+      const std::uint64_t above = sum_weights(least, count, weights_);
+      for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j) {
+        ASSERT_EQ(bits(weights_.reciprocal[j]), bits(1 / expected.sum[j]));
+        ASSERT_EQ((above >> j & 1) != 0, expected.sum[j] > least) << j;
+      }
+    }
+  }
+}
+
+TEST_P(BlockKernels, ValuesAreThoseOfScalarArithmetic) {
+  std::array<float, kBlockSize> smooth{};
+  std::array<float, kBlockSize> affine{};
+  std::array<float, kBlockSize> depth{};
+  for (int i = 0; i < 20; ++i) {
+    for (int count = 1; count <= kBlockSize; ++count) {
+      EdgeRow row = random_row(random_, 0);
+      // No sum near 0: values beyond the floats come from uncovered samples only.
+      for (double& value : row.row) value = std::abs(value) * 4 + std::abs(row.a[0] * row.scale);
+      const Scalar expected(row, 0, count);
+      evaluate_edges(row, 0, count, weights_);
+      sum_weights(0, count, weights_);
+      const std::array<double, 3> k{random_.number(24, -149, 20), random_.number(24, -20, 20),
+                                    random_.one_in(2) ? 0 : random_.number(24, -149, -100)};
+      const DepthLine line{k, 1 / expected.sum[0], 0.25, 0.5, 0.25, 0.75};
+      evaluate_smooth(k, count, weights_, smooth.data());
+      evaluate_affine(k, line.scale, count, weights_, affine.data());
+      evaluate_depth(line, count, weights_, depth.data());
+      for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j) {
+        const double numerator = expected.combine(k, j);
+        const double quotient = numerator * (1 / expected.sum[j]);
+        const double product = numerator * line.scale;
+        ASSERT_EQ(bits(smooth[j]), bits(static_cast<float>(quotient)));
+        ASSERT_EQ(bits(affine[j]), bits(static_cast<float>(product)));
+        const double z = std::min(std::max(0.25 + 0.5 * product, 0.25), 0.75);
+        ASSERT_EQ(bits(depth[j]), bits(static_cast<float>(z)));
+      }
+    }
+  }
+}
+
+// Kills: writing a whole vector beyond the end of the arrays; a full block's mask of 64 bits cut
+// short.
+TEST_P(BlockKernels, AFullBlockHasAFullMask) {
+  EdgeRow row;
+  row.row = {1, 1, 1};
+  row.scale = 1;
+  const BlockCoverage coverage = evaluate_edges(row, 0, kBlockSize, weights_);
+  EXPECT_EQ(coverage.sure, ~std::uint64_t{0});
+  EXPECT_EQ(coverage.possible, ~std::uint64_t{0});
+  EXPECT_EQ(sum_weights(2, kBlockSize, weights_), ~std::uint64_t{0});
+  EXPECT_EQ(sum_weights(3, kBlockSize, weights_), 0U);
+}
+
+// An edge at exactly 0 with no band is possible, and not sure, whatever the sign of the zero.
+TEST_P(BlockKernels, ZerosArePossible) {
+  EdgeRow row;
+  row.row = {1, 0.0, -0.0};
+  row.a = {0, 1, -1};
+  row.scale = 1;
+  row.shift = 21;
+  row.offset = 0.5;
+  const BlockCoverage coverage = evaluate_edges(row, 0, 32, weights_);
+  EXPECT_EQ(coverage.possible, std::uint64_t{1} << 10);
+  EXPECT_EQ(coverage.sure, 0U);
+}
+
+TEST(BlockKernelTargets, ThereIsMoreThanOne) {
+#if HWY_ARCH_X86
+  EXPECT_GE(all_targets().size(), 2U);
+#endif
+}
+
+}  // namespace
+}  // namespace rastercheck::rasterizer

@@ -1,0 +1,62 @@
+#pragma once
+
+// Triangles drawn by rational arithmetic alone, slowly and in the plainest way: the definition that
+// the rasterizer's coverage and values are held against. Vertices are taken to homogeneous window
+// positions, their matrix is inverted, and every sample asks the three functionals of the inverse.
+// Nothing here is shared with the rasterizer but its types.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "tests/rasterizer/exact.h"
+#include "tests/rasterizer/small_draw.h"
+
+namespace rastercheck::rasterizer {
+
+/// One triangle as the rules define it; u and v are window coordinates in pixels.
+class BruteForce {
+ public:
+  BruteForce(const State& state, const SmallMesh& mesh, const glm::uvec3& corners);
+
+  /// Edge-on, or in a viewport without width or height.
+  bool is_degenerate() const { return determinant_ == 0; }
+  bool is_culled() const;
+  bool covers(const Rational& u, const Rational& v) const;
+  Rational depth(const Rational& u, const Rational& v) const;
+
+  /// 1/w.
+  Rational reciprocal_w(const Rational& u, const Rational& v) const;
+  /// Attribute `index`, which is undefined where it is smooth and 1/w is not positive.
+  Rational attribute(std::size_t index, const Rational& u, const Rational& v) const;
+  /// The largest |r_i| of an attribute.
+  Rational scale(std::size_t index) const;
+
+ private:
+  /// A u + B v + C.
+  struct Functional {
+    Rational a;
+    Rational b;
+    Rational c;
+    Rational at(const Rational& u, const Rational& v) const { return a * u + b * v + c; }
+  };
+  std::array<Rational, 3> weights(const Rational& u, const Rational& v) const;
+  Functional combined(const std::array<Rational, 3>& factors) const;
+  bool owns_zero(const Functional& functional) const;
+  bool is_in_viewport(const Rational& u, const Rational& v) const;
+
+  const State& state_;
+  std::array<std::vector<Rational>, 3> attributes_;
+  std::array<std::vector<Rational>, 3> distances_;
+  std::array<Rational, 3> z_;
+  std::array<Rational, 3> w_;
+  Rational determinant_;
+  std::array<Functional, 3> e_;
+};
+
+/// Where the samples of a pixel lie, from its corner of least u and v.
+std::vector<std::array<Rational, 2>> brute_force_pattern(int samples);
+
+}  // namespace rastercheck::rasterizer
