@@ -66,8 +66,8 @@ struct LawRegistration {
 };
 
 /// Draws the case: its clip positions handed over rounded once (oracle/transform.h). A backend
-/// fails that returns with another rounding mode, FTZ or DAZ than it was called with (they are put
-/// back), or with arrays that do not fit the case or each other.
+/// fails that returns with another rounding mode or, on x86, with another FTZ or DAZ than it was
+/// called with (they are put back), or with arrays that do not fit the case or each other.
 Result<cases::Framebuffer> draw(const cases::Case& c, backends::Backend& backend);
 
 /// A case by one of all generators, each as likely as another; the stratum is the generator's name.

@@ -18,8 +18,6 @@
 
 #include "properties/internal/findings_json.h"
 
-extern char** environ;
-
 namespace rastercheck::properties {
 namespace {
 

@@ -26,8 +26,8 @@ enum class AttributeKind {
 };
 
 /// How one fragment, or one value of it, came out. Those that are no numbers are classes of their
-/// own and have no error. A value whose exact one rounds beyond float32 is correct as infinity of
-/// that sign, and beyond_bound as anything finite.
+/// own and have no error. Infinity stands for 2^128, the number after the largest float32: it is
+/// correct where the exact value lies beyond that or within the bound of it.
 enum class FragmentClass {
   correct,             ///< drawn rightly; the value is within the bound
   beyond_bound,        ///< a number, but farther from the exact value than the bound

@@ -46,13 +46,13 @@ struct SampleBlock {
 class ExactDrawing {
  public:
   ExactDrawing(const State& state, const Mesh& mesh, const TargetSize& size, Fragments& fragments)
-      : state_(state),
+      : blocks_(static_cast<std::size_t>(size.samples)),
+        state_(state),
         mesh_(mesh),
         fragments_(fragments),
         pattern_(standard_pattern(size.samples)),
         bounds_(draw_bounds(state, size)),
-        frame_(sample_frame(state, bounds_, size.samples)),
-        blocks_(pattern_.size()) {
+        frame_(sample_frame(state, bounds_, size.samples)) {
     const bool v_points_down = state.convention != Convention::opengl;
     tie_sign_ = (state.fill_rule == FillRule::top_left) == v_points_down ? 1 : -1;
   }
@@ -78,6 +78,8 @@ class ExactDrawing {
   void locate(int y, int first, Mask touched);
   void emit(int y, int first, Mask touched);
 
+  BlockWeights weights_;  ///< of the block at hand; first, as it is aligned to a cache line
+  std::vector<SampleBlock> blocks_;  ///< [sample], of the block at hand
   const State& state_;
   const Mesh& mesh_;
   Fragments& fragments_;
@@ -95,9 +97,6 @@ class ExactDrawing {
   TriangleValues values_;
   PixelRange columns_;
   PixelRange rows_;
-  // Of the block at hand.
-  BlockWeights weights_;
-  std::vector<SampleBlock> blocks_;  ///< [sample]
 };
 
 bool ExactDrawing::is_finite(std::uint32_t vertex) const {
