@@ -165,7 +165,8 @@ TEST_F(JudgeOf, PermittedSamplesAreRightEitherWay) {
   const records::Judgement without = judge(scene, drawn_).judgement;
   EXPECT_EQ(without.counts, (records::Counts{6, 6, 4, 0}));
   push(drawn_, 0, 3, 0, 0, 0.5F, {3.5F, 0});
-  const auto& classes = judge(scene, drawn_).judgement.errors.at(AttributeKind::coverage).classes;
+  const records::Judgement with = judge(scene, drawn_).judgement;
+  const records::ClassCounts& classes = with.errors.at(AttributeKind::coverage).classes;
   EXPECT_EQ(classes[FragmentClass::correct], 7U);
   EXPECT_EQ(classes[FragmentClass::extra], 0U);
 }
