@@ -58,12 +58,13 @@ cases::Case with_one_triangle(const cases::Case& c, std::size_t triangle) {
   return one;
 }
 
+}  // namespace
+
 std::string verdict_of(const Check& check) {
+  if (check.violation_count == 0) return "held";
   if (check.violations.empty()) return "violated";
   return std::string(to_string(check.violations.front().fragment_class));
 }
-
-}  // namespace
 
 void merge(Findings& into, Findings from) {
   records::merge(into.records, from.records);

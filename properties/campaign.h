@@ -94,6 +94,10 @@ void check_case(const Law& law, const std::string& specification, backends::Back
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& options);
 
+/// In a word, how a check of a case that the law speaks of came out: the class of its first
+/// violation, or "held".
+std::string verdict_of(const Check& check);
+
 /// Keeps a counterexample of the case in the findings, if its index is among the lowest.
 void keep_counterexample(const Law& law, const std::string& specification,
                          backends::Backend& backend, std::uint64_t seed,

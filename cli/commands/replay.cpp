@@ -35,11 +35,7 @@ struct Outcome {
   std::string found;  ///< the verdict the file was saved with; empty where it says none
 
   std::string verdict() const {
-    if (!check.is_applicable) return "not applicable";
-    if (check.violation_count == 0) return "held";
-    return check.violations.empty()
-               ? "violated"
-               : std::string(to_string(check.violations.front().fragment_class));
+    return check.is_applicable ? properties::verdict_of(check) : "not applicable";
   }
 };
 

@@ -3,17 +3,16 @@
 //   det = x_a (y_b w_c − y_c w_b) + x_b (y_c w_a − y_a w_c) + x_c (y_a w_b − y_b w_a)
 //
 // First in double, with an error bound; where the bound leaves the sign open, exactly: the six
-// triple products as unevaluated sums of two doubles each, added up without error (J. R. Shewchuk,
-// Adaptive Precision Floating-Point Arithmetic, 1997, GROW-EXPANSION). A product of three floats is
+// triple products are added up without rounding (exact_sum.h). A product of three floats is
 // a multiple of 2^-447 below 2^384, so no double over- or underflows on the way; flush-to-zero must
 // be off.
 
 #include "rasterizer/internal/determinant.h"
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
+
+#include "rasterizer/internal/exact_sum.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -30,38 +29,9 @@ int sign(double value) { return (value > 0) - (value < 0); }
 /// and the rounding of `magnitude`, which itself is at least (1 − kUnit)^4 of the exact sum.
 double determinant_error(double magnitude) { return 8 * kUnit * magnitude; }
 
-/// A sum of doubles without rounding: components that do not overlap, the last one the largest.
-class ExactSum {
- public:
-  void add(double value) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < size_; ++i) {
-      // Knuth's TwoSum: sum + error = value + component, exactly.
-      const double component = components_[i];
-      const double sum = value + component;
-      const double shadow = sum - value;
-      const double error = (value - (sum - shadow)) + (component - shadow);
-      value = sum;
-      if (error != 0) components_[kept++] = error;
-    }
-    if (value != 0) components_[kept++] = value;
-    size_ = kept;
-  }
-
-  int sign_of_sum() const { return size_ == 0 ? 0 : sign(components_[size_ - 1]); }
-
- private:
-  std::array<double, 12> components_{};
-  std::size_t size_ = 0;
-};
-
 /// Adds x y w, as many times as its sign `s` says (1 or −1).
 void add_product(ExactSum& sum, float x, float y, float w, double s) {
-  const double pair = double{y} * double{w};
-  const double factor = s * double{x};
-  const double high = factor * pair;
-  sum.add(high);
-  sum.add(std::fma(factor, pair, -high));
+  sum.add_product(s * double{x}, double{y} * double{w});
 }
 
 int exact_determinant_sign(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c) {
@@ -72,7 +42,7 @@ int exact_determinant_sign(const glm::vec4& a, const glm::vec4& b, const glm::ve
   add_product(sum, b.x, a.y, c.w, -1);
   add_product(sum, c.x, a.y, b.w, 1);
   add_product(sum, c.x, b.y, a.w, -1);
-  return sum.sign_of_sum();
+  return sum.sign();
 }
 
 /// y_p w_q − y_q w_p, with one rounding.

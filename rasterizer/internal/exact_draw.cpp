@@ -10,6 +10,7 @@
 #include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/clip_functionals.h"
 #include "rasterizer/internal/determinant.h"
+#include "rasterizer/internal/discard.h"
 #include "rasterizer/internal/draw_bounds.h"
 #include "rasterizer/internal/edge_functions.h"
 #include "rasterizer/internal/exact_values.h"
@@ -64,8 +65,6 @@ class ExactDrawing {
   }
 
  private:
-  bool is_finite(std::uint32_t vertex) const;
-  bool is_culled(int orientation) const;
   void draw_triangle(std::size_t index, bool viewport_is_empty);
   void find_box();
   void draw_row(int y);
@@ -99,25 +98,10 @@ class ExactDrawing {
   PixelRange rows_;
 };
 
-bool ExactDrawing::is_finite(std::uint32_t vertex) const {
-  const glm::vec4& p = mesh_.positions[vertex];
-  const auto distances =
-      mesh_.clip_distances.subspan(vertex * state_.clip_distance_count, state_.clip_distance_count);
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w) &&
-         std::all_of(distances.begin(), distances.end(), [](float d) { return std::isfinite(d); });
-}
-
-bool ExactDrawing::is_culled(int orientation) const {
-  if (state_.cull == Cull::none) return false;
-  // Turning from u to v is counter-clockwise where v points up.
-  const bool is_ccw = (orientation > 0) == (state_.convention == Convention::opengl);
-  const bool is_front = is_ccw == (state_.front_face == FrontFace::ccw);
-  return is_front == (state_.cull == Cull::front);
-}
-
 void ExactDrawing::draw_triangle(std::size_t index, bool viewport_is_empty) {
   const glm::uvec3& corners = mesh_.triangles[index];
-  if (!is_finite(corners.x) || !is_finite(corners.y) || !is_finite(corners.z)) {
+  if (!is_finite(state_, mesh_, corners.x) || !is_finite(state_, mesh_, corners.y) ||
+      !is_finite(state_, mesh_, corners.z)) {
     ++counts_.discarded_not_finite;
     return;
   }
@@ -127,7 +111,7 @@ void ExactDrawing::draw_triangle(std::size_t index, bool viewport_is_empty) {
     ++counts_.discarded_degenerate;
     return;
   }
-  if (is_culled(turn * frame_.u.direction * frame_.v.direction)) return;
+  if (is_culled(state_, turn * frame_.u.direction * frame_.v.direction)) return;
 
   const auto part = [](std::span<const float> all, std::uint32_t vertex, std::size_t count) {
     return all.subspan(vertex * count, count);

@@ -86,6 +86,7 @@
 #include "rasterizer/internal/clip_polygon.h"
 #include "rasterizer/internal/convex_scan.h"
 #include "rasterizer/internal/determinant.h"
+#include "rasterizer/internal/discard.h"
 #include "rasterizer/internal/draw_bounds.h"
 #include "rasterizer/internal/standard_pattern.h"
 #include "rasterizer/methods/method.h"
@@ -217,8 +218,6 @@ class Drawing {
   };
 
   bool has(Location location) const;
-  bool is_finite(std::uint32_t vertex) const;
-  bool is_culled(int orientation) const;
   void draw_triangle(std::size_t index);
   void load(const glm::uvec3& corners);
   void load_vertex(std::uint32_t vertex, ClipVertex& to) const;
@@ -268,25 +267,10 @@ bool Drawing::has(Location location) const {
       });
 }
 
-bool Drawing::is_finite(std::uint32_t vertex) const {
-  const glm::vec4& p = mesh_.positions[vertex];
-  const auto distances =
-      mesh_.clip_distances.subspan(vertex * state_.clip_distance_count, state_.clip_distance_count);
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w) &&
-         std::all_of(distances.begin(), distances.end(), [](float d) { return std::isfinite(d); });
-}
-
-bool Drawing::is_culled(int orientation) const {
-  if (state_.cull == Cull::none) return false;
-  // Turning from u to v is counter-clockwise where v points up.
-  const bool is_ccw = (orientation > 0) == (state_.convention == Convention::opengl);
-  const bool is_front = is_ccw == (state_.front_face == FrontFace::ccw);
-  return is_front == (state_.cull == Cull::front);
-}
-
 void Drawing::draw_triangle(std::size_t index) {
   const glm::uvec3& corners = mesh_.triangles[index];
-  if (!is_finite(corners.x) || !is_finite(corners.y) || !is_finite(corners.z)) {
+  if (!is_finite(state_, mesh_, corners.x) || !is_finite(state_, mesh_, corners.y) ||
+      !is_finite(state_, mesh_, corners.z)) {
     ++counts_.discarded_not_finite;
     return;
   }
@@ -297,7 +281,7 @@ void Drawing::draw_triangle(std::size_t index) {
     ++counts_.discarded_degenerate;
     return;
   }
-  if (is_culled(orientation)) return;
+  if (is_culled(state_, orientation)) return;
 
   triangle_ = static_cast<std::uint32_t>(index);
   load(corners);                                 // steps 1 and 2
