@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "rasterizer/internal/checked_draw.h"
-#include "rasterizer/internal/exact_draw.h"
+#include "rasterizer/internal/drawing.h"
+#include "rasterizer/trace.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -56,7 +57,7 @@ DrawCounts draw_triangles(const State& state, const Mesh& mesh, Framebuffer& fra
     fragments.attributes.clear();
     Mesh alone = mesh;
     alone.triangles = mesh.triangles.subspan(triangle, 1);
-    const DrawCounts more = draw_exact(state, alone, framebuffer.size, fragments);
+    const DrawCounts more = draw_mesh(state, alone, framebuffer.size, fragments);
     counts.discarded_not_finite += more.discarded_not_finite;
     counts.discarded_degenerate += more.discarded_degenerate;
     keep_visible(state.depth_test, fragments, framebuffer);
@@ -78,6 +79,8 @@ std::string_view to_string(Error error) {
       return "the viewport has a number that is not finite, or a depth outside [0, 1]";
     case Error::scissor:
       return "the scissor has a negative size";
+    case Error::subpixel_bits:
+      return "the subpixel bits of the snapping are not within 4 to 16";
     case Error::attribute_count:
       return "there are more than 32 attributes, or not as many as the framebuffer has";
     case Error::clip_distance_count:
@@ -98,7 +101,25 @@ std::string_view to_string(Error error) {
 
 DrawResult draw_fragments(const State& state, const Mesh& mesh, const TargetSize& size,
                           Fragments& fragments) {
-  return draw_checked(&draw_exact, state, mesh, size, fragments);
+  return draw_checked(&draw_mesh, state, mesh, size, fragments);
+}
+
+TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize& size,
+                         const SampleAddress& address) {
+  std::optional<Error> error = check_draw(state, mesh, size);
+  if (!error && (address.triangle >= mesh.triangles.size())) error = Error::index;
+  if (error) return {error, std::nullopt};
+  Mesh alone = mesh;
+  alone.triangles = mesh.triangles.subspan(address.triangle, 1);
+  SampleAddress of_alone = address;
+  of_alone.triangle = 0;
+  try {
+    return {std::nullopt, trace_mesh(state, alone, size, of_alone)};
+  } catch (const std::bad_alloc&) {
+    return {Error::out_of_memory, std::nullopt};
+  } catch (const std::length_error&) {  // more than a vector can ever hold
+    return {Error::out_of_memory, std::nullopt};
+  }
 }
 
 std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,

@@ -42,6 +42,25 @@ enum class FrontFace { ccw, cw };
 enum class FillRule { top_left, bottom_left };
 enum class DepthTest { none, less };
 
+/// The vertices' window positions rounded to the nearest point of a grid, ties to even, before
+/// edges are set up (RULES §3).
+struct Snapping {
+  int subpixel_bits = 8;  ///< a grid of 2^-subpixel_bits pixels, 4…16
+};
+inline constexpr int kLeastSubpixelBits = 4;
+inline constexpr int kMostSubpixelBits = 16;
+/// Snapped vertices lie within this many pixels of the window's origin along x and along y; beyond
+/// it, and beyond depth planes and clip distances, triangles are clipped, which makes new vertices.
+inline constexpr int kGuardBand = 32768;
+
+/// Where depth, attributes and facing come from under Snapping: the triangle of the clip positions,
+/// or that of the snapped vertices.
+enum class Basis { ideal, snapped };
+
+/// How attributes are computed: in double with one rounding to float32 at the end, or in float32.
+/// Depth is always the former.
+enum class Precision { float64, float32 };
+
 /// `smooth`: linear in clip space; `noperspective`: linear in window space; `flat`: the provoking
 /// vertex's value.
 enum class Interpolation { smooth, noperspective, flat };
@@ -79,6 +98,9 @@ struct State {
   FrontFace front_face = FrontFace::ccw;
   FillRule fill_rule = FillRule::top_left;
   DepthTest depth_test = DepthTest::none;
+  std::optional<Snapping> snapping;  ///< nothing: the triangle of the clip positions, exactly
+  Basis basis = Basis::ideal;
+  Precision precision = Precision::float64;
   bool depth_clamp = false;
   std::vector<Qualifier> attributes;    ///< one for each float attribute of a vertex
   std::size_t clip_distance_count = 0;  ///< user clip distances of a vertex
@@ -105,6 +127,7 @@ enum class Error {
   sample_count,          ///< not 1, 2, 4, 8 or 16
   viewport,              ///< a number that is not finite, or depths outside [0, 1]
   scissor,               ///< a negative size
+  subpixel_bits,         ///< not 4…16
   attribute_count,       ///< more than kMaxAttributes
   clip_distance_count,   ///< more than kMaxClipDistances
   attribute_values,      ///< not one value for each vertex and attribute

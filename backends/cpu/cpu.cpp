@@ -1,5 +1,7 @@
 // The backend `cpu`: this project's rasterizer.
 
+#include <sstream>
+
 #include "backends/backend.h"
 #include "backends/cpu/rasterizer_backend.h"
 
@@ -7,13 +9,28 @@ namespace rastercheck::backends {
 namespace {
 
 Result<std::unique_ptr<Backend>> make(const std::string& options) {
-  if (!options.empty()) {
-    return tl::unexpected(Error{"cpu:" + options, "", "cpu takes no options yet"});
+  using rasterizer::Precision;
+  Precision precision = Precision::float64;
+  std::istringstream all(options);
+  for (std::string option; std::getline(all, option, ',');) {
+    if (option == "precision=float64") {
+      precision = Precision::float64;
+    } else if (option == "precision=float32") {
+      precision = Precision::float32;
+    } else {
+      return tl::unexpected(
+          Error{"cpu:" + options, "",
+                "cpu has no option '" + option +
+                    "'; there are: precision=float64 (the default), precision=float32"});
+    }
   }
-  return make_rasterizer_backend("");
+  return make_rasterizer_backend("", precision);
 }
 
-std::vector<Listing> list() { return {{"cpu", "this project's rasterizer", ""}}; }
+std::vector<Listing> list() {
+  return {{"cpu", "this project's rasterizer", ""},
+          {"cpu:precision=float32", "the same, with attributes computed in float32", ""}};
+}
 
 const BackendRegistration kRegistration({"cpu", &make, &list});
 

@@ -66,6 +66,11 @@ ras::Qualifier qualifier(const cases::Attribute& attribute) {
   return q;
 }
 
+/// The grid that the rasterizer snaps to where a case asks for one.
+int subpixel_bits(const cases::Snapping& snapping) {
+  return std::clamp(snapping.subpixel_bits, ras::kLeastSubpixelBits, ras::kMostSubpixelBits);
+}
+
 ras::State state(const cases::Case& c) {
   ras::State s;
   s.convention = convention(c.rules);
@@ -83,6 +88,8 @@ ras::State state(const cases::Case& c) {
     s.attributes.push_back(qualifier(attribute));
   }
   s.clip_distance_count = c.clip_distance_count;
+  if (c.coverage) s.snapping = ras::Snapping{subpixel_bits(*c.coverage)};
+  s.basis = c.basis == cases::Basis::ideal ? ras::Basis::ideal : ras::Basis::snapped;
   return s;
 }
 
@@ -174,18 +181,32 @@ cases::Contract double_precision_contract(const cases::Case& c) {
   return contract;
 }
 
-/// What the production rasterizer promises: the mathematical triangle, and values within 0.51 scale
-/// ULP (the bound derived in rasterizer/internal/exact_values.h is 0.5 + 2^-7).
-cases::Contract exact_contract(const cases::Case& c) {
+/// What the production rasterizer promises: the mathematical triangle, or, where the case asks for
+/// snapping, that of the vertices on such a grid, exactly rounded; and values within 0.51 scale ULP
+/// (the bound derived in rasterizer/internal/certificates.h is 0.5 + 2^-7), attributes in float32
+/// within the bounds derived in rasterizer/internal/float_kernels.h.
+cases::Contract production_contract(const cases::Case& c, ras::Precision precision) {
   cases::Contract contract;
   contract.tie_rule = c.fill_rule;
+  if (c.coverage) {
+    contract.coverage = cases::Snapping{subpixel_bits(*c.coverage)};
+    contract.basis = c.basis == cases::Basis::ideal ? cases::Basis::ideal : cases::Basis::snapped;
+    contract.guard_band = ras::kGuardBand;
+  }
   constexpr float kBound = 0.51F;
+  constexpr float kFloatSmoothBound = 6.84F;  // 6.83 and 3.95 are no floats
+  constexpr float kFloatAffineBound = 3.96F;
   contract.bounds = {{kBound, 0}, {kBound, 0}, {kBound, 0}};
+  if (precision == ras::Precision::float32) {
+    contract.bounds.smooth.constant = kFloatSmoothBound;
+    contract.bounds.noperspective.constant = kFloatAffineBound;
+  }
   contract.keeps_equal_depth = true;
   return contract;
 }
 
-Result<cases::Framebuffer> draw_with_rasterizer(const cases::Case& c, std::string_view method) {
+Result<cases::Framebuffer> draw_with_rasterizer(const cases::Case& c, std::string_view method,
+                                                ras::Precision precision) {
   std::vector<glm::vec4> positions;
   positions.reserve(c.positions.size());
   for (const cases::ClipVertex& p : c.positions) positions.emplace_back(p.x, p.y, p.z, p.w);
@@ -193,7 +214,8 @@ Result<cases::Framebuffer> draw_with_rasterizer(const cases::Case& c, std::strin
   triangles.reserve(c.triangles.size());
   for (const cases::Triangle& t : c.triangles) triangles.emplace_back(t[0], t[1], t[2]);
 
-  const ras::State s = state(c);
+  ras::State s = state(c);
+  s.precision = precision;
   const ras::Mesh mesh{positions, c.attribute_values, c.clip_distances, triangles};
   const ras::TargetSize size{c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples};
   ras::Fragments fragments;
@@ -211,23 +233,26 @@ Result<cases::Framebuffer> draw_with_rasterizer(const cases::Case& c, std::strin
 
 class RasterizerBackend : public Backend {
  public:
-  explicit RasterizerBackend(std::string method) : method_(std::move(method)) {}
+  RasterizerBackend(std::string method, ras::Precision precision)
+      : method_(std::move(method)), precision_(precision) {}
 
   cases::Contract contract(const cases::Case& c) const override {
-    return method_.empty() ? exact_contract(c) : double_precision_contract(c);
+    return method_.empty() ? production_contract(c, precision_) : double_precision_contract(c);
   }
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
-    return draw_with_rasterizer(c, method_);
+    return draw_with_rasterizer(c, method_, precision_);
   }
 
  private:
   std::string method_;
+  ras::Precision precision_;
 };
 
 }  // namespace
 
-std::unique_ptr<Backend> make_rasterizer_backend(const std::string& method) {
-  return std::make_unique<RasterizerBackend>(method);
+std::unique_ptr<Backend> make_rasterizer_backend(const std::string& method,
+                                                 rasterizer::Precision precision) {
+  return std::make_unique<RasterizerBackend>(method, precision);
 }
 
 }  // namespace rastercheck::backends

@@ -7,10 +7,13 @@
 #include <string>
 
 #include "backends/backend.h"
+#include "rasterizer/rasterizer.h"
 
 namespace rastercheck::backends {
 
-/// Draws with the rasterizer, or with one of its textbook methods where `method` is not empty.
-std::unique_ptr<Backend> make_rasterizer_backend(const std::string& method);
+/// Draws with the rasterizer, or with one of its textbook methods where `method` is not empty
+/// (which have a precision of their own).
+std::unique_ptr<Backend> make_rasterizer_backend(
+    const std::string& method, rasterizer::Precision precision = rasterizer::Precision::float64);
 
 }  // namespace rastercheck::backends

@@ -41,6 +41,10 @@ std::optional<Error> check_size(const TargetSize& size) {
 std::optional<Error> check_state(const State& state) {
   if (!is_viewport(state.viewport)) return Error::viewport;
   if (state.scissor.size.x < 0 || state.scissor.size.y < 0) return Error::scissor;
+  if (state.snapping && (state.snapping->subpixel_bits < kLeastSubpixelBits ||
+                         state.snapping->subpixel_bits > kMostSubpixelBits)) {
+    return Error::subpixel_bits;
+  }
   if (state.attributes.size() > kMaxAttributes) return Error::attribute_count;
   if (state.clip_distance_count > kMaxClipDistances) return Error::clip_distance_count;
   return std::nullopt;
@@ -58,12 +62,16 @@ std::optional<Error> check_mesh(const State& state, const Mesh& mesh) {
   return std::nullopt;
 }
 
-DrawResult draw_checked(DrawFragments draw, const State& state, const Mesh& mesh,
-                        const TargetSize& size, Fragments& fragments) {
+std::optional<Error> check_draw(const State& state, const Mesh& mesh, const TargetSize& size) {
   std::optional<Error> error = check_size(size);
   if (!error) error = check_state(state);
   if (!error) error = check_mesh(state, mesh);
-  if (error) return {error, {}};
+  return error;
+}
+
+DrawResult draw_checked(DrawFragments draw, const State& state, const Mesh& mesh,
+                        const TargetSize& size, Fragments& fragments) {
+  if (const std::optional<Error> error = check_draw(state, mesh, size)) return {error, {}};
 
   const std::size_t before = fragments.size();
   const std::size_t attributes_before = fragments.attributes.size();

@@ -15,6 +15,9 @@ std::optional<Error> check_state(const State& state);
 /// `state` was checked.
 std::optional<Error> check_mesh(const State& state, const Mesh& mesh);
 
+/// All three.
+std::optional<Error> check_draw(const State& state, const Mesh& mesh, const TargetSize& size);
+
 /// Checks the arguments, then draws; Error::out_of_memory, with `fragments` as before, where an
 /// allocation failed.
 DrawResult draw_checked(DrawFragments draw, const State& state, const Mesh& mesh,

@@ -135,12 +135,12 @@ void clip_guard_band(const ClipVolume& volume, double ClipVertex::*axis, ClipPol
   for (const double side : {-1.0, 1.0}) {
     Plane(
         volume, false,
-        [side, axis](const ClipVertex& p) { return kGuardBand * p.w - side * p.*axis; },
+        [side, axis](const ClipVertex& p) { return kClipGuardBand * p.w - side * p.*axis; },
         [side, axis](ClipVertex& p, bool same_w) {
           if (same_w) {
-            p.*axis = side * kGuardBand * p.w;
+            p.*axis = side * kClipGuardBand * p.w;
           } else {
-            p.w = side * p.*axis / kGuardBand;
+            p.w = side * p.*axis / kClipGuardBand;
           }
         })
         .clip(polygon, spare);

@@ -5,7 +5,7 @@
 //
 // After it every vertex has w > 0 (clip() says where not), so that it may be divided by. The
 // planes, in this order: near and far (not with depth clamp), the user's clip distances, and the
-// guard band |x| <= G w, |y| <= G w, G = kGuardBand. The guard band is not there to bring the
+// guard band |x| <= G w, |y| <= G w, G = kClipGuardBand. The guard band is not there to bring the
 // polygon into the viewport, which is done per sample, but to bring it in front of the eye: |x| <=
 // G w and |y| <= G w leave w = 0 to x = y = 0 only, which no triangle with a determinant other than
 // zero contains. It comes last, so that a triangle that the near plane already put in front of the
@@ -24,7 +24,7 @@ namespace rastercheck::rasterizer {
 /// stay below it are not moved at all; beyond it their far ends are cut off, a thousand viewports
 /// away. Less would move edges without need. More would lose digits at the crossings with the rows:
 /// their rounding is relative to the far end (convex_scan.h), here 11 · 2^-53 · 2^10 half widths.
-inline constexpr double kGuardBand = 1024;
+inline constexpr double kClipGuardBand = 1024;
 
 struct ClipVertex {
   double x = 0;

@@ -2,27 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "rasterizer/internal/float_kernels.h"
 
 namespace rastercheck::rasterizer {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
+using Positions = std::array<glm::vec4, 3>;
 
-using Corners = std::array<glm::vec4, 3>;
-
-/// |det (x, y, w)|: the six triple products without rounding, summed once.
-double determinant(const Corners& p) {
-  ExactSum sum;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const glm::vec4& q = p[(i + 1) % 3];
-    const glm::vec4& r = p[(i + 2) % 3];
-    sum.add_product(double{q.y} * double{r.w}, p[i].x);
-    sum.add_product(-double{r.y} * double{q.w}, p[i].x);
-  }
-  return std::abs(sum.nearest());
-}
-
-bool has_equal_depth(const Corners& p) {
+bool has_equal_depth(const Positions& p) {
   const auto is_equal = [](const glm::vec4& a, const glm::vec4& b) {
     return double{a.z} * double{b.w} == double{b.z} * double{a.w};
   };
@@ -30,7 +19,7 @@ bool has_equal_depth(const Corners& p) {
 }
 
 /// The vertex with the largest |w|: z/w there is that of the whole plane.
-double plane_depth(const Corners& p) {
+double plane_depth(const Positions& p) {
   const glm::vec4& at = *std::max_element(p.begin(), p.end(), [](const auto& a, const auto& b) {
     return std::abs(a.w) < std::abs(b.w);
   });
@@ -46,124 +35,150 @@ bool is_same_zero(float a, float b, float c) {
          std::signbit(b) == std::signbit(c);
 }
 
-void set_up_depth(const State& state, const Corners& p, const EdgeFunctions& edges,
-                  TriangleValues& out) {
+/// An affine quantity of the vertices at a corner that may be new.
+double at_corner(const std::array<double, 3>& of_vertices, const GridCorner& corner) {
+  double value = 0;
+  for (std::size_t v = 0; v < 3; ++v) {
+    // A vertex that has no share may be no number.
+    if (corner.share[v] != 0) value += corner.share[v] * of_vertices[v];
+  }
+  return value;
+}
+
+void set_up_depth(const State& state, const Positions& p, double det_t, DepthLine& line) {
   const double near = state.viewport.min_depth;
   const double far = state.viewport.max_depth;
   const bool is_halved = state.convention == Convention::opengl;
-  DepthLine& line = out.depth;
   line.span = is_halved ? (far - near) / 2 : far - near;
   line.low = is_halved ? (near + far) / 2 : near;
   line.least = std::min(near, far);
   line.greatest = std::max(near, far);
-  line.scale = 1 / out.det_t;
-  double error = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    line.k[i] = p[i].z;
-    error += std::abs(double{p[i].z}) * (edges[i].band + 8 * kUnit * edges[i].greatest);
+  // Clipping keeps depths within the range, but a snapped triangle reaches beyond the plane of the
+  // clip positions' triangle that depths come from, and with them the depths.
+  const bool is_clamped = state.depth_clamp || state.convention == Convention::d3d;
+  if (state.snapping && !is_clamped) {
+    line.least = -std::numeric_limits<double>::infinity();
+    line.greatest = std::numeric_limits<double>::infinity();
   }
-  out.depth_is_certain = error * 0x1p31 <= out.det_t;
-  out.has_constant_depth = has_equal_depth(p);
-  if (out.has_constant_depth) out.constant_depth = depth_of(line, plane_depth(p));
+  line.scale = 1 / det_t;
+  for (std::size_t i = 0; i < 3; ++i) line.k[i] = p[i].z;
 }
 
-struct ExactWeights {
-  std::array<ExactSum, 3> e;
-  ExactWeights(const EdgeFunctions& edges, const SampleFrame& frame, double u, double v)
-      : e{exact_edge(edges[0], frame, u, v), exact_edge(edges[1], frame, u, v),
-          exact_edge(edges[2], frame, u, v)} {}
+bool has_new_corner(const ValueSource& source) {
+  return std::any_of(source.corners.begin(), source.corners.end(), [](const GridCorner* corner) {
+    // A vertex has one share, itself.
+    return corner != nullptr && std::none_of(corner->share.begin(), corner->share.end(),
+                                             [](double s) { return s == 1; });
+  });
+}
 
-  /// Σ k_i E_i.
-  ExactSum combine(const std::array<double, 3>& k) const {
-    ExactSum sum;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (const double component : e[i].components()) sum.add_product(component, k[i]);
-    }
-    return sum;
+/// A power of two with scale · E_i < 1 at all samples.
+double float_scale(const Weights& weights) {
+  double greatest = 0;
+  for (const EdgeFunction& edge : weights.edges) greatest = std::max(greatest, edge.greatest);
+  return greatest > 0 ? std::ldexp(1.0, -std::ilogb(greatest) - 2) : 1;
+}
+
+/// Σ k_i E_i.
+ExactSum combine(const std::array<ExactSum, 3>& e, const std::array<double, 3>& k) {
+  ExactSum sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (const double component : e[i].components()) sum.add_product(component, k[i]);
   }
-};
+  return sum;
+}
 
 }  // namespace
 
-void set_up_values(const State& state, const Corners& corners,
-                   const std::array<std::span<const float>, 3>& values, const EdgeFunctions& edges,
-                   const SampleFrame& frame, TriangleValues& out) {
-  out.det_t = determinant(corners) * frame.t;
-  out.band_sum = edges[0].band + edges[1].band + edges[2].band;
-  out.least_sum = 0x1p32 * out.band_sum;
-  double error = 0;
-  bool all_in_front = true;
-  for (std::size_t i = 0; i < 3; ++i) {
-    out.affine_error[i] = std::abs(double{corners[i].w}) * edges[i].band;
-    error += out.affine_error[i];
-    all_in_front = all_in_front && corners[i].w > 0;
+void set_up_values(const State& state, const ValueSource& source, const Weights& weights,
+                   TriangleValues& out) {
+  const Positions& p = source.positions;
+  const std::array<double, 3> vertex_w{p[0].w, p[1].w, p[2].w};
+  out.w = vertex_w;
+  const bool has_one_w = p[0].w == p[1].w && p[1].w == p[2].w && p[0].w > 0;
+  set_up_depth(state, p, weights.det_t, out.depth);
+  const bool is_placed = source.corners[0] != nullptr;
+  if (is_placed) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      out.w[i] = source.corners[i]->w;
+      out.depth.k[i] = source.corners[i]->z;
+    }
   }
-  // Inside a triangle with all w > 0 the w_i E_i are shares of |det| T: their roundings are few.
-  out.affine_is_certain = all_in_front && error * 0x1p33 <= out.det_t;
-  set_up_depth(state, corners, edges, out);
+  out.certificates = certify(weights, out.w, out.depth.k);
+  out.has_constant_depth = has_equal_depth(p);
+  if (out.has_constant_depth) out.constant_depth = depth_of(out.depth, plane_depth(p));
 
   const std::size_t provoking = state.convention == Convention::opengl ? 2 : 0;
   out.attributes.resize(state.attributes.size());
+  out.has_smooth = false;
+  out.has_smooth_float = false;
+  out.has_affine_float = false;
+  out.float_scale = float_scale(weights);
+  const bool is_float = state.precision == Precision::float32 && !has_new_corner(source);
   for (std::size_t a = 0; a < state.attributes.size(); ++a) {
-    const std::array<float, 3> r{values[0][a], values[1][a], values[2][a]};
+    const std::array<float, 3> r{source.attributes[0][a], source.attributes[1][a],
+                                 source.attributes[2][a]};
     ValueLine& line = out.attributes[a];
     line.copy = r[provoking];
     const Interpolation interpolation = state.attributes[a].interpolation;
+    line.is_float = false;
     if (interpolation == Interpolation::flat || is_same_zero(r[0], r[1], r[2])) {
       line.kind = ValueLine::Kind::copied;
       continue;
     }
-    const bool is_smooth = interpolation == Interpolation::smooth;
-    line.kind = is_smooth ? ValueLine::Kind::smooth : ValueLine::Kind::affine;
+    const bool is_divided = interpolation == Interpolation::smooth && !has_one_w;
+    line.kind = is_divided ? ValueLine::Kind::smooth : ValueLine::Kind::affine;
+    line.r = r;
+    line.is_float = is_float && fits_float_precision(r);
+    out.has_smooth = out.has_smooth || is_divided;
+    out.has_smooth_float = out.has_smooth_float || (line.is_float && is_divided);
+    out.has_affine_float = out.has_affine_float || (line.is_float && !is_divided);
     for (std::size_t i = 0; i < 3; ++i) {
-      line.numerators[i] = is_smooth ? r[i] : double{r[i]} * double{corners[i].w};
+      line.numerators[i] = is_divided ? r[i] : double{r[i]} * vertex_w[i];
+    }
+    if (is_placed) {
+      const std::array<double, 3> of_vertices = line.numerators;
+      for (std::size_t i = 0; i < 3; ++i) {
+        line.numerators[i] = at_corner(of_vertices, *source.corners[i]);
+      }
     }
   }
 }
 
-float exact_value_at(const ValueLine& line, const TriangleValues& triangle,
-                     const EdgeFunctions& edges, const SampleFrame& frame, double u, double v) {
+float exact_value_at(const ValueLine& line, const Weights& weights, double u, double v) {
   if (line.kind == ValueLine::Kind::copied) return line.copy;
   // Infinities and NaNs have no place in an exact sum; those of finite attributes are below 2^258.
   const double together = line.numerators[0] + line.numerators[1] + line.numerators[2];
   if (!std::isfinite(together)) return static_cast<float>(together);
-  const ExactWeights weights(edges, frame, u, v);
-  const double numerator = weights.combine(line.numerators).nearest();
-  if (line.kind == ValueLine::Kind::affine) return static_cast<float>(numerator / triangle.det_t);
-  const double sum = weights.combine({1, 1, 1}).nearest();
+  const std::array<ExactSum, 3> e = weights.exact_at(u, v);
+  const double numerator = combine(e, line.numerators).nearest();
+  if (line.kind == ValueLine::Kind::affine) {
+    return static_cast<float>(numerator / weights.exact_det_t);
+  }
+  const double sum = combine(e, {1, 1, 1}).nearest();
   return sum > 0 ? static_cast<float>(numerator / sum) : line.copy;
 }
 
-float value_at(const ValueLine& line, const TriangleValues& triangle, const EdgeFunctions& edges,
-               const SampleFrame& frame, double u, double v) {
+float value_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
+               double u, double v) {
   if (line.kind == ValueLine::Kind::copied) return line.copy;
-  double numerator = 0;
-  double sum = 0;
-  double size = 0;
-  double affine_error = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double e = edges[i].at(frame, u, edges[i].row(frame, v));
-    numerator += line.numerators[i] * e;
-    sum += e;
-    size += std::abs(e);
-  }
+  const std::array<double, 3> e = weights.at(u, v);
+  const double numerator =
+      line.numerators[0] * e[0] + line.numerators[1] * e[1] + line.numerators[2] * e[2];
   if (line.kind == ValueLine::Kind::smooth) {
-    const bool is_certain = sum > 0x1p32 * (triangle.band_sum + 8 * kUnit * size);
-    if (is_certain) return static_cast<float>(numerator / sum);
-  } else {
-    for (const double error : triangle.affine_error) affine_error += error;
-    const bool is_certain =
-        triangle.affine_is_certain && size == sum && affine_error * 0x1p32 <= triangle.det_t;
-    if (is_certain) return static_cast<float>(numerator / triangle.det_t);
+    if (triangle.certificates.is_smooth_certain(e)) {
+      return static_cast<float>(numerator / (e[0] + e[1] + e[2]));
+    }
+  } else if (triangle.certificates.is_affine_certain(e, weights.det_t)) {
+    return static_cast<float>(numerator / weights.det_t);
   }
-  return exact_value_at(line, triangle, edges, frame, u, v);
+  return exact_value_at(line, weights, u, v);
 }
 
-float exact_depth_at(const TriangleValues& triangle, const EdgeFunctions& edges,
-                     const SampleFrame& frame, double u, double v) {
+float exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v) {
   if (triangle.has_constant_depth) return triangle.constant_depth;
-  const ExactWeights weights(edges, frame, u, v);
-  return depth_of(triangle.depth, weights.combine(triangle.depth.k).nearest() / triangle.det_t);
+  const std::array<ExactSum, 3> e = weights.exact_at(u, v);
+  return depth_of(triangle.depth, combine(e, triangle.depth.k).nearest() / weights.exact_det_t);
 }
 
 }  // namespace rastercheck::rasterizer

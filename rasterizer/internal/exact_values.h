@@ -6,30 +6,30 @@
 //   noperspective  r = Σ r_i w_i E_i / (|det| T)          r_i w_i is exact in double
 //   depth          z = Σ z_i E_i / (|det| T), then n + (f − n) z, halved for OpenGL
 //
-// All in double. What that is off by comes from the E_i, each off by at most its band, and from a
-// few roundings; a *certificate* shows that it is little:
-//
-//   smooth   |δr| <= max|r_i| (2 Σ band_i / D + 8u), so D >= 2^32 Σ band_i gives 2^-31 max|r_i|;
-//            an ulp of max|r_i| is at least 2^-24 of it, hence at most 2^-7 scale ULP. With weights
-//            of both signs (a centre outside) Σ|E_i| takes the place of D in the roundings.
-//   affine   |δr| <= max|r_i| Σ |w_i| (band_i + 8u |E_i|) / (|det| T), certified below 2^-32.
-//   depth    |δz| <= Σ |z_i| (band_i + 8u S_i) / (|det| T), certified below 2^-31; n, f and f − n
-//            are at most max(|n|, |f|).
-//
-// With half an ULP for the rounding to float32 no value is off by more than kValueBound. Where a
-// certificate fails (slivers, the horizon, w of both signs) sums are formed without rounding
-// (exact_sum.h) and divided once: 2^-50 of the value itself.
+// All in double where a certificate (certificates.h) shows that that is enough. Where it fails
+// (slivers, the horizon, w of both signs) sums are formed without rounding (exact_sum.h) and
+// divided once: 2^-50 of the value itself.
 //
 // Constants: with r_i = c the computed value is within 10u of c and rounds to c. The same zero at
 // all vertices is copied, sign included. A plane of equal depth, z_i w_j = z_j w_i exactly, has one
-// depth for all its samples.
+// depth for all its samples. Where all w are the same, smooth and noperspective are one, and
+// nothing is divided at a sample (seed 000; seed 002 §3.3).
+//
+// A corner that clipping made, with shares s_v of the vertices, has r = Σ s_v r_v and for affine
+// values Σ s_v r_v w_v: shares are within 2^-50 of themselves and none is negative, so that this is
+// within 2^-49 of max|r_i|. In float32 (float_kernels.h) go the attributes of triangles whose
+// corners are their own, where no difference overflows; the rest, and what is not certain, as
+// above.
 
 #include <array>
 #include <glm/vec4.hpp>
+#include <span>
 #include <vector>
 
 #include "rasterizer/internal/block_kernels.h"
-#include "rasterizer/internal/edge_functions.h"
+#include "rasterizer/internal/certificates.h"
+#include "rasterizer/internal/grid_polygon.h"
+#include "rasterizer/internal/weights.h"
 
 namespace rastercheck::rasterizer {
 
@@ -37,38 +37,47 @@ namespace rastercheck::rasterizer {
 struct ValueLine {
   enum class Kind { copied, smooth, affine };
   Kind kind = Kind::copied;
-  /// r_i of a smooth, r_i w_i of an affine value: exact.
+  /// What the E_i are multiplied with: r_i of a smooth, r_i w_i of an affine value.
   std::array<double, 3> numerators{};
   float copy = 0;  ///< of a copied one
+  /// Whether it is to be computed in float32 (float_kernels.h) from these r_i.
+  bool is_float = false;
+  std::array<float, 3> r{};
 };
 
 struct TriangleValues {
+  std::array<double, 3> w{};  ///< of the corners
   std::vector<ValueLine> attributes;
+  bool has_smooth = false;  ///< some attribute is of kind smooth
+  bool has_smooth_float = false;
+  bool has_affine_float = false;
+  /// float_smooth_weights': a power of two.
+  double float_scale = 1;
   DepthLine depth;
   bool has_constant_depth = false;
   float constant_depth = 0;
-  double det_t = 0;                ///< |det| T, to a relative 2^-51
-  double band_sum = 0;             ///< Σ band_i
-  double least_sum = 0;            ///< the certificate of smooth values: Σ E_i above this
-  bool affine_is_certain = false;  ///< the certificate of affine values of covered samples
-  bool depth_is_certain = false;
-  std::array<double, 3> affine_error{};  ///< |w_i| band_i
+  Certificates certificates;
 };
 
-/// Prepares the values; `values[i]` are vertex i's attributes.
-void set_up_values(const State& state, const std::array<glm::vec4, 3>& corners,
-                   const std::array<std::span<const float>, 3>& values, const EdgeFunctions& edges,
-                   const SampleFrame& frame, TriangleValues& out);
+/// What values are made of: a triangle's clip positions and attributes, and, where the weights
+/// belong to snapped corners, these.
+struct ValueSource {
+  std::array<glm::vec4, 3> positions;
+  std::array<std::span<const float>, 3> attributes;
+  std::array<const GridCorner*, 3> corners{};  ///< or nullptr
+};
+
+/// Prepares the values.
+void set_up_values(const State& state, const ValueSource& source, const Weights& weights,
+                   TriangleValues& out);
 
 /// The value at (u, v), in double where certain, else from exact sums. Where the rules leave it
 /// undefined (a smooth value with 1/w <= 0) some number.
-float value_at(const ValueLine& line, const TriangleValues& triangle, const EdgeFunctions& edges,
-               const SampleFrame& frame, double u, double v);
+float value_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
+               double u, double v);
 
 /// The same without asking whether double is enough.
-float exact_value_at(const ValueLine& line, const TriangleValues& triangle,
-                     const EdgeFunctions& edges, const SampleFrame& frame, double u, double v);
-float exact_depth_at(const TriangleValues& triangle, const EdgeFunctions& edges,
-                     const SampleFrame& frame, double u, double v);
+float exact_value_at(const ValueLine& line, const Weights& weights, double u, double v);
+float exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v);
 
 }  // namespace rastercheck::rasterizer

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "rasterizer/internal/exact_draw.h"
+#include "rasterizer/internal/drawing.h"
 #include "tests/rasterizer/brute_force.h"
 #include "tests/rasterizer/random_draw.h"
 
@@ -56,7 +56,7 @@ class Comparison {
       : draw_(draw),
         exact_(draw.state, draw.mesh, draw.mesh.triangles[0]),
         pattern_(brute_force_pattern(draw.size.samples)) {
-    counts_ = draw_exact(draw.state, draw.mesh.mesh(), draw.size, fragments_);
+    counts_ = draw_mesh(draw.state, draw.mesh.mesh(), draw.size, fragments_);
   }
 
   /// How many fragments were compared.

@@ -7,7 +7,7 @@
 
 #include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/determinant.h"
-#include "rasterizer/internal/exact_draw.h"
+#include "rasterizer/internal/drawing.h"
 #include "tests/rasterizer/exact_frame.h"
 
 namespace rastercheck::rasterizer {
@@ -19,19 +19,25 @@ constexpr double kExactBound = 0.5 + 0x1p-20;
 /// A triangle with its values prepared.
 struct Prepared {
   FramedDraw draw;
-  EdgeFunctions edges;
+  Weights weights;
   TriangleValues values;
 
+  Prepared(const Prepared&) = delete;  // the weights look at the draw
+  Prepared& operator=(const Prepared&) = delete;
+  ~Prepared() = default;
   explicit Prepared(const FramedDraw& framed) : draw(framed) {
-    edges = edge_functions(draw.corners, draw.orientation, draw.frame, 1);
+    weights = Weights::ideal(
+        draw.corners, edge_functions(draw.corners, draw.orientation, draw.frame, 1), draw.frame);
     const std::span<const float> all(draw.mesh.attributes);
     const std::size_t count = draw.state.attributes.size();
-    set_up_values(draw.state, draw.corners,
-                  {all.subspan(0, count), all.subspan(count, count), all.subspan(2 * count, count)},
-                  edges, draw.frame, values);
+    const ValueSource source{
+        draw.corners,
+        {all.subspan(0, count), all.subspan(count, count), all.subspan(2 * count, count)},
+        {}};
+    set_up_values(draw.state, source, weights, values);
   }
 
-  std::array<Rational, 3> weights(const SampleOffset& at) const {
+  std::array<Rational, 3> rational_weights(const SampleOffset& at) const {
     return exact_weights(draw.corners, draw.orientation, draw.state, at.x, at.y);
   }
   float attribute(std::size_t vertex, std::size_t index) const {
@@ -100,9 +106,9 @@ Expected exact_depth(const Prepared& p, const std::array<Rational, 3>& e) {
 BlockWeights block_at(const Prepared& p, const SampleOffset& at) {
   EdgeRow row;
   for (std::size_t i = 0; i < 3; ++i) {
-    row.a[i] = p.edges[i].a.value;
-    row.row[i] = p.edges[i].row(p.draw.frame, at.y);
-    row.band[i] = p.edges[i].band;
+    row.a[i] = p.weights.edges[i].a.value;
+    row.row[i] = p.weights.edges[i].row(p.draw.frame, at.y);
+    row.band[i] = p.weights.edges[i].band;
   }
   row.scale = p.draw.frame.u.scale;
   row.shift = p.draw.frame.u.shift;
@@ -119,10 +125,10 @@ TEST(ExactValues, TheDeterminantIsAlmostExact) {
   for (int i = 0; i < 3'000 && !HasFailure(); ++i) {
     const Prepared p(random_framed_draw(random));
     Rational exact = 0;
-    const auto e = p.weights({0.5, 0.5});
+    const auto e = p.rational_weights({0.5, 0.5});
     for (std::size_t k = 0; k < 3; ++k) exact += Rational(p.draw.corners[k].w) * e[k];
     EXPECT_GT(exact, 0);
-    EXPECT_LE(abs(Rational(p.values.det_t) - exact), exact * power_of_two(-51));
+    EXPECT_LE(abs(Rational(p.weights.det_t) - exact), exact * power_of_two(-51));
   }
 }
 
@@ -132,16 +138,15 @@ TEST(ExactValues, ExactPathsRoundOnce) {
   for (int i = 0; i < 2'000 && !HasFailure(); ++i) {
     const Prepared p(random_framed_draw(random));
     const SampleOffset at = random_sample(random, p.draw.bounds, p.draw.samples);
-    const auto e = p.weights(at);
+    const auto e = p.rational_weights(at);
     for (std::size_t a = 0; a < p.draw.state.attributes.size(); ++a) {
       if (p.values.attributes[a].kind == ValueLine::Kind::copied) continue;
       const Expected expected = exact_attribute(p, a, e);
       if (!expected.is_defined) continue;
-      EXPECT_TRUE(is_within(
-          exact_value_at(p.values.attributes[a], p.values, p.edges, p.draw.frame, at.x, at.y),
-          expected, kExactBound));
+      EXPECT_TRUE(is_within(exact_value_at(p.values.attributes[a], p.weights, at.x, at.y), expected,
+                            kExactBound));
     }
-    const float depth = exact_depth_at(p.values, p.edges, p.draw.frame, at.x, at.y);
+    const float depth = exact_depth_at(p.values, p.weights, at.x, at.y);
     EXPECT_TRUE(is_within(depth, exact_depth(p, e), kExactBound));
   }
 }
@@ -152,14 +157,13 @@ TEST(ExactValues, ValuesAnywhereAreWithinTheBound) {
   for (int i = 0; i < 3'000 && !HasFailure(); ++i) {
     const Prepared p(random_framed_draw(random));
     const SampleOffset at = random_sample(random, p.draw.bounds, p.draw.samples);
-    const auto e = p.weights(at);
+    const auto e = p.rational_weights(at);
     for (std::size_t a = 0; a < p.draw.state.attributes.size(); ++a) {
       if (p.values.attributes[a].kind == ValueLine::Kind::copied) continue;
       const Expected expected = exact_attribute(p, a, e);
       if (!expected.is_defined) continue;
-      EXPECT_TRUE(
-          is_within(value_at(p.values.attributes[a], p.values, p.edges, p.draw.frame, at.x, at.y),
-                    expected, kValueBound));
+      EXPECT_TRUE(is_within(value_at(p.values.attributes[a], p.values, p.weights, at.x, at.y),
+                            expected, kValueBound));
     }
   }
 }
@@ -172,11 +176,12 @@ struct Certified {
 };
 
 void expect_certified(const Prepared& p, const SampleOffset& at, Certified& count) {
-  const auto e = p.weights(at);
+  const auto e = p.rational_weights(at);
   BlockWeights weights = block_at(p, at);
-  const bool is_smooth_certain = (sum_weights(p.values.least_sum, 1, weights) & 1) != 0;
+  const bool is_smooth_certain =
+      (sum_weights(p.values.certificates.least_sum, 1, weights) & 1) != 0;
   std::array<float, kBlockSize> out{};
-  if (p.values.depth_is_certain) {  // for all samples of the draw, inside or not
+  if (p.values.certificates.depth_is_certain) {  // for all samples of the draw, inside or not
     evaluate_depth(p.values.depth, 1, weights, out.data());
     EXPECT_TRUE(is_within(out[0], exact_depth(p, e), kValueBound)) << "depth";
     ++count.depth;
@@ -190,8 +195,8 @@ void expect_certified(const Prepared& p, const SampleOffset& at, Certified& coun
       EXPECT_TRUE(is_within(out[0], expected, kValueBound)) << "smooth";
       ++count.smooth;
     }
-    if (line.kind == ValueLine::Kind::affine && p.values.affine_is_certain) {
-      evaluate_affine(line.numerators, 1 / p.values.det_t, 1, weights, out.data());
+    if (line.kind == ValueLine::Kind::affine && p.values.certificates.affine_is_certain) {
+      evaluate_affine(line.numerators, 1 / p.weights.det_t, 1, weights, out.data());
       EXPECT_TRUE(is_within(out[0], expected, kValueBound)) << "noperspective";
       ++count.affine;
     }
@@ -250,7 +255,7 @@ TEST(ExactValues, CertificatesHoldOfSlivers) {
     if (framed.orientation == 0) continue;
     const Prepared p(framed);
     expect_certified(p, at, count);
-    doubtful += p.values.depth_is_certain ? 0 : 1;
+    doubtful += p.values.certificates.depth_is_certain ? 0 : 1;
   }
   EXPECT_GT(doubtful, 1'000);
 }
@@ -276,10 +281,10 @@ TEST(ExactValues, WeightsThatCancelAreSummedExactly) {
   constexpr float kK = 0x1p22F + 3;
   const Prepared p(about_the_middle({glm::vec4{0, kN, 0, 3}, {1, kN, 0, 4}, {kK, kN + 1, 0, 5}},
                                     Interpolation::smooth, 0.1F));
-  const auto e = p.weights({0.5, 0.5});
+  const auto e = p.rational_weights({0.5, 0.5});
   ASSERT_EQ(e[0] + e[1] + e[2], 1);
-  ASSERT_EQ(p.values.band_sum, 0);
-  EXPECT_EQ(value_at(p.values.attributes[0], p.values, p.edges, p.draw.frame, 0.5, 0.5), 0.1F);
+  ASSERT_EQ(p.values.certificates.band_sum, 0);
+  EXPECT_EQ(value_at(p.values.attributes[0], p.values, p.weights, 0.5, 0.5), 0.1F);
 }
 
 // Inside, with w of both signs: the weights' sum is large, but weighed by w it is 1. Kills: the
@@ -288,12 +293,12 @@ TEST(ExactValues, SharesThatCancelAreSummedExactly) {
   const Prepared p(about_the_middle(
       {glm::vec4{-1016313, -796241, 0, -423006}, {592999, 0, 0, 59869}, {0, 538095, 0, 216524}},
       Interpolation::noperspective, 0.1F));
-  const auto e = p.weights({0.5, 0.5});
+  const auto e = p.rational_weights({0.5, 0.5});
   ASSERT_TRUE(is_covered(e));
-  ASSERT_EQ(p.values.det_t, 1);
-  ASSERT_EQ(p.values.band_sum, 0);
-  EXPECT_FALSE(p.values.affine_is_certain);
-  EXPECT_EQ(value_at(p.values.attributes[0], p.values, p.edges, p.draw.frame, 0.5, 0.5), 0.1F);
+  ASSERT_EQ(p.weights.det_t, 1);
+  ASSERT_EQ(p.values.certificates.band_sum, 0);
+  EXPECT_FALSE(p.values.certificates.affine_is_certain);
+  EXPECT_EQ(value_at(p.values.attributes[0], p.values, p.weights, 0.5, 0.5), 0.1F);
 }
 
 /// A triangle of small_state(8, 8) with these w, the same attributes at all vertices.
@@ -329,11 +334,11 @@ TEST(ExactValues, ConstantsStayWhatTheyAre) {
         if (interpolation == Interpolation::smooth) {
           evaluate_smooth(line.numerators, 1, weights, out.data());
         } else {
-          evaluate_affine(line.numerators, 1 / p.values.det_t, 1, weights, out.data());
+          evaluate_affine(line.numerators, 1 / p.weights.det_t, 1, weights, out.data());
         }
         EXPECT_EQ(out[0], c);
-        EXPECT_EQ(value_at(line, p.values, p.edges, p.draw.frame, 3.5, 3.5), c);
-        EXPECT_EQ(exact_value_at(line, p.values, p.edges, p.draw.frame, 3.5, 3.5), c);
+        EXPECT_EQ(value_at(line, p.values, p.weights, 3.5, 3.5), c);
+        EXPECT_EQ(exact_value_at(line, p.weights, 3.5, 3.5), c);
       }
     }
   }
@@ -348,8 +353,8 @@ TEST(ExactValues, VerticesHaveTheirOwnValues) {
     const std::array<SampleOffset, 3> vertices{SampleOffset{0.5, 0.5}, {7.5, 1.5}, {2.5, 7.5}};
     for (std::size_t i = 0; i < 3; ++i) {
       const SampleOffset& v = vertices[i];
-      EXPECT_EQ(value_at(line, p.values, p.edges, p.draw.frame, v.x, v.y), r[i]);
-      EXPECT_EQ(exact_value_at(line, p.values, p.edges, p.draw.frame, v.x, v.y), r[i]);
+      EXPECT_EQ(value_at(line, p.values, p.weights, v.x, v.y), r[i]);
+      EXPECT_EQ(exact_value_at(line, p.weights, v.x, v.y), r[i]);
     }
   }
 }

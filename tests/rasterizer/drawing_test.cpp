@@ -1,4 +1,4 @@
-#include "rasterizer/internal/exact_draw.h"
+#include "rasterizer/internal/drawing.h"
 
 #include <gtest/gtest.h>
 
@@ -178,7 +178,7 @@ TEST(ExactDraw, AnEmptyViewportLeavesNothingButDegenerates) {
     mesh.positions.push_back({NAN, 0, 0, 1});
     mesh.triangles = {{0, 1, 2}, {0, 1, 1}, {0, 1, 3}};
     Fragments fragments;
-    const DrawCounts counts = draw_exact(state, mesh.mesh(), kFour, fragments);
+    const DrawCounts counts = draw_mesh(state, mesh.mesh(), kFour, fragments);
     EXPECT_EQ(fragments.size(), 0U);
     EXPECT_EQ(counts, (DrawCounts{.discarded_not_finite = 1, .discarded_degenerate = 2}));
   }
@@ -204,7 +204,7 @@ TEST(ExactDraw, WhatCannotBeDrawnIsCountedAndTheRestDrawn) {
   mesh.triangles.push_back({0, 0, 1});
   mesh.triangles.push_back({2, 1, 2});
   Fragments fragments;
-  const DrawCounts counts = draw_exact(state, mesh.mesh(), kFour, fragments);
+  const DrawCounts counts = draw_mesh(state, mesh.mesh(), kFour, fragments);
   EXPECT_EQ(picture(fragments, kFour), kAll);
   EXPECT_EQ(counts, (DrawCounts{.discarded_not_finite = 13, .discarded_degenerate = 2}));
 }
@@ -302,7 +302,7 @@ TEST(ExactDraw, AttributesThatAreNotFiniteDoNoHarm) {
   for (const float bad : {kInfinity, -kInfinity, NAN}) {
     mesh.attributes = {bad, bad, 1, bad, 1, -bad};
     Fragments fragments;
-    draw_exact(state, mesh.mesh(), {16, 16, 16}, fragments);
+    draw_mesh(state, mesh.mesh(), {16, 16, 16}, fragments);
     ASSERT_EQ(fragments.size(), 4'096U);
     for (const float value : fragments.attributes) ASSERT_FALSE(std::isfinite(value));
   }

@@ -1,0 +1,33 @@
+#pragma once
+
+// The production rasterizer's drawing. Stages, for each triangle:
+//
+//   edges        lines and what double knows of them (edge_functions.h, grid_piece.h, weights.h)
+//   certificate  whether double is enough for its values (certificates.h)
+//   coverage     which samples of a block of 64 pixels it covers: exactly that of exact arithmetic
+//                (exact_coverage.h), or that of snapped vertices (grid_coverage.h)
+//   weights      E_i of the block's samples (block_kernels.h)
+//   evaluation   depth and attributes from them, one rounding each (block_kernels.h,
+//                exact_values.h); in float32 where that is asked for (float_kernels.h)
+//
+// Every stage hands what it made to a Tap (tap.h) as well.
+
+#include "rasterizer/rasterizer.h"
+#include "rasterizer/trace.h"
+
+namespace rastercheck::rasterizer {
+
+/// The most that a depth or an attribute of Precision::float64 is off, in scale ULP (RULES §5),
+/// derived in certificates.h.
+inline constexpr double kValueBound = 0.5 + 0x1p-7;
+
+/// Appends the fragments of every triangle, as if each were drawn alone. The arguments were
+/// checked.
+DrawCounts draw_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
+                     Fragments& fragments);
+
+/// The trace of a covered sample. The arguments were checked.
+std::optional<Trace> trace_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
+                                const SampleAddress& address);
+
+}  // namespace rastercheck::rasterizer

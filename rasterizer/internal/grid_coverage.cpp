@@ -1,0 +1,130 @@
+#include "rasterizer/internal/grid_coverage.h"
+
+#include <algorithm>
+
+#include "rasterizer/internal/determinant.h"
+#include "rasterizer/internal/discard.h"
+
+namespace rastercheck::rasterizer {
+
+Fate GridCoverage::set_up(const InputTriangle& triangle, std::vector<DrawnPart>& parts) {
+  const State& state = setting_.state;
+  grid_polygon(state, grid_, triangle.positions, triangle.distances, polygon_);
+  if (polygon_.corners.empty()) return Fate::hidden;
+  grid_pieces(polygon_.corners, pieces_);
+  if (pieces_.empty()) return Fate::degenerate;
+
+  const auto& p = triangle.positions;
+  // As displayed; clip space may be mirrored by the viewport.
+  const int turn = determinant_sign(p[0], p[1], p[2]);
+  const int ideal_turn = turn * setting_.frame.u.direction * setting_.frame.v.direction;
+  const int snapped_turn = sign(signed_area(pieces_));
+  const int whole_turn = snapped_turn != 0 ? snapped_turn : ideal_turn;
+  if (whole_turn == 0) return Fate::degenerate;
+  const bool has_ideal_facing = state.basis == Basis::ideal && ideal_turn != 0;
+  if (is_culled(state, has_ideal_facing ? ideal_turn : whole_turn)) return Fate::hidden;
+
+  box_ = touched_pixels(polygon_.corners, bits_, {setting_.bounds.columns, setting_.bounds.rows});
+  if (box_.columns.empty() || box_.rows.empty()) return Fate::hidden;
+  const auto turned = std::stable_partition(
+      pieces_.begin(), pieces_.end(),
+      [whole_turn](const GridPiece& piece) { return piece.turn == whole_turn; });
+  drawn_pieces_ = static_cast<std::size_t>(turned - pieces_.begin());
+
+  has_parts_of_pieces_ = state.basis == Basis::snapped || turn == 0;
+  if (has_parts_of_pieces_) {
+    set_up_pieces(triangle, parts);
+    return Fate::drawn;
+  }
+  parts.resize(1);
+  parts[0].weights =
+      Weights::ideal(p, edge_functions(p, turn, setting_.frame, setting_.tie_sign), setting_.frame);
+  parts[0].weights.widen_bands();  // samples may lie outside
+  parts[0].source = {p, triangle.attributes, {}};
+  return Fate::drawn;
+}
+
+void GridCoverage::set_up_pieces(const InputTriangle& triangle,
+                                 std::vector<DrawnPart>& parts) const {
+  parts.resize(drawn_pieces_);
+  for (std::size_t k = 0; k < drawn_pieces_; ++k) {
+    const GridPiece& piece = pieces_[k];
+    parts[k].weights = Weights::placed(piece, polygon_.corners, frame_);
+    parts[k].source = {triangle.positions, triangle.attributes, {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      parts[k].source.corners[i] = &polygon_.corners[piece.corners[i]];
+    }
+  }
+}
+
+PixelRange GridCoverage::span(std::size_t sample, int y) const {
+  PixelRange span{box_.columns.end, box_.columns.begin};
+  for (std::size_t k = 0; k < drawn_pieces_; ++k) {
+    const PixelRange covered = covered_pixels(pieces_[k], box_.columns, y, setting_.pattern[sample],
+                                              bits_, setting_.tie_sign);
+    if (covered.empty()) continue;
+    span.begin = std::min(span.begin, covered.begin);
+    span.end = std::max(span.end, covered.end);
+  }
+  return span;
+}
+
+CoveredBlock GridCoverage::cover(std::size_t sample, int y, int first, int /*count*/,
+                                 BlockWeights& /*weights*/) {
+  const SampleOffset& offset = setting_.pattern[sample];
+  const Mask wanted = columns_mask(setting_.bounds.sample_columns[sample], first);
+  piece_masks_.clear();
+  CoveredBlock block;
+  block.is_whole_numbers = true;
+  for (const GridPiece& piece : pieces_) {
+    const PixelRange covered =
+        covered_pixels(piece, box_.columns, y, offset, bits_, setting_.tie_sign);
+    piece_masks_.push_back(columns_mask(covered, first) & wanted);
+    if (piece_masks_.size() <= drawn_pieces_) block.covered |= piece_masks_.back();
+  }
+  if (pieces_.size() > drawn_pieces_) {  // some are turned round
+    for_each_bit(block.covered, [&](int j) {
+      int count = 0;
+      for (std::size_t k = 0; k < pieces_.size(); ++k) {
+        const bool owns = (piece_masks_[k] >> j & 1) != 0;
+        if (owns) count += k < drawn_pieces_ ? 1 : -1;
+      }
+      if (count <= 0) block.covered &= ~(Mask{1} << j);
+    });
+  }
+  // A sample that several pieces own belongs to the first.
+  Mask taken = 0;
+  for (std::size_t k = 0; k < drawn_pieces_; ++k) {
+    piece_masks_[k] &= block.covered & ~taken;
+    taken |= piece_masks_[k];
+  }
+  for (const GridCorner& corner : polygon_.corners) {
+    const GridPoint at_first = grid_sample(first, y, offset, bits_);
+    const std::int64_t along = corner.at.x - at_first.x;
+    const std::int64_t column = along >> bits_;
+    if (corner.at.y != at_first.y || column < 0 || column >= kBlockSize) continue;
+    if (column << bits_ == along) block.at_vertex |= Mask{1} << column & block.covered;
+  }
+  return block;
+}
+
+Mask GridCoverage::part_mask(const CoveredBlock& block, std::size_t part) const {
+  return has_parts_of_pieces_ ? piece_masks_[part] : block.covered;
+}
+
+/// A centre that no piece owns takes the values of the first, continued.
+std::size_t GridCoverage::part_at(double u, double v) const {
+  if (!has_parts_of_pieces_) return 0;
+  const GridPoint p{static_cast<std::int64_t>(frame_.u.at(u)),
+                    static_cast<std::int64_t>(frame_.v.at(v))};
+  for (std::size_t k = 0; k < drawn_pieces_; ++k) {
+    const auto& edges = pieces_[k].edges;
+    if (std::all_of(edges.begin(), edges.end(),
+                    [&p](const GridLine& edge) { return edge.at(p) >= 0; })) {
+      return k;
+    }
+  }
+  return 0;
+}
+
+}  // namespace rastercheck::rasterizer

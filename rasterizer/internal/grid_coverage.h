@@ -1,0 +1,55 @@
+#pragma once
+
+// Coverage of the triangle of the snapped vertices, in whole numbers (grid_polygon.h,
+// grid_piece.h).
+//
+// Values come from the same pieces (Basis::snapped) or from the triangle of the clip positions
+// (Basis::ideal), in which covered samples may then lie a little outside. A triangle that is a line
+// until its vertices are snapped has no values of its own; the pieces' are taken.
+
+#include <vector>
+
+#include "rasterizer/internal/draw_setting.h"
+#include "rasterizer/internal/exact_coverage.h"
+#include "rasterizer/internal/grid_piece.h"
+#include "rasterizer/internal/grid_polygon.h"
+#include "rasterizer/internal/grid_position.h"
+
+namespace rastercheck::rasterizer {
+
+class GridCoverage {
+ public:
+  static constexpr bool kLeavesWeights = false;
+
+  /// The setting's state has a snapping.
+  explicit GridCoverage(const DrawSetting& setting)
+      : setting_(setting),
+        bits_(setting.state.snapping->subpixel_bits),
+        grid_(grid_of(setting.state)),
+        frame_(grid_frame(setting.bounds, bits_)) {}
+
+  Fate set_up(const InputTriangle& triangle, std::vector<DrawnPart>& parts);
+  const PixelBox& box() const { return box_; }
+  PixelRange span(std::size_t sample, int y) const;
+  CoveredBlock cover(std::size_t sample, int y, int first, int count, BlockWeights& weights);
+  Mask part_mask(const CoveredBlock& block, std::size_t part) const;
+  std::size_t part_at(double u, double v) const;
+
+ private:
+  void set_up_pieces(const InputTriangle& triangle, std::vector<DrawnPart>& parts) const;
+
+  const DrawSetting& setting_;
+  int bits_;
+  Grid grid_;
+  SampleFrame frame_;
+
+  // Of the triangle at hand.
+  GridPolygon polygon_;
+  std::vector<GridPiece> pieces_;  ///< first those that turn as the whole does
+  std::size_t drawn_pieces_ = 0;   ///< how many these are
+  PixelBox box_;
+  bool has_parts_of_pieces_ = false;
+  std::vector<Mask> piece_masks_;  ///< of the last block
+};
+
+}  // namespace rastercheck::rasterizer

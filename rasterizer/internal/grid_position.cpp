@@ -1,0 +1,102 @@
+#include "rasterizer/internal/grid_position.h"
+
+#include <cmath>
+
+namespace rastercheck::rasterizer {
+namespace {
+
+/// N in double, and how far that may be off: three products, exact as 24 + 24 <= 53 bits, and two
+/// sums, each within 2^-53 of what is at most the sum of the sizes; twice as much takes in that the
+/// sizes are rounded too.
+struct Approximate {
+  double value = 0;
+  double error = 0;
+};
+
+Approximate approximate_numerator(const GridAxis& axis, float coordinate, float w) {
+  const double along = axis.slope * coordinate;
+  const double origin = axis.origin * w;
+  const double size = axis.size * w;
+  return {along + origin + size, 0x1p-51 * (std::abs(along) + std::abs(origin) + std::abs(size))};
+}
+
+/// The sign of N − bound · w.
+int compare(const GridAxis& axis, float coordinate, float w, double bound) {
+  const Approximate n = approximate_numerator(axis, coordinate, w);
+  const double difference = n.value - bound * w;
+  if (std::abs(difference) > n.error + 0x1p-51 * std::abs(bound * w)) {
+    return difference > 0 ? 1 : -1;
+  }
+  ExactSum sum;
+  add_window_numerator(sum, axis, coordinate, w, 1);
+  sum.add_product(-bound, w);
+  return sum.sign();
+}
+
+bool is_within(const GridAxis& axis, float coordinate, float w) {
+  constexpr double kTwice = 2.0 * kGuardBand;
+  return compare(axis, coordinate, w, kTwice) <= 0 && compare(axis, coordinate, w, -kTwice) >= 0;
+}
+
+std::int64_t snapped(const GridAxis& axis, int bits, float coordinate, float w) {
+  // Half grid units for a unit of N / w.
+  const double half_units = std::ldexp(1.0, bits - 1);
+  Approximate n = approximate_numerator(axis, coordinate, w);
+  if (n.error * half_units > 0.125 * double{w}) {  // the terms cancel
+    ExactSum sum;
+    add_window_numerator(sum, axis, coordinate, w, 1);
+    n.value = sum.nearest();
+    n.error = 0x1p-51 * std::abs(n.value);
+  }
+  const double position = n.value / w * half_units;
+  // The division rounds once more; positions are below 2^32, so that is below 2^-20.
+  const double error = n.error / w * half_units + 0x1p-20;
+  const double below = std::floor(position);
+  const double rest = position - below;
+  const auto point = static_cast<std::int64_t>(below);
+  if (rest < 0.5 - error) return point;
+  if (rest > 0.5 + error) return point + 1;
+
+  ExactSum sum;
+  add_window_numerator(sum, axis, coordinate, w, 2 * half_units);
+  sum.add_product(-(2 * below + 1), w);
+  const int side = sum.sign();
+  if (side == 0) return point % 2 == 0 ? point : point + 1;
+  return side > 0 ? point + 1 : point;
+}
+
+}  // namespace
+
+Grid grid_of(const State& state) {
+  const Viewport& viewport = state.viewport;
+  Grid grid;
+  grid.subpixel_bits = state.snapping->subpixel_bits;
+  grid.x = {viewport.size.x, 2 * double{viewport.origin.x}, viewport.size.x};
+  grid.y = {viewport.size.y, 2 * double{viewport.origin.y}, viewport.size.y};
+  if (state.convention == Convention::d3d) grid.y.slope = -grid.y.slope;
+  return grid;
+}
+
+void add_window_numerator(ExactSum& sum, const GridAxis& axis, float coordinate, float w,
+                          double factor) {
+  // A product of two floats is a double, but times another factor it need not be.
+  const auto add = [&sum, factor](double a, double b) {
+    const double product = a * b;
+    sum.add_product(product, factor);
+  };
+  add(axis.slope, coordinate);
+  add(axis.origin, w);
+  add(axis.size, w);
+}
+
+bool is_within_guard_band(const Grid& grid, const glm::vec4& position) {
+  return position.w > 0 && is_within(grid.x, position.x, position.w) &&
+         is_within(grid.y, position.y, position.w);
+}
+
+GridPoint snapped(const Grid& grid, const glm::vec4& position) {
+  return {snapped(grid.x, grid.subpixel_bits, position.x, position.w),
+          snapped(grid.y, grid.subpixel_bits, position.y, position.w)};
+}
+
+}  // namespace rastercheck::rasterizer

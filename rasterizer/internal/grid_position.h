@@ -1,0 +1,55 @@
+#pragma once
+
+// Window positions on the subpixel grid (RULES §3, `snapped`): exactly rounded, ties to even.
+//
+// Twice a vertex's window position times its w is a sum of three products of two floats,
+//
+//   N_x = x W + w 2x0 + w W      N_y = ±y H + w 2y0 + w H      (− for D3D),
+//
+// so that it lies on the grid point k where N 2^(b−1) / w rounds to k. In double that is off by a
+// few 2^-53 of its terms; where it comes too close to the middle between two points, the sign of
+// N 2^b − (2k + 1) w, a sum without rounding, decides.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec4.hpp>
+
+#include "rasterizer/internal/exact_sum.h"
+#include "rasterizer/rasterizer.h"
+
+namespace rastercheck::rasterizer {
+
+/// A point of the grid in units of 2^-b pixels. Within the guard band both are at most 2^31 in
+/// size.
+struct GridPoint {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  bool operator==(const GridPoint&) const = default;
+};
+
+/// The viewport of a draw along one axis, as N needs it.
+struct GridAxis {
+  double slope = 0;   ///< ±W (±H)
+  double origin = 0;  ///< 2x0 (2y0)
+  double size = 0;    ///< W (H)
+};
+
+struct Grid {
+  GridAxis x;
+  GridAxis y;
+  int subpixel_bits = 0;
+};
+
+Grid grid_of(const State& state);
+
+/// Adds factor · N of a vertex to the sum.
+void add_window_numerator(ExactSum& sum, const GridAxis& axis, float coordinate, float w,
+                          double factor);
+
+/// Whether the vertex has w > 0 and lies within the guard band.
+bool is_within_guard_band(const Grid& grid, const glm::vec4& position);
+
+/// The grid point of a vertex within the guard band.
+GridPoint snapped(const Grid& grid, const glm::vec4& position);
+
+}  // namespace rastercheck::rasterizer

@@ -1,0 +1,113 @@
+#include "rasterizer/internal/weights.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rastercheck::rasterizer {
+namespace {
+
+constexpr double kUnit = 0x1p-53;
+
+/// |det (x, y, w)|: the six triple products without rounding, summed once.
+double determinant(const std::array<glm::vec4, 3>& p) {
+  ExactSum sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::vec4& q = p[(i + 1) % 3];
+    const glm::vec4& r = p[(i + 2) % 3];
+    sum.add_product(double{q.y} * double{r.w}, p[i].x);
+    sum.add_product(-double{r.y} * double{q.w}, p[i].x);
+  }
+  return std::abs(sum.nearest());
+}
+
+AxisFrame grid_axis(const PixelRange& pixels, int subpixel_bits) {
+  AxisFrame axis;
+  axis.scale = std::ldexp(1.0, subpixel_bits - 1);
+  axis.is_exact = true;
+  axis.greatest = std::ldexp(static_cast<double>(std::max(pixels.end, 1)), subpixel_bits);
+  return axis;
+}
+
+/// Adds the product of a line's value, below 2^66 in size, with two doubles.
+ExactSum exact_product(Wide line, double first, double second) {
+  const auto high = static_cast<double>(line);
+  const auto low = static_cast<double>(line - static_cast<Wide>(high));
+  const double factor = first * second;
+  const double rest = std::fma(first, second, -factor);
+  ExactSum sum;
+  for (const double part : {high, low}) {
+    sum.add_product(part, factor);
+    if (rest != 0) sum.add_product(part, rest);
+  }
+  return sum;
+}
+
+}  // namespace
+
+SampleFrame grid_frame(const DrawBounds& bounds, int subpixel_bits) {
+  SampleFrame frame;
+  frame.u = grid_axis(bounds.columns, subpixel_bits);
+  frame.v = grid_axis(bounds.rows, subpixel_bits);
+  frame.t = 1;
+  return frame;
+}
+
+Weights Weights::ideal(const std::array<glm::vec4, 3>& corners, const EdgeFunctions& edges,
+                       const SampleFrame& frame) {
+  Weights weights;
+  weights.edges = edges;
+  weights.frame = &frame;
+  weights.det_t = determinant(corners) * frame.t;
+  weights.exact_det_t = weights.det_t;
+  return weights;
+}
+
+Weights Weights::placed(const GridPiece& piece, std::span<const GridCorner> corners,
+                        const SampleFrame& frame) {
+  Weights weights;
+  weights.frame = &frame;
+  Placed& placed = weights.placed_.emplace();
+  placed.lines = piece.edges;
+  for (std::size_t i = 0; i < 3; ++i) placed.w[i] = corners[piece.corners[i]].w;
+  weights.det_t = static_cast<double>(piece.area);
+  weights.exact_det_t = weights.det_t * placed.w[0] * placed.w[1] * placed.w[2];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const GridLine& line = piece.edges[i];
+    const double share = 1 / placed.w[i];
+    EdgeFunction& edge = weights.edges[i];
+    edge.a.value = static_cast<double>(line.a) * share;
+    edge.b.value = static_cast<double>(line.b) * share;
+    edge.c.value = static_cast<double>(line.c) * share;
+    edge.greatest = std::abs(edge.a.value) * frame.u.greatest +
+                    std::abs(edge.b.value) * frame.v.greatest + std::abs(edge.c.value);
+  }
+  weights.widen_bands();
+  return weights;
+}
+
+std::array<double, 3> Weights::at(double u, double v) const {
+  std::array<double, 3> e{};
+  for (std::size_t i = 0; i < 3; ++i) e[i] = edges[i].at(*frame, u, edges[i].row(*frame, v));
+  return e;
+}
+
+std::array<ExactSum, 3> Weights::exact_at(double u, double v) const {
+  std::array<ExactSum, 3> e;
+  if (!placed_) {
+    for (std::size_t i = 0; i < 3; ++i) e[i] = exact_edge(edges[i], *frame, u, v);
+    return e;
+  }
+  // Samples and centres are grid points.
+  const GridPoint p{static_cast<std::int64_t>(frame->u.at(u)),
+                    static_cast<std::int64_t>(frame->v.at(v))};
+  for (std::size_t i = 0; i < 3; ++i) {
+    e[i] = exact_product(placed_->lines[i].at(p), placed_->w[(i + 1) % 3], placed_->w[(i + 2) % 3]);
+  }
+  return e;
+}
+
+void Weights::widen_bands() {
+  for (EdgeFunction& edge : edges) edge.band = std::max(edge.band, 8 * kUnit * edge.greatest);
+}
+
+}  // namespace rastercheck::rasterizer

@@ -1,0 +1,59 @@
+#pragma once
+
+// The weights E_i that the values of a triangle are evaluated from: in double, with how far that is
+// off, and without rounding.
+//
+//   ideal   the edge functions of the clip positions (edge_functions.h)
+//   placed  those of grid points: E_i = L_i / w_i, L_i the line of whole numbers opposite corner i
+//           (grid_line.h). They are 1/(w_0 w_1 w_2) of what the edge functions of the moved clip
+//           positions would be, and so is Σ w_i E_i, twice the area.
+//
+// Placed weights in double: 1/w_i has a rounding, a coefficient one or two more, a term one more
+// and at most two of sums: |δE_i| <= 6u S_i, below the band of 8u S_i. Exactly they are taken times
+// w_0 w_1 w_2: L_i w_j w_k.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "rasterizer/internal/edge_functions.h"
+#include "rasterizer/internal/grid_piece.h"
+#include "rasterizer/internal/sample_frame.h"
+
+namespace rastercheck::rasterizer {
+
+/// The frame of placed weights: U = x, V = y in grid units, T = 1.
+SampleFrame grid_frame(const DrawBounds& bounds, int subpixel_bits);
+
+class Weights {
+ public:
+  EdgeFunctions edges;
+  const SampleFrame* frame = nullptr;
+  double det_t = 0;        ///< Σ w_i E_i, to a relative 2^-50
+  double exact_det_t = 0;  ///< the same of exact_at's
+
+  static Weights ideal(const std::array<glm::vec4, 3>& corners, const EdgeFunctions& edges,
+                       const SampleFrame& frame);
+  static Weights placed(const GridPiece& piece, std::span<const GridCorner> corners,
+                        const SampleFrame& frame);
+
+  /// E_i at a window position; off by less than the edges' bands.
+  std::array<double, 3> at(double u, double v) const;
+
+  /// A positive multiple of the E_i, the same for all three.
+  std::array<ExactSum, 3> exact_at(double u, double v) const;
+
+  /// Widens the bands to what the roundings of values take in as well: 8u S_i >= 8u |E_i|, for
+  /// samples where weights of both signs may meet.
+  void widen_bands();
+
+ private:
+  struct Placed {
+    std::array<GridLine, 3> lines;
+    std::array<double, 3> w{};
+  };
+  std::optional<Placed> placed_;
+};
+
+}  // namespace rastercheck::rasterizer
