@@ -1,6 +1,7 @@
 #include "rasterizer/internal/drawing.h"
 
 #include <algorithm>
+#include <bit>
 #include <memory>
 
 #include "rasterizer/internal/block_kernels.h"
@@ -294,19 +295,30 @@ void Drawing<Coverage, Tap>::locate(int y, int first, Mask touched) {
 
 template <typename Coverage, typename Tap>
 void Drawing<Coverage, Tap>::emit(int y, int first, Mask touched) {
+  const std::size_t attributes = state_.attributes.size();
+  std::size_t at = fragments_.size();
+  std::size_t end = at;
+  for (const SampleBlock& block : blocks_) {
+    end += static_cast<std::size_t>(std::popcount(block.coverage.covered));
+  }
+  fragments_.triangle.resize(end, triangle_);
+  fragments_.x.resize(end);
+  fragments_.y.resize(end, static_cast<std::uint16_t>(y));
+  fragments_.sample.resize(end);
+  fragments_.depth.resize(end);
+  fragments_.attributes.resize(end * attributes);
   for_each_bit(touched, [&](int j) {
+    const auto column = static_cast<std::size_t>(j);
     for (std::size_t s = 0; s < blocks_.size(); ++s) {
       const SampleBlock& block = blocks_[s];
       if ((block.coverage.covered >> j & 1) == 0) continue;
-      const auto column = static_cast<std::size_t>(j);
-      fragments_.triangle.push_back(triangle_);
-      fragments_.x.push_back(static_cast<std::uint16_t>(first + j));
-      fragments_.y.push_back(static_cast<std::uint16_t>(y));
-      fragments_.sample.push_back(static_cast<std::uint8_t>(s));
-      fragments_.depth.push_back(block.depth[column]);
-      for (std::size_t a = 0; a < state_.attributes.size(); ++a) {
-        fragments_.attributes.push_back(block.attributes[a][column]);
+      fragments_.x[at] = static_cast<std::uint16_t>(first + j);
+      fragments_.sample[at] = static_cast<std::uint8_t>(s);
+      fragments_.depth[at] = block.depth[column];
+      for (std::size_t a = 0; a < attributes; ++a) {
+        fragments_.attributes[at * attributes + a] = block.attributes[a][column];
       }
+      ++at;
     }
   });
 }

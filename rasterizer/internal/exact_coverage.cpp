@@ -33,7 +33,7 @@ Fate ExactCoverage::set_up(const InputTriangle& triangle, std::vector<DrawnPart>
 
   edges_ = edge_functions(p, turn, frame, setting_.tie_sign);
   parts.resize(1);
-  parts[0].weights = Weights::ideal(p, edges_, frame);
+  parts[0].weights.set_ideal(p, edges_, frame);
   parts[0].source = {p, triangle.attributes, {}};
   return Fate::drawn;
 }

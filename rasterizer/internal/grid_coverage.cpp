@@ -37,8 +37,8 @@ Fate GridCoverage::set_up(const InputTriangle& triangle, std::vector<DrawnPart>&
     return Fate::drawn;
   }
   parts.resize(1);
-  parts[0].weights =
-      Weights::ideal(p, edge_functions(p, turn, setting_.frame, setting_.tie_sign), setting_.frame);
+  parts[0].weights.set_ideal(p, edge_functions(p, turn, setting_.frame, setting_.tie_sign),
+                             setting_.frame);
   parts[0].weights.widen_bands();  // samples may lie outside
   parts[0].source = {p, triangle.attributes, {}};
   return Fate::drawn;
@@ -49,7 +49,7 @@ void GridCoverage::set_up_pieces(const InputTriangle& triangle,
   parts.resize(drawn_pieces_);
   for (std::size_t k = 0; k < drawn_pieces_; ++k) {
     const GridPiece& piece = pieces_[k];
-    parts[k].weights = Weights::placed(piece, polygon_.corners, frame_);
+    parts[k].weights.set_placed(piece, polygon_.corners, frame_);
     parts[k].source = {triangle.positions, triangle.attributes, {}};
     for (std::size_t i = 0; i < 3; ++i) {
       parts[k].source.corners[i] = &polygon_.corners[piece.corners[i]];

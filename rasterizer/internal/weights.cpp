@@ -52,37 +52,35 @@ SampleFrame grid_frame(const DrawBounds& bounds, int subpixel_bits) {
   return frame;
 }
 
-Weights Weights::ideal(const std::array<glm::vec4, 3>& corners, const EdgeFunctions& edges,
-                       const SampleFrame& frame) {
-  Weights weights;
-  weights.edges = edges;
-  weights.frame = &frame;
-  weights.det_t = determinant(corners) * frame.t;
-  weights.exact_det_t = weights.det_t;
-  return weights;
+void Weights::set_ideal(const std::array<glm::vec4, 3>& corners, const EdgeFunctions& of_corners,
+                        const SampleFrame& of_draw) {
+  edges = of_corners;
+  frame = &of_draw;
+  det_t = determinant(corners) * of_draw.t;
+  exact_det_t = det_t;
+  placed_.reset();
 }
 
-Weights Weights::placed(const GridPiece& piece, std::span<const GridCorner> corners,
-                        const SampleFrame& frame) {
-  Weights weights;
-  weights.frame = &frame;
-  Placed& placed = weights.placed_.emplace();
+void Weights::set_placed(const GridPiece& piece, std::span<const GridCorner> corners,
+                         const SampleFrame& of_grid) {
+  frame = &of_grid;
+  Placed& placed = placed_.emplace();
   placed.lines = piece.edges;
   for (std::size_t i = 0; i < 3; ++i) placed.w[i] = corners[piece.corners[i]].w;
-  weights.det_t = static_cast<double>(piece.area);
-  weights.exact_det_t = weights.det_t * placed.w[0] * placed.w[1] * placed.w[2];
+  det_t = static_cast<double>(piece.area);
+  exact_det_t = det_t * placed.w[0] * placed.w[1] * placed.w[2];
   for (std::size_t i = 0; i < 3; ++i) {
     const GridLine& line = piece.edges[i];
     const double share = 1 / placed.w[i];
-    EdgeFunction& edge = weights.edges[i];
+    EdgeFunction edge;
     edge.a.value = static_cast<double>(line.a) * share;
     edge.b.value = static_cast<double>(line.b) * share;
     edge.c.value = static_cast<double>(line.c) * share;
-    edge.greatest = std::abs(edge.a.value) * frame.u.greatest +
-                    std::abs(edge.b.value) * frame.v.greatest + std::abs(edge.c.value);
+    edge.greatest = std::abs(edge.a.value) * of_grid.u.greatest +
+                    std::abs(edge.b.value) * of_grid.v.greatest + std::abs(edge.c.value);
+    edges[i] = edge;
   }
-  weights.widen_bands();
-  return weights;
+  widen_bands();
 }
 
 std::array<double, 3> Weights::at(double u, double v) const {

@@ -33,10 +33,10 @@ class Weights {
   double det_t = 0;        ///< Σ w_i E_i, to a relative 2^-50
   double exact_det_t = 0;  ///< the same of exact_at's
 
-  static Weights ideal(const std::array<glm::vec4, 3>& corners, const EdgeFunctions& edges,
-                       const SampleFrame& frame);
-  static Weights placed(const GridPiece& piece, std::span<const GridCorner> corners,
-                        const SampleFrame& frame);
+  void set_ideal(const std::array<glm::vec4, 3>& corners, const EdgeFunctions& of_corners,
+                 const SampleFrame& of_draw);
+  void set_placed(const GridPiece& piece, std::span<const GridCorner> corners,
+                  const SampleFrame& of_grid);
 
   /// E_i at a window position; off by less than the edges' bands.
   std::array<double, 3> at(double u, double v) const;

@@ -1,5 +1,5 @@
 // raster/…: draw_fragments of the production rasterizer, one thread, two perspective attributes and
-// depth, into 1024×1024; and the textbook method beside it.
+// depth, into 1024×1024, in its modes; and the textbook method beside it.
 
 #include <benchmark/benchmark.h>
 
@@ -17,8 +17,8 @@ rasterizer::State two_attributes() {
 }
 
 /// Draws the scene over and over; `method` empty: the production rasterizer.
-void draw(benchmark::State& bench, const Scene& scene, const char* method) {
-  const rasterizer::State state = two_attributes();
+void draw(benchmark::State& bench, const rasterizer::State& state, const Scene& scene,
+          const char* method) {
   const rasterizer::Mesh mesh = scene.mesh();
   const rasterizer::TargetSize size{kTarget, kTarget, 1};
   std::size_t fragments = 0;
@@ -39,14 +39,24 @@ void draw(benchmark::State& bench, const Scene& scene, const char* method) {
   bench.counters["fragments_per_second"] = rate(fragments);
 }
 
-void add(const std::string& name, const Scene& scene) {
-  benchmark::RegisterBenchmark(("raster/" + name).c_str(), [scene](benchmark::State& bench) {
-    draw(bench, scene, "");
+void add(const std::string& name, const rasterizer::State& state, const Scene& scene,
+         const char* method) {
+  benchmark::RegisterBenchmark(("raster/" + name).c_str(), [=](benchmark::State& bench) {
+    draw(bench, state, scene, method);
   })->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark(
-      ("raster/rational-linear/" + name).c_str(),
-      [scene](benchmark::State& bench) { draw(bench, scene, "rational-linear"); })
-      ->Unit(benchmark::kMillisecond);
+}
+
+/// In every mode of the production rasterizer, and by the peer.
+void add(const std::string& name, const Scene& scene) {
+  rasterizer::State state = two_attributes();
+  add(name, state, scene, "");
+  add("rational-linear/" + name, state, scene, "rational-linear");
+  state.precision = rasterizer::Precision::float32;
+  add("float32/" + name, state, scene, "");
+  state.precision = rasterizer::Precision::float64;
+  state.snapping = rasterizer::Snapping{8};
+  state.basis = rasterizer::Basis::snapped;
+  add("snapped/" + name, state, scene, "");
 }
 
 const bool kRegistered = [] {

@@ -26,8 +26,8 @@ struct Prepared {
   Prepared& operator=(const Prepared&) = delete;
   ~Prepared() = default;
   explicit Prepared(const FramedDraw& framed) : draw(framed) {
-    weights = Weights::ideal(
-        draw.corners, edge_functions(draw.corners, draw.orientation, draw.frame, 1), draw.frame);
+    weights.set_ideal(draw.corners, edge_functions(draw.corners, draw.orientation, draw.frame, 1),
+                      draw.frame);
     const std::span<const float> all(draw.mesh.attributes);
     const std::size_t count = draw.state.attributes.size();
     const ValueSource source{
