@@ -64,7 +64,7 @@ void Weights::set_ideal(const std::array<glm::vec4, 3>& corners, const EdgeFunct
 void Weights::set_placed(const GridPiece& piece, std::span<const GridCorner> corners,
                          const SampleFrame& of_grid) {
   frame = &of_grid;
-  Placed& placed = placed_.emplace();
+  PlacedWeights& placed = placed_.emplace();
   placed.lines = piece.edges;
   for (std::size_t i = 0; i < 3; ++i) placed.w[i] = corners[piece.corners[i]].w;
   det_t = static_cast<double>(piece.area);

@@ -26,6 +26,12 @@ namespace rastercheck::rasterizer {
 /// The frame of placed weights: U = x, V = y in grid units, T = 1.
 SampleFrame grid_frame(const DrawBounds& bounds, int subpixel_bits);
 
+/// What placed weights are made of.
+struct PlacedWeights {
+  std::array<GridLine, 3> lines;
+  std::array<double, 3> w{};
+};
+
 class Weights {
  public:
   EdgeFunctions edges;
@@ -49,11 +55,7 @@ class Weights {
   void widen_bands();
 
  private:
-  struct Placed {
-    std::array<GridLine, 3> lines;
-    std::array<double, 3> w{};
-  };
-  std::optional<Placed> placed_;
+  std::optional<PlacedWeights> placed_;
 };
 
 }  // namespace rastercheck::rasterizer
