@@ -206,14 +206,19 @@ int side_within(const Line& line, const Ring& tolerance, const Point& p) {
   return value < -band ? -1 : 0;
 }
 
-/// The answer of an edge both of whose ends are snapped, over all their candidates. A triangle of
-/// the size of a grid unit may have its edge made a point, or turned round the vertex opposite:
-/// what such a line says is not the triangle's answer.
+/// The answer of an edge both of whose ends are snapped, over all their candidates. Where it is
+/// turned, its line is not the polygon's boundary: then the exact edge answers, off by `reach`, as
+/// any corner may be.
 Membership snapped_edge_side(const TriangleSetup& triangle, std::size_t edge, const Point& p) {
   Membership over_all{.possible = false, .sure = true};
   for (const TriangleSetup::SnappedEdge& snapped : triangle.snapped_edge(edge)) {
-    const Membership one = snapped.is_turned ? Membership{.possible = true, .sure = false}
-                                             : side(snapped.line, p, *triangle.scene);
+    Membership one;
+    if (snapped.is_turned) {
+      const int where = side_within(triangle.ideal.edge(edge), triangle.reach, p);
+      one = {.possible = where >= 0, .sure = where > 0};
+    } else {
+      one = side(snapped.line, p, *triangle.scene);
+    }
     over_all.possible = over_all.possible || one.possible;
     over_all.sure = over_all.sure && one.sure;
     over_all.tie = over_all.tie || one.tie;

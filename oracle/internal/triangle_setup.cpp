@@ -124,6 +124,19 @@ const ProjectiveMap& TriangleSetup::corner(std::size_t index) const {
   return *map;
 }
 
+std::vector<FieldPoint> TriangleSetup::corners_beside(std::size_t edge) const {
+  const Field band = exact_field(scene->contract().guard_band);
+  const ConvexRegion polygon = clipped_to_triangle(ConvexRegion({-band, -band}, {band, band}));
+  std::vector<FieldPoint> corners = polygon.vertices();
+  for (const std::size_t end : {(edge + 1) % 3, (edge + 2) % 3}) {
+    const RingVector3& column = columns[end];
+    const Field u = quotient(column[0], column[2]);
+    const Field v = quotient(column[1], column[2]);
+    std::erase_if(corners, [&](const FieldPoint& p) { return p.u == u && p.v == v; });
+  }
+  return corners;
+}
+
 const std::vector<TriangleSetup::SnappedEdge>& TriangleSetup::snapped_edge(std::size_t edge) const {
   std::optional<std::vector<SnappedEdge>>& all = snapped_edges_[edge];
   if (all) return *all;
@@ -132,12 +145,17 @@ const std::vector<TriangleSetup::SnappedEdge>& TriangleSetup::snapped_edge(std::
   const SnappedVertex& from = *snapped[(edge + 1) % 3];
   const SnappedVertex& to = *snapped[(edge + 2) % 3];
   const bool corners_only = from.placements() * to.placements() > kMostPlacements;
+  const std::vector<FieldPoint> others = corners_beside(edge);
   for (const RingVector3& a : placed_columns(from, bits, corners_only)) {
     for (const RingVector3& b : placed_columns(to, bits, corners_only)) {
       RingVector3 row = a.cross(b);
       if (ideal.orientation() < 0) row = -row;
-      const bool is_turned = sign_of(row.dot(columns[edge])) <= 0;
-      all->push_back({{row[0], row[1], row[2]}, is_turned});
+      const Line line{row[0], row[1], row[2]};
+      const Field band(band_of(line, reach));
+      const bool is_turned = sign_of(row.dot(columns[edge])) <= 0 ||
+                             std::any_of(others.begin(), others.end(),
+                                         [&](const FieldPoint& p) { return line.at(p) <= band; });
+      all->push_back({line, is_turned});
     }
   }
   return *all;

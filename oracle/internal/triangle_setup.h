@@ -71,7 +71,8 @@ struct TriangleSetup {
   bool may_turn = false;
 
   /// An edge both of whose ends are snapped, as one pair of their candidates has it. `is_turned`:
-  /// the vertex opposite lies on it or beyond, so that its sides say nothing of the triangle.
+  /// some other corner of the clipped polygon may come to lie on it or beyond, so that its sides
+  /// say nothing of the polygon.
   struct SnappedEdge {
     Line line;
     bool is_turned = false;
@@ -108,6 +109,9 @@ struct TriangleSetup {
   mutable std::vector<std::optional<ProjectiveMap>> corners_;
   mutable std::optional<std::vector<ProjectiveMap>> placements_;
   mutable std::array<std::optional<std::vector<SnappedEdge>>, 3> snapped_edges_;
+
+  /// The corners of the clipped triangle within the guard band, without the ends of an edge.
+  std::vector<FieldPoint> corners_beside(std::size_t edge) const;
 };
 
 /// The closed square of half-width `reach` around a point.

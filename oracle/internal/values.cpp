@@ -290,8 +290,11 @@ std::optional<FieldRange> TriangleValues::centroid_region(const Quantity& quanti
   const ProjectiveMap& drawn = map == nullptr ? triangle_->ideal : *map;
   for (int s = 0; s < scene.source().framebuffer.samples; ++s) {
     if (decide(*triangle_, x, y, s).verdict == Verdict::forbidden) continue;
-    const Point p = scene.sample_point(x, y, s);
-    range = hull(range, single(quantity.at(drawn, p)));
+    const std::optional<FieldRange> there = single(quantity.at(drawn, scene.sample_point(x, y, s)));
+    // A sample that only snapping covers may lie behind the eye's horizon: undefined, as it is
+    // under `sample`.
+    if (!there && map != nullptr) return std::nullopt;
+    range = hull(range, there);
   }
   return range;
 }

@@ -127,6 +127,29 @@ TEST(Clipping, LeavesTheFacingOfASliverOpenWhereItComesFromSnappedVertices) {
   EXPECT_TRUE((back == Verdict::forbidden) != (front == Verdict::forbidden));
 }
 
+/// In units of 1/256 pixel: A (519.375, 509.875) → (519, 510), C (519.625, 510.375) → (520, 510),
+/// and B behind the eye, w = −1, seen at (455.5, 510.125). The wedge that is visible opens from AC
+/// to the right; rounding turns AC from nearly upright to level, so that the line of the snapped
+/// edge goes right through the wedge. At x = 3344 the wedge reaches from 498.8 to 521.4: a sample
+/// at 512 is nine units and more from all sides, and no corner is moved by more than one.
+TEST(Clipping, AnEdgeShorterThanAUnitDoesNotDecideFarFromIt) {
+  const auto at = [](float x, float y, float w) {
+    return cases::ClipVertex{(x - 2048) / 2048 * w, (y - 2048) / 2048 * w, 0, w};
+  };
+  cases::Case c = small_case(
+      cases::Rules::vulkan, 16, 16,
+      {{at(519.375F, 509.875F, 1), at(519.625F, 510.375F, 1), at(455.5F, 510.125F, -1)}});
+  c.framebuffer.samples = 16;
+  c.depth_clamp = true;
+  c.coverage = Snapping{8, Rounding::nearest_even, 0};
+  const SceneTruth scene(c, cases::contract_of(c));
+  constexpr int kAtOneSixteenthAndZero = 15;
+  const records::SampleVerdict verdict =
+      TriangleTruth(scene, 0).judge(13, 2, kAtOneSixteenthAndZero);
+  EXPECT_EQ(verdict.verdict, Verdict::required);
+  EXPECT_EQ(verdict.reason, Reason::inside);
+}
+
 TEST(Clipping, GivesACentreThatIsTheSampleTheSamplesValue) {
   // Cut by the near plane along u = 2, whole-pixel grid: what is permitted has a range, wherever
   // the attribute is located, for one sample is one place.

@@ -330,10 +330,10 @@ class Triangle:
         return (REQUIRED, "inside")
 
     def prepare_cut(self):
-        """The boundaries of a cut triangle: banded functionals, and snapped edges as (lines, turned).
+        """The boundaries of a cut triangle: banded functionals, and snapped edges as (lines, None).
 
-        `turned`: some choice of grid points makes the edge a point or turns it round the vertex
-        opposite (a triangle smaller than a grid unit), so that it does not decide alone.
+        An edge is turned where some choice of grid points lets another corner of the clipped polygon,
+        moved by rho, come to lie on it or beyond: then (lines, its exact line).
         """
         case, det = self.case, self.ideal.det
         self.snapped_edges, self.banded = [], []
@@ -347,6 +347,7 @@ class Triangle:
         box = corners_of(-GUARD_BAND, GUARD_BAND, -GUARD_BAND, GUARD_BAND)
         self.may_turn = not clip_polygon(box, inset)
         rows = self.ideal.rows
+        corners = clip_polygon(box, self.polygon)
         for i in range(3):
             j, k = (i + 1) % 3, (i + 2) % 3
             if self.clipped[j] or self.clipped[k]:
@@ -356,8 +357,13 @@ class Triangle:
             for xj, yj, xk, yk in itertools.product(*self.boxes[j], *self.boxes[k]):
                 line = cross((xj, yj, case.grid), (xk, yk, case.grid))
                 lines.append(tuple(sign(det) * a for a in line))
-            turned = any(dot(line, self.columns[i]) <= 0 for line in lines)
-            self.snapped_edges.append((lines, turned))
+            ends = [(c[0] / c[2], c[1] / c[2]) for c in (self.columns[j], self.columns[k])]
+            others = [c for c in corners if c not in ends]
+            turned = any(dot(line, self.columns[i]) <= 0 or
+                         any(dot(line, (*c, 1)) <= self.rho * (abs(line[0]) + abs(line[1]))
+                             for c in others)
+                         for line in lines)
+            self.snapped_edges.append((lines, rows[i] if turned else None))
         if not case.depth_clamp:
             self.banded += [combine(rows, f) for f in (self.near, self.far) if min(f) < 0]
         self.banded += [combine(rows, d) for d in self.distances if min(d) < 0]
@@ -388,9 +394,13 @@ class Triangle:
             if s <= band and band > 0:  # (a constant that is zero counts as in)
                 maybe_cut = True
         h = (int(16 * p[0]), int(16 * p[1]), 16)
-        for lines, turned in self.snapped_edges:
-            if turned:
-                maybe_snapped = True
+        for lines, ideal_line in self.snapped_edges:
+            if ideal_line is not None:  # turned: known to within rho
+                s = dot(ideal_line, (*p, 1))
+                band = self.rho * (abs(ideal_line[0]) + abs(ideal_line[1]))
+                if s < -band:
+                    return FORBIDDEN
+                maybe_snapped = maybe_snapped or s <= band
                 continue
             values = [dot(line, h) for line in lines]
             inside = list(map(case.contains, lines, values))
@@ -492,7 +502,8 @@ class Triangle:
             r = self.rho
         points = clip_polygon(corners_of(x - r, x + 1 + r, y - r, y + 1 + r), half_planes)
         values = [self.evaluate(q, channel, p) for p in points + samples]
-        return hull_of(v for v in values if v is not None)
+        behind_the_eye = case.basis == "ideal" and None in values[len(points):]
+        return None if behind_the_eye else hull_of(v for v in values if v is not None)
 
     def centroid_d3d(self, channel, centre, points, verdicts):
         """D3D: (range, number of candidates for the location)."""
