@@ -18,7 +18,8 @@ namespace rastercheck::properties {
 struct Generator {
   std::string_view name;
   std::string_view summary;
-  /// A valid case of at most 64×64 pixels with clip positions (no camera), whose name is empty.
+  /// A valid case of at most 4,096 pixels (64×64, or wider and lower) with clip positions (no
+  /// camera), whose name is empty.
   cases::Case (*make)(Draw& draw);
 };
 

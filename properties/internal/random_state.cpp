@@ -35,6 +35,14 @@ int random_side(Draw& draw, const StateRequest& request, int samples) {
   return std::max(4, side_with_samples(side, samples));
 }
 
+/// More than a block of 64 pixels in a row, and about as many samples as other cases have.
+void set_wide_size(Draw& draw, cases::FramebufferSize& size) {
+  const int most_width = size.samples == 1 ? 200 : (size.samples <= 4 ? 128 : 80);
+  const int most_height = size.samples == 1 ? 12 : (size.samples <= 4 ? 6 : 4);
+  size.width = draw.between(65, most_width);
+  size.height = draw.between(4, most_height);
+}
+
 /// A viewport on the 2^-4 grid with sides that are powers of two.
 void set_grid_viewport(Draw& draw, Case& c) {
   cases::Viewport& viewport = c.viewport;
@@ -170,9 +178,18 @@ Case random_state(Draw& draw, const StateRequest& request) {
   if (draw.one_in(8)) {
     c.fill_rule = draw.pick(std::array{cases::TieRule::top_left, cases::TieRule::bottom_left});
   }
+  if (draw.one_in(4)) {
+    const int bits = draw.pick(std::array{4, 8, 8, 8, 12, 16});
+    c.coverage = cases::Snapping{bits, cases::Rounding::nearest_even, 0};
+    c.basis = draw.pick(std::array{cases::Basis::ideal, cases::Basis::snapped});
+  }
   c.framebuffer.samples = draw.pick(std::array{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4, 2, 8, 16});
-  c.framebuffer.width = random_side(draw, request, c.framebuffer.samples);
-  c.framebuffer.height = random_side(draw, request, c.framebuffer.samples);
+  if (request.is_wide) {
+    set_wide_size(draw, c.framebuffer);
+  } else {
+    c.framebuffer.width = random_side(draw, request, c.framebuffer.samples);
+    c.framebuffer.height = random_side(draw, request, c.framebuffer.samples);
+  }
 
   if (request.is_on_grid) {
     set_grid_viewport(draw, c);

@@ -17,12 +17,15 @@ struct StateRequest {
   /// Only viewports whose sizes are powers of two and whose origins are multiples of 1/16 pixel:
   /// window positions on a 2^-8 grid are then exact in clip space wherever w is a power of two.
   bool is_on_grid = false;
+  /// 65…200 pixels wide and 4…12 high instead.
+  bool is_wide = false;
   /// Clip distances per vertex, 0 in most cases.
   bool has_clip_distances = true;
 };
 
-/// A case without vertices: rules, framebuffer, viewport, culling, scissor, depth state and the
-/// attributes' qualifiers. `clip_distance_count` is set, the distances are not.
+/// A case without vertices: rules, framebuffer, viewport, culling, scissor, depth state, the
+/// attributes' qualifiers, and in a quarter of the cases snapped coverage. `clip_distance_count` is
+/// set, the distances are not.
 cases::Case random_state(Draw& draw, const StateRequest& request = {});
 
 /// Gives every vertex its attribute values: of each attribute of one kind, as constants, zeros,

@@ -66,9 +66,7 @@ void set_up_depth(const State& state, const Positions& p, double det_t, DepthLin
 
 bool has_new_corner(const ValueSource& source) {
   return std::any_of(source.corners.begin(), source.corners.end(), [](const GridCorner* corner) {
-    // A vertex has one share, itself.
-    return corner != nullptr && std::none_of(corner->share.begin(), corner->share.end(),
-                                             [](double s) { return s == 1; });
+    return corner != nullptr && corner->is_new;
   });
 }
 

@@ -239,7 +239,7 @@ void grid_polygon(const State& state, const Grid& grid, const std::array<glm::ve
   if (!out.is_cut) {
     for (std::size_t i = 0; i < 3; ++i) {
       const glm::vec4& p = positions[i];
-      GridCorner corner{snapped(grid, p), p.w, p.z, {}};
+      GridCorner corner{snapped(grid, p), p.w, p.z, {}, false};
       corner.share[i] = 1;
       out.corners.push_back(corner);
     }
@@ -250,10 +250,11 @@ void grid_polygon(const State& state, const Grid& grid, const std::array<glm::ve
     const bool is_vertex = std::count_if(corner.weights.begin(), corner.weights.end(),
                                          [](const ExactSum& w) { return w.sign() != 0; }) == 1;
     GridCorner on_grid = clipping.on_grid(corner);
+    on_grid.is_new = !is_vertex;
     if (is_vertex) {
       for (std::size_t i = 0; i < 3; ++i) {
         if (corner.weights[i].sign() == 0) continue;
-        on_grid = {snapped(grid, positions[i]), positions[i].w, positions[i].z, {}};
+        on_grid = {snapped(grid, positions[i]), positions[i].w, positions[i].z, {}, false};
         on_grid.share[i] = 1;
       }
     }

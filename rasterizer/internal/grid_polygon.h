@@ -32,6 +32,7 @@ struct GridCorner {
   double w = 0;                   ///< > 0, to a relative 2^-50
   double z = 0;                   ///< likewise
   std::array<double, 3> share{};  ///< of the triangle's vertices in clip space; sum to 1
+  bool is_new = false;            ///< made by clipping, no vertex, even where a share rounds to 1
 };
 
 struct GridPolygon {

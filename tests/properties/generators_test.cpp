@@ -60,8 +60,9 @@ double window_v(const Case& c, const ClipVertex& p) {
 TEST(Generators, AreKnownByTheirNames) {
   std::vector<std::string_view> names;
   for (const Generator& generator : generators()) names.push_back(generator.name);
-  EXPECT_EQ(names, (std::vector<std::string_view>{"grazing", "huge", "on-grid", "ordinary",
-                                                  "slivers", "through-eye", "tiny"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string_view>{"grazing", "hairline", "huge", "on-grid", "ordinary",
+                                           "slivers", "snap-ties", "through-eye", "tiny", "wide"}));
   EXPECT_EQ(find_generator("tiny")->name, "tiny");
   EXPECT_EQ(find_generator("tin"), nullptr);
 }
@@ -74,8 +75,7 @@ TEST(Generators, MakeCasesThatComeBackFromTheirFiles) {
       ASSERT_TRUE(read.has_value()) << generator.name << i << ": " << to_string(read.error());
       EXPECT_EQ(*read, c) << generator.name << i;
       EXPECT_FALSE(c.triangles.empty());
-      EXPECT_LE(c.framebuffer.width, 64);
-      EXPECT_LE(c.framebuffer.height, 64);
+      EXPECT_LE(c.framebuffer.width * c.framebuffer.height, 4096);
       EXPECT_FALSE(c.camera.has_value());
       EXPECT_EQ(c.name, "");
     }
@@ -99,10 +99,11 @@ TEST(Generators, MakeTheSameCasesEverywhere) {
     hashes[std::string(generator.name)] = fnv1a(all);
   }
   const std::map<std::string, std::uint64_t> expected{
-      {"grazing", 0xd2f2abcd2b123c36}, {"huge", 0xcd8d6a8f16e03e7d},
-      {"on-grid", 0xcb02aa43e1b551b2}, {"ordinary", 0x3cbe6588c188f12d},
-      {"slivers", 0x94c6e57377612dbf}, {"through-eye", 0x6137f08e2e2e05e3},
-      {"tiny", 0x48acf9aa90a91fa7}};
+      {"grazing", 0x311fc07224024fd8},   {"hairline", 0x0150fd1eef3db8d0},
+      {"huge", 0xf42a39fcbc1e58df},      {"on-grid", 0xc83932c1821e5b75},
+      {"ordinary", 0x1c448851b54c08d6},  {"slivers", 0xaf396dd30d82fad6},
+      {"snap-ties", 0x0f6fc310cd39513c}, {"through-eye", 0x7ffac0ddded29843},
+      {"tiny", 0x887699e1a227c7f0},      {"wide", 0x3a998caffa803098}};
   EXPECT_EQ(hashes, expected);
 }
 
@@ -153,6 +154,7 @@ TEST(Generators, VaryTheState) {
       seen["vulkan"] += c.rules == cases::Rules::vulkan ? 1 : 0;
       seen["d3d"] += c.rules == cases::Rules::d3d ? 1 : 0;
       seen["turned"] += viewport.height < 0 ? 1 : 0;
+      seen["snapped"] += c.coverage.has_value() ? 1 : 0;
       seen["offset"] += viewport.x != 0 ? 1 : 0;
       seen["reversed depth"] += viewport.min_depth > viewport.max_depth ? 1 : 0;
       seen["4 samples"] += c.framebuffer.samples == 4 ? 1 : 0;
@@ -318,9 +320,34 @@ TEST(Grazing, HasVerticesOnAndBesideThePlanes) {
   EXPECT_GT(count("grazing", has_zero_distance), 30);
 }
 
+TEST(Wide, HasPixelsBeyondTheFirst64OfARow) {
+  const Question is_wide = [](const Case& c) {
+    return c.framebuffer.width > 64 && c.framebuffer.width <= 200 && c.framebuffer.height <= 12;
+  };
+  EXPECT_EQ(count("wide", is_wide), 200);
+  EXPECT_GT(count("wide", [](const Case& c) { return c.framebuffer.width > 128; }), 40);
+  int drawn_beyond = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    const Case c = make("wide", i);
+    const oracle::SceneTruth scene(c, cases::contract_of(c));
+    bool is_beyond = false;
+    for (std::size_t t = 0; t < c.triangles.size(); ++t) {
+      const oracle::TriangleTruth truth(scene, t);
+      const oracle::Pixels pixels = truth.pixels();
+      for (int y = pixels.y0; y < pixels.y1; ++y) {
+        for (int x = std::max(pixels.x0, 64); x < pixels.x1; ++x) {
+          is_beyond = is_beyond || truth.judge(x, y, 0).verdict == records::Verdict::required;
+        }
+      }
+    }
+    drawn_beyond += is_beyond ? 1 : 0;
+  }
+  EXPECT_GT(drawn_beyond, 60);
+}
+
 TEST(GenerateAny, TakesEveryGeneratorAndNamesIt) {
   std::map<std::string, int> strata;
-  for (std::uint64_t i = 0; i < 700; ++i) {
+  for (std::uint64_t i = 0; i < 1000; ++i) {
     Draw draw(kSeed, "a law", i);
     ++strata[generate_any(draw).stratum];
   }

@@ -1,0 +1,402 @@
+// hairline: samples exactly on an edge, on a depth plane or on a user clip plane, or as close to it
+// as floats get, where no double holds the numbers that decide; triangles whose determinant is 0 or
+// next to it; planes of one depth midway between two floats; centres on the horizon. What a double
+// decides of these it decides by luck.
+
+#include <array>
+#include <span>
+#include <utility>
+
+#include "cases/sample_pattern.h"
+#include "properties/generator.h"
+#include "properties/internal/exact_parts.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/window_position.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using Corners = std::array<cases::ClipVertex, 3>;
+using Distances = std::array<float, 3>;
+
+// --- the viewport ------------------------------------------------------------------------------
+
+/// Numbers that are multiples of 2^-12, no shorter: a sample's homogeneous coordinates have some
+/// 40 bits then.
+void set_fine_viewport(Draw& draw, cases::Case& c) {
+  const int x = draw.between(-4096, 4096);
+  const int y = draw.between(-4096, 4096);
+  const int width = draw.between(-4096, 8192);
+  const int height = draw.between(-4096, 8192);
+  const bool is_turned = c.viewport.height < 0;
+  c.viewport.x = static_cast<float>(x) / 4096;
+  c.viewport.y = static_cast<float>(y) / 4096;
+  c.viewport.width = static_cast<float>(c.framebuffer.width) + static_cast<float>(width) / 4096;
+  c.viewport.height = static_cast<float>(c.framebuffer.height) + static_cast<float>(height) / 4096;
+  if (!is_turned) return;
+  c.viewport.y += c.viewport.height;
+  c.viewport.height = -c.viewport.height;
+}
+
+/// A viewport far larger than the framebuffer, which shows some part of it.
+void set_large_viewport(Draw& draw, cases::Case& c) {
+  const float width = draw.pick(std::array{256.0F, 1024.0F, 4096.0F, 8192.0F});
+  const float height = draw.pick(std::array{256.0F, 1024.0F, 4096.0F});
+  const bool is_turned = c.viewport.height < 0;
+  const int most_x = 16 * (static_cast<int>(width) - c.framebuffer.width);
+  const int most_y = 16 * (static_cast<int>(height) - c.framebuffer.height);
+  const int x = draw.between(0, most_x);
+  const int y = draw.between(0, most_y);
+  c.viewport.x = -static_cast<float>(x) / 16;
+  c.viewport.y = -static_cast<float>(y) / 16;
+  c.viewport.width = width;
+  c.viewport.height = height;
+  if (!is_turned) return;
+  c.viewport.y += height;
+  c.viewport.height = -height;
+}
+
+/// The depth z/w of the case's planes of equal depth. In most cases the depth range is chosen such
+/// that what it becomes lies exactly midway between two floats: n + (f − n) t of three bits of t.
+/// With n = 0 no sum hides what z/w is off by.
+float set_level(Draw& draw, cases::Case& c) {
+  const int eighths = draw.pick(std::array{3, 3, 5, 7, 7, 1});
+  const float t = static_cast<float>(eighths) / 8;
+  const float level = c.rules == cases::Rules::opengl ? 2 * t - 1 : t;
+  if (draw.one_in(6)) return level;
+  float n = draw.one_in(2) ? 0.0F : draw.unit();
+  float f = draw.unit();
+  if (c.rules == cases::Rules::d3d && n > f) std::swap(n, f);
+  for (int step = 0; step < 32; ++step) {
+    const float far = stepped(f, -step);
+    const double depth = double{n} + (double{far} - double{n}) * double{t};
+    const auto rounded = static_cast<float>(depth);
+    const float other = stepped(rounded, double{rounded} < depth ? 1 : -1);
+    const bool is_midway = double{rounded} != depth && double{rounded} + double{other} == 2 * depth;
+    if (!is_midway || (c.rules == cases::Rules::d3d && n > far)) continue;
+    c.viewport.min_depth = n;
+    c.viewport.max_depth = far;
+    break;
+  }
+  return level;
+}
+
+// --- triangles ---------------------------------------------------------------------------------
+
+/// Adds a triangle with any of its vertices first, and its clip distances where the case has any.
+void add(Draw& draw, cases::Case& c, const Corners& corners, const Distances& distances) {
+  const auto first = static_cast<std::size_t>(draw.between(0, 2));
+  const std::size_t second = (first + 1) % 3;
+  const std::size_t third = (first + 2) % 3;
+  add_triangle(c, corners[first], corners[second], corners[third]);
+  if (c.clip_distance_count == 0) return;
+  for (const std::size_t i : {first, second, third}) c.clip_distances.push_back(distances[i]);
+}
+
+/// z of all corners on one plane, which no depth plane cuts where D is not close to 0.
+void set_depths(Draw& draw, const cases::Case& c, Corners& corners) {
+  const float k = draw.uniform(near_depth(c) * 0.75F, 0.75F);
+  for (cases::ClipVertex& p : corners) p.z = to_float(double{k} * double{p.w});
+}
+
+/// The same exactly, where w has up to 23 bits.
+void set_equal_depths(Draw& draw, Corners& corners) {
+  const float k = draw.pick(std::array{0.5F, 0.25F, 0.125F});
+  for (cases::ClipVertex& p : corners) p.z = k * p.w;
+}
+
+/// A tiny number in the place of a 0: a float's breadth there is less than any double shows beside
+/// the others.
+float tiny(Draw& draw) { return draw.spread(-58, -18); }
+
+/// One of the numbers moved by a float, a 0 become tiny, or none: then what was exact stays so.
+void nudge(Draw& draw, std::span<float* const> numbers) {
+  switch (draw.between(0, 5)) {
+    case 0:
+      nudge_smallest(draw, numbers);
+      return;
+    case 1: {
+      const int chosen = draw.between(0, static_cast<int>(numbers.size()) - 1);
+      float& number = *numbers[static_cast<std::size_t>(chosen)];
+      number = stepped(number, draw.one_in(2) ? 1 : -1);
+      return;
+    }
+    case 2:
+    case 3:
+      for (float* number : numbers) {
+        if (*number == 0) *number = tiny(draw);
+      }
+      return;
+    default:
+      return;
+  }
+}
+
+/// What a sample's homogeneous position is multiplied by before it is split: short, so that ends of
+/// about the same size exist, or long.
+double random_factor(Draw& draw) {
+  const int most = draw.pick(std::array{15, 1023, 65535});
+  return static_cast<double>(draw.between(1, most));
+}
+
+/// A triangle with an edge through a sample or next to it. One end's coordinates may be tiny, so
+/// that the edge's coefficients need more than 53 bits, and w may have either sign.
+void add_edge(Draw& draw, cases::Case& c) {
+  const Ray q = ray_through(c, visible_sample(draw, c));
+  Corners corners;
+  for (int attempt = 0; attempt < 16; ++attempt) {
+    const double k = random_factor(draw);
+    const auto x = split_in_two(draw, k * q.x);
+    const auto y = split_in_two(draw, k * q.y);
+    const auto w = split_in_two(draw, k * q.w);
+    if (!x || !y || !w) continue;
+    corners[0] = {(*x)[0], (*y)[0], 0, (*w)[0]};
+    corners[1] = {(*x)[1], (*y)[1], 0, (*w)[1]};
+    break;
+  }
+  const WindowPoint third = point_about(draw, c);
+  const float weight = draw.uniform(0.25F, 512);
+  corners[2] = at_window(c, third, 0, draw.one_in(4) ? -weight : weight);
+  cases::ClipVertex& a = corners[0];
+  cases::ClipVertex& b = corners[1];
+  nudge(draw, std::array{&a.x, &a.y, &a.w, &b.x, &b.y, &b.w});
+  set_depths(draw, c, corners);
+  add(draw, c, corners, {1, 1, 1});
+}
+
+/// A triangle as thin as floats are close, with a sample strictly inside, of weights 1 : 1 : 1: two
+/// corners appear at one point but for ±t in x or in y, and the third is what they leave of the
+/// sample. The values there are means of the corners', which no double shows.
+void add_needle(Draw& draw, cases::Case& c) {
+  const Ray q = ray_through(c, visible_sample(draw, c));
+  const auto k = static_cast<double>(draw.between(1, 15));
+  const bool is_upright = draw.one_in(2);
+  const double along = draw.between(-255, 255) / 256.0;
+  const double weight = draw.between(1, 255) / 256.0;
+  const double m = draw.between(1, 3);
+  const double n = draw.between(1, 3);
+  const float t = tiny(draw);
+  const auto corner = [&](double factor, double aside) {
+    const double there = factor * along * weight;
+    return cases::ClipVertex{to_float(is_upright ? aside : there),
+                             to_float(is_upright ? there : aside), 0, to_float(factor * weight)};
+  };
+  Corners corners{corner(m, double{t}), corner(n, -double{t}), {}};
+  const double there = (m + n) * along * weight;
+  corners[2] = {to_float(k * q.x - (is_upright ? 0 : there)),
+                to_float(k * q.y - (is_upright ? there : 0)), 0,
+                to_float(k * q.w - (m + n) * weight)};
+  if (draw.one_in(2)) {
+    set_equal_depths(draw, corners);
+  } else {
+    for (cases::ClipVertex& p : corners) {
+      const double depth = double{draw.uniform(near_depth(c) / 2, 0.5F)};
+      p.z = to_float(depth * double{p.w});
+    }
+  }
+  add(draw, c, corners, {1, 1, 1});
+}
+
+/// A triangle whose sample of weights 1 : 1 : 1 lies on a clip plane or next to it: the corners'
+/// distances from the plane sum to 0.
+void add_plane(Draw& draw, cases::Case& c) {
+  const Ray q = ray_through(c, visible_sample(draw, c));
+  const bool is_user_plane = c.clip_distance_count > 0 && draw.one_in(2);
+  const bool is_far = draw.one_in(2);
+  const bool has_opposites = !draw.one_in(3);
+  Corners corners;
+  Distances distances{1, 1, 1};
+  for (int attempt = 0; attempt < 32; ++attempt) {
+    const double k = random_factor(draw);
+    const double near_z = c.rules == cases::Rules::opengl ? -k * q.w : 0.0;
+    const double z = is_far ? k * q.w : near_z;
+    const auto x = split_in_three(draw, k * q.x);
+    const auto y = split_in_three(draw, k * q.y);
+    const auto w = split_in_three(draw, k * q.w);
+    const double sum = is_user_plane ? 0 : z;
+    const auto g = has_opposites ? split_off_opposites(draw, sum) : split_in_three(draw, sum);
+    if (!x || !y || !w || !g) continue;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = {(*x)[i], (*y)[i], (*g)[i], (*w)[i]};
+    if (is_user_plane) distances = *g;
+    break;
+  }
+  if (is_user_plane) {
+    set_depths(draw, c, corners);
+    nudge(draw, std::array{distances.data(), &distances[1], &distances[2]});
+  } else {
+    nudge(draw, std::array{&corners[0].z, &corners[1].z, &corners[2].z});
+  }
+  add(draw, c, corners, distances);
+}
+
+/// Three corners in one plane with the eye: the third is m a + n b of small whole m and n. With
+/// both negative, all the edges have the same line with the inside on one side of it, and the sign
+/// of a determinant next to 0 says on which: half the screen or the other half, or nothing.
+void add_edge_on(Draw& draw, cases::Case& c) {
+  constexpr int kMost = 1 << 20;
+  const auto number = [&draw](int most) { return static_cast<float>(draw.between(-most, most)); };
+  const int a_w = draw.between(kMost / 8, kMost);
+  const int b_w =
+      draw.one_in(4) ? draw.between(-kMost, -kMost / 8) : draw.between(kMost / 8, kMost);
+  const bool turns_back = !draw.one_in(4);
+  int m = draw.between(1, 4);
+  int n = draw.between(1, 4);
+  if (turns_back || draw.one_in(2)) m = -m;
+  if (turns_back || draw.one_in(2)) n = -n;
+  cases::ClipVertex a{0, 0, 0, static_cast<float>(a_w)};
+  cases::ClipVertex b{0, 0, 0, static_cast<float>(b_w)};
+  const auto third = [m, n](float of_a, float of_b) {
+    return static_cast<float>(m) * of_a + static_cast<float>(n) * of_b;  // of at most 23 bits
+  };
+  a.x = number(a_w);
+  a.y = number(a_w);
+  b.x = number(kMost);
+  b.y = number(kMost);
+  const bool cancels = draw.one_in(2);
+  if (cancels) {  // m a + n b = 0 in x or in y
+    const float common = number(kMost / 8);
+    const bool is_x = draw.one_in(2);
+    (is_x ? a.x : a.y) = static_cast<float>(n) * common;
+    (is_x ? b.x : b.y) = -static_cast<float>(m) * common;
+  }
+  cases::ClipVertex last{third(a.x, b.x), third(a.y, b.y), 0, third(a.w, b.w)};
+  nudge(draw, std::array{&last.x, &last.y, &last.w, &a.x, &b.y});
+  Corners corners{a, b, last};
+  set_equal_depths(draw, corners);
+  add(draw, c, corners, {1, 1, 1});
+}
+
+/// A plane of equal depth, z_i w_j = z_j w_i exactly, of weights that may be 2^±40 apart.
+void add_level(Draw& draw, cases::Case& c, float level) {
+  const int reach = draw.pick(std::array{0, 0, 3, 40});
+  const bool is_mixed = draw.one_in(6);
+  Corners corners;
+  for (cases::ClipVertex& corner : corners) {
+    const int bits = draw.between(1, 1 << 20);  // three more for the level
+    const int exponent = draw.between(-reach, reach);
+    const float w = to_float(bits * power_of_two(exponent));
+    const WindowPoint p = point_about(draw, c);
+    corner = at_window(c, p, 0, is_mixed && draw.one_in(2) ? -w : w);
+    corner.z = level * corner.w;
+  }
+  add(draw, c, corners, {1, 1, 1});
+}
+
+/// A triangle with a corner exactly at a sample, the others anywhere.
+void add_corner(Draw& draw, cases::Case& c) {
+  const Ray q = ray_through(c, visible_sample(draw, c));
+  Corners corners;
+  corners[0] = {to_float(q.x), to_float(q.y), 0, to_float(q.w)};
+  for (std::size_t i = 1; i < 3; ++i) {
+    const WindowPoint p = point_about(draw, c);
+    const float w = draw.spread(-8, 8);
+    corners[i] = at_window(c, p, 0, w);
+  }
+  set_depths(draw, c, corners);
+  add(draw, c, corners, {1, 1, 1});
+}
+
+/// A triangle that covers a sample of a pixel whose centre lies on the horizon, 1/w = 0, or next to
+/// it: attributes located there are extrapolated, and Σ E_i is what cancellation leaves.
+///
+/// With the centre o, the sample s and any t, the corners are 2o − s + (k + 2) t, s − o − k t and
+/// t. Then o has the weights 1, 1, −2, whose sum is 0, and s has 1, 2, k − 2.
+void add_horizon(Draw& draw, cases::Case& c) {
+  const auto pattern = cases::standard_pattern(c.framebuffer.samples);
+  const WindowPoint at = visible_sample(draw, c);
+  const WindowPoint pixel{static_cast<double>(static_cast<int>(at.u)),
+                          static_cast<double>(static_cast<int>(at.v))};
+  const int chosen = draw.between(0, static_cast<int>(pattern.size()) - 1);
+  const cases::SamplePosition sample = pattern[static_cast<std::size_t>(chosen)];
+  const Ray o = ray_through(c, {pixel.u + 0.5, pixel.v + 0.5});
+  const Ray s = ray_through(c, {pixel.u + sample.x / 16.0, pixel.v + sample.y / 16.0});
+  const double k = draw.between(3, 6);
+  const double along = draw.between(-255, 255) / 128.0;
+  const double weight = draw.between(-255, 255) / 256.0;
+  const bool is_upright = draw.one_in(2);
+  const Ray t{is_upright ? 0 : along, is_upright ? along : 0, weight};
+  const auto corner = [&](double of_o, double of_s, double of_t) {
+    return cases::ClipVertex{to_float(of_o * o.x + of_s * s.x + of_t * t.x),
+                             to_float(of_o * o.y + of_s * s.y + of_t * t.y), 0,
+                             to_float(of_o * o.w + of_s * s.w + of_t * t.w)};
+  };
+  Corners corners{corner(2, -1, k + 2), corner(-1, 1, -k), corner(0, 0, 1)};
+  (is_upright ? corners[2].x : corners[2].y) = draw.spread(-48, -16);
+  set_equal_depths(draw, corners);
+  add(draw, c, corners, {1, 1, 1});
+}
+
+/// Values whose magnitudes are far apart, so that a weight that is not quite 0 shows.
+void spread_values(Draw& draw, cases::Case& c) {
+  for (float& value : c.attribute_values) value = draw.spread(-60, 60);
+}
+
+/// A triangle of any kind that does not need a centre that is no sample.
+void add_any(Draw& draw, cases::Case& c, float level) {
+  enum class Kind { edge, plane, edge_on, one_depth, needle, corner };
+  const auto kind = draw.pick(
+      std::array{Kind::edge, Kind::edge, Kind::edge, Kind::plane, Kind::plane, Kind::plane,
+                 Kind::edge_on, Kind::edge_on, Kind::one_depth, Kind::one_depth, Kind::one_depth,
+                 Kind::needle, Kind::needle, Kind::needle, Kind::needle, Kind::corner});
+  switch (kind) {
+    case Kind::edge:
+      add_edge(draw, c);
+      return;
+    case Kind::plane:
+      add_plane(draw, c);
+      return;
+    case Kind::edge_on:
+      add_edge_on(draw, c);
+      return;
+    case Kind::one_depth:
+      add_level(draw, c, level);
+      return;
+    case Kind::needle:
+      add_needle(draw, c);
+      return;
+    case Kind::corner:
+      add_corner(draw, c);
+  }
+}
+
+cases::Case make(Draw& draw) {
+  StateRequest request;
+  request.most_side = 12;  // many triangles, few pixels
+  request.has_clip_distances = false;
+  request.is_on_grid = !draw.one_in(3);
+  cases::Case c = random_state(draw, request);
+  if (!request.is_on_grid) {
+    set_fine_viewport(draw, c);
+  } else if (draw.one_in(2)) {
+    set_large_viewport(draw, c);
+  }
+  if (c.framebuffer.samples == 1 && draw.one_in(3)) c.framebuffer.samples = 4;
+  if (draw.one_in(3)) c.clip_distance_count = 1;
+  const bool has_horizon = c.framebuffer.samples > 1 && !draw.one_in(4);
+  for (cases::Attribute& attribute : c.attributes) {
+    if (draw.one_in(4)) attribute.interpolation = cases::Interpolation::noperspective;
+  }
+  if (has_horizon) {
+    if (c.attributes.empty()) c.attributes.emplace_back().name = "a0";
+    c.attributes[0].interpolation = cases::Interpolation::smooth;
+    c.attributes[0].location = cases::Location::center;
+  }
+  const float level = set_level(draw, c);
+  const int triangles = draw.between(12, 28 + draw.size() / 10);
+  for (int i = 0; i < triangles; ++i) {
+    if (has_horizon && draw.one_in(4)) {
+      add_horizon(draw, c);
+    } else {
+      add_any(draw, c, level);
+    }
+  }
+  add_attribute_values(draw, c);
+  if (draw.one_in(3)) spread_values(draw, c);
+  return c;
+}
+
+const GeneratorRegistration kRegistration(
+    {"hairline", "samples on edges and clip planes, or as close to them as floats get", &make});
+
+}  // namespace
+}  // namespace rastercheck::properties
