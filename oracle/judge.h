@@ -11,9 +11,10 @@
 //   (f − hi)/ulp where f > hi,   (f − lo)/ulp where f < lo,   0 between,
 //
 // in scale ULP (oracle/ulp.h) of the end it lies beyond; it is held against the contract's bound.
-// The *ideal* error is (f − r)/ulp, r the value of the exact triangle there: how precise the
-// backend is, whatever its contract leaves open. Both are certified, and decided exactly in the
-// last resort; none is left undecided.
+// The *ideal* error is (f − r)/ulp, r the value there of the triangle that the contract's basis
+// names, the exact one or that of snapped vertices; of the exact one where the basis leaves
+// several. It says how precise the backend is, whatever its contract leaves open. Both are
+// certified, and decided exactly in the last resort; none is left undecided.
 //
 // What is no number is a class. An infinite f counts as ±2^128, the number after the largest
 // float32, and is right where the exact value lies beyond that or the bound reaches it.
@@ -45,7 +46,8 @@ struct JudgedValue {
   /// Scale ULP, certified, as narrow as the class and the histogram needed; nothing of what is no
   /// finite number.
   std::optional<records::Enclosure> excess;
-  std::optional<records::Enclosure> ideal;  ///< also nothing where the exact triangle has no value
+  std::optional<records::Enclosure>
+      ideal;  ///< also nothing where that triangle has none
 };
 
 /// How one sample of one triangle came out, of those that were drawn or are missing.

@@ -116,8 +116,9 @@ struct ErrorSizes {
 struct ErrorStatistics {
   /// Beyond what the contract leaves open, 0 within it: what the bound is held against.
   ErrorSizes excess;
-  /// Against the value of the exact triangle, whatever the contract leaves open: how precise it is.
-  /// Not of fragments where the exact triangle has no value.
+  /// Against the value of the exact triangle, or of the snapped one where values come from that
+  /// (oracle/judge.h), whatever the contract leaves open: how precise it is. Not of fragments where
+  /// that triangle has no value.
   ErrorSizes ideal;
   ClassCounts classes;
   bool operator==(const ErrorStatistics&) const = default;

@@ -223,11 +223,19 @@ UlpError ValueErrors::cut_excess(const Subject& subject, const Point& p,
   return beyond(subject, hull.lo(), hull.hi(), computed);
 }
 
+/// Against the one triangle that the contract's basis names, else the exact one; where clipping
+/// leaves open what a snapped triangle became, there is none to be precise about.
 std::optional<UlpError> ValueErrors::ideal_error(const Subject& subject, const Point& p,
                                                  const Ring& computed) const {
-  const ProjectiveMap& map = triangle_->ideal;
-  if (map.orientation() == 0 || sign_of(map.inverse_w().at(p)) <= 0) return std::nullopt;
-  return UlpError(computed, clamped(subject, ideal(subject).at(p)), subject.scale);
+  const ProjectiveMap* map = values_->single_map();
+  if (map == nullptr) {
+    const bool is_snapped = triangle_->scene->contract().basis == cases::Basis::snapped;
+    if (is_snapped && triangle_->shape == Shape::cut) return std::nullopt;
+    map = &triangle_->ideal;
+  }
+  if (map->orientation() == 0 || sign_of(map->inverse_w().at(p)) <= 0) return std::nullopt;
+  const Reading& reading = map == &triangle_->ideal ? ideal(subject) : corner(subject, 0);
+  return UlpError(computed, clamped(subject, reading.at(p)), subject.scale);
 }
 
 std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, int x, int y,

@@ -122,6 +122,32 @@ TEST_F(JudgeOf, ErrorsAreInScaleUlpAndHeldAgainstTheBound) {
   EXPECT_EQ(judged().errors.at(AttributeKind::smooth).ideal.extremes.most_positive, worst);
 }
 
+// By hand: snapping moves the left side from 33/64 to 1/2, and r at u = 3/2 from 63/479 to 2/15,
+// some 15,000 ULP of 1. Drawn is the latter, which the basis names or does not.
+TEST(Judge, MeasuresPrecisionAgainstTheTriangleThatTheBasisNames) {
+  const auto worst = [](cases::Basis basis) {
+    const float left = 33.0F / 64 / 2 - 1;
+    cases::Case c =
+        small_case(cases::Rules::vulkan, 4, 4, {{{left, -1, 0, 1}, {3, -1, 0, 1}, {left, 3, 0, 1}}},
+                   {{{0}, {1}, {0}}});
+    c.coverage = cases::Snapping{4, cases::Rounding::nearest_even, 0};
+    c.basis = basis;
+    const SceneTruth scene(c, cases::contract_of(c));
+    cases::Framebuffer drawn;
+    push(drawn, 0, 1, 0, 0, 0, {2.0F / 15});
+    const records::Judgement judgement = judge(scene, drawn).judgement;
+    const records::Extremes& ideal = judgement.errors.at(AttributeKind::smooth).ideal.extremes;
+    double most = 0;
+    for (const auto& extreme : {ideal.most_positive, ideal.most_negative}) {
+      if (extreme) most = std::max(most, records::magnitude_bound(extreme->error));
+    }
+    return most;
+  };
+  EXPECT_LT(worst(cases::Basis::snapped), 0.5);
+  EXPECT_GT(worst(cases::Basis::ideal), 10'000);
+  EXPECT_GT(worst(cases::Basis::unspecified), 10'000);
+}
+
 TEST_F(JudgeOf, WhatIsNoNumberIsAClass) {
   drawn_.attributes[0] = kNan;
   drawn_.attributes[2] = -kInfinity;
