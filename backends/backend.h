@@ -7,6 +7,7 @@
 // A backend is asked for by its specification, KIND or KIND:OPTIONS, as `method:rational-linear`.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@
 #include "cases/contract.h"
 #include "cases/error.h"
 #include "cases/framebuffer.h"
+#include "records/stage_trace.h"
 
 namespace rastercheck::backends {
 
@@ -32,6 +34,17 @@ class Backend {
   /// Draws a case without a camera (oracle/transform.h rounds one away). The error names what of
   /// the case cannot be drawn.
   virtual Result<cases::Framebuffer> draw(const cases::Case& c) = 0;
+
+  /// Whether it can tell how what it draws comes about.
+  virtual bool traces() const { return false; }
+
+  /// How a sample of a triangle came about, the triangle drawn alone: a depth test has no say.
+  /// Nothing where the sample is not drawn. Fails where the backend does not trace, cannot draw the
+  /// case, or the case has no such triangle.
+  virtual Result<std::optional<records::SampleTrace>> trace(const cases::Case& /*c*/,
+                                                            const records::SampleAddress& /*at*/) {
+    return tl::unexpected(Error{"", "", "this backend does not trace"});
+  }
 };
 
 /// A backend that could be asked for, and whether it can run here.

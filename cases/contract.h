@@ -69,6 +69,12 @@ struct Contract {
   /// Whether a triangle whose z/w is the same at all vertices has one depth (RULES §6); the bound
   /// alone allows two where the exact depth lies near the middle between two floats.
   bool keeps_equal_depth = false;
+  /// Whether an attribute with the same value at all vertices, to the bit, has it everywhere, to
+  /// the bit, whatever its bound.
+  bool keeps_constants = false;
+  /// Whether a sample that lies exactly at a vertex, w > 0, has the vertex's value, to the bit;
+  /// zeros of either sign are alike. That is the vertex as the basis places it.
+  bool keeps_vertex_values = false;
   bool operator==(const Contract&) const = default;
 
   /// Whether it leaves more than one answer open, so that values are ranges.

@@ -29,6 +29,10 @@ const Law* find_law(std::string_view name) {
   return found == registry().end() ? nullptr : &*found;
 }
 
+bool is_promised(const Law& law, const backends::Backend& backend) {
+  return law.is_promised == nullptr || law.is_promised(backend);
+}
+
 Generated generate_any(Draw& draw) {
   const std::span<const Generator> all = generators();
   assert(!all.empty());

@@ -54,7 +54,13 @@ struct Law {
   /// cannot draw it.
   Result<Check> (*check)(const cases::Case& c, backends::Backend& backend,
                          const CheckOptions& options);
+  /// Whether a backend promises at all what the law is about; nullptr: every backend does. Where it
+  /// does not, the law says nothing of any case, and that is no fault of a run.
+  bool (*is_promised)(const backends::Backend& backend) = nullptr;
 };
+
+/// Whether the law has something to say of a backend.
+bool is_promised(const Law& law, const backends::Backend& backend);
 
 /// All laws, in the order of their names.
 std::span<const Law> laws();

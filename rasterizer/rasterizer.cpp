@@ -109,6 +109,11 @@ TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize&
   std::optional<Error> error = check_draw(state, mesh, size);
   if (!error && (address.triangle >= mesh.triangles.size())) error = Error::index;
   if (error) return {error, std::nullopt};
+  const auto is_below = [](int value, int count) { return value >= 0 && value < count; };
+  if (!is_below(address.x, size.width) || !is_below(address.y, size.height) ||
+      !is_below(address.sample, size.samples)) {
+    return {std::nullopt, std::nullopt};
+  }
   Mesh alone = mesh;
   alone.triangles = mesh.triangles.subspan(address.triangle, 1);
   SampleAddress of_alone = address;

@@ -20,7 +20,7 @@ struct SampleAddress {
   int sample = 0;
 };
 
-/// The stage `edges`: from clip positions to the lines E_i = a_i U + b_i V + c_i T. Numbers as
+/// The stage `edges`: from clip positions to the lines E_i = a_i U + (b_i V + c_i T). Numbers as
 /// double holds them.
 struct TracedEdges {
   std::array<glm::vec4, 3> positions;                   ///< received
@@ -43,7 +43,8 @@ enum class Decision {
 /// An attribute, or depth, as the stage `evaluation` handed it on.
 struct TracedValue {
   float value = 0;
-  bool is_exact = false;     ///< from sums without rounding, as double was not enough
+  bool is_exact = false;     ///< from sums without rounding, as double was not enough; at the
+                             ///< sample only: of others it is not recorded
   bool is_at_sample = true;  ///< else at (u, v), its pixel's centre or a sample that is covered
   double u = 0;
   double v = 0;
@@ -52,17 +53,20 @@ struct TracedValue {
 struct Trace {
   TracedEdges edges;
   Decision decision = Decision::in_double;  ///< the stage `coverage`
-  std::array<double, 3> weights{};          ///< the stage `weights`: E_i at the sample
+  std::array<double, 3> place{};            ///< the sample as the edges take it: U, V, T
+  /// The stage `weights`: E_i at the sample, each operation of the line rounded once.
+  std::array<double, 3> weights{};
   TracedValue depth;
   std::vector<TracedValue> attributes;
 };
 
 struct TraceResult {
   std::optional<Error> error;
-  std::optional<Trace> trace;  ///< nothing where the sample is not covered
+  std::optional<Trace> trace;  ///< nothing where the sample is not covered, or not of the target
 };
 
-/// Draws one triangle as draw_fragments does and says how a sample of it came about.
+/// Draws one triangle as draw_fragments does and says how a sample of it came about. A triangle
+/// that the mesh does not have is Error::index.
 TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize& size,
                          const SampleAddress& address);
 

@@ -1,14 +1,18 @@
 #include "backends/cpu/rasterizer_backend.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <string>
 #include <tuple>
+#include <utility>
 
 #include "rasterizer/methods/method.h"
 #include "rasterizer/rasterizer.h"
+#include "rasterizer/trace.h"
 
 namespace rastercheck::backends {
 namespace {
@@ -71,8 +75,9 @@ int subpixel_bits(const cases::Snapping& snapping) {
   return std::clamp(snapping.subpixel_bits, ras::kLeastSubpixelBits, ras::kMostSubpixelBits);
 }
 
-ras::State state(const cases::Case& c) {
+ras::State state(const cases::Case& c, ras::Precision precision) {
   ras::State s;
+  s.precision = precision;
   s.convention = convention(c.rules);
   s.viewport = {{c.viewport.x, c.viewport.y},
                 {c.viewport.width, c.viewport.height},
@@ -184,7 +189,8 @@ cases::Contract double_precision_contract(const cases::Case& c) {
 /// What the production rasterizer promises: the mathematical triangle, or, where the case asks for
 /// snapping, that of the vertices on such a grid, exactly rounded; and values within 0.51 scale ULP
 /// (the bound derived in rasterizer/internal/certificates.h is 0.5 + 2^-7), attributes in float32
-/// within the bounds derived in rasterizer/internal/float_kernels.h.
+/// within the bounds derived in rasterizer/internal/float_kernels.h. Constants come back as they
+/// are, and so do the values of vertices (rasterizer/internal/exact_values.h).
 cases::Contract production_contract(const cases::Case& c, ras::Precision precision) {
   cases::Contract contract;
   contract.tie_rule = c.fill_rule;
@@ -202,8 +208,16 @@ cases::Contract production_contract(const cases::Case& c, ras::Precision precisi
     contract.bounds.noperspective.constant = kFloatAffineBound;
   }
   contract.keeps_equal_depth = true;
+  contract.keeps_constants = true;
+  contract.keeps_vertex_values = true;
   return contract;
 }
+
+ras::TargetSize target_size(const cases::Case& c) {
+  return {c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples};
+}
+
+Error refused(ras::Error error) { return {"", "", std::string(ras::to_string(error))}; }
 
 Result<cases::Framebuffer> draw_with_rasterizer(const cases::Case& c, std::string_view method,
                                                 ras::Precision precision) {
@@ -214,21 +228,115 @@ Result<cases::Framebuffer> draw_with_rasterizer(const cases::Case& c, std::strin
   triangles.reserve(c.triangles.size());
   for (const cases::Triangle& t : c.triangles) triangles.emplace_back(t[0], t[1], t[2]);
 
-  ras::State s = state(c);
-  s.precision = precision;
+  const ras::State s = state(c, precision);
   const ras::Mesh mesh{positions, c.attribute_values, c.clip_distances, triangles};
-  const ras::TargetSize size{c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples};
+  const ras::TargetSize size = target_size(c);
   ras::Fragments fragments;
   const ras::DrawResult drawn = method.empty()
                                     ? ras::draw_fragments(s, mesh, size, fragments)
                                     : ras::draw_fragments_by(method, s, mesh, size, fragments);
-  if (drawn.error) {
-    return tl::unexpected(Error{"", "", std::string(ras::to_string(*drawn.error))});
-  }
+  if (drawn.error) return tl::unexpected(refused(*drawn.error));
   std::vector<std::size_t> indices(fragments.size());
   std::iota(indices.begin(), indices.end(), std::size_t{0});
   if (c.depth_test == cases::DepthTest::less) indices = nearest(fragments);
   return framebuffer(fragments, indices, c.attributes.size());
+}
+
+/// One triangle of a case as the rasterizer takes it.
+class OneTriangle {
+ public:
+  OneTriangle(const cases::Case& c, std::size_t index) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t vertex = c.triangles[index][i];
+      const cases::ClipVertex& p = c.positions[vertex];
+      positions_[i] = {p.x, p.y, p.z, p.w};
+      append(c.attribute_values, c.attributes.size(), vertex, attributes_);
+      append(c.clip_distances, c.clip_distance_count, vertex, clip_distances_);
+    }
+  }
+  ras::Mesh mesh() const { return {positions_, attributes_, clip_distances_, triangles_}; }
+
+ private:
+  /// Appends a vertex's share of what all vertices have `count` of.
+  static void append(const std::vector<float>& all, std::size_t count, std::uint32_t vertex,
+                     std::vector<float>& to) {
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(vertex * count);
+    to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(count));
+  }
+
+  std::array<glm::vec4, 3> positions_;
+  std::vector<float> attributes_;
+  std::vector<float> clip_distances_;
+  std::array<glm::uvec3, 1> triangles_{glm::uvec3{0, 1, 2}};
+};
+
+std::string numbered(const char* name, std::size_t index) { return name + std::to_string(index); }
+
+std::string_view word(ras::Decision decision) {
+  switch (decision) {
+    case ras::Decision::in_double:
+      return "in_double";
+    case ras::Decision::exactly:
+      return "exactly";
+    case ras::Decision::in_whole_numbers:
+      break;
+  }
+  return "in_whole_numbers";
+}
+
+double number(bool is_so) { return is_so ? 1 : 0; }
+
+/// What the stage `evaluation` handed on of a value.
+void add_value(const std::string& name, const ras::TracedValue& value,
+               records::NamedNumbers& numbers) {
+  numbers.push_back({name, value.value});
+  numbers.push_back({name + "_is_exact", number(value.is_exact)});
+  if (value.is_at_sample) return;
+  numbers.push_back({name + "_u", value.u});
+  numbers.push_back({name + "_v", value.v});
+}
+
+/// The rasterizer's trace in the words of records/stage_trace.h.
+records::SampleTrace sample_trace(const ras::Trace& trace) {
+  records::StageTrace edges{"edges", {}, {}};
+  records::NamedNumbers bands;
+  records::NamedNumbers weights;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::vec4& p = trace.edges.positions[i];
+    const auto& [a, b, c] = trace.edges.coefficients[i];
+    edges.received.push_back({numbered("x", i), p.x});
+    edges.received.push_back({numbered("y", i), p.y});
+    edges.received.push_back({numbered("z", i), p.z});
+    edges.received.push_back({numbered("w", i), p.w});
+    edges.handed_on.push_back({numbered("a", i), a});
+    edges.handed_on.push_back({numbered("b", i), b});
+    edges.handed_on.push_back({numbered("c", i), c});
+    bands.push_back({numbered("band", i), trace.edges.bands[i]});
+    edges.handed_on.push_back(bands.back());
+    weights.push_back({numbered("E", i), trace.weights[i]});
+  }
+  edges.handed_on.push_back({"is_snapped", number(trace.edges.is_snapped)});
+  const records::NamedNumbers certificate{
+      {"least_sum", trace.edges.least_sum},
+      {"affine_is_certain", number(trace.edges.affine_is_certain)},
+      {"depth_is_certain", number(trace.edges.depth_is_certain)}};
+  const records::NamedNumbers place{
+      {"U", trace.place[0]}, {"V", trace.place[1]}, {"T", trace.place[2]}};
+
+  records::SampleTrace result;
+  records::NamedNumbers values;
+  add_value("depth", trace.depth, values);
+  result.depth = trace.depth.value;
+  for (std::size_t a = 0; a < trace.attributes.size(); ++a) {
+    add_value("r[" + std::to_string(a) + "]", trace.attributes[a], values);
+    result.attributes.push_back(trace.attributes[a].value);
+  }
+  result.stages = {std::move(edges),
+                   {"certificate", std::move(bands), certificate},
+                   {"coverage", place, {{std::string(word(trace.decision)), 1}}},
+                   {"weights", place, weights},
+                   {"evaluation", weights, std::move(values)}};
+  return result;
 }
 
 class RasterizerBackend : public Backend {
@@ -241,6 +349,25 @@ class RasterizerBackend : public Backend {
   }
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
     return draw_with_rasterizer(c, method_, precision_);
+  }
+  bool traces() const override { return method_.empty(); }
+  Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
+                                                    const records::SampleAddress& at) override {
+    if (!method_.empty()) return Backend::trace(c, at);
+    if (at.triangle >= c.triangles.size()) return tl::unexpected(refused(ras::Error::index));
+    if (std::cmp_greater_equal(at.x, c.framebuffer.width) ||
+        std::cmp_greater_equal(at.y, c.framebuffer.height) ||
+        std::cmp_greater_equal(at.sample, c.framebuffer.samples)) {
+      return std::nullopt;
+    }
+    const OneTriangle one(c, at.triangle);
+    const ras::SampleAddress address{0, static_cast<int>(at.x), static_cast<int>(at.y),
+                                     static_cast<int>(at.sample)};
+    const ras::TraceResult traced =
+        ras::trace_sample(state(c, precision_), one.mesh(), target_size(c), address);
+    if (traced.error) return tl::unexpected(refused(*traced.error));
+    if (!traced.trace) return std::nullopt;
+    return sample_trace(*traced.trace);
   }
 
  private:

@@ -176,16 +176,27 @@ std::map<std::string, std::string> environment(const Options& options, double se
           {"seconds", fmt::format("{:.1f}", seconds)}};
 }
 
+/// Whether the row's law had to check something: some laws are about what not every backend
+/// promises.
+bool is_promised(const records::LawSummary& row) {
+  const properties::Law* law = properties::find_law(row.law);
+  const auto backend = backends::make_backend(row.backend);
+  return law == nullptr || !backend || properties::is_promised(*law, **backend);
+}
+
 /// The exit code of a run without faults. Where several apply: violated, then nothing checked.
 ExitCode outcome(const std::vector<records::LawSummary>& rows) {
-  const auto has = [&rows](records::LawVerdict verdict) {
-    return std::any_of(rows.begin(), rows.end(), [verdict](const records::LawSummary& row) {
-      return row.verdict == verdict;
-    });
+  using records::LawSummary;
+  using records::LawVerdict;
+  const auto is = [](LawVerdict verdict) {
+    return [verdict](const LawSummary& row) { return row.verdict == verdict; };
   };
-  if (has(records::LawVerdict::violated)) return ExitCode::violated;
-  if (rows.empty() || has(records::LawVerdict::not_checked)) return ExitCode::nothing_checked;
-  return ExitCode::ok;
+  if (std::any_of(rows.begin(), rows.end(), is(LawVerdict::violated))) return ExitCode::violated;
+  const bool is_missing = std::any_of(rows.begin(), rows.end(), [](const LawSummary& row) {
+    return row.verdict == LawVerdict::not_checked && is_promised(row);
+  });
+  const bool has_held = std::any_of(rows.begin(), rows.end(), is(LawVerdict::held));
+  return is_missing || !has_held ? ExitCode::nothing_checked : ExitCode::ok;
 }
 
 void print_results(const Options& options, const records::Run& run,

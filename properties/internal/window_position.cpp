@@ -45,7 +45,38 @@ std::int32_t rank_of(float value) {
   return (bits >> 31) != 0 ? -magnitude : magnitude;
 }
 
+/// Whether the terms add up to exactly 0. Each is taken into an expansion, whose components do not
+/// overlap: their sum is 0 only where all of them are (Shewchuk 1997, Grow-Expansion).
+bool is_zero_sum(const std::array<double, 4>& terms) {
+  std::array<double, 4> components{};
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    double rest = terms[i];
+    for (std::size_t j = 0; j < i; ++j) {
+      // Two-Sum: the rounded sum, and exactly what the rounding left out.
+      const double sum = rest + components[j];
+      const double of_component = sum - rest;
+      const double left_out = (rest - (sum - of_component)) + (components[j] - of_component);
+      components[j] = left_out;
+      rest = sum;
+    }
+    components[i] = rest;
+  }
+  return std::all_of(components.begin(), components.end(), [](double part) { return part == 0; });
+}
+
+/// Whether from + (1 + ndc/w) size/2 = at: ndc · size + w (size + 2 from − 2 at) = 0. Products of
+/// two floats are exact in double.
+bool is_coordinate(double ndc, double w, double from, double size, double at) {
+  return is_zero_sum({ndc * size, w * size, w * (2 * from), -(w * (2 * at))});
+}
+
 }  // namespace
+
+bool is_exactly_at(const cases::Case& c, const cases::ClipVertex& vertex, const WindowPoint& p) {
+  const double y = c.rules == cases::Rules::d3d ? -double{vertex.y} : double{vertex.y};
+  return is_coordinate(vertex.x, vertex.w, c.viewport.x, c.viewport.width, p.u) &&
+         is_coordinate(y, vertex.w, c.viewport.y, c.viewport.height, p.v);
+}
 
 cases::ClipVertex at_window(const cases::Case& c, const WindowPoint& p, float depth, float w) {
   const double weight{w};

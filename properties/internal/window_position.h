@@ -22,6 +22,11 @@ struct WindowPoint {
 /// numbers short; beyond float32 it is held at the largest one.
 cases::ClipVertex at_window(const cases::Case& c, const WindowPoint& p, float depth, float w);
 
+/// Whether a vertex, w not 0, appears exactly at `p` in the case's viewport, without any rounding.
+/// The coordinates of `p` have at most 29 bits, as all samples' have: times a float32 they are a
+/// double.
+bool is_exactly_at(const cases::Case& c, const cases::ClipVertex& vertex, const WindowPoint& p);
+
 /// Appends a vertex and says its index.
 std::uint32_t add_vertex(cases::Case& c, const cases::ClipVertex& position);
 /// Appends three vertices and a triangle of them.

@@ -5,7 +5,8 @@
 // to float32, promises a result before rounding that is off by less than e = b − 1/2. Where e < 1/4
 // rounding to nearest gives the constant back: neighbouring floats are an ulp away, or half an ulp
 // below a power of two, so that the nearest middle between floats is 1/4 ulp from the constant.
-// Where the promise is weaker, as towards the horizon, nothing is judged.
+// Where the promise is weaker, as towards the horizon, nothing is judged, unless the contract
+// promises to keep constants, whatever the bound.
 //
 // A plane of equal depth, z_i w_j = z_j w_i, is judged where the contract promises to keep it. The
 // bound alone allows two depths where the exact one lies close to the middle between two floats;
@@ -80,7 +81,8 @@ Constants constants_of(const cases::Case& c, const cases::Contract& contract, st
     const bool is_smooth = interpolation == cases::Interpolation::smooth;
     const cases::ValueBound& bound =
         is_smooth ? contract.bounds.smooth : contract.bounds.noperspective;
-    if (may_be_exact(bound) && is_constant(c, triangle, a)) constants.attributes.push_back(a);
+    const bool is_kept = contract.keeps_constants || may_be_exact(bound);
+    if (is_kept && is_constant(c, triangle, a)) constants.attributes.push_back(a);
   }
   constants.has_equal_depth = contract.keeps_equal_depth && has_equal_depth(c, triangle);
   return constants;
@@ -194,7 +196,8 @@ class ConstantsCheck {
     if (may_be_undefined && !subject.truth.attribute(attribute, x, y, s)) return;
     const auto promised = subject.truth.value_bound(attribute, x, y, s);
     const auto bound = promised ? std::optional(promised->enclosure()) : std::nullopt;
-    if (!bound || bound->hi >= kMostBound) {
+    const bool is_within_reach = bound && bound->hi < kMostBound;
+    if (!is_within_reach && !scene_->contract().keeps_constants) {
       labels_.emplace("bound too wide");
       return;
     }
@@ -292,8 +295,8 @@ float random_constant(Draw& draw) {
   }
 }
 
-/// Gives most attributes one value at all vertices, and in a third of the cases most triangles a
-/// plane of equal depth.
+/// Gives most attributes one value at all vertices; in a third of the cases all triangles planes of
+/// equal depth, and in another third snapped vertices, which clipping makes more of.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;
@@ -313,6 +316,10 @@ Generated generate(Draw& draw) {
   if (draw.one_in(3)) {
     const float depth = draw.pick(std::array{0.0F, 0.25F, 0.5F, 0.75F, 0.625F, 1.0F});
     for (cases::ClipVertex& p : c.positions) p.z = depth * p.w;
+  }
+  if (draw.one_in(3)) {
+    c.coverage = cases::Snapping{draw.between(4, cases::kMaxSubpixelBits)};
+    c.basis = draw.pick(std::array{cases::Basis::ideal, cases::Basis::snapped});
   }
   return made;
 }

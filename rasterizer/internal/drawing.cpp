@@ -163,13 +163,13 @@ void Drawing<Coverage, Tap>::evaluate(const BlockPlace& place, SampleBlock& bloc
     const Mask mask = coverage_.part_mask(block.coverage, k);
     if (mask == 0) continue;
     PartMasks masks{mask, mask, block.coverage.at_vertex};
+    const SampleOffset& offset = setting_.pattern[place.sample];
     if constexpr (!Coverage::kLeavesWeights) {
-      const SampleOffset& offset = setting_.pattern[place.sample];
       const EdgeRow row =
           edge_row(part.weights.edges, *part.weights.frame, place.y + offset.y, offset.x);
       masks.inside = evaluate_edges(row, place.first, place.count, weights_).possible;
     }
-    tap_.weighed(place, k, mask, weights_);
+    tap_.weighed(place, offset, k, mask, weights_);
     SampleBlock& out = parts_.size() == 1 ? block : *of_part_;
     evaluate_part(place, part, masks, out);
     if (parts_.size() > 1) block.take(mask, out, state_.attributes.size());

@@ -23,7 +23,7 @@ void RecordingTap::set_up(std::uint32_t triangle, const DrawnPart& part, std::si
   edges.affine_is_certain = part.values.certificates.affine_is_certain;
   edges.depth_is_certain = part.values.certificates.depth_is_certain;
   parts_.resize(index + 1);
-  parts_[index] = edges;
+  parts_[index] = {edges, part.weights.frame};
   trace_.attributes.resize(part.values.attributes.size());
 }
 
@@ -35,10 +35,12 @@ void RecordingTap::covered(const BlockPlace& place, const CoveredBlock& block) {
                                                    : Decision::in_double;
 }
 
-void RecordingTap::weighed(const BlockPlace& place, std::size_t part, Mask mask,
-                           const BlockWeights& weights) {
+void RecordingTap::weighed(const BlockPlace& place, const SampleOffset& offset, std::size_t part,
+                           Mask mask, const BlockWeights& weights) {
   if (!is_at(place, mask)) return;
-  trace_.edges = parts_[part];
+  const SampleFrame& frame = *parts_[part].frame;
+  trace_.edges = parts_[part].edges;
+  trace_.place = {frame.u.at(address_.x + offset.x), frame.v.at(address_.y + offset.y), frame.t};
   for (std::size_t i = 0; i < 3; ++i) trace_.weights[i] = weights.e[i][column(place)];
 }
 

@@ -11,6 +11,7 @@
 
 #include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/exact_coverage.h"
+#include "rasterizer/internal/standard_pattern.h"
 #include "rasterizer/trace.h"
 
 namespace rastercheck::rasterizer {
@@ -28,8 +29,8 @@ struct NoTap {
   static void set_up(std::uint32_t /*triangle*/, const DrawnPart& /*part*/, std::size_t /*index*/) {
   }
   static void covered(const BlockPlace& /*place*/, const CoveredBlock& /*block*/) {}
-  static void weighed(const BlockPlace& /*place*/, std::size_t /*part*/, Mask /*mask*/,
-                      const BlockWeights& /*weights*/) {}
+  static void weighed(const BlockPlace& /*place*/, const SampleOffset& /*offset*/,
+                      std::size_t /*part*/, Mask /*mask*/, const BlockWeights& /*weights*/) {}
   static void depth(const BlockPlace& /*place*/, Mask /*mask*/, bool /*is_exact*/,
                     const float* /*values*/) {}
   static void attribute(const BlockPlace& /*place*/, std::size_t /*attribute*/, Mask /*mask*/,
@@ -44,7 +45,8 @@ class RecordingTap {
 
   void set_up(std::uint32_t triangle, const DrawnPart& part, std::size_t index);
   void covered(const BlockPlace& place, const CoveredBlock& block);
-  void weighed(const BlockPlace& place, std::size_t part, Mask mask, const BlockWeights& weights);
+  void weighed(const BlockPlace& place, const SampleOffset& offset, std::size_t part, Mask mask,
+               const BlockWeights& weights);
   void depth(const BlockPlace& place, Mask mask, bool is_exact, const float* values);
   void attribute(const BlockPlace& place, std::size_t attribute, Mask mask, Mask exact,
                  const float* values);
@@ -61,7 +63,11 @@ class RecordingTap {
   }
 
   SampleAddress address_;
-  std::vector<TracedEdges> parts_;  ///< of the triangle's parts
+  struct Part {
+    TracedEdges edges;
+    const SampleFrame* frame = nullptr;
+  };
+  std::vector<Part> parts_;  ///< of the triangle
   Trace trace_;
   bool is_covered_ = false;
 };

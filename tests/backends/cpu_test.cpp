@@ -90,5 +90,63 @@ TEST(Cpu, KeepsTheNearestFragmentUnderADepthTest) {
   EXPECT_EQ(count, drawn.size());
 }
 
+TEST(Cpu, TracesWhatItDraws) {
+  const cases::Case c =
+      cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
+  const auto backend = make_backend("cpu").value();
+  ASSERT_TRUE(backend->traces());
+  const cases::Framebuffer drawn = backend->draw(c).value();
+  ASSERT_GT(drawn.size(), 0U);
+  const records::SampleAddress at{drawn.triangle[0], drawn.x[0], drawn.y[0], drawn.sample[0]};
+  const auto trace = backend->trace(c, at).value();
+  ASSERT_TRUE(trace.has_value());
+  EXPECT_EQ(trace->depth, drawn.depth[0]);
+  ASSERT_EQ(trace->attributes.size(), drawn.attribute_count);
+  std::vector<std::string> stages;
+  for (const records::StageTrace& stage : trace->stages) {
+    stages.push_back(stage.stage);
+    EXPECT_FALSE(stage.received.empty()) << stage.stage;
+    EXPECT_FALSE(stage.handed_on.empty()) << stage.stage;
+  }
+  EXPECT_EQ(stages, (std::vector<std::string>{"edges", "certificate", "coverage", "weights",
+                                              "evaluation"}));
+  const records::StageTrace* evaluation = records::find_stage(*trace, "evaluation");
+  EXPECT_EQ(records::find_number(evaluation->handed_on, "depth"), double{trace->depth});
+}
+
+TEST(Cpu, HasNoTraceOfWhatIsNotThere) {
+  const cases::Case c =
+      cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
+  const auto backend = make_backend("cpu").value();
+  const auto triangles = static_cast<std::uint32_t>(c.triangles.size());
+  EXPECT_FALSE(backend->trace(c, {triangles, 0, 0, 0}).has_value());
+  const auto width = static_cast<std::uint32_t>(c.framebuffer.width);
+  for (const records::SampleAddress& at :
+       {records::SampleAddress{0, width, 0, 0}, {0, 0, 0xffffffff, 0}, {0, 0, 0, 16}}) {
+    const auto trace = backend->trace(c, at);
+    ASSERT_TRUE(trace.has_value());
+    EXPECT_FALSE(trace->has_value());
+  }
+}
+
+TEST(Method, DoesNotTrace) {
+  const auto backend = make_backend("method:rational-linear").value();
+  EXPECT_FALSE(backend->traces());
+  const auto trace = backend->trace({}, {});
+  ASSERT_FALSE(trace.has_value());
+  EXPECT_EQ(trace.error().reason, "this backend does not trace");
+}
+
+TEST(Cpu, PromisesConstantsAndVertexValuesAndTheMethodsDoNot) {
+  for (const char* specification : {"cpu", "cpu:precision=float32"}) {
+    const cases::Contract contract = make_backend(specification).value()->contract({});
+    EXPECT_TRUE(contract.keeps_constants) << specification;
+    EXPECT_TRUE(contract.keeps_vertex_values) << specification;
+  }
+  const cases::Contract method = make_backend("method:rational-linear").value()->contract({});
+  EXPECT_FALSE(method.keeps_constants);
+  EXPECT_FALSE(method.keeps_vertex_values);
+}
+
 }  // namespace
 }  // namespace rastercheck::backends

@@ -25,6 +25,11 @@ class MutantBackend : public backends::Backend {
 
   cases::Contract contract(const cases::Case& c) const override { return backend_->contract(c); }
   Result<cases::Framebuffer> draw(const cases::Case& c) override { return backend_->draw(c); }
+  bool traces() const override { return backend_->traces(); }
+  Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
+                                                    const records::SampleAddress& at) override {
+    return backend_->trace(c, at);
+  }
 
  private:
   Library library_;

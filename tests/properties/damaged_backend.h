@@ -1,12 +1,13 @@
 #pragma once
 
-// Backends that draw as the textbook method does, whose contract leaves ties and snapping open, and
-// then go wrong in one way, and a case small enough to say by
-// hand what each law has to find.
+// Backends that draw as the textbook method does, whose contract leaves ties and snapping open, or
+// as another backend, and then go wrong in one way, and a case small enough to say by hand what
+// each law has to find.
 
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -17,12 +18,14 @@
 namespace rastercheck::properties {
 
 using Damage = std::function<void(const cases::Case&, cases::Framebuffer&)>;
+using TraceDamage =
+    std::function<void(const records::SampleAddress&, std::optional<records::SampleTrace>&)>;
 
 class DamagedBackend : public backends::Backend {
  public:
-  explicit DamagedBackend(Damage damage = {})
-      : inner_(backends::make_backend("method:rational-linear").value()),
-        damage_(std::move(damage)) {}
+  explicit DamagedBackend(Damage damage = {},
+                          const std::string& specification = "method:rational-linear")
+      : inner_(backends::make_backend(specification).value()), damage_(std::move(damage)) {}
 
   cases::Contract contract(const cases::Case& c) const override {
     if (promised) return *promised;
@@ -36,7 +39,16 @@ class DamagedBackend : public backends::Backend {
     return drawn;
   }
 
+  bool traces() const override { return inner_->traces(); }
+  Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
+                                                    const records::SampleAddress& at) override {
+    auto traced = inner_->trace(c, at);
+    if (traced && trace_damage) trace_damage(at, *traced);
+    return traced;
+  }
+
   std::optional<cases::Contract> promised;
+  TraceDamage trace_damage;
 
  private:
   std::unique_ptr<backends::Backend> inner_;

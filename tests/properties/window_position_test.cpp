@@ -36,6 +36,31 @@ TEST(AtWindow, StaysFinite) {
   EXPECT_EQ(far.x, kLargest);
 }
 
+TEST(IsExactlyAt, IsTheViewportWithoutRounding) {
+  for (const auto rules : {cases::Rules::opengl, cases::Rules::vulkan, cases::Rules::d3d}) {
+    const cases::Case c = screen(rules);
+    const cases::ClipVertex vertex = at_window(c, {8.5, 7.0625}, 0, 4095.0F / 256);
+    EXPECT_TRUE(is_exactly_at(c, vertex, {8.5, 7.0625}));
+    EXPECT_FALSE(is_exactly_at(c, vertex, {8.5, 7}));
+    EXPECT_FALSE(is_exactly_at(c, vertex, {8, 7.0625}));
+    cases::ClipVertex beside = vertex;
+    beside.x = stepped(vertex.x, 1);
+    EXPECT_FALSE(is_exactly_at(c, beside, {8.5, 7.0625}));
+    beside = vertex;
+    beside.y = stepped(vertex.y, -1);
+    EXPECT_FALSE(is_exactly_at(c, beside, {8.5, 7.0625}));
+  }
+}
+
+// The terms are 2^-149 · 8, w · 8, w · 4 and −w · 12 with w = 1: sums in double lose the first.
+TEST(IsExactlyAt, LosesNothingBesideLargeNumbers) {
+  const cases::Case c = screen(cases::Rules::vulkan);
+  EXPECT_TRUE(is_exactly_at(c, {0, 0, 0, 1}, {6, 12}));
+  EXPECT_FALSE(is_exactly_at(c, {0x1p-149F, 0, 0, 1}, {6, 12}));
+  EXPECT_FALSE(is_exactly_at(c, {0, -0x1p-149F, 0, 0x1p127F}, {6, 12}));
+  EXPECT_TRUE(is_exactly_at(c, {0, 0, 0, 0x1p127F}, {6, 12}));
+}
+
 TEST(Stepped, GoesFromFloatToFloat) {
   EXPECT_EQ(stepped(1, 1), 0x1.000002p+0F);
   EXPECT_EQ(stepped(1, -1), 0x1.fffffep-1F);

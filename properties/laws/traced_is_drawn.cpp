@@ -1,0 +1,280 @@
+// The traced value is the drawn value: what a backend says about how a sample came about is how it
+// came about. A trace that is computed beside the drawing, or recorded of another sample, explains
+// an error that nobody made.
+//
+// Of up to eight fragments of each triangle, spread over all that were drawn: there is a trace, its
+// depth and attributes are the drawn ones to the bit, and its weights are what its edges give,
+// E_i = a_i U + (b_i V + c_i T) with every operation rounded to double (records/stage_trace.h). Of
+// samples beside them that were not drawn: there is no trace. Triangles are traced alone, so the
+// depth test is left out. Judged of backends that trace.
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/random_state.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+using records::SampleAddress;
+using records::SampleTrace;
+
+/// Fragments of a triangle that are traced, and samples beside each of them that are asked for.
+constexpr std::size_t kMostTraced = 8;
+
+bool is_same_float(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+AttributeKind kind_of(cases::Interpolation interpolation) {
+  switch (interpolation) {
+    case cases::Interpolation::smooth:
+      return AttributeKind::smooth;
+    case cases::Interpolation::noperspective:
+      return AttributeKind::noperspective;
+    case cases::Interpolation::flat:
+      break;
+  }
+  return AttributeKind::flat;
+}
+
+/// What is wrong with the weights of a trace; empty where nothing is.
+std::string fault_of_weights(const SampleTrace& trace) {
+  const records::StageTrace* edges = records::find_stage(trace, "edges");
+  const records::StageTrace* weights = records::find_stage(trace, "weights");
+  if (edges == nullptr || weights == nullptr) return "the trace has no edges or no weights";
+  const auto u = records::find_number(weights->received, "U");
+  const auto v = records::find_number(weights->received, "V");
+  const auto t = records::find_number(weights->received, "T");
+  for (int i = 0; i < 3; ++i) {
+    const auto number = std::to_string(i);
+    const auto a = records::find_number(edges->handed_on, "a" + number);
+    const auto b = records::find_number(edges->handed_on, "b" + number);
+    const auto c = records::find_number(edges->handed_on, "c" + number);
+    const auto weight = records::find_number(weights->handed_on, "E" + number);
+    if (!u || !v || !t || !a || !b || !c || !weight) return "a number of edge " + number + " lacks";
+    const double expected = *a * *u + (*b * *v + *c * *t);
+    if (*weight != expected) {
+      return fmt::format("weight {} is {}, and its edge gives {}", i, *weight, expected);
+    }
+  }
+  return {};
+}
+
+class TraceCheck {
+ public:
+  TraceCheck(const cases::Case& source, backends::Backend& backend, const cases::Framebuffer& drawn)
+      : case_(&source), backend_(&backend), drawn_(&drawn) {}
+
+  Result<Check> run() {
+    check_.judgement.errors[AttributeKind::coverage];
+    std::map<std::uint32_t, std::vector<std::size_t>> fragments;
+    for (std::size_t i = 0; i < drawn_->size(); ++i) {
+      // What is not of the case is a matter of coverage.
+      if (drawn_->triangle[i] < case_->triangles.size()) {
+        fragments[drawn_->triangle[i]].push_back(i);
+      }
+    }
+    for (std::uint32_t t = 0; t < case_->triangles.size() && !error_; ++t) {
+      check_triangle(t, fragments[t]);
+    }
+    if (error_) return tl::unexpected(*error_);
+    add_state_labels(*case_, triangles_, labels_);
+    check_.labels.assign(labels_.begin(), labels_.end());
+    return std::move(check_);
+  }
+
+ private:
+  using Place = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // y, x, sample
+
+  SampleAddress address_of(std::size_t i) const {
+    return {drawn_->triangle[i], drawn_->x[i], drawn_->y[i], drawn_->sample[i]};
+  }
+
+  void check_triangle(std::uint32_t triangle, const std::vector<std::size_t>& fragments) {
+    std::set<Place> drawn;
+    for (const std::size_t i : fragments) {
+      drawn.emplace(drawn_->y[i], drawn_->x[i], drawn_->sample[i]);
+    }
+    const std::size_t count = std::min(fragments.size(), kMostTraced);
+    std::set<Place> beside;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = fragments[k * fragments.size() / count];
+      check_drawn(i);
+      add_neighbours(address_of(i), drawn, beside);
+    }
+    if (fragments.empty()) beside.emplace(case_->framebuffer.height / 2, 0, 0);
+    for (const auto& [y, x, sample] : beside) check_not_drawn({triangle, x, y, sample});
+  }
+
+  /// The first samples to the right, below, and behind in the pattern that were not drawn.
+  void add_neighbours(const SampleAddress& at, const std::set<Place>& drawn,
+                      std::set<Place>& beside) const {
+    const cases::FramebufferSize& size = case_->framebuffer;
+    const auto walk = [&](std::uint32_t dx, std::uint32_t dy, std::uint32_t ds) {
+      std::uint32_t x = at.x;
+      std::uint32_t y = at.y;
+      std::uint32_t s = at.sample;
+      while (std::cmp_less(x, size.width) && std::cmp_less(y, size.height) &&
+             std::cmp_less(s, size.samples)) {
+        if (!drawn.contains({y, x, s})) {
+          beside.emplace(y, x, s);
+          return;
+        }
+        x += dx;
+        y += dy;
+        s += ds;
+      }
+    };
+    walk(1, 0, 0);
+    walk(0, 1, 0);
+    walk(0, 0, 1);
+  }
+
+  std::optional<SampleTrace> trace_of(const SampleAddress& at) {
+    if (error_) return std::nullopt;
+    Result<std::optional<SampleTrace>> trace = backend_->trace(*case_, at);
+    if (trace) return *std::move(trace);
+    error_ = trace.error();
+    return std::nullopt;
+  }
+
+  void check_drawn(std::size_t i) {
+    const SampleAddress at = address_of(i);
+    const std::optional<SampleTrace> trace = trace_of(at);
+    if (error_) return;
+    ++check_.judgement.counts.required;
+    triangles_.insert(at.triangle);
+    auto& classes = check_.judgement.errors[AttributeKind::coverage].classes;
+    if (!trace) {
+      ++classes[FragmentClass::missing];
+      records::Violation violation = violation_at(at, FragmentClass::missing);
+      violation.exact = "drawn";
+      violation.actual = "no trace";
+      note(check_, violation);
+      return;
+    }
+    ++classes[FragmentClass::correct];
+    check_value(at, AttributeKind::depth, std::nullopt, drawn_->depth[i], trace->depth);
+    const auto drawn = drawn_->attributes_of(i);
+    if (trace->attributes.size() != drawn.size()) {
+      note_fault(at, "the trace has another number of attributes");
+    } else {
+      for (std::uint32_t a = 0; a < drawn.size(); ++a) {
+        check_value(at, kind_of(case_->attributes[a].interpolation), a, drawn[a],
+                    trace->attributes[a]);
+      }
+    }
+    if (const std::string fault = fault_of_weights(*trace); !fault.empty()) note_fault(at, fault);
+    add_labels(*trace);
+  }
+
+  void check_not_drawn(const SampleAddress& at) {
+    const std::optional<SampleTrace> trace = trace_of(at);
+    if (error_) return;
+    ++check_.judgement.counts.forbidden;
+    labels_.emplace("not drawn");
+    if (!trace) return;
+    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::extra];
+    records::Violation violation = violation_at(at, FragmentClass::extra);
+    violation.exact = "not drawn";
+    violation.actual = "a trace";
+    note(check_, violation);
+  }
+
+  void check_value(const SampleAddress& at, AttributeKind kind,
+                   std::optional<std::uint32_t> attribute, float drawn, float traced) {
+    const bool is_same = is_same_float(drawn, traced);
+    const FragmentClass found = is_same ? FragmentClass::correct : FragmentClass::beyond_bound;
+    ++check_.judgement.errors[kind].classes[found];
+    if (is_same) return;
+    records::Violation violation = violation_at(at, found);
+    violation.kind = kind;
+    violation.attribute = attribute;
+    violation.exact = value_text(drawn);
+    violation.actual = value_text(traced);
+    violation.note = "the trace has another value than the drawing";
+    note(check_, violation);
+  }
+
+  void note_fault(const SampleAddress& at, const std::string& fault) {
+    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::beyond_bound];
+    records::Violation violation = violation_at(at, FragmentClass::beyond_bound);
+    violation.exact = "a trace that holds together";
+    violation.actual = "a trace";
+    violation.note = fault;
+    note(check_, violation);
+  }
+
+  /// How the sample was decided, and that values needed more than double.
+  void add_labels(const SampleTrace& trace) {
+    if (const records::StageTrace* coverage = records::find_stage(trace, "coverage")) {
+      for (const records::NamedNumber& decision : coverage->handed_on) {
+        labels_.emplace("decided " + decision.name);
+      }
+    }
+    if (const records::StageTrace* evaluation = records::find_stage(trace, "evaluation")) {
+      for (const records::NamedNumber& number : evaluation->handed_on) {
+        if (number.name.ends_with("_is_exact") && number.value != 0) labels_.emplace("exact value");
+        if (number.name.ends_with("_u")) labels_.emplace("located elsewhere");
+      }
+    }
+  }
+
+  static records::Violation violation_at(const SampleAddress& at, FragmentClass found) {
+    records::Violation violation;
+    violation.fragment_class = found;
+    violation.triangle = at.triangle;
+    violation.x = at.x;
+    violation.y = at.y;
+    violation.sample = at.sample;
+    return violation;
+  }
+
+  const cases::Case* case_;
+  backends::Backend* backend_;
+  const cases::Framebuffer* drawn_;
+  Check check_;
+  std::set<std::string> labels_;
+  std::set<std::uint32_t> triangles_;
+  std::optional<Error> error_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  Check not_applicable;
+  not_applicable.is_applicable = false;
+  if (!backend.traces()) return not_applicable;
+  clip->depth_test = cases::DepthTest::none;
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  return TraceCheck(*clip, backend, *drawn).run();
+}
+
+bool is_promised(const backends::Backend& backend) { return backend.traces(); }
+
+/// Any case, in half of them with snapped vertices.
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  if (draw.one_in(2)) {
+    made.source.coverage = cases::Snapping{draw.between(4, cases::kMaxSubpixelBits)};
+    made.source.basis = draw.pick(std::array{cases::Basis::ideal, cases::Basis::snapped});
+  }
+  return made;
+}
+
+const LawRegistration kRegistration({"the traced value is the drawn value", &generate, &check,
+                                     &is_promised});
+
+}  // namespace
+}  // namespace rastercheck::properties

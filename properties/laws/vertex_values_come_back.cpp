@@ -1,0 +1,404 @@
+// Values at vertices come back: a sample that lies exactly at a vertex of its triangle has the
+// vertex's attribute values, to the bit.
+//
+// That follows from r = Σ r_i E_i / Σ E_i, where two of the E_i are 0, but from no bound in scale
+// ULP: where another vertex has a value a million times as large, r_i may be off by thousands of
+// its own ulps and the bound still hold. Whoever reads an index or a flag back from a corner wants
+// it as it was put in. Judged where the contract promises it.
+//
+// Vertices: w > 0, and the window position is the sample's, exactly (is_exactly_at). Where values
+// come from snapped positions, the sample has to be a point of the grid and a position not off
+// before it is rounded: then the vertex stays where it is.
+// Attributes: smooth and noperspective ones that are evaluated at the sample. Zeros of either sign
+// are alike: r_i may be −0 and the others add +0 to it.
+// Samples: those that are required, so that no snapped or clipped outline has a say.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "cases/sample_pattern.h"
+#include "oracle/transform.h"
+#include "oracle/ulp.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using oracle::Rational;
+using records::AttributeKind;
+using records::FragmentClass;
+
+// --- The law -------------------------------------------------------------------------------------
+
+/// Indices of the attributes that the law speaks about.
+std::vector<std::uint32_t> attributes_at_samples(const cases::Case& c) {
+  std::vector<std::uint32_t> indices;
+  for (std::uint32_t a = 0; a < c.attributes.size(); ++a) {
+    const cases::Attribute& attribute = c.attributes[a];
+    if (attribute.interpolation == cases::Interpolation::flat) continue;
+    const bool is_at_sample =
+        c.framebuffer.samples == 1 || attribute.location == cases::Location::sample;
+    if (is_at_sample) indices.push_back(a);
+  }
+  return indices;
+}
+
+/// Whether a vertex exactly at the sample stays there where values come from.
+bool stays_in_place(const cases::Contract& contract, const cases::SamplePosition& at) {
+  if (!contract.coverage || contract.basis == cases::Basis::ideal) return true;
+  // A multiple of 2^-b: sixteenths times 2^b are whole.
+  const int bits = std::min(contract.coverage->subpixel_bits, 4);
+  const bool is_grid_point = ((at.x << bits) | (at.y << bits)) % 16 == 0;
+  return is_grid_point && contract.is_on_grid && contract.coverage->position_error == 0;
+}
+
+FragmentClass class_of(float actual, float expected) {
+  if (actual == expected) return FragmentClass::correct;
+  if (std::isnan(actual)) return FragmentClass::not_a_number;
+  return std::isinf(actual) ? FragmentClass::infinite : FragmentClass::beyond_bound;
+}
+
+class VertexCheck {
+ public:
+  VertexCheck(const oracle::SceneTruth& scene, const cases::Framebuffer& drawn)
+      : scene_(&scene),
+        case_(&scene.source()),
+        drawn_(&drawn),
+        pattern_(cases::standard_pattern(case_->framebuffer.samples)),
+        attributes_(attributes_at_samples(*case_)) {}
+
+  Check run() {
+    check_.is_applicable = false;
+    if (attributes_.empty()) return std::move(check_);
+    for (std::size_t i = 0; i < drawn_->size(); ++i) check_fragment(i);
+    if (!check_.is_applicable) return std::move(check_);
+    add_state_labels(*case_, triangles_, labels_);
+    if (case_->coverage) labels_.emplace("snapped");
+    check_.labels.assign(labels_.begin(), labels_.end());
+    return std::move(check_);
+  }
+
+ private:
+  /// Where fragment i is; nothing where it is not of the case, which is a matter of coverage.
+  std::optional<records::SampleAddress> address_of(std::size_t i) const {
+    const records::SampleAddress at{drawn_->triangle[i], drawn_->x[i], drawn_->y[i],
+                                    drawn_->sample[i]};
+    const bool is_of_case =
+        at.triangle < case_->triangles.size() && std::cmp_less(at.x, case_->framebuffer.width) &&
+        std::cmp_less(at.y, case_->framebuffer.height) && at.sample < pattern_.size();
+    return is_of_case ? std::optional(at) : std::nullopt;
+  }
+
+  /// The vertex, 0 to 2, that lies exactly at a sample; nothing where none does.
+  std::optional<std::size_t> vertex_at(const records::SampleAddress& at) const {
+    const cases::SamplePosition offset = pattern_[at.sample];
+    const WindowPoint p{at.x + offset.x / 16.0, at.y + offset.y / 16.0};
+    const cases::Triangle& triangle = case_->triangles[at.triangle];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const cases::ClipVertex& vertex = case_->positions[triangle[i]];
+      if (vertex.w > 0 && is_exactly_at(*case_, vertex, p)) return i;
+    }
+    return std::nullopt;
+  }
+
+  const oracle::TriangleTruth& truth_of(std::uint32_t triangle) {
+    if (!truth_ || truth_triangle_ != triangle) {
+      truth_ = std::make_unique<oracle::TriangleTruth>(*scene_, triangle);
+      truth_triangle_ = triangle;
+    }
+    return *truth_;
+  }
+
+  void check_fragment(std::size_t i) {
+    const auto at = address_of(i);
+    if (!at || !stays_in_place(scene_->contract(), pattern_[at->sample])) return;
+    const auto vertex = vertex_at(*at);
+    if (!vertex) return;
+    const oracle::TriangleTruth& truth = truth_of(at->triangle);
+    const records::SampleVerdict decision =
+        truth.judge(static_cast<int>(at->x), static_cast<int>(at->y), static_cast<int>(at->sample));
+    if (decision.verdict != records::Verdict::required) return;
+    bool is_judged = false;
+    for (const std::uint32_t a : attributes_) {
+      if (truth.is_value_free(a)) continue;
+      is_judged = true;
+      check_attribute(truth, *at, *vertex, a, drawn_->attributes_of(i)[a]);
+    }
+    if (!is_judged) return;
+    check_.is_applicable = true;
+    ++check_.judgement.counts.required;
+    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+    triangles_.insert(at->triangle);
+    if (decision.reason != records::Reason::inside) {
+      labels_.emplace(records::to_string(decision.reason));
+    }
+  }
+
+  void check_attribute(const oracle::TriangleTruth& truth, const records::SampleAddress& at,
+                       std::size_t vertex, std::uint32_t attribute, float actual) {
+    const cases::Triangle& triangle = case_->triangles[at.triangle];
+    const float expected = case_->attributes_of(triangle[vertex])[attribute];
+    add_value_labels(triangle, attribute, expected);
+    const AttributeKind kind =
+        case_->attributes[attribute].interpolation == cases::Interpolation::smooth
+            ? AttributeKind::smooth
+            : AttributeKind::noperspective;
+    const FragmentClass found = class_of(actual, expected);
+    ++check_.judgement.errors[kind].classes[found];
+    if (found == FragmentClass::correct) return;
+    const Rational exact{double{expected}};
+    records::Violation violation;
+    violation.fragment_class = found;
+    violation.kind = kind;
+    violation.triangle = at.triangle;
+    violation.x = at.x;
+    violation.y = at.y;
+    violation.sample = at.sample;
+    violation.attribute = attribute;
+    violation.exact = exact.to_string();
+    violation.actual = value_text(actual);
+    if (std::isfinite(actual)) {
+      violation.error =
+          oracle::scale_ulp_error(actual, exact, truth.attribute_magnitude(attribute));
+    }
+    violation.note = fmt::format("vertex {} lies exactly there and has {}", triangle[vertex],
+                                 value_text(expected));
+    note(check_, violation);
+  }
+
+  void add_value_labels(const cases::Triangle& triangle, std::uint32_t attribute, float expected) {
+    constexpr float kFarBelow = 0x1p-16F;
+    float greatest = 0;
+    for (const std::uint32_t vertex : triangle) {
+      greatest = std::max(greatest, std::abs(case_->attributes_of(vertex)[attribute]));
+    }
+    if (expected == 0) {
+      labels_.emplace("vertex zero");
+    } else if (std::abs(expected) < kFarBelow * greatest) {
+      labels_.emplace("vertex value far below the others");
+    } else {
+      labels_.emplace("vertex value");
+    }
+  }
+
+  const oracle::SceneTruth* scene_;
+  const cases::Case* case_;
+  const cases::Framebuffer* drawn_;
+  std::span<const cases::SamplePosition> pattern_;
+  std::vector<std::uint32_t> attributes_;
+  Check check_;
+  std::set<std::string> labels_;
+  std::set<std::uint32_t> triangles_;
+  std::unique_ptr<oracle::TriangleTruth> truth_;  ///< of the last triangle; they come in order
+  std::uint32_t truth_triangle_ = 0;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  Check not_applicable;
+  not_applicable.is_applicable = false;
+  const cases::Contract contract = backend.contract(*clip);
+  if (!contract.keeps_vertex_values) return not_applicable;
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  const oracle::SceneTruth scene(*clip, contract);
+  return VertexCheck(scene, *drawn).run();
+}
+
+bool is_promised(const backends::Backend& backend) {
+  return backend.contract({}).keeps_vertex_values;
+}
+
+// --- Its cases -----------------------------------------------------------------------------------
+
+/// A case whose vertices can lie exactly on samples.
+struct Canvas {
+  cases::Case source;
+  /// Bits that a weight may have so that the clip position of a sample is a float32 still.
+  int weight_bits = 12;
+};
+
+/// A viewport on the grid, or one in 2^-12 pixels beside it: then double rounds the coordinates of
+/// samples.
+Canvas random_canvas(Draw& draw) {
+  StateRequest request;
+  request.is_on_grid = true;
+  request.most_side = 32;
+  Canvas canvas{random_state(draw, request)};
+  cases::Case& c = canvas.source;
+  if (draw.one_in(2)) {
+    const int x = draw.between(-4095, 4095);
+    const int y = draw.between(-4095, 4095);
+    c.viewport.x += static_cast<float>(x) / 4096;
+    c.viewport.y += static_cast<float>(y) / 4096;
+    canvas.weight_bits = 6;
+  }
+  if (draw.one_in(2)) {
+    c.coverage = cases::Snapping{draw.between(4, cases::kMaxSubpixelBits)};
+    c.basis = draw.pick(std::array{cases::Basis::ideal, cases::Basis::snapped});
+  }
+  // Otherwise what a case has to say is mostly lost.
+  if (!draw.one_in(4)) c.cull = cases::Cull::none;
+  if (!draw.one_in(4)) c.scissor.reset();
+  return canvas;
+}
+
+/// n · 2^-k with n of up to `bits` bits.
+float short_weight(Draw& draw, int bits) {
+  const int used = draw.between(1, bits);
+  const int n = draw.between(1 << (used - 1), (1 << used) - 1);
+  const int places = draw.between(used - 3, used + 3);
+  const auto unit = static_cast<float>(std::uint64_t{1} << std::max(places, 0));
+  return static_cast<float>(n) / unit;
+}
+
+cases::ClipVertex on_sample(Draw& draw, const Canvas& canvas, const WindowPoint& p) {
+  const cases::Case& c = canvas.source;
+  const float depth = draw.uniform(near_depth(c) * 0.75F, 0.75F);
+  const float w = short_weight(draw, canvas.weight_bits);
+  return at_window(c, p, depth, w);
+}
+
+/// Anywhere near: w is any number, now and then behind the eye.
+cases::ClipVertex anywhere(Draw& draw, const Canvas& canvas, const WindowPoint& p) {
+  const cases::Case& c = canvas.source;
+  const float depth = draw.uniform(near_depth(c) * 0.75F, 0.75F);
+  const bool is_behind = draw.one_in(24);
+  const float w = is_behind ? draw.uniform(-2, -0.125F) : draw.uniform(0.125F, 4);
+  return at_window(c, p, depth, w);
+}
+
+/// Four triangles around a sample, a rim point in each quadrant: exactly one of them owns it.
+void add_fan(Draw& draw, Canvas& canvas) {
+  constexpr std::array<WindowPoint, 4> kQuadrants{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+  const WindowPoint middle = visible_sample(draw, canvas.source);
+  const float reach = draw.pick(std::array{0.0625F, 2.0F, 8.0F, 40.0F});
+  const bool is_on_samples = draw.one_in(3);
+  const cases::ClipVertex of_middle = on_sample(draw, canvas, middle);
+  const std::uint32_t hub = add_vertex(canvas.source, of_middle);
+  for (const WindowPoint& quadrant : kQuadrants) {
+    if (is_on_samples) {
+      const int along = draw.between(1, 8);
+      const int across = draw.between(1, 8);
+      const WindowPoint p{middle.u + quadrant.u * along, middle.v + quadrant.v * across};
+      const cases::ClipVertex rim = on_sample(draw, canvas, p);
+      add_vertex(canvas.source, rim);
+    } else {
+      const double along = double{draw.uniform(0, reach)};
+      const double across = double{draw.uniform(0, reach)};
+      const WindowPoint p{middle.u + quadrant.u * along, middle.v + quadrant.v * across};
+      const cases::ClipVertex rim = anywhere(draw, canvas, p);
+      add_vertex(canvas.source, rim);
+    }
+  }
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    canvas.source.triangles.push_back({hub, hub + 1 + i, hub + 1 + (i + 1) % 4});
+  }
+}
+
+/// A thin triangle whose tip is a sample, and which goes right from there, as no fill rule leaves
+/// out, or left.
+void add_sliver(Draw& draw, Canvas& canvas) {
+  const WindowPoint tip = visible_sample(draw, canvas.source);
+  const double direction = draw.one_in(4) ? -1 : 1;
+  const auto thickness = [&draw] {
+    return 1.0 / static_cast<double>(std::uint64_t{1} << draw.between(0, 16));
+  };
+  const double first_length = double{draw.uniform(1, 40)};
+  const double first_off = thickness();
+  const double second_length = double{draw.uniform(1, 40)};
+  const double second_off = thickness();
+  const cases::ClipVertex first = on_sample(draw, canvas, tip);
+  const cases::ClipVertex second =
+      anywhere(draw, canvas, {tip.u + direction * first_length, tip.v - first_off});
+  const cases::ClipVertex third =
+      anywhere(draw, canvas, {tip.u + direction * second_length, tip.v + second_off});
+  add_triangle(canvas.source, third, first, second);
+}
+
+/// A triangle of which one vertex or more lie on samples.
+void add_free_triangle(Draw& draw, Canvas& canvas) {
+  std::array<cases::ClipVertex, 3> corners;
+  const std::size_t certain = static_cast<std::size_t>(draw.between(0, 2));
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i == certain || draw.one_in(2)) {
+      const WindowPoint p = visible_sample(draw, canvas.source);
+      corners[i] = on_sample(draw, canvas, p);
+    } else {
+      const WindowPoint p = point_about(draw, canvas.source);
+      corners[i] = anywhere(draw, canvas, p);
+    }
+  }
+  add_triangle(canvas.source, corners[0], corners[1], corners[2]);
+}
+
+/// How the vertices' values of one attribute are to each other.
+enum class Spread { ordinary, mixed, far_below, zeros, extreme };
+
+float random_value(Draw& draw, Spread spread) {
+  switch (spread) {
+    case Spread::ordinary:
+      return draw.uniform(-1, 1);
+    case Spread::mixed:
+      return draw.spread(-24, 24);
+    case Spread::far_below:
+      return draw.one_in(3) ? draw.uniform(1, 2) : draw.spread(-32, -18);
+    case Spread::zeros:
+      return draw.one_in(2) ? draw.pick(std::array{0.0F, -0.0F}) : draw.uniform(-1, 1);
+    case Spread::extreme:
+      break;
+  }
+  return draw.one_in(2) ? draw.spread(100, 127) : draw.spread(-149, -110);
+}
+
+void add_values(Draw& draw, cases::Case& c) {
+  cases::Attribute own;
+  own.name = "own";
+  if (draw.one_in(3)) own.interpolation = cases::Interpolation::noperspective;
+  c.attributes.push_back(own);
+  const std::size_t count = c.attributes.size();
+  c.attribute_values.assign(c.positions.size() * count, 0.0F);
+  for (std::size_t a = 0; a < count; ++a) {
+    const Spread spread = draw.pick(std::array{Spread::ordinary, Spread::mixed, Spread::far_below,
+                                               Spread::far_below, Spread::zeros, Spread::extreme});
+    for (std::size_t v = 0; v < c.positions.size(); ++v) {
+      c.attribute_values[v * count + a] = random_value(draw, spread);
+    }
+  }
+}
+
+Generated generate(Draw& draw) {
+  struct Shape {
+    const char* name;
+    void (*add)(Draw&, Canvas&);
+    int most;
+  };
+  constexpr std::array<Shape, 3> kShapes{
+      {{"fans", &add_fan, 2}, {"slivers", &add_sliver, 5}, {"on samples", &add_free_triangle, 5}}};
+  Canvas canvas = random_canvas(draw);
+  const Shape& shape = draw.pick(kShapes);
+  const int count = draw.between(1 + shape.most / 3, shape.most);
+  for (int i = 0; i < count; ++i) shape.add(draw, canvas);
+  add_values(draw, canvas.source);
+  add_clip_distances(draw, canvas.source);
+  const std::string coverage = !canvas.source.coverage                      ? "exact"
+                               : canvas.source.basis == cases::Basis::ideal ? "snapped"
+                                                                            : "snapped basis";
+  return {std::move(canvas.source), fmt::format("{}, {}", shape.name, coverage)};
+}
+
+const LawRegistration kRegistration({"values at vertices come back", &generate, &check,
+                                     &is_promised});
+
+}  // namespace
+}  // namespace rastercheck::properties
