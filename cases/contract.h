@@ -75,6 +75,14 @@ struct Contract {
   /// Whether a sample that lies exactly at a vertex, w > 0, has the vertex's value, to the bit;
   /// zeros of either sign are alike. That is the vertex as the basis places it.
   bool keeps_vertex_values = false;
+  /// How far screen derivatives of attributes may be off, each in ulp(max(|d|, M)) of float32: d
+  /// the exact ∂r/∂u (∂r/∂v likewise) and M the size of the terms that it is the difference of,
+  ///
+  ///   smooth         M = max|r_i| Σ|∂E_i/∂u| / Σ E_i
+  ///   noperspective  M = Σ|r_i w_i ∂E_i/∂u| / Σ w_i E_i
+  ///
+  /// Nothing: none are promised.
+  std::optional<float> derivative_bound;
   bool operator==(const Contract&) const = default;
 
   /// Whether it leaves more than one answer open, so that values are ranges.

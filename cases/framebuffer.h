@@ -18,10 +18,17 @@ struct Framebuffer {
   std::vector<std::uint8_t> sample;     ///< index into the sample pattern
   std::vector<float> depth;
   std::vector<float> attributes;  ///< [fragment][attribute]
+  /// [fragment][attribute][2]: ∂r/∂u and ∂r/∂v at the attribute's location, per pixel of window x
+  /// and y (RULES §4); empty where the backend gives none.
+  std::vector<float> derivatives;
 
   std::size_t size() const { return triangle.size(); }
   std::span<const float> attributes_of(std::size_t fragment) const {
     return std::span(attributes).subspan(fragment * attribute_count, attribute_count);
+  }
+  /// [attribute][2]; only where there are any.
+  std::span<const float> derivatives_of(std::size_t fragment) const {
+    return std::span(derivatives).subspan(fragment * attribute_count * 2, attribute_count * 2);
   }
 };
 

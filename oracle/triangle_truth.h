@@ -4,13 +4,16 @@
 // have, and how far from the decision it was. What it implements is RULES §1–§5; what it does not
 // do is draw: it answers for one sample at a time, from nothing but the case.
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "cases/case.h"
 #include "oracle/rational.h"
 #include "records/enclosure.h"
+#include "records/judgement.h"
 #include "records/verdict.h"
 
 namespace rastercheck::oracle {
@@ -51,6 +54,20 @@ struct Pixels {
 struct Derivatives {
   Rational du;  ///< ∂r/∂u = (N_u − r D_u)/D, per pixel of window x
   Rational dv;  ///< ∂r/∂v, per pixel of window y
+};
+
+/// Derivatives, and the sizes of the terms that they are differences of (cases::Contract):
+/// max|r_i| Σ|∂E_i/∂u| / Σ E_i of a smooth attribute, Σ|r_i w_i ∂E_i/∂u| / Σ w_i E_i of a
+/// noperspective one, 0 of a flat one.
+struct ScaledDerivatives {
+  Derivatives exact;
+  Derivatives scale;
+};
+
+/// A computed derivative: correct, beyond the bound, infinite or NaN.
+struct JudgedDerivative {
+  records::FragmentClass fragment_class = records::FragmentClass::correct;
+  std::optional<records::Enclosure> error;  ///< signed; nothing of an infinity and of NaN
 };
 
 /// How errors are amplified at a fragment (RULES §5); nothing where the divisor is 0. A smooth
@@ -105,6 +122,18 @@ class TriangleTruth {
   /// Analytic screen derivatives of a smooth or noperspective attribute (zero of a flat one).
   /// Nothing where the value is undefined or the contract leaves several placements.
   std::optional<Derivatives> derivatives(std::size_t attribute, int x, int y, int sample) const;
+
+  /// The same where the attribute is evaluated, with what their errors are measured by. Nothing,
+  /// besides, where that place is open: of a centroid under OpenGL and Vulkan with several samples,
+  /// under D3D where coverage leaves several samples open.
+  std::optional<ScaledDerivatives> scaled_derivatives(std::size_t attribute, int x, int y,
+                                                      int sample) const;
+
+  /// Computed ∂r/∂u and ∂r/∂v against these, in ulp(max(|exact|, scale)) and decided exactly. An
+  /// infinity stands for 2^128; it is correct where the exact value lies beyond that.
+  std::optional<std::array<JudgedDerivative, 2>> judge_derivatives(
+      std::size_t attribute, int x, int y, int sample, std::span<const float, 2> computed,
+      float bound) const;
 
   /// What an API's dFdx and dFdy are: exact differences across the even-aligned 2×2 quad of pixels
   /// that holds (x, y), in its row and in its column; helper pixels extrapolate.

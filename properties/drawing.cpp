@@ -50,7 +50,9 @@ bool is_well_formed(const cases::Framebuffer& drawn, const cases::Case& c) {
   const std::size_t size = drawn.size();
   return drawn.attribute_count == c.attributes.size() && drawn.x.size() == size &&
          drawn.y.size() == size && drawn.sample.size() == size && drawn.depth.size() == size &&
-         drawn.attributes.size() == size * drawn.attribute_count;
+         drawn.attributes.size() == size * drawn.attribute_count &&
+         (drawn.derivatives.empty() ||
+          drawn.derivatives.size() == size * drawn.attribute_count * 2);
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ void keep_visible(DepthTest test, const Fragments& fragments, Framebuffer& frame
 
 /// Triangle by triangle, so that the memory needed depends on the target and not on the depth of
 /// the scene. The arguments were checked.
-DrawCounts draw_triangles(const State& state, const Mesh& mesh, Framebuffer& framebuffer) {
+DrawCounts draw_triangles(State state, const Mesh& mesh, Framebuffer& framebuffer) {
+  state.derivatives = false;  // a framebuffer holds none
   DrawCounts counts;
   Fragments fragments;
   for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {

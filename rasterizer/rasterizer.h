@@ -102,6 +102,8 @@ struct State {
   Basis basis = Basis::ideal;
   Precision precision = Precision::float64;
   bool depth_clamp = false;
+  /// Whether fragments carry their attributes' screen derivatives. draw_fragments alone asks.
+  bool derivatives = false;
   std::vector<Qualifier> attributes;    ///< one for each float attribute of a vertex
   std::size_t clip_distance_count = 0;  ///< user clip distances of a vertex
 };
@@ -156,6 +158,9 @@ struct Fragments {
   std::vector<std::uint8_t> sample;
   std::vector<float> depth;
   std::vector<float> attributes;  ///< [fragment][attribute]
+  /// [fragment][attribute][2], with State::derivatives; else left as it is. ∂r/∂u and ∂r/∂v of the
+  /// attribute r at its own location, per pixel of window x and y; 0 of flat ones.
+  std::vector<float> derivatives;
 
   std::size_t size() const { return triangle.size(); }
 };

@@ -116,6 +116,11 @@ std::vector<std::size_t> nearest(const ras::Fragments& fragments) {
 
 cases::Framebuffer framebuffer(const ras::Fragments& fragments,
                                const std::vector<std::size_t>& indices, std::size_t attributes) {
+  const auto append = [](std::vector<float>& to, const std::vector<float>& from,
+                         std::size_t fragment, std::size_t count) {
+    const auto first = from.begin() + static_cast<std::ptrdiff_t>(fragment * count);
+    to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(count));
+  };
   cases::Framebuffer result;
   result.attribute_count = attributes;
   for (const std::size_t i : indices) {
@@ -124,9 +129,10 @@ cases::Framebuffer framebuffer(const ras::Fragments& fragments,
     result.y.push_back(fragments.y[i]);
     result.sample.push_back(fragments.sample[i]);
     result.depth.push_back(fragments.depth[i]);
-    const auto first = fragments.attributes.begin() + static_cast<std::ptrdiff_t>(i * attributes);
-    result.attributes.insert(result.attributes.end(), first,
-                             first + static_cast<std::ptrdiff_t>(attributes));
+    append(result.attributes, fragments.attributes, i, attributes);
+    if (!fragments.derivatives.empty()) {
+      append(result.derivatives, fragments.derivatives, i, attributes * 2);
+    }
   }
   return result;
 }
@@ -191,6 +197,8 @@ cases::Contract double_precision_contract(const cases::Case& c) {
 /// (the bound derived in rasterizer/internal/certificates.h is 0.5 + 2^-7), attributes in float32
 /// within the bounds derived in rasterizer/internal/float_kernels.h. Constants come back as they
 /// are, and so do the values of vertices (rasterizer/internal/exact_values.h).
+/// Screen derivatives, in either precision, are within 0.51 of their unit
+/// (rasterizer/internal/derivatives.h: 0.5 + 2^-7 + 2^-22).
 cases::Contract production_contract(const cases::Case& c, ras::Precision precision) {
   cases::Contract contract;
   contract.tie_rule = c.fill_rule;
@@ -210,6 +218,7 @@ cases::Contract production_contract(const cases::Case& c, ras::Precision precisi
   contract.keeps_equal_depth = true;
   contract.keeps_constants = true;
   contract.keeps_vertex_values = true;
+  contract.derivative_bound = kBound;
   return contract;
 }
 
@@ -228,7 +237,8 @@ Result<cases::Framebuffer> draw_with_rasterizer(const cases::Case& c, std::strin
   triangles.reserve(c.triangles.size());
   for (const cases::Triangle& t : c.triangles) triangles.emplace_back(t[0], t[1], t[2]);
 
-  const ras::State s = state(c, precision);
+  ras::State s = state(c, precision);
+  s.derivatives = method.empty();  // the textbook methods have none
   const ras::Mesh mesh{positions, c.attribute_values, c.clip_distances, triangles};
   const ras::TargetSize size = target_size(c);
   ras::Fragments fragments;

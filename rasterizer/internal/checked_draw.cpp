@@ -19,14 +19,21 @@ bool is_viewport(const Viewport& viewport) {
          is_depth(viewport.min_depth) && is_depth(viewport.max_depth);
 }
 
-/// Cuts the fragments back to `size`; `attributes` is how many floats that is.
-void cut_back(Fragments& fragments, std::size_t size, std::size_t attributes) {
+/// How many floats of attributes and of derivatives there are.
+struct FloatCounts {
+  std::size_t attributes = 0;
+  std::size_t derivatives = 0;
+};
+
+/// Cuts the fragments back to `size`.
+void cut_back(Fragments& fragments, std::size_t size, const FloatCounts& floats) {
   fragments.triangle.resize(size);
   fragments.x.resize(size);
   fragments.y.resize(size);
   fragments.sample.resize(size);
   fragments.depth.resize(size);
-  fragments.attributes.resize(attributes);
+  fragments.attributes.resize(floats.attributes);
+  fragments.derivatives.resize(floats.derivatives);
 }
 
 }  // namespace
@@ -74,7 +81,7 @@ DrawResult draw_checked(DrawFragments draw, const State& state, const Mesh& mesh
   if (const std::optional<Error> error = check_draw(state, mesh, size)) return {error, {}};
 
   const std::size_t before = fragments.size();
-  const std::size_t attributes_before = fragments.attributes.size();
+  const FloatCounts floats_before{fragments.attributes.size(), fragments.derivatives.size()};
   std::optional<DrawCounts> counts;
   try {
     counts = draw(state, mesh, size, fragments);
@@ -84,7 +91,7 @@ DrawResult draw_checked(DrawFragments draw, const State& state, const Mesh& mesh
     counts.reset();
   }
   if (counts) return {std::nullopt, *counts};
-  cut_back(fragments, before, attributes_before);
+  cut_back(fragments, before, floats_before);
   return {Error::out_of_memory, {}};
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "rasterizer/internal/block_kernels.h"
+#include "rasterizer/internal/derivatives.h"
 #include "rasterizer/internal/discard.h"
 #include "rasterizer/internal/draw_setting.h"
 #include "rasterizer/internal/exact_coverage.h"
@@ -54,7 +55,10 @@ class Drawing {
         fragments_(fragments),
         tap_(tap),
         coverage_(setting),
-        blocks_(setting.pattern.size()) {}
+        blocks_(setting.pattern.size()) {
+    if (!state_.derivatives) return;
+    derivatives_.resize(blocks_.size() * kBlockSize * state_.attributes.size());
+  }
 
   DrawCounts draw() {
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) draw_triangle(i);
@@ -71,7 +75,13 @@ class Drawing {
   Mask evaluate_attribute(const BlockPlace& place, const DrawnPart& part, std::size_t attribute,
                           const PartMasks& masks, SampleBlock& out);
   void locate(int y, int first, Mask touched);
+  void derive(const BlockPlace& place, const DrawnPart& part, Mask mask);
+  Slopes* derivatives_of(std::size_t sample, int column) {
+    return derivatives_.data() +
+           (sample * kBlockSize + static_cast<std::size_t>(column)) * state_.attributes.size();
+  }
   void emit(int y, int first, Mask touched);
+  void emit_derivatives(std::size_t at, std::size_t end, Mask touched);
 
   // Of the block at hand; first, as they are aligned to cache lines.
   BlockWeights weights_;
@@ -85,6 +95,8 @@ class Drawing {
   Coverage coverage_;
   std::vector<SampleBlock> blocks_;       ///< [sample], of the block at hand
   std::unique_ptr<SampleBlock> of_part_;  ///< where a triangle is drawn in several parts
+  /// [sample][column][attribute], of the block at hand; none without State::derivatives.
+  std::vector<Slopes> derivatives_;
   DrawCounts counts_;
 
   // Of the triangle at hand.
@@ -119,6 +131,10 @@ void Drawing<Coverage, Tap>::draw_triangle(std::size_t index) {
   triangle_ = triangle.index;
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     set_up_values(state_, parts_[k].source, parts_[k].weights, parts_[k].values);
+    if (state_.derivatives) {
+      set_up_derivatives(state_, parts_[k].source, parts_[k].weights, parts_[k].values,
+                         parts_[k].derivatives);
+    }
     tap_.set_up(triangle_, parts_[k], k);
   }
   if (parts_.size() > 1 && !of_part_) of_part_ = std::make_unique<SampleBlock>();
@@ -173,6 +189,7 @@ void Drawing<Coverage, Tap>::evaluate(const BlockPlace& place, SampleBlock& bloc
     SampleBlock& out = parts_.size() == 1 ? block : *of_part_;
     evaluate_part(place, part, masks, out);
     if (parts_.size() > 1) block.take(mask, out, state_.attributes.size());
+    if (state_.derivatives) derive(place, part, mask);
   }
 }
 
@@ -289,8 +306,26 @@ void Drawing<Coverage, Tap>::locate(int y, int first, Mask touched) {
           tap_.located({triangle_, s, y, first, kBlockSize}, j, a, u, v, value);
         }
       }
+      if (!state_.derivatives) return;
+      const DerivativeSite site = derivative_site(part.values, part.weights, u, v);
+      const auto slopes = derivatives_at(part.derivatives, part.weights, a, site);
+      for (std::size_t s = 0; s < blocks_.size(); ++s) derivatives_of(s, j)[a] = slopes;
     });
   }
+}
+
+/// The screen derivatives of the attributes that belong to a sample.
+template <typename Coverage, typename Tap>
+void Drawing<Coverage, Tap>::derive(const BlockPlace& place, const DrawnPart& part, Mask mask) {
+  const SampleOffset& offset = setting_.pattern[place.sample];
+  for_each_bit(mask, [&](int j) {
+    const DerivativeSite site =
+        derivative_site(part.values, part.weights, place.first + j + offset.x, place.y + offset.y);
+    for (std::size_t a = 0; a < state_.attributes.size(); ++a) {
+      if (blocks_.size() > 1 && state_.attributes[a].location != Location::sample) continue;
+      derivatives_of(place.sample, j)[a] = derivatives_at(part.derivatives, part.weights, a, site);
+    }
+  });
 }
 
 template <typename Coverage, typename Tap>
@@ -307,6 +342,7 @@ void Drawing<Coverage, Tap>::emit(int y, int first, Mask touched) {
   fragments_.sample.resize(end);
   fragments_.depth.resize(end);
   fragments_.attributes.resize(end * attributes);
+  if (state_.derivatives) emit_derivatives(at, end, touched);
   for_each_bit(touched, [&](int j) {
     const auto column = static_cast<std::size_t>(j);
     for (std::size_t s = 0; s < blocks_.size(); ++s) {
@@ -317,6 +353,23 @@ void Drawing<Coverage, Tap>::emit(int y, int first, Mask touched) {
       fragments_.depth[at] = block.depth[column];
       for (std::size_t a = 0; a < attributes; ++a) {
         fragments_.attributes[at * attributes + a] = block.attributes[a][column];
+      }
+      ++at;
+    }
+  });
+}
+
+/// Fragments `at` … `end` are those of the block.
+template <typename Coverage, typename Tap>
+void Drawing<Coverage, Tap>::emit_derivatives(std::size_t at, std::size_t end, Mask touched) {
+  const std::size_t attributes = state_.attributes.size();
+  fragments_.derivatives.resize(end * attributes * 2);
+  for_each_bit(touched, [&](int j) {
+    for (std::size_t s = 0; s < blocks_.size(); ++s) {
+      if ((blocks_[s].coverage.covered >> j & 1) == 0) continue;
+      for (std::size_t a = 0; a < attributes; ++a) {
+        const Slopes& slopes = derivatives_of(s, j)[a];
+        std::copy_n(slopes.data(), 2, fragments_.derivatives.data() + (at * attributes + a) * 2);
       }
       ++at;
     }

@@ -8,7 +8,8 @@
 //                (exact_coverage.h), or that of snapped vertices (grid_coverage.h)
 //   weights      E_i of the block's samples (block_kernels.h)
 //   evaluation   depth and attributes from them, one rounding each (block_kernels.h,
-//                exact_values.h); in float32 where that is asked for (float_kernels.h)
+//                exact_values.h); in float32 where that is asked for (float_kernels.h). Their
+//                screen derivatives, where asked for (derivatives.h)
 //
 // Every stage hands what it made to a Tap (tap.h) as well.
 

@@ -13,6 +13,7 @@
 
 #include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/clip_functionals.h"
+#include "rasterizer/internal/derivatives.h"
 #include "rasterizer/internal/draw_setting.h"
 #include "rasterizer/internal/edge_functions.h"
 #include "rasterizer/internal/exact_values.h"
@@ -36,6 +37,7 @@ struct DrawnPart {
   Weights weights;
   ValueSource source;
   TriangleValues values;
+  TriangleDerivatives derivatives;  ///< set up where State::derivatives
 };
 
 class ExactCoverage {

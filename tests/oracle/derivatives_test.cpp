@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <limits>
+
 #include "oracle/triangle_truth.h"
 #include "tests/oracle/small_case.h"
 
@@ -74,6 +77,91 @@ TEST(Derivatives, AreNotGivenWhereTheValueIsUndefined) {
     EXPECT_FALSE(truth->quad_differences(0, 2, 0, 0));
     EXPECT_FALSE(truth->conditioning(0, 2, 0, 0));
   }
+}
+
+// e_0 = 1 − u/4 − v/4, e_1 = u/8, e_2 = v/4, and at (1/2, 1/2) 1/w = 15/16.
+TEST(ScaledDerivatives, AreMeasuredByTheSizeOfTheirTerms) {
+  auto c = corner(2, {{{0}, {-1}, {0}}});
+  const auto smooth = Truth(c)->scaled_derivatives(0, 0, 0, 0);
+  EXPECT_EQ(smooth->exact.du.to_string(), "-32/225");
+  EXPECT_EQ(smooth->exact.dv.to_string(), "0");
+  EXPECT_EQ(smooth->scale.du.to_string(), "2/5");   // (1/4 + 1/8) / (15/16)
+  EXPECT_EQ(smooth->scale.dv.to_string(), "8/15");  // (1/4 + 1/4) / (15/16)
+
+  c = corner(2, {{{1}, {1}, {0}}});  // r_i w_i = 1, 2, 0
+  c.attributes[0].interpolation = cases::Interpolation::noperspective;
+  const auto affine = Truth(c)->scaled_derivatives(0, 0, 0, 0);
+  EXPECT_EQ(affine->exact.du.to_string(), "0");
+  EXPECT_EQ(affine->exact.dv.to_string(), "-1/4");
+  EXPECT_EQ(affine->scale.du.to_string(), "1/2");
+  EXPECT_EQ(affine->scale.dv.to_string(), "1/4");
+
+  c.attributes[0].interpolation = cases::Interpolation::flat;
+  const auto flat = Truth(c)->scaled_derivatives(0, 0, 0, 0);
+  EXPECT_EQ(flat->exact.du.to_string(), "0");
+  EXPECT_EQ(flat->scale.dv.to_string(), "0");
+}
+
+cases::Case with_centroid(cases::Rules rules, int samples) {
+  auto c = corner(2, {{{0}, {1}, {0}}});
+  c.rules = rules;
+  c.framebuffer.samples = samples;
+  c.attributes[0].location = cases::Location::centroid;
+  if (rules != cases::Rules::d3d) return c;
+  for (cases::ClipVertex& p : c.positions) p.y = -p.y;
+  return c;
+}
+
+// 8/(8 − u)²: pixel (0, 0) is covered whole, of (3, 0) samples 0 and 2, the former at u = 27/8.
+TEST(ScaledDerivatives, OfACentroidAreWhereItIs) {
+  const Truth d3d(with_centroid(cases::Rules::d3d, 4));
+  EXPECT_EQ(d3d->scaled_derivatives(0, 0, 0, 3)->exact.du.to_string(), "32/225");
+  EXPECT_EQ(d3d->scaled_derivatives(0, 3, 0, 2)->exact.du.to_string(), "512/1369");
+  EXPECT_FALSE(Truth(with_centroid(cases::Rules::vulkan, 4))->scaled_derivatives(0, 0, 0, 0));
+  const Truth alone(with_centroid(cases::Rules::vulkan, 1));
+  EXPECT_EQ(alone->scaled_derivatives(0, 0, 0, 0)->exact.du.to_string(), "32/225");
+}
+
+TEST(ScaledDerivatives, AreNotGivenWhereTheValueIsUndefined) {
+  auto c = corner(-1, {{{0}, {1}, {0}}});
+  c.attributes[0].location = cases::Location::center;
+  EXPECT_FALSE(Truth(c)->scaled_derivatives(0, 2, 0, 0));
+  EXPECT_FALSE(Truth(c)->judge_derivatives(0, 2, 0, 0, std::array{0.0F, 0.0F}, 1));
+}
+
+// The exact derivatives are 32/225 and 0, their units ulp(2/5) = 2^-25 and ulp(8/15) = 2^-24.
+TEST(JudgedDerivatives, AreDecidedExactly) {
+  const Truth truth(corner(2, {{{0}, {1}, {0}}}));
+  const auto judged = [&truth](float du, float dv, float bound) {
+    return truth->judge_derivatives(0, 0, 0, 0, std::array{du, dv}, bound).value();
+  };
+  using records::FragmentClass;
+  EXPECT_EQ(judged(0.14222223F, 0x1p-25F, 0.5F)[0].fragment_class, FragmentClass::correct);
+  const auto half = judged(0x1p-3F, 0x1p-25F, 0.5F);
+  EXPECT_EQ(half[0].fragment_class, FragmentClass::beyond_bound);
+  EXPECT_EQ(half[1].fragment_class, FragmentClass::correct);
+  EXPECT_TRUE(records::contains(*half[1].error, 0.5));
+  const auto less = judged(0x1p-3F, 0x1p-25F, 0x1.fffffep-2F);
+  EXPECT_EQ(less[1].fragment_class, FragmentClass::beyond_bound);
+  const auto none = judged(std::numeric_limits<float>::quiet_NaN(),
+                           -std::numeric_limits<float>::infinity(), 0.5F);
+  EXPECT_EQ(none[0].fragment_class, FragmentClass::not_a_number);
+  EXPECT_EQ(none[1].fragment_class, FragmentClass::infinite);
+  EXPECT_FALSE(none[1].error);
+}
+
+// From −3e38 to 3e38 within a pixel: 6e38.
+TEST(JudgedDerivatives, BeyondFloatHaveToBeInfinite) {
+  auto c = corner(1, {{{-3e38F}, {3e38F}, {-3e38F}}});
+  c.positions[1].x = -0.5F;
+  const Truth truth(c);
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const auto class_of = [&truth](float du) {
+    return truth->judge_derivatives(0, 0, 0, 0, std::array{du, 0.0F}, 0.5F)->front().fragment_class;
+  };
+  EXPECT_EQ(class_of(kInfinity), records::FragmentClass::correct);
+  EXPECT_EQ(class_of(-kInfinity), records::FragmentClass::infinite);
+  EXPECT_EQ(class_of(0x1.fffffep127F), records::FragmentClass::beyond_bound);
 }
 
 TEST(QuadDifferences, AreTakenAcrossTheEvenAlignedQuad) {

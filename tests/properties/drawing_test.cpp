@@ -68,7 +68,8 @@ TEST(Drawing, LetsStickyFlagsPass) {
 #endif
 
 TEST(Drawing, FailsOnArraysOfDifferentLengths) {
-  const std::array<Damage, 3> damages{
+  const std::array<Damage, 4> damages{
+      [](const cases::Case&, cases::Framebuffer& drawn) { drawn.derivatives.resize(3); },
       [](const cases::Case&, cases::Framebuffer& drawn) { drawn.depth.pop_back(); },
       [](const cases::Case&, cases::Framebuffer& drawn) { drawn.attributes.pop_back(); },
       [](const cases::Case&, cases::Framebuffer& drawn) {

@@ -33,6 +33,7 @@ constexpr std::string_view kOrder = "vertex order changes nothing beyond the bou
 constexpr std::string_view kConstants = "constants stay constant";
 constexpr std::string_view kVertexValues = "values at vertices come back";
 constexpr std::string_view kTraced = "the traced value is the drawn value";
+constexpr std::string_view kDerivatives = "screen derivatives stay within the bound";
 
 float next_float(float value) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) + 1);
@@ -42,8 +43,8 @@ TEST(Laws, AreKnownByTheirNames) {
   std::vector<std::string_view> names;
   for (const Law& law : laws()) names.push_back(law.name);
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
-  for (const std::string_view name :
-       {kCoverage, kValues, kSharedEdge, kOrder, kConstants, kVertexValues, kTraced}) {
+  for (const std::string_view name : {kCoverage, kValues, kSharedEdge, kOrder, kConstants,
+                                      kVertexValues, kTraced, kDerivatives}) {
     ASSERT_NE(find_law(name), nullptr) << name;
     EXPECT_EQ(find_law(name)->name, name);
   }
@@ -72,6 +73,7 @@ TEST(Laws, MakeCasesThatComeBackFromTheirFilesAndNameTheirStratum) {
 std::uint64_t least_required(std::string_view law) {
   if (law == kVertexValues) return 100;  // one of a fan of triangles
   if (law == kTraced) return 500;        // eight of a triangle
+  if (law == kDerivatives) return 2500;  // 64 of a case
   return 5000;
 }
 
@@ -98,12 +100,20 @@ TEST(Laws, HoldOfCpu) {
   }
 }
 
+/// Of a backend that gives derivatives, and goes wrong so.
+Check check_derivatives(const Case& c, const Damage& damage) {
+  DamagedBackend backend(damage, "cpu");
+  return find_law(kDerivatives)->check(c, backend, {}).value();
+}
+
 TEST(Laws, HoldOfTheSquare) {
   for (const Law& law : laws()) {
-    const Check check = check_of(law.name, square(), {});
+    const Check check = law.name == kDerivatives ? check_derivatives(square(), {})
+                                                 : check_of(law.name, square(), {});
     EXPECT_EQ(check.violation_count, 0U) << law.name;
     EXPECT_TRUE(std::is_sorted(check.labels.begin(), check.labels.end())) << law.name;
-    EXPECT_EQ(check.is_applicable, is_promised(law, DamagedBackend())) << law.name;
+    const bool is_of_cpu = law.name == kDerivatives;
+    EXPECT_EQ(check.is_applicable, is_of_cpu || is_promised(law, DamagedBackend())) << law.name;
     if (check.is_applicable) {
       EXPECT_GT(check.judgement.counts.required, 0U) << law.name;
     }
@@ -122,7 +132,7 @@ TEST(Laws, SayNothingOfWhatIsNotPromised) {
       EXPECT_FALSE(law.check(c, *method, {i}).value().is_applicable) << law.name << i;
     }
   }
-  EXPECT_THAT(not_promised, testing::ElementsAre(kTraced, kVertexValues));
+  EXPECT_THAT(not_promised, testing::ElementsAre(kDerivatives, kTraced, kVertexValues));
 }
 
 TEST(Laws, PassOnWhatABackendCannotDraw) {
@@ -347,6 +357,83 @@ TEST(ConstantsStayConstant, SaysNothingOfACaseWithoutConstants) {
   c.attribute_values = {0, 8, 0, 8};
   for (std::size_t i = 0; i < 4; ++i) c.positions[i].z = static_cast<float>(i) / 8;
   EXPECT_FALSE(check_of(kConstants, c, {}).is_applicable);
+}
+
+/// ∂/∂u or ∂/∂v of an attribute.
+float& derivative(Framebuffer& drawn, std::uint32_t triangle, int x, int y, std::size_t attribute,
+                  std::size_t axis) {
+  const std::size_t first = find(drawn, triangle, x, y) * drawn.attribute_count;
+  return drawn.derivatives[(first + attribute) * 2 + axis];
+}
+
+// Attribute 0 is u: its derivatives are 1 and 0, and the unit of both is ulp(8/8 + 8/8) = 2^-22.
+TEST(ScreenDerivatives, FindsOneUnitAlongEitherAxis) {
+  const Check check = check_derivatives(square(), [](const Case&, Framebuffer& drawn) {
+    derivative(drawn, 0, 2, 3, 0, 0) = 1 + 0x1p-22F;
+    derivative(drawn, 0, 3, 3, 0, 0) = 1 + 0x1p-23F;  // half a unit
+    derivative(drawn, 1, 6, 6, 0, 1) = -0x1p-22F;
+  });
+  ASSERT_EQ(check.violation_count, 2U);
+  expect_at(check.violations[0], FragmentClass::beyond_bound, AttributeKind::smooth, 0, 2, 3);
+  EXPECT_EQ(check.violations[0].attribute, 0U);
+  EXPECT_EQ(check.violations[0].exact, "1");
+  EXPECT_TRUE(records::contains(check.violations[0].error.value(), 1));
+  EXPECT_EQ(check.violations[0].note, "the derivative along window x");
+  expect_at(check.violations[1], FragmentClass::beyond_bound, AttributeKind::smooth, 1, 6, 6);
+  EXPECT_EQ(check.violations[1].exact, "0");
+  EXPECT_TRUE(records::contains(check.violations[1].error.value(), -1));
+  EXPECT_EQ(check.violations[1].note, "the derivative along window y");
+}
+
+TEST(ScreenDerivatives, FindsWhatIsNoNumber) {
+  const Check check = check_derivatives(square(), [](const Case&, Framebuffer& drawn) {
+    derivative(drawn, 0, 1, 1, 0, 0) = std::numeric_limits<float>::quiet_NaN();
+    derivative(drawn, 0, 1, 1, 2, 1) = std::numeric_limits<float>::infinity();
+  });
+  ASSERT_EQ(check.violation_count, 2U);
+  expect_at(check.violations[0], FragmentClass::not_a_number, AttributeKind::smooth, 0, 1, 1);
+  EXPECT_EQ(check.violations[0].actual, "nan");
+  expect_at(check.violations[1], FragmentClass::infinite, AttributeKind::smooth, 0, 1, 1);
+}
+
+TEST(ScreenDerivatives, FindsSlopesOfFlatAttributes) {
+  Case c = square();
+  c.attributes[0].interpolation = cases::Interpolation::flat;
+  EXPECT_EQ(check_derivatives(c, {}).violation_count, 0U);
+  const Check check = check_derivatives(
+      c, [](const Case&, Framebuffer& drawn) { derivative(drawn, 0, 1, 1, 0, 0) = 0x1p-149F; });
+  expect_at(only(check), FragmentClass::beyond_bound, AttributeKind::flat, 0, 1, 1);
+}
+
+// Under OpenGL and Vulkan a centroid may be anywhere in the triangle's part of a pixel.
+TEST(ScreenDerivatives, JudgesNoCentroidWhosePlaceIsOpen) {
+  const auto violations = [](cases::Rules rules, int samples) {
+    Case c = square();
+    c.rules = rules;
+    c.framebuffer.samples = samples;
+    c.attributes[0].location = cases::Location::centroid;
+    const auto damage = [](const Case&, Framebuffer& drawn) { drawn.derivatives[0] = 7; };
+    return check_derivatives(c, damage).violation_count;
+  };
+  EXPECT_EQ(violations(cases::Rules::vulkan, 1), 1U);
+  EXPECT_EQ(violations(cases::Rules::vulkan, 4), 0U);
+  EXPECT_EQ(violations(cases::Rules::d3d, 4), 1U);
+}
+
+TEST(ScreenDerivatives, SaysNothingWhereNoneArePromisedOrGiven) {
+  EXPECT_FALSE(check_of(kDerivatives, square(), {}).is_applicable);
+  EXPECT_FALSE(check_derivatives(square(), [](const Case&, Framebuffer& drawn) {
+                 drawn.derivatives.clear();
+               }).is_applicable);
+  DamagedBackend backend({}, "cpu");
+  cases::Contract contract = backend.contract(square());
+  contract.derivative_bound.reset();
+  backend.promised = contract;
+  EXPECT_FALSE(find_law(kDerivatives)->check(square(), backend, {}).value().is_applicable);
+  Case c = square();
+  c.attributes.clear();
+  c.attribute_values.clear();
+  EXPECT_FALSE(check_derivatives(c, {}).is_applicable);
 }
 
 // (3, 4) lies on the diagonal and is drawn by triangle 1.

@@ -73,12 +73,13 @@ struct Arguments {
     if (result.error) {
       EXPECT_EQ(fragments.triangle, before().triangle);
       EXPECT_EQ(fragments.attributes, before().attributes);
+      EXPECT_EQ(fragments.derivatives, before().derivatives);
       EXPECT_EQ(result.counts, DrawCounts{});
     }
     return result.error;
   }
 
-  static Fragments before() { return {{7}, {1}, {2}, {0}, {0.5F}, {8, 9}}; }
+  static Fragments before() { return {{7}, {1}, {2}, {0}, {0.5F}, {8, 9}, {4, 5, 6, 7}}; }
 };
 
 TEST(DrawFragments, GoodArgumentsAreNoError) { EXPECT_EQ(Arguments().error(), std::nullopt); }
@@ -357,7 +358,8 @@ TEST(DrawFragments, DrawNothingOutsideTheTarget) {
 
 // Kills: fragments left behind by a draw that ran out of memory.
 TEST(DrawFragments, WhereMemoryRunsOutTheFragmentsAreThoseOfBefore) {
-  const Arguments arguments;
+  Arguments arguments;
+  arguments.state.derivatives = true;
   bool succeeded = false;
   int failures = 0;
   for (int allocations = 0; !succeeded && allocations < 1000; ++allocations) {
@@ -377,6 +379,7 @@ TEST(DrawFragments, WhereMemoryRunsOutTheFragmentsAreThoseOfBefore) {
     EXPECT_EQ(fragments.sample, before.sample);
     EXPECT_EQ(fragments.depth, before.depth);
     EXPECT_EQ(fragments.attributes, before.attributes);
+    EXPECT_EQ(fragments.derivatives, before.derivatives);
   }
   EXPECT_TRUE(succeeded);
   EXPECT_GT(failures, 5);

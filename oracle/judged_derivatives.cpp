@@ -1,0 +1,172 @@
+// Computed screen derivatives against the exact ones (cases::Contract::derivative_bound). With
+// E_i affine in (u, v), N = Σ n_i E_i and D the divisor, Σ E_i or the constant |det M|:
+//
+//   ∂r/∂u = (N_u D − N D_u) / D²        scale = max|r_i| Σ|E_i,u| D / D²
+//
+// so that numerators and the one denominator stay in the ring. Where D is constant both are taken
+// over D alone, and the scale is Σ|n_i E_i,u| / D.
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/internal/coverage.h"
+#include "oracle/internal/rational_number.h"
+#include "oracle/internal/triangle_setup.h"
+#include "oracle/internal/ulp_error.h"
+#include "oracle/internal/values.h"
+#include "oracle/triangle_truth.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+using records::FragmentClass;
+using records::Verdict;
+
+/// One derivative and its scale, over a common denominator.
+struct RingDerivative {
+  Ring numerator{0};
+  Ring scale{0};
+};
+
+/// Those along u and v; the denominator is positive.
+struct RingDerivatives {
+  std::array<RingDerivative, 2> along;
+  Ring denominator{1};
+};
+
+Ring coefficient(const Line& line, std::size_t axis) { return axis == 0 ? line.a : line.b; }
+
+RingDerivatives smooth_derivatives(const ProjectiveMap& map, const std::array<Ring, 3>& r,
+                                   const Point& p) {
+  const Line numerator = map.combine(r);
+  const Ring n = numerator.at(p);
+  const Ring d = map.inverse_w().at(p);
+  const Ring most = std::max({magnitude(r[0]), magnitude(r[1]), magnitude(r[2])});
+  RingDerivatives found;
+  found.denominator = d * d;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    Ring sizes(0);
+    for (std::size_t i = 0; i < 3; ++i) sizes += magnitude(coefficient(map.edge(i), axis));
+    found.along[axis].numerator =
+        coefficient(numerator, axis) * d - n * coefficient(map.inverse_w(), axis);
+    found.along[axis].scale = most * sizes * d;
+  }
+  return found;
+}
+
+RingDerivatives affine_derivatives(const ProjectiveMap& map, const std::array<Ring, 3>& n) {
+  RingDerivatives found;
+  found.denominator = map.determinant();
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Ring term = n[i] * coefficient(map.edge(i), axis);
+      found.along[axis].numerator += term;
+      found.along[axis].scale += magnitude(term);
+    }
+  }
+  return found;
+}
+
+/// D3D: the centre if all samples are covered, else the first covered one; nothing where a sample
+/// that is only permitted leaves that open.
+std::optional<Point> centroid(const TriangleSetup& setup, int x, int y) {
+  const int count = setup.scene->source().framebuffer.samples;
+  std::optional<int> first;
+  bool are_all_covered = true;
+  for (int s = 0; s < count; ++s) {
+    const Verdict verdict = decide(setup, x, y, s).verdict;
+    if (verdict == Verdict::permitted) return std::nullopt;
+    are_all_covered = are_all_covered && verdict == Verdict::required;
+    if (!first && verdict == Verdict::required) first = s;
+  }
+  if (are_all_covered) return Scene::center_point(x, y);
+  if (!first) return std::nullopt;
+  return setup.scene->sample_point(x, y, *first);
+}
+
+/// Where an attribute of a fragment is evaluated, if that is one point.
+std::optional<Point> place_of(const TriangleSetup& setup, const TriangleValues& values,
+                              std::size_t attribute, int x, int y, int sample) {
+  const Scene& scene = *setup.scene;
+  const bool is_centroid =
+      scene.source().attributes[attribute].location == cases::Location::centroid;
+  if (!is_centroid || scene.source().framebuffer.samples == 1) {
+    return values.location(attribute, x, y, sample);
+  }
+  if (!scene.conventions().centroid_is_a_sample) return std::nullopt;
+  return centroid(setup, x, y);
+}
+
+std::optional<RingDerivatives> derivatives_of(const TriangleSetup& setup,
+                                              const TriangleValues& values, std::size_t attribute,
+                                              int x, int y, int sample) {
+  const cases::Interpolation interpolation =
+      setup.scene->source().attributes[attribute].interpolation;
+  if (interpolation == cases::Interpolation::flat) return RingDerivatives{};
+  const std::optional<Point> p = place_of(setup, values, attribute, x, y, sample);
+  if (!p || !values.is_defined_at(attribute, *p)) return std::nullopt;
+  const ProjectiveMap& map = *values.single_map();
+  const Quantity quantity = values.quantity(attribute);
+  if (!quantity.is_perspective) return affine_derivatives(map, quantity.numerators);
+  if (sign_of(map.inverse_w().at(*p)) <= 0) return std::nullopt;
+  return smooth_derivatives(map, quantity.numerators, *p);
+}
+
+/// floor(log2(n/d)); doubles mostly know it.
+ScaleExponent exponent_of(const Ring& n, const Ring& d) {
+  if (sign_of(n) == 0) return std::nullopt;
+  const records::Enclosure rough = enclose(Fraction{n, d});
+  constexpr double kLeast = 0x1p-1000;
+  constexpr double kMost = 0x1p1000;
+  if (rough.lo > kLeast && rough.hi < kMost && std::ilogb(rough.lo) == std::ilogb(rough.hi)) {
+    return std::ilogb(rough.lo);
+  }
+  return floor_log2(quotient(n, d));
+}
+
+JudgedDerivative judge_one(const RingDerivative& exact, const Ring& denominator, float computed,
+                           float bound) {
+  if (std::isnan(computed)) return {FragmentClass::not_a_number, std::nullopt};
+  constexpr double kBeyondFloat = 0x1p128;
+  const bool is_infinite = std::isinf(computed);
+  const Ring taken_for =
+      is_infinite ? Ring(computed > 0 ? kBeyondFloat : -kBeyondFloat) : exact_ring(computed);
+  const UlpError error(taken_for, {exact.numerator, denominator},
+                       exponent_of(exact.scale, denominator));
+  const records::Enclosure rough = error.enclosure();
+  const bool is_within = std::max(std::abs(rough.lo), std::abs(rough.hi)) <= double{bound} ||
+                         magnitude(error.value()) <= exact_field(bound);
+  if (is_infinite) {
+    const bool lies_farther = computed > 0 ? rough.hi < 0 : rough.lo > 0;
+    return {is_within || lies_farther ? FragmentClass::correct : FragmentClass::infinite,
+            std::nullopt};
+  }
+  return {is_within ? FragmentClass::correct : FragmentClass::beyond_bound, rough};
+}
+
+}  // namespace
+
+std::optional<ScaledDerivatives> TriangleTruth::scaled_derivatives(std::size_t attribute, int x,
+                                                                   int y, int sample) const {
+  const auto found = derivatives_of(*setup_, *values_, attribute, x, y, sample);
+  if (!found) return std::nullopt;
+  const auto over = [&found](const Ring& n) {
+    return to_rational(quotient(n, found->denominator));
+  };
+  const auto& [u, v] = found->along;
+  return ScaledDerivatives{{over(u.numerator), over(v.numerator)}, {over(u.scale), over(v.scale)}};
+}
+
+std::optional<std::array<JudgedDerivative, 2>> TriangleTruth::judge_derivatives(
+    std::size_t attribute, int x, int y, int sample, std::span<const float, 2> computed,
+    float bound) const {
+  const auto found = derivatives_of(*setup_, *values_, attribute, x, y, sample);
+  if (!found) return std::nullopt;
+  std::array<JudgedDerivative, 2> judged;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    judged[axis] = judge_one(found->along[axis], found->denominator, computed[axis], bound);
+  }
+  return judged;
+}
+
+}  // namespace rastercheck::oracle
