@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "cases/case.h"
 #include "records/enclosure.h"
 #include "records/histogram.h"
 
@@ -24,6 +25,19 @@ enum class AttributeKind {
   noperspective,  ///< scale ULP
   flat,           ///< scale ULP
 };
+
+/// The kind of an attribute's errors.
+constexpr AttributeKind kind_of(cases::Interpolation interpolation) {
+  switch (interpolation) {
+    case cases::Interpolation::smooth:
+      return AttributeKind::smooth;
+    case cases::Interpolation::noperspective:
+      return AttributeKind::noperspective;
+    case cases::Interpolation::flat:
+      break;
+  }
+  return AttributeKind::flat;
+}
 
 /// How one fragment, or one value of it, came out. Those that are no numbers are classes of their
 /// own and have no error. Infinity stands for 2^128, the number after the largest float32: it is

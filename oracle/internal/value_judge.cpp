@@ -19,15 +19,7 @@ constexpr double kBeyondFloat = 0x1p128;
 
 AttributeKind kind_of(const cases::Case& source, const ComputedValue& value) {
   if (!value.attribute) return AttributeKind::depth;
-  switch (source.attributes[*value.attribute].interpolation) {
-    case cases::Interpolation::smooth:
-      return AttributeKind::smooth;
-    case cases::Interpolation::noperspective:
-      return AttributeKind::noperspective;
-    case cases::Interpolation::flat:
-      break;
-  }
-  return AttributeKind::flat;
+  return records::kind_of(source.attributes[*value.attribute].interpolation);
 }
 
 /// Whether |excess| is within what the contract promises, exactly.

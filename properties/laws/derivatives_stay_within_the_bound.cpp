@@ -24,18 +24,6 @@ using records::FragmentClass;
 /// At most so many fragments of a case are judged.
 constexpr std::size_t kMostFragments = 64;
 
-AttributeKind kind_of(const cases::Attribute& attribute) {
-  switch (attribute.interpolation) {
-    case cases::Interpolation::smooth:
-      return AttributeKind::smooth;
-    case cases::Interpolation::noperspective:
-      return AttributeKind::noperspective;
-    case cases::Interpolation::flat:
-      break;
-  }
-  return AttributeKind::flat;
-}
-
 class DerivativesCheck {
  public:
   DerivativesCheck(const oracle::SceneTruth& scene, const cases::Framebuffer& drawn)
@@ -99,7 +87,8 @@ class DerivativesCheck {
       labels_.emplace("no one derivative");
       return;
     }
-    const AttributeKind kind = kind_of(scene_->source().attributes[attribute]);
+    const AttributeKind kind =
+        records::kind_of(scene_->source().attributes[attribute].interpolation);
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const oracle::JudgedDerivative& one = (*judged)[axis];
       ++check_.judgement.errors[kind].classes[one.fragment_class];

@@ -34,18 +34,6 @@ bool is_same_float(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
-AttributeKind kind_of(cases::Interpolation interpolation) {
-  switch (interpolation) {
-    case cases::Interpolation::smooth:
-      return AttributeKind::smooth;
-    case cases::Interpolation::noperspective:
-      return AttributeKind::noperspective;
-    case cases::Interpolation::flat:
-      break;
-  }
-  return AttributeKind::flat;
-}
-
 /// What is wrong with the weights of a trace; empty where nothing is.
 std::string fault_of_weights(const SampleTrace& trace) {
   const records::StageTrace* edges = records::find_stage(trace, "edges");
@@ -169,7 +157,7 @@ class TraceCheck {
       note_fault(at, "the trace has another number of attributes");
     } else {
       for (std::uint32_t a = 0; a < drawn.size(); ++a) {
-        check_value(at, kind_of(case_->attributes[a].interpolation), a, drawn[a],
+        check_value(at, records::kind_of(case_->attributes[a].interpolation), a, drawn[a],
                     trace->attributes[a]);
       }
     }

@@ -147,10 +147,7 @@ class VertexCheck {
     const cases::Triangle& triangle = case_->triangles[at.triangle];
     const float expected = case_->attributes_of(triangle[vertex])[attribute];
     add_value_labels(triangle, attribute, expected);
-    const AttributeKind kind =
-        case_->attributes[attribute].interpolation == cases::Interpolation::smooth
-            ? AttributeKind::smooth
-            : AttributeKind::noperspective;
+    const AttributeKind kind = records::kind_of(case_->attributes[attribute].interpolation);
     const FragmentClass found = class_of(actual, expected);
     ++check_.judgement.errors[kind].classes[found];
     if (found == FragmentClass::correct) return;
