@@ -46,8 +46,7 @@ struct JudgedValue {
   /// Scale ULP, certified, as narrow as the class and the histogram needed; nothing of what is no
   /// finite number.
   std::optional<records::Enclosure> excess;
-  std::optional<records::Enclosure>
-      ideal;  ///< also nothing where that triangle has none
+  std::optional<records::Enclosure> ideal;  ///< also nothing where that triangle has none
 };
 
 /// How one sample of one triangle came out, of those that were drawn or are missing.

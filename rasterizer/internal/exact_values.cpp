@@ -65,9 +65,8 @@ void set_up_depth(const State& state, const Positions& p, double det_t, DepthLin
 }
 
 bool has_new_corner(const ValueSource& source) {
-  return std::any_of(source.corners.begin(), source.corners.end(), [](const GridCorner* corner) {
-    return corner != nullptr && corner->is_new;
-  });
+  return std::any_of(source.corners.begin(), source.corners.end(),
+                     [](const GridCorner* corner) { return corner != nullptr && corner->is_new; });
 }
 
 /// A power of two with scale · E_i < 1 at all samples.
