@@ -251,7 +251,7 @@ void grid_polygon(const State& state, const Grid& grid, const std::array<glm::ve
                                          [](const ExactSum& w) { return w.sign() != 0; }) == 1;
     GridCorner on_grid = clipping.on_grid(corner);
     on_grid.is_new = !is_vertex;
-    if (is_vertex) {
+    if (is_vertex && on_grid.w > 0) {  // else the eye itself
       for (std::size_t i = 0; i < 3; ++i) {
         if (corner.weights[i].sign() == 0) continue;
         on_grid = {snapped(grid, positions[i]), positions[i].w, positions[i].z, {}, false};
