@@ -1,6 +1,7 @@
 #include "rasterizer/internal/grid_coverage.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "rasterizer/internal/determinant.h"
 #include "rasterizer/internal/discard.h"
@@ -26,10 +27,11 @@ Fate GridCoverage::set_up(const InputTriangle& triangle, std::vector<DrawnPart>&
 
   box_ = touched_pixels(polygon_.corners, bits_, {setting_.bounds.columns, setting_.bounds.rows});
   if (box_.columns.empty() || box_.rows.empty()) return Fate::hidden;
-  const auto turned = std::stable_partition(
-      pieces_.begin(), pieces_.end(),
-      [whole_turn](const GridPiece& piece) { return piece.turn == whole_turn; });
-  drawn_pieces_ = static_cast<std::size_t>(turned - pieces_.begin());
+  // The drawn ones first, in their order.
+  drawn_pieces_ = 0;
+  for (GridPiece& piece : pieces_) {
+    if (piece.turn == whole_turn) std::swap(piece, pieces_[drawn_pieces_++]);
+  }
 
   has_parts_of_pieces_ = state.basis == Basis::snapped || turn == 0;
   if (has_parts_of_pieces_) {
