@@ -39,14 +39,19 @@ class Integer {
   mpz_t value_;
 };
 
-/// An MPFR number that an exact value is rounded into, in a given direction. 64 bits are enough:
-/// every result is rounded once more, in the same direction, into a double, and rounding twice in
-/// one direction is still a bound. Where a double holds the value, 64 bits hold it too, so that
-/// both directions give that double.
+/// An MPFR number that an exact value is rounded into, in a given direction. Every result is rounded
+/// once more, in the same direction, into a double, and rounding twice in one direction is still a
+/// bound, for the value itself even the tightest one. A function of the rounded value falls short of
+/// the exact one's by a few units of kBits; a double that lies between the two makes the bound one
+/// double wider than need be. No double comes so near a root of p/q with p, q < 2^60: d² differs
+/// from p/q by at least 2^-(2·53 + 60) units of its exponent, unless it is equal. Where a double
+/// holds the result, kBits hold it too, so that both directions give that double.
 class Rounded {
  public:
+  static constexpr mpfr_prec_t kBits = 192;
+
   Rounded(const Field& value, mpfr_rnd_t direction) : direction_(direction) {
-    mpfr_init2(value_, 64);
+    mpfr_init2(value_, kBits);
     mpfr_set_q(value_, value.mpq(), direction);
   }
   Rounded(const Rounded&) = delete;
