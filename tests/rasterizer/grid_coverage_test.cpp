@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "rasterizer/internal/draw_setting.h"
 #include "rasterizer/internal/grid_polygon.h"
@@ -20,26 +21,46 @@ constexpr std::array<std::span<const float>, 3> kNoDistances{};
 
 using Corners = std::array<glm::vec4, 3>;
 
-/// Whether a sample, in grid units, is inside by the half-planes and the fill rule.
-bool is_inside(const std::array<GridPoint, 3>& p, const mpz_class& x, const mpz_class& y,
-               int tie_sign) {
-  const auto line = [](const GridPoint& a, const GridPoint& b, const mpz_class& u,
-                       const mpz_class& v) {
-    return mpz_class((mpz_class(b.x) - a.x) * (v - a.y) - (mpz_class(b.y) - a.y) * (u - a.x));
-  };
-  const int turn = sgn(line(p[0], p[1], p[2].x, p[2].y));
-  if (turn == 0) return false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const GridPoint& a = p[i];
-    const GridPoint& b = p[(i + 1) % 3];
-    const int side = turn * sgn(line(a, b, x, y));
-    if (side < 0) return false;
-    const int normal_x = turn * (a.y > b.y ? 1 : a.y < b.y ? -1 : 0);
-    const int normal_y = turn * (b.x > a.x ? 1 : b.x < a.x ? -1 : 0);
-    if (side == 0 && !(normal_x > 0 || (normal_x == 0 && tie_sign * normal_y > 0))) return false;
+/// A triangle as half-planes a x + b y + c > 0 of grid units, those of a sample on an edge that the
+/// fill rule keeps with 0. Made once a triangle: under a sanitizer each number costs an allocation.
+class HalfPlanes {
+ public:
+  HalfPlanes(const std::array<GridPoint, 3>& p, int tie_sign) {
+    const int turn = sgn(Line(p[0], p[1], 1).at(p[2]));
+    if (turn == 0) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const GridPoint& a = p[i];
+      const GridPoint& b = p[(i + 1) % 3];
+      const int normal_x = turn * (a.y > b.y ? 1 : a.y < b.y ? -1 : 0);
+      const int normal_y = turn * (b.x > a.x ? 1 : b.x < a.x ? -1 : 0);
+      const bool keeps_ties = normal_x > 0 || (normal_x == 0 && tie_sign * normal_y > 0);
+      planes_.push_back({Line(a, b, turn), keeps_ties});
+    }
   }
-  return true;
-}
+
+  bool contain(const GridPoint& sample) const {
+    for (const Plane& plane : planes_) {
+      const int side = sgn(plane.line.at(sample));
+      if (side < 0 || (side == 0 && !plane.keeps_ties)) return false;
+    }
+    return !planes_.empty();
+  }
+
+ private:
+  struct Line {
+    Line(const GridPoint& from, const GridPoint& to, int turn)
+        : a((mpz_class(from.y) - to.y) * turn),
+          b((mpz_class(to.x) - from.x) * turn),
+          c(-a * from.x - b * from.y) {}
+    mpz_class at(const GridPoint& p) const { return a * p.x + b * p.y + c; }
+    mpz_class a, b, c;
+  };
+  struct Plane {
+    Line line;
+    bool keeps_ties = false;
+  };
+  std::vector<Plane> planes_;  // none where the triangle has no area
+};
 
 /// A corner on the grid or off it, near the window or far from it.
 glm::vec4 random_vertex(Random& random, const State& state) {
@@ -79,6 +100,7 @@ TEST(GridCoverage, IsThatOfTheRoundedVertices) {
     const std::vector<int> times = times_drawn(fragments_of(state, mesh, size), size);
     const bool points_up = state.convention == Convention::opengl;
     const int tie_sign = (state.fill_rule == FillRule::top_left) == points_up ? -1 : 1;
+    const HalfPlanes triangle(points, tie_sign);
     std::size_t place = 0;
     for (int y = 0; y < 16; ++y) {
       for (int x = 0; x < 16; ++x) {
@@ -86,7 +108,7 @@ TEST(GridCoverage, IsThatOfTheRoundedVertices) {
           const int bits = state.snapping->subpixel_bits;
           const GridPoint at = grid_sample(x, y, offset, bits);
           EXPECT_EQ(at.x, std::ldexp(x + offset.x, bits));
-          const bool is_covered = is_inside(points, at.x, at.y, tie_sign);
+          const bool is_covered = triangle.contain(at);
           covered += is_covered ? 1 : 0;
           ASSERT_EQ(times[place], is_covered ? 1 : 0) << i << ": " << x << ", " << y;
           ++place;
