@@ -16,12 +16,17 @@ bool contains(const Enclosure& enclosure, double value) {
   return enclosure.lo <= value && value <= enclosure.hi;
 }
 
-std::string to_decimal(const Enclosure& enclosure, int digits) {
+std::optional<std::string> certain_decimal(const Enclosure& enclosure, int digits) {
   for (; digits > 0; --digits) {
     std::string text = in_decimals(enclosure.lo, digits);
     if (text == in_decimals(enclosure.hi, digits)) return text;
   }
-  return "[" + in_decimals(enclosure.lo, 17) + ", " + in_decimals(enclosure.hi, 17) + "]";
+  return std::nullopt;
+}
+
+std::string to_decimal(const Enclosure& enclosure, int digits) {
+  return certain_decimal(enclosure, digits)
+      .value_or("[" + in_decimals(enclosure.lo, 17) + ", " + in_decimals(enclosure.hi, 17) + "]");
 }
 
 }  // namespace rastercheck::records

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace rastercheck::records {
@@ -15,8 +16,11 @@ struct Enclosure {
 /// Whether `value` may be the enclosed number.
 bool contains(const Enclosure& enclosure, double value);
 
-/// The enclosed number in at most `digits` significant decimals, all of which are certain; the two
-/// ends, as "[lo, hi]", where not even one is.
+/// The enclosed number in at most `digits` significant decimals, all of which are certain; nothing
+/// where not even one is.
+std::optional<std::string> certain_decimal(const Enclosure& enclosure, int digits);
+
+/// The same; the two ends, as "[lo, hi]", where no digit is certain.
 std::string to_decimal(const Enclosure& enclosure, int digits);
 
 }  // namespace rastercheck::records

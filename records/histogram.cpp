@@ -37,9 +37,9 @@ constexpr Borders make_borders() {
   return borders;
 }
 
-constexpr Borders kBorders = make_borders();
-static_assert(kBorders.front() == 0x1p-20 && kBorders.back() == 0x1p40);
-static_assert(std::is_sorted(kBorders.begin(), kBorders.end()));
+constexpr Borders kMadeBorders = make_borders();
+static_assert(kMadeBorders.front() == 0x1p-20 && kMadeBorders.back() == 0x1p40);
+static_assert(std::is_sorted(kMadeBorders.begin(), kMadeBorders.end()));
 
 /// ceil(p·count), at least 1 and at most `count`, which is not 0.
 std::uint64_t rank_of(double p, std::uint64_t count) {
@@ -52,12 +52,7 @@ std::uint64_t rank_of(double p, std::uint64_t count) {
 
 }  // namespace
 
-std::size_t Histogram::bucket_of(double magnitude) {
-  const double size = std::abs(magnitude);
-  if (size == 0) return kZeroBucket;
-  const auto* upper_border = std::lower_bound(kBorders.begin(), kBorders.end(), size);
-  return 1 + static_cast<std::size_t>(upper_border - kBorders.begin());
-}
+constexpr Borders Histogram::kBorders = kMadeBorders;
 
 Enclosure Histogram::borders(std::size_t bucket) {
   assert(bucket < kBucketCount);
@@ -75,11 +70,6 @@ void Histogram::add(double magnitude) {
   }
 }
 
-void Histogram::add_to_bucket(std::size_t bucket, std::uint64_t times) {
-  assert(bucket < kBucketCount);
-  counts_[bucket] += times;
-}
-
 void Histogram::add_non_finite(std::uint64_t times) { non_finite_ += times; }
 
 void Histogram::merge(const Histogram& other) {
@@ -89,6 +79,13 @@ void Histogram::merge(const Histogram& other) {
 
 std::uint64_t Histogram::count() const {
   return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0});
+}
+
+std::uint64_t Histogram::count_above(double border) const {
+  const std::size_t bucket = bucket_of(border);
+  assert(borders(bucket).hi == border);
+  const auto above = counts_.begin() + static_cast<std::ptrdiff_t>(bucket) + 1;
+  return std::accumulate(above, counts_.end(), non_finite_);
 }
 
 std::optional<Enclosure> Histogram::quantile(double p) const {

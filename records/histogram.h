@@ -20,8 +20,11 @@
 // magnitude and the least double that is not below it lie in the same bucket.
 
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "records/enclosure.h"
@@ -40,8 +43,33 @@ class Histogram {
   static constexpr std::size_t kOverflowBucket = 1 + kBorderCount;
   static constexpr std::size_t kBucketCount = kOverflowBucket + 1;
 
+  /// Of the steps by which buckets are found (bucket_of): the bits of a double below a step's, and
+  /// the step from 2^kLeastExponent.
+  static constexpr int kBitsBelowStep = std::numeric_limits<double>::digits - 1 - 3;
+  static constexpr std::uint64_t kFirstStep =
+      std::bit_cast<std::uint64_t>(0x1p-20) >> kBitsBelowStep;
+  static_assert(kLeastExponent == -20 && kBucketsPerOctave == 8);
+  /// b_0; the others follow.
+  static const double* borders_begin() { return kBorders.data(); }
+
   /// The bucket of a finite magnitude; its sign is ignored.
-  static std::size_t bucket_of(double magnitude);
+  static std::size_t bucket_of(double magnitude) {
+    const double size = std::abs(magnitude);
+    if (size == 0) return kZeroBucket;
+    if (size <= kBorders.front()) return 1;
+    if (size > kBorders.back()) return kOverflowBucket;
+    // An octave in eight equal steps, each without its lower end, by the exponent and the first
+    // three bits. As 2^(i/8) <= 1 + i/8 <= 2^((i+1)/8) for i = 0…8, step i reaches from bucket i of
+    // the octave into the next at most, and the border between is the one to ask.
+    const std::uint64_t from_zero = (std::bit_cast<std::uint64_t>(size) - 1) >> kBitsBelowStep;
+    const auto step = static_cast<std::size_t>(from_zero - kFirstStep);
+    return size <= kBorders[step + 1] ? step + 2 : step + 3;
+  }
+  /// Whether two magnitudes, the first not above the second, share a bucket.
+  static bool share_bucket(double less, double more) {
+    const std::size_t bucket = bucket_of(more);
+    return bucket < 2 ? less == more || (bucket == 1 && less > 0) : less > kBorders[bucket - 2];
+  }
   /// A bucket's borders. Magnitudes in it are at most `hi` and, but for the zero bucket, above
   /// `lo`; `hi` of the overflow bucket is infinite.
   static Enclosure borders(std::size_t bucket);
@@ -50,7 +78,7 @@ class Histogram {
   /// its sign is ignored. NaN and infinities go to non_finite().
   void add(double magnitude);
   /// Counts `times` magnitudes of a bucket below kBucketCount, or of none that is finite.
-  void add_to_bucket(std::size_t bucket, std::uint64_t times);
+  void add_to_bucket(std::size_t bucket, std::uint64_t times) { counts_[bucket] += times; }
   void add_non_finite(std::uint64_t times);
 
   /// Adds the counts of the other histogram.
@@ -61,6 +89,10 @@ class Histogram {
   std::uint64_t count_in(std::size_t bucket) const { return counts_[bucket]; }
   /// How many were counted that are not finite. No quantile sees them: they have no size.
   std::uint64_t non_finite() const { return non_finite_; }
+  /// How many were counted above `border`, which is 0 or the upper border of a bucket: exact, as no
+  /// bucket lies on both sides of it. Those that are not finite are among them, for nothing says
+  /// that they are at most the border.
+  std::uint64_t count_above(double border) const;
 
   /// The borders of the bucket that holds the p-quantile of the finite magnitudes: the least of
   /// them that a share p of all does not exceed, which is the one of rank max(1, ceil(p·count()))
@@ -71,6 +103,8 @@ class Histogram {
   bool operator==(const Histogram&) const = default;
 
  private:
+  static const std::array<double, kBorderCount> kBorders;
+
   std::array<std::uint64_t, kBucketCount> counts_{};
   std::uint64_t non_finite_ = 0;
 };

@@ -13,6 +13,7 @@
 #include "cases/case.h"
 #include "records/enclosure.h"
 #include "records/histogram.h"
+#include "records/signed_sum.h"
 
 namespace rastercheck::records {
 
@@ -119,10 +120,42 @@ struct Counts {
   bool operator==(const Counts&) const = default;
 };
 
+/// What makes a fragment's values hard, the first that holds of its triangle and case. Errors are
+/// kept apart by it, so that many easy fragments do not hide what few hard ones show.
+enum class Stratum {
+  clipped,       ///< a vertex lies beyond a clip plane or clip distance, or has w <= 0
+  near_horizon,  ///< the greatest w is more than 16 times the least
+  sliver,        ///< the least height is below 1/64 of the longest edge, in window space
+  multisampled,  ///< several samples per pixel
+  ordinary,
+};
+inline constexpr std::array<std::string_view, 5> kStratumWords{"clipped", "near horizon", "sliver",
+                                                               "multisampled", "ordinary"};
+constexpr std::string_view to_string(Stratum stratum) {
+  return kStratumWords[static_cast<std::size_t>(stratum)];
+}
+
+/// How many answers each level of the oracle's cascade gave (docs/oracle.md); all are certain.
+struct LevelCounts {
+  std::uint64_t filter = 0;    ///< doubles with an error bound known beforehand
+  std::uint64_t interval = 0;  ///< interval arithmetic
+  std::uint64_t exact = 0;     ///< exact numbers
+  bool operator==(const LevelCounts&) const = default;
+};
+
+/// What answered: of each sample that was looked at, its verdict; of each judged value, all that
+/// was asked of its error.
+struct Levels {
+  LevelCounts samples;
+  LevelCounts values;
+  bool operator==(const Levels&) const = default;
+};
+
 /// How large errors of one sort were.
 struct ErrorSizes {
   Histogram histogram;  ///< of |error|
   Extremes extremes;
+  SignedSum sum;
   bool operator==(const ErrorSizes&) const = default;
 };
 
@@ -135,12 +168,15 @@ struct ErrorStatistics {
   /// that triangle has no value.
   ErrorSizes ideal;
   ClassCounts classes;
+  /// `ideal` by what makes a fragment hard; only strata that have one.
+  std::map<Stratum, ErrorSizes> strata;
   bool operator==(const ErrorStatistics&) const = default;
 };
 
 /// What judging one framebuffer gives; only kinds that the case has appear.
 struct Judgement {
   Counts counts;
+  Levels levels;
   std::map<AttributeKind, ErrorStatistics> errors;
   bool operator==(const Judgement&) const = default;
 };

@@ -1,6 +1,8 @@
 #include "records/record.h"
 
+#include <array>
 #include <optional>
+#include <string_view>
 #include <tuple>
 
 namespace rastercheck::records {
@@ -56,6 +58,30 @@ void add(std::map<std::string, std::uint64_t>& into,
   for (const auto& [name, count] : from) into[name] += count;
 }
 
+/// A count of Levels, by its name in `decided_at`.
+struct NamedLevel {
+  std::string_view name;
+  LevelCounts Levels::*asked;
+  std::uint64_t LevelCounts::*level;
+};
+
+constexpr std::array<NamedLevel, 6> kNamedLevels{{
+    {"samples by filter", &Levels::samples, &LevelCounts::filter},
+    {"samples by interval", &Levels::samples, &LevelCounts::interval},
+    {"samples by exact numbers", &Levels::samples, &LevelCounts::exact},
+    {"values by filter", &Levels::values, &LevelCounts::filter},
+    {"values by interval", &Levels::values, &LevelCounts::interval},
+    {"values by exact numbers", &Levels::values, &LevelCounts::exact},
+}};
+
+/// Only levels that gave an answer have an entry.
+void add(std::map<std::string, std::uint64_t>& into, const Levels& levels) {
+  for (const NamedLevel& named : kNamedLevels) {
+    const std::uint64_t count = levels.*named.asked.*named.level;
+    if (count > 0) into[std::string(named.name)] += count;
+  }
+}
+
 }  // namespace
 
 void keep(Extremes& extremes, const WorstError& error) {
@@ -72,10 +98,20 @@ bool may_keep(const Extremes& extremes, const Enclosure& error) {
 void add(RecordSet& into, RecordKey key, const Judgement& judgement) {
   key.attribute_kind = AttributeKind::coverage;
   merge(into[key].counts, judgement.counts);
+  add(into[key].decided_at, judgement.levels);
   for (const auto& [kind, errors] : judgement.errors) {
     key.attribute_kind = kind;
     merge(into[key].errors, errors);
   }
+}
+
+Levels levels_of(const std::map<std::string, std::uint64_t>& decided_at) {
+  Levels levels;
+  for (const NamedLevel& named : kNamedLevels) {
+    const auto found = decided_at.find(std::string(named.name));
+    if (found != decided_at.end()) levels.*named.asked.*named.level = found->second;
+  }
+  return levels;
 }
 
 void merge(Counts& into, const Counts& from) {
@@ -104,12 +140,31 @@ void merge(Extremes& into, const Extremes& from) {
 void merge(ErrorSizes& into, const ErrorSizes& from) {
   into.histogram.merge(from.histogram);
   merge(into.extremes, from.extremes);
+  into.sum.merge(from.sum);
 }
 
 void merge(ErrorStatistics& into, const ErrorStatistics& from) {
   merge(into.excess, from.excess);
   merge(into.ideal, from.ideal);
   merge(into.classes, from.classes);
+  for (const auto& [stratum, sizes] : from.strata) merge(into.strata[stratum], sizes);
+}
+
+void merge(LevelCounts& into, const LevelCounts& from) {
+  into.filter += from.filter;
+  into.interval += from.interval;
+  into.exact += from.exact;
+}
+
+void merge(Levels& into, const Levels& from) {
+  merge(into.samples, from.samples);
+  merge(into.values, from.values);
+}
+
+void merge(Judgement& into, const Judgement& from) {
+  merge(into.counts, from.counts);
+  merge(into.levels, from.levels);
+  for (const auto& [kind, errors] : from.errors) merge(into.errors[kind], errors);
 }
 
 void merge(Record& into, const Record& from) {

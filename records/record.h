@@ -42,8 +42,10 @@ struct Record {
   CaseCounts cases;
   Counts counts;
   ErrorStatistics errors;
-  std::map<std::string, std::uint64_t> labels;      ///< label → cases that reached it
-  std::map<std::string, std::uint64_t> decided_at;  ///< level of the oracle → answers it gave
+  std::map<std::string, std::uint64_t> labels;  ///< label → cases that reached it
+  /// "samples by filter", "values by exact numbers", …: what was asked and which level of the
+  /// oracle answered → how often.
+  std::map<std::string, std::uint64_t> decided_at;
   bool operator==(const Record&) const = default;
 };
 
@@ -62,6 +64,9 @@ bool may_keep(const Extremes& extremes, const Enclosure& error);
 /// to the records of their kinds. The key's own attribute kind is ignored.
 void add(RecordSet& into, RecordKey key, const Judgement& judgement);
 
+/// What `decided_at` says of the levels; names that add() does not give count nowhere.
+Levels levels_of(const std::map<std::string, std::uint64_t>& decided_at);
+
 /// Adds `from` to `into`.
 void merge(Counts& into, const Counts& from);
 void merge(CaseCounts& into, const CaseCounts& from);
@@ -69,6 +74,9 @@ void merge(ClassCounts& into, const ClassCounts& from);
 void merge(Extremes& into, const Extremes& from);
 void merge(ErrorSizes& into, const ErrorSizes& from);
 void merge(ErrorStatistics& into, const ErrorStatistics& from);
+void merge(LevelCounts& into, const LevelCounts& from);
+void merge(Levels& into, const Levels& from);
+void merge(Judgement& into, const Judgement& from);
 void merge(Record& into, const Record& from);
 void merge(RecordSet& into, const RecordSet& from);
 

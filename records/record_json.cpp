@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
@@ -52,35 +53,53 @@ json json_of(const WorstError& worst) {
   return object;
 }
 
+json json_of(const SignedSum& sum) {
+  return {{"lo", fmt::format("{}", sum.lo())},
+          {"hi", fmt::format("{}", sum.hi())},
+          {"count", sum.count()},
+          {"beyond", sum.beyond()}};
+}
+
 json json_of(const ErrorSizes& sizes) {
   json object{{"histogram", json_of(sizes.histogram)}};
   const Extremes& extremes = sizes.extremes;
   if (extremes.most_negative) object["most_negative"] = json_of(*extremes.most_negative);
   if (extremes.most_positive) object["most_positive"] = json_of(*extremes.most_positive);
+  if (sizes.sum != SignedSum()) object["sum"] = json_of(sizes.sum);
+  return object;
+}
+
+json json_of(const std::map<Stratum, ErrorSizes>& strata) {
+  json object = json::object();
+  for (const auto& [stratum, sizes] : strata) {
+    object[std::string(to_string(stratum))] = json_of(sizes);
+  }
   return object;
 }
 
 json json_of(const RecordKey& key, const Record& record) {
   const CaseCounts& cases = record.cases;
   const Counts& counts = record.counts;
-  return {{"law", key.law},
-          {"backend", key.backend},
-          {"attribute_kind", to_string(key.attribute_kind)},
-          {"stratum", key.stratum},
-          {"cases",
-           {{"checked", cases.checked},
-            {"not_applicable", cases.not_applicable},
-            {"violations", cases.violations}}},
-          {"counts",
-           {{"required", counts.required},
-            {"forbidden", counts.forbidden},
-            {"permitted", counts.permitted},
-            {"undecided", counts.undecided}}},
-          {"classes", json_of(record.errors.classes)},
-          {"excess", json_of(record.errors.excess)},
-          {"ideal", json_of(record.errors.ideal)},
-          {"labels", json(record.labels)},
-          {"decided_at", json(record.decided_at)}};
+  json object{{"law", key.law},
+              {"backend", key.backend},
+              {"attribute_kind", to_string(key.attribute_kind)},
+              {"stratum", key.stratum},
+              {"cases",
+               {{"checked", cases.checked},
+                {"not_applicable", cases.not_applicable},
+                {"violations", cases.violations}}},
+              {"counts",
+               {{"required", counts.required},
+                {"forbidden", counts.forbidden},
+                {"permitted", counts.permitted},
+                {"undecided", counts.undecided}}},
+              {"classes", json_of(record.errors.classes)},
+              {"excess", json_of(record.errors.excess)},
+              {"ideal", json_of(record.errors.ideal)},
+              {"labels", json(record.labels)},
+              {"decided_at", json(record.decided_at)}};
+  if (!record.errors.strata.empty()) object["strata"] = json_of(record.errors.strata);
+  return object;
 }
 
 // Reading.
@@ -150,9 +169,55 @@ Extremes read_extremes(const JsonNode& sizes) {
   return extremes;
 }
 
+/// A whole number as decimal text: no sign but '-', no leading zeros.
+SignedSum::Units read_units(const JsonNode& node) {
+  // 10^38 < 2^127, so that no such number overflows, and the largest sum, 2^126, has 38 digits.
+  constexpr std::size_t kMostDigits = 38;
+  const std::string text = node.text();
+  const bool is_negative = text.starts_with('-');
+  const std::string digits = text.substr(is_negative ? 1 : 0);
+  SignedSum::Units units = 0;
+  if (digits.size() <= kMostDigits && digits.find_first_not_of("0123456789") == std::string::npos) {
+    for (const char digit : digits) units = units * 10 + (digit - '0');
+    if (is_negative) units = -units;
+  }
+  // Also where nothing was read, as of "" and of what has other characters.
+  if (fmt::format("{}", units) != text) {
+    node.refuse(fmt::format("must be a whole number of at most {} digits as text", kMostDigits));
+  }
+  return units;
+}
+
+SignedSum read_sum(const JsonNode& node) {
+  node.expect_object({"lo", "hi", "count", "beyond"});
+  const SignedSum::Units lo = read_units(node["lo"]);
+  const SignedSum::Units hi = read_units(node["hi"]);
+  const std::uint64_t count = node["count"].count(SignedSum::kMostTerms);
+  if (lo > hi) node.refuse("the lower end must not be above the upper");
+  // Merging relies on this: sums that no terms have might overflow.
+  const SignedSum::Units most = SignedSum::kMostOfTerm * count;
+  if (lo < -most) node["lo"].refuse("the sum of so few errors cannot be as low");
+  if (hi > most) node["hi"].refuse("the sum of so few errors cannot be as high");
+  return {lo, hi, count, node["beyond"].count()};
+}
+
 ErrorSizes read_sizes(const JsonNode& node) {
-  node.expect_object({"histogram"}, {"most_negative", "most_positive"});
-  return {read_histogram(node["histogram"]), read_extremes(node)};
+  node.expect_object({"histogram"}, {"most_negative", "most_positive", "sum"});
+  return {read_histogram(node["histogram"]), read_extremes(node),
+          node.has("sum") ? read_sum(node["sum"]) : SignedSum()};
+}
+
+std::map<Stratum, ErrorSizes> read_strata(const JsonNode& node) {
+  std::map<Stratum, ErrorSizes> strata;
+  for (const std::string& word : node.keys()) {
+    const auto* found = std::find(kStratumWords.begin(), kStratumWords.end(), word);
+    if (found == kStratumWords.end()) {
+      node[word].refuse(fmt::format("unknown key '{}'", printable(word)));
+    } else {
+      strata[static_cast<Stratum>(found - kStratumWords.begin())] = read_sizes(node[word]);
+    }
+  }
+  return strata;
 }
 
 CaseCounts read_cases(const JsonNode& node) {
@@ -179,6 +244,7 @@ Record read_record(const JsonNode& node) {
   record.errors.excess = read_sizes(node["excess"]);
   record.errors.ideal = read_sizes(node["ideal"]);
   record.errors.classes = read_classes(node["classes"]);
+  if (node.has("strata")) record.errors.strata = read_strata(node["strata"]);
   record.labels = node["labels"].counts_by_name();
   record.decided_at = node["decided_at"].counts_by_name();
   return record;
@@ -198,7 +264,8 @@ Result<RecordSet> records_from_json(const json& array, const std::string& file,
   RecordSet records;
   for (const JsonNode& node : JsonNode(array, pointer, error, file).elements()) {
     node.expect_object({"law", "backend", "attribute_kind", "stratum", "cases", "counts", "classes",
-                        "excess", "ideal", "labels", "decided_at"});
+                        "excess", "ideal", "labels", "decided_at"},
+                       {"strata"});
     if (error) break;
     RecordKey key = read_key(node);
     Record record = read_record(node);

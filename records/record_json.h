@@ -9,16 +9,22 @@
 //     "excess": {"histogram": {"buckets": [[0, 5], [155, 4]], "non_finite": 0},
 //                "most_negative": {"error": [-0.5, -0.5], "exact": "84/5",
 //                                  "actual": "0x1.0cccccp+4", "case": {"index": 3, "name": "…"},
-//                                  "triangle": 0, "x": 3, "y": 5, "sample": 0, "attribute": 0}},
+//                                  "triangle": 0, "x": 3, "y": 5, "sample": 0, "attribute": 0},
+//                "sum": {"lo": "-8589934592", "hi": "-8589934592", "count": 9, "beyond": 0}},
 //     "ideal": {"histogram": {"buckets": [[0, 9]], "non_finite": 0}},
-//     "labels": {"tie": 4}, "decided_at": {"filter": 100}}]
+//     "strata": {"sliver": {as "ideal"}, "ordinary": {as "ideal"}},
+//     "labels": {"tie": 4}, "decided_at": {"samples by filter": 100}}]
 //
 // The array is ordered by key. A bucket is [its number (histogram.h), its count]; empty ones are
 // left out. "most_negative" and "most_positive" are absent where there is no such error, and its
 // "attribute" for depth. The doubles of "error" are numbers in decimals that read back as the same
 // double (nlohmann writes no more than 17 digits, without asking the locale); an infinite end is
-// "inf" or "-inf". The float32 of "actual" is a hex float, as in all files. Objects list their
-// keys alphabetically, so that equal records give equal bytes.
+// "inf" or "-inf". A "sum" lies from "lo" to "hi" times 2^-32, whole numbers of up to 127 bits as
+// decimal text; it is of "count" errors, and "beyond" more were too large to be summed
+// (signed_sum.h). Means, quantiles and rates follow from these and are not written. A "sum" of
+// nothing and "strata" without one are left out; so they are in files from before there were any,
+// which say nothing of them. The float32 of "actual" is a hex float, as in all files. Objects list
+// their keys alphabetically, so that equal records give equal bytes.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

@@ -9,7 +9,9 @@
 namespace rastercheck::records {
 namespace {
 
+constexpr double kMedian = 0.5;
 constexpr double kTail = 0.99;
+constexpr double kFarTail = 0.999;
 
 /// |x| of the enclosed x.
 Enclosure magnitude_of(const Enclosure& error) {
@@ -44,6 +46,38 @@ void conclude(SizeSummary& summary) {
   summary.p99 = summary.histogram.quantile(kTail);
 }
 
+/// Nothing where there is no value.
+std::optional<Precision> precision_of(AttributeKind kind, std::optional<Stratum> stratum,
+                                      const ErrorSizes& sizes) {
+  const auto error_of = [](const std::optional<WorstError>& extreme) {
+    return extreme ? extreme->error : Enclosure{0, 0};
+  };
+  const Histogram& histogram = sizes.histogram;
+  Precision precision;
+  precision.kind = kind;
+  precision.stratum = stratum;
+  precision.values = histogram.count() + histogram.non_finite();
+  if (precision.values == 0) return std::nullopt;
+  precision.min = error_of(sizes.extremes.most_negative);
+  precision.max = error_of(sizes.extremes.most_positive);
+  // Files from before there were sums have none, and merged ones might have one of a part.
+  if (sizes.sum.count() == precision.values) precision.mean = sizes.sum.mean();
+  precision.p50 = histogram.quantile(kMedian);
+  precision.p99 = histogram.quantile(kTail);
+  precision.p999 = histogram.quantile(kFarTail);
+  precision.misrounded = histogram.count_above(kRoundingError);
+  return precision;
+}
+
+void append_precision(std::vector<Precision>& rows, AttributeKind kind,
+                      const ErrorStatistics& errors) {
+  const auto append = [&](std::optional<Stratum> stratum, const ErrorSizes& sizes) {
+    if (const auto row = precision_of(kind, stratum, sizes)) rows.push_back(*row);
+  };
+  append(std::nullopt, errors.ideal);
+  for (const auto& [stratum, sizes] : errors.strata) append(stratum, sizes);
+}
+
 /// Cases in which nothing was drawn rightly say nothing for a law: it only held if it held of
 /// something.
 LawVerdict verdict_of(const CaseCounts& cases, std::uint64_t correct_fragments) {
@@ -65,6 +99,7 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
     merge(row.cases, record.cases);
     merge(row.counts, record.counts);
     merge(row.classes, record.errors.classes);
+    merge(row.levels, levels_of(record.decided_at));
     for (const auto& [label, cases] : record.labels) row.labels[label] += cases;
     if (kind == AttributeKind::coverage) {
       const auto& classes = record.errors.classes.counts;
@@ -73,6 +108,7 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
     } else {
       take_in(row.ideal, record.errors.ideal);
       take_in(row.excess, record.errors.excess);
+      append_precision(row.precision, kind, record.errors);
     }
   }
   conclude(row.ideal);

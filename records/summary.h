@@ -32,6 +32,27 @@ struct SizeSummary {
   std::optional<Enclosure> p99;  ///< the borders of the histogram bucket that holds it
 };
 
+/// No correctly rounded value is off by more, in scale ULP.
+inline constexpr double kRoundingError = 0.5;
+
+/// How precise the values of one kind were against the exact triangle, in the kind's own unit.
+struct Precision {
+  AttributeKind kind = AttributeKind::smooth;
+  std::optional<Stratum> stratum;  ///< nothing: all of the kind
+  std::uint64_t values = 0;        ///< that have an error; not 0
+  Enclosure min;                   ///< the largest error below the exact value, 0 without one
+  Enclosure max;                   ///< and above it
+  /// Of the signed errors; nothing where some were too large to be summed.
+  std::optional<Enclosure> mean;
+  /// Of the magnitudes: the borders of the histogram buckets that hold them.
+  std::optional<Enclosure> p50;
+  std::optional<Enclosure> p99;
+  std::optional<Enclosure> p999;
+  /// Off by more than kRoundingError, exactly counted. Others may be misrounded, too: a value far
+  /// below the largest of its triangle has a finer spacing than the scale's.
+  std::uint64_t misrounded = 0;
+};
+
 struct LawSummary {
   std::string law;
   std::string backend;
@@ -41,6 +62,9 @@ struct LawSummary {
   ClassCounts classes;  ///< over all kinds, coverage included
   SizeSummary ideal;    ///< against the exact triangle
   SizeSummary excess;   ///< beyond what the contract leaves open
+  /// Of each kind that has values: all of them, then its strata.
+  std::vector<Precision> precision;
+  Levels levels;  ///< of the oracle, by what each decided
   std::map<std::string, std::uint64_t> labels;
   LawVerdict verdict = LawVerdict::not_checked;
 };

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace rastercheck::records {
@@ -52,6 +53,13 @@ TEST(Contains, AnInfiniteEndBoundsNothing) {
 
 TEST(Contains, NotANumberLiesInNoEnclosure) {
   EXPECT_FALSE(contains({-kInfinity, kInfinity}, std::numeric_limits<double>::quiet_NaN()));
+}
+
+TEST(CertainDecimal, IsNothingWithoutACertainDigit) {
+  EXPECT_EQ(certain_decimal({0.123411, 0.123491}, 6), "0.123");
+  EXPECT_EQ(certain_decimal({1, 2}, 6), std::nullopt);
+  EXPECT_EQ(certain_decimal({-kLeast, kLeast}, 6), std::nullopt);
+  EXPECT_EQ(certain_decimal({-0.0, 0}, 6), "0");
 }
 
 TEST(ToDecimal, EqualEndsGiveAllDigitsAskedFor) {

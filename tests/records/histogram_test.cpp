@@ -120,6 +120,25 @@ TEST(Histogram, AddingTimesIsAddingThatOften) {
   EXPECT_EQ(at_once, histogram_of({3, kInfinity, 3}));
 }
 
+// Kills: a border's own bucket counted as above it; 1/2 taken for misrounded.
+TEST(HistogramCountAbove, CountsFromJustAboveTheBorder) {
+  const Histogram histogram =
+      histogram_of({0, 0.25, 0.5, 0.5, std::nextafter(0.5, 1), 7, 0x1p41, kInfinity});
+  EXPECT_EQ(histogram.count_above(0.5), 4U);
+  EXPECT_EQ(histogram.count_above(0), 7U);
+  EXPECT_EQ(histogram.count_above(0x1p40), 2U);
+  EXPECT_EQ(Histogram().count_above(0.5), 0U);
+}
+
+RC_GTEST_PROP(HistogramCountAbove, IsThatOfTheObservations, ()) {
+  const std::vector<double> magnitudes = random_magnitudes(40);
+  const auto bucket = *rc::gen::inRange<std::size_t>(0, Histogram::kOverflowBucket);
+  const double border = Histogram::borders(bucket).hi;
+  const auto above = std::count_if(magnitudes.begin(), magnitudes.end(),
+                                   [border](double magnitude) { return magnitude > border; });
+  RC_ASSERT(histogram_of(magnitudes).count_above(border) == static_cast<std::uint64_t>(above));
+}
+
 TEST(HistogramQuantile, OfNothingFiniteIsNothing) {
   EXPECT_EQ(Histogram().quantile(0.5), std::nullopt);
   EXPECT_EQ(histogram_of({kInfinity}).quantile(1), std::nullopt);

@@ -5,6 +5,7 @@
 
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -35,9 +36,10 @@ inline float any_finite_float() {
   return std::isfinite(value) ? value : std::bit_cast<float>(bits & 0xbfffffffU);
 }
 
-/// An error that often is as large as another one: few ends, either sign, exact or not.
+/// An error that often is as large as another one: few ends, either sign, exact or not. Sums of the
+/// largest leave 64 bits.
 inline Enclosure random_error() {
-  const double end = one_of<double>({0, 0.25, 0.5, 0.5, 1, 4});
+  const double end = one_of<double>({0, 0.25, 0.5, 0.5, 1, 4, 0x1p39});
   const bool is_exact = *rc::gen::arbitrary<bool>();
   const bool is_negative = *rc::gen::arbitrary<bool>();
   const double other = is_exact ? end : std::nextafter(end, 0);
@@ -64,6 +66,35 @@ inline FragmentClass random_class() {
   return static_cast<FragmentClass>(*rc::gen::inRange<std::size_t>(0, kFragmentClassWords.size()));
 }
 
+inline Stratum random_stratum() {
+  return static_cast<Stratum>(*rc::gen::inRange<std::size_t>(0, kStratumWords.size()));
+}
+
+inline LevelCounts random_levels() {
+  LevelCounts levels;
+  levels.filter = *rc::gen::inRange<std::uint64_t>(0, 3);
+  levels.interval = *rc::gen::inRange<std::uint64_t>(0, 3);
+  levels.exact = *rc::gen::inRange<std::uint64_t>(0, 3);
+  return levels;
+}
+
+/// Any sum that so many terms may have, of either sign and of all sizes.
+inline SignedSum random_sum() {
+  const auto count =
+      *rc::gen::inRange<std::uint64_t>(0, SignedSum::kMostTerms) >> *rc::gen::inRange(0, 55);
+  const auto random_end = [count] {
+    const auto high = SignedSum::Units{*rc::gen::arbitrary<std::int64_t>()} * (1LL << 62);
+    const auto low = SignedSum::Units{*rc::gen::arbitrary<std::int64_t>()};
+    const SignedSum::Units end = (high + low) >> *rc::gen::inRange(0, 126);
+    const SignedSum::Units most = SignedSum::kMostOfTerm * count;
+    return std::clamp(end, -most, most);
+  };
+  const SignedSum::Units a = random_end();
+  const SignedSum::Units b = random_end();
+  const auto beyond = *rc::gen::arbitrary<std::uint64_t>();
+  return {std::min(a, b), std::max(a, b), count, beyond};
+}
+
 inline RecordKey random_key() {
   RecordKey key;
   key.law = one_of<std::string>({"coverage is exact", "errors are bounded"});
@@ -79,6 +110,8 @@ struct Observation {
   WorstError worst;
   FragmentClass fragment_class = FragmentClass::correct;
   double magnitude = 0;  ///< of another value; may be infinite
+  Stratum stratum = Stratum::ordinary;
+  Levels levels;
   std::string label;
   bool is_violation = false;
 };
@@ -90,6 +123,9 @@ inline Observation random_observation() {
   observation.fragment_class = random_class();
   observation.magnitude =
       *rc::gen::inRange(0, 8) == 0 ? std::numeric_limits<double>::infinity() : any_finite_double();
+  observation.stratum = random_stratum();
+  observation.levels.samples = random_levels();
+  observation.levels.values = random_levels();
   observation.label = one_of<std::string>({"tie", "w <= 0", "clipped"});
   observation.is_violation = *rc::gen::arbitrary<bool>();
   return observation;
@@ -98,12 +134,17 @@ inline Observation random_observation() {
 inline void add(RecordSet& records, const Observation& observation) {
   Judgement judgement;
   ++judgement.counts.required;
+  judgement.levels = observation.levels;
   ErrorStatistics& errors = judgement.errors[observation.key.attribute_kind];
   errors.excess.histogram.add(magnitude_bound(observation.worst.error));
   errors.excess.histogram.add(observation.magnitude);
   keep(errors.excess.extremes, observation.worst);
+  errors.excess.sum.add(observation.worst.error);
+  errors.excess.sum.add({-observation.magnitude, observation.magnitude});
   errors.ideal.histogram.add(observation.magnitude);
   keep(errors.ideal.extremes, observation.worst);
+  errors.ideal.sum.add(observation.worst.error);
+  errors.strata[observation.stratum] = errors.ideal;
   ++errors.classes[observation.fragment_class];
   add(records, observation.key, judgement);
 
@@ -113,7 +154,6 @@ inline void add(RecordSet& records, const Observation& observation) {
   ++record.cases.checked;
   record.cases.violations += observation.is_violation ? 1 : 0;
   ++record.labels[observation.label];
-  ++record.decided_at["exact"];
 }
 
 inline std::vector<Observation> random_observations() {

@@ -50,6 +50,11 @@ TEST(Words, AreOfTheOutputFormat) {
   EXPECT_EQ(to_string(FragmentClass::not_a_number), "not a number");
   EXPECT_EQ(to_string(FragmentClass::infinite), "infinite");
   EXPECT_EQ(to_string(FragmentClass::wrong_sign_of_zero), "wrong sign of zero");
+  EXPECT_EQ(to_string(Stratum::clipped), "clipped");
+  EXPECT_EQ(to_string(Stratum::near_horizon), "near horizon");
+  EXPECT_EQ(to_string(Stratum::sliver), "sliver");
+  EXPECT_EQ(to_string(Stratum::multisampled), "multisampled");
+  EXPECT_EQ(to_string(Stratum::ordinary), "ordinary");
 }
 
 TEST(Extremes, OfErrorsOnOneSideLeaveTheOtherEmpty) {
@@ -151,6 +156,7 @@ TEST(Add, CountsGoToCoverageAndErrorsToTheirKinds) {
   judgement.counts = {1, 2, 3, 4};
   judgement.errors[AttributeKind::coverage].classes[FragmentClass::missing] = 5;
   judgement.errors[AttributeKind::depth].classes[FragmentClass::correct] = 6;
+  judgement.levels = {{1, 2, 3}, {4, 0, 5}};
   RecordSet records;
   add(records, {"law", "cpu", AttributeKind::flat, "all"}, judgement);
   add(records, {"law", "cpu", AttributeKind::flat, "all"}, judgement);
@@ -159,9 +165,64 @@ TEST(Add, CountsGoToCoverageAndErrorsToTheirKinds) {
   const Record& coverage = records.at({"law", "cpu", AttributeKind::coverage, "all"});
   EXPECT_EQ(coverage.counts, (Counts{2, 4, 6, 8}));
   EXPECT_EQ(coverage.errors.classes[FragmentClass::missing], 10U);
+  // Only of levels that answered. Kills: a level under another's name.
+  EXPECT_EQ(coverage.decided_at,
+            (std::map<std::string, std::uint64_t>{{"samples by filter", 2},
+                                                  {"samples by interval", 4},
+                                                  {"samples by exact numbers", 6},
+                                                  {"values by filter", 8},
+                                                  {"values by exact numbers", 10}}));
+  EXPECT_EQ(levels_of(coverage.decided_at), (Levels{{2, 4, 6}, {8, 0, 10}}));
   const Record& depth = records.at({"law", "cpu", AttributeKind::depth, "all"});
   EXPECT_EQ(depth.counts, Counts());
+  EXPECT_TRUE(depth.decided_at.empty());
   EXPECT_EQ(depth.errors.classes[FragmentClass::correct], 12U);
+}
+
+TEST(LevelsOf, NamesOfNoLevelCountNowhere) {
+  EXPECT_EQ(levels_of({}), Levels());
+  EXPECT_EQ(levels_of({{"filter", 3}, {"samples", 4}, {"values by interval", 5}}),
+            (Levels{{}, {0, 5, 0}}));
+}
+
+// Adding judgements one by one, or merged first, is the same. Kills: levels that merging forgets.
+RC_GTEST_PROP(Add, OfMergedJudgementsIsAddingBoth, ()) {
+  Judgement a;
+  a.levels = {random_levels(), random_levels()};
+  a.errors[AttributeKind::smooth].strata[random_stratum()].sum = random_sum();
+  Judgement b;
+  b.levels = {random_levels(), random_levels()};
+  b.errors[AttributeKind::smooth].strata[random_stratum()].sum = random_sum();
+  RecordSet one_by_one;
+  add(one_by_one, {}, a);
+  add(one_by_one, {}, b);
+  merge(a, b);
+  RecordSet at_once;
+  add(at_once, {}, a);
+  RC_ASSERT(one_by_one == at_once);
+  RC_ASSERT(levels_of(at_once[{}].decided_at) == a.levels);
+}
+
+TEST(Merge, AddsStrataOneByOne) {
+  ErrorStatistics a;
+  a.strata[Stratum::sliver].histogram.add(1);
+  a.strata[Stratum::sliver].sum.add({1, 1});
+  a.strata[Stratum::clipped].sum.add({2, 2});
+  keep(a.strata[Stratum::sliver].extremes, error_of({1, 1}));
+  ErrorStatistics b;
+  b.strata[Stratum::sliver].histogram.add(3);
+  b.strata[Stratum::sliver].sum.add({-3, -3});
+  b.strata[Stratum::ordinary].sum.add({4, 4});
+  keep(b.strata[Stratum::sliver].extremes, error_of({-3, -3}));
+  merge(a, b);
+  ASSERT_EQ(a.strata.size(), 3U);
+  const ErrorSizes& sliver = a.strata.at(Stratum::sliver);
+  EXPECT_EQ(sliver.histogram.count(), 2U);
+  EXPECT_EQ(sliver.extremes, extremes_of({error_of({1, 1}), error_of({-3, -3})}));
+  const SignedSum::Units unit = SignedSum::Units{1} << 32;
+  EXPECT_EQ(sliver.sum, SignedSum(-2 * unit, -2 * unit, 2, 0));
+  EXPECT_EQ(a.strata.at(Stratum::clipped).sum, SignedSum(2 * unit, 2 * unit, 1, 0));
+  EXPECT_EQ(a.strata.at(Stratum::ordinary).sum, SignedSum(4 * unit, 4 * unit, 1, 0));
 }
 
 // Kills: a member that merging forgets.
@@ -172,6 +233,7 @@ TEST(Merge, AddsEveryCount) {
   a.errors.classes.counts = {1, 2, 3, 4, 5, 6, 7, 8};
   a.errors.excess.histogram.add(1);
   a.errors.excess.histogram.add_non_finite(3);
+  a.errors.excess.sum = {-5, 6, 7, 8};
   a.labels = {{"tie", 1}, {"clipped", 2}};
   a.decided_at = {{"filter", 9}};
   Record b = a;
@@ -183,6 +245,7 @@ TEST(Merge, AddsEveryCount) {
   EXPECT_EQ(a.errors.classes.counts, (std::array<std::uint64_t, 8>{2, 4, 6, 8, 10, 12, 14, 16}));
   EXPECT_EQ(a.errors.excess.histogram.count(), 2U);
   EXPECT_EQ(a.errors.excess.histogram.non_finite(), 6U);
+  EXPECT_EQ(a.errors.excess.sum, SignedSum(-10, 12, 14, 16));
   EXPECT_EQ(a.labels,
             (std::map<std::string, std::uint64_t>{{"tie", 11}, {"clipped", 2}, {"w <= 0", 3}}));
   EXPECT_EQ(a.decided_at, (std::map<std::string, std::uint64_t>{{"exact", 1}, {"filter", 9}}));

@@ -23,6 +23,7 @@ Record with_ideal(const std::vector<Enclosure>& errors) {
   for (const Enclosure& error : errors) {
     record.errors.ideal.histogram.add(magnitude_bound(error));
     keep(record.errors.ideal.extremes, worst(error));
+    record.errors.ideal.sum.add(error);
   }
   return record;
 }
@@ -129,6 +130,66 @@ TEST(Summarize, P99IsOfAllKindsAndStrata) {
   EXPECT_EQ(summary_of(records).ideal.p99, Histogram::borders(quarter));
   last.add(8);
   EXPECT_EQ(summary_of(records).ideal.p99, Histogram::borders(Histogram::bucket_of(8)));
+}
+
+// Kills: kinds or strata mixed up; the mean of magnitudes; 1/2 taken for misrounded.
+TEST(Summarize, PrecisionIsByKindAndStratum) {
+  RecordSet records;
+  Record depth = with_ideal({{-0.5, -0.5}, {0.25, 0.25}, {0.75, 0.75}, {0.5, 0.5}});
+  depth.errors.strata[Stratum::ordinary] = depth.errors.ideal;
+  depth.errors.strata[Stratum::clipped] = with_ideal({{0, 0}}).errors.ideal;
+  merge(depth.errors.ideal, depth.errors.strata[Stratum::clipped]);
+  records[{"law", "cpu", AttributeKind::depth, "a"}] = depth;
+  records[{"law", "cpu", AttributeKind::depth, "b"}] = with_ideal({{-3, -3}});
+  records[{"law", "cpu", AttributeKind::smooth, "a"}] = Record();
+  const std::vector<Precision> rows = summary_of(records).precision;
+
+  ASSERT_EQ(rows.size(), 3U);
+  const Precision& all = rows[0];
+  EXPECT_EQ(all.kind, AttributeKind::depth);
+  EXPECT_EQ(all.stratum, std::nullopt);
+  EXPECT_EQ(all.values, 6U);
+  EXPECT_EQ(all.min, (Enclosure{-3, -3}));
+  EXPECT_EQ(all.max, (Enclosure{0.75, 0.75}));
+  EXPECT_TRUE(contains(all.mean.value(), -2.0 / 6));
+  EXPECT_EQ(all.p50, Histogram::borders(Histogram::bucket_of(0.5)));
+  EXPECT_EQ(all.p99, Histogram::borders(Histogram::bucket_of(3)));
+  EXPECT_EQ(all.p999, Histogram::borders(Histogram::bucket_of(3)));
+  EXPECT_EQ(all.misrounded, 2U);
+
+  EXPECT_EQ(rows[1].stratum, Stratum::clipped);
+  EXPECT_EQ(rows[1].values, 1U);
+  EXPECT_EQ(rows[1].min, (Enclosure{0, 0}));
+  EXPECT_EQ(rows[1].max, (Enclosure{0, 0}));
+  EXPECT_EQ(rows[1].mean, (Enclosure{0, 0}));
+  EXPECT_EQ(rows[1].misrounded, 0U);
+
+  EXPECT_EQ(rows[2].stratum, Stratum::ordinary);
+  EXPECT_EQ(rows[2].min, (Enclosure{-0.5, -0.5}));
+  EXPECT_TRUE(contains(rows[2].mean.value(), 0.25));
+  EXPECT_EQ(rows[2].misrounded, 1U);
+}
+
+// Kills: the mean of those that happen to be summed, shown for all.
+TEST(Summarize, OfValuesThatAreNotAllSummedThereIsNoMean) {
+  Record old = with_ideal({{1, 1}});
+  old.errors.ideal.histogram.add(2);
+  Record large = with_ideal({{1, 1}, {0x1p41, 0x1p41}});
+  for (const Record& record : {old, large}) {
+    const auto rows = summary_of({{{"law", "cpu", AttributeKind::flat, ""}, record}}).precision;
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_EQ(rows[0].values, 2U);
+    EXPECT_EQ(rows[0].mean, std::nullopt);
+  }
+}
+
+TEST(Summarize, AddsLevels) {
+  RecordSet records;
+  Judgement judgement;
+  judgement.levels = {{1, 2, 3}, {4, 5, 6}};
+  add(records, {"law", "cpu", AttributeKind::coverage, "a"}, judgement);
+  add(records, {"law", "cpu", AttributeKind::coverage, "b"}, judgement);
+  EXPECT_EQ(summary_of(records).levels, (Levels{{2, 4, 6}, {8, 10, 12}}));
 }
 
 // Kills: what was not checked, or checked on nothing, taken for what held.
