@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "records/share.h"
 #include "records/summary.h"
 #include "reports/base64.h"
 #include "reports/format.h"
@@ -70,6 +71,22 @@ std::string definition(std::string_view term, const std::string& content) {
   return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", term, content);
 }
 
+/// How many answers each level of the oracle gave; nothing where none is known to have.
+std::string levels_of(const LawSummary& total) {
+  const std::uint64_t undecided = total.counts.undecided;
+  std::string text;
+  if (total.levels.samples != records::LevelCounts()) {
+    text += definition(
+        "samples decided",
+        fmt::format("{}; {} undecided", records::levels_text(total.levels.samples, undecided),
+                    grouped(undecided)));
+  }
+  if (total.levels.values != records::LevelCounts()) {
+    text += definition("values decided", records::levels_text(total.levels.values, 0));
+  }
+  return text;
+}
+
 std::string facts_of(const Run& run, const LawSummary& total) {
   const records::Counts& counts = total.counts;
   return "<dl class=\"facts\">\n" + definition("cases checked", grouped(total.cases.checked)) +
@@ -77,7 +94,7 @@ std::string facts_of(const Run& run, const LawSummary& total) {
          definition("samples", fmt::format("{} required, {} forbidden, {} permitted, {} undecided",
                                            grouped(counts.required), grouped(counts.forbidden),
                                            grouped(counts.permitted), grouped(counts.undecided))) +
-         definition("seed", std::to_string(run.seed)) +
+         levels_of(total) + definition("seed", std::to_string(run.seed)) +
          definition("to do it again", "<code>" + html(run_command(run)) + "</code>") + "</dl>\n";
 }
 
@@ -133,6 +150,27 @@ std::string worst_text(const records::SizeSummary& sizes) {
       fmt::format("{}", worst.actual));
 }
 
+std::string precision_of(const LawSummary& row) {
+  if (row.precision.empty()) return "";
+  std::string text =
+      "<h4>Precision by stratum</h4>\n<table>\n<thead><tr><th>kind</th>"
+      "<th>stratum</th>";
+  for (const std::string_view column : kPrecisionColumns) {
+    text += fmt::format("<th class=\"number\">{}</th>", column);
+  }
+  text += "</tr></thead>\n<tbody>\n";
+  for (const records::Precision& precision : row.precision) {
+    text += "<tr>" + cell(std::string(to_string(precision.kind))) +
+            cell(std::string(stratum_text(precision)));
+    const auto cells = precision_cells(precision);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      text += number_cell(kPrecisionColumns[i], cells[i]);
+    }
+    text += "</tr>\n";
+  }
+  return text + "</tbody>\n</table>\n";
+}
+
 std::string classes_of(const records::ClassCounts& classes) {
   std::string text;
   for (std::size_t i = 0; i < classes.counts.size(); ++i) {
@@ -163,7 +201,7 @@ std::string law_section(const LawSummary& row) {
   if (row.ideal.values + row.excess.values > 0) {
     text += "<div class=\"charts\">\n" + histogram_figure(row.ideal, "Against the exact triangle") +
             histogram_figure(row.excess, "Beyond what the contract leaves open") + "</div>\n" +
-            worst_text(row.ideal);
+            worst_text(row.ideal) + precision_of(row);
   }
   return text + "<h4>Fragments and values by class</h4>\n" + classes_of(row.classes) +
          labels_of(row) + "</section>\n";
@@ -232,6 +270,9 @@ std::string write(const Run& run) {
                         counted(run.counterexamples.size(), "counterexample", "counterexamples"));
   }
   text += "<section>\n<h2>Law by law</h2>\n";
+  if (has_precision(rows)) {
+    text += fmt::format("<p class=\"unit\">{}</p>\n", html(kPrecisionSentence));
+  }
   for (const LawSummary& row : rows) text += law_section(row);
   text += "</section>\n";
   if (!run.counterexamples.empty()) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cases/json.h"
+#include "records/share.h"
 #include "records/summary.h"
 #include "reports/format.h"
 #include "reports/internal/wording.h"
@@ -57,6 +58,35 @@ std::string counts_of(const LawSummary& total) {
       grouped(counts.undecided));
 }
 
+/// What each level of the oracle decided, as a paragraph; nothing where that is not known.
+std::string levels_of(const LawSummary& total) {
+  const std::string decided = records::decided_sentence(total.levels, total.counts.undecided);
+  return decided.empty() ? "" : "\n" + decided + "\n";
+}
+
+/// A table for each law and backend that has values.
+std::string precision_of(const std::vector<LawSummary>& rows) {
+  if (!has_precision(rows)) return "";
+  std::string text = fmt::format("\n## Precision by stratum\n\n{}\n", kPrecisionSentence);
+  for (const LawSummary& row : rows) {
+    if (row.precision.empty()) continue;
+    text += fmt::format("\n### {} on {}\n\n| kind | stratum |", markdown(row.law),
+                        markdown(row.backend));
+    for (const std::string_view column : kPrecisionColumns) text += fmt::format(" {} |", column);
+    text += "\n|---|---|";
+    for (std::size_t i = 0; i < kPrecisionColumns.size(); ++i) text += "--:|";
+    text += "\n";
+    for (const records::Precision& precision : row.precision) {
+      text += fmt::format("| {} | {} |", to_string(precision.kind), stratum_text(precision));
+      for (const std::string& cell : precision_cells(precision)) {
+        text += fmt::format(" {} |", markdown(cell));
+      }
+      text += "\n";
+    }
+  }
+  return text;
+}
+
 std::string violation_line(const records::Violation& violation, const cases::Case& source) {
   std::string text =
       fmt::format("- {} ({}) at {}; exact: {}; actual: {}", to_string(violation.fragment_class),
@@ -95,14 +125,14 @@ std::string write(const Run& run) {
   std::string text = fmt::format("# RasterCheck\n\n**{}**\n\n", verdict_sentence(rows));
   text += table_of(rows);
   text += fmt::format("\n{}\n\n{}\n\n", kUnitSentence, kExcessSentence);
-  text += counts_of(totals(rows));
+  text += counts_of(totals(rows)) + levels_of(totals(rows));
   text += "\n## Do it again\n\n" + command_block(run_command(run));
   if (!run.counterexamples.empty())
     text += "\n## Counterexamples\n\nCommands are for the folder that this file is in.\n";
   for (const Counterexample& counterexample : run.counterexamples) {
     text += counterexample_text(counterexample);
   }
-  text += "\n## Environment\n\n";
+  text += precision_of(rows) + "\n## Environment\n\n";
   for (const auto& [name, value] : run.environment) {
     text += fmt::format("- {}: {}\n", markdown(name), markdown(value));
   }

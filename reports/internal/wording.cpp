@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "cases/json.h"
+#include "records/share.h"
 
 namespace rastercheck::reports {
 namespace {
@@ -79,6 +80,27 @@ std::string at_most_text(const std::optional<records::Enclosure>& number) {
   return "≤ " + rounded_up(number->hi, kDigits);
 }
 
+std::string mean_text(const std::optional<records::Enclosure>& mean) {
+  constexpr int kDigits = 4;
+  constexpr int kDigitsOfBound = 2;
+  if (!mean) return std::string(kNothing);
+  const std::optional<std::string> certain = records::certain_decimal(*mean, kDigits);
+  return certain ? *certain : "± " + rounded_up(records::magnitude_bound(*mean), kDigitsOfBound);
+}
+
+std::array<std::string, kPrecisionColumns.size()> precision_cells(
+    const records::Precision& precision) {
+  return {
+      grouped(precision.values),    number_text(precision.min),
+      mean_text(precision.mean),    number_text(precision.max),
+      at_most_text(precision.p50),  at_most_text(precision.p99),
+      at_most_text(precision.p999), records::share_text(precision.misrounded, precision.values)};
+}
+
+std::string_view stratum_text(const records::Precision& precision) {
+  return precision.stratum ? to_string(*precision.stratum) : "all";
+}
+
 std::string elided(std::string_view text, std::size_t most) {
   const auto continues = [text](std::size_t i) {
     return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0U) == 0x80U;
@@ -143,12 +165,18 @@ LawSummary totals(const std::vector<LawSummary>& rows) {
     records::merge(total.cases, row.cases);
     records::merge(total.counts, row.counts);
     records::merge(total.classes, row.classes);
+    records::merge(total.levels, row.levels);
     total.fragments += row.fragments;
     total.ideal.values += row.ideal.values;
     total.excess.values += row.excess.values;
   }
   total.verdict = records::verdict_of(rows);
   return total;
+}
+
+bool has_precision(const std::vector<LawSummary>& rows) {
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const LawSummary& row) { return !row.precision.empty(); });
 }
 
 std::string place_text(const records::Violation& violation, const cases::Case& source) {

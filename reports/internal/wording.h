@@ -2,6 +2,7 @@
 
 // What the reports that people read have in common: how numbers, commands and the verdict are put.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -24,6 +25,14 @@ inline constexpr std::string_view kExcessSentence =
     "excess is against all that the backend's contract leaves open, and is what its bounds are "
     "held against.";
 
+inline constexpr std::string_view kPrecisionSentence =
+    "Precision is against the exact triangle. Min and max are the largest errors below and above "
+    "it, 0 where there is none; the mean is of signed errors; half of all magnitudes are at most "
+    "p50, 99 of 100 at most p99, 999 of 1,000 at most p99.9; misrounded is the share off by more "
+    "than 0.5, as no correctly rounded value is. A value is of the first stratum that holds: "
+    "clipped, near horizon (the greatest w is over 16 times the least), sliver (less high than "
+    "1/64 of the longest edge), multisampled, ordinary.";
+
 /// Stands for a number that there is not.
 inline constexpr std::string_view kNothing = "–";
 
@@ -40,6 +49,19 @@ std::string number_text(const std::optional<records::Enclosure>& number);
 /// number a dash.
 std::string at_most_text(const std::optional<records::Enclosure>& number);
 
+/// The certain digits of a mean, a few at most. One that is certain in no digit, as around 0, is
+/// given by what its magnitude does not exceed: "± 4.7e-10".
+std::string mean_text(const std::optional<records::Enclosure>& mean);
+
+/// The cells of a table of precision, after those that say of what the values are.
+inline constexpr std::array<std::string_view, 8> kPrecisionColumns{
+    "values", "min", "mean", "max", "p50", "p99", "p99.9", "misrounded"};
+std::array<std::string, kPrecisionColumns.size()> precision_cells(
+    const records::Precision& precision);
+
+/// The stratum's word, or "all".
+std::string_view stratum_text(const records::Precision& precision);
+
 /// A text of at most `most` characters (at least 16): what is longer has "…" for its middle. Exact
 /// fractions may have hundreds of digits; run.json has all of them. Characters of UTF-8 stay whole.
 std::string elided(std::string_view text, std::size_t most);
@@ -53,6 +75,9 @@ std::string verdict_sentence(const std::vector<records::LawSummary>& rows);
 
 /// All rows together; of sizes and labels nothing.
 records::LawSummary totals(const std::vector<records::LawSummary>& rows);
+
+/// Whether any row has a table of precision.
+bool has_precision(const std::vector<records::LawSummary>& rows);
 
 /// "triangle 0, pixel (3, 5), sample 0, attribute u".
 std::string place_text(const records::Violation& violation, const cases::Case& source);

@@ -71,7 +71,10 @@ inline void add_sample_records(records::RecordSet& into, const std::string& law,
   coverage.errors.classes[FragmentClass::correct] = 12010;
   coverage.errors.classes[FragmentClass::missing] = violations;
   coverage.labels = {{"tie", 4}, {"<clipped>", 57}};
-  coverage.decided_at = {{"filter", 100}};
+  coverage.decided_at = {{"samples by filter", 2999000},
+                         {"samples by interval", 999},
+                         {"samples by exact numbers", 1},
+                         {"values by filter", 12000}};
   into[{law, backend, AttributeKind::coverage, "grid"}] = coverage;
   coverage.cases = {400, 0, 0};
   coverage.labels = {{"tie", 1}};
@@ -81,13 +84,25 @@ inline void add_sample_records(records::RecordSet& into, const std::string& law,
   smooth.errors.classes[FragmentClass::correct] = 12000;
   smooth.errors.classes[FragmentClass::beyond_bound] = violations;
   for (const double error : {0.0, 0.001, 0.125, 0.25, 0.375, 0.5}) {
-    smooth.errors.ideal.histogram.add_to_bucket(Histogram::bucket_of(error), 2000);
+    const std::size_t bucket = Histogram::bucket_of(error);
+    smooth.errors.ideal.histogram.add_to_bucket(bucket, 2000);
+    smooth.errors.strata[Stratum::near_horizon].histogram.add_to_bucket(bucket, 500);
+    smooth.errors.strata[Stratum::ordinary].histogram.add_to_bucket(bucket, 1500);
     smooth.errors.excess.histogram.add_to_bucket(Histogram::bucket_of(error / 2), 2000);
   }
   keep(smooth.errors.ideal.extremes, sample_worst(0.5));
   keep(smooth.errors.excess.extremes, sample_worst(-0.25));
+  keep(smooth.errors.strata[Stratum::near_horizon].extremes, sample_worst(0.375));
+  keep(smooth.errors.strata[Stratum::ordinary].extremes, sample_worst(0.5));
+  // Means of 1/8, about 0 and about 1/6. The error below has no sum, as in files without any.
+  constexpr SignedSum::Units kOne = SignedSum::Units{1} << 32;
+  smooth.errors.ideal.sum.add(kOne * 1500, kOne * 1500, 12000);
+  smooth.errors.strata[Stratum::near_horizon].sum.add(-2, 3, 3000);
+  smooth.errors.strata[Stratum::ordinary].sum.add(kOne * 1500 - 9, kOne * 1500, 9000);
   if (violations > 0) {
     smooth.errors.ideal.histogram.add(0.7);
+    smooth.errors.strata[Stratum::ordinary].histogram.add(0.7);
+    keep(smooth.errors.strata[Stratum::ordinary].extremes, sample_worst(-0.7));
     smooth.errors.excess.histogram.add(0.7);
     keep(smooth.errors.ideal.extremes, sample_worst(-0.7));
     keep(smooth.errors.excess.extremes, sample_worst(0.7));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -58,6 +59,44 @@ RC_GTEST_PROP(AtMostText, IsNeverBelowAndNeverFarAbove, ()) {
   RC_ASSERT(shown <= value * 1.01);
 }
 
+// Kills: digits that are not certain; a bound rounded to nearest; the ends of an enclosure, to 17
+// digits, in a table.
+TEST(MeanText, HasCertainDigitsOrABound) {
+  EXPECT_EQ(mean_text(std::nullopt), "–");
+  EXPECT_EQ(mean_text(Enclosure{0, 0}), "0");
+  EXPECT_EQ(mean_text(Enclosure{-0.25, -0.25}), "-0.25");
+  EXPECT_EQ(mean_text(Enclosure{0.123411, 0.123412}), "0.1234");
+  EXPECT_EQ(mean_text(Enclosure{0.123411, 0.123491}), "0.123");
+  EXPECT_EQ(mean_text(Enclosure{-4.61e-10, 2e-10}), "± 4.7e-10");
+  EXPECT_EQ(mean_text(Enclosure{1.2e-10, 3.3e-10}), "± 3.3e-10");
+}
+
+TEST(PrecisionCells, AreInTheOrderOfTheColumns) {
+  records::Precision precision;
+  precision.values = 2000;
+  precision.min = {-0.75, -0.75};
+  precision.max = {0.5, 0.5};
+  precision.mean = {0.125, 0.125};
+  precision.p50 = {0, 0};
+  precision.p99 = {0.4, 0.5};
+  precision.p999 = {0.6, 0.7};
+  precision.misrounded = 1;
+  EXPECT_EQ(precision_cells(precision),
+            (std::array<std::string, 8>{"2,000", "-0.75", "0.125", "0.5", "0", "≤ 0.5", "≤ 0.7",
+                                        "0.05%"}));
+  EXPECT_EQ(stratum_text(precision), "all");
+  precision.stratum = records::Stratum::near_horizon;
+  EXPECT_EQ(stratum_text(precision), "near horizon");
+}
+
+TEST(HasPrecision, IsTrueIfAnyRowHas) {
+  LawSummary with;
+  with.precision.emplace_back();
+  EXPECT_FALSE(has_precision({}));
+  EXPECT_FALSE(has_precision({LawSummary()}));
+  EXPECT_TRUE(has_precision({LawSummary(), with}));
+}
+
 TEST(Elided, KeepsBothEnds) {
   EXPECT_EQ(elided("1234567890123456", 16), "1234567890123456");
   EXPECT_EQ(elided("1234567890-abcdefghij", 16), "12345678…defghij");
@@ -106,10 +145,12 @@ TEST(Totals, AddsRows) {
   LawSummary row = row_with(3, 1);
   row.fragments = 10;
   row.counts = {1, 2, 3, 4};
+  row.levels = {{1, 2, 3}, {4, 5, 6}};
   const LawSummary total = totals({row, row, row_with(5, 0)});
   EXPECT_EQ(total.cases, (records::CaseCounts{11, 0, 2}));
   EXPECT_EQ(total.fragments, 20U);
   EXPECT_EQ(total.counts, (records::Counts{2, 4, 6, 8}));
+  EXPECT_EQ(total.levels, (records::Levels{{2, 4, 6}, {8, 10, 12}}));
   EXPECT_EQ(total.verdict, LawVerdict::violated);
 }
 
