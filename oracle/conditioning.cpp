@@ -45,10 +45,10 @@ std::optional<Conditioning> TriangleTruth::conditioning(std::size_t attribute, i
   if (setup_->scene->source().attributes[attribute].interpolation == cases::Interpolation::flat) {
     return std::nullopt;
   }
-  const Point p = values_->location(attribute, x, y, sample);
-  if (!values_->is_defined_at(attribute, p)) return std::nullopt;
-  const ProjectiveMap* map = values_->single_map();
-  return Conditioning{amplification(*map, values_->quantity(attribute), p),
+  const Point p = values().location(attribute, x, y, sample);
+  if (!values().is_defined_at(attribute, p)) return std::nullopt;
+  const ProjectiveMap* map = values().single_map();
+  return Conditioning{amplification(*map, values().quantity(attribute), p),
                       weight_cancellation(*map, p)};
 }
 

@@ -48,7 +48,7 @@ Derivatives to_public(const FieldDerivatives& derivatives) {
 std::optional<Derivatives> TriangleTruth::derivatives(std::size_t attribute, int x, int y,
                                                       int sample) const {
   const auto found =
-      derivatives_at(*setup_, *values_, attribute, values_->location(attribute, x, y, sample));
+      derivatives_at(*setup_, values(), attribute, values().location(attribute, x, y, sample));
   if (!found) return std::nullopt;
   return to_public(*found);
 }
@@ -56,11 +56,11 @@ std::optional<Derivatives> TriangleTruth::derivatives(std::size_t attribute, int
 std::optional<Derivatives> TriangleTruth::quad_differences(std::size_t attribute, int x, int y,
                                                            int sample) const {
   if (is_flat(*setup_, attribute)) return to_public({Field(0), Field(0)});
-  const Quantity quantity = values_->quantity(attribute);
+  const Quantity quantity = values().quantity(attribute);
   const auto value = [&](int px, int py) -> std::optional<Field> {
-    const Point p = values_->location(attribute, px, py, sample);
-    if (!values_->is_defined_at(attribute, p)) return std::nullopt;
-    return quantity.at(*values_->single_map(), p);
+    const Point p = values().location(attribute, px, py, sample);
+    if (!values().is_defined_at(attribute, p)) return std::nullopt;
+    return quantity.at(*values().single_map(), p);
   };
   const int left = x - x % 2;
   const int low = y - y % 2;
@@ -75,8 +75,8 @@ std::optional<Derivatives> TriangleTruth::quad_differences(std::size_t attribute
 std::optional<records::Enclosure> TriangleTruth::level_of_detail(std::size_t s, std::size_t t,
                                                                  int width, int height, int x,
                                                                  int y, int sample) const {
-  const auto ds = derivatives_at(*setup_, *values_, s, values_->location(s, x, y, sample));
-  const auto dt = derivatives_at(*setup_, *values_, t, values_->location(t, x, y, sample));
+  const auto ds = derivatives_at(*setup_, values(), s, values().location(s, x, y, sample));
+  const auto dt = derivatives_at(*setup_, values(), t, values().location(t, x, y, sample));
   if (!ds || !dt) return std::nullopt;
   const auto square_length = [width, height](const Field& s_slope, const Field& t_slope) {
     const Field s_texels = s_slope * Field(width);

@@ -61,14 +61,25 @@ struct JudgedSample {
   std::vector<JudgedValue> values;  ///< only of correct ones; depth first, then the attributes
 };
 
-/// Takes each judged sample, with the truth of its triangle; nullptr where it names a triangle that
-/// the case does not have. Both live no longer than the call.
+/// Takes judged samples, with the truth of their triangle; nullptr where one names a triangle that
+/// the case does not have. Both live no longer than the call. Samples come in their order: by
+/// triangle, y, x, sample; with a depth test by y, x, sample, triangle.
 using JudgeSink = std::function<void(const JudgedSample&, const TriangleTruth*)>;
 
+/// A level of the cascade (docs/oracle.md).
+enum class Level { filter, interval, exact };
+
 struct JudgeOptions {
-  bool judges_values = true;              ///< else coverage only
-  std::uint64_t case_index = 0;           ///< for WorstError
-  std::uint64_t self_check_one_in = 256;  ///< share of the fragments held against the referee
+  bool judges_values = true;     ///< else coverage only
+  std::uint64_t case_index = 0;  ///< for WorstError
+  /// Share of the fragments held against the referee, which takes a thousand times as long.
+  std::uint64_t self_check_one_in = 16384;
+  /// Whether the sink is handed samples of which there is nothing to say: strictly inside, drawn,
+  /// and all values right.
+  bool shows_ordinary = true;
+  /// What answers first; all give the same answers, each slower than the one before.
+  Level first_level = Level::filter;
+  unsigned jobs = 1;  ///< threads; the result is the same for any number
 };
 
 struct Judged {
@@ -76,6 +87,8 @@ struct Judged {
   /// A difference between oracle and referee: a fault of the oracle, whose answers are then worth
   /// nothing. One line.
   std::optional<std::string> fault;
+  /// The triangles that had a sample drawn rightly, or missing; ascending.
+  std::vector<std::uint32_t> seen_triangles;
 };
 
 /// Judges by the scene's contract. The framebuffer may hold anything: fragments that name no

@@ -148,7 +148,7 @@ JudgedDerivative judge_one(const RingDerivative& exact, const Ring& denominator,
 
 std::optional<ScaledDerivatives> TriangleTruth::scaled_derivatives(std::size_t attribute, int x,
                                                                    int y, int sample) const {
-  const auto found = derivatives_of(*setup_, *values_, attribute, x, y, sample);
+  const auto found = derivatives_of(*setup_, values(), attribute, x, y, sample);
   if (!found) return std::nullopt;
   const auto over = [&found](const Ring& n) {
     return to_rational(quotient(n, found->denominator));
@@ -160,7 +160,7 @@ std::optional<ScaledDerivatives> TriangleTruth::scaled_derivatives(std::size_t a
 std::optional<std::array<JudgedDerivative, 2>> TriangleTruth::judge_derivatives(
     std::size_t attribute, int x, int y, int sample, std::span<const float, 2> computed,
     float bound) const {
-  const auto found = derivatives_of(*setup_, *values_, attribute, x, y, sample);
+  const auto found = derivatives_of(*setup_, values(), attribute, x, y, sample);
   if (!found) return std::nullopt;
   std::array<JudgedDerivative, 2> judged;
   for (std::size_t axis = 0; axis < 2; ++axis) {

@@ -55,8 +55,10 @@ int perturbed_sign(const Field& value, const Field& slope_u, const Field& slope_
   return v_up ? sign_of(slope_v) : -sign_of(slope_v);
 }
 
+}  // namespace
+
 /// Everything about one triangle that the formulas below name.
-struct Plane {
+struct Referee::Plane {
   std::array<FieldVector4, 3> clip;
   FieldMatrix3 q;
 
@@ -75,6 +77,8 @@ struct Plane {
   }
 };
 
+namespace {
+
 bool is_drawn_facing(const cases::Case& c, int facing) {
   if (c.cull == cases::Cull::none) return true;
   const bool y_up = c.rules == Rules::opengl;
@@ -92,6 +96,7 @@ bool is_inside_viewport(const cases::Case& c, const Field& u, const Field& v) {
   return within(u, c.viewport.x, c.viewport.width) && within(v, c.viewport.y, c.viewport.height);
 }
 
+template <typename Plane>
 bool is_covered(const cases::Case& c, const cases::Triangle& indices, const Plane& plane,
                 const Field& u, const Field& v) {
   // Top-left: a sample is moved to the right and, by far less, downwards; bottom-left: upwards.
@@ -128,6 +133,7 @@ bool is_covered(const cases::Case& c, const cases::Triangle& indices, const Plan
 }
 
 /// r at (u, v), by k and l.
+template <typename Plane>
 std::optional<Field> value_at(const cases::Attribute& attribute, const std::array<Field, 3>& r,
                               const Plane& plane, const Field& u, const Field& v) {
   const Field one_over_w = plane.sum({Field(1), Field(1), Field(1)}, u, v);
@@ -143,6 +149,7 @@ std::optional<Field> value_at(const cases::Attribute& attribute, const std::arra
   return r[0] + (r[1] - r[0]) * k + (r[2] - r[0]) * l;
 }
 
+template <typename Plane>
 Field depth_at(const cases::Case& c, const Plane& plane, const Field& u, const Field& v) {
   const Field ndc = plane.sum({plane.clip[0][2], plane.clip[1][2], plane.clip[2][2]}, u, v);
   const Field n = exact_field(c.viewport.min_depth);
@@ -155,23 +162,29 @@ Field depth_at(const cases::Case& c, const Plane& plane, const Field& u, const F
 
 }  // namespace
 
-std::optional<RefereeFragment> referee(const cases::Case& c, std::size_t triangle, int x, int y,
-                                       int sample) {
+Referee::Referee(const cases::Case& c, std::size_t triangle) : case_(&c), triangle_(triangle) {
   const cases::Triangle& indices = c.triangles[triangle];
   const std::optional<ImagePlane> image = image_plane(c);
-  if (!image) return std::nullopt;
-  Plane plane;
+  if (!image) return;
+  auto plane = std::make_unique<Plane>();
   std::array<FieldVector3, 3> eye_space;
   for (std::size_t i = 0; i < 3; ++i) {
-    plane.clip[i] = clip_position(c, indices[i]);
-    eye_space[i] = {plane.clip[i][0], plane.clip[i][1], plane.clip[i][3]};
+    plane->clip[i] = clip_position(c, indices[i]);
+    eye_space[i] = {plane->clip[i][0], plane->clip[i][1], plane->clip[i][3]};
   }
   const std::optional<FieldMatrix3> q = q_matrix(eye_space, *image);
-  if (!q) return std::nullopt;
-  plane.q = *q;
-
+  if (!q) return;
+  plane->q = *q;
   // Q = M_cam^-1 [a b c], so sign det Q = sign(det M_cam · det [a b c]): the facing.
-  if (!is_drawn_facing(c, sign_of(plane.q.determinant()))) return std::nullopt;
+  if (is_drawn_facing(c, sign_of(plane->q.determinant()))) plane_ = std::move(plane);
+}
+
+Referee::~Referee() = default;
+
+std::optional<RefereeFragment> Referee::at(int x, int y, int sample) const {
+  if (!plane_) return std::nullopt;
+  const cases::Case& c = *case_;
+  const cases::Triangle& indices = c.triangles[triangle_];
   if (c.scissor && (x < c.scissor->x || x >= c.scissor->x + c.scissor->width || y < c.scissor->y ||
                     y >= c.scissor->y + c.scissor->height)) {
     return std::nullopt;
@@ -179,9 +192,9 @@ std::optional<RefereeFragment> referee(const cases::Case& c, std::size_t triangl
   const auto at = cases::standard_pattern(c.framebuffer.samples)[static_cast<std::size_t>(sample)];
   const Field u = Field(x) + Field(at.x, 16);
   const Field v = Field(y) + Field(at.y, 16);
-  if (!is_inside_viewport(c, u, v) || !is_covered(c, indices, plane, u, v)) return std::nullopt;
+  if (!is_inside_viewport(c, u, v) || !is_covered(c, indices, *plane_, u, v)) return std::nullopt;
 
-  RefereeFragment fragment{triangle, x, y, sample, to_rational(depth_at(c, plane, u, v)), {}};
+  RefereeFragment fragment{triangle_, x, y, sample, to_rational(depth_at(c, *plane_, u, v)), {}};
   for (std::size_t a = 0; a < c.attributes.size(); ++a) {
     const cases::Attribute& attribute = c.attributes[a];
     std::array<Field, 3> r;
@@ -190,13 +203,18 @@ std::optional<RefereeFragment> referee(const cases::Case& c, std::size_t triangl
     if (attribute.interpolation == cases::Interpolation::flat) {
       value = c.rules == Rules::opengl ? r[2] : r[0];
     } else if (attribute.location == cases::Location::sample) {
-      value = value_at(attribute, r, plane, u, v);
+      value = value_at(attribute, r, *plane_, u, v);
     } else if (attribute.location == cases::Location::center) {
-      value = value_at(attribute, r, plane, Field(x) + Field(1, 2), Field(y) + Field(1, 2));
+      value = value_at(attribute, r, *plane_, Field(x) + Field(1, 2), Field(y) + Field(1, 2));
     }
     fragment.attributes.push_back(value ? std::optional(to_rational(*value)) : std::nullopt);
   }
   return fragment;
+}
+
+std::optional<RefereeFragment> referee(const cases::Case& c, std::size_t triangle, int x, int y,
+                                       int sample) {
+  return Referee(c, triangle).at(x, y, sample);
 }
 
 }  // namespace rastercheck::oracle

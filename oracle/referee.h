@@ -13,6 +13,7 @@
 // the columns of the inverse of the viewport transform. Nothing here is shared with the fast path
 // but the number type: no adjugate, no folded viewport, no edge function.
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,23 @@ struct RefereeFragment {
   /// [attribute]; nothing where undefined, or where the location is centroid and the rules name no
   /// point.
   std::vector<std::optional<Rational>> attributes;
+};
+
+/// The referee for one triangle of a case, which outlives it.
+class Referee {
+ public:
+  Referee(const cases::Case& c, std::size_t triangle);
+  ~Referee();
+
+  /// Its answer for a sample; nothing where it is not covered.
+  std::optional<RefereeFragment> at(int x, int y, int sample) const;
+
+ private:
+  struct Plane;
+
+  const cases::Case* case_;
+  std::size_t triangle_;
+  std::unique_ptr<Plane> plane_;  ///< nothing where the triangle covers nothing
 };
 
 /// The referee's answer for one sample of one triangle; nothing where it is not covered.

@@ -19,8 +19,7 @@ SceneTruth::SceneTruth(cases::Case source, const cases::Contract& contract)
 SceneTruth::~SceneTruth() = default;
 
 TriangleTruth::TriangleTruth(const SceneTruth& scene, std::size_t triangle)
-    : setup_(std::make_unique<TriangleSetup>(scene.scene(), scene.source().triangles[triangle])),
-      values_(std::make_unique<TriangleValues>(*setup_)) {}
+    : setup_(std::make_unique<TriangleSetup>(scene.scene(), scene.source().triangles[triangle])) {}
 
 TriangleTruth::~TriangleTruth() = default;
 
@@ -42,12 +41,12 @@ std::optional<records::Enclosure> TriangleTruth::distance(int x, int y, int samp
 }
 
 std::optional<ValueRange> TriangleTruth::depth(int x, int y, int sample) const {
-  return to_public(values_->depth(x, y, sample));
+  return to_public(values().depth(x, y, sample));
 }
 
 std::optional<ValueRange> TriangleTruth::attribute(std::size_t attribute, int x, int y,
                                                    int sample) const {
-  return to_public(values_->attribute(attribute, x, y, sample));
+  return to_public(values().attribute(attribute, x, y, sample));
 }
 
 bool TriangleTruth::is_value_free(std::size_t attribute) const {
@@ -55,14 +54,19 @@ bool TriangleTruth::is_value_free(std::size_t attribute) const {
                                           cases::Interpolation::noperspective;
 }
 
+const TriangleValues& TriangleTruth::values() const {
+  if (!values_) values_ = std::make_unique<TriangleValues>(*setup_);
+  return *values_;
+}
+
 const ValueErrors& TriangleTruth::errors() const {
-  if (!errors_) errors_ = std::make_unique<ValueErrors>(*setup_, *values_);
+  if (!errors_) errors_ = std::make_unique<ValueErrors>(*setup_, values());
   return *errors_;
 }
 
 Rational TriangleTruth::attribute_magnitude(std::size_t attribute) const {
   Ring largest(0);
-  for (const Ring& value : values_->vertex_values(attribute)) {
+  for (const Ring& value : values().vertex_values(attribute)) {
     largest = std::max(largest, magnitude(value));
   }
   return to_rational(Field(largest));

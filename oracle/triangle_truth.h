@@ -150,11 +150,14 @@ class TriangleTruth {
 
   /// The errors of computed values, for the judge.
   const ValueErrors& errors() const;
+  const TriangleSetup& setup() const { return *setup_; }
 
  private:
+  const TriangleValues& values() const;
+
   std::unique_ptr<TriangleSetup> setup_;
-  std::unique_ptr<TriangleValues> values_;
-  mutable std::unique_ptr<ValueErrors> errors_;  ///< made when first asked for
+  mutable std::unique_ptr<TriangleValues> values_;  ///< made when first asked for
+  mutable std::unique_ptr<ValueErrors> errors_;     ///< made when first asked for
 };
 
 }  // namespace rastercheck::oracle

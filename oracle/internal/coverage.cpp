@@ -64,8 +64,10 @@ SampleVerdict decide_exact(const TriangleSetup& triangle, const Point& p) {
 
   Membership all = inside_edges(triangle.ideal, p, scene);
   if (!all.possible) return {Verdict::forbidden, Reason::outside};
-  for (const ClipFunctional& functional : triangle.clip_functionals) {
-    all &= side(functional, p, scene);
+  if (triangle.is_cut_by_planes) {
+    for (const ClipFunctional& functional : triangle.clip_functionals()) {
+      all &= side(functional, p, scene);
+    }
   }
   if (!all.possible) return {Verdict::forbidden, Reason::clipped};
   if (!all.sure) return {Verdict::permitted, Reason::tie};
@@ -232,7 +234,7 @@ bool is_in_clipped_triangle(const TriangleSetup& triangle, const Point& p) {
     if (sign_of(triangle.ideal.edge(i).at(p)) < 0) return false;
   }
   return std::all_of(
-      triangle.clip_functionals.begin(), triangle.clip_functionals.end(),
+      triangle.clip_functionals().begin(), triangle.clip_functionals().end(),
       [&p](const ClipFunctional& functional) { return sign_of(functional.line.at(p)) >= 0; });
 }
 
@@ -283,7 +285,7 @@ SampleVerdict decide_cut(const TriangleSetup& triangle, const Point& p) {
     }
   }
   if (!snapped_edges.possible) return {Verdict::forbidden, Reason::outside};
-  for (const ClipFunctional& functional : triangle.clip_functionals) {
+  for (const ClipFunctional& functional : triangle.clip_functionals()) {
     if (!functional.is_violated) continue;
     const int where = side_within(functional.line, triangle.tolerance, p);
     if (where < 0) return {Verdict::forbidden, Reason::clipped};
@@ -308,6 +310,23 @@ Field signed_square_distance(const Line& line, const Ring& value) {
 }
 
 }  // namespace
+
+std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle) {
+  const int orientation = triangle.ideal.orientation();
+  if (triangle.shape == Shape::exact) {
+    const bool is_drawn = orientation != 0 && !triangle.scene->is_culled(orientation);
+    return CoverageBoundary{&triangle.ideal, is_drawn, false};
+  }
+  if (triangle.shape == Shape::cut) return std::nullopt;
+  if (triangle.corner_count() > 1) {
+    if (orientation == 0) return std::nullopt;
+    return CoverageBoundary{&triangle.ideal, kept_by_culling(triangle, orientation).sure, true};
+  }
+  const ProjectiveMap& placed = triangle.corner(0);
+  const Membership kept = kept_by_culling(triangle, placed.orientation());
+  if (placed.orientation() != 0 && kept.possible && !kept.sure) return std::nullopt;
+  return CoverageBoundary{&placed, placed.orientation() != 0 && kept.sure, false};
+}
 
 SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p) {
   switch (triangle.shape) {
@@ -342,7 +361,7 @@ std::optional<records::Enclosure> boundary_distance(const TriangleSetup& triangl
   if (map.orientation() == 0) return std::nullopt;
 
   std::vector<Line> boundaries{map.edge(0), map.edge(1), map.edge(2)};
-  for (const ClipFunctional& functional : triangle.clip_functionals) {
+  for (const ClipFunctional& functional : triangle.clip_functionals()) {
     if (triangle.shape == Shape::exact || functional.is_violated) {
       boundaries.push_back(functional.line);
     }

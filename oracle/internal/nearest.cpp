@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "oracle/internal/coverage_row.h"
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/scene.h"
 #include "oracle/ulp.h"
@@ -54,27 +55,48 @@ NearestAnswer resolve(const std::vector<Covering>& all) {
 
 }  // namespace
 
-std::map<std::tuple<int, int, int>, NearestAnswer> nearest_answers(const SceneTruth& scene) {
-  const Field slack = depth_slack(scene.scene());
+const PreparedTriangles::Prepared& PreparedTriangles::of(std::uint32_t triangle) {
+  Prepared& prepared = prepared_[triangle];
+  if (!prepared.truth) {
+    auto truth = std::make_shared<const TriangleTruth>(*scene_, triangle);
+    prepared.filter =
+        std::make_unique<TriangleFilter>(truth->setup(), truth->setup().pixels(), first_level_);
+    prepared.truth = std::move(truth);
+  }
+  return prepared;
+}
+
+NearestAnswers::NearestAnswers(const SceneTruth& scene) : scene_(&scene) {
+  rows_.reserve(scene.source().triangles.size());
+  for (std::size_t t = 0; t < scene.source().triangles.size(); ++t) {
+    const Pixels pixels = TriangleTruth(scene, t).pixels();
+    rows_.emplace_back(pixels.y0, pixels.x0 < pixels.x1 ? pixels.y1 : pixels.y0);
+  }
+}
+
+NearestAnswers::Answers NearestAnswers::in_rows(int y0, int y1, PreparedTriangles& triangles,
+                                                records::LevelCounts& levels) const {
+  const Field slack = depth_slack(scene_->scene());
   std::map<std::tuple<int, int, int>, std::vector<Covering>> coverings;
-  for (std::uint32_t t = 0; t < scene.source().triangles.size(); ++t) {
-    const TriangleTruth truth(scene, t);
-    const Pixels pixels = truth.pixels();
-    for (int y = pixels.y0; y < pixels.y1; ++y) {
-      for (int x = pixels.x0; x < pixels.x1; ++x) {
-        for (int s = 0; s < scene.source().framebuffer.samples; ++s) {
-          const records::SampleVerdict decision = truth.judge(x, y, s);
-          if (decision.verdict == Verdict::forbidden) continue;
-          Covering covering{t, decision, std::nullopt};
-          if (const std::optional<ValueRange> depth = truth.depth(x, y, s)) {
-            covering.depth = {to_field(depth->lo) - slack, to_field(depth->hi) + slack};
-          }
-          coverings[{y, x, s}].push_back(std::move(covering));
+  CoverageRow row;
+  for (std::uint32_t t = 0; t < rows_.size(); ++t) {
+    const int first = std::max(y0, rows_[t].first);
+    const int last = std::min(y1, rows_[t].second);
+    if (first >= last) continue;
+    const PreparedTriangles::Prepared& triangle = triangles.of(t);
+    if (triangle.filter->is_empty()) continue;
+    for (int y = first; y < last; ++y) {
+      row.classify(*triangle.truth, *triangle.filter, y, levels);
+      row.for_each_covered([&](int x, int s, const records::SampleVerdict& decision) {
+        Covering covering{t, decision, std::nullopt};
+        if (const std::optional<ValueRange> depth = triangle.truth->depth(x, y, s)) {
+          covering.depth = {to_field(depth->lo) - slack, to_field(depth->hi) + slack};
         }
-      }
+        coverings[{y, x, s}].push_back(std::move(covering));
+      });
     }
   }
-  std::map<std::tuple<int, int, int>, NearestAnswer> answers;
+  Answers answers;
   for (const auto& [place, all] : coverings) answers.emplace(place, resolve(all));
   return answers;
 }

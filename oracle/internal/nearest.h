@@ -4,10 +4,13 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <vector>
 
+#include "oracle/internal/triangle_filter.h"
 #include "oracle/triangle_truth.h"
+#include "records/judgement.h"
 #include "records/verdict.h"
 
 namespace rastercheck::oracle {
@@ -24,9 +27,46 @@ struct NearestAnswer {
   bool is_required = false;
 };
 
-/// By (y, x, sample); samples that nothing may cover are left out. Depths are compared as far as a
-/// backend can know them: one is surely nearer where the two stay apart when each is moved towards
-/// the other by the contract's depth bound. Not judged: which of two equal depths was drawn first.
-std::map<std::tuple<int, int, int>, NearestAnswer> nearest_answers(const SceneTruth& scene);
+/// Triangles whose truth is at hand.
+class PreparedTriangles {
+ public:
+  struct Prepared {
+    std::shared_ptr<const TriangleTruth> truth;
+    std::unique_ptr<TriangleFilter> filter;
+  };
+
+  PreparedTriangles(const SceneTruth& scene, Level first) : scene_(&scene), first_level_(first) {}
+
+  /// Prepares it if it is not.
+  const Prepared& of(std::uint32_t triangle);
+  /// Forgets all.
+  void clear() { prepared_.clear(); }
+
+ private:
+  const SceneTruth* scene_;
+  Level first_level_;
+  std::map<std::uint32_t, Prepared> prepared_;
+};
+
+/// The answers, a band of rows after the other, so that memory is bounded by what covers a band.
+class NearestAnswers {
+ public:
+  using Answers = std::map<std::tuple<int, int, int>, NearestAnswer>;
+
+  explicit NearestAnswers(const SceneTruth& scene);
+
+  /// Rows of a band.
+  static constexpr int kRows = 16;
+
+  /// By (y, x, sample), for samples of rows y0 <= y < y1; samples that nothing may cover are left
+  /// out. Depths are compared as far as a backend can know them: one is surely nearer where the two
+  /// stay apart when each is moved towards the other by the contract's depth bound. Not judged:
+  /// which of two equal depths was drawn first.
+  Answers in_rows(int y0, int y1, PreparedTriangles& triangles, records::LevelCounts& levels) const;
+
+ private:
+  const SceneTruth* scene_;
+  std::vector<std::pair<int, int>> rows_;  ///< [triangle]: the rows it may cover, first and past
+};
 
 }  // namespace rastercheck::oracle

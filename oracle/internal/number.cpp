@@ -39,13 +39,13 @@ class Integer {
   mpz_t value_;
 };
 
-/// An MPFR number that an exact value is rounded into, in a given direction. Every result is rounded
-/// once more, in the same direction, into a double, and rounding twice in one direction is still a
-/// bound, for the value itself even the tightest one. A function of the rounded value falls short of
-/// the exact one's by a few units of kBits; a double that lies between the two makes the bound one
-/// double wider than need be. No double comes so near a root of p/q with p, q < 2^60: d² differs
-/// from p/q by at least 2^-(2·53 + 60) units of its exponent, unless it is equal. Where a double
-/// holds the result, kBits hold it too, so that both directions give that double.
+/// An MPFR number that an exact value is rounded into, in a given direction. Every result is
+/// rounded once more, in the same direction, into a double, and rounding twice in one direction is
+/// still a bound, for the value itself even the tightest one. A function of the rounded value falls
+/// short of the exact one's by a few units of kBits; a double that lies between the two makes the
+/// bound one double wider than need be. No double comes so near a root of p/q with p, q < 2^60: d²
+/// differs from p/q by at least 2^-(2·53 + 60) units of its exponent, unless it is equal. Where a
+/// double holds the result, kBits hold it too, so that both directions give that double.
 class Rounded {
  public:
   static constexpr mpfr_prec_t kBits = 192;
@@ -137,6 +137,14 @@ float nearest_float(const Field& value) {
   const auto bits = std::min((exponent_field << kFractionBits) + static_cast<std::uint32_t>(count),
                              kInfinityBits);
   return std::bit_cast<float>(sign | bits);
+}
+
+records::Enclosure enclose(const Ring& value) {
+  // CGAL's own takes any number of more than one limb for one between two doubles.
+  const auto [lo, hi] = value.to_interval();
+  if (lo == hi || value == Ring(lo)) return {lo, lo};
+  if (value == Ring(hi)) return {hi, hi};
+  return {lo, hi};
 }
 
 records::Enclosure enclose(const Field& value) {

@@ -53,6 +53,12 @@ long floor_log2(const Field& value);
 float nearest_float(const Field& value);
 
 /// Doubles around the value: equal where a double holds it, else neighbours.
+records::Enclosure enclose(const Ring& value);
+
+/// A double within 2^-51 of the value, relative to it, if that lies within the normal doubles: what
+/// CGAL makes of a number's two leading limbs, in at most three roundings.
+inline double near_double(const Ring& value) { return value.to_double(); }
+inline constexpr double kNearDoubleError = 0x1p-51;
 records::Enclosure enclose(const Field& value);
 /// Doubles around sqrt(value), for value >= 0.
 records::Enclosure enclose_sqrt(const Field& value);

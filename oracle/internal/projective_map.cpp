@@ -13,7 +13,14 @@ ProjectiveMap::ProjectiveMap(const std::array<RingVector3, 3>& columns) {
     if (orientation_ < 0) rows[i] = -rows[i];
     edges_[i] = {rows[i][0], rows[i][1], rows[i][2]};
   }
-  inverse_w_ = combine({Ring(1), Ring(1), Ring(1)});
+}
+
+const Line& ProjectiveMap::inverse_w() const {
+  if (!inverse_w_) {
+    const auto& [e, f, g] = edges_;
+    inverse_w_ = Line{e.a + f.a + g.a, e.b + f.b + g.b, e.c + f.c + g.c};
+  }
+  return *inverse_w_;
 }
 
 Line ProjectiveMap::combine(const std::array<Ring, 3>& s) const {

@@ -10,6 +10,7 @@
 // ring and is exact.
 
 #include <array>
+#include <optional>
 
 #include "oracle/internal/number.h"
 
@@ -53,11 +54,11 @@ class ProjectiveMap {
   /// Σ E_i s_i: the functional that takes the value s_i |det M| / w_i at vertex i (w_i ≠ 0).
   Line combine(const std::array<Ring, 3>& s) const;
   /// Σ E_i: |det M| times 1/w (the D of RULES §1).
-  const Line& inverse_w() const { return inverse_w_; }
+  const Line& inverse_w() const;
 
  private:
   std::array<Line, 3> edges_;
-  Line inverse_w_;
+  mutable std::optional<Line> inverse_w_;  ///< made when first asked for
   Ring determinant_;
   int orientation_;
 };

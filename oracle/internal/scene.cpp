@@ -35,6 +35,17 @@ std::pair<int, int> touched_pixels(const Ring& lo, const Ring& hi) {
           static_cast<int>(floor_to_long(Field(to))) + 1};
 }
 
+/// The pixels of [0, cases::kMaxSize] that a range of window coordinates holds whole.
+std::pair<int, int> held_pixels(const Ring& lo, const Ring& hi) {
+  const Ring most(cases::kMaxSize);
+  return {static_cast<int>(ceil_to_long(Field(std::clamp(lo, Ring(0), most)))),
+          static_cast<int>(floor_to_long(Field(std::clamp(hi, Ring(0), most))))};
+}
+
+RingVector4 exact_position(const cases::ClipVertex& p) {
+  return {exact_ring(p.x), exact_ring(p.y), exact_ring(p.z), exact_ring(p.w)};
+}
+
 }  // namespace
 
 PixelBox intersection(const PixelBox& a, const PixelBox& b) {
@@ -80,9 +91,7 @@ Conventions conventions_of(cases::Rules rules) {
 std::vector<RingVector4> clip_positions(const cases::Case& c) {
   std::vector<RingVector4> positions;
   positions.reserve(c.positions.size());
-  for (const cases::ClipVertex& p : c.positions) {
-    positions.emplace_back(exact_ring(p.x), exact_ring(p.y), exact_ring(p.z), exact_ring(p.w));
-  }
+  for (const cases::ClipVertex& p : c.positions) positions.push_back(exact_position(p));
   if (c.camera) {
     const RingMatrix4 view_model = exact_matrix(c.camera->view) * exact_matrix(c.camera->model);
     const RingMatrix4 matrix = exact_matrix(c.camera->projection) * view_model;
@@ -95,7 +104,6 @@ Scene::Scene(const cases::Case& c, const cases::Contract& contract)
     : case_(&c),
       contract_(&contract),
       conventions_(conventions_of(c.rules)),
-      positions_(clip_positions(c)),
       pattern_(cases::standard_pattern(c.framebuffer.samples)) {
   const cases::Viewport& v = c.viewport;
   const Ring x0 = exact_ring(v.x);
@@ -108,6 +116,16 @@ Scene::Scene(const cases::Case& c, const cases::Contract& contract)
   const auto [left, right] = touched_pixels(viewport_lo_.u, viewport_hi_.u);
   const auto [low, high] = touched_pixels(viewport_lo_.v, viewport_hi_.v);
   pixels_ = intersection(framebuffer_pixels(c), {left, low, right, high});
+  // Samples lie at least 1/16 before the far sides of their pixel, so a pixel that ends with the
+  // viewport has none on its border.
+  const auto [inner_left, inner_right] = held_pixels(viewport_lo_.u, viewport_hi_.u);
+  const auto [inner_low, inner_high] = held_pixels(viewport_lo_.v, viewport_hi_.v);
+  inner_pixels_ = intersection(pixels_, {inner_left, inner_low, inner_right, inner_high});
+
+  if (c.camera) transformed_ = clip_positions(c);
+  half_size_ = {half(exact_ring(v.width)), half(exact_ring(v.height))};
+  middle_ = {x0 + half_size_[0], y0 + half_size_[1]};
+  if (!conventions_.ndc_y_follows_window_y) half_size_[1] = -half_size_[1];
 
   const bool left_wins_downwards =
       (contract.tie_rule == cases::TieRule::top_left) == !conventions_.window_y_up;
@@ -116,14 +134,13 @@ Scene::Scene(const cases::Case& c, const cases::Contract& contract)
   greatest_depth_ = std::max(exact_ring(v.min_depth), exact_ring(v.max_depth));
 }
 
+RingVector4 Scene::clip_position(std::size_t vertex) const {
+  return case_->camera ? transformed_[vertex] : exact_position(case_->positions[vertex]);
+}
+
 RingVector3 Scene::window_column(std::size_t vertex) const {
-  const cases::Viewport& v = case_->viewport;
-  const RingVector4& p = positions_[vertex];
-  const Ring half_width = half(exact_ring(v.width));
-  const Ring half_height = half(exact_ring(v.height));
-  const Ring y = conventions_.ndc_y_follows_window_y ? p[1] : -p[1];
-  return {p[0] * half_width + p[3] * (exact_ring(v.x) + half_width),
-          y * half_height + p[3] * (exact_ring(v.y) + half_height), p[3]};
+  const RingVector4 p = clip_position(vertex);
+  return {p[0] * half_size_[0] + p[3] * middle_[0], p[1] * half_size_[1] + p[3] * middle_[1], p[3]};
 }
 
 Point Scene::sample_point(int x, int y, int sample) const {
@@ -152,7 +169,7 @@ bool Scene::is_culled(int orientation) const {
 }
 
 Ring Scene::depth_numerator(std::size_t vertex) const {
-  const RingVector4& p = positions_[vertex];
+  const RingVector4 p = clip_position(vertex);
   const Ring n = exact_ring(case_->viewport.min_depth);
   const Ring f = exact_ring(case_->viewport.max_depth);
   const Ring z = conventions_.depth_is_halved ? half(p[2] + p[3]) : p[2];

@@ -58,8 +58,9 @@ class Scene {
 
   /// (X, Y, w) of a vertex: window position times w, and w (RULES §1).
   RingVector3 window_column(std::size_t vertex) const;
-  const RingVector4& clip_position(std::size_t vertex) const { return positions_[vertex]; }
+  RingVector4 clip_position(std::size_t vertex) const;
 
+  std::span<const cases::SamplePosition> pattern() const { return pattern_; }
   /// The exact position of a sample, and of a pixel's centre.
   Point sample_point(int x, int y, int sample) const;
   static Point center_point(int x, int y);
@@ -67,6 +68,8 @@ class Scene {
   ViewportSide viewport_side(const Point& p) const;
   /// The pixels that can hold samples in or on the viewport, framebuffer and scissor.
   const PixelBox& pixels() const { return pixels_; }
+  /// Those of them all of whose samples lie in the viewport.
+  const PixelBox& inner_pixels() const { return inner_pixels_; }
   /// The viewport rectangle, sorted; in pixels.
   const Point& viewport_lo() const { return viewport_lo_; }
   const Point& viewport_hi() const { return viewport_hi_; }
@@ -88,11 +91,14 @@ class Scene {
   const cases::Case* case_;
   const cases::Contract* contract_;
   Conventions conventions_;
-  std::vector<RingVector4> positions_;
+  std::vector<RingVector4> transformed_;  ///< clip positions of a case with a camera
+  std::array<Ring, 2> half_size_;         ///< of the viewport; signed, for y as window y runs
+  std::array<Ring, 2> middle_;            ///< of the viewport
   std::span<const cases::SamplePosition> pattern_;
   Point viewport_lo_;
   Point viewport_hi_;
   PixelBox pixels_;
+  PixelBox inner_pixels_;
   int tie_sign_;
   Ring least_depth_;
   Ring greatest_depth_;

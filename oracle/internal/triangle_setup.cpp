@@ -1,9 +1,13 @@
 #include "oracle/internal/triangle_setup.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace rastercheck::oracle {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::array<RingVector3, 3> window_columns(const Scene& scene, const cases::Triangle& indices) {
   return {scene.window_column(indices[0]), scene.window_column(indices[1]),
@@ -22,31 +26,60 @@ TriangleSetup::TriangleSetup(const Scene& owner, const cases::Triangle& triangle
   if (contract.coverage) set_up_snapping(*contract.coverage);
 }
 
-void TriangleSetup::set_up_clipping() {
+template <typename Take>
+void TriangleSetup::for_each_clip_plane(const Take& take) const {
   const cases::Case& source = scene->source();
-  const auto add = [this](const std::array<Ring, 3>& values, bool zero_is_tie, bool is_user) {
-    const bool violated =
-        std::any_of(values.begin(), values.end(), [](const Ring& v) { return sign_of(v) < 0; });
-    clip_functionals.push_back({ideal.combine(values), zero_is_tie, is_user, violated});
-  };
   if (!source.depth_clamp) {
     std::array<Ring, 3> near;
     std::array<Ring, 3> far;
     for (std::size_t i = 0; i < 3; ++i) {
-      const RingVector4& p = scene->clip_position(indices[i]);
-      near[i] = p[2] - Ring(scene->conventions().near_z) * p[3];
+      const RingVector4 p = scene->clip_position(indices[i]);
+      near[i] = scene->conventions().near_z == 0 ? p[2] : p[2] + p[3];
       far[i] = p[3] - p[2];
     }
-    add(near, false, false);
-    add(far, false, false);
+    take(near, false, false);
+    take(far, false, false);
   }
   for (std::size_t d = 0; d < source.clip_distance_count; ++d) {
     std::array<Ring, 3> distances;
     for (std::size_t i = 0; i < 3; ++i) {
       distances[i] = exact_ring(source.clip_distances_of(indices[i])[d]);
     }
-    add(distances, !scene->conventions().clip_distance_zero_inside, true);
+    take(distances, !scene->conventions().clip_distance_zero_inside, true);
   }
+}
+
+void TriangleSetup::set_up_clipping() {
+  const cases::Case& source = scene->source();
+  if (!source.camera && source.clip_distance_count == 0) {
+    // Comparing floats is exact.
+    for (const std::uint32_t vertex : indices) {
+      if (source.depth_clamp) break;
+      const cases::ClipVertex& p = source.positions[vertex];
+      const float near = scene->conventions().near_z == 0 ? 0.0F : -p.w;
+      has_clipped_vertex = has_clipped_vertex || p.z < near || p.z > p.w;
+    }
+    is_cut_by_planes = has_clipped_vertex;
+    return;
+  }
+  for_each_clip_plane([this](const std::array<Ring, 3>& values, bool, bool is_user_distance) {
+    for (const Ring& value : values) {
+      const int sign = sign_of(value);
+      has_clipped_vertex = has_clipped_vertex || sign < 0;
+      is_cut_by_planes = is_cut_by_planes || sign < 0 || (sign == 0 && is_user_distance);
+    }
+  });
+}
+
+const std::vector<ClipFunctional>& TriangleSetup::clip_functionals() const {
+  if (clip_functionals_) return *clip_functionals_;
+  clip_functionals_.emplace();
+  for_each_clip_plane([this](const std::array<Ring, 3>& values, bool zero_is_tie, bool is_user) {
+    const bool violated =
+        std::any_of(values.begin(), values.end(), [](const Ring& v) { return sign_of(v) < 0; });
+    clip_functionals_->push_back({ideal.combine(values), zero_is_tie, is_user, violated});
+  });
+  return *clip_functionals_;
 }
 
 /// A point whose square of half-width `reach` lies inside every side is inside whatever the corners
@@ -58,7 +91,7 @@ bool TriangleSetup::is_deeper_than_reach() const {
     core.clip_above(line, Field(band_of(line, reach)));
   };
   for (std::size_t i = 0; i < 3; ++i) clip_inwards(ideal.edge(i));
-  for (const ClipFunctional& functional : clip_functionals) {
+  for (const ClipFunctional& functional : clip_functionals()) {
     if (!functional.line.is_constant()) clip_inwards(functional.line);
   }
   return !core.is_empty();
@@ -72,7 +105,7 @@ bool TriangleSetup::is_vertex_clipped(std::size_t corner) const {
 
   const cases::Case& source = scene->source();
   if (!source.depth_clamp) {
-    const RingVector4& p = scene->clip_position(indices[corner]);
+    const RingVector4 p = scene->clip_position(indices[corner]);
     if (p[2] < Ring(scene->conventions().near_z) * p[3] || p[2] > p[3]) return true;
   }
   const auto distances = source.clip_distances_of(indices[corner]);
@@ -124,6 +157,25 @@ const ProjectiveMap& TriangleSetup::corner(std::size_t index) const {
   return *map;
 }
 
+const TriangleSetup::NearPositions& TriangleSetup::near_positions() const {
+  if (!near_positions_) {
+    near_positions_.emplace();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double w = near_double(columns[i][2]);
+      near_positions_->w[i] = w;
+      near_positions_->u[i] = near_double(columns[i][0]) / w;
+      near_positions_->v[i] = near_double(columns[i][1]) / w;
+    }
+  }
+  return *near_positions_;
+}
+
+const ProjectiveMap* TriangleSetup::value_map() const {
+  const cases::Basis basis = scene->contract().basis;
+  if (shape == Shape::exact || basis == cases::Basis::ideal) return &ideal;
+  return basis == cases::Basis::snapped && corner_count() == 1 ? &corner(0) : nullptr;
+}
+
 std::vector<FieldPoint> TriangleSetup::corners_beside(std::size_t edge) const {
   const Field band = exact_field(scene->contract().guard_band);
   const ConvexRegion polygon = clipped_to_triangle(ConvexRegion({-band, -band}, {band, band}));
@@ -163,10 +215,7 @@ const std::vector<TriangleSetup::SnappedEdge>& TriangleSetup::snapped_edge(std::
 
 bool TriangleSetup::has_certain_orientation() const {
   if (ideal.orientation() == 0 || has_nonpositive_w || shape == Shape::cut) return false;
-  if (shape == Shape::exact) {
-    return std::none_of(clip_functionals.begin(), clip_functionals.end(),
-                        [](const ClipFunctional& functional) { return functional.is_violated; });
-  }
+  if (shape == Shape::exact) return !has_clipped_vertex;
   // The determinant is affine in every coordinate of a vertex: its signs at the corners are all.
   for (std::size_t k = 0; k < corner_count(); ++k) {
     if (corner(k).orientation() != ideal.orientation()) return false;
@@ -178,7 +227,7 @@ bool TriangleSetup::holds_box_around(const Point& p) const {
   for (std::size_t i = 0; i < 3; ++i) {
     if (ideal.edge(i).at(p) < edge_bands[i]) return false;
   }
-  return std::all_of(clip_functionals.begin(), clip_functionals.end(),
+  return std::all_of(clip_functionals().begin(), clip_functionals().end(),
                      [this, &p](const ClipFunctional& functional) {
                        return functional.line.at(p) >= band_of(functional.line, reach);
                      });
@@ -214,22 +263,26 @@ FieldRange TriangleSetup::extent(Eigen::Index axis) const {
 PixelBox TriangleSetup::pixels() const {
   const PixelBox all = scene->pixels();
   if (has_nonpositive_w) return all;  // some of it may lie anywhere, up to infinity
-  const auto touched = [this](Eigen::Index axis, int most) -> std::pair<int, int> {
-    const FieldRange range = extent(axis);
-    const Field least(-1);
-    const Field greatest(most);
-    const long first = floor_to_long(std::clamp(range.lo, least, greatest));
-    const long last = floor_to_long(std::clamp(range.hi, least, greatest));
-    return {static_cast<int>(first), static_cast<int>(last) + 1};
+  const double spread = near_double(reach);
+  const auto touched = [spread](const std::array<double, 3>& at, int most) -> std::pair<int, int> {
+    const auto [least, greatest] = std::minmax({at[0], at[1], at[2]});
+    // 2^-48 for the positions, and as much for the spread and these sums in any rounding mode.
+    const double slack = (std::max(std::abs(least), std::abs(greatest)) + spread) * 0x1p-47;
+    if (!(slack < kInfinity)) return {0, most};
+    const auto pixel_of = [most](double position) {
+      return static_cast<int>(std::clamp(std::floor(position), -1.0, static_cast<double>(most)));
+    };
+    return {pixel_of(least - spread - slack), pixel_of(greatest + spread + slack) + 1};
   };
-  const auto [x0, x1] = touched(0, all.x1);
-  const auto [y0, y1] = touched(1, all.y1);
+  const NearPositions& near = near_positions();
+  const auto [x0, x1] = touched(near.u, all.x1);
+  const auto [y0, y1] = touched(near.v, all.y1);
   return intersection(all, {x0, y0, x1, y1});
 }
 
 ConvexRegion TriangleSetup::clipped_to_triangle(ConvexRegion region) const {
   for (std::size_t i = 0; i < 3; ++i) region.clip(ideal.edge(i));
-  for (const ClipFunctional& functional : clip_functionals) region.clip(functional.line);
+  for (const ClipFunctional& functional : clip_functionals()) region.clip(functional.line);
   return region;
 }
 

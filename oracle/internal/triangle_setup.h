@@ -40,7 +40,14 @@ struct TriangleSetup {
   cases::Triangle indices;
   std::array<RingVector3, 3> columns;  ///< (X, Y, w) of each vertex
   ProjectiveMap ideal;                 ///< the map of the exact positions
-  std::vector<ClipFunctional> clip_functionals;
+  /// Whether some clip plane or clip distance has a say in coverage: a vertex lies beyond it, or,
+  /// of a user clip distance, on it, so that a tie is possible. All others are positive wherever
+  /// the edges are not negative.
+  bool is_cut_by_planes = false;
+  /// Of all clip planes and clip distances; made when first asked for.
+  const std::vector<ClipFunctional>& clip_functionals() const;
+  /// Whether some vertex lies beyond a clip plane or clip distance.
+  bool has_clipped_vertex = false;
   Shape shape = Shape::exact;
   std::array<bool, 3> is_clipped{};
 
@@ -93,19 +100,38 @@ struct TriangleSetup {
   /// pixels, widened by `reach`. Only where all w > 0.
   FieldRange extent(Eigen::Index axis) const;
 
-  /// The pixels whose samples may be required or permitted; all others are forbidden.
+  /// The vertices' w and window positions in doubles, each within 2^-48 of itself; only where all
+  /// w > 0.
+  struct NearPositions {
+    std::array<double, 3> w;
+    std::array<double, 3> u;
+    std::array<double, 3> v;
+  };
+  const NearPositions& near_positions() const;
+
+  /// The map that the contract's basis evaluates; nullptr where it leaves several.
+  const ProjectiveMap* value_map() const;
+
+  /// A box of pixels that holds all whose samples may be required or permitted; it may hold others
+  /// at its sides.
   PixelBox pixels() const;
 
   /// `region` cut down to the closed ideal triangle and its clip functionals.
   ConvexRegion clipped_to_triangle(ConvexRegion region) const;
 
  private:
+  /// Calls `take(values, zero_is_tie, is_user_distance)` with a functional's values, times w, at
+  /// the vertices.
+  template <typename Take>
+  void for_each_clip_plane(const Take& take) const;
   void set_up_clipping();
   void set_up_snapping(const cases::Snapping& snapping);
   bool is_deeper_than_reach() const;
   bool is_vertex_clipped(std::size_t corner) const;
 
   std::array<std::vector<RingVector3>, 3> extreme_columns_;
+  mutable std::optional<NearPositions> near_positions_;
+  mutable std::optional<std::vector<ClipFunctional>> clip_functionals_;
   mutable std::vector<std::optional<ProjectiveMap>> corners_;
   mutable std::optional<std::vector<ProjectiveMap>> placements_;
   mutable std::array<std::optional<std::vector<SnappedEdge>>, 3> snapped_edges_;

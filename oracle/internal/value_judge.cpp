@@ -17,11 +17,6 @@ using records::FragmentClass;
 /// What an infinite value is taken for: the number after the largest float32.
 constexpr double kBeyondFloat = 0x1p128;
 
-AttributeKind kind_of(const cases::Case& source, const ComputedValue& value) {
-  if (!value.attribute) return AttributeKind::depth;
-  return records::kind_of(source.attributes[*value.attribute].interpolation);
-}
-
 /// Whether |excess| is within what the contract promises, exactly.
 bool is_within(const UlpError& excess, const cases::ValueBound& bound, const TriangleTruth& truth,
                const ComputedValue& value) {
@@ -71,11 +66,15 @@ void count(records::Histogram& histogram, const UlpError& error) {
   }
 }
 
-/// Counts an error, and keeps it where it is an extreme. `exact` gives the exact value's text.
+Ring as_ring(float actual) {
+  if (std::isinf(actual)) return {actual > 0 ? kBeyondFloat : -kBeyondFloat};
+  return exact_ring(actual);
+}
+
+/// Keeps an error where it is an extreme. `exact` gives the exact value's text.
 template <typename Text>
-void add(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& scene,
-         const ComputedValue& value, std::uint64_t case_index, const Text& exact) {
-  count(sizes.histogram, error);
+void keep(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& scene,
+          const ComputedValue& value, std::uint64_t case_index, const Text& exact) {
   if (!records::may_keep(sizes.extremes, error.enclosure())) return;
   records::WorstError worst;
   worst.error = enclose(error.value());
@@ -93,9 +92,22 @@ void add(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& sc
   records::keep(sizes.extremes, worst);
 }
 
-Ring as_ring(float actual) {
-  if (std::isinf(actual)) return {actual > 0 ? kBeyondFloat : -kBeyondFloat};
-  return exact_ring(actual);
+/// Counts an error, and keeps it where it is an extreme.
+template <typename Text>
+void add(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& scene,
+         const ComputedValue& value, std::uint64_t case_index, const Text& exact) {
+  count(sizes.histogram, error);
+  sizes.sum.add(error.enclosure());
+  keep(sizes, error, scene, value, case_index, exact);
+}
+
+std::string text_of(const UlpError& error) {
+  return to_rational(error.exact().value()).to_string();
+}
+
+std::optional<ValueError> errors_of(const TriangleTruth& truth, const ComputedValue& value) {
+  return truth.errors().of(value.attribute, static_cast<int>(value.x), static_cast<int>(value.y),
+                           static_cast<int>(value.sample), as_ring(value.actual));
 }
 
 std::optional<ValueRange> range_of(const TriangleTruth& truth, const ComputedValue& value) {
@@ -107,40 +119,73 @@ std::optional<ValueRange> range_of(const TriangleTruth& truth, const ComputedVal
 
 }  // namespace
 
+AttributeKind kind_of(const cases::Case& source, std::optional<std::uint32_t> attribute) {
+  if (!attribute) return AttributeKind::depth;
+  return records::kind_of(source.attributes[*attribute].interpolation);
+}
+
 std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTruth& truth,
                                        const ComputedValue& value, std::uint64_t case_index,
-                                       records::Judgement& judgement) {
+                                       records::Stratum stratum, bool is_single,
+                                       ValueStatistics& statistics) {
   if (value.attribute && truth.is_value_free(*value.attribute)) return std::nullopt;
   JudgedValue judged;
-  judged.kind = kind_of(scene.source(), value);
+  judged.kind = kind_of(scene.source(), value.attribute);
   judged.attribute = value.attribute;
   judged.actual = value.actual;
   if (std::isnan(value.actual)) {
     if (!range_of(truth, value)) return std::nullopt;
     judged.fragment_class = FragmentClass::not_a_number;
-    ++judgement.errors[judged.kind].classes[judged.fragment_class];
+    ++statistics.of(judged.kind).classes[judged.fragment_class];
     return judged;
   }
 
-  const std::optional<ValueError> errors =
-      truth.errors().of(value.attribute, static_cast<int>(value.x), static_cast<int>(value.y),
-                        static_cast<int>(value.sample), as_ring(value.actual));
+  const std::optional<ValueError> errors = errors_of(truth, value);
   if (!errors) return std::nullopt;
   const cases::ValueBound bound = bound_of(scene.contract(), scene.source(), value.attribute);
   judged.fragment_class = class_of(scene, truth, value, errors->excess, bound);
-  records::ErrorStatistics& statistics = judgement.errors[judged.kind];
-  ++statistics.classes[judged.fragment_class];
+  records::ErrorStatistics& of_kind = statistics.of(judged.kind);
+  ++of_kind.classes[judged.fragment_class];
   if (std::isinf(value.actual)) return judged;
 
+  const auto add_to = [&](records::ErrorSizes& sizes, const UlpError& error) {
+    add(sizes, error, scene, value, case_index, [&] { return text_of(error); });
+  };
   judged.excess = errors->excess.enclosure();
-  add(statistics.excess, errors->excess, scene, value, case_index,
+  if (errors->ideal) judged.ideal = errors->ideal->enclosure();
+  if (errors->ideal && is_single) {
+    add_to(statistics.single(judged.kind, stratum).sizes, *errors->ideal);
+    return judged;
+  }
+  add(of_kind.excess, errors->excess, scene, value, case_index,
       [&] { return to_string(range_of(truth, value)); });
   if (errors->ideal) {
-    judged.ideal = errors->ideal->enclosure();
-    add(statistics.ideal, *errors->ideal, scene, value, case_index,
-        [&] { return to_rational(errors->ideal->exact().value()).to_string(); });
+    add_to(of_kind.ideal, *errors->ideal);
+    add_to(of_kind.strata[stratum], *errors->ideal);
   }
   return judged;
+}
+
+void settle_extremes(const SceneTruth& scene, const cases::Framebuffer& drawn,
+                     std::uint64_t case_index, SingleErrors& errors) {
+  std::optional<TriangleTruth> truth;
+  std::optional<std::uint32_t> prepared;
+  for (const ExtremeCandidate& candidate : errors.candidates()) {
+    if (prepared != candidate.triangle) {
+      truth.emplace(scene, candidate.triangle);
+      prepared = candidate.triangle;
+    }
+    const std::size_t i = candidate.fragment;
+    const float actual =
+        candidate.attribute ? drawn.attributes_of(i)[*candidate.attribute] : drawn.depth[i];
+    const ComputedValue value{candidate.triangle, drawn.x[i],          drawn.y[i],
+                              drawn.sample[i],    candidate.attribute, actual};
+    const std::optional<ValueError> error = errors_of(*truth, value);
+    if (!error || !error->ideal) continue;  // cannot be: it was enclosed
+    keep(errors.sizes, *error->ideal, scene, value, case_index,
+         [&] { return text_of(*error->ideal); });
+  }
+  errors.settled();
 }
 
 }  // namespace rastercheck::oracle

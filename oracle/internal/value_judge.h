@@ -1,13 +1,15 @@
 #pragma once
 
-// One computed value against the truth: its class, and its place in the statistics.
+// One computed value against the truth, in exact numbers: its class, and its place in the
+// statistics.
 
 #include <optional>
 
 #include "cases/contract.h"
+#include "cases/framebuffer.h"
+#include "oracle/internal/value_statistics.h"
 #include "oracle/judge.h"
 #include "oracle/triangle_truth.h"
-#include "records/judgement.h"
 
 namespace rastercheck::oracle {
 
@@ -21,10 +23,19 @@ struct ComputedValue {
   float actual = 0;
 };
 
+/// The kind of the attribute, or of the depth where there is none.
+records::AttributeKind kind_of(const cases::Case& source, std::optional<std::uint32_t> attribute);
+
 /// Judges the value and adds it to the statistics of its kind. Nothing where the rules leave it
-/// free or undefined; then nothing is added.
+/// free or undefined; then nothing is added. `is_single`: where the value has both errors, they are
+/// the same.
 std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTruth& truth,
                                        const ComputedValue& value, std::uint64_t case_index,
-                                       records::Judgement& judgement);
+                                       records::Stratum stratum, bool is_single,
+                                       ValueStatistics& statistics);
+
+/// Computes the candidates' errors exactly, and keeps those that are extremes.
+void settle_extremes(const SceneTruth& scene, const cases::Framebuffer& drawn,
+                     std::uint64_t case_index, SingleErrors& errors);
 
 }  // namespace rastercheck::oracle

@@ -91,14 +91,7 @@ Quantity TriangleValues::quantity(std::size_t attribute) const {
   return quantity;
 }
 
-const ProjectiveMap* TriangleValues::single_map() const {
-  const cases::Basis basis = triangle_->scene->contract().basis;
-  if (triangle_->shape == Shape::exact || basis == cases::Basis::ideal) return &triangle_->ideal;
-  if (basis == cases::Basis::snapped && triangle_->corner_count() == 1) {
-    return &triangle_->corner(0);
-  }
-  return nullptr;
-}
+const ProjectiveMap* TriangleValues::single_map() const { return triangle_->value_map(); }
 
 bool TriangleValues::is_defined_at(std::size_t attribute, const Point& p) const {
   const ProjectiveMap* map = single_map();

@@ -1,0 +1,73 @@
+#pragma once
+
+// Coverage of one triangle, row by row, by all three levels of the cascade (docs/oracle.md).
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "oracle/internal/triangle_filter.h"
+#include "oracle/triangle_truth.h"
+#include "records/judgement.h"
+
+namespace rastercheck::oracle {
+
+/// The verdicts of a row of pixels.
+class CoverageRow {
+ public:
+  /// A sample that is not strictly inside or outside: required by a tie, or permitted.
+  struct Special {
+    int x = 0;
+    int sample = 0;
+    records::SampleVerdict decision;
+  };
+
+  /// Sets the verdicts of all samples of row y of the filter's box, which is a row of that box.
+  void classify(const TriangleTruth& truth, const TriangleFilter& filter, int y,
+                records::LevelCounts& levels);
+
+  /// Samples per pixel.
+  int samples() const { return static_cast<int>(verdicts_.size()); }
+  bool is_required(int x, int sample) const {
+    const auto bit = static_cast<std::size_t>(x - x0_);
+    return (verdicts_[static_cast<std::size_t>(sample)].required[bit / 64] >> (bit % 64) & 1U) != 0;
+  }
+  /// By x, then sample.
+  const std::vector<Special>& special() const { return special_; }
+  /// Calls take(x, sample, decision) for each required or permitted sample, by x, then sample.
+  template <typename Take>
+  void for_each_covered(const Take& take) const {
+    auto next = special_.begin();
+    for (int x = x0_; x < x1_; ++x) {
+      for (int s = 0; s < samples(); ++s) {
+        if (next != special_.end() && next->x == x && next->sample == s) {
+          take(x, s, next++->decision);
+        } else if (is_required(x, s)) {
+          take(x, s, records::SampleVerdict{records::Verdict::required, records::Reason::inside});
+        }
+      }
+    }
+  }
+
+  std::uint64_t required() const { return required_; }    ///< how many samples
+  std::uint64_t permitted() const { return permitted_; }  ///< how many samples
+
+ private:
+  struct Open {
+    int x = 0;
+    int sample = 0;
+    std::optional<records::SampleVerdict> decision;
+  };
+  void decide_open(const TriangleTruth& truth, const TriangleFilter& filter, int y,
+                   records::LevelCounts& levels);
+
+  int x0_ = 0;
+  int x1_ = 0;
+  std::vector<RowVerdicts> verdicts_;  ///< [sample]
+  std::vector<Open> open_;             ///< what the first level left open
+  std::vector<Special> special_;
+  std::uint64_t required_ = 0;
+  std::uint64_t permitted_ = 0;
+};
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,149 @@
+#include "oracle/internal/triangle_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rastercheck::oracle {
+namespace {
+
+using records::Reason;
+using records::SampleVerdict;
+using records::Verdict;
+
+/// Coefficients beyond these limits, if not zero, could take products that a value's error is made
+/// of (filter_kernels.h) out of the normal doubles: a float32 difference and a w of at least 2^-149
+/// each, and an edge function, which is a multiple of 2^(-600 - 4 - 52) at any sample; above, 2^129
+/// times 2^128 times 2^(600 + 15 + 2).
+constexpr double kLeastCoefficient = 0x1p-600;
+constexpr double kMostCoefficient = 0x1p600;
+
+bool is_tame(double coefficient) {
+  const double size = std::abs(coefficient);
+  return size == 0 || (size >= kLeastCoefficient && size <= kMostCoefficient);
+}
+
+Point corner_of(const PixelBox& box) { return {Ring(box.x0), Ring(box.y0)}; }
+
+/// Bits first … last − 1 of words.
+void keep_bits(int first, int last, std::vector<std::uint64_t>& words) {
+  for (std::size_t w = 0; w < words.size(); ++w) {
+    const int from = first - static_cast<int>(w) * 64;
+    const int to = last - static_cast<int>(w) * 64;
+    std::uint64_t kept = from >= 64 || to <= 0 ? 0 : ~std::uint64_t{0};
+    if (kept != 0 && from > 0) kept &= ~std::uint64_t{0} << from;
+    if (kept != 0 && to < 64) kept &= ~(~std::uint64_t{0} << to);
+    words[w] &= kept;
+  }
+}
+
+}  // namespace
+
+std::optional<FilterLine> filter_line(const Line& line, const PixelBox& box) {
+  const double a = near_double(line.a);
+  const double b = near_double(line.b);
+  const double c = near_double(line.at(corner_of(box)));
+  if (!is_tame(a) || !is_tame(b) || !is_tame(c)) return std::nullopt;
+  const double width = box.x1 - box.x0;
+  const double height = box.y1 - box.y0;
+  const double size = std::abs(a) * width + std::abs(b) * height + std::abs(c);
+  // 4u for the coefficients, and 4u where proofs/edge.g needs 3.01: the rest holds the rounding of
+  // this sum.
+  return FilterLine{a, b, c, (kNearDoubleError + 0x1p-51) * size};
+}
+
+IntervalLine interval_line(const Line& line, const PixelBox& box) {
+  return {interval_of(line.a), interval_of(line.b), interval_of(line.at(corner_of(box)))};
+}
+
+TriangleFilter::TriangleFilter(const TriangleSetup& triangle, const PixelBox& box, Level first)
+    : triangle_(&triangle), box_(box), first_level_(first), boundary_(coverage_boundary(triangle)) {
+  is_empty_ = box.x1 <= box.x0 || box.y1 <= box.y0 || (boundary_ && !boundary_->is_drawn);
+  if (is_empty_ || !boundary_ || first != Level::filter) return;
+  const auto add = [this](const Line& line, const Ring* margin) {
+    std::optional<FilterLine> filter = filter_line(line, box_);
+    if (!filter) return false;
+    if (margin != nullptr) {
+      filter->band = (filter->band + margin->to_interval().second) * (1 + 0x1p-50);
+    }
+    lines_.push_back(*filter);
+    return true;
+  };
+  bool is_filtered = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Ring* margin = boundary_->has_bands ? &triangle.edge_bands[i] : nullptr;
+    is_filtered = is_filtered && add(boundary_->map->edge(i), margin);
+  }
+  if (triangle.shape == Shape::exact && triangle.is_cut_by_planes) {
+    for (const ClipFunctional& functional : triangle.clip_functionals()) {
+      // 0 everywhere is inside, which no band says.
+      const bool is_zero = functional.line.is_constant() && sign_of(functional.line.c) == 0;
+      is_filtered = is_filtered && (is_zero || add(functional.line, nullptr));
+    }
+  }
+  if (!is_filtered) lines_.clear();
+}
+
+const FilterLine* TriangleFilter::edges_of(const ProjectiveMap* map) const {
+  const bool has_them =
+      boundary_ && boundary_->map == map && !boundary_->has_bands && !lines_.empty();
+  return has_them ? lines_.data() : nullptr;
+}
+
+void TriangleFilter::classify(int y, const cases::SamplePosition& sample, RowVerdicts& row) const {
+  const int count = box_.x1 - box_.x0;
+  const auto words = static_cast<std::size_t>((count + 63) / 64);
+  row.required.assign(words, 0);
+  row.forbidden.assign(words, 0);
+  const PixelBox& inner = triangle_->scene->inner_pixels();
+  if (lines_.empty() || y < inner.y0 || y >= inner.y1) return;
+  classify_row(lines_, sample.x / 16.0, y - box_.y0 + sample.y / 16.0, count, row.required.data(),
+               row.forbidden.data());
+  if (inner.x0 > box_.x0 || inner.x1 < box_.x1) {
+    keep_bits(inner.x0 - box_.x0, inner.x1 - box_.x0, row.required);
+    keep_bits(inner.x0 - box_.x0, inner.x1 - box_.x0, row.forbidden);
+  }
+}
+
+void TriangleFilter::make_interval_lines() const {
+  const auto add = [this](const Line& line) {
+    interval_lines_.push_back({interval_line(line, box_), sign_of(line.a), sign_of(line.b)});
+  };
+  for (std::size_t i = 0; i < 3; ++i) add(boundary_->map->edge(i));
+}
+
+std::optional<SampleVerdict> TriangleFilter::decide(int x, int y,
+                                                    const cases::SamplePosition& sample) const {
+  const PixelBox& inner = triangle_->scene->inner_pixels();
+  const bool is_inner = x >= inner.x0 && x < inner.x1 && y >= inner.y0 && y < inner.y1;
+  const bool is_simple =
+      boundary_ && !boundary_->has_bands && is_inner && first_level_ != Level::exact;
+  if (!is_simple) return std::nullopt;
+  if (interval_lines_.empty()) make_interval_lines();
+
+  const Scene& scene = *triangle_->scene;
+  const double u = x - box_.x0 + sample.x / 16.0;
+  const double v = y - box_.y0 + sample.y / 16.0;
+  bool is_certain = true;
+  bool is_tie = false;
+  for (const SignedLine& edge : interval_lines_) {
+    const Interval value = edge.line.at(u, v);
+    if (value.inf() > 0) continue;
+    if (value.sup() < 0) return SampleVerdict{Verdict::forbidden, Reason::outside};
+    if (value.inf() != 0 || value.sup() != 0) {
+      is_certain = false;
+      continue;
+    }
+    // As coverage.cpp has it; what an unspecified rule leaves open is its to say.
+    if (scene.contract().tie_rule == cases::TieRule::unspecified) return std::nullopt;
+    const bool is_inside =
+        edge.sign_a > 0 || (edge.sign_a == 0 && scene.tie_sign() * edge.sign_b > 0);
+    if (!is_inside) return SampleVerdict{Verdict::forbidden, Reason::outside};
+    is_tie = true;
+  }
+  // Clip planes through a triangle are rare enough for exact numbers.
+  const bool has_planes = triangle_->shape == Shape::exact && triangle_->is_cut_by_planes;
+  if (!is_certain || has_planes) return std::nullopt;
+  return SampleVerdict{Verdict::required, is_tie ? Reason::tie : Reason::inside};
+}
+
+}  // namespace rastercheck::oracle

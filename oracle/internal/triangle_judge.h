@@ -1,0 +1,55 @@
+#pragma once
+
+// Judges triangles one by one, each as if drawn alone: walks the rows of its samples and its
+// fragments side by side. A row in which just the required samples are drawn, as nearly all are, is
+// settled by comparing bits.
+
+#include <cstdint>
+#include <vector>
+
+#include "oracle/internal/coverage_row.h"
+#include "oracle/internal/sample_judge.h"
+#include "oracle/internal/triangle_filter.h"
+
+namespace rastercheck::oracle {
+
+/// A framebuffer's fragments by place: the i-th of them, whichever order they were drawn in.
+class FragmentOrder {
+ public:
+  explicit FragmentOrder(const cases::Framebuffer& drawn);
+  std::size_t size() const { return drawn_->size(); }
+  std::size_t operator[](std::size_t i) const { return order_.empty() ? i : order_[i]; }
+  SamplePlace place(std::size_t i) const { return place_of(*drawn_, (*this)[i]); }
+  /// The first position whose place is not before this one.
+  std::size_t lower_bound(const SamplePlace& place) const;
+
+ private:
+  const cases::Framebuffer* drawn_;
+  std::vector<std::size_t> order_;  ///< empty where they come by place, as they should
+};
+
+class TriangleJudge {
+ public:
+  TriangleJudge(const JudgeContext& context, const FragmentOrder& order, SampleJudge& samples)
+      : context_(&context), order_(&order), samples_(&samples) {}
+
+  /// `first` … `last` − 1 are the positions of the triangle's fragments.
+  void judge(std::uint32_t triangle, std::size_t first, std::size_t last);
+
+ private:
+  void judge_row(int y, std::size_t first, std::size_t last);
+  bool is_just_what_is_required(std::size_t first, std::size_t last) const;
+  void walk_row(int y, std::size_t first, std::size_t last);
+  void take_extra(std::size_t position, const records::SampleVerdict& decision);
+
+  const JudgeContext* context_;
+  const FragmentOrder* order_;
+  SampleJudge* samples_;
+
+  std::shared_ptr<const TriangleTruth> truth_;
+  std::uint32_t triangle_ = 0;
+  std::optional<TriangleFilter> filter_;
+  CoverageRow row_;
+};
+
+}  // namespace rastercheck::oracle

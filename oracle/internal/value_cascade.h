@@ -1,0 +1,149 @@
+#pragma once
+
+// The values of drawn samples of one triangle, judged a batch at a time by the three levels of the
+// cascade (docs/oracle.md). A level's answer is an enclosure of a value's error; it decides where
+// everything that is asked of the error follows from it:
+//
+//   Is it within the bound?   Which bucket of the histogram?   Is it a new extreme?
+//
+// Where one of these stays open the next level is asked; the last, judge_value, answers all.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "cases/framebuffer.h"
+#include "oracle/internal/filter_kernels.h"
+#include "oracle/internal/intervals.h"
+#include "oracle/internal/triangle_filter.h"
+#include "oracle/internal/triangle_setup.h"
+#include "oracle/internal/value_judge.h"
+#include "oracle/internal/value_statistics.h"
+#include "oracle/judge.h"
+
+namespace rastercheck::oracle {
+
+/// What makes a triangle's fragments hard; window positions in double are near enough.
+records::Stratum stratum_of(const TriangleSetup& triangle);
+
+/// How the values of a batch came out.
+class JudgedBatch {
+ public:
+  /// Whether all values of a sample are right.
+  bool is_right(std::size_t lane) const { return !is_wrong_[lane]; }
+  /// The values of a sample, depth first.
+  std::vector<JudgedValue> values_of(std::size_t lane) const;
+
+ private:
+  friend class ValueCascade;
+  struct Column {
+    records::AttributeKind kind;
+    std::optional<std::uint32_t> attribute;
+    Batch<float> actual;
+    Batch<double> lo;  ///< of both errors, of values that are right
+    Batch<double> hi;
+    Batch<bool> is_by_enclosure;  ///< they are; else see `exact_`
+  };
+  struct Exact {
+    std::size_t column;
+    std::size_t lane;
+    JudgedValue value;
+  };
+  std::vector<Column> columns_;
+  std::vector<Exact> exact_;
+  Batch<bool> is_wrong_{};
+};
+
+class ValueCascade {
+ public:
+  /// All must outlive it.
+  ValueCascade(const SceneTruth& scene, const cases::Framebuffer& drawn,
+               const JudgeOptions& options, ValueStatistics& statistics);
+
+  /// Begins a triangle, which must outlive its batches, as must the filter of its coverage; all its
+  /// samples lie in the filter's box.
+  void begin(const TriangleTruth& truth, std::uint32_t triangle, const TriangleFilter& filter);
+
+  /// Judges all values of up to kBatchSize fragments (indices into the framebuffer), whose samples
+  /// are required or permitted. The result holds until the next call.
+  const JudgedBatch& judge(std::span<const std::size_t> fragments);
+
+ private:
+  /// How the first two levels know a value: by the triangle's one map, as a copy of a vertex's, or
+  /// not at all.
+  enum class Method { exact, copy, map };
+  enum class Zero { none, positive, negative };
+
+  /// A value of the triangle's fragments.
+  struct Subject {
+    std::optional<std::uint32_t> attribute;
+    records::AttributeKind kind = records::AttributeKind::depth;
+    Method method = Method::exact;
+    bool is_free = false;    ///< not judged
+    bool is_single = false;  ///< excess and ideal error are the same
+    bool at_center = false;  ///< evaluated at the pixel's centre, which is not the sample
+    /// Surely a mean of the vertices' values, depth within its range; else each value is asked.
+    bool is_mean = false;
+    bool is_clamped = false;      ///< the same, of a depth that the rules clamp
+    Zero only_zero = Zero::none;  ///< what all three vertices have
+    double bound = 0;
+    ValueFilter filter;
+    SingleErrors* errors = nullptr;  ///< where it is counted, if by the first two levels
+    /// What a new extreme has to exceed where excess and ideal error differ.
+    const records::Extremes* extremes = nullptr;
+  };
+
+  void prepare();
+  void set_edges();
+  Subject make_subject(std::optional<std::uint32_t> attribute) const;
+  void set_flat_filter(Subject& subject) const;
+  void set_attribute_scale(Subject& subject) const;
+  bool set_filter(Subject& subject) const;
+  bool set_depth_filter(ValueFilter& filter) const;
+  void gather(std::span<const std::size_t> fragments);
+  void judge_column(const Subject& subject, std::size_t index,
+                    std::span<const std::size_t> fragments);
+  void filter_column(const Subject& subject, int count, const Batch<float>& actual);
+  static ErrorLimits limits_of(const Subject& subject);
+  bool is_certain(const Subject& subject, float actual, const records::Enclosure& error) const;
+  void count_filtered(const Subject& subject, int count, JudgedBatch::Column& column);
+  bool take(const Subject& subject, float actual, const records::Enclosure& error,
+            std::size_t fragment);
+  records::Enclosure by_interval(const Subject& subject, std::size_t lane, float actual) const;
+  void judge_exactly(const Subject& subject, std::size_t column, std::size_t lane,
+                     std::size_t fragment);
+
+  const SceneTruth* scene_;
+  const cases::Framebuffer* drawn_;
+  std::uint64_t case_index_;
+  Level first_level_;
+  ValueStatistics* statistics_;
+
+  const TriangleTruth* truth_ = nullptr;
+  const TriangleSetup* triangle_ = nullptr;
+  const TriangleFilter* coverage_ = nullptr;
+  std::uint32_t triangle_index_ = 0;
+  bool is_prepared_ = false;  ///< what follows is of this triangle
+  records::Stratum stratum_ = records::Stratum::ordinary;
+  const ProjectiveMap* map_ = nullptr;  ///< what the first two levels evaluate; nullptr: nothing
+  std::array<FilterLine, 3> edges_{};
+  mutable std::optional<std::array<IntervalLine, 3>> interval_edges_;
+  std::vector<Subject> subjects_;
+  bool has_center_ = false;
+
+  Batch<double> x_{};  ///< pixels from the corner of the filter's box
+  Batch<double> y_{};
+  Batch<double> center_x_{};
+  Batch<double> center_y_{};
+  BatchWeights at_sample_{};
+  BatchWeights at_center_{};
+  Batch<double> computed_{};
+  Batch<double> lo_{};  ///< of a column's errors
+  Batch<double> hi_{};
+  CountedErrors counted_{};
+  std::vector<std::size_t> open_;  ///< lanes that a level left open
+  JudgedBatch judged_;
+};
+
+}  // namespace rastercheck::oracle

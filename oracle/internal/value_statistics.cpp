@@ -1,0 +1,78 @@
+#include "oracle/internal/value_statistics.h"
+
+#include <algorithm>
+
+#include "records/record.h"
+
+namespace rastercheck::oracle {
+
+using records::AttributeKind;
+using records::Stratum;
+
+void SingleErrors::note(const ExtremeCandidate& candidate) {
+  candidates_.push_back(candidate);
+  most_ = std::max(most_, candidate.error.lo);
+  least_ = std::min(least_, candidate.error.hi);
+  prune();
+}
+
+/// Keeps those that may be the largest on their side.
+void SingleErrors::prune() {
+  std::erase_if(candidates_, [this](const ExtremeCandidate& candidate) {
+    const bool may_be_most = candidate.error.hi > 0 && candidate.error.hi >= most_;
+    const bool may_be_least = candidate.error.lo < 0 && candidate.error.lo <= least_;
+    return !may_be_most && !may_be_least;
+  });
+}
+
+void SingleErrors::settled() {
+  candidates_.clear();
+  const records::Extremes& seen = sizes.extremes;
+  if (seen.most_positive) most_ = std::max(most_, seen.most_positive->error.lo);
+  if (seen.most_negative) least_ = std::min(least_, seen.most_negative->error.hi);
+}
+
+void SingleErrors::merge(SingleErrors&& other) {
+  records::merge(sizes, other.sizes);
+  for (const ExtremeCandidate& candidate : other.candidates_) {
+    if (candidate.error.hi > most_ || candidate.error.lo < least_) note(candidate);
+  }
+}
+
+SingleErrors& ValueStatistics::single(AttributeKind kind, Stratum stratum) {
+  auto& errors = single_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(stratum)];
+  if (!errors) errors = std::make_unique<SingleErrors>();
+  return *errors;
+}
+
+void ValueStatistics::merge(ValueStatistics&& other, const Settle& settle) {
+  records::merge(judgement_, other.judgement_);
+  other.for_each_single([&](AttributeKind kind, Stratum stratum, SingleErrors& errors) {
+    SingleErrors& into = single(kind, stratum);
+    into.merge(std::move(errors));
+    if (into.has_many_candidates()) settle(into);
+  });
+}
+
+records::Judgement ValueStatistics::finish(const Settle& settle) {
+  for_each_single([&](AttributeKind kind, Stratum stratum, SingleErrors& errors) {
+    settle(errors);
+    put_in_place(kind, stratum, errors.sizes);
+  });
+  for (auto& [kind, errors] : judgement_.errors) {
+    std::erase_if(errors.strata,
+                  [](const auto& stratum) { return stratum.second == records::ErrorSizes{}; });
+  }
+  return std::move(judgement_);
+}
+
+void ValueStatistics::put_in_place(AttributeKind kind, Stratum stratum,
+                                   const records::ErrorSizes& sizes) {
+  if (sizes == records::ErrorSizes{}) return;
+  records::ErrorStatistics& errors = of(kind);
+  records::merge(errors.excess, sizes);
+  records::merge(errors.ideal, sizes);
+  records::merge(errors.strata[stratum], sizes);
+}
+
+}  // namespace rastercheck::oracle

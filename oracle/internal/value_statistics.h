@@ -1,0 +1,91 @@
+#pragma once
+
+// Where the errors of one judgement are counted.
+//
+// Mostly the contract leaves no value open; then a value's excess is its ideal error, and is
+// counted once, by kind and stratum, and put into all three places at the end. Of such errors the
+// extremes are looked for among enclosures, and only what may be the largest at the end is computed
+// exactly.
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "records/judgement.h"
+
+namespace rastercheck::oracle {
+
+/// An error that may turn out to be an extreme.
+struct ExtremeCandidate {
+  records::Enclosure error;
+  std::uint32_t triangle = 0;
+  std::size_t fragment = 0;                ///< index into the framebuffer
+  std::optional<std::uint32_t> attribute;  ///< nothing for the depth
+};
+
+/// Errors that are both excess and ideal, of one kind and stratum. Values come in the order of
+/// their places, so that of equally large errors the one seen first is the extreme.
+class SingleErrors {
+ public:
+  records::ErrorSizes sizes;
+
+  /// Errors within these cannot be an extreme; at most and at least 0.
+  double least() const { return least_; }
+  double most() const { return most_; }
+  /// Notes an error that goes beyond least() or most().
+  void note(const ExtremeCandidate& candidate);
+  void merge(SingleErrors&& other);
+  const std::vector<ExtremeCandidate>& candidates() const { return candidates_; }
+  /// More than this would be slow to carry about: it is time to settle.
+  bool has_many_candidates() const { return candidates_.size() >= 64; }
+  /// The candidates have been computed exactly and kept in `sizes`, where they are extremes.
+  void settled();
+
+ private:
+  void prune();
+
+  double least_ = 0;
+  double most_ = 0;
+  std::vector<ExtremeCandidate> candidates_;
+};
+
+class ValueStatistics {
+ public:
+  records::Judgement& judgement() { return judgement_; }
+  records::ErrorStatistics& of(records::AttributeKind kind) { return judgement_.errors[kind]; }
+  records::Levels& levels() { return judgement_.levels; }
+  SingleErrors& single(records::AttributeKind kind, records::Stratum stratum);
+
+  /// Settles the candidates of errors: computes them exactly (settle_extremes in value_judge.h).
+  using Settle = std::function<void(SingleErrors&)>;
+
+  /// Adds what was judged after this.
+  void merge(ValueStatistics&& other, const Settle& settle);
+
+  /// All in its place.
+  records::Judgement finish(const Settle& settle);
+
+ private:
+  static constexpr std::size_t kKinds = records::kAttributeKindWords.size();
+  static constexpr std::size_t kStrata = records::kStratumWords.size();
+
+  template <typename Take>
+  void for_each_single(const Take& take) {
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+      for (std::size_t stratum = 0; stratum < kStrata; ++stratum) {
+        if (!single_[kind][stratum]) continue;
+        take(static_cast<records::AttributeKind>(kind), static_cast<records::Stratum>(stratum),
+             *single_[kind][stratum]);
+      }
+    }
+  }
+  void put_in_place(records::AttributeKind kind, records::Stratum stratum,
+                    const records::ErrorSizes& sizes);
+
+  records::Judgement judgement_;
+  std::array<std::array<std::unique_ptr<SingleErrors>, kStrata>, kKinds> single_;
+};
+
+}  // namespace rastercheck::oracle
