@@ -1,52 +1,257 @@
-// oracle/…: the judge, with the contract of the production rasterizer (exact coverage) and with
-// that of the textbook method (all placements of snapped vertices open).
+// oracle/…: the judge, level by level, beside the plain Gmpq path and beside what a conformance
+// suite does, on the same fragments. Every benchmark reports fragments (or samples, or triangles)
+// per second of one core, but for the one that names its threads.
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+#include <functional>
+
 #include "backends/backend.h"
+#include "cases/mesh.h"
 #include "oracle/judge.h"
+#include "oracle/referee.h"
+#include "oracle/transform.h"
+#include "oracle/ulp.h"
 #include "tests/bench/bench_scenes.h"
 
 namespace rastercheck::bench {
 namespace {
 
+constexpr const char* kBunny = "/usr/share/glmark2/models/bunny.obj";
+
+/// A scene with three attributes.
 cases::Case to_case(const Scene& scene) {
   cases::Case c;
   c.framebuffer = {kTarget, kTarget, 1};
   c.viewport.width = kTarget;
   c.viewport.height = kTarget;
-  c.attributes = {{"u", {}, {}}, {"v", {}, {}}};
-  for (const glm::vec4& p : scene.positions) c.positions.push_back({p.x, p.y, p.z, p.w});
-  c.attribute_values = scene.attributes;
+  c.attributes = {{"u", {}, {}}, {"v", {}, {}}, {"t", {}, {}}};
+  for (std::size_t i = 0; i < scene.positions.size(); ++i) {
+    const glm::vec4& p = scene.positions[i];
+    c.positions.push_back({p.x, p.y, p.z, p.w});
+    const float u = scene.attributes[2 * i];
+    const float v = scene.attributes[2 * i + 1];
+    c.attribute_values.insert(c.attribute_values.end(), {u, v, u - 3 * v});
+  }
   for (const glm::uvec3& t : scene.triangles) c.triangles.push_back({t.x, t.y, t.z});
   return c;
 }
 
-void judge(benchmark::State& bench, const Scene& scene, const std::string& specification) {
-  const cases::Case c = to_case(scene);
-  auto backend = backends::make_backend(specification);
-  if (!backend) return bench.SkipWithError("no such backend");
-  const auto drawn = (*backend)->draw(c);
-  if (!drawn) return bench.SkipWithError("the draw was refused");
-  for (auto _ : bench) {
-    const oracle::SceneTruth truth(c, (*backend)->contract(c));
-    benchmark::DoNotOptimize(oracle::judge(truth, *drawn));
-  }
-  bench.counters["fragments_per_second"] = benchmark::Counter(
-      static_cast<double>(drawn->size()) * static_cast<double>(bench.iterations()),
-      benchmark::Counter::kIsRate);
+/// The bunny, framed, on a target of 512 × 512.
+cases::Case bunny() {
+  const cases::Case c = cases::case_from_mesh(kBunny, {}).value();
+  return oracle::to_clip_case(c, kBunny).value();
 }
 
-void add(const std::string& name, const std::string& specification, const Scene& scene) {
-  benchmark::RegisterBenchmark(("oracle/judge/" + name).c_str(), [=](benchmark::State& bench) {
-    judge(bench, scene, specification);
-  })->Unit(benchmark::kMillisecond);
+/// A case and what a backend drew of it.
+struct Drawn {
+  cases::Case source;
+  cases::Contract contract;
+  cases::Framebuffer framebuffer;
+};
+using MakeCase = std::function<cases::Case()>;
+
+Drawn draw(const MakeCase& make, const std::string& specification) {
+  Drawn drawn;
+  drawn.source = make();
+  const auto backend = backends::make_backend(specification).value();
+  drawn.contract = backend->contract(drawn.source);
+  drawn.framebuffer = backend->draw(drawn.source).value();
+  return drawn;
+}
+
+void set_rate(benchmark::State& bench, const char* what, double count) {
+  bench.counters[what] = benchmark::Counter(count * static_cast<double>(bench.iterations()),
+                                            benchmark::Counter::kIsRate);
+}
+
+void judge(benchmark::State& bench, const MakeCase& make, const std::string& specification,
+           const oracle::JudgeOptions& options) {
+  const Drawn drawn = draw(make, specification);
+  for (auto _ : bench) {
+    const oracle::SceneTruth truth(drawn.source, drawn.contract);
+    benchmark::DoNotOptimize(oracle::judge(truth, drawn.framebuffer, options));
+  }
+  set_rate(bench, "fragments_per_second", static_cast<double>(drawn.framebuffer.size()));
+}
+
+/// Verdicts alone, of all samples of the triangles' boxes.
+void judge_coverage(benchmark::State& bench, const MakeCase& make, oracle::Level first) {
+  const Drawn drawn = draw(make, "cpu");
+  oracle::JudgeOptions options;
+  options.judges_values = false;
+  options.first_level = first;
+  double samples = 0;
+  for (auto _ : bench) {
+    const oracle::SceneTruth truth(drawn.source, drawn.contract);
+    const auto levels = oracle::judge(truth, drawn.framebuffer, options).judgement.levels.samples;
+    samples = static_cast<double>(levels.filter + levels.interval + levels.exact);
+  }
+  set_rate(bench, "samples_per_second", samples);
+}
+
+/// The plain path: each triangle's q-matrix in Gmpq, each fragment's coverage, values and errors.
+void judge_by_gmpq(benchmark::State& bench, const MakeCase& make) {
+  const Drawn drawn = draw(make, "cpu");
+  const cases::Framebuffer& f = drawn.framebuffer;
+  const std::size_t attributes = drawn.source.attributes.size();
+  const oracle::Rational one(1);
+  std::vector<oracle::Rational> magnitudes;
+  double worst = 0;
+  for (auto _ : bench) {
+    for (std::size_t i = 0; i < f.size();) {
+      const std::uint32_t t = f.triangle[i];
+      const oracle::Referee referee(drawn.source, t);
+      for (; i < f.size() && f.triangle[i] == t; ++i) {
+        const auto exact = referee.at(f.x[i], f.y[i], f.sample[i]);
+        if (!exact) return bench.SkipWithError("an uncovered sample was drawn");
+        worst = std::max(worst, oracle::scale_ulp_error(f.depth[i], exact->depth, one).hi);
+        for (std::size_t a = 0; a < attributes; ++a) {
+          worst = std::max(
+              worst, oracle::scale_ulp_error(f.attributes_of(i)[a], *exact->attributes[a], one).hi);
+        }
+      }
+    }
+    benchmark::DoNotOptimize(worst);
+  }
+  set_rate(bench, "fragments_per_second", static_cast<double>(f.size()));
+}
+
+/// What conformance suites do: barycentric weights in double, differences against a tolerance.
+class Float64Check {
+ public:
+  explicit Float64Check(const Drawn& drawn) : drawn_(&drawn) {}
+
+  std::size_t failures() const {
+    const cases::Framebuffer& f = drawn_->framebuffer;
+    std::size_t failures = 0;
+    for (std::size_t i = 0; i < f.size();) {
+      const std::uint32_t t = f.triangle[i];
+      const Plane plane(drawn_->source, t);
+      for (; i < f.size() && f.triangle[i] == t; ++i) failures += check(plane, i) ? 0U : 1U;
+    }
+    return failures;
+  }
+
+ private:
+  struct Plane {
+    Plane(const cases::Case& c, std::uint32_t triangle) : indices(c.triangles[triangle]) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const cases::ClipVertex& p = c.positions[indices[i]];
+        w[i] = p.w;
+        z[i] = p.z;
+        x[i] = (double{p.x} / p.w + 1) * c.viewport.width / 2 + c.viewport.x;
+        y[i] = (double{p.y} / p.w + 1) * c.viewport.height / 2 + c.viewport.y;
+      }
+      area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+    }
+    cases::Triangle indices;
+    std::array<double, 3> x{};
+    std::array<double, 3> y{};
+    std::array<double, 3> z{};
+    std::array<double, 3> w{};
+    double area = 0;
+  };
+
+  bool check(const Plane& p, std::size_t i) const {
+    const cases::Framebuffer& f = drawn_->framebuffer;
+    const double u = f.x[i] + 0.5;
+    const double v = f.y[i] + 0.5;
+    std::array<double, 3> b{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t m = (k + 1) % 3;
+      const std::size_t n = (k + 2) % 3;
+      b[k] = ((p.x[n] - p.x[m]) * (v - p.y[m]) - (p.y[n] - p.y[m]) * (u - p.x[m])) / p.area;
+    }
+    if (b[0] < -kTolerance || b[1] < -kTolerance || b[2] < -kTolerance) return false;
+    const double depth = b[0] * p.z[0] / p.w[0] + b[1] * p.z[1] / p.w[1] + b[2] * p.z[2] / p.w[2];
+    bool is_right = std::abs(f.depth[i] - depth) <= kTolerance;
+    const double inverse_w = b[0] / p.w[0] + b[1] / p.w[1] + b[2] / p.w[2];
+    for (std::size_t a = 0; a < drawn_->source.attributes.size(); ++a) {
+      double sum = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        sum += b[k] / p.w[k] * drawn_->source.attributes_of(p.indices[k])[a];
+      }
+      is_right = is_right && std::abs(f.attributes_of(i)[a] - sum / inverse_w) <= kTolerance;
+    }
+    return is_right;
+  }
+
+  /// What suites take (Khronos: up to 0.0064; here of values around 1).
+  static constexpr double kTolerance = 1e-5;
+
+  const Drawn* drawn_;
+};
+
+void check_in_float64(benchmark::State& bench, const MakeCase& make) {
+  const Drawn drawn = draw(make, "cpu");
+  const Float64Check check(drawn);
+  for (auto _ : bench) benchmark::DoNotOptimize(check.failures());
+  set_rate(bench, "fragments_per_second", static_cast<double>(drawn.framebuffer.size()));
+}
+
+/// Exact set-up alone: the box of every triangle.
+void set_up(benchmark::State& bench, const MakeCase& make) {
+  const Drawn drawn = draw(make, "cpu");
+  const oracle::SceneTruth truth(drawn.source, drawn.contract);
+  for (auto _ : bench) {
+    for (std::size_t t = 0; t < drawn.source.triangles.size(); ++t) {
+      benchmark::DoNotOptimize(oracle::TriangleTruth(truth, t).pixels());
+    }
+  }
+  set_rate(bench, "triangles_per_second", static_cast<double>(drawn.source.triangles.size()));
+}
+
+template <typename... Rest>
+void add(const std::string& name, void (*run)(benchmark::State&, const MakeCase&, Rest...),
+         const MakeCase& make, const std::type_identity_t<std::decay_t<Rest>>&... rest) {
+  benchmark::RegisterBenchmark(("oracle/" + name).c_str(),
+                               [=](benchmark::State& bench) { run(bench, make, rest...); })
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime();
+}
+
+MakeCase random_case(int count, float side) {
+  return [=] { return to_case(random_triangles(count, side)); };
+}
+
+oracle::JudgeOptions from(oracle::Level first, unsigned jobs = 1) {
+  oracle::JudgeOptions options;
+  options.first_level = first;
+  options.jobs = jobs;
+  return options;
 }
 
 const bool kRegistered = [] {
-  add("exact/random_72px", "cpu", random_triangles(20, 72));
-  add("exact/grid_8px", "cpu", grid_triangles(200, 8));
-  add("placements/random_72px", "method:rational-linear", random_triangles(20, 72));
+  using oracle::Level;
+  const MakeCase large = random_case(40, 160);
+  const MakeCase grid = [] { return to_case(grid_triangles(2000, 8)); };
+  add("coverage/filter", judge_coverage, large, Level::filter);
+  add("coverage/interval", judge_coverage, large, Level::interval);
+  add("coverage/exact", judge_coverage, random_case(10, 72), Level::exact);
+  add("errors/filter", judge, large, "cpu", from(Level::filter));
+  add("errors/interval", judge, large, "cpu", from(Level::interval));
+  add("errors/exact", judge, random_case(10, 72), "cpu", from(Level::exact));
+  add("errors/gmpq", judge_by_gmpq, random_case(10, 72));
+  add("errors/float64", check_in_float64, large);
+  add("errors/grid_8px", judge, grid, "cpu", from(Level::filter));
+  add("errors/placements", judge, random_case(10, 72), "method:rational-linear",
+      from(Level::filter));
+  add("setup", set_up, random_case(5000, 8));
+  // Both slopes: the same triangles four times as large, and four times as many.
+  add("linear/triangles:2000/fragments:64000", judge, random_case(2000, 8), "cpu",
+      from(Level::filter));
+  add("linear/triangles:2000/fragments:256000", judge, random_case(2000, 16), "cpu",
+      from(Level::filter));
+  add("linear/triangles:2000/fragments:1024000", judge, random_case(2000, 32), "cpu",
+      from(Level::filter));
+  add("linear/triangles:8000/fragments:256000", judge, random_case(8000, 8), "cpu",
+      from(Level::filter));
+  add("linear/triangles:32000/fragments:1024000", judge, random_case(32000, 8), "cpu",
+      from(Level::filter));
+  add("bunny/threads:1", judge, bunny, "cpu", from(Level::filter, 1));
+  add("bunny/threads:2", judge, bunny, "cpu", from(Level::filter, 2));
   return true;
 }();
 
