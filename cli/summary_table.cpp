@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/output.h"
+#include "records/enclosure_json.h"
 
 namespace rastercheck::cli {
 namespace {
@@ -24,6 +25,35 @@ nlohmann::ordered_json sizes_json(const records::SizeSummary& sizes) {
   if (sizes.worst) json["worst"] = {sizes.worst->lo, sizes.worst->hi};
   if (sizes.p99) json["p99"] = {sizes.p99->lo, sizes.p99->hi};
   return json;
+}
+
+nlohmann::ordered_json enclosure_json(const std::optional<records::Enclosure>& enclosure) {
+  if (!enclosure) return nullptr;
+  return records::enclosure_to_json(*enclosure);
+}
+
+nlohmann::ordered_json precision_json(const records::Precision& precision) {
+  nlohmann::ordered_json json{{"kind", to_string(precision.kind)}, {"stratum", nullptr}};
+  if (precision.stratum) json["stratum"] = to_string(*precision.stratum);
+  json["values"] = precision.values;
+  json["min"] = enclosure_json(precision.min);
+  json["max"] = enclosure_json(precision.max);
+  json["mean"] = enclosure_json(precision.mean);
+  json["p50"] = enclosure_json(precision.p50);
+  json["p99"] = enclosure_json(precision.p99);
+  json["p99.9"] = enclosure_json(precision.p999);
+  json["misrounded"] = precision.misrounded;
+  return json;
+}
+
+nlohmann::ordered_json precision_json(const std::vector<records::Precision>& rows) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const records::Precision& row : rows) json.push_back(precision_json(row));
+  return json;
+}
+
+nlohmann::ordered_json levels_json(const records::LevelCounts& levels) {
+  return {{"filter", levels.filter}, {"interval", levels.interval}, {"exact", levels.exact}};
 }
 
 }  // namespace
@@ -55,8 +85,11 @@ std::string summary_json(const records::Run& run, std::span<const records::LawSu
                             {"forbidden", row.counts.forbidden},
                             {"permitted", row.counts.permitted},
                             {"undecided", row.counts.undecided},
+                            {"samples_decided", levels_json(row.levels.samples)},
+                            {"values_decided", levels_json(row.levels.values)},
                             {"ideal_error", sizes_json(row.ideal)},
                             {"beyond_contract", sizes_json(row.excess)},
+                            {"precision", precision_json(row.precision)},
                             {"verdict", to_string(row.verdict)}});
   }
   return json.dump();

@@ -90,6 +90,9 @@ class CentreQuestion {
     scene_ = std::make_unique<SceneTruth>(std::move(source), scene.contract());
   }
 
+  /// Whether any answer but no is possible.
+  bool is_open() const { return scene_ != nullptr; }
+
   bool is_extrapolated(const JudgedSample& sample) {
     if (!scene_) return false;
     if (!truth_ || triangle_ != sample.triangle) {
@@ -107,7 +110,8 @@ class CentreQuestion {
   std::uint32_t triangle_ = 0;
 };
 
-/// What the judged samples of a case reached.
+/// What the judged samples of a case reached. Of those strictly inside it has only to see their
+/// triangles, unless asks_of_ordinary().
 class LabelCollector {
  public:
   explicit LabelCollector(const SceneTruth& scene) : scene_(&scene), centre_(scene) {}
@@ -117,7 +121,6 @@ class LabelCollector {
         sample.fragment_class != FragmentClass::missing) {
       return;
     }
-    triangles_.insert(sample.triangle);
     is_permitted_ = is_permitted_ || sample.decision.verdict == Verdict::permitted;
     reasons_.insert(sample.decision.reason);
     if (!is_extrapolated_ && sample.fragment_class == FragmentClass::correct) {
@@ -125,22 +128,24 @@ class LabelCollector {
     }
   }
 
-  std::vector<std::string> labels() const {
+  bool asks_of_ordinary() const { return centre_.is_open(); }
+
+  /// `triangles`: those with a sample that is drawn rightly, or missing.
+  std::vector<std::string> labels(const std::set<std::uint32_t>& triangles) const {
     std::set<std::string> all;
     for (const records::Reason reason : reasons_) {
       if (reason != records::Reason::inside) all.emplace(records::to_string(reason));
     }
-    if (!triangles_.empty()) all.emplace("drawn");
+    if (!triangles.empty()) all.emplace("drawn");
     if (is_permitted_) all.emplace("permitted");
     if (is_extrapolated_) all.emplace("extrapolated centre");
-    add_state_labels(scene_->source(), triangles_, all);
+    add_state_labels(scene_->source(), triangles, all);
     return {all.begin(), all.end()};
   }
 
  private:
   const SceneTruth* scene_;
   CentreQuestion centre_;
-  std::set<std::uint32_t> triangles_;
   std::set<records::Reason> reasons_;
   bool is_permitted_ = false;
   bool is_extrapolated_ = false;
@@ -201,10 +206,7 @@ void merge(Check& into, const Check& from) {
     if (into.violations.size() == records::kMostViolations) break;
     into.violations.push_back(violation);
   }
-  records::merge(into.judgement.counts, from.judgement.counts);
-  for (const auto& [kind, statistics] : from.judgement.errors) {
-    records::merge(into.judgement.errors[kind], statistics);
-  }
+  records::merge(into.judgement, from.judgement);
   std::set<std::string> labels(into.labels.begin(), into.labels.end());
   labels.insert(from.labels.begin(), from.labels.end());
   into.labels.assign(labels.begin(), labels.end());
@@ -231,9 +233,12 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
   oracle::JudgeOptions judge_options;
   judge_options.judges_values = request.judges_values;
   judge_options.case_index = options.case_index;
+  // Of small cases more, as there are other costs.
+  judge_options.self_check_one_in = 1024;
+  judge_options.shows_ordinary = labels.asks_of_ordinary();
   oracle::Judged judged = oracle::judge(scene, drawn, judge_options, see);
   check.judgement = std::move(judged.judgement);
-  check.labels = labels.labels();
+  check.labels = labels.labels({judged.seen_triangles.begin(), judged.seen_triangles.end()});
   check.fault = std::move(judged.fault);
   return check;
 }

@@ -98,6 +98,7 @@ class SceneReader {
 records::Judgement coverage_part(const records::Judgement& all) {
   records::Judgement part;
   part.counts = all.counts;
+  part.levels.samples = all.levels.samples;
   part.errors[records::AttributeKind::coverage] = all.errors.at(records::AttributeKind::coverage);
   return part;
 }
@@ -132,7 +133,7 @@ std::vector<const Law*> scene_laws(const std::vector<std::string>& asked_for) {
 
 Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& specification,
                                   backends::Backend& backend, std::uint64_t seed,
-                                  const std::vector<std::string>& laws) {
+                                  const std::vector<std::string>& laws, unsigned jobs) {
   Result<cases::Case> clip = oracle::to_clip_case(scene, scene.name);
   if (!clip) return tl::unexpected(clip.error());
   SceneFindings result;
@@ -153,8 +154,10 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
   }
   result.drawn = *std::move(drawn);
 
+  oracle::JudgeOptions options;
+  options.jobs = jobs;
   const oracle::Judged judged =
-      oracle::judge(truth, result.drawn, {},
+      oracle::judge(truth, result.drawn, options,
                     [&reader](const JudgedSample& sample, const oracle::TriangleTruth* triangle) {
                       reader.see(sample, triangle);
                     });

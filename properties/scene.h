@@ -22,9 +22,10 @@ struct SceneFindings {
 };
 
 /// Draws and judges the scene; `laws` names the laws that are asked for. A scene that the backend
-/// cannot draw violates them all. Fails where positions lie beyond float32.
+/// cannot draw violates them all. Judges in `jobs` threads. Fails where positions lie beyond
+/// float32.
 Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& specification,
                                   backends::Backend& backend, std::uint64_t seed,
-                                  const std::vector<std::string>& laws);
+                                  const std::vector<std::string>& laws, unsigned jobs = 1);
 
 }  // namespace rastercheck::properties

@@ -29,6 +29,7 @@
 #include "oracle/transform.h"
 #include "properties/scene.h"
 #include "properties/workers.h"
+#include "records/share.h"
 #include "reports/format.h"
 #include "reports/picture.h"
 #include "reports/png.h"
@@ -102,13 +103,14 @@ Result<records::Picture> picture(std::string name, std::string caption,
 }
 
 /// Judges the scene with every backend, and keeps what was drawn and its error map as pictures.
-Result<properties::Findings> judge_scenes(const cases::Case& scene, records::Run& run) {
+Result<properties::Findings> judge_scenes(const cases::Case& scene, unsigned jobs,
+                                          records::Run& run) {
   properties::Findings all;
   for (const std::string& specification : run.backends) {
     auto backend = backends::make_backend(specification);
     if (!backend) return tl::unexpected(backend.error());
     Result<properties::SceneFindings> found =
-        properties::judge_scene(scene, specification, **backend, run.seed, run.laws);
+        properties::judge_scene(scene, specification, **backend, run.seed, run.laws, jobs);
     if (!found) return tl::unexpected(found.error());
     const std::string stem =
         std::filesystem::path(scene.name).stem().string() + "-" + specification;
@@ -145,7 +147,7 @@ Result<properties::Findings> find(const Options& options, const std::string& cor
   Result<properties::Findings> of_scene;
   if (options.jobs == 1) {
     properties::TaskRunner runner(run.seed, std::move(corpus));
-    if (scene) of_scene = judge_scenes(*scene, run);
+    if (scene) of_scene = judge_scenes(*scene, 1, run);
     if (of_scene) campaign = properties::run_tasks(runner, tasks, progress);
   } else {
     const std::vector<std::string> command{
@@ -153,7 +155,7 @@ Result<properties::Findings> find(const Options& options, const std::string& cor
     auto dispatched = std::async(std::launch::async, [&] {
       return properties::run_tasks_in_processes(command, options.jobs, tasks, progress);
     });
-    if (scene) of_scene = judge_scenes(*scene, run);
+    if (scene) of_scene = judge_scenes(*scene, static_cast<unsigned>(options.jobs), run);
     campaign = dispatched.get();
   }
   if (!of_scene) return of_scene;
@@ -208,9 +210,15 @@ void print_results(const Options& options, const records::Run& run,
   fmt::print("{}", summary_table(rows, options.quiet));
   if (options.quiet) return;
   records::Counts counts;
-  for (const records::LawSummary& row : rows) records::merge(counts, row.counts);
+  records::Levels levels;
+  for (const records::LawSummary& row : rows) {
+    records::merge(counts, row.counts);
+    records::merge(levels, row.levels);
+  }
   fmt::print("\nSamples: {} required, {} forbidden, {} permitted, {} undecided.\n", counts.required,
              counts.forbidden, counts.permitted, counts.undecided);
+  const std::string decided = records::decided_sentence(levels, counts.undecided);
+  if (!decided.empty()) fmt::print("{}\n", decided);
   for (const records::Counterexample& found : run.counterexamples) {
     fmt::print("Counterexample: {}/{} ({})\n", options.output, records::file_of(found),
                found.source.found->verdict);

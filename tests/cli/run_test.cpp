@@ -216,6 +216,28 @@ TEST_F(Run, PrintsTheTableAsJson) {
   EXPECT_EQ(row->at("verdict"), "violated");
 }
 
+// Kills: precision of kinds or strata left out of what programs read.
+TEST_F(Run, PrintsPrecisionAndLevelsAsJson) {
+  const Outcome outcome =
+      run({"--cases", "4", "--seed", "9", "--property", "values stay*", "--json"});
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  const json row = json::parse(outcome.out).at("laws").at(0);
+  for (const char* what : {"samples_decided", "values_decided"}) {
+    for (const char* level : {"filter", "interval", "exact"}) {
+      EXPECT_TRUE(row.at(what).at(level).is_number_unsigned()) << what << level;
+    }
+  }
+  ASSERT_FALSE(row.at("precision").empty());
+  const json& all = row.at("precision").at(0);
+  EXPECT_EQ(all.at("stratum"), nullptr);
+  EXPECT_GT(all.at("values"), 0);
+  EXPECT_LE(all.at("min").at(0), 0);
+  EXPECT_GE(all.at("max").at(1), 0);
+  EXPECT_LE(all.at("mean").at(0), all.at("mean").at(1));
+  for (const char* quantile : {"p50", "p99", "p99.9"}) EXPECT_THAT(all.at(quantile), SizeIs(2));
+  EXPECT_LE(all.at("misrounded"), all.at("values"));
+}
+
 TEST_F(Run, QuietlyPrintsRowsOnly) {
   const Outcome outcome = run_damaged({"--backend", "damaged", "--cases", "1", "--quiet"});
   EXPECT_EQ(outcome.code, 1);
