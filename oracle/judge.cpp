@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <exception>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <numeric>
-#include <thread>
 #include <tuple>
 
 #include "oracle/internal/floating_point.h"
@@ -43,7 +44,7 @@ class Chunks {
   std::optional<Chunk> next() {
     const std::lock_guard lock(mutex_);
     const auto count = static_cast<std::uint32_t>(source_->triangles.size());
-    if (triangle_ == count) return std::nullopt;
+    if (triangle_ == count || failure_) return std::nullopt;
     Chunk chunk{taken_++, triangle_, std::min(triangle_ + kTriangles, count), fragment_, 0};
     if (fragment_ + kFragments < order_->size()) {
       const std::uint32_t there = order_->place(fragment_ + kFragments).triangle;
@@ -55,15 +56,26 @@ class Chunks {
     return chunk;
   }
 
-  /// Waits until all chunks before this one are out.
+  /// Waits until all chunks before this one are out; throws where one of them never will be.
   void wait_for_turn(const Chunk& chunk) {
     std::unique_lock lock(mutex_);
-    turn_.wait(lock, [&] { return out_ == chunk.index; });
+    turn_.wait(lock, [&] { return out_ == chunk.index || failure_; });
+    if (failure_) std::rethrow_exception(failure_);
   }
   void leave() {
     const std::lock_guard lock(mutex_);
     ++out_;
     turn_.notify_all();
+  }
+
+  /// A chunk failed, so that no later one has its turn; the first failure is kept.
+  void fail(const std::exception_ptr& failure) {
+    const std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = failure;
+    turn_.notify_all();
+  }
+  void rethrow_failure() const {
+    if (failure_) std::rethrow_exception(failure_);
   }
 
  private:
@@ -78,6 +90,7 @@ class Chunks {
   std::size_t fragment_ = 0;
   std::size_t taken_ = 0;
   std::size_t out_ = 0;
+  std::exception_ptr failure_;
 };
 
 /// Holds the samples of a chunk back from the sink until its turn; not more than so many, as then
@@ -123,41 +136,49 @@ class AloneJudge {
         chunks_(context.scene->source(), order_) {}
 
   Judged run() {
-    {
-      std::vector<std::jthread> others;
-      for (unsigned i = 1; i < context_->options->jobs; ++i)
-        others.emplace_back([this] { work(); });
-      work();
+    std::vector<std::future<void>> others;
+    for (unsigned i = 1; i < context_->options->jobs; ++i) {
+      others.push_back(std::async(std::launch::async, [this] { work(); }));
     }
+    work();
+    for (const std::future<void>& other : others) other.wait();
+    chunks_.rethrow_failure();
     take_the_rest();
     return findings_.finish(*context_);
   }
 
  private:
   void work() {
-    const DefaultFloatingPoint floating_point;
-    while (const std::optional<Chunk> chunk = chunks_.next()) {
-      HeldSamples held(chunks_, *chunk, *sink_);
-      Emit emit;
-      if (*sink_) {
-        emit = [&held](const JudgedSample& sample, const TruthPointer& truth) {
-          held.take(sample, truth);
-        };
-      }
-      SampleJudge samples(*context_, std::move(emit));
-      TriangleJudge triangles(*context_, order_, samples);
-      std::size_t first = chunk->first_fragment;
-      for (std::uint32_t t = chunk->first_triangle; t < chunk->last_triangle; ++t) {
-        std::size_t last = first;
-        while (last < chunk->last_fragment && order_.place(last).triangle == t) ++last;
-        triangles.judge(t, first, last);
-        first = last;
-      }
-      SampleJudge::Findings findings = samples.finish();
-      held.let_out();
-      findings_.merge(std::move(findings), *context_);
-      chunks_.leave();
+    try {
+      const DefaultFloatingPoint floating_point;
+      while (const std::optional<Chunk> chunk = chunks_.next()) judge(*chunk);
+    } catch (...) {
+      // A sink may throw; whoever waits for this chunk has to hear of it.
+      chunks_.fail(std::current_exception());
     }
+  }
+
+  void judge(const Chunk& chunk) {
+    HeldSamples held(chunks_, chunk, *sink_);
+    Emit emit;
+    if (*sink_) {
+      emit = [&held](const JudgedSample& sample, const TruthPointer& truth) {
+        held.take(sample, truth);
+      };
+    }
+    SampleJudge samples(*context_, std::move(emit));
+    TriangleJudge triangles(*context_, order_, samples);
+    std::size_t first = chunk.first_fragment;
+    for (std::uint32_t t = chunk.first_triangle; t < chunk.last_triangle; ++t) {
+      std::size_t last = first;
+      while (last < chunk.last_fragment && order_.place(last).triangle == t) ++last;
+      triangles.judge(t, first, last);
+      first = last;
+    }
+    SampleJudge::Findings findings = samples.finish();
+    held.let_out();
+    findings_.merge(std::move(findings), *context_);
+    chunks_.leave();
   }
 
   /// What names no triangle of the case.
