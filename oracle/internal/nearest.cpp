@@ -1,8 +1,9 @@
 #include "oracle/internal/nearest.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
-#include "oracle/internal/coverage_row.h"
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/scene.h"
 #include "oracle/ulp.h"
@@ -10,19 +11,12 @@
 namespace rastercheck::oracle {
 namespace {
 
+using records::Enclosure;
 using records::Reason;
 using records::Verdict;
 
-struct Covering {
-  std::uint32_t triangle = 0;
-  records::SampleVerdict decision;
-  /// The depths that a backend may compute; nothing where the rules leave it undefined.
-  std::optional<FieldRange> depth;
-};
-
-bool is_surely_nearer(const Covering& a, const Covering& b) {
-  return a.depth && b.depth && a.depth->hi < b.depth->lo;
-}
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The most that a computed depth may be off, in depth.
 Field depth_slack(const Scene& scene) {
@@ -31,74 +25,129 @@ Field depth_slack(const Scene& scene) {
   return exact_field(scene.contract().bounds.depth.constant) * to_field(unit);
 }
 
-NearestAnswer resolve(const std::vector<Covering>& all) {
-  NearestAnswer answer;
-  for (const Covering& a : all) {
-    const auto is_required = [](const Covering& b) {
-      return b.decision.verdict == Verdict::required;
-    };
-    const bool is_beaten = std::any_of(all.begin(), all.end(), [&](const Covering& b) {
-      return &b != &a && is_required(b) && is_surely_nearer(b, a);
-    });
-    answer.is_required = answer.is_required || is_required(a);
-    if (is_beaten) continue;
-    const bool beats_all = std::all_of(all.begin(), all.end(), [&a](const Covering& b) {
-      return &b == &a || is_surely_nearer(a, b);
-    });
-    answer.candidates.push_back({a.triangle, a.decision});
-    if (!beats_all && is_required(a)) {
-      answer.candidates.back().decision = {Verdict::permitted, Reason::depth};
-    }
-  }
-  return answer;
+bool is_required(const records::SampleVerdict& decision) {
+  return decision.verdict == Verdict::required;
 }
 
 }  // namespace
 
-const PreparedTriangles::Prepared& PreparedTriangles::of(std::uint32_t triangle) {
-  Prepared& prepared = prepared_[triangle];
-  if (!prepared.truth) {
-    auto truth = std::make_shared<const TriangleTruth>(*scene_, triangle);
-    prepared.filter =
-        std::make_unique<TriangleFilter>(truth->setup(), truth->setup().pixels(), first_level_);
-    prepared.truth = std::move(truth);
-  }
-  return prepared;
+PreparedTriangles::Prepared PreparedTriangles::of(std::uint32_t triangle) {
+  const auto found = prepared_.find(triangle);
+  if (found != prepared_.end()) return found->second;
+  if (prepared_.size() == kMost) prepared_.clear();
+  auto truth = std::make_shared<const TriangleTruth>(*scene_, triangle);
+  auto filter =
+      std::make_shared<const TriangleFilter>(truth->setup(), truth->setup().pixels(), first_level_);
+  return prepared_[triangle] = {std::move(truth), std::move(filter)};
 }
 
-NearestAnswers::NearestAnswers(const SceneTruth& scene) : scene_(&scene) {
-  rows_.reserve(scene.source().triangles.size());
-  for (std::size_t t = 0; t < scene.source().triangles.size(); ++t) {
-    const Pixels pixels = TriangleTruth(scene, t).pixels();
-    rows_.emplace_back(pixels.y0, pixels.x0 < pixels.x1 ? pixels.y1 : pixels.y0);
+NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles)
+    : scene_(&scene),
+      y0_(y0),
+      y1_(y1),
+      triangles_(&triangles),
+      both_slacks_(enclose(depth_slack(scene.scene()) * Field(2)).hi) {
+  const cases::FramebufferSize& size = scene.source().framebuffer;
+  samples_.resize(static_cast<std::size_t>(y1 - y0) * static_cast<std::size_t>(size.width) *
+                      static_cast<std::size_t>(size.samples),
+                  Sample{{}, false, kInfinity});
+}
+
+Enclosure NearestBand::depth_of(const PreparedTriangles::Prepared& triangle,
+                                const DepthFilter& filter, int x, int y, int s) const {
+  const auto pattern = scene_->scene().pattern();
+  if (const auto depth = filter.at(x, y, pattern[static_cast<std::size_t>(s)])) return *depth;
+  const std::optional<ValueRange> depth = triangle.truth->depth(x, y, s);
+  if (!depth) return {kNaN, kNaN};
+  return {depth->lo.enclosure().lo, depth->hi.enclosure().hi};
+}
+
+void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
+  const PreparedTriangles::Prepared prepared = triangles_->of(triangle);
+  if (prepared.filter->is_empty()) return;
+  const DepthFilter depths(prepared.truth->setup(), *prepared.filter);
+  const cases::FramebufferSize& size = scene_->source().framebuffer;
+  const PixelBox& box = prepared.filter->box();
+  for (int y = std::max(y0_, box.y0); y < std::min(y1_, box.y1); ++y) {
+    row_.classify(*prepared.truth, *prepared.filter, y, levels);
+    Sample* const samples =
+        samples_.data() + static_cast<std::ptrdiff_t>(y - y0_) * size.width * size.samples;
+    row_.for_each_covered([&](int x, int s, const records::SampleVerdict& decision) {
+      add(samples[x * size.samples + s], {triangle, decision, depth_of(prepared, depths, x, y, s)});
+    });
   }
 }
 
-NearestAnswers::Answers NearestAnswers::in_rows(int y0, int y1, PreparedTriangles& triangles,
-                                                records::LevelCounts& levels) const {
+void NearestBand::add(Sample& sample, const Covering& covering) const {
+  sample.is_required = sample.is_required || is_required(covering.decision);
+  // Comparisons that NaN fails: what has no depth is neither nearer nor behind.
+  if (covering.depth.lo > sample.horizon) return;
+  sample.coverings.push_back(covering);
+  if (!is_required(covering.decision)) return;
+  const double horizon = std::nextafter(covering.depth.hi + both_slacks_, kInfinity);
+  if (!(horizon < sample.horizon)) return;
+  sample.horizon = horizon;
+  std::erase_if(sample.coverings,
+                [horizon](const Covering& other) { return other.depth.lo > horizon; });
+}
+
+/// A covering that is compared exactly with others.
+struct NearestBand::Rival {
+  const Covering* covering = nullptr;
+  /// The depths that a backend may compute; nothing where the rules leave it undefined.
+  std::optional<FieldRange> depth;
+
+  bool is_surely_nearer_than(const Rival& other) const {
+    return depth && other.depth && depth->hi < other.depth->lo;
+  }
+};
+
+/// Coverings that are surely behind a required one are gone. That changes nothing for the others:
+/// the nearest of the required ones is still there; and where several remain, what is surely nearer
+/// than these is nearer than all that these hide.
+void NearestBand::resolve(const Sample& sample, int y, int x, int s,
+                          std::vector<Candidate>& candidates) {
+  candidates.clear();
+  if (sample.coverings.size() == 1) {
+    const Covering& only = sample.coverings.front();
+    candidates.push_back({only.triangle, only.decision});
+    return;
+  }
   const Field slack = depth_slack(scene_->scene());
-  std::map<std::tuple<int, int, int>, std::vector<Covering>> coverings;
-  CoverageRow row;
-  for (std::uint32_t t = 0; t < rows_.size(); ++t) {
-    const int first = std::max(y0, rows_[t].first);
-    const int last = std::min(y1, rows_[t].second);
-    if (first >= last) continue;
-    const PreparedTriangles::Prepared& triangle = triangles.of(t);
-    if (triangle.filter->is_empty()) continue;
-    for (int y = first; y < last; ++y) {
-      row.classify(*triangle.truth, *triangle.filter, y, levels);
-      row.for_each_covered([&](int x, int s, const records::SampleVerdict& decision) {
-        Covering covering{t, decision, std::nullopt};
-        if (const std::optional<ValueRange> depth = triangle.truth->depth(x, y, s)) {
-          covering.depth = {to_field(depth->lo) - slack, to_field(depth->hi) + slack};
-        }
-        coverings[{y, x, s}].push_back(std::move(covering));
-      });
+  std::vector<Rival> rivals;
+  for (const Covering& covering : sample.coverings) {
+    rivals.push_back({&covering, std::nullopt});
+    const auto depth = triangles_->of(covering.triangle).truth->depth(x, y, s);
+    if (depth) rivals.back().depth = {to_field(depth->lo) - slack, to_field(depth->hi) + slack};
+  }
+  for (const Rival& a : rivals) {
+    const bool is_beaten = std::any_of(rivals.begin(), rivals.end(), [&a](const Rival& b) {
+      return is_required(b.covering->decision) && b.is_surely_nearer_than(a);
+    });
+    if (is_beaten) continue;
+    const bool beats_all = std::all_of(rivals.begin(), rivals.end(), [&a](const Rival& b) {
+      return &b == &a || a.is_surely_nearer_than(b);
+    });
+    candidates.push_back({a.covering->triangle, a.covering->decision});
+    if (!beats_all && is_required(a.covering->decision)) {
+      candidates.back().decision = {Verdict::permitted, Reason::depth};
     }
   }
-  Answers answers;
-  for (const auto& [place, all] : coverings) answers.emplace(place, resolve(all));
-  return answers;
+}
+
+void NearestBand::for_each_answer(const Take& take) {
+  const cases::FramebufferSize& size = scene_->source().framebuffer;
+  std::vector<Candidate> candidates;
+  auto sample = samples_.begin();
+  for (int y = y0_; y < y1_; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      for (int s = 0; s < size.samples; ++s, ++sample) {
+        if (sample->coverings.empty()) continue;
+        resolve(*sample, y, x, s, candidates);
+        take(y, x, s, candidates, sample->is_required);
+      }
+    }
+  }
 }
 
 }  // namespace rastercheck::oracle

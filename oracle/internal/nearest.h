@@ -3,11 +3,15 @@
 // Which fragment a depth test `less` may leave at each sample (oracle/judge.h).
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
-#include <tuple>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "oracle/internal/coverage_row.h"
+#include "oracle/internal/depth_filter.h"
 #include "oracle/internal/triangle_filter.h"
 #include "oracle/triangle_truth.h"
 #include "records/judgement.h"
@@ -15,58 +19,82 @@
 
 namespace rastercheck::oracle {
 
-/// What the depth test may leave at one sample.
-struct NearestAnswer {
-  struct Candidate {
-    std::uint32_t triangle = 0;
-    records::SampleVerdict decision;
-  };
-  /// Required or permitted, in ascending order of triangles; all others are forbidden.
-  std::vector<Candidate> candidates;
-  /// Some triangle has to be drawn, whichever.
-  bool is_required = false;
-};
-
-/// Triangles whose truth is at hand.
+/// Triangles whose truth is at hand; the first that are not asked for again for long are forgotten.
 class PreparedTriangles {
  public:
   struct Prepared {
     std::shared_ptr<const TriangleTruth> truth;
-    std::unique_ptr<TriangleFilter> filter;
+    std::shared_ptr<const TriangleFilter> filter;
   };
 
   PreparedTriangles(const SceneTruth& scene, Level first) : scene_(&scene), first_level_(first) {}
 
   /// Prepares it if it is not.
-  const Prepared& of(std::uint32_t triangle);
-  /// Forgets all.
-  void clear() { prepared_.clear(); }
+  Prepared of(std::uint32_t triangle);
 
  private:
+  static constexpr std::size_t kMost = 4096;
+
   const SceneTruth* scene_;
   Level first_level_;
   std::map<std::uint32_t, Prepared> prepared_;
 };
 
-/// The answers, a band of rows after the other, so that memory is bounded by what covers a band.
-class NearestAnswers {
+/// The answers for a band of rows. What the depth test cannot leave is forgotten as soon as that is
+/// certain, so that memory is bounded by the band's samples and the depths that are too near to
+/// tell apart.
+class NearestBand {
  public:
-  using Answers = std::map<std::tuple<int, int, int>, NearestAnswer>;
+  /// A triangle that may be left at a sample.
+  struct Candidate {
+    std::uint32_t triangle = 0;
+    records::SampleVerdict decision;
+  };
+  /// Takes a sample's candidates, required or permitted, in ascending order of triangles, and
+  /// whether some triangle has to be drawn there, whichever. All others are forbidden.
+  using Take = std::function<void(int y, int x, int sample, std::span<const Candidate> candidates,
+                                  bool is_required)>;
 
-  explicit NearestAnswers(const SceneTruth& scene);
+  /// Rows y0 <= y < y1. All must outlive it.
+  NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles);
 
-  /// Rows of a band.
-  static constexpr int kRows = 16;
+  /// Adds a triangle that may cover pixels of the band.
+  void add(std::uint32_t triangle, records::LevelCounts& levels);
 
-  /// By (y, x, sample), for samples of rows y0 <= y < y1; samples that nothing may cover are left
-  /// out. Depths are compared as far as a backend can know them: one is surely nearer where the two
-  /// stay apart when each is moved towards the other by the contract's depth bound. Not judged:
-  /// which of two equal depths was drawn first.
-  Answers in_rows(int y0, int y1, PreparedTriangles& triangles, records::LevelCounts& levels) const;
+  /// Calls take for each sample that something may cover, by y, x, sample. Depths are compared as
+  /// far as a backend can know them: one is surely nearer where the two stay apart when each is
+  /// moved towards the other by the contract's depth bound. Not judged: which of two equal depths
+  /// was drawn first.
+  void for_each_answer(const Take& take);
 
  private:
+  /// A triangle that covers a sample, or may.
+  struct Covering {
+    std::uint32_t triangle = 0;
+    records::SampleVerdict decision;
+    /// Around its depths; not a number where the rules leave them undefined.
+    records::Enclosure depth;
+  };
+  struct Sample {
+    std::vector<Covering> coverings;  ///< that are not surely behind a required one
+    bool is_required = false;
+    /// What is deeper is surely behind a required one.
+    double horizon = 0;
+  };
+  struct Rival;
+
+  void add(Sample& sample, const Covering& covering) const;
+  records::Enclosure depth_of(const PreparedTriangles::Prepared& triangle,
+                              const DepthFilter& filter, int x, int y, int s) const;
+  void resolve(const Sample& sample, int y, int x, int s, std::vector<Candidate>& candidates);
+
   const SceneTruth* scene_;
-  std::vector<std::pair<int, int>> rows_;  ///< [triangle]: the rows it may cover, first and past
+  int y0_;
+  int y1_;
+  PreparedTriangles* triangles_;
+  double both_slacks_;  ///< at least what two computed depths may be off together
+  std::vector<Sample> samples_;
+  CoverageRow row_;
 };
 
 }  // namespace rastercheck::oracle

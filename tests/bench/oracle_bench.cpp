@@ -3,9 +3,12 @@
 // per second of one core, but for the one that names its threads.
 
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include <cmath>
+#include <fstream>
 #include <functional>
+#include <string>
 
 #include "backends/backend.h"
 #include "cases/mesh.h"
@@ -20,12 +23,12 @@ namespace {
 
 constexpr const char* kBunny = "/usr/share/glmark2/models/bunny.obj";
 
-/// A scene with three attributes.
-cases::Case to_case(const Scene& scene) {
+/// A scene with three attributes, on a target of that size.
+cases::Case to_case(const Scene& scene, int width = kTarget, int height = kTarget) {
   cases::Case c;
-  c.framebuffer = {kTarget, kTarget, 1};
-  c.viewport.width = kTarget;
-  c.viewport.height = kTarget;
+  c.framebuffer = {width, height, 1};
+  c.viewport.width = static_cast<float>(width);
+  c.viewport.height = static_cast<float>(height);
   c.attributes = {{"u", {}, {}}, {"v", {}, {}}, {"t", {}, {}}};
   for (std::size_t i = 0; i < scene.positions.size(); ++i) {
     const glm::vec4& p = scene.positions[i];
@@ -73,6 +76,34 @@ void judge(benchmark::State& bench, const MakeCase& make, const std::string& spe
     const oracle::SceneTruth truth(drawn.source, drawn.contract);
     benchmark::DoNotOptimize(oracle::judge(truth, drawn.framebuffer, options));
   }
+  set_rate(bench, "fragments_per_second", static_cast<double>(drawn.framebuffer.size()));
+}
+
+/// A figure of this process in KiB; what Linux tells in /proc.
+double process_figure(const std::string& name) {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    if (word != name + ":") continue;
+    double kib = 0;
+    status >> kib;
+    return kib;
+  }
+  return 0;
+}
+
+/// As judge(), and the most memory that it took at a time, beside case and framebuffer.
+void judge_frame(benchmark::State& bench, const MakeCase& make,
+                 const oracle::JudgeOptions& options) {
+  const Drawn drawn = draw(make, "cpu");
+  malloc_trim(0);
+  // Linux forgets the peak so far.
+  std::ofstream("/proc/self/clear_refs") << '5';
+  const double before = process_figure("VmRSS");
+  for (auto _ : bench) {
+    const oracle::SceneTruth truth(drawn.source, drawn.contract);
+    benchmark::DoNotOptimize(oracle::judge(truth, drawn.framebuffer, options));
+  }
+  bench.counters["peak_MiB"] = (process_figure("VmHWM") - before) / 1024;
   set_rate(bench, "fragments_per_second", static_cast<double>(drawn.framebuffer.size()));
 }
 
@@ -223,6 +254,20 @@ oracle::JudgeOptions from(oracle::Level first, unsigned jobs = 1) {
   return options;
 }
 
+/// A whole frame: 1920 × 1080, 100,000 triangles, four attributes.
+cases::Case frame(cases::DepthTest depth_test) {
+  cases::Case c = to_case(random_triangles(100'000, 8), 1920, 1080);
+  c.depth_test = depth_test;
+  c.attributes.push_back({"n", cases::Interpolation::noperspective, {}});
+  std::vector<float> values;
+  for (std::size_t vertex = 0; vertex < c.positions.size(); ++vertex) {
+    for (std::size_t a = 0; a < 3; ++a) values.push_back(c.attribute_values[3 * vertex + a]);
+    values.push_back(values.back() + 1);
+  }
+  c.attribute_values = std::move(values);
+  return c;
+}
+
 const bool kRegistered = [] {
   using oracle::Level;
   const MakeCase large = random_case(40, 160);
@@ -252,6 +297,13 @@ const bool kRegistered = [] {
       from(Level::filter));
   add("bunny/threads:1", judge, bunny, "cpu", from(Level::filter, 1));
   add("bunny/threads:2", judge, bunny, "cpu", from(Level::filter, 2));
+  const auto all = [] { return frame(cases::DepthTest::none); };
+  const auto nearest = [] { return frame(cases::DepthTest::less); };
+  for (const unsigned threads : {1U, 2U}) {
+    const std::string suffix = "/threads:" + std::to_string(threads);
+    add("frame/all" + suffix, judge_frame, all, from(Level::filter, threads));
+    add("frame/nearest" + suffix, judge_frame, nearest, from(Level::filter, threads));
+  }
   return true;
 }();
 

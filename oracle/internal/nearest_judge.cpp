@@ -1,0 +1,204 @@
+#include "oracle/internal/nearest_judge.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "oracle/internal/floating_point.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+using records::FragmentClass;
+
+/// Rows of a band: few enough for their samples to be held at a time, and enough for triangles not
+/// to be set up for each row.
+int rows_of_band(const cases::FramebufferSize& size) {
+  constexpr int kSamples = 32768;
+  return std::clamp(kSamples / (size.width * size.samples), 1, 16);
+}
+
+}  // namespace
+
+NearestJudge::NearestJudge(const JudgeContext& context, const JudgeSink& sink)
+    : context_(&context), sink_(&sink), order_(context.drawn->size()) {
+  const auto key = [&drawn = *context.drawn](std::size_t i) {
+    return std::tuple(drawn.y[i], drawn.x[i], drawn.sample[i], drawn.triangle[i]);
+  };
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&key](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  const std::size_t triangles = context.scene->source().triangles.size();
+  rows_.reserve(triangles);
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const Pixels pixels = TriangleTruth(*context.scene, t).pixels();
+    const int past = pixels.x0 < pixels.x1 ? std::max(pixels.y0, pixels.y1) : pixels.y0;
+    rows_.emplace_back(pixels.y0, past);
+  }
+}
+
+Judged NearestJudge::run() {
+  const cases::FramebufferSize& size = context_->scene->source().framebuffer;
+  const int rows = rows_of_band(size);
+  Turns turns(static_cast<std::size_t>((size.height + rows - 1) / rows), context_->options->jobs);
+  turns.run([&](std::size_t band) {
+    const int y0 = static_cast<int>(band) * rows;
+    judge_band(y0, std::min(y0 + rows, size.height), band, turns);
+  });
+  take_the_rest();
+  return findings_.finish(*context_);
+}
+
+/// The fragments of a band, beside the answers.
+class NearestJudge::Band {
+ public:
+  /// `fragments` are the band's, in their order.
+  Band(const JudgeContext& context, std::span<const std::size_t> fragments, bool is_seen)
+      : context_(&context),
+        samples_(context, is_seen ? Emit([this](const JudgedSample& sample,
+                                                const std::shared_ptr<const TriangleTruth>& truth) {
+                   seen_.emplace_back(sample, truth);
+                 })
+                                  : Emit{}),
+        triangles_(*context.scene, context.options->first_level),
+        fragments_(fragments) {}
+
+  void judge(NearestBand& answers) {
+    answers.for_each_answer([this](int y, int x, int s, auto candidates, bool is_required) {
+      judge_sample({y, x, s}, candidates, is_required);
+    });
+    while (!fragments_.empty()) take_unasked(FragmentClass::extra);
+    judge_values();
+  }
+
+  PreparedTriangles& triangles() { return triangles_; }
+  SampleJudge& samples() { return samples_; }
+
+  /// Hands out what was seen, by y, x, sample, triangle, of equal ones the right one first.
+  void let_out(const JudgeSink& sink) {
+    const auto key = [](const auto& seen) {
+      const JudgedSample& s = seen.first;
+      return std::tuple(s.y, s.x, s.sample, s.triangle, s.fragment_class != FragmentClass::correct);
+    };
+    std::stable_sort(seen_.begin(), seen_.end(),
+                     [&key](const auto& a, const auto& b) { return key(a) < key(b); });
+    for (const auto& [sample, truth] : seen_) sink(sample, truth.get());
+  }
+
+ private:
+  using Candidate = NearestBand::Candidate;
+  using Sample = std::tuple<int, int, int>;  ///< y, x, sample
+  struct Right {
+    std::uint32_t triangle = 0;
+    std::size_t fragment = 0;
+    records::SampleVerdict decision;
+  };
+
+  /// Where the next fragment is.
+  Sample next_sample() const {
+    const cases::Framebuffer& drawn = *context_->drawn;
+    const std::size_t next = fragments_.front();
+    return {drawn.y[next], drawn.x[next], drawn.sample[next]};
+  }
+  bool is_next(const Sample& where) const { return !fragments_.empty() && next_sample() == where; }
+  std::size_t take_next() {
+    const std::size_t next = fragments_.front();
+    fragments_ = fragments_.subspan(1);
+    return next;
+  }
+
+  void judge_sample(const Sample& where, std::span<const Candidate> candidates, bool is_required) {
+    while (!fragments_.empty() && next_sample() < where) take_unasked(FragmentClass::extra);
+    for (const Candidate& candidate : candidates) samples_.count(candidate.decision.verdict, 1);
+    if (!is_next(where)) {
+      if (is_required) take_missing(where, candidates.front());
+      return;
+    }
+    const std::uint32_t drawn = context_->drawn->triangle[fragments_.front()];
+    const auto candidate =
+        std::find_if(candidates.begin(), candidates.end(),
+                     [drawn](const Candidate& c) { return c.triangle == drawn; });
+    if (candidate == candidates.end()) {
+      take_unasked(is_required ? FragmentClass::wrong_triangle : FragmentClass::extra);
+    } else {
+      right_.push_back({drawn, take_next(), candidate->decision});
+    }
+    // More than one fragment of a sample: the depth test leaves one.
+    while (is_next(where)) take_unasked(FragmentClass::extra);
+  }
+
+  /// Triangle by triangle, which is how values are judged quickly.
+  void judge_values() {
+    std::stable_sort(right_.begin(), right_.end(),
+                     [](const Right& a, const Right& b) { return a.triangle < b.triangle; });
+    for (std::size_t i = 0; i < right_.size();) {
+      const PreparedTriangles::Prepared triangle = triangles_.of(right_[i].triangle);
+      const std::uint32_t index = right_[i].triangle;
+      samples_.begin(triangle.truth, index, *triangle.filter);
+      for (; i < right_.size() && right_[i].triangle == index; ++i) {
+        samples_.take_drawn(right_[i].fragment, right_[i].decision);
+      }
+      samples_.flush();
+    }
+  }
+
+  void take_missing(const Sample& where, const Candidate& candidate) {
+    const auto [y, x, s] = where;
+    samples_.take({candidate.triangle, static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(x),
+                   static_cast<std::uint32_t>(s)},
+                  candidate.decision, FragmentClass::missing,
+                  triangles_.of(candidate.triangle).truth);
+  }
+
+  /// Takes the next fragment, which no triangle of the case answers for at its sample.
+  void take_unasked(FragmentClass fragment_class) {
+    const SamplePlace place = place_of(*context_->drawn, take_next());
+    const bool is_of_the_case = place.triangle < context_->scene->source().triangles.size();
+    samples_.take(place, {}, fragment_class,
+                  is_of_the_case ? triangles_.of(place.triangle).truth : nullptr);
+  }
+
+  const JudgeContext* context_;
+  std::vector<std::pair<JudgedSample, std::shared_ptr<const TriangleTruth>>> seen_;
+  SampleJudge samples_;
+  PreparedTriangles triangles_;
+  std::span<const std::size_t> fragments_;  ///< that were not taken
+  std::vector<Right> right_;                ///< whose values are to be judged
+};
+
+void NearestJudge::judge_band(int y0, int y1, std::size_t index, Turns& turns) {
+  const DefaultFloatingPoint floating_point;
+  const auto from_row = [this](int y) {
+    return std::partition_point(order_.begin(), order_.end(), [this, y](std::size_t fragment) {
+      return context_->drawn->y[fragment] < y;
+    });
+  };
+  Band band(*context_, {from_row(y0), from_row(y1)}, bool{*sink_});
+  NearestBand answers(*context_->scene, y0, y1, band.triangles());
+  for (std::uint32_t t = 0; t < rows_.size(); ++t) {
+    if (rows_[t].first < y1 && rows_[t].second > y0) {
+      answers.add(t, band.samples().levels().samples);
+    }
+  }
+  band.judge(answers);
+  SampleJudge::Findings findings = band.samples().finish();
+  turns.wait_for(index);
+  band.let_out(*sink_);
+  findings_.merge(std::move(findings), *context_);
+}
+
+/// What lies below the framebuffer.
+void NearestJudge::take_the_rest() {
+  const DefaultFloatingPoint floating_point;
+  const int height = context_->scene->source().framebuffer.height;
+  const auto rest = std::partition_point(
+      order_.begin(), order_.end(),
+      [this, height](std::size_t fragment) { return context_->drawn->y[fragment] < height; });
+  Band band(*context_, {rest, order_.end()}, bool{*sink_});
+  NearestBand nothing(*context_->scene, height, height, band.triangles());
+  band.judge(nothing);
+  band.let_out(*sink_);
+  findings_.merge(band.samples().finish(), *context_);
+}
+
+}  // namespace rastercheck::oracle
