@@ -23,10 +23,8 @@ DepthFilter::DepthFilter(const TriangleSetup& triangle, const TriangleFilter& co
                                     scene.depth_numerator(triangle.indices[2])}),
                       box_);
   if (!line_) return;
-  // u = 2^-53. The line's value e is off by at most the band, which is 8u times the sum S of its
-  // terms' sizes, and |e| <= S. near_double, the reciprocal and the product are off by 4u, u and u,
-  // together 6u |e|/det <= 0.75 band/det; the ends' own rounding by u S/det = 0.125 band/det. Sum:
-  // 1.875 band/det and terms of second order, for which there is 0.125 left.
+  // The line's value is off by the band at most; what near_double, the reciprocal, the product and
+  // the ends' rounding add is less than another one (proofs/depth.g).
   reciprocal_ = 1 / determinant;
   radius_ = 2 * line_->band * reciprocal_;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

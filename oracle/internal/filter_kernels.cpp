@@ -123,8 +123,9 @@ void ValueErrors(const ValueFilter& value, const BatchWeights& weights,
     const auto absolute = hn::Mul(hn::Add(sum_error, hn::Mul(size, divisor_error)), reciprocal);
     const auto h =
         hn::Add(hn::Mul(absolute, hn::Set(d, 1 + 0x1p-18)), hn::Mul(hn::Set(d, 0x1p-51), size));
-    // Where products underflow they lose less than this; of constants nothing was multiplied.
-    const auto least = hn::IfThenElseZero(hn::Gt(sum_error, hn::Zero(d)), hn::Set(d, 0x1p-1000));
+    // Where products underflow they lose less than this, and it is so much that the products with
+    // `units`, which is at least 2^-104, do not. Of constants nothing was multiplied.
+    const auto least = hn::IfThenElseZero(hn::Gt(sum_error, hn::Zero(d)), hn::Set(d, 0x1p-900));
     const auto radius = hn::Add(h, least);
     hn::StoreU(hn::Mul(hn::Sub(q, radius), units), d, lo.data() + k);
     hn::StoreU(hn::Mul(hn::Add(q, radius), units), d, hi.data() + k);

@@ -18,8 +18,8 @@ namespace rastercheck::oracle {
 ///
 ///   fl(fl(a x) + fl(fl(b y) + c)),
 ///
-/// differs from the exact line there by at most `band`: the coefficients' own errors, which the
-/// maker adds, and 3.01 u (|a| x + |b| y + |c|) of rounding.              (proofs/edge.g)
+/// differs from the exact line there by at most `band`: the coefficients' own errors and the
+/// rounding.                                                               (proofs/edge.g)
 struct FilterLine {
   double a = 0;
   double b = 0;
@@ -44,7 +44,7 @@ struct alignas(64) BatchWeights {
   /// fl(1/D), D = fl(fl(e0 + e1) + e2); NaN where D is not certain to within 2^-20 of itself, which
   /// leaves every question of that sample open.
   Batch<double> reciprocal;
-  /// D is off by at most this: Σ band + 4u Σ|e_i|.
+  /// D is off by at most this: Σ band (1 + 2^-40) + 4u Σ|e_i|.              (proofs/sum.g)
   Batch<double> error;
 };
 
@@ -81,7 +81,8 @@ struct ValueFilter {
 ///   S = fl(Σ g_i e_i)           is off by at most H = fl(Σ |g_i| (edge_error_i + 8u |e_i|))
 ///   q = fl(S · fl(1/Den))       is off by at most
 ///   h = fl(fl(H + |q| Z) · fl(1/Den)) (1 + 2^-18) + 4u |q|,   Z what Den is off by
-///   lo = fl(q − h), hi = fl(q + h)                        (proofs/value.g, proofs/quotient.g)
+///   lo = fl(q − h'), hi = fl(q + h'),    h' = fl(h + 2^-900), for what underflows; 0 if H is
+///                                                         (proofs/value.g, proofs/quotient.g)
 void value_errors(const ValueFilter& value, const BatchWeights& weights,
                   const Batch<double>& computed, int count, Batch<double>& lo, Batch<double>& hi);
 

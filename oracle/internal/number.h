@@ -55,8 +55,8 @@ float nearest_float(const Field& value);
 /// Doubles around the value: equal where a double holds it, else neighbours.
 records::Enclosure enclose(const Ring& value);
 
-/// A double within 2^-51 of the value, relative to it, if that lies within the normal doubles: what
-/// CGAL makes of a number's two leading limbs, in at most three roundings.
+/// A double within 2^-51 of the value, relative to either, if it is a normal one: what CGAL makes
+/// of a number's two leading limbs, in at most three roundings.              (proofs/limbs.g)
 inline double near_double(const Ring& value) { return value.to_double(); }
 inline constexpr double kNearDoubleError = 0x1p-51;
 records::Enclosure enclose(const Field& value);

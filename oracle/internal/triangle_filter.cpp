@@ -17,9 +17,10 @@ using records::Verdict;
 constexpr double kLeastCoefficient = 0x1p-600;
 constexpr double kMostCoefficient = 0x1p600;
 
-bool is_tame(double coefficient) {
+/// With a camera a coefficient may be so small that 0 is the double nearest to it.
+bool is_tame(const Ring& exact, double coefficient) {
   const double size = std::abs(coefficient);
-  return size == 0 || (size >= kLeastCoefficient && size <= kMostCoefficient);
+  return size == 0 ? sign_of(exact) == 0 : size >= kLeastCoefficient && size <= kMostCoefficient;
 }
 
 Point corner_of(const PixelBox& box) { return {Ring(box.x0), Ring(box.y0)}; }
@@ -39,15 +40,16 @@ void keep_bits(int first, int last, std::vector<std::uint64_t>& words) {
 }  // namespace
 
 std::optional<FilterLine> filter_line(const Line& line, const PixelBox& box) {
+  const Ring at_corner = line.at(corner_of(box));
   const double a = near_double(line.a);
   const double b = near_double(line.b);
-  const double c = near_double(line.at(corner_of(box)));
-  if (!is_tame(a) || !is_tame(b) || !is_tame(c)) return std::nullopt;
+  const double c = near_double(at_corner);
+  if (!is_tame(line.a, a) || !is_tame(line.b, b) || !is_tame(at_corner, c)) return std::nullopt;
   const double width = box.x1 - box.x0;
   const double height = box.y1 - box.y0;
   const double size = std::abs(a) * width + std::abs(b) * height + std::abs(c);
-  // 4u for the coefficients, and 4u where proofs/edge.g needs 3.01: the rest holds the rounding of
-  // this sum.
+  // 4u for the coefficients, and 4u for rounding, of which there are three: the rest holds that of
+  // this sum (proofs/edge.g).
   return FilterLine{a, b, c, (kNearDoubleError + 0x1p-51) * size};
 }
 
