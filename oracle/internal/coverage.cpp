@@ -320,7 +320,12 @@ std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle)
   if (triangle.shape == Shape::cut) return std::nullopt;
   if (triangle.corner_count() > 1) {
     if (orientation == 0) return std::nullopt;
-    return CoverageBoundary{&triangle.ideal, kept_by_culling(triangle, orientation).sure, true};
+    const bool is_drawn = kept_by_culling(triangle, orientation).sure;
+    // A triangle that is culled may be drawn where it is placed the other way round.
+    const bool is_open = !is_drawn && triangle.scene->contract().basis != cases::Basis::ideal &&
+                         !triangle.has_certain_orientation();
+    if (is_open) return std::nullopt;
+    return CoverageBoundary{&triangle.ideal, is_drawn, true};
   }
   const ProjectiveMap& placed = triangle.corner(0);
   const Membership kept = kept_by_culling(triangle, placed.orientation());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -140,10 +141,14 @@ float nearest_float(const Field& value) {
 }
 
 records::Enclosure enclose(const Ring& value) {
-  // CGAL's own takes any number of more than one limb for one between two doubles.
+  // CGAL's own takes any number of more than one limb for one between two doubles. Of such as lie
+  // near or below the least doubles it is wrong where rounding is upwards: it multiplies by a power
+  // of two that ldexp makes 2^-1074 at least.
   const auto [lo, hi] = value.to_interval();
-  if (lo == hi || value == Ring(lo)) return {lo, lo};
-  if (value == Ring(hi)) return {hi, hi};
+  if (lo > -0x1p-1000 && hi < 0x1p-1000 && sign_of(value) != 0) return enclose(Field(value));
+  const auto is_at = [&value](double end) { return std::isfinite(end) && value == Ring(end); };
+  if (lo == hi || is_at(lo)) return {lo, lo};
+  if (is_at(hi)) return {hi, hi};
   return {lo, hi};
 }
 

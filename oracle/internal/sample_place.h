@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "cases/framebuffer.h"
+#include "records/judgement.h"
 
 namespace rastercheck::oracle {
 
@@ -18,6 +19,10 @@ struct SamplePlace {
 
 inline SamplePlace place_of(const cases::Framebuffer& drawn, std::size_t fragment) {
   return {drawn.triangle[fragment], drawn.y[fragment], drawn.x[fragment], drawn.sample[fragment]};
+}
+
+inline SamplePlace place_of(const records::WorstError& error) {
+  return {error.triangle, error.y, error.x, error.sample};
 }
 
 }  // namespace rastercheck::oracle

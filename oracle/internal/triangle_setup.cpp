@@ -216,6 +216,13 @@ const std::vector<TriangleSetup::SnappedEdge>& TriangleSetup::snapped_edge(std::
 bool TriangleSetup::has_certain_orientation() const {
   if (ideal.orientation() == 0 || has_nonpositive_w || shape == Shape::cut) return false;
   if (shape == Shape::exact) return !has_clipped_vertex;
+  // Mostly the mean of the vertices' window positions, at which E_i = |det M|/(3 w_i), is deeper
+  // inside than vertices move.
+  bool is_mean_deep = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    is_mean_deep = is_mean_deep && ideal.determinant() > Ring(3) * columns[i][2] * edge_bands[i];
+  }
+  if (is_mean_deep) return true;
   // The determinant is affine in every coordinate of a vertex: its signs at the corners are all.
   for (std::size_t k = 0; k < corner_count(); ++k) {
     if (corner(k).orientation() != ideal.orientation()) return false;

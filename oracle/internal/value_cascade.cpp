@@ -30,6 +30,17 @@ double least_magnitude(const Enclosure& e) {
   return std::min(std::abs(e.lo), std::abs(e.hi));
 }
 
+ExtremeLimit limit_of(const std::optional<records::WorstError>& extreme) {
+  if (!extreme) return {};
+  return {std::min(std::abs(extreme->error.lo), std::abs(extreme->error.hi)), place_of(*extreme)};
+}
+
+bool may_be_extreme(const records::Extremes& seen, const Enclosure& error,
+                    const SamplePlace& place) {
+  return limit_of(seen.most_positive).lets(error.hi, place) ||
+         limit_of(seen.most_negative).lets(-error.lo, place);
+}
+
 }  // namespace
 
 Stratum stratum_of(const TriangleSetup& triangle) {
@@ -260,13 +271,14 @@ void ValueCascade::filter_column(const Subject& subject, int count, const Batch<
                hi_);
 }
 
+/// The first level's enclosures end strictly beyond their errors, unless these are 0: an error that
+/// keeps the limits is less than an extreme.
 ErrorLimits ValueCascade::limits_of(const Subject& subject) {
   if (subject.is_single) {
     return {subject.bound, subject.errors->least(), subject.errors->most()};
   }
-  const records::Extremes& seen = *subject.extremes;
-  return {subject.bound, seen.most_negative ? seen.most_negative->error.hi : 0,
-          seen.most_positive ? seen.most_positive->error.lo : 0};
+  return {subject.bound, -limit_of(subject.extremes->most_negative).size,
+          limit_of(subject.extremes->most_positive).size};
 }
 
 /// What is asked besides the error's size.
@@ -328,11 +340,15 @@ bool ValueCascade::take(const Subject& subject, float actual, const Enclosure& e
                          records::Histogram::share_bucket(least_magnitude(error), most) &&
                          is_certain(subject, actual, error);
   if (!is_within) return false;
-  if (error.hi > limits.most || error.lo < limits.least) {
-    if (!subject.is_single) return false;
-    subject.errors->note({error, triangle_index_, fragment, subject.attribute});
-    if (subject.errors->has_many_candidates()) {
-      settle_extremes(*scene_, *drawn_, case_index_, *subject.errors);
+  if (error.hi >= limits.most || error.lo <= limits.least) {
+    const SamplePlace place = place_of(*drawn_, fragment);
+    if (!subject.is_single) {
+      if (may_be_extreme(*subject.extremes, error, place)) return false;
+    } else if (subject.errors->may_be_extreme(error, place)) {
+      subject.errors->note({error, place, fragment, subject.attribute});
+      if (subject.errors->has_many_candidates()) {
+        settle_extremes(*scene_, *drawn_, case_index_, *subject.errors);
+      }
     }
   }
   subject.errors->sizes.histogram.add_to_bucket(records::Histogram::bucket_of(most), 1);

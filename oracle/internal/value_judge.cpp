@@ -97,7 +97,12 @@ template <typename Text>
 void add(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& scene,
          const ComputedValue& value, std::uint64_t case_index, const Text& exact) {
   count(sizes.histogram, error);
-  sizes.sum.add(error.enclosure());
+  // Close to the border of what is summed as closely as doubles can, to be on the error's side.
+  const records::Enclosure rough = error.enclosure();
+  const bool is_open =
+      (rough.lo < -records::SignedSum::kMost && rough.hi >= -records::SignedSum::kMost) ||
+      (rough.lo <= records::SignedSum::kMost && rough.hi > records::SignedSum::kMost);
+  sizes.sum.add(is_open ? enclose(error.value()) : rough);
   keep(sizes, error, scene, value, case_index, exact);
 }
 
@@ -171,15 +176,16 @@ void settle_extremes(const SceneTruth& scene, const cases::Framebuffer& drawn,
   std::optional<TriangleTruth> truth;
   std::optional<std::uint32_t> prepared;
   for (const ExtremeCandidate& candidate : errors.candidates()) {
-    if (prepared != candidate.triangle) {
-      truth.emplace(scene, candidate.triangle);
-      prepared = candidate.triangle;
+    const SamplePlace& place = candidate.place;
+    if (prepared != place.triangle) {
+      truth.emplace(scene, place.triangle);
+      prepared = place.triangle;
     }
     const std::size_t i = candidate.fragment;
     const float actual =
         candidate.attribute ? drawn.attributes_of(i)[*candidate.attribute] : drawn.depth[i];
-    const ComputedValue value{candidate.triangle, drawn.x[i],          drawn.y[i],
-                              drawn.sample[i],    candidate.attribute, actual};
+    const ComputedValue value{place.triangle,      place.x, place.y, place.sample,
+                              candidate.attribute, actual};
     const std::optional<ValueError> error = errors_of(*truth, value);
     if (!error || !error->ideal) continue;  // cannot be: it was enclosed
     keep(errors.sizes, *error->ideal, scene, value, case_index,

@@ -9,18 +9,24 @@ namespace rastercheck::oracle {
 using records::AttributeKind;
 using records::Stratum;
 
+void ExtremeLimit::take(double error_size, const SamplePlace& error_place) {
+  if (!lets(error_size, error_place)) return;
+  size = error_size;
+  place = error_place;
+}
+
 void SingleErrors::note(const ExtremeCandidate& candidate) {
   candidates_.push_back(candidate);
-  most_ = std::max(most_, candidate.error.lo);
-  least_ = std::min(least_, candidate.error.hi);
+  most_.take(candidate.error.lo, candidate.place);
+  least_.take(-candidate.error.hi, candidate.place);
   prune();
 }
 
 /// Keeps those that may be the largest on their side.
 void SingleErrors::prune() {
   std::erase_if(candidates_, [this](const ExtremeCandidate& candidate) {
-    const bool may_be_most = candidate.error.hi > 0 && candidate.error.hi >= most_;
-    const bool may_be_least = candidate.error.lo < 0 && candidate.error.lo <= least_;
+    const bool may_be_most = candidate.error.hi > 0 && candidate.error.hi >= most();
+    const bool may_be_least = candidate.error.lo < 0 && candidate.error.lo <= least();
     return !may_be_most && !may_be_least;
   });
 }
@@ -28,14 +34,14 @@ void SingleErrors::prune() {
 void SingleErrors::settled() {
   candidates_.clear();
   const records::Extremes& seen = sizes.extremes;
-  if (seen.most_positive) most_ = std::max(most_, seen.most_positive->error.lo);
-  if (seen.most_negative) least_ = std::min(least_, seen.most_negative->error.hi);
+  if (seen.most_positive) most_.take(seen.most_positive->error.lo, place_of(*seen.most_positive));
+  if (seen.most_negative) least_.take(-seen.most_negative->error.hi, place_of(*seen.most_negative));
 }
 
 void SingleErrors::merge(SingleErrors&& other) {
   records::merge(sizes, other.sizes);
   for (const ExtremeCandidate& candidate : other.candidates_) {
-    if (candidate.error.hi > most_ || candidate.error.lo < least_) note(candidate);
+    if (may_be_extreme(candidate.error, candidate.place)) note(candidate);
   }
 }
 

@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "oracle/internal/sample_place.h"
 #include "records/judgement.h"
 
 namespace rastercheck::oracle {
@@ -20,21 +21,37 @@ namespace rastercheck::oracle {
 /// An error that may turn out to be an extreme.
 struct ExtremeCandidate {
   records::Enclosure error;
-  std::uint32_t triangle = 0;
+  SamplePlace place;
   std::size_t fragment = 0;                ///< index into the framebuffer
   std::optional<std::uint32_t> attribute;  ///< nothing for the depth
 };
 
-/// Errors that are both excess and ideal, of one kind and stratum. Values come in the order of
-/// their places, so that of equally large errors the one seen first is the extreme.
+/// An error that extremes have to exceed. Of equal ones that of the first place is the extreme, in
+/// whatever order they are seen.
+struct ExtremeLimit {
+  double size = 0;    ///< some error is at least this far from 0
+  SamplePlace place;  ///< of the first that is known to be, if size > 0
+
+  /// Whether an error, at most this far from 0, may be an extreme.
+  bool lets(double error_size, const SamplePlace& error_place) const {
+    return error_size > size || (error_size == size && size > 0 && error_place < place);
+  }
+  /// Takes an error into account that is at least this far from 0.
+  void take(double error_size, const SamplePlace& error_place);
+};
+
+/// Errors that are both excess and ideal, of one kind and stratum.
 class SingleErrors {
  public:
   records::ErrorSizes sizes;
 
-  /// Errors within these cannot be an extreme; at most and at least 0.
-  double least() const { return least_; }
-  double most() const { return most_; }
-  /// Notes an error that goes beyond least() or most().
+  /// Errors strictly between these cannot be an extreme; at most and at least 0.
+  double least() const { return -least_.size; }
+  double most() const { return most_.size; }
+  bool may_be_extreme(const records::Enclosure& error, const SamplePlace& place) const {
+    return most_.lets(error.hi, place) || least_.lets(-error.lo, place);
+  }
+  /// Notes an error that may be an extreme.
   void note(const ExtremeCandidate& candidate);
   void merge(SingleErrors&& other);
   const std::vector<ExtremeCandidate>& candidates() const { return candidates_; }
@@ -46,8 +63,8 @@ class SingleErrors {
  private:
   void prune();
 
-  double least_ = 0;
-  double most_ = 0;
+  ExtremeLimit least_;
+  ExtremeLimit most_;
   std::vector<ExtremeCandidate> candidates_;
 };
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "oracle/fragments.h"
 #include "oracle/self_check.h"
 #include "records/record.h"
+#include "tests/oracle/drawing.h"
 #include "tests/oracle/random_case.h"
 
 namespace rastercheck::oracle {
@@ -19,33 +19,6 @@ using records::FragmentClass;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-void push(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y, int sample, float depth,
-          const std::vector<float>& attributes) {
-  drawn.attribute_count = attributes.size();
-  drawn.triangle.push_back(triangle);
-  drawn.x.push_back(static_cast<std::uint16_t>(x));
-  drawn.y.push_back(static_cast<std::uint16_t>(y));
-  drawn.sample.push_back(static_cast<std::uint8_t>(sample));
-  drawn.depth.push_back(depth);
-  drawn.attributes.insert(drawn.attributes.end(), attributes.begin(), attributes.end());
-}
-
-/// What a rasterizer without error draws: every required fragment, each value rounded once.
-cases::Framebuffer perfect(const SceneTruth& scene) {
-  cases::Framebuffer drawn;
-  drawn.attribute_count = scene.source().attributes.size();
-  for_each_fragment(scene, [&drawn](const Fragment& f, const TriangleTruth&) {
-    std::vector<float> attributes;
-    for (const auto& value : f.attributes) {
-      attributes.push_back(value ? value->lo.nearest_float() : kNan);
-    }
-    push(drawn, static_cast<std::uint32_t>(f.triangle), f.x, f.y, f.sample,
-         f.depth->lo.nearest_float(), attributes);
-    return true;
-  });
-  return drawn;
-}
 
 /// The corner triangle of a 4×4 target: pixels with x + y < 3, and the diagonal's ties. u runs from
 /// 0 at the left to 4 at the right border; v is a constant.
@@ -310,6 +283,26 @@ RC_GTEST_PROP(SelfCheck, FindsNothingToSayOfAnySample, ()) {
   const SceneTruth scene(c, cases::contract_of(c));
   for (int y = 0; y < 5; ++y) {
     for (int x = 0; x < 6; ++x) RC_ASSERT(!self_check(scene, 0, x, y, 0));
+  }
+}
+
+// Kills: a thread that waits for the turn of a chunk that failed.
+TEST(JudgeInThreads, PassesOnWhatASinkThrows) {
+  struct Stop {};
+  for (const cases::DepthTest test : {cases::DepthTest::none, cases::DepthTest::less}) {
+    cases::Case c = small_case(cases::Rules::vulkan, 4, 64,
+                               {{{-1, -1, 0.5F, 1}, {3, -1, 0.5F, 1}, {-1, 3, 0.5F, 1}}}, {});
+    c.triangles.resize(600, c.triangles[0]);
+    c.depth_test = test;
+    const SceneTruth scene(c, cases::contract_of(c));
+    JudgeOptions options;
+    options.jobs = 3;
+    int seen = 0;
+    const auto stop = [&seen](const JudgedSample&, const TriangleTruth*) {
+      if (++seen == 100) throw Stop{};
+    };
+    EXPECT_THROW(judge(scene, perfect(scene), options, stop), Stop);
+    EXPECT_EQ(seen, 100);
   }
 }
 

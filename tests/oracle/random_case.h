@@ -5,6 +5,7 @@
 
 #include <rapidcheck.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -90,6 +91,21 @@ inline cases::Case random_exact_case() {
     c.clip_distances.push_back(grid_float(1));
   }
   return c;
+}
+
+/// Has the first triangle cover most of its target, unless a vertex lies behind the eye.
+inline void cover_most(cases::Case& c) {
+  constexpr std::array<std::array<float, 2>, 3> kCorners{{{-2, -2}, {3, -2}, {-2, 3}}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float x = kCorners[i][0] + grid_float(1);
+    const float y = kCorners[i][1] + grid_float(1);
+    const auto w = one_of({1.0F, 1.0F, 1.0F, 3.0F, 0x1p-20F, 0x1p40F, -0.5F});
+    const auto z = one_of({0.0F, 0.5F, 0.3F, 1.0F});
+    c.positions[i] = {x * w, y * w, z * w, w};
+  }
+  c.cull = cases::Cull::none;
+  c.clip_distance_count = 0;
+  c.clip_distances.clear();
 }
 
 }  // namespace rastercheck::oracle

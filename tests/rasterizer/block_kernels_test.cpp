@@ -6,7 +6,7 @@
 #include <bit>
 
 #include "tests/rasterizer/exact.h"
-#include "tests/rasterizer/simd_targets.h"
+#include "tests/simd_targets.h"
 
 namespace rastercheck::rasterizer {
 namespace {

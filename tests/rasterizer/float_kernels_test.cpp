@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "tests/rasterizer/exact.h"
-#include "tests/rasterizer/simd_targets.h"
+#include "tests/simd_targets.h"
 
 namespace rastercheck::rasterizer {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rastercheck::rasterizer {
+namespace rastercheck {
 
 /// Sees to it that the kernels run on one kind of vectors, until it goes.
 class OnTarget {
@@ -38,4 +38,4 @@ inline std::vector<std::int64_t> all_targets() {
   return targets;
 }
 
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck
