@@ -12,15 +12,14 @@ using records::AttributeKind;
 using records::FragmentClass;
 using records::Verdict;
 
-/// Spreads places evenly, the same on all machines (the finaliser of SplitMix64).
-std::uint64_t scatter(const SamplePlace& place, std::uint64_t case_index) {
+/// Spreads places evenly, the same on all machines (the first half of SplitMix64's finaliser).
+std::uint64_t scatter(const SamplePlace& place, std::uint64_t seed) {
   // 31 bits of triangle, 14 of each coordinate and 4 of sample stand side by side.
   std::uint64_t h = (std::uint64_t{place.triangle} << 33) ^ (std::uint64_t{place.y} << 18) ^
                     (std::uint64_t{place.x} << 4) ^ place.sample;
-  h += (case_index + 1) * 0x9e3779b97f4a7c15U;
+  h += seed;
   h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9U;
-  h = (h ^ (h >> 27)) * 0x94d049bb133111ebU;
-  return h ^ (h >> 31);
+  return (h ^ (h >> 27)) * 0x94d049bb133111ebU;
 }
 
 /// The contract that the referee answers for.
@@ -54,6 +53,7 @@ SampleJudge::SampleJudge(const JudgeContext& context, Emit emit)
       values_(*context.scene, *context.drawn, *context.options, findings_.statistics) {
   const std::uint64_t one_in = context.options->self_check_one_in;
   self_check_below_ = one_in == 0 ? 0 : std::numeric_limits<std::uint64_t>::max() / one_in;
+  self_check_seed_ = (context.options->case_index + 1) * 0x9e3779b97f4a7c15U;
   findings_.statistics.of(AttributeKind::coverage);
 }
 
@@ -71,7 +71,10 @@ void SampleJudge::flush() {
       context_->options->judges_values ? &values_.judge(fragments) : nullptr;
   findings_.statistics.of(AttributeKind::coverage).classes[FragmentClass::correct] += pending_;
   see_triangle(triangle_);
-  for (const std::size_t fragment : fragments) check_oracle(place_of(*context_->drawn, fragment));
+  for (const std::size_t fragment : fragments) {
+    const SamplePlace place = place_of(*context_->drawn, fragment);
+    if (scatter(place, self_check_seed_) < self_check_below_) check_oracle(place);
+  }
   for (std::size_t k = 0; emit_ && k < pending_; ++k) {
     const bool is_right = judged == nullptr || judged->is_right(k);
     if (is_right && !shows(decisions_[k])) continue;
@@ -87,7 +90,7 @@ void SampleJudge::take(const SamplePlace& place, const records::SampleVerdict& d
   flush();  // in their order, and in the same batches whether or not someone watches
   ++findings_.statistics.of(AttributeKind::coverage).classes[fragment_class];
   if (fragment_class == FragmentClass::missing) see_triangle(place.triangle);
-  check_oracle(place);
+  if (scatter(place, self_check_seed_) < self_check_below_) check_oracle(place);
   if (emit_) show(place, decision, fragment_class, {}, truth);
 }
 
@@ -111,9 +114,7 @@ void SampleJudge::see_triangle(std::uint32_t triangle) {
 }
 
 void SampleJudge::check_oracle(const SamplePlace& place) {
-  if (findings_.fault || scatter(place, context_->options->case_index) > self_check_below_) return;
-  if (context_->options->self_check_one_in == 0) return;
-  findings_.fault = context_->self_check(place);
+  if (!findings_.fault) findings_.fault = context_->self_check(place);
 }
 
 void SampleJudge::count(Verdict verdict, std::uint64_t times) {

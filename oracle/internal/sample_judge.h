@@ -92,6 +92,7 @@ class SampleJudge {
   Findings findings_;
   ValueCascade values_;
   std::uint64_t self_check_below_;
+  std::uint64_t self_check_seed_;
 
   std::shared_ptr<const TriangleTruth> truth_;
   std::uint32_t triangle_ = 0;

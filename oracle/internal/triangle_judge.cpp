@@ -20,8 +20,17 @@ FragmentOrder::FragmentOrder(const cases::Framebuffer& drawn) : drawn_(&drawn) {
   const auto goes_before = [&drawn](std::size_t a, std::size_t b) {
     return place_of(drawn, a) < place_of(drawn, b);
   };
+  // Of places as many bits as a number holds: all but the sample's.
+  const auto key = [&drawn](std::size_t i) {
+    return (std::uint64_t{drawn.triangle[i]} << 32 | std::uint64_t{drawn.y[i]} << 16) | drawn.x[i];
+  };
   bool is_sorted = true;
-  for (std::size_t i = 1; is_sorted && i < drawn.size(); ++i) is_sorted = !goes_before(i, i - 1);
+  std::uint64_t previous = drawn.size() > 0 ? key(0) : 0;
+  for (std::size_t i = 1; is_sorted && i < drawn.size(); ++i) {
+    const std::uint64_t next = key(i);
+    is_sorted = next > previous || (next == previous && drawn.sample[i] >= drawn.sample[i - 1]);
+    previous = next;
+  }
   if (is_sorted) return;
   order_.resize(drawn.size());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
