@@ -15,6 +15,14 @@ find_package(PNG REQUIRED)
 find_package(rapidcheck REQUIRED)
 find_package(Threads REQUIRED)
 
+# libepoxy, which finds OpenGL's functions when the program runs. It comes without a CMake file.
+find_path(RASTERCHECK_EPOXY_INCLUDE epoxy/egl.h REQUIRED)
+find_library(RASTERCHECK_EPOXY_LIBRARY epoxy REQUIRED)
+add_library(epoxy::epoxy UNKNOWN IMPORTED)
+set_target_properties(epoxy::epoxy PROPERTIES
+  IMPORTED_LOCATION "${RASTERCHECK_EPOXY_LIBRARY}"
+  INTERFACE_INCLUDE_DIRECTORIES "${RASTERCHECK_EPOXY_INCLUDE}")
+
 if(RASTERCHECK_TESTS)
   find_package(GTest REQUIRED)
   find_package(benchmark REQUIRED)

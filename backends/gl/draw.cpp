@@ -1,0 +1,140 @@
+#include "backends/gl/draw.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "backends/gl/internal/objects.h"
+
+namespace rastercheck::backends::gl {
+namespace {
+
+constexpr const char* kVertexShader = R"(#version 450 core
+layout(location = 0) in vec4 position;
+layout(location = 1) in vec2 attributes;
+smooth out vec2 interpolated;
+void main() {
+  gl_Position = position;
+  interpolated = attributes;
+}
+)";
+
+constexpr const char* kFragmentShader = R"(#version 450 core
+smooth in vec2 interpolated;
+layout(location = 0) out vec4 color;
+void main() { color = vec4(interpolated, 0, 1); }
+)";
+
+template <typename T>
+Object upload_buffer(std::span<const T> values) {
+  Object buffer = make_buffer();
+  // GL has no empty storage.
+  const T none{};
+  const auto bytes = static_cast<GLsizeiptr>(values.empty() ? sizeof none : values.size_bytes());
+  glNamedBufferStorage(buffer.name(), bytes, values.empty() ? &none : values.data(), 0);
+  return buffer;
+}
+
+/// Makes a vertex's input `location` the `count` floats of the buffer's elements.
+void bind_floats(const Object& vertex_array, GLuint location, const Object& buffer, GLint count) {
+  const GLuint name = vertex_array.name();
+  glVertexArrayVertexBuffer(name, location, buffer.name(), 0,
+                            count * static_cast<GLsizei>(sizeof(float)));
+  glVertexArrayAttribFormat(name, location, count, GL_FLOAT, GL_FALSE, 0);
+  glVertexArrayAttribBinding(name, location, location);
+  glEnableVertexArrayAttrib(name, location);
+}
+
+Result<void> validate(const MeshView& view) {
+  const auto fault = [](const char* reason) { return tl::unexpected(Error{"gl", "", reason}); };
+  if (view.attributes.size() != kAttributes * view.positions.size()) {
+    return fault("not two attributes for every vertex");
+  }
+  for (const cases::Triangle& triangle : view.triangles) {
+    if (*std::max_element(triangle.begin(), triangle.end()) >= view.positions.size()) {
+      return fault("a vertex index beyond the positions");
+    }
+  }
+  if (view.triangles.size() > std::numeric_limits<GLsizei>::max() / 3) {
+    return fault("more indices than one draw takes");
+  }
+  return {};
+}
+
+}  // namespace
+
+struct Mesh::Impl {
+  Object positions;
+  Object attributes;
+  Object indices;
+  Object vertex_array;
+  GLsizei index_count = 0;
+};
+
+Mesh::Mesh(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Mesh::Mesh(Mesh&& other) noexcept = default;
+Mesh& Mesh::operator=(Mesh&& other) noexcept = default;
+Mesh::~Mesh() = default;
+
+Result<Mesh> Mesh::upload(const Context& /*context*/, const MeshView& view) {
+  if (const Result<void> valid = validate(view); !valid) return tl::unexpected(valid.error());
+  auto impl = std::make_unique<Impl>();
+  impl->positions = upload_buffer(view.positions);
+  impl->attributes = upload_buffer(view.attributes);
+  impl->indices = upload_buffer(view.triangles);
+  impl->vertex_array = make_vertex_array();
+  impl->index_count = static_cast<GLsizei>(3 * view.triangles.size());
+  static_assert(sizeof(cases::ClipVertex) == 4 * sizeof(float));
+  bind_floats(impl->vertex_array, 0, impl->positions, 4);
+  bind_floats(impl->vertex_array, 1, impl->attributes, static_cast<GLint>(kAttributes));
+  glVertexArrayElementBuffer(impl->vertex_array.name(), impl->indices.name());
+  if (const Result<void> uploaded = check("uploading a mesh"); !uploaded) {
+    return tl::unexpected(uploaded.error());
+  }
+  return Mesh(std::move(impl));
+}
+
+struct Program::Impl {
+  Object program;
+};
+
+Program::Program(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Program::Program(Program&& other) noexcept = default;
+Program& Program::operator=(Program&& other) noexcept = default;
+Program::~Program() = default;
+
+Result<Program> Program::build(const Context& /*context*/) {
+  Result<Object> program = make_program(kVertexShader, kFragmentShader);
+  if (!program) return tl::unexpected(program.error());
+  return Program(std::make_unique<Impl>(Impl{*std::move(program)}));
+}
+
+Result<void> Program::draw_frame(const Mesh& mesh, const Target& target) const {
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer());
+  glViewport(0, 0, target.shape().width, target.shape().height);
+  // With the lower left as origin, window y and the rows of what is read back go the way of NDC y;
+  // the upper left would turn both over.
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  glDepthRangef(0, 1);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_DITHER);
+  glDisable(GL_SCISSOR_TEST);
+
+  constexpr std::array<GLfloat, 4> kClearColor = {0, 0, 0, 0};
+  constexpr GLfloat kClearDepth = 1;
+  glClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, kClearColor.data());
+  glClearNamedFramebufferfv(target.framebuffer(), GL_DEPTH, 0, &kClearDepth);
+  glUseProgram(impl_->program.name());
+  glBindVertexArray(mesh.impl_->vertex_array.name());
+  glDrawElements(GL_TRIANGLES, mesh.impl_->index_count, GL_UNSIGNED_INT, nullptr);
+  glFinish();
+  return check("drawing a frame");
+}
+
+}  // namespace rastercheck::backends::gl
