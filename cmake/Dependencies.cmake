@@ -13,6 +13,7 @@ find_package(CLI11 REQUIRED)
 find_package(Boost REQUIRED)  # headers only
 find_package(PNG REQUIRED)
 find_package(rapidcheck REQUIRED)
+find_package(TBB REQUIRED)
 find_package(Threads REQUIRED)
 
 # libepoxy, which finds OpenGL's functions when the program runs. It comes without a CMake file.

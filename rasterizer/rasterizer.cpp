@@ -7,6 +7,8 @@
 
 #include "rasterizer/internal/checked_draw.h"
 #include "rasterizer/internal/drawing.h"
+#include "rasterizer/internal/frame_drawing.h"
+#include "rasterizer/internal/parallel.h"
 #include "rasterizer/trace.h"
 
 namespace rastercheck::rasterizer {
@@ -27,43 +29,6 @@ std::optional<Error> check_framebuffer(const State& state, const Framebuffer& fr
     return Error::target_size;
   }
   return std::nullopt;
-}
-
-void keep_visible(DepthTest test, const Fragments& fragments, Framebuffer& framebuffer) {
-  const TargetSize& size = framebuffer.size;
-  const std::size_t attributes = framebuffer.attribute_count;
-  for (std::size_t i = 0; i < fragments.size(); ++i) {
-    const std::size_t pixel =
-        std::size_t{fragments.y[i]} * static_cast<std::size_t>(size.width) + fragments.x[i];
-    const std::size_t place = pixel * static_cast<std::size_t>(size.samples) + fragments.sample[i];
-    if (test == DepthTest::less && !(fragments.depth[i] < framebuffer.depth[place])) continue;
-    framebuffer.depth[place] = fragments.depth[i];
-    std::copy_n(fragments.attributes.data() + i * attributes, attributes,
-                framebuffer.attributes.data() + place * attributes);
-  }
-}
-
-/// Triangle by triangle, so that the memory needed depends on the target and not on the depth of
-/// the scene. The arguments were checked.
-DrawCounts draw_triangles(State state, const Mesh& mesh, Framebuffer& framebuffer) {
-  state.derivatives = false;  // a framebuffer holds none
-  DrawCounts counts;
-  Fragments fragments;
-  for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-    fragments.triangle.clear();
-    fragments.x.clear();
-    fragments.y.clear();
-    fragments.sample.clear();
-    fragments.depth.clear();
-    fragments.attributes.clear();
-    Mesh alone = mesh;
-    alone.triangles = mesh.triangles.subspan(triangle, 1);
-    const DrawCounts more = draw_mesh(state, alone, framebuffer.size, fragments);
-    counts.discarded_not_finite += more.discarded_not_finite;
-    counts.discarded_degenerate += more.discarded_degenerate;
-    keep_visible(state.depth_test, fragments, framebuffer);
-  }
-  return counts;
 }
 
 }  // namespace
@@ -144,17 +109,13 @@ std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,
   return std::nullopt;
 }
 
-DrawResult draw(const State& state, const Mesh& mesh, Framebuffer& framebuffer) {
+DrawResult draw(const State& state, const Mesh& mesh, Framebuffer& framebuffer, unsigned threads) {
   std::optional<Error> error = check_state(state);
   if (!error) error = check_framebuffer(state, framebuffer);
   if (!error) error = check_mesh(state, mesh);
   if (error) return {error, {}};
   try {
-    // On a copy: where memory runs out half-way, nothing was drawn.
-    Framebuffer drawn = framebuffer;
-    const DrawCounts counts = draw_triangles(state, mesh, drawn);
-    framebuffer = std::move(drawn);
-    return {std::nullopt, counts};
+    return {std::nullopt, draw_frame(state, mesh, framebuffer, worker_count(threads))};
   } catch (const std::bad_alloc&) {
     return {Error::out_of_memory, {}};
   } catch (const std::length_error&) {  // more than a vector can ever hold

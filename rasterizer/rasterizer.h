@@ -123,7 +123,7 @@ struct TargetSize {
   int samples = 1;
 };
 
-/// Why a draw was refused; nothing is drawn then.
+/// Why a draw was refused; nothing is drawn then, unless memory ran out on the way.
 enum class Error {
   target_size,           ///< width or height not in 1…kMaxSize
   sample_count,          ///< not 1, 2, 4, 8 or 16
@@ -190,7 +190,10 @@ std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,
                            std::size_t attribute_count, float depth);
 
 /// Draws into the framebuffer, triangle by triangle in submission order: with DepthTest::less a
-/// fragment is kept iff its depth is less than the sample's.
-DrawResult draw(const State& state, const Mesh& mesh, Framebuffer& framebuffer);
+/// fragment is kept iff its depth is less than the sample's. On that many threads, 0: as many as
+/// the machine has; the picture is the same for any number. Where memory runs out some tiles of 64
+/// × 64 pixels are drawn and the others are what they were.
+DrawResult draw(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
+                unsigned threads = 1);
 
 }  // namespace rastercheck::rasterizer

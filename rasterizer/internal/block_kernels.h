@@ -49,6 +49,9 @@ void evaluate_smooth(const std::array<double, 3>& r, int count, const BlockWeigh
 void evaluate_affine(const std::array<double, 3>& k, double scale, int count,
                      const BlockWeights& weights, float* out);
 
+/// How a value comes from the weights: not at all, as evaluate_smooth or as evaluate_affine has it.
+enum class ValueKind { copied, smooth, affine };
+
 /// Depth: low + span · (scale · Σ k_i E_i), clamped to [least, greatest] and rounded once.
 struct DepthLine {
   std::array<double, 3> k{};

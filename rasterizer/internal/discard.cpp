@@ -13,6 +13,31 @@ bool is_finite(const State& state, const Mesh& mesh, std::uint32_t vertex) {
          std::all_of(distances.begin(), distances.end(), [](float d) { return std::isfinite(d); });
 }
 
+std::optional<InputTriangle> input_triangle(const State& state, const Mesh& mesh,
+                                            std::size_t index) {
+  const glm::uvec3& corners = mesh.triangles[index];
+  if (!is_finite(state, mesh, corners.x) || !is_finite(state, mesh, corners.y) ||
+      !is_finite(state, mesh, corners.z)) {
+    return std::nullopt;
+  }
+  const auto parts_of = [&corners](std::span<const float> all, std::size_t count) {
+    return std::array{all.subspan(corners.x * count, count), all.subspan(corners.y * count, count),
+                      all.subspan(corners.z * count, count)};
+  };
+  InputTriangle triangle;
+  triangle.index = static_cast<std::uint32_t>(index);
+  triangle.positions = {mesh.positions[corners.x], mesh.positions[corners.y],
+                        mesh.positions[corners.z]};
+  triangle.distances = parts_of(mesh.clip_distances, state.clip_distance_count);
+  triangle.attributes = parts_of(mesh.attributes, state.attributes.size());
+  return triangle;
+}
+
+void count(Fate fate, DrawCounts& counts) {
+  counts.discarded_not_finite += fate == Fate::not_finite ? 1U : 0U;
+  counts.discarded_degenerate += fate == Fate::degenerate ? 1U : 0U;
+}
+
 bool is_culled(const State& state, int orientation) {
   if (state.cull == Cull::none) return false;
   // Turning from u to v is counter-clockwise where v points up.

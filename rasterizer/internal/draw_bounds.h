@@ -27,6 +27,11 @@ PixelRange pixels_from_to(const PixelRange& range, double offset, double low, do
 /// The same with low <= i + offset <= high.
 PixelRange pixels_from_through(const PixelRange& range, double offset, double low, double high);
 
+struct PixelBox {
+  PixelRange columns;
+  PixelRange rows;
+};
+
 struct DrawBounds {
   static constexpr std::size_t kMaxSamples = 16;
   PixelRange columns;  ///< target ∩ scissor

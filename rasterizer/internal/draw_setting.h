@@ -43,6 +43,6 @@ struct InputTriangle {
 };
 
 /// What became of a triangle before its samples were looked at.
-enum class Fate { drawn, hidden, degenerate };
+enum class Fate { drawn, hidden, degenerate, not_finite };
 
 }  // namespace rastercheck::rasterizer

@@ -14,6 +14,7 @@
 #include "rasterizer/internal/grid_coverage.h"
 #include "rasterizer/internal/masks.h"
 #include "rasterizer/internal/tap.h"
+#include "rasterizer/internal/tile_kernels.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -35,6 +36,17 @@ struct SampleBlock {
   }
 };
 
+/// A block whose samples have their values.
+struct EvaluatedBlock {
+  std::uint32_t triangle = 0;
+  int y = 0;
+  int first = 0;     ///< pixel of bit 0
+  Mask touched = 0;  ///< pixels of which some sample is covered
+  std::span<const SampleBlock> samples;
+  /// [sample][column][attribute]; none without State::derivatives.
+  std::span<const Slopes> derivatives;
+};
+
 /// Samples of a block.
 struct PartMasks {
   Mask drawn = 0;      ///< of the part
@@ -45,14 +57,14 @@ struct PartMasks {
   Mask float_certain = 0;
 };
 
-template <typename Coverage, typename Tap>
+template <typename Coverage, typename Tap, typename Output>
 class Drawing {
  public:
-  Drawing(const DrawSetting& setting, const Mesh& mesh, Fragments& fragments, Tap& tap)
+  Drawing(const DrawSetting& setting, const Mesh& mesh, Output& output, Tap& tap)
       : setting_(setting),
         state_(setting.state),
         mesh_(mesh),
-        fragments_(fragments),
+        output_(output),
         tap_(tap),
         coverage_(setting),
         blocks_(setting.pattern.size()) {
@@ -60,14 +72,29 @@ class Drawing {
     derivatives_.resize(blocks_.size() * kBlockSize * state_.attributes.size());
   }
 
+  /// Draws every triangle of the mesh.
   DrawCounts draw() {
-    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) draw_triangle(i);
-    return counts_;
+    DrawCounts counts;
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+      const Fate fate = set_up(i);
+      count(fate, counts);
+      if (fate == Fate::drawn) draw_rows(coverage_.box());
+    }
+    return counts;
   }
 
+  /// Makes a triangle the one at hand, or says what became of it.
+  Fate set_up(std::size_t index);
+  /// Draws of the triangle at hand what lies within a box.
+  void draw_rows(const PixelBox& box);
+  /// The same of up to kBlockSize pixels of a row, of which just the `wanted` ones.
+  void draw_block(int y, int first, int count, Mask wanted);
+
+  const Coverage& coverage() const { return coverage_; }
+  const std::vector<DrawnPart>& parts() const { return parts_; }
+
  private:
-  void draw_triangle(std::size_t index);
-  void draw_row(int y);
+  void draw_row(int y, const PixelRange& columns);
   void evaluate(const BlockPlace& place, SampleBlock& block);
   void evaluate_part(const BlockPlace& place, const DrawnPart& part, PartMasks masks,
                      SampleBlock& out);
@@ -80,8 +107,6 @@ class Drawing {
     return derivatives_.data() +
            (sample * kBlockSize + static_cast<std::size_t>(column)) * state_.attributes.size();
   }
-  void emit(int y, int first, Mask touched);
-  void emit_derivatives(std::size_t at, std::size_t end, Mask touched);
 
   // Of the block at hand; first, as they are aligned to cache lines.
   BlockWeights weights_;
@@ -90,45 +115,28 @@ class Drawing {
   const DrawSetting& setting_;
   const State& state_;
   const Mesh& mesh_;
-  Fragments& fragments_;
+  Output& output_;
   Tap& tap_;
   Coverage coverage_;
   std::vector<SampleBlock> blocks_;       ///< [sample], of the block at hand
   std::unique_ptr<SampleBlock> of_part_;  ///< where a triangle is drawn in several parts
   /// [sample][column][attribute], of the block at hand; none without State::derivatives.
   std::vector<Slopes> derivatives_;
-  DrawCounts counts_;
 
   // Of the triangle at hand.
   std::uint32_t triangle_ = 0;
   std::vector<DrawnPart> parts_;
 };
 
-template <typename Coverage, typename Tap>
-void Drawing<Coverage, Tap>::draw_triangle(std::size_t index) {
-  const glm::uvec3& corners = mesh_.triangles[index];
-  if (!is_finite(state_, mesh_, corners.x) || !is_finite(state_, mesh_, corners.y) ||
-      !is_finite(state_, mesh_, corners.z)) {
-    ++counts_.discarded_not_finite;
-    return;
-  }
-  const auto parts_of = [&corners](std::span<const float> all, std::size_t count) {
-    return std::array{all.subspan(corners.x * count, count), all.subspan(corners.y * count, count),
-                      all.subspan(corners.z * count, count)};
-  };
-  InputTriangle triangle;
-  triangle.index = static_cast<std::uint32_t>(index);
-  triangle.positions = {mesh_.positions[corners.x], mesh_.positions[corners.y],
-                        mesh_.positions[corners.z]};
-  triangle.distances = parts_of(mesh_.clip_distances, state_.clip_distance_count);
-  triangle.attributes = parts_of(mesh_.attributes, state_.attributes.size());
-
+template <typename Coverage, typename Tap, typename Output>
+Fate Drawing<Coverage, Tap, Output>::set_up(std::size_t index) {
+  const std::optional<InputTriangle> triangle = input_triangle(state_, mesh_, index);
+  if (!triangle) return Fate::not_finite;
   const bool is_empty = state_.viewport.size.x == 0 || state_.viewport.size.y == 0;
-  const Fate fate = is_empty ? Fate::degenerate : coverage_.set_up(triangle, parts_);
-  if (fate == Fate::degenerate) ++counts_.discarded_degenerate;
-  if (fate != Fate::drawn) return;
+  const Fate fate = is_empty ? Fate::degenerate : coverage_.set_up(*triangle, parts_);
+  if (fate != Fate::drawn) return fate;
 
-  triangle_ = triangle.index;
+  triangle_ = triangle->index;
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     set_up_values(state_, parts_[k].source, parts_[k].weights, parts_[k].values);
     if (state_.derivatives) {
@@ -138,12 +146,17 @@ void Drawing<Coverage, Tap>::draw_triangle(std::size_t index) {
     tap_.set_up(triangle_, parts_[k], k);
   }
   if (parts_.size() > 1 && !of_part_) of_part_ = std::make_unique<SampleBlock>();
-  const PixelRange& rows = coverage_.box().rows;
-  for (int y = rows.begin; y < rows.end; ++y) draw_row(y);
+  return fate;
 }
 
-template <typename Coverage, typename Tap>
-void Drawing<Coverage, Tap>::draw_row(int y) {
+template <typename Coverage, typename Tap, typename Output>
+void Drawing<Coverage, Tap, Output>::draw_rows(const PixelBox& box) {
+  const PixelRange rows = intersection(coverage_.box().rows, box.rows);
+  for (int y = rows.begin; y < rows.end; ++y) draw_row(y, box.columns);
+}
+
+template <typename Coverage, typename Tap, typename Output>
+void Drawing<Coverage, Tap, Output>::draw_row(int y, const PixelRange& columns) {
   PixelRange span{coverage_.box().columns.end, coverage_.box().columns.begin};
   for (std::size_t s = 0; s < blocks_.size(); ++s) {
     if (!setting_.bounds.sample_rows[s].contains(y)) continue;
@@ -152,28 +165,34 @@ void Drawing<Coverage, Tap>::draw_row(int y) {
     span.begin = std::min(span.begin, of_sample.begin);
     span.end = std::max(span.end, of_sample.end);
   }
+  span = intersection(span, columns);
   for (int first = span.begin; first < span.end; first += kBlockSize) {
     const int count = std::min(kBlockSize, span.end - first);
-    Mask touched = 0;
-    for (std::size_t s = 0; s < blocks_.size(); ++s) {
-      SampleBlock& block = blocks_[s];
-      block.coverage = {};
-      if (!setting_.bounds.sample_rows[s].contains(y)) continue;
-      block.coverage = coverage_.cover(s, y, first, count, weights_);
-      if (block.coverage.covered == 0) continue;
-      touched |= block.coverage.covered;
-      const BlockPlace place{triangle_, s, y, first, count};
-      tap_.covered(place, block.coverage);
-      evaluate(place, block);
-    }
-    if (touched == 0) continue;
-    if (blocks_.size() > 1) locate(y, first, touched);
-    emit(y, first, touched);
+    draw_block(y, first, count, columns_mask({first, first + count}, first));
   }
 }
 
-template <typename Coverage, typename Tap>
-void Drawing<Coverage, Tap>::evaluate(const BlockPlace& place, SampleBlock& block) {
+template <typename Coverage, typename Tap, typename Output>
+void Drawing<Coverage, Tap, Output>::draw_block(int y, int first, int count, Mask wanted) {
+  Mask touched = 0;
+  for (std::size_t s = 0; s < blocks_.size(); ++s) {
+    SampleBlock& block = blocks_[s];
+    block.coverage = {};
+    if (!setting_.bounds.sample_rows[s].contains(y)) continue;
+    block.coverage = coverage_.cover(s, y, first, count, weights_);
+    block.coverage.keep(wanted);
+    touched |= block.coverage.covered;
+    const BlockPlace place{triangle_, s, y, first, count};
+    tap_.covered(place, block.coverage);
+    evaluate(place, block);
+  }
+  if (touched == 0) return;
+  if (blocks_.size() > 1) locate(y, first, touched);
+  output_.take({triangle_, y, first, touched, blocks_, derivatives_});
+}
+
+template <typename Coverage, typename Tap, typename Output>
+void Drawing<Coverage, Tap, Output>::evaluate(const BlockPlace& place, SampleBlock& block) {
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     const DrawnPart& part = parts_[k];
     const Mask mask = coverage_.part_mask(block.coverage, k);
@@ -194,9 +213,9 @@ void Drawing<Coverage, Tap>::evaluate(const BlockPlace& place, SampleBlock& bloc
 }
 
 /// What all attributes of a part need of the weights.
-template <typename Coverage, typename Tap>
-void Drawing<Coverage, Tap>::weigh(const BlockPlace& place, const DrawnPart& part,
-                                   PartMasks& masks) {
+template <typename Coverage, typename Tap, typename Output>
+void Drawing<Coverage, Tap, Output>::weigh(const BlockPlace& place, const DrawnPart& part,
+                                           PartMasks& masks) {
   const TriangleValues& values = part.values;
   const double least_sum = values.certificates.least_sum;
   if (values.has_smooth) masks.certain = sum_weights(least_sum, place.count, weights_);
@@ -213,9 +232,9 @@ void Drawing<Coverage, Tap>::weigh(const BlockPlace& place, const DrawnPart& par
   }
 }
 
-template <typename Coverage, typename Tap>
-void Drawing<Coverage, Tap>::evaluate_part(const BlockPlace& place, const DrawnPart& part,
-                                           PartMasks masks, SampleBlock& out) {
+template <typename Coverage, typename Tap, typename Output>
+void Drawing<Coverage, Tap, Output>::evaluate_part(const BlockPlace& place, const DrawnPart& part,
+                                                   PartMasks masks, SampleBlock& out) {
   const TriangleValues& values = part.values;
   const SampleOffset& offset = setting_.pattern[place.sample];
   weigh(place, part, masks);
@@ -239,10 +258,11 @@ void Drawing<Coverage, Tap>::evaluate_part(const BlockPlace& place, const DrawnP
 }
 
 /// Returns the samples for which double was not enough.
-template <typename Coverage, typename Tap>
-Mask Drawing<Coverage, Tap>::evaluate_attribute(const BlockPlace& place, const DrawnPart& part,
-                                                std::size_t attribute, const PartMasks& masks,
-                                                SampleBlock& out) {
+template <typename Coverage, typename Tap, typename Output>
+Mask Drawing<Coverage, Tap, Output>::evaluate_attribute(const BlockPlace& place,
+                                                        const DrawnPart& part,
+                                                        std::size_t attribute,
+                                                        const PartMasks& masks, SampleBlock& out) {
   const ValueLine& line = part.values.attributes[attribute];
   std::array<float, kBlockSize>& values = out.attributes[attribute];
   Mask certain = 0;
@@ -281,8 +301,8 @@ Mask Drawing<Coverage, Tap>::evaluate_attribute(const BlockPlace& place, const D
 
 /// Attributes that belong to the pixel and not to its samples: at the centre, or, centroid, at the
 /// first covered sample where not all are.
-template <typename Coverage, typename Tap>
-void Drawing<Coverage, Tap>::locate(int y, int first, Mask touched) {
+template <typename Coverage, typename Tap, typename Output>
+void Drawing<Coverage, Tap, Output>::locate(int y, int first, Mask touched) {
   for (std::size_t a = 0; a < state_.attributes.size(); ++a) {
     const Location location = state_.attributes[a].location;
     if (location == Location::sample) continue;
@@ -315,8 +335,9 @@ void Drawing<Coverage, Tap>::locate(int y, int first, Mask touched) {
 }
 
 /// The screen derivatives of the attributes that belong to a sample.
-template <typename Coverage, typename Tap>
-void Drawing<Coverage, Tap>::derive(const BlockPlace& place, const DrawnPart& part, Mask mask) {
+template <typename Coverage, typename Tap, typename Output>
+void Drawing<Coverage, Tap, Output>::derive(const BlockPlace& place, const DrawnPart& part,
+                                            Mask mask) {
   const SampleOffset& offset = setting_.pattern[place.sample];
   for_each_bit(mask, [&](int j) {
     const DerivativeSite site =
@@ -328,63 +349,242 @@ void Drawing<Coverage, Tap>::derive(const BlockPlace& place, const DrawnPart& pa
   });
 }
 
-template <typename Coverage, typename Tap>
-void Drawing<Coverage, Tap>::emit(int y, int first, Mask touched) {
-  const std::size_t attributes = state_.attributes.size();
-  std::size_t at = fragments_.size();
-  std::size_t end = at;
-  for (const SampleBlock& block : blocks_) {
-    end += static_cast<std::size_t>(std::popcount(block.coverage.covered));
-  }
-  fragments_.triangle.resize(end, triangle_);
-  fragments_.x.resize(end);
-  fragments_.y.resize(end, static_cast<std::uint16_t>(y));
-  fragments_.sample.resize(end);
-  fragments_.depth.resize(end);
-  fragments_.attributes.resize(end * attributes);
-  if (state_.derivatives) emit_derivatives(at, end, touched);
-  for_each_bit(touched, [&](int j) {
-    const auto column = static_cast<std::size_t>(j);
-    for (std::size_t s = 0; s < blocks_.size(); ++s) {
-      const SampleBlock& block = blocks_[s];
-      if ((block.coverage.covered >> j & 1) == 0) continue;
-      fragments_.x[at] = static_cast<std::uint16_t>(first + j);
-      fragments_.sample[at] = static_cast<std::uint8_t>(s);
-      fragments_.depth[at] = block.depth[column];
-      for (std::size_t a = 0; a < attributes; ++a) {
-        fragments_.attributes[at * attributes + a] = block.attributes[a][column];
-      }
-      ++at;
+/// Appends what was drawn to fragments.
+class FragmentOutput {
+ public:
+  FragmentOutput(Fragments& fragments, std::size_t attributes)
+      : fragments_(fragments), attributes_(attributes) {}
+
+  void take(const EvaluatedBlock& block) {
+    const std::size_t at = fragments_.size();
+    std::size_t end = at;
+    for (const SampleBlock& sample : block.samples) {
+      end += static_cast<std::size_t>(std::popcount(sample.coverage.covered));
     }
-  });
+    fragments_.triangle.resize(end, block.triangle);
+    fragments_.x.resize(end);
+    fragments_.y.resize(end, static_cast<std::uint16_t>(block.y));
+    fragments_.sample.resize(end);
+    fragments_.depth.resize(end);
+    fragments_.attributes.resize(end * attributes_);
+    if (!block.derivatives.empty()) fragments_.derivatives.resize(end * attributes_ * 2);
+    put(block, at);
+  }
+
+ private:
+  void put(const EvaluatedBlock& block, std::size_t at) {
+    for_each_bit(block.touched, [&](int j) {
+      const auto column = static_cast<std::size_t>(j);
+      for (std::size_t s = 0; s < block.samples.size(); ++s) {
+        const SampleBlock& sample = block.samples[s];
+        if ((sample.coverage.covered >> j & 1) == 0) continue;
+        fragments_.x[at] = static_cast<std::uint16_t>(block.first + j);
+        fragments_.sample[at] = static_cast<std::uint8_t>(s);
+        fragments_.depth[at] = sample.depth[column];
+        for (std::size_t a = 0; a < attributes_; ++a) {
+          fragments_.attributes[at * attributes_ + a] = sample.attributes[a][column];
+        }
+        if (!block.derivatives.empty()) put_derivatives(block, s * kBlockSize + column, at);
+        ++at;
+      }
+    });
+  }
+
+  void put_derivatives(const EvaluatedBlock& block, std::size_t place, std::size_t at) {
+    for (std::size_t a = 0; a < attributes_; ++a) {
+      const Slopes& slopes = block.derivatives[place * attributes_ + a];
+      std::copy_n(slopes.data(), 2, fragments_.derivatives.data() + (at * attributes_ + a) * 2);
+    }
+  }
+
+  Fragments& fragments_;
+  std::size_t attributes_;
+};
+
+/// Keeps what was drawn in a tile, by the depth test.
+class TileOutput {
+ public:
+  TileOutput(DepthTest test, std::size_t attributes) : test_(test), attributes_(attributes) {}
+
+  void begin(Tile& tile) { tile_ = &tile; }
+
+  void take(const EvaluatedBlock& block) {
+    for (std::size_t s = 0; s < block.samples.size(); ++s) {
+      const SampleBlock& sample = block.samples[s];
+      const int from = block.first - tile_->columns().begin;
+      for_each_bit(sample.coverage.covered, [&](int j) {
+        float& depth = tile_->depth(s, block.y)[from + j];
+        const auto column = static_cast<std::size_t>(j);
+        if (test_ == DepthTest::less && !(sample.depth[column] < depth)) return;
+        depth = sample.depth[column];
+        for (std::size_t a = 0; a < attributes_; ++a) {
+          tile_->attribute(a, s, block.y)[from + j] = sample.attributes[a][column];
+        }
+      });
+    }
+  }
+
+ private:
+  DepthTest test_;
+  std::size_t attributes_;
+  Tile* tile_ = nullptr;
+};
+
+template <typename Coverage>
+class TileDrawingBy : public TileDrawing {
+ public:
+  TileDrawingBy(const DrawSetting& setting, const Mesh& mesh)
+      : setting_(setting),
+        mesh_(mesh),
+        output_(setting.state.depth_test, setting.state.attributes.size()),
+        coverage_(setting),
+        drawing_(setting, mesh, output_, tap_),
+        values_(setting.state.attributes.size()),
+        rows_(values_.size()) {}
+
+  Fate locate(std::size_t triangle, PixelBox& box) override {
+    const std::optional<InputTriangle> input = input_triangle(setting_.state, mesh_, triangle);
+    if (!input) return Fate::not_finite;
+    const glm::vec2& size = setting_.state.viewport.size;
+    const Fate fate = size.x == 0 || size.y == 0 ? Fate::degenerate : coverage_.locate(*input);
+    box = coverage_.box();
+    return fate;
+  }
+
+  void draw(std::span<const std::uint32_t> triangles, Tile& tile) override {
+    output_.begin(tile);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      prefetch(triangles.subspan(i));
+      draw(triangles[i], tile);
+    }
+  }
+
+ private:
+  /// Triangles of a tile lie anywhere in the mesh. Asks for the indices of one that comes soon, and
+  /// for the vertices of one that comes sooner.
+  void prefetch(std::span<const std::uint32_t> coming) const {
+    constexpr std::size_t kIndices = 16;
+    constexpr std::size_t kVertices = 8;
+    if (coming.size() > kIndices) __builtin_prefetch(&mesh_.triangles[coming[kIndices]]);
+    if (coming.size() <= kVertices) return;
+    const glm::uvec3& corners = mesh_.triangles[coming[kVertices]];
+    for (const std::uint32_t vertex : {corners.x, corners.y, corners.z}) {
+      __builtin_prefetch(&mesh_.positions[vertex]);
+      __builtin_prefetch(mesh_.attributes.data() + vertex * setting_.state.attributes.size());
+    }
+  }
+
+  void draw(std::uint32_t triangle, Tile& tile) {
+    if (drawing_.set_up(triangle) != Fate::drawn) return;
+    if constexpr (Coverage::kLeavesWeights) {
+      if (is_shaded_by_rows()) return shade_rows(tile);
+    }
+    drawing_.draw_rows({tile.columns(), tile.rows()});
+  }
+
+  /// Whether double holds nearly all of the triangle's samples (tile_kernels.h).
+  bool is_shaded_by_rows() const {
+    if (setting_.pattern.size() > 1 || drawing_.coverage().is_clipped()) return false;
+    const TriangleValues& values = drawing_.parts()[0].values;
+    const Certificates& certificates = values.certificates;
+    if (!values.has_constant_depth && !certificates.depth_is_certain) return false;
+    return std::all_of(
+        values.attributes.begin(), values.attributes.end(), [&certificates](const ValueLine& line) {
+          if (line.kind == ValueLine::Kind::copied) return true;
+          return !line.is_float &&
+                 (line.kind == ValueLine::Kind::smooth || certificates.affine_is_certain);
+        });
+  }
+
+  void shade_rows(Tile& tile);
+  ShadedTriangle shaded();
+
+  const DrawSetting& setting_;
+  const Mesh& mesh_;
+  TileOutput output_;
+  NoTap tap_;
+  Coverage coverage_;  ///< to locate triangles with
+  Drawing<Coverage, NoTap, TileOutput> drawing_;
+  std::vector<ShadedValue> values_;
+  std::vector<float*> rows_;  ///< [attribute] of a row of the tile
+};
+
+/// The triangle at hand, for the kernels.
+template <typename Coverage>
+ShadedTriangle TileDrawingBy<Coverage>::shaded() {
+  const DrawnPart& part = drawing_.parts()[0];
+  const TriangleValues& values = part.values;
+  ShadedTriangle triangle;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const EdgeFunction& edge = part.weights.edges[i];
+    triangle.a[i] = edge.a.value;
+    triangle.band[i] = edge.band;
+    using Edge = ShadedTriangle::Edge;
+    const Edge exact = edge.owns_zero ? Edge::closed : Edge::open;
+    triangle.edges[i] = edge.band > 0 ? Edge::banded : exact;
+  }
+  triangle.least_sum = values.certificates.least_sum;
+  triangle.has_smooth = values.has_smooth;
+  triangle.affine_scale = 1 / part.weights.det_t;
+  triangle.has_constant_depth = values.has_constant_depth;
+  triangle.constant_depth = values.constant_depth;
+  triangle.depth = values.depth;
+  for (std::size_t a = 0; a < values_.size(); ++a) {
+    const ValueLine& line = values.attributes[a];
+    values_[a] = {line.kind, line.numerators, line.copy};
+  }
+  triangle.attributes = values_;
+  triangle.tests_depth = setting_.state.depth_test == DepthTest::less;
+  return triangle;
 }
 
-/// Fragments `at` … `end` are those of the block.
-template <typename Coverage, typename Tap>
-void Drawing<Coverage, Tap>::emit_derivatives(std::size_t at, std::size_t end, Mask touched) {
-  const std::size_t attributes = state_.attributes.size();
-  fragments_.derivatives.resize(end * attributes * 2);
-  for_each_bit(touched, [&](int j) {
-    for (std::size_t s = 0; s < blocks_.size(); ++s) {
-      if ((blocks_[s].coverage.covered >> j & 1) == 0) continue;
-      for (std::size_t a = 0; a < attributes; ++a) {
-        const Slopes& slopes = derivatives_of(s, j)[a];
-        std::copy_n(slopes.data(), 2, fragments_.derivatives.data() + (at * attributes + a) * 2);
-      }
-      ++at;
-    }
-  });
+template <typename Coverage>
+void TileDrawingBy<Coverage>::shade_rows(Tile& tile) {
+  const DrawBounds& bounds = setting_.bounds;
+  const PixelBox& box = drawing_.coverage().box();
+  const PixelRange rows = intersection(intersection(box.rows, bounds.sample_rows[0]), tile.rows());
+  const PixelRange columns =
+      intersection(intersection(box.columns, bounds.sample_columns[0]), tile.columns());
+  if (rows.empty() || columns.empty()) return;
+  const SampleFrame& frame = setting_.frame;
+  const SampleOffset& offset = setting_.pattern[0];
+  const EdgeFunctions& edges = drawing_.parts()[0].weights.edges;
+  const ShadedTriangle triangle = shaded();
+  const int first = tile.columns().begin;
+  alignas(64) std::array<double, kTileSize> u;
+  for (int j = 0; j < kTileSize; ++j) {
+    u[static_cast<std::size_t>(j)] = frame.u.at(first + j + offset.x);
+  }
+  TileRow row;
+  row.u = u.data();
+  row.begin = columns.begin - first;
+  row.end = columns.end - first;
+  row.attributes = rows_;
+  for (int y = rows.begin; y < rows.end; ++y) {
+    for (std::size_t i = 0; i < 3; ++i) row.edge[i] = edges[i].row(frame, y + offset.y);
+    row.depth = tile.depth(0, y);
+    for (std::size_t a = 0; a < rows_.size(); ++a) rows_[a] = tile.attribute(a, 0, y);
+    const Mask left_out = shade_row(triangle, row);
+    if (left_out != 0) drawing_.draw_block(y, first, kTileSize, left_out);
+  }
 }
 
 template <typename Tap>
 DrawCounts draw_with(const State& state, const Mesh& mesh, const TargetSize& size,
                      Fragments& fragments, Tap& tap) {
   const DrawSetting setting(state, size);
-  if (state.snapping) return Drawing<GridCoverage, Tap>(setting, mesh, fragments, tap).draw();
-  return Drawing<ExactCoverage, Tap>(setting, mesh, fragments, tap).draw();
+  FragmentOutput output(fragments, state.attributes.size());
+  if (state.snapping)
+    return Drawing<GridCoverage, Tap, FragmentOutput>(setting, mesh, output, tap).draw();
+  return Drawing<ExactCoverage, Tap, FragmentOutput>(setting, mesh, output, tap).draw();
 }
 
 }  // namespace
+
+std::unique_ptr<TileDrawing> make_tile_drawing(const DrawSetting& setting, const Mesh& mesh) {
+  if (setting.state.snapping) return std::make_unique<TileDrawingBy<GridCoverage>>(setting, mesh);
+  return std::make_unique<TileDrawingBy<ExactCoverage>>(setting, mesh);
+}
 
 DrawCounts draw_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
                      Fragments& fragments) {

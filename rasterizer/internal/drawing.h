@@ -13,6 +13,12 @@
 //
 // Every stage hands what it made to a Tap (tap.h) as well.
 
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "rasterizer/internal/draw_setting.h"
+#include "rasterizer/internal/tile.h"
 #include "rasterizer/rasterizer.h"
 #include "rasterizer/trace.h"
 
@@ -30,5 +36,18 @@ DrawCounts draw_mesh(const State& state, const Mesh& mesh, const TargetSize& siz
 /// The trace of a covered sample. The arguments were checked.
 std::optional<Trace> trace_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
                                 const SampleAddress& address);
+
+/// Draws into tiles of a framebuffer; each thread has its own.
+class TileDrawing {
+ public:
+  virtual ~TileDrawing() = default;
+  /// What becomes of a triangle of the mesh, and if it is drawn the pixels that it may touch.
+  virtual Fate locate(std::size_t triangle, PixelBox& box) = 0;
+  /// Draws what of these triangles lies in the tile, one after the other.
+  virtual void draw(std::span<const std::uint32_t> triangles, Tile& tile) = 0;
+};
+
+/// For checked arguments, which must outlive it.
+std::unique_ptr<TileDrawing> make_tile_drawing(const DrawSetting& setting, const Mesh& mesh);
 
 }  // namespace rastercheck::rasterizer

@@ -20,18 +20,24 @@ EdgeRow edge_row(const EdgeFunctions& edges, const SampleFrame& frame, double v,
   return row;
 }
 
-Fate ExactCoverage::set_up(const InputTriangle& triangle, std::vector<DrawnPart>& parts) {
+Fate ExactCoverage::locate(const InputTriangle& triangle) {
   const auto& p = triangle.positions;
   const SampleFrame& frame = setting_.frame;
-  const int turn = determinant_sign(p[0], p[1], p[2]);
-  if (turn == 0) return Fate::degenerate;
-  if (is_culled(setting_.state, turn * frame.u.direction * frame.v.direction)) return Fate::hidden;
+  turn_ = determinant_sign(p[0], p[1], p[2]);
+  if (turn_ == 0) return Fate::degenerate;
+  if (is_culled(setting_.state, turn_ * frame.u.direction * frame.v.direction)) return Fate::hidden;
   clip_functionals(setting_.state, p, triangle.distances, clips_);
   if (clips_.hides_all) return Fate::hidden;
   find_box(triangle);
-  if (box_.columns.empty() || box_.rows.empty()) return Fate::hidden;
+  return box_.columns.empty() || box_.rows.empty() ? Fate::hidden : Fate::drawn;
+}
 
-  edges_ = edge_functions(p, turn, frame, setting_.tie_sign);
+Fate ExactCoverage::set_up(const InputTriangle& triangle, std::vector<DrawnPart>& parts) {
+  const Fate fate = locate(triangle);
+  if (fate != Fate::drawn) return fate;
+  const auto& p = triangle.positions;
+  const SampleFrame& frame = setting_.frame;
+  edges_ = edge_functions(p, turn_, frame, setting_.tie_sign);
   parts.resize(1);
   parts[0].weights.set_ideal(p, edges_, frame);
   parts[0].source = {p, triangle.attributes, {}};

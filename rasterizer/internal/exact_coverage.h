@@ -30,6 +30,12 @@ struct CoveredBlock {
   /// is: two edges are within their bands.
   Mask at_vertex = 0;
   bool is_whole_numbers = false;  ///< decided on the grid
+
+  void keep(Mask wanted) {
+    covered &= wanted;
+    in_doubt &= wanted;
+    at_vertex &= wanted;
+  }
 };
 
 /// One part of what is drawn of a triangle, with weights of its own.
@@ -47,8 +53,12 @@ class ExactCoverage {
 
   explicit ExactCoverage(const DrawSetting& setting) : setting_(setting) {}
 
+  /// Whether a triangle is drawn, and if so where: sets box() alone.
+  Fate locate(const InputTriangle& triangle);
   /// Prepares a triangle, and the one part that it is drawn in (its values are not set up).
   Fate set_up(const InputTriangle& triangle, std::vector<DrawnPart>& parts);
+  /// Whether clip planes have a say in what the edges leave.
+  bool is_clipped() const { return !clips_.all.empty(); }
 
   /// The pixels that it may touch.
   const PixelBox& box() const { return box_; }
@@ -67,6 +77,7 @@ class ExactCoverage {
   bool is_at_vertex(const BlockWeights& weights, int column) const;
 
   const DrawSetting& setting_;
+  int turn_ = 0;  ///< the orientation in clip space
   EdgeFunctions edges_;
   ClipFunctionals clips_;
   PixelBox box_;

@@ -35,7 +35,7 @@ namespace rastercheck::rasterizer {
 
 /// One triangle's value, ready to be evaluated.
 struct ValueLine {
-  enum class Kind { copied, smooth, affine };
+  using Kind = ValueKind;
   Kind kind = Kind::copied;
   /// What the E_i are multiplied with: r_i of a smooth, r_i w_i of an affine value.
   std::array<double, 3> numerators{};

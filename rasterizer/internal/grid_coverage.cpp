@@ -8,7 +8,7 @@
 
 namespace rastercheck::rasterizer {
 
-Fate GridCoverage::set_up(const InputTriangle& triangle, std::vector<DrawnPart>& parts) {
+Fate GridCoverage::locate(const InputTriangle& triangle) {
   const State& state = setting_.state;
   grid_polygon(state, grid_, triangle.positions, triangle.distances, polygon_);
   if (polygon_.corners.empty()) return Fate::hidden;
@@ -17,29 +17,35 @@ Fate GridCoverage::set_up(const InputTriangle& triangle, std::vector<DrawnPart>&
 
   const auto& p = triangle.positions;
   // As displayed; clip space may be mirrored by the viewport.
-  const int turn = determinant_sign(p[0], p[1], p[2]);
-  const int ideal_turn = turn * setting_.frame.u.direction * setting_.frame.v.direction;
+  turn_ = determinant_sign(p[0], p[1], p[2]);
+  const int ideal_turn = turn_ * setting_.frame.u.direction * setting_.frame.v.direction;
   const int snapped_turn = sign(signed_area(pieces_));
-  const int whole_turn = snapped_turn != 0 ? snapped_turn : ideal_turn;
-  if (whole_turn == 0) return Fate::degenerate;
+  whole_turn_ = snapped_turn != 0 ? snapped_turn : ideal_turn;
+  if (whole_turn_ == 0) return Fate::degenerate;
   const bool has_ideal_facing = state.basis == Basis::ideal && ideal_turn != 0;
-  if (is_culled(state, has_ideal_facing ? ideal_turn : whole_turn)) return Fate::hidden;
+  if (is_culled(state, has_ideal_facing ? ideal_turn : whole_turn_)) return Fate::hidden;
 
   box_ = touched_pixels(polygon_.corners, bits_, {setting_.bounds.columns, setting_.bounds.rows});
-  if (box_.columns.empty() || box_.rows.empty()) return Fate::hidden;
+  return box_.columns.empty() || box_.rows.empty() ? Fate::hidden : Fate::drawn;
+}
+
+Fate GridCoverage::set_up(const InputTriangle& triangle, std::vector<DrawnPart>& parts) {
+  const Fate fate = locate(triangle);
+  if (fate != Fate::drawn) return fate;
+  const auto& p = triangle.positions;
   // The drawn ones first, in their order.
   drawn_pieces_ = 0;
   for (GridPiece& piece : pieces_) {
-    if (piece.turn == whole_turn) std::swap(piece, pieces_[drawn_pieces_++]);
+    if (piece.turn == whole_turn_) std::swap(piece, pieces_[drawn_pieces_++]);
   }
 
-  has_parts_of_pieces_ = state.basis == Basis::snapped || turn == 0;
+  has_parts_of_pieces_ = setting_.state.basis == Basis::snapped || turn_ == 0;
   if (has_parts_of_pieces_) {
     set_up_pieces(triangle, parts);
     return Fate::drawn;
   }
   parts.resize(1);
-  parts[0].weights.set_ideal(p, edge_functions(p, turn, setting_.frame, setting_.tie_sign),
+  parts[0].weights.set_ideal(p, edge_functions(p, turn_, setting_.frame, setting_.tie_sign),
                              setting_.frame);
   parts[0].weights.widen_bands();  // samples may lie outside
   parts[0].source = {p, triangle.attributes, {}};

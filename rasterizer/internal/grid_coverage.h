@@ -28,6 +28,8 @@ class GridCoverage {
         grid_(grid_of(setting.state)),
         frame_(grid_frame(setting.bounds, bits_)) {}
 
+  /// Whether a triangle is drawn, and if so where: sets box() alone.
+  Fate locate(const InputTriangle& triangle);
   Fate set_up(const InputTriangle& triangle, std::vector<DrawnPart>& parts);
   const PixelBox& box() const { return box_; }
   PixelRange span(std::size_t sample, int y) const;
@@ -44,6 +46,8 @@ class GridCoverage {
   SampleFrame frame_;
 
   // Of the triangle at hand.
+  int turn_ = 0;        ///< the orientation of the clip positions
+  int whole_turn_ = 0;  ///< that of the snapped polygon, as displayed
   GridPolygon polygon_;
   std::vector<GridPiece> pieces_;  ///< first those that turn as the whole does
   std::size_t drawn_pieces_ = 0;   ///< how many these are

@@ -46,10 +46,6 @@ PixelRange covered_pixels(const GridPiece& piece, const PixelRange& columns, int
                           const SampleOffset& offset, int subpixel_bits, int tie_sign);
 
 /// The pixels that a polygon may cover samples of.
-struct PixelBox {
-  PixelRange columns;
-  PixelRange rows;
-};
 PixelBox touched_pixels(std::span<const GridCorner> corners, int subpixel_bits,
                         const PixelBox& within);
 

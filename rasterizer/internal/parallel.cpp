@@ -1,0 +1,52 @@
+#include "rasterizer/internal/parallel.h"
+
+#include <algorithm>
+#include <thread>
+
+#ifdef RASTERCHECK_STD_THREADS
+#include <atomic>
+#include <future>
+#include <vector>
+#else
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace rastercheck::rasterizer {
+
+std::size_t worker_count(unsigned threads) {
+  return threads == 0 ? std::max(1U, std::thread::hardware_concurrency()) : threads;
+}
+
+void for_each_index(std::size_t count, std::size_t workers,
+                    const std::function<void(std::size_t, std::size_t)>& work) {
+  if (workers == 1 || count <= 1) {
+    for (std::size_t i = 0; i < count; ++i) work(i, 0);
+    return;
+  }
+#ifdef RASTERCHECK_STD_THREADS
+  // ThreadSanitizer does not see how oneTBB's own library synchronises, and takes it for races.
+  std::atomic<std::size_t> next = 0;
+  const auto run = [&](std::size_t worker) {
+    for (std::size_t i = next++; i < count; i = next++) work(i, worker);
+  };
+  std::vector<std::future<void>> others;
+  for (std::size_t worker = 1; worker < workers; ++worker) {
+    others.push_back(std::async(std::launch::async, run, worker));
+  }
+  run(0);
+  for (std::future<void>& other : others) other.get();
+#else
+  tbb::task_arena arena(static_cast<int>(workers));
+  arena.execute([&] {
+    tbb::parallel_for(
+        std::size_t{0}, count,
+        [&work](std::size_t i) {
+          work(i, static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()));
+        },
+        tbb::simple_partitioner());
+  });
+#endif
+}
+
+}  // namespace rastercheck::rasterizer
