@@ -252,16 +252,17 @@ Result<cases::Framebuffer> draw_with_rasterizer(const cases::Case& c, std::strin
   return framebuffer(fragments, indices, c.attributes.size());
 }
 
-/// One triangle of a case as the rasterizer takes it.
-class OneTriangle {
+/// Triangles of a case as the rasterizer takes them, with vertices of their own.
+class UnsharedTriangles {
  public:
-  OneTriangle(const cases::Case& c, std::size_t index) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t vertex = c.triangles[index][i];
+  UnsharedTriangles(const cases::Case& c, std::size_t first, std::size_t count) {
+    for (std::uint32_t corner = 0; corner < 3 * count; ++corner) {
+      const std::uint32_t vertex = c.triangles[first + corner / 3][corner % 3];
       const cases::ClipVertex& p = c.positions[vertex];
-      positions_[i] = {p.x, p.y, p.z, p.w};
+      positions_.emplace_back(p.x, p.y, p.z, p.w);
       append(c.attribute_values, c.attributes.size(), vertex, attributes_);
       append(c.clip_distances, c.clip_distance_count, vertex, clip_distances_);
+      if (corner % 3 == 0) triangles_.emplace_back(corner, corner + 1, corner + 2);
     }
   }
   ras::Mesh mesh() const { return {positions_, attributes_, clip_distances_, triangles_}; }
@@ -274,10 +275,96 @@ class OneTriangle {
     to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(count));
   }
 
-  std::array<glm::vec4, 3> positions_;
+  std::vector<glm::vec4> positions_;
   std::vector<float> attributes_;
   std::vector<float> clip_distances_;
-  std::array<glm::uvec3, 1> triangles_{glm::uvec3{0, 1, 2}};
+  std::vector<glm::uvec3> triangles_;
+};
+
+/// Draws through the rasterizer's framebuffer and lists what is in it.
+class FramebufferDrawing {
+ public:
+  FramebufferDrawing(const cases::Case& c, ras::Precision precision)
+      : case_(c), state_(state(c, precision)) {
+    state_.derivatives = false;
+    state_.depth_test = ras::DepthTest::less;
+    result_.attribute_count = c.attributes.size();
+  }
+
+  Result<cases::Framebuffer> draw() {
+    const std::size_t count = case_.triangles.size();
+    if (!clear(framebuffer_, case_.attributes.size())) return tl::unexpected(*error_);
+    if (case_.depth_test == cases::DepthTest::less) {
+      const UnsharedTriangles all(case_, 0, count);
+      if (!draw(state_, all.mesh(), framebuffer_) || !draw_indices(all)) {
+        return tl::unexpected(*error_);
+      }
+      take([this](std::size_t at) { return static_cast<std::uint32_t>(indices_.attributes[at]); });
+      return std::move(result_);
+    }
+    for (std::uint32_t t = 0; t < count; ++t) {
+      if (!draw(state_, UnsharedTriangles(case_, t, 1).mesh(), framebuffer_)) {
+        return tl::unexpected(*error_);
+      }
+      take([t](std::size_t) { return t; });
+    }
+    return std::move(result_);
+  }
+
+ private:
+  static constexpr float kFarthest = std::numeric_limits<float>::infinity();
+
+  bool clear(ras::Framebuffer& framebuffer, std::size_t attributes) {
+    return is_done(ras::clear(framebuffer, target_size(case_), attributes, kFarthest));
+  }
+  bool draw(const ras::State& by, const ras::Mesh& mesh, ras::Framebuffer& into) {
+    return is_done(ras::draw(by, mesh, into).error);
+  }
+  bool is_done(const std::optional<ras::Error>& error) {
+    if (error) error_ = refused(*error);
+    return !error;
+  }
+
+  /// Draws the same with each triangle's index for its only value; float32 holds 2^24 of them.
+  bool draw_indices(const UnsharedTriangles& all) {
+    std::vector<float> values;
+    for (std::size_t corner = 0; corner < all.mesh().positions.size(); ++corner) {
+      values.push_back(static_cast<float>(corner / 3));
+    }
+    ras::Mesh mesh = all.mesh();
+    mesh.attributes = values;
+    ras::State indexed = state_;
+    indexed.attributes = {{ras::Interpolation::flat, ras::Location::sample}};
+    return clear(indices_, 1) && draw(indexed, mesh, indices_);
+  }
+
+  /// Lists the samples that were drawn and clears them.
+  template <typename TriangleOf>
+  void take(const TriangleOf& triangle_of) {
+    const auto samples = static_cast<std::size_t>(case_.framebuffer.samples);
+    const auto width = static_cast<std::size_t>(case_.framebuffer.width);
+    const std::size_t attributes = case_.attributes.size();
+    for (std::size_t at = 0; at < framebuffer_.depth.size(); ++at) {
+      if (framebuffer_.depth[at] == kFarthest) continue;
+      result_.triangle.push_back(triangle_of(at));
+      result_.x.push_back(static_cast<std::uint16_t>(at / samples % width));
+      result_.y.push_back(static_cast<std::uint16_t>(at / samples / width));
+      result_.sample.push_back(static_cast<std::uint8_t>(at % samples));
+      result_.depth.push_back(framebuffer_.depth[at]);
+      framebuffer_.depth[at] = kFarthest;
+      const auto values =
+          framebuffer_.attributes.begin() + static_cast<std::ptrdiff_t>(at * attributes);
+      result_.attributes.insert(result_.attributes.end(), values,
+                                values + static_cast<std::ptrdiff_t>(attributes));
+    }
+  }
+
+  const cases::Case& case_;
+  ras::State state_;
+  ras::Framebuffer framebuffer_;
+  ras::Framebuffer indices_;
+  cases::Framebuffer result_;
+  std::optional<Error> error_;
 };
 
 std::string numbered(const char* name, std::size_t index) { return name + std::to_string(index); }
@@ -351,13 +438,17 @@ records::SampleTrace sample_trace(const ras::Trace& trace) {
 
 class RasterizerBackend : public Backend {
  public:
-  RasterizerBackend(std::string method, ras::Precision precision)
-      : method_(std::move(method)), precision_(precision) {}
+  RasterizerBackend(std::string method, ras::Precision precision, Output output)
+      : method_(std::move(method)), precision_(precision), output_(output) {}
 
   cases::Contract contract(const cases::Case& c) const override {
-    return method_.empty() ? production_contract(c, precision_) : double_precision_contract(c);
+    if (!method_.empty()) return double_precision_contract(c);
+    cases::Contract contract = production_contract(c, precision_);
+    if (output_ == Output::framebuffer) contract.derivative_bound.reset();  // it holds none
+    return contract;
   }
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
+    if (output_ == Output::framebuffer) return FramebufferDrawing(c, precision_).draw();
     return draw_with_rasterizer(c, method_, precision_);
   }
   bool traces() const override { return method_.empty(); }
@@ -370,7 +461,7 @@ class RasterizerBackend : public Backend {
         std::cmp_greater_equal(at.sample, c.framebuffer.samples)) {
       return std::nullopt;
     }
-    const OneTriangle one(c, at.triangle);
+    const UnsharedTriangles one(c, at.triangle, 1);
     const ras::SampleAddress address{0, static_cast<int>(at.x), static_cast<int>(at.y),
                                      static_cast<int>(at.sample)};
     const ras::TraceResult traced =
@@ -383,13 +474,14 @@ class RasterizerBackend : public Backend {
  private:
   std::string method_;
   ras::Precision precision_;
+  Output output_;
 };
 
 }  // namespace
 
 std::unique_ptr<Backend> make_rasterizer_backend(const std::string& method,
-                                                 rasterizer::Precision precision) {
-  return std::make_unique<RasterizerBackend>(method, precision);
+                                                 rasterizer::Precision precision, Output output) {
+  return std::make_unique<RasterizerBackend>(method, precision, output);
 }
 
 }  // namespace rastercheck::backends

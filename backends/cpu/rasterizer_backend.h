@@ -11,9 +11,14 @@
 
 namespace rastercheck::backends {
 
+/// How a drawing leaves the rasterizer: as a list of fragments, or through the framebuffer that
+/// users draw into, each triangle alone in one, or all by the depth test of the case.
+enum class Output { fragments, framebuffer };
+
 /// Draws with the rasterizer, or with one of its textbook methods where `method` is not empty
 /// (which have a precision of their own).
 std::unique_ptr<Backend> make_rasterizer_backend(
-    const std::string& method, rasterizer::Precision precision = rasterizer::Precision::float64);
+    const std::string& method, rasterizer::Precision precision = rasterizer::Precision::float64,
+    Output output = Output::fragments);
 
 }  // namespace rastercheck::backends

@@ -41,9 +41,9 @@ rasterizer::State frame_state() {
 
 /// Whether it could be drawn.
 bool draw_frame(const rasterizer::State& state, const Scene& scene,
-                rasterizer::Framebuffer& framebuffer) {
+                rasterizer::Framebuffer& framebuffer, unsigned threads = 1) {
   return !rasterizer::clear(framebuffer, {kTarget, kTarget, 1}, 2, 1) &&
-         !rasterizer::draw(state, scene.mesh(), framebuffer).error;
+         !rasterizer::draw(state, scene.mesh(), framebuffer, threads).error;
 }
 
 const Result<Frame>& frame_of(const std::string& name) {
@@ -70,13 +70,14 @@ void set_rates(benchmark::State& bench, const Scene& scene) {
   bench.counters["pixels_per_second"] = rate(drawn_area(scene));
 }
 
-void draw(benchmark::State& bench, const std::string& name) {
+void draw(benchmark::State& bench, const std::string& name, unsigned threads) {
   const Result<Frame>& frame = frame_of(name);
   if (!frame) return bench.SkipWithError(to_string(frame.error()).c_str());
   const rasterizer::State state = frame_state();
   rasterizer::Framebuffer framebuffer;
   for (auto _ : bench) {
-    if (!draw_frame(state, frame->scene, framebuffer)) return bench.SkipWithError("refused");
+    if (!draw_frame(state, frame->scene, framebuffer, threads))
+      return bench.SkipWithError("refused");
     benchmark::DoNotOptimize(framebuffer.depth.data());
   }
   set_rates(bench, frame->scene);
@@ -181,10 +182,12 @@ std::vector<Configuration> configurations() {
 const bool kRegistered = [] {
   for (const std::string_view scene : frame_scenes()) {
     const std::string name(scene);
-    benchmark::RegisterBenchmark(("raster/draw/" + name).c_str(),
-                                 [=](benchmark::State& bench) { draw(bench, name); })
-        ->Unit(benchmark::kMillisecond)
-        ->UseRealTime();
+    for (const unsigned threads : {1U, 2U}) {
+      benchmark::RegisterBenchmark(fmt::format("raster/draw/threads:{}/{}", threads, name).c_str(),
+                                   [=](benchmark::State& bench) { draw(bench, name, threads); })
+          ->Unit(benchmark::kMillisecond)
+          ->UseRealTime();
+    }
     for (const Configuration& configuration : configurations()) {
       benchmark::RegisterBenchmark(
           ("raster/llvmpipe/" + configuration.name + "/" + name).c_str(),
