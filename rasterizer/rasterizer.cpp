@@ -99,8 +99,18 @@ std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,
   if (attribute_count > kMaxAttributes) return Error::attribute_count;
   try {
     const std::size_t samples = sample_count(size);
-    framebuffer = {size, attribute_count, std::vector<float>(samples, depth),
-                   std::vector<float>(samples * attribute_count, 0.0F)};
+    const std::size_t values = samples * attribute_count;
+    // New memory before the old is lost, or, where there is enough, the old.
+    std::vector<float> depths;
+    std::vector<float> attributes;
+    if (framebuffer.depth.capacity() < samples) depths.reserve(samples);
+    if (framebuffer.attributes.capacity() < values) attributes.reserve(values);
+    if (depths.capacity() > 0) framebuffer.depth.swap(depths);
+    if (attributes.capacity() > 0) framebuffer.attributes.swap(attributes);
+    framebuffer.depth.assign(samples, depth);
+    framebuffer.attributes.assign(values, 0.0F);
+    framebuffer.size = size;
+    framebuffer.attribute_count = attribute_count;
   } catch (const std::bad_alloc&) {
     return Error::out_of_memory;
   } catch (const std::length_error&) {  // more than a vector can ever hold

@@ -45,6 +45,20 @@ void Separate(const float* in, std::span<float* const> rows, std::size_t width) 
   const std::size_t whole = width - width % hn::Lanes(d);
   if (count == 1) {
     for (; i < whole; i += hn::Lanes(d)) hn::StoreU(hn::LoadU(d, in + i), d, rows[0] + i);
+  } else if (count == 2) {
+    for (; i < whole; i += hn::Lanes(d)) {
+      hn::Vec<Floats> first;
+      hn::Vec<Floats> second;
+      hn::LoadInterleaved2(d, in + 2 * i, first, second);
+      hn::StoreU(first, d, rows[0] + i);
+      hn::StoreU(second, d, rows[1] + i);
+    }
+  } else if (count == 4) {
+    for (; i < whole; i += hn::Lanes(d)) {
+      std::array<hn::Vec<Floats>, 4> v;
+      hn::LoadInterleaved4(d, in + 4 * i, v[0], v[1], v[2], v[3]);
+      for (std::size_t k = 0; k < 4; ++k) hn::StoreU(v[k], d, rows[k] + i);
+    }
   }
   for (; i < width; ++i) {
     for (std::size_t k = 0; k < count; ++k) rows[k][i] = in[count * i + k];
