@@ -22,10 +22,9 @@ EdgeRow edge_row(const EdgeFunctions& edges, const SampleFrame& frame, double v,
 
 Fate ExactCoverage::locate(const InputTriangle& triangle) {
   const auto& p = triangle.positions;
-  const SampleFrame& frame = setting_.frame;
   turn_ = determinant_sign(p[0], p[1], p[2]);
   if (turn_ == 0) return Fate::degenerate;
-  if (is_culled(setting_.state, turn_ * frame.u.direction * frame.v.direction)) return Fate::hidden;
+  if (is_culled(setting_.state, setting_.frame.displayed(turn_))) return Fate::hidden;
   clip_functionals(setting_.state, p, triangle.distances, clips_);
   if (clips_.hides_all) return Fate::hidden;
   find_box(triangle);

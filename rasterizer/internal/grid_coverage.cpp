@@ -16,9 +16,8 @@ Fate GridCoverage::locate(const InputTriangle& triangle) {
   if (pieces_.empty()) return Fate::degenerate;
 
   const auto& p = triangle.positions;
-  // As displayed; clip space may be mirrored by the viewport.
   turn_ = determinant_sign(p[0], p[1], p[2]);
-  const int ideal_turn = turn_ * setting_.frame.u.direction * setting_.frame.v.direction;
+  const int ideal_turn = setting_.frame.displayed(turn_);
   const int snapped_turn = sign(signed_area(pieces_));
   whole_turn_ = snapped_turn != 0 ? snapped_turn : ideal_turn;
   if (whole_turn_ == 0) return Fate::degenerate;

@@ -42,6 +42,10 @@ struct SampleFrame {
   AxisFrame u;
   AxisFrame v;
   double t = 0;  ///< exact
+
+  /// The orientation as displayed of what turns that way, 1 or −1, in clip space, which a viewport
+  /// may mirror.
+  int displayed(int turn) const { return turn * u.direction * v.direction; }
 };
 
 /// The frame of a draw; the viewport has neither width nor height 0.
