@@ -48,7 +48,8 @@ void keep(std::optional<WorstError>& kept, const WorstError& error, Side side) {
 }
 
 bool may_keep(const std::optional<WorstError>& kept, const Enclosure& error, Side side) {
-  return !kept || (extent_of(error, side) <=> extent_of(kept->error, side)) >= 0;
+  // Of a rough enclosure the near end says nothing yet.
+  return !kept || extent_of(error, side).far >= extent_of(kept->error, side).far;
 }
 
 bool is_on(Side side, const Enclosure& error) { return extent_of(error, side).far > 0; }

@@ -287,7 +287,6 @@ class FramebufferDrawing {
   FramebufferDrawing(const cases::Case& c, ras::Precision precision)
       : case_(c), state_(state(c, precision)) {
     state_.derivatives = false;
-    state_.depth_test = ras::DepthTest::less;
     result_.attribute_count = c.attributes.size();
   }
 
@@ -295,6 +294,10 @@ class FramebufferDrawing {
     const std::size_t count = case_.triangles.size();
     if (!clear(framebuffer_, case_.attributes.size())) return tl::unexpected(*error_);
     if (case_.depth_test == cases::DepthTest::less) {
+      if (count > kMostIndices) {
+        return tl::unexpected(Error{"", "", "an index of so many triangles is no float32"});
+      }
+      state_.depth_test = ras::DepthTest::less;
       const UnsharedTriangles all(case_, 0, count);
       if (!draw(state_, all.mesh(), framebuffer_) || !draw_indices(all)) {
         return tl::unexpected(*error_);
@@ -313,6 +316,7 @@ class FramebufferDrawing {
 
  private:
   static constexpr float kFarthest = std::numeric_limits<float>::infinity();
+  static constexpr std::size_t kMostIndices = std::size_t{1} << 24;
 
   bool clear(ras::Framebuffer& framebuffer, std::size_t attributes) {
     return is_done(ras::clear(framebuffer, target_size(case_), attributes, kFarthest));
@@ -325,7 +329,7 @@ class FramebufferDrawing {
     return !error;
   }
 
-  /// Draws the same with each triangle's index for its only value; float32 holds 2^24 of them.
+  /// Draws the same with each triangle's index for its only value.
   bool draw_indices(const UnsharedTriangles& all) {
     std::vector<float> values;
     for (std::size_t corner = 0; corner < all.mesh().positions.size(); ++corner) {

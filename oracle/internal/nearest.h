@@ -19,7 +19,7 @@
 
 namespace rastercheck::oracle {
 
-/// Triangles whose truth is at hand; the first that are not asked for again for long are forgotten.
+/// Triangles whose truth is at hand; at most so many, then all are prepared anew.
 class PreparedTriangles {
  public:
   struct Prepared {

@@ -17,16 +17,6 @@ constexpr std::uint32_t kSignBit = 1U << 31;
 constexpr std::uint32_t kInfinityBits = 0xffU << kFractionBits;
 constexpr long kLeastUlpExponent = -149;
 
-/// The double that equals a float32. Of a subnormal one by its bits: an integer times 2^-149, which
-/// no mode of the processor flushes.
-double widen(float value) {
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  const bool is_subnormal_or_zero = (bits & ~kSignBit) <= kFractionMask;
-  if (!is_subnormal_or_zero) return double{value};
-  const double magnitude = static_cast<double>(bits & kFractionMask) * 0x1p-149;
-  return (bits & kSignBit) != 0 ? -magnitude : magnitude;
-}
-
 /// An integer with GMP's lifetime rules wrapped up.
 class Integer {
  public:
@@ -77,9 +67,19 @@ class Rounded {
 
 }  // namespace
 
-Ring exact_ring(float value) { return {widen(value)}; }
+/// The double that equals a float32. Of a subnormal one by its bits: an integer times 2^-149, which
+/// no mode of the processor flushes.
+double exact_double(float value) {
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  const bool is_subnormal_or_zero = (bits & ~kSignBit) <= kFractionMask;
+  if (!is_subnormal_or_zero) return double{value};
+  const double magnitude = static_cast<double>(bits & kFractionMask) * 0x1p-149;
+  return (bits & kSignBit) != 0 ? -magnitude : magnitude;
+}
 
-Field exact_field(float value) { return {widen(value)}; }
+Ring exact_ring(float value) { return {exact_double(value)}; }
+
+Field exact_field(float value) { return {exact_double(value)}; }
 
 int sign_of(const Ring& value) { return static_cast<int>(value.sign()); }
 

@@ -25,6 +25,7 @@ using RingMatrix4 = Eigen::Matrix<Ring, 4, 4>;
 
 /// Exactly the float32. Not even the processor rounds: under DAZ or FTZ a conversion of its own
 /// would take a subnormal for zero.
+double exact_double(float value);
 Ring exact_ring(float value);
 Field exact_field(float value);
 

@@ -22,6 +22,12 @@ std::uint64_t scatter(const SamplePlace& place, std::uint64_t seed) {
   return (h ^ (h >> 27)) * 0x94d049bb133111ebU;
 }
 
+/// Sorts them, without repetitions.
+void keep_one_of_each(std::vector<std::uint32_t>& triangles) {
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+}
+
 /// The contract that the referee answers for.
 cases::Contract exact_contract(const cases::Case& source) {
   cases::Contract contract;
@@ -125,6 +131,7 @@ void SampleJudge::count(Verdict verdict, std::uint64_t times) {
 
 SampleJudge::Findings SampleJudge::finish() {
   flush();
+  keep_one_of_each(findings_.seen_triangles);
   return std::move(findings_);
 }
 
@@ -141,9 +148,7 @@ Judged SampleJudge::Findings::finish(const JudgeContext& context) {
   judged.judgement =
       statistics.finish([&context](SingleErrors& errors) { context.settle(errors); });
   judged.fault = std::move(fault);
-  std::sort(seen_triangles.begin(), seen_triangles.end());
-  seen_triangles.erase(std::unique(seen_triangles.begin(), seen_triangles.end()),
-                       seen_triangles.end());
+  keep_one_of_each(seen_triangles);
   judged.seen_triangles = std::move(seen_triangles);
   return judged;
 }

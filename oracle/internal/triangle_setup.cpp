@@ -52,12 +52,14 @@ void TriangleSetup::for_each_clip_plane(const Take& take) const {
 void TriangleSetup::set_up_clipping() {
   const cases::Case& source = scene->source();
   if (!source.camera && source.clip_distance_count == 0) {
-    // Comparing floats is exact.
+    // Comparing is exact, of doubles even where the processor takes subnormal floats for zero.
     for (const std::uint32_t vertex : indices) {
       if (source.depth_clamp) break;
       const cases::ClipVertex& p = source.positions[vertex];
-      const float near = scene->conventions().near_z == 0 ? 0.0F : -p.w;
-      has_clipped_vertex = has_clipped_vertex || p.z < near || p.z > p.w;
+      const double z = exact_double(p.z);
+      const double w = exact_double(p.w);
+      const double near = scene->conventions().near_z == 0 ? 0.0 : -w;
+      has_clipped_vertex = has_clipped_vertex || z < near || z > w;
     }
     is_cut_by_planes = has_clipped_vertex;
     return;

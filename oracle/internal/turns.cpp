@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <future>
+#include <system_error>
 #include <vector>
 
 namespace rastercheck::oracle {
 
 void Turns::run(const std::function<void(std::size_t)>& work) {
   std::vector<std::future<void>> others;
-  for (std::size_t i = 1; i < std::min<std::size_t>(jobs_, pieces_); ++i) {
-    others.push_back(std::async(std::launch::async, [&] { do_pieces(work); }));
+  try {
+    for (std::size_t i = 1; i < std::min<std::size_t>(jobs_, pieces_); ++i) {
+      others.push_back(std::async(std::launch::async, [&] { do_pieces(work); }));
+    }
+  } catch (const std::system_error&) {
+    // No more threads are to be had: those there are do it.
   }
   do_pieces(work);
   for (const std::future<void>& other : others) other.wait();

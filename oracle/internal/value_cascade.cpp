@@ -145,7 +145,9 @@ ValueCascade::Subject ValueCascade::make_subject(std::optional<std::uint32_t> at
   subject.is_single = !is_open && !scene_->contract().is_unspecified();
   subject.errors = &statistics_->single(subject.kind, stratum_);
   if (!subject.is_single) {
-    subject.extremes = &statistics_->of(subject.kind).strata[stratum_].extremes;
+    records::ErrorStatistics& of_kind = statistics_->of(subject.kind);
+    subject.ideal_extremes = &of_kind.strata[stratum_].extremes;
+    subject.excess_extremes = &of_kind.excess.extremes;
   }
   if (is_flat) {
     set_flat_filter(subject);
@@ -277,8 +279,11 @@ ErrorLimits ValueCascade::limits_of(const Subject& subject) {
   if (subject.is_single) {
     return {subject.bound, subject.errors->least(), subject.errors->most()};
   }
-  return {subject.bound, -limit_of(subject.extremes->most_negative).size,
-          limit_of(subject.extremes->most_positive).size};
+  const records::Extremes& ideal = *subject.ideal_extremes;
+  const records::Extremes& excess = *subject.excess_extremes;
+  return {subject.bound,
+          -std::min(limit_of(ideal.most_negative).size, limit_of(excess.most_negative).size),
+          std::min(limit_of(ideal.most_positive).size, limit_of(excess.most_positive).size)};
 }
 
 /// What is asked besides the error's size.
@@ -343,7 +348,10 @@ bool ValueCascade::take(const Subject& subject, float actual, const Enclosure& e
   if (error.hi >= limits.most || error.lo <= limits.least) {
     const SamplePlace place = place_of(*drawn_, fragment);
     if (!subject.is_single) {
-      if (may_be_extreme(*subject.extremes, error, place)) return false;
+      if (may_be_extreme(*subject.ideal_extremes, error, place) ||
+          may_be_extreme(*subject.excess_extremes, error, place)) {
+        return false;
+      }
     } else if (subject.errors->may_be_extreme(error, place)) {
       subject.errors->note({error, place, fragment, subject.attribute});
       if (subject.errors->has_many_candidates()) {

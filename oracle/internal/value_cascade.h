@@ -90,8 +90,9 @@ class ValueCascade {
     double bound = 0;
     ValueFilter filter;
     SingleErrors* errors = nullptr;  ///< where it is counted, if by the first two levels
-    /// What a new extreme has to exceed where excess and ideal error differ.
-    const records::Extremes* extremes = nullptr;
+    /// What a new extreme has to exceed where excess and ideal error differ, of one or the other.
+    const records::Extremes* ideal_extremes = nullptr;
+    const records::Extremes* excess_extremes = nullptr;
   };
 
   void prepare();

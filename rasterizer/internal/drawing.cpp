@@ -195,7 +195,7 @@ template <typename Coverage, typename Tap, typename Output>
 void Drawing<Coverage, Tap, Output>::evaluate(const BlockPlace& place, SampleBlock& block) {
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     const DrawnPart& part = parts_[k];
-    const Mask mask = coverage_.part_mask(block.coverage, k);
+    const Mask mask = coverage_.part_mask(block.coverage, k) & block.coverage.covered;
     if (mask == 0) continue;
     PartMasks masks{mask, mask, block.coverage.at_vertex};
     const SampleOffset& offset = setting_.pattern[place.sample];

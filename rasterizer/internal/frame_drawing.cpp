@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "rasterizer/internal/discard.h"
@@ -48,7 +50,11 @@ class FrameDrawing {
         framebuffer_(framebuffer),
         columns_(tiles_across(framebuffer.size.width)),
         rows_(tiles_across(framebuffer.size.height)) {
-    for (std::size_t i = 0; i < workers; ++i) {
+    const std::size_t tiles = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+    chunk_ = std::max(kLeastChunk, tiles);
+    bins_.resize((mesh.triangles.size() + chunk_ - 1) / chunk_);
+    const std::size_t busy = std::min(workers, std::max(tiles, bins_.size()));
+    for (std::size_t i = 0; i < busy; ++i) {
       workers_.push_back({make_tile_drawing(setting_, mesh),
                           Tile(framebuffer.size.samples, framebuffer.attribute_count),
                           {},
@@ -57,13 +63,11 @@ class FrameDrawing {
   }
 
   DrawCounts draw() {
-    const std::size_t tiles = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-    const std::size_t chunk = std::max(kLeastChunk, tiles);
-    bins_.resize((mesh_.triangles.size() + chunk - 1) / chunk);
     for_each_index(bins_.size(), workers_.size(), [&](std::size_t i, std::size_t worker) {
-      const std::size_t first = i * chunk;
-      sort(first, std::min(first + chunk, mesh_.triangles.size()), workers_[worker], bins_[i]);
+      const std::size_t first = i * chunk_;
+      sort(first, std::min(first + chunk_, mesh_.triangles.size()), workers_[worker], bins_[i]);
     });
+    const std::size_t tiles = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
     for_each_index(tiles, workers_.size(), [&](std::size_t tile, std::size_t worker) {
       draw_tile(tile, workers_[worker]);
     });
@@ -105,12 +109,14 @@ class FrameDrawing {
       worker.located.emplace_back(static_cast<std::uint32_t>(t), tiles);
       for_each_tile(tiles, [&bins](std::size_t tile) { ++bins.ends[tile]; });
     }
-    std::uint32_t begin = 0;
+    std::size_t begin = 0;
     for (std::uint32_t& end : bins.ends) {
       const std::uint32_t of_tile = end;
-      end = begin;
+      end = static_cast<std::uint32_t>(begin);
       begin += of_tile;
     }
+    // Such a chunk needs 16 GiB.
+    if (begin > std::numeric_limits<std::uint32_t>::max()) throw std::length_error("bins");
     bins.triangles.resize(begin);
     // Each end starts at its tile's beginning and moves past what is put there.
     for (const auto& [triangle, tiles] : worker.located) {
@@ -139,8 +145,9 @@ class FrameDrawing {
   Framebuffer& framebuffer_;
   int columns_;  ///< of tiles
   int rows_;
+  std::size_t chunk_ = 0;  ///< triangles of a chunk
   std::vector<Worker> workers_;
-  std::vector<Bins> bins_;
+  std::vector<Bins> bins_;  ///< [chunk]
 };
 
 }  // namespace

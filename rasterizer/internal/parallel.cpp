@@ -6,6 +6,7 @@
 #ifdef RASTERCHECK_STD_THREADS
 #include <atomic>
 #include <future>
+#include <system_error>
 #include <vector>
 #else
 #include <tbb/parallel_for.h>
@@ -31,8 +32,12 @@ void for_each_index(std::size_t count, std::size_t workers,
     for (std::size_t i = next++; i < count; i = next++) work(i, worker);
   };
   std::vector<std::future<void>> others;
-  for (std::size_t worker = 1; worker < workers; ++worker) {
-    others.push_back(std::async(std::launch::async, run, worker));
+  try {
+    for (std::size_t worker = 1; worker < std::min(workers, count); ++worker) {
+      others.push_back(std::async(std::launch::async, run, worker));
+    }
+  } catch (const std::system_error&) {
+    // No more threads are to be had: those there are do it.
   }
   run(0);
   for (std::future<void>& other : others) other.get();

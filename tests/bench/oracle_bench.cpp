@@ -272,17 +272,21 @@ const bool kRegistered = [] {
   using oracle::Level;
   const MakeCase large = random_case(40, 160);
   const MakeCase grid = [] { return to_case(grid_triangles(2000, 8)); };
-  add("coverage/filter", judge_coverage, large, Level::filter);
-  add("coverage/interval", judge_coverage, large, Level::interval);
-  add("coverage/exact", judge_coverage, random_case(10, 72), Level::exact);
-  add("errors/filter", judge, large, "cpu", from(Level::filter));
-  add("errors/interval", judge, large, "cpu", from(Level::interval));
-  add("errors/exact", judge, random_case(10, 72), "cpu", from(Level::exact));
-  add("errors/gmpq", judge_by_gmpq, random_case(10, 72));
-  add("errors/float64", check_in_float64, large);
+  // What is slow draws less, and the rest the same beside it.
+  const MakeCase small = random_case(10, 72);
+  for (const auto& [suffix, make] : {std::pair{"", large}, std::pair{"_72px", small}}) {
+    const std::string end(suffix);
+    add("coverage/filter" + end, judge_coverage, make, Level::filter);
+    add("coverage/interval" + end, judge_coverage, make, Level::interval);
+    add("errors/filter" + end, judge, make, "cpu", from(Level::filter));
+    add("errors/interval" + end, judge, make, "cpu", from(Level::interval));
+    add("errors/float64" + end, check_in_float64, make);
+  }
+  add("coverage/exact_72px", judge_coverage, small, Level::exact);
+  add("errors/exact_72px", judge, small, "cpu", from(Level::exact));
+  add("errors/gmpq_72px", judge_by_gmpq, small);
   add("errors/grid_8px", judge, grid, "cpu", from(Level::filter));
-  add("errors/placements", judge, random_case(10, 72), "method:rational-linear",
-      from(Level::filter));
+  add("errors/placements_72px", judge, small, "method:rational-linear", from(Level::filter));
   add("setup", set_up, random_case(5000, 8));
   // Both slopes: the same triangles four times as large, and four times as many.
   add("linear/triangles:2000/fragments:64000", judge, random_case(2000, 8), "cpu",

@@ -231,6 +231,34 @@ TEST(CascadeSnapping, SoMayOneThatIsAsHighAsItIsWide) {
 
 // ---- values
 
+// Triangle 0 may be placed in several ways, so that its values lie within what is open though far
+// from those of the exact triangle; triangle 1, on the grid, in one. The worst excess is
+// triangle 1's, however large triangle 0's ideal errors are.
+TEST(CascadeExtremes, AnExcessIsKeptBesideLargerIdealErrors) {
+  cases::Case c =
+      small_case(cases::Rules::vulkan, 4, 4,
+                 {{{-1 + 0x1p-10F, -1 + 0x1p-10F, 0.5F, 1}, {1, -1, 0.5F, 1}, {-1, 1, 0.5F, 1}}},
+                 {{{0}, {1}, {0.3F}}});
+  c.positions.insert(c.positions.end(), {{-1, -1, 0.5F, 1}, {1, -1, 0.5F, 1}, {-1, 1, 0.5F, 1}});
+  c.attribute_values.insert(c.attribute_values.end(), {0.1F, 0.7F, 0.3F});
+  c.triangles.push_back({3, 4, 5});
+  c.coverage = cases::Snapping{8, cases::Rounding::nearest_even, 0.125F};
+  c.basis = cases::Basis::snapped;
+  const SceneTruth scene(c, cases::contract_of(c));
+  cases::Framebuffer drawn = perfect(scene);
+  // These are the least values that are open; so those of triangle 0 are within.
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (drawn.triangle[i] == 0) drawn.attributes[i] = moved(drawn.attributes[i], 8);
+  }
+  EXPECT_EQ(disagreement(scene, drawn), "");
+  const records::ErrorStatistics errors =
+      judge(scene, drawn).judgement.errors.at(records::AttributeKind::smooth);
+  ASSERT_TRUE(errors.excess.extremes.most_negative);
+  EXPECT_EQ(errors.excess.extremes.most_negative->triangle, 1U);
+  EXPECT_LT(errors.ideal.extremes.most_negative->error.hi,
+            10 * errors.excess.extremes.most_negative->error.lo);
+}
+
 /// A kind's statistics by definition: each covered fragment's errors in rationals.
 struct Tally {
   std::uint64_t correct = 0;

@@ -60,6 +60,10 @@ TEST(FloatingPointState, SubnormalsCountWhenTheProcessorFlushesThem) {
   const cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
                                    {{{-s, -s, 0, s}, {3 * s, -s, 0, s}, {-s, 3 * s, 0, s}}},
                                    {{{0x1p-149F}, {0x1p-149F}, {0x1p-149F}}});
+  // The left side lies before the near plane, by a subnormal number.
+  const cases::Case cut =
+      small_case(cases::Rules::vulkan, 4, 4,
+                 {{{-1, -1, -0x1p-140F, 1}, {3, -1, 0x1p-140F, 1}, {-1, 3, -0x1p-140F, 1}}});
   constexpr unsigned kFlushToZero = 0x8000;
   constexpr unsigned kDenormalsAreZero = 0x0040;
   const unsigned before = _mm_getcsr();
@@ -70,7 +74,10 @@ TEST(FloatingPointState, SubnormalsCountWhenTheProcessorFlushesThem) {
   const Rational value = truth.attribute(0, 3, 3, 0)->lo;
   const auto nearest = std::bit_cast<std::uint32_t>(value.nearest_float());
   const bool referee_covers = referee(c, 0, 3, 3, 0).has_value();
+  const SceneTruth cut_scene(cut, cases::contract_of(cut));
+  const records::Verdict before_near = TriangleTruth(cut_scene, 0).judge(0, 1, 0).verdict;
   _mm_setcsr(before);
+  EXPECT_EQ(before_near, records::Verdict::forbidden);
   EXPECT_EQ(decision.verdict, records::Verdict::required);
   EXPECT_EQ(value, Rational(0x1p-149));
   EXPECT_EQ(nearest, 1U);
