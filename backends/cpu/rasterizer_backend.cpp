@@ -332,8 +332,8 @@ class FramebufferDrawing {
   /// Draws the same with each triangle's index for its only value.
   bool draw_indices(const UnsharedTriangles& all) {
     std::vector<float> values;
-    for (std::size_t corner = 0; corner < all.mesh().positions.size(); ++corner) {
-      values.push_back(static_cast<float>(corner / 3));
+    for (std::size_t triangle = 0; triangle < all.mesh().triangles.size(); ++triangle) {
+      values.insert(values.end(), 3, static_cast<float>(triangle));
     }
     ras::Mesh mesh = all.mesh();
     mesh.attributes = values;

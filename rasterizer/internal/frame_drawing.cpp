@@ -91,7 +91,8 @@ class FrameDrawing {
   void for_each_tile(const TileBox& box, const Visit& visit) const {
     for (int row = box.rows.begin; row < box.rows.end; ++row) {
       for (int column = box.columns.begin; column < box.columns.end; ++column) {
-        visit(static_cast<std::size_t>(row * columns_ + column));
+        visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+              static_cast<std::size_t>(column));
       }
     }
   }
