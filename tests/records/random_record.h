@@ -140,7 +140,8 @@ inline void add(RecordSet& records, const Observation& observation) {
   errors.excess.histogram.add(observation.magnitude);
   keep(errors.excess.extremes, observation.worst);
   errors.excess.sum.add(observation.worst.error);
-  errors.excess.sum.add({-observation.magnitude, observation.magnitude});
+  const double size = std::abs(observation.magnitude);
+  errors.excess.sum.add({-size, size});
   errors.ideal.histogram.add(observation.magnitude);
   keep(errors.ideal.extremes, observation.worst);
   errors.ideal.sum.add(observation.worst.error);
