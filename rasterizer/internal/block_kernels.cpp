@@ -35,6 +35,7 @@ BlockCoverage EvaluateEdges(const EdgeRow& row, int first, int count, BlockWeigh
   for (int j = 0; j < count; j += lanes) {
     const auto position = hn::Iota(d, first + row.offset + j);
     const auto u = hn::Mul(scale, hn::Sub(hn::Mul(two, position), shift));
+    hn::Store(u, d, weights.u.data() + j);
     auto possible = hn::FirstN(d, static_cast<std::size_t>(count - j));
     auto sure = possible;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -50,28 +51,23 @@ BlockCoverage EvaluateEdges(const EdgeRow& row, int first, int count, BlockWeigh
   return coverage;
 }
 
-std::uint64_t SumWeights(double least, int count, BlockWeights& weights) {
+/// The plane's values for the samples from j.
+template <class D>
+auto Along([[maybe_unused]] D d, const PlaneRow& plane, const BlockWeights& weights, int j) {
+  const auto u = hn::Load(d, weights.u.data() + j);
+  return hn::Add(hn::Mul(hn::Set(d, plane.a), u), hn::Set(d, plane.row));
+}
+
+std::uint64_t SumWeights(const PlaneRow& plane, double least, int count, BlockWeights& weights) {
   const Doubles d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   std::uint64_t above = 0;
   for (int j = 0; j < count; j += lanes) {
-    const auto sum =
-        hn::Add(hn::Add(hn::Load(d, weights.e[0].data() + j), hn::Load(d, weights.e[1].data() + j)),
-                hn::Load(d, weights.e[2].data() + j));
+    const auto sum = Along(d, plane, weights, j);
     hn::Store(hn::Div(hn::Set(d, 1.0), sum), d, weights.reciprocal.data() + j);
     above |= bits_of(d, hn::Gt(sum, hn::Set(d, least))) << j;
   }
   return above;
-}
-
-/// Σ k_i E_i for the samples from j.
-template <class D>
-auto Combine([[maybe_unused]] D d, const std::array<double, 3>& k, const BlockWeights& weights,
-             int j) {
-  const auto first = hn::Mul(hn::Set(d, k[0]), hn::Load(d, weights.e[0].data() + j));
-  const auto second = hn::Mul(hn::Set(d, k[1]), hn::Load(d, weights.e[1].data() + j));
-  const auto third = hn::Mul(hn::Set(d, k[2]), hn::Load(d, weights.e[2].data() + j));
-  return hn::Add(hn::Add(first, second), third);
 }
 
 template <class D, class V>
@@ -80,34 +76,28 @@ void StoreRounded([[maybe_unused]] D d, V value, float* out) {
   hn::StoreU(hn::DemoteTo(floats, value), floats, out);
 }
 
-void EvaluateSmooth(const std::array<double, 3>& r, int count, const BlockWeights& weights,
-                    float* out) {
+void EvaluateSmooth(const PlaneRow& numerator, int count, const BlockWeights& weights, float* out) {
   const Doubles d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int j = 0; j < count; j += lanes) {
     const auto reciprocal = hn::Load(d, weights.reciprocal.data() + j);
-    StoreRounded(d, hn::Mul(Combine(d, r, weights, j), reciprocal), out + j);
+    StoreRounded(d, hn::Mul(Along(d, numerator, weights, j), reciprocal), out + j);
   }
 }
 
-void EvaluateAffine(const std::array<double, 3>& k, double scale, int count,
-                    const BlockWeights& weights, float* out) {
+void EvaluateAffine(const PlaneRow& plane, int count, const BlockWeights& weights, float* out) {
   const Doubles d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int j = 0; j < count; j += lanes) {
-    StoreRounded(d, hn::Mul(Combine(d, k, weights, j), hn::Set(d, scale)), out + j);
-  }
+  for (int j = 0; j < count; j += lanes) StoreRounded(d, Along(d, plane, weights, j), out + j);
 }
 
-void EvaluateDepth(const DepthLine& line, int count, const BlockWeights& weights, float* out) {
+void EvaluateDepth(const PlaneRow& plane, double least, double greatest, int count,
+                   const BlockWeights& weights, float* out) {
   const Doubles d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const auto least = hn::Set(d, line.least);
-  const auto greatest = hn::Set(d, line.greatest);
   for (int j = 0; j < count; j += lanes) {
-    const auto z = hn::Mul(Combine(d, line.k, weights, j), hn::Set(d, line.scale));
-    const auto depth = hn::Add(hn::Set(d, line.low), hn::Mul(hn::Set(d, line.span), z));
-    StoreRounded(d, hn::Min(hn::Max(depth, least), greatest), out + j);
+    const auto depth = hn::Max(Along(d, plane, weights, j), hn::Set(d, least));
+    StoreRounded(d, hn::Min(depth, hn::Set(d, greatest)), out + j);
   }
 }
 
@@ -128,22 +118,22 @@ BlockCoverage evaluate_edges(const EdgeRow& row, int first, int count, BlockWeig
   return HWY_DYNAMIC_DISPATCH(EvaluateEdges)(row, first, count, weights);
 }
 
-std::uint64_t sum_weights(double least, int count, BlockWeights& weights) {
-  return HWY_DYNAMIC_DISPATCH(SumWeights)(least, count, weights);
+std::uint64_t sum_weights(const PlaneRow& sum, double least, int count, BlockWeights& weights) {
+  return HWY_DYNAMIC_DISPATCH(SumWeights)(sum, least, count, weights);
 }
 
-void evaluate_smooth(const std::array<double, 3>& r, int count, const BlockWeights& weights,
+void evaluate_smooth(const PlaneRow& numerator, int count, const BlockWeights& weights,
                      float* out) {
-  HWY_DYNAMIC_DISPATCH(EvaluateSmooth)(r, count, weights, out);
+  HWY_DYNAMIC_DISPATCH(EvaluateSmooth)(numerator, count, weights, out);
 }
 
-void evaluate_affine(const std::array<double, 3>& k, double scale, int count,
-                     const BlockWeights& weights, float* out) {
-  HWY_DYNAMIC_DISPATCH(EvaluateAffine)(k, scale, count, weights, out);
+void evaluate_affine(const PlaneRow& plane, int count, const BlockWeights& weights, float* out) {
+  HWY_DYNAMIC_DISPATCH(EvaluateAffine)(plane, count, weights, out);
 }
 
-void evaluate_depth(const DepthLine& line, int count, const BlockWeights& weights, float* out) {
-  HWY_DYNAMIC_DISPATCH(EvaluateDepth)(line, count, weights, out);
+void evaluate_depth(const PlaneRow& plane, double least, double greatest, int count,
+                    const BlockWeights& weights, float* out) {
+  HWY_DYNAMIC_DISPATCH(EvaluateDepth)(plane, least, greatest, count, weights, out);
 }
 
 }  // namespace rastercheck::rasterizer

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rasterizer/internal/plane.h"
+
 namespace rastercheck::rasterizer {
 
 inline constexpr int kBlockSize = 64;
@@ -25,6 +27,7 @@ struct EdgeRow {
 
 /// E_i and their sum for the samples of a block.
 struct BlockWeights {
+  alignas(64) std::array<double, kBlockSize> u;  ///< U (sample_frame.h)
   alignas(64) std::array<std::array<double, kBlockSize>, 3> e;
   alignas(64) std::array<double, kBlockSize> reciprocal;  ///< 1 / Σ E_i
 };
@@ -38,29 +41,20 @@ struct BlockCoverage {
 /// Evaluates the edges for `count` samples from pixel `first`; arrays are filled in whole vectors.
 BlockCoverage evaluate_edges(const EdgeRow& row, int first, int count, BlockWeights& weights);
 
-/// Fills `reciprocal`, and tells which samples have Σ E_i > least.
-std::uint64_t sum_weights(double least, int count, BlockWeights& weights);
+/// Fills `reciprocal` from the row of Σ E_i, and tells which samples have more than `least`.
+std::uint64_t sum_weights(const PlaneRow& sum, double least, int count, BlockWeights& weights);
 
-/// out[j] = Σ r_i E_i / Σ E_i, rounded once to float32.
-void evaluate_smooth(const std::array<double, 3>& r, int count, const BlockWeights& weights,
-                     float* out);
+/// out[j] = numerator / Σ E_i, rounded once to float32.
+void evaluate_smooth(const PlaneRow& numerator, int count, const BlockWeights& weights, float* out);
 
-/// out[j] = scale · Σ k_i E_i, rounded once.
-void evaluate_affine(const std::array<double, 3>& k, double scale, int count,
-                     const BlockWeights& weights, float* out);
+/// out[j] = the plane's value, rounded once.
+void evaluate_affine(const PlaneRow& plane, int count, const BlockWeights& weights, float* out);
+
+/// The same held to [least, greatest] before it is rounded.
+void evaluate_depth(const PlaneRow& plane, double least, double greatest, int count,
+                    const BlockWeights& weights, float* out);
 
 /// How a value comes from the weights: not at all, as evaluate_smooth or as evaluate_affine has it.
 enum class ValueKind { copied, smooth, affine };
-
-/// Depth: low + span · (scale · Σ k_i E_i), clamped to [least, greatest] and rounded once.
-struct DepthLine {
-  std::array<double, 3> k{};
-  double scale = 0;
-  double low = 0;
-  double span = 0;
-  double least = 0;
-  double greatest = 0;
-};
-void evaluate_depth(const DepthLine& line, int count, const BlockWeights& weights, float* out);
 
 }  // namespace rastercheck::rasterizer

@@ -27,20 +27,22 @@ bool Certificates::is_affine_certain(const std::array<double, 3>& e, double det_
 Certificates certify(const Weights& weights, const std::array<double, 3>& w,
                      const std::array<double, 3>& z) {
   Certificates certificates;
+  double plane_band_sum = 0;
   double depth_error = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const EdgeFunction& edge = weights.edges[i];
     certificates.band_sum += edge.band;
-    certificates.affine_error += std::abs(w[i]) * edge.band;
-    depth_error += std::abs(z[i]) * (edge.band + 8 * kUnit * edge.greatest);
+    plane_band_sum += edge.plane_band;
+    certificates.affine_error += std::abs(w[i]) * edge.plane_band;
+    depth_error += std::abs(z[i]) * edge.plane_band;
   }
-  certificates.least_sum = 0x1p32 * certificates.band_sum;
+  certificates.least_sum = kSmoothCertainty * plane_band_sum;
   // Inside a triangle with all w > 0 the w_i E_i are shares of |det| T: their roundings are few.
   const bool all_in_front =
       std::all_of(w.begin(), w.end(), [](double weight) { return weight > 0; });
   certificates.affine_is_certain =
-      all_in_front && certificates.affine_error * 0x1p33 <= weights.det_t;
-  certificates.depth_is_certain = depth_error * 0x1p31 <= weights.det_t;
+      all_in_front && certificates.affine_error * kAffineCertainty <= weights.det_t;
+  certificates.depth_is_certain = depth_error * kDepthCertainty <= weights.det_t;
   return certificates;
 }
 

@@ -4,12 +4,15 @@
 // off by comes from the E_i, each off by at most its band, and from a few roundings, u = 2^-53; a
 // *certificate* shows that it is little:
 //
-//   smooth   |δr| <= max|r_i| (2 Σ band_i / D + 8u), so D >= 2^32 Σ band_i gives 2^-31 max|r_i|;
-//            an ulp of max|r_i| is at least 2^-24 of it, hence at most 2^-7 scale ULP. With weights
-//            of both signs (a centre outside) Σ|E_i| takes the place of D in the roundings.
-//   affine   |δr| <= max|r_i| Σ |w_i| (band_i + 8u |E_i|) / (|det| T), certified below 2^-32.
-//   depth    |δz| <= Σ |z_i| (band_i + 8u S_i) / (|det| T), certified below 2^-31; n, f and f − n
-//            are at most max(|n|, |f|).
+//   smooth   |δr| <= (max|r_i| + |r|) (Σ plane_band_i / D) + 4u |r| (plane.h), so that
+//            D >= 2^32 (1 + 2^-8) Σ plane_band_i leaves less than 2^-31 max(|r_i|, |r|); an ulp of
+//            that is at least 2^-24 of it, hence at most 2^-7 scale ULP. For one sample, from its
+//            E_i: band_i for plane_band_i, besides roundings of 8u Σ|E_i|.
+//   affine   |δr| <= max|r_i| Σ |w_i| plane_band_i / (|det| T), certified below 2^-33, and 2^-33
+//            for the determinant.
+//   depth    |δz| <= Σ |z_i| (9u S_i and what U and V are off by) / (|det| T), certified below
+//            9/16 2^-31, for 2 plane_band_i are; 2^-33 for the determinant; 3u for the offset.
+//            n, f and f − n are at most max(|n|, |f|).
 //
 // With half an ULP for the rounding to float32 no value is off by more than kValueBound.
 
@@ -19,12 +22,18 @@
 
 namespace rastercheck::rasterizer {
 
+/// How many times the error of D it is to be at least.
+inline constexpr double kSmoothCertainty = 0x1.01p32;
+/// How many times their errors |det| T is to be at least.
+inline constexpr double kAffineCertainty = 0x1p33;
+inline constexpr double kDepthCertainty = 0x1p32;
+
 struct Certificates {
   double band_sum = 0;             ///< Σ band_i
-  double least_sum = 0;            ///< smooth values are certain where Σ E_i is above this
+  double least_sum = 0;            ///< smooth values are certain where D is above this
   bool affine_is_certain = false;  ///< affine values of covered samples are
   bool depth_is_certain = false;
-  double affine_error = 0;  ///< Σ |w_i| band_i
+  double affine_error = 0;  ///< Σ |w_i| plane_band_i
 
   /// Of a smooth value, at weights of either sign.
   bool is_smooth_certain(const std::array<double, 3>& e) const;

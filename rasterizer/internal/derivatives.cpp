@@ -137,7 +137,7 @@ Slopes exact_smooth_at(const TriangleDerivatives& triangle, const Weights& weigh
   for (const Axis axis : {Axis::u, Axis::v}) {
     const SampleFrame& frame = *weights.frame;
     Scaled slope(exact_minors(triangle.source, frame, r, axis, site));
-    slope *= weights.exact_det_t;
+    slope *= weights.exact_det_t();
     slope *= triangle.turn * step_of(frame, axis);
     slope /= frame.t;
     slope /= d;
@@ -153,7 +153,7 @@ Slopes affine_slopes(const TriangleDerivatives& triangle, const Weights& weights
   for (const Axis axis : {Axis::u, Axis::v}) {
     Scaled slope(exact_slope(triangle, weights, n, axis));
     slope *= step_of(*weights.frame, axis);
-    slope /= weights.exact_det_t;
+    slope /= weights.exact_det_t();
     slopes[axis == Axis::u ? 0 : 1] = slope.rounded();
   }
   return slopes;
@@ -185,11 +185,7 @@ void set_up_derivatives(const State& state, const ValueSource& source, const Wei
     const auto& r = source.attributes;
     const bool is_one_value = r[0][a] == r[1][a] && r[1][a] == r[2][a];
     if (value.kind == ValueLine::Kind::copied || is_one_value) continue;
-    // Infinities and NaNs have no place in an exact sum.
-    const double together = value.numerators[0] + value.numerators[1] + value.numerators[2];
-    if (!std::isfinite(together)) {
-      line.constant.fill(static_cast<float>(together));
-    } else if (value.kind == ValueLine::Kind::affine) {
+    if (value.kind == ValueLine::Kind::affine) {
       line.constant = affine_slopes(out, weights, value.numerators);
     } else {
       line.is_constant = false;

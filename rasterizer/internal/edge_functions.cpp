@@ -58,11 +58,10 @@ EdgeFunctions edge_functions(const std::array<glm::vec4, 3>& corners, int orient
     edge.c = minor_of(orientation, p.x, q.y, p.y, q.x);
     edge.greatest = std::abs(edge.a.value) * frame.u.greatest +
                     std::abs(edge.b.value) * frame.v.greatest + std::abs(edge.c.value) * frame.t;
-    if (!is_exact(edge, frame)) {
-      constexpr double kUnit = 0x1p-53;
-      edge.band = 8 * kUnit * edge.greatest + std::abs(edge.a.value) * frame.u.error +
-                  std::abs(edge.b.value) * frame.v.error;
-    }
+    constexpr double kUnit = 0x1p-53;
+    edge.plane_band = 8 * kUnit * edge.greatest + std::abs(edge.a.value) * frame.u.error +
+                      std::abs(edge.b.value) * frame.v.error;
+    if (!is_exact(edge, frame)) edge.band = edge.plane_band;
     edge.owns_zero = owns_zero(sign(edge.a.value), sign(edge.b.value), frame, tie_sign);
   }
   return edges;

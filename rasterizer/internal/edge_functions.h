@@ -40,6 +40,7 @@ struct EdgeFunction {
   Coefficient c;
   double greatest = 0;     ///< S_i
   double band = 0;         ///< how far an evaluation may be off
+  double plane_band = 0;   ///< how far its share of a sum may be off (plane.h)
   bool owns_zero = false;  ///< whether a sample with E_i = 0 is inside, by the fill rule
 
   /// b V + c T, the part that is the same along a row.

@@ -20,11 +20,27 @@ EdgeRow edge_row(const EdgeFunctions& edges, const SampleFrame& frame, double v,
   return row;
 }
 
+namespace {
+
+/// Whether all corners are beyond one side of the viewport, or behind the eye: then so is whatever
+/// weights E_i >= 0 make of them. Sums of floats have the right sign in double.
+bool is_out_of_sight(const std::array<glm::vec4, 3>& p) {
+  const auto all = [&p](auto holds) { return std::all_of(p.begin(), p.end(), holds); };
+  return all([](const glm::vec4& q) { return q.w <= 0; }) ||
+         all([](const glm::vec4& q) { return double{q.w} + double{q.x} < 0; }) ||
+         all([](const glm::vec4& q) { return double{q.w} - double{q.x} < 0; }) ||
+         all([](const glm::vec4& q) { return double{q.w} + double{q.y} < 0; }) ||
+         all([](const glm::vec4& q) { return double{q.w} - double{q.y} < 0; });
+}
+
+}  // namespace
+
 Fate ExactCoverage::locate(const InputTriangle& triangle) {
   const auto& p = triangle.positions;
   turn_ = determinant_sign(p[0], p[1], p[2]);
   if (turn_ == 0) return Fate::degenerate;
   if (is_culled(setting_.state, setting_.frame.displayed(turn_))) return Fate::hidden;
+  if (is_out_of_sight(p)) return Fate::hidden;
   clip_functionals(setting_.state, p, triangle.distances, clips_);
   if (clips_.hides_all) return Fate::hidden;
   find_box(triangle);
@@ -139,13 +155,10 @@ bool ExactCoverage::is_visible(const BlockWeights& weights, int column, double u
 
 bool ExactCoverage::is_at_vertex(const BlockWeights& weights, int column) const {
   int near = 0;
-  bool is_rounded = false;  // without a band the weight is exact, and a vertex needs no more care
   for (std::size_t i = 0; i < 3; ++i) {
-    if (weights.e[i][static_cast<std::size_t>(column)] > edges_[i].band) continue;
-    ++near;
-    is_rounded = is_rounded || edges_[i].band > 0;
+    near += weights.e[i][static_cast<std::size_t>(column)] > edges_[i].band ? 0 : 1;
   }
-  return near >= 2 && is_rounded;
+  return near >= 2;
 }
 
 }  // namespace rastercheck::rasterizer

@@ -27,7 +27,7 @@ struct CoveredBlock {
   Mask covered = 0;
   Mask in_doubt = 0;  ///< of these, the samples that double alone did not decide
   /// Of these, the samples that may lie exactly at a vertex, whose value is then to come back as it
-  /// is: two edges are within their bands.
+  /// is: two edges are within their bands, or 0.
   Mask at_vertex = 0;
   bool is_whole_numbers = false;  ///< decided on the grid
 

@@ -26,8 +26,8 @@ double plane_depth(const Positions& p) {
   return double{at.z} / double{at.w};
 }
 
-float depth_of(const DepthLine& line, double z) {
-  return static_cast<float>(std::clamp(line.low + line.span * z, line.least, line.greatest));
+float rounded_depth(const DepthLine& line, double depth) {
+  return static_cast<float>(std::clamp(depth, line.least, line.greatest));
 }
 
 bool is_same_zero(float a, float b, float c) {
@@ -43,25 +43,6 @@ double at_corner(const std::array<double, 3>& of_vertices, const GridCorner& cor
     if (corner.share[v] != 0) value += corner.share[v] * of_vertices[v];
   }
   return value;
-}
-
-void set_up_depth(const State& state, const Positions& p, double det_t, DepthLine& line) {
-  const double near = state.viewport.min_depth;
-  const double far = state.viewport.max_depth;
-  const bool is_halved = state.convention == Convention::opengl;
-  line.span = is_halved ? (far - near) / 2 : far - near;
-  line.low = is_halved ? (near + far) / 2 : near;
-  line.least = std::min(near, far);
-  line.greatest = std::max(near, far);
-  // Clipping keeps depths within the range, but a snapped triangle reaches beyond the plane of the
-  // clip positions' triangle that depths come from, and with them the depths.
-  const bool is_clamped = state.depth_clamp || state.convention == Convention::d3d;
-  if (state.snapping && !is_clamped) {
-    line.least = -std::numeric_limits<double>::infinity();
-    line.greatest = std::numeric_limits<double>::infinity();
-  }
-  line.scale = 1 / det_t;
-  for (std::size_t i = 0; i < 3; ++i) line.k[i] = p[i].z;
 }
 
 bool has_new_corner(const ValueSource& source) {
@@ -87,13 +68,37 @@ ExactSum combine(const std::array<ExactSum, 3>& e, const std::array<double, 3>& 
 
 }  // namespace
 
+DepthRange depth_range(const State& state) {
+  // 0 for −0, which the greater of two zeros may or may not be.
+  const double near = state.viewport.min_depth + 0.0;
+  const double far = state.viewport.max_depth + 0.0;
+  const bool is_halved = state.convention == Convention::opengl;
+  DepthRange range;
+  range.span = is_halved ? (far - near) / 2 : far - near;
+  range.low = is_halved ? (near + far) / 2 : near;
+  range.least = std::min(near, far);
+  range.greatest = std::max(near, far);
+  // Clipping keeps depths within the range, but a snapped triangle reaches beyond the plane of the
+  // clip positions' triangle that depths come from, and with them the depths.
+  const bool is_clamped = state.depth_clamp || state.convention == Convention::d3d;
+  if (state.snapping && !is_clamped) {
+    range.least = -std::numeric_limits<double>::infinity();
+    range.greatest = std::numeric_limits<double>::infinity();
+  }
+  return range;
+}
+
+std::size_t provoking_vertex(const State& state) {
+  return state.convention == Convention::opengl ? 2 : 0;
+}
+
 void set_up_values(const State& state, const ValueSource& source, const Weights& weights,
                    TriangleValues& out) {
   const Positions& p = source.positions;
   const std::array<double, 3> vertex_w{p[0].w, p[1].w, p[2].w};
   out.w = vertex_w;
   const bool has_one_w = p[0].w == p[1].w && p[1].w == p[2].w && p[0].w > 0;
-  set_up_depth(state, p, weights.det_t, out.depth);
+  out.depth = {depth_range(state), {p[0].z, p[1].z, p[2].z}, {}};
   const bool is_placed = source.corners[0] != nullptr;
   if (is_placed) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -103,9 +108,16 @@ void set_up_values(const State& state, const ValueSource& source, const Weights&
   }
   out.certificates = certify(weights, out.w, out.depth.k);
   out.has_constant_depth = has_equal_depth(p);
-  if (out.has_constant_depth) out.constant_depth = depth_of(out.depth, plane_depth(p));
+  const DepthLine& depth = out.depth;
+  if (out.has_constant_depth) {
+    out.depth.plane = {0, 0, depth.low + depth.span * plane_depth(p)};
+  } else {
+    const double scale = depth.span * (1 / weights.det_t);
+    out.depth.plane = plane_of(weights.edges, depth.k, *weights.frame, scale, depth.low);
+  }
+  out.sum = plane_of(weights.edges, {1, 1, 1}, *weights.frame);
 
-  const std::size_t provoking = state.convention == Convention::opengl ? 2 : 0;
+  const std::size_t provoking = provoking_vertex(state);
   out.attributes.resize(state.attributes.size());
   out.has_smooth = false;
   out.has_smooth_float = false;
@@ -121,6 +133,13 @@ void set_up_values(const State& state, const ValueSource& source, const Weights&
     line.is_float = false;
     if (interpolation == Interpolation::flat || is_same_zero(r[0], r[1], r[2])) {
       line.kind = ValueLine::Kind::copied;
+      continue;
+    }
+    // Infinities and NaNs have no place in sums; those of finite attributes are below 2^130.
+    const double together = double{r[0]} + double{r[1]} + double{r[2]};
+    if (!std::isfinite(together)) {
+      line.kind = ValueLine::Kind::copied;
+      line.copy = static_cast<float>(together);
       continue;
     }
     const bool is_divided = interpolation == Interpolation::smooth && !has_one_w;
@@ -139,18 +158,17 @@ void set_up_values(const State& state, const ValueSource& source, const Weights&
         line.numerators[i] = at_corner(of_vertices, *source.corners[i]);
       }
     }
+    const double scale = is_divided ? 1 : 1 / weights.det_t;
+    line.plane = plane_of(weights.edges, line.numerators, *weights.frame, scale);
   }
 }
 
 float exact_value_at(const ValueLine& line, const Weights& weights, double u, double v) {
   if (line.kind == ValueLine::Kind::copied) return line.copy;
-  // Infinities and NaNs have no place in an exact sum; those of finite attributes are below 2^258.
-  const double together = line.numerators[0] + line.numerators[1] + line.numerators[2];
-  if (!std::isfinite(together)) return static_cast<float>(together);
   const std::array<ExactSum, 3> e = weights.exact_at(u, v);
   const double numerator = combine(e, line.numerators).nearest();
   if (line.kind == ValueLine::Kind::affine) {
-    return static_cast<float>(numerator / weights.exact_det_t);
+    return static_cast<float>(numerator / weights.exact_det_t());
   }
   const double sum = combine(e, {1, 1, 1}).nearest();
   return sum > 0 ? static_cast<float>(numerator / sum) : line.copy;
@@ -173,9 +191,11 @@ float value_at(const ValueLine& line, const TriangleValues& triangle, const Weig
 }
 
 float exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v) {
-  if (triangle.has_constant_depth) return triangle.constant_depth;
+  const DepthLine& line = triangle.depth;
+  if (triangle.has_constant_depth) return rounded_depth(line, line.plane.c);
   const std::array<ExactSum, 3> e = weights.exact_at(u, v);
-  return depth_of(triangle.depth, combine(e, triangle.depth.k).nearest() / weights.exact_det_t);
+  const double z = combine(e, line.k).nearest() / weights.exact_det_t();
+  return rounded_depth(line, line.low + line.span * z);
 }
 
 }  // namespace rastercheck::rasterizer

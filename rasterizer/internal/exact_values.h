@@ -6,12 +6,14 @@
 //   noperspective  r = Σ r_i w_i E_i / (|det| T)          r_i w_i is exact in double
 //   depth          z = Σ z_i E_i / (|det| T), then n + (f − n) z, halved for OpenGL
 //
-// All in double where a certificate (certificates.h) shows that that is enough. Where it fails
+// All in double, numerators and denominator each collected into one plane (plane.h), where
+// a certificate (certificates.h) shows that that is enough. Where it fails
 // (slivers, the horizon, w of both signs) sums are formed without rounding (exact_sum.h) and
 // divided once: 2^-50 of the value itself.
 //
-// Constants: with r_i = c the computed value is within 10u of c and rounds to c. The same zero at
-// all vertices is copied, sign included. A plane of equal depth, z_i w_j = z_j w_i exactly, has one
+// Constants: with r_i = c the computed value is within 2^-31 of c and rounds to c. The same zero at
+// all vertices is copied, sign included. Of attributes that are not finite every sample has the
+// sum, infinite or no number. A plane of equal depth, z_i w_j = z_j w_i exactly, has one
 // depth for all its samples. Where all w are the same, smooth and noperspective are one, and
 // nothing is divided at a sample (seed 000; seed 002 §3.3).
 //
@@ -39,14 +41,36 @@ struct ValueLine {
   Kind kind = Kind::copied;
   /// What the E_i are multiplied with: r_i of a smooth, r_i w_i of an affine value.
   std::array<double, 3> numerators{};
+  /// Of a smooth value the numerator Σ r_i E_i, of an affine one the value.
+  Plane plane;
   float copy = 0;  ///< of a copied one
   /// Whether it is to be computed in float32 (float_kernels.h) from these r_i.
   bool is_float = false;
   std::array<float, 3> r{};
 };
 
+/// Where depths come from z of the clip volume: low + span · z, held to [least, greatest].
+struct DepthRange {
+  double low = 0;
+  double span = 0;
+  double least = 0;
+  double greatest = 0;
+};
+DepthRange depth_range(const State& state);
+
+/// The corner whose values flat attributes have.
+std::size_t provoking_vertex(const State& state);
+
+/// Depth, z = Σ k_i E_i / (|det| T).
+struct DepthLine : DepthRange {
+  std::array<double, 3> k{};
+  /// The same evaluated; of a plane of equal depth just that.
+  Plane plane;
+};
+
 struct TriangleValues {
   std::array<double, 3> w{};  ///< of the corners
+  Plane sum;                  ///< D = Σ E_i
   std::vector<ValueLine> attributes;
   bool has_smooth = false;  ///< some attribute is of kind smooth
   bool has_smooth_float = false;
@@ -55,7 +79,6 @@ struct TriangleValues {
   double float_scale = 1;
   DepthLine depth;
   bool has_constant_depth = false;
-  float constant_depth = 0;
   Certificates certificates;
 };
 

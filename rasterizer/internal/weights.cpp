@@ -20,6 +20,16 @@ double determinant(const std::array<glm::vec4, 3>& p) {
   return std::abs(sum.nearest());
 }
 
+/// The same where double is enough, else 0.
+double certain_determinant(const std::array<glm::vec4, 3>& p, const EdgeFunctions& edges) {
+  const double first = p[0].w * edges[0].c.value;
+  const double second = p[1].w * edges[1].c.value;
+  const double third = p[2].w * edges[2].c.value;
+  const double sum = (first + second) + third;
+  const double size = (std::abs(first) + std::abs(second)) + std::abs(third);
+  return sum > size * (1 / kCertainDeterminant) ? sum : 0;
+}
+
 AxisFrame grid_axis(const PixelRange& pixels, int subpixel_bits) {
   AxisFrame axis;
   axis.scale = std::ldexp(1.0, subpixel_bits - 1);
@@ -56,9 +66,10 @@ void Weights::set_ideal(const std::array<glm::vec4, 3>& corners, const EdgeFunct
                         const SampleFrame& of_draw) {
   edges = of_corners;
   frame = &of_draw;
-  det_t = determinant(corners) * of_draw.t;
-  exact_det_t = det_t;
   placed_.reset();
+  corners_ = corners;
+  det_t = certain_determinant(corners, edges) * of_draw.t;
+  if (det_t == 0) det_t = exact_det_t();
 }
 
 void Weights::set_placed(const GridPiece& piece, std::span<const GridCorner> corners,
@@ -68,7 +79,6 @@ void Weights::set_placed(const GridPiece& piece, std::span<const GridCorner> cor
   placed.lines = piece.edges;
   for (std::size_t i = 0; i < 3; ++i) placed.w[i] = corners[piece.corners[i]].w;
   det_t = static_cast<double>(piece.area);
-  exact_det_t = det_t * placed.w[0] * placed.w[1] * placed.w[2];
   for (std::size_t i = 0; i < 3; ++i) {
     const GridLine& line = piece.edges[i];
     const double share = 1 / placed.w[i];
@@ -78,6 +88,7 @@ void Weights::set_placed(const GridPiece& piece, std::span<const GridCorner> cor
     edge.c.value = static_cast<double>(line.c) * share;
     edge.greatest = std::abs(edge.a.value) * of_grid.u.greatest +
                     std::abs(edge.b.value) * of_grid.v.greatest + std::abs(edge.c.value);
+    edge.plane_band = 10 * kUnit * edge.greatest;
     edges[i] = edge;
   }
   widen_bands();
@@ -102,6 +113,11 @@ std::array<ExactSum, 3> Weights::exact_at(double u, double v) const {
     e[i] = exact_product(placed_->lines[i].at(p), placed_->w[(i + 1) % 3], placed_->w[(i + 2) % 3]);
   }
   return e;
+}
+
+double Weights::exact_det_t() const {
+  if (!placed_) return determinant(corners_) * frame->t;
+  return det_t * placed_->w[0] * placed_->w[1] * placed_->w[2];
 }
 
 void Weights::widen_bands() {
