@@ -31,6 +31,44 @@ std::optional<Error> check_framebuffer(const State& state, const Framebuffer& fr
   return std::nullopt;
 }
 
+/// Gives it memory of that size; what it holds is any.
+std::optional<Error> resize(Framebuffer& framebuffer, const TargetSize& size,
+                            std::size_t attribute_count) {
+  if (const std::optional<Error> error = check_size(size)) return error;
+  if (attribute_count > kMaxAttributes) return Error::attribute_count;
+  try {
+    const std::size_t samples = sample_count(size);
+    const std::size_t values = samples * attribute_count;
+    // New memory before the old is lost, or, where there is enough, the old.
+    std::vector<float> depths;
+    std::vector<float> attributes;
+    if (framebuffer.depth.capacity() < samples) depths.reserve(samples);
+    if (framebuffer.attributes.capacity() < values) attributes.reserve(values);
+    if (depths.capacity() > 0) framebuffer.depth.swap(depths);
+    if (attributes.capacity() > 0) framebuffer.attributes.swap(attributes);
+    framebuffer.depth.resize(samples);
+    framebuffer.attributes.resize(values);
+    framebuffer.size = size;
+    framebuffer.attribute_count = attribute_count;
+  } catch (const std::bad_alloc&) {
+    return Error::out_of_memory;
+  } catch (const std::length_error&) {  // more than a vector can ever hold
+    return Error::out_of_memory;
+  }
+  return std::nullopt;
+}
+
+DrawResult draw_checked_frame(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
+                              unsigned threads, std::optional<float> clear_depth) {
+  try {
+    return {std::nullopt, draw_frame(state, mesh, framebuffer, worker_count(threads), clear_depth)};
+  } catch (const std::bad_alloc&) {
+    return {Error::out_of_memory, {}};
+  } catch (const std::length_error&) {  // more than a vector can ever hold
+    return {Error::out_of_memory, {}};
+  }
+}
+
 }  // namespace
 
 std::string_view to_string(Error error) {
@@ -95,27 +133,9 @@ TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize&
 
 std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,
                            std::size_t attribute_count, float depth) {
-  if (const std::optional<Error> error = check_size(size)) return error;
-  if (attribute_count > kMaxAttributes) return Error::attribute_count;
-  try {
-    const std::size_t samples = sample_count(size);
-    const std::size_t values = samples * attribute_count;
-    // New memory before the old is lost, or, where there is enough, the old.
-    std::vector<float> depths;
-    std::vector<float> attributes;
-    if (framebuffer.depth.capacity() < samples) depths.reserve(samples);
-    if (framebuffer.attributes.capacity() < values) attributes.reserve(values);
-    if (depths.capacity() > 0) framebuffer.depth.swap(depths);
-    if (attributes.capacity() > 0) framebuffer.attributes.swap(attributes);
-    framebuffer.depth.assign(samples, depth);
-    framebuffer.attributes.assign(values, 0.0F);
-    framebuffer.size = size;
-    framebuffer.attribute_count = attribute_count;
-  } catch (const std::bad_alloc&) {
-    return Error::out_of_memory;
-  } catch (const std::length_error&) {  // more than a vector can ever hold
-    return Error::out_of_memory;
-  }
+  if (const std::optional<Error> error = resize(framebuffer, size, attribute_count)) return error;
+  std::fill(framebuffer.depth.begin(), framebuffer.depth.end(), depth);
+  std::fill(framebuffer.attributes.begin(), framebuffer.attributes.end(), 0.0F);
   return std::nullopt;
 }
 
@@ -124,13 +144,15 @@ DrawResult draw(const State& state, const Mesh& mesh, Framebuffer& framebuffer, 
   if (!error) error = check_framebuffer(state, framebuffer);
   if (!error) error = check_mesh(state, mesh);
   if (error) return {error, {}};
-  try {
-    return {std::nullopt, draw_frame(state, mesh, framebuffer, worker_count(threads))};
-  } catch (const std::bad_alloc&) {
-    return {Error::out_of_memory, {}};
-  } catch (const std::length_error&) {  // more than a vector can ever hold
-    return {Error::out_of_memory, {}};
-  }
+  return draw_checked_frame(state, mesh, framebuffer, threads, std::nullopt);
+}
+
+DrawResult clear_and_draw(const State& state, const Mesh& mesh, const TargetSize& size, float depth,
+                          Framebuffer& framebuffer, unsigned threads) {
+  std::optional<Error> error = check_draw(state, mesh, size);
+  if (!error) error = resize(framebuffer, size, state.attributes.size());
+  if (error) return {error, {}};
+  return draw_checked_frame(state, mesh, framebuffer, threads, depth);
 }
 
 }  // namespace rastercheck::rasterizer

@@ -57,8 +57,8 @@ inline constexpr int kGuardBand = 32768;
 /// or that of the snapped vertices.
 enum class Basis { ideal, snapped };
 
-/// How attributes are computed: in double with one rounding to float32 at the end, or in float32.
-/// Depth is always the former.
+/// How attributes of fragments are computed: in double with one rounding to float32 at the end, or
+/// in float32. Depth is always the former, and so is what goes into framebuffers.
 enum class Precision { float64, float32 };
 
 /// `smooth`: linear in clip space; `noperspective`: linear in window space; `flat`: the provoking
@@ -191,9 +191,15 @@ std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,
 
 /// Draws into the framebuffer, triangle by triangle in submission order: with DepthTest::less a
 /// fragment is kept iff its depth is less than the sample's. On that many threads, 0: as many as
-/// the machine has; the picture is the same for any number. Where memory runs out some tiles of 64
-/// × 64 pixels are drawn and the others are what they were.
+/// the machine has; the picture is the same for any number. Where memory runs out tiles of 64 × 64
+/// pixels hold some of what was to be drawn, or are what they were.
 DrawResult draw(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
                 unsigned threads = 1);
+
+/// clear() and draw() in one: each tile is cleared where it is drawn, so that most often the memory
+/// of the framebuffer is written once. Where memory runs out it holds some of what was to be drawn,
+/// or any numbers.
+DrawResult clear_and_draw(const State& state, const Mesh& mesh, const TargetSize& size, float depth,
+                          Framebuffer& framebuffer, unsigned threads = 1);
 
 }  // namespace rastercheck::rasterizer

@@ -14,7 +14,6 @@
 #include "rasterizer/internal/grid_coverage.h"
 #include "rasterizer/internal/masks.h"
 #include "rasterizer/internal/tap.h"
-#include "rasterizer/internal/tile_kernels.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -62,9 +61,6 @@ class Drawing {
   /// The same of up to kBlockSize pixels of a row, of which just the `wanted` ones.
   void draw_block(int y, int first, int count, Mask wanted);
 
-  const Coverage& coverage() const { return coverage_; }
-  const std::vector<DrawnPart>& parts() const { return parts_; }
-
  private:
   void draw_row(int y, const PixelRange& columns);
   void evaluate(const BlockPlace& place, SampleBlock& block);
@@ -73,6 +69,9 @@ class Drawing {
   void weigh(const BlockPlace& place, const DrawnPart& part, PartMasks& masks);
   Mask evaluate_attribute(const BlockPlace& place, const DrawnPart& part, std::size_t attribute,
                           const PartMasks& masks, SampleBlock& out);
+  PlaneRow row_of(const Plane& plane, const BlockPlace& place, const DrawnPart& part) const {
+    return plane_row(plane, *part.weights.frame, place.y + setting_.pattern[place.sample].y);
+  }
   void locate(int y, int first, Mask touched);
   void derive(const BlockPlace& place, const DrawnPart& part, Mask mask);
   Slopes* derivatives_of(std::size_t sample, int column) {
@@ -190,11 +189,12 @@ void Drawing<Coverage, Tap, Output>::weigh(const BlockPlace& place, const DrawnP
                                            PartMasks& masks) {
   const TriangleValues& values = part.values;
   const double least_sum = values.certificates.least_sum;
-  if (values.has_smooth) masks.certain = sum_weights(least_sum, place.count, weights_);
+  const PlaneRow sum = row_of(values.sum, place, part);
+  if (values.has_smooth) masks.certain = sum_weights(sum, least_sum, place.count, weights_);
   if (values.has_smooth_float) {
     // Mostly the same as `certain`: a band is 2^-50 of the largest terms, or 0.
     const double least = std::max(least_sum, 0x1p-20 / values.float_scale);
-    masks.float_certain = masks.inside & sum_weights(least, place.count, weights_);
+    masks.float_certain = masks.inside & sum_weights(sum, least, place.count, weights_);
     float_smooth_weights(weights_, values.float_scale, place.count, float_smooth_);
   }
   if (values.has_affine_float) {
@@ -211,10 +211,10 @@ void Drawing<Coverage, Tap, Output>::evaluate_part(const BlockPlace& place, cons
   const SampleOffset& offset = setting_.pattern[place.sample];
   weigh(place, part, masks);
   const bool is_depth_exact = !values.has_constant_depth && !values.certificates.depth_is_certain;
-  if (values.has_constant_depth) {
-    out.depth.fill(values.constant_depth);
-  } else if (!is_depth_exact) {
-    evaluate_depth(values.depth, place.count, weights_, out.depth.data());
+  if (!is_depth_exact) {
+    const DepthLine& depth = values.depth;
+    evaluate_depth(row_of(depth.plane, place, part), depth.least, depth.greatest, place.count,
+                   weights_, out.depth.data());
   } else {
     for_each_bit(masks.drawn, [&](int j) {
       out.depth[static_cast<std::size_t>(j)] =
@@ -247,7 +247,7 @@ Mask Drawing<Coverage, Tap, Output>::evaluate_attribute(const BlockPlace& place,
         evaluate_float(line.r, place.count, float_smooth_, values.data());
         certain = masks.float_certain;
       } else {
-        evaluate_smooth(line.numerators, place.count, weights_, values.data());
+        evaluate_smooth(row_of(line.plane, place, part), place.count, weights_, values.data());
         certain = masks.certain;
       }
       break;
@@ -257,8 +257,7 @@ Mask Drawing<Coverage, Tap, Output>::evaluate_attribute(const BlockPlace& place,
         evaluate_float(line.r, place.count, float_affine_, values.data());
         certain &= masks.inside;
       } else {
-        evaluate_affine(line.numerators, 1 / part.weights.det_t, place.count, weights_,
-                        values.data());
+        evaluate_affine(row_of(line.plane, place, part), place.count, weights_, values.data());
       }
       break;
   }
@@ -329,9 +328,7 @@ class TileDrawingBy : public TileDrawing {
         mesh_(mesh),
         output_(setting.state.depth_test, setting.state.attributes.size()),
         coverage_(setting),
-        drawing_(setting, mesh, output_, tap_),
-        values_(setting.state.attributes.size()),
-        rows_(values_.size()) {}
+        drawing_(setting, mesh, output_, tap_) {}
 
   Fate locate(std::size_t triangle, PixelBox& box) override {
     const std::optional<InputTriangle> input = input_triangle(setting_.state, mesh_, triangle);
@@ -342,123 +339,23 @@ class TileDrawingBy : public TileDrawing {
     return fate;
   }
 
-  void draw(std::span<const std::uint32_t> triangles, Tile& tile) override {
+  void draw(std::uint32_t triangle, Tile& tile, Mask rows) override {
     output_.begin(tile);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      prefetch(triangles.subspan(i));
-      draw(triangles[i], tile);
-    }
+    if (drawing_.set_up(triangle) != Fate::drawn) return;
+    const int first = tile.rows().begin;
+    for_each_bit(rows & columns_mask(tile.rows(), first), [&](int row) {
+      drawing_.draw_rows({tile.columns(), {first + row, first + row + 1}});
+    });
   }
 
  private:
-  /// Triangles of a tile lie anywhere in the mesh. Asks for the indices of one that comes soon, and
-  /// for the vertices of one that comes sooner.
-  void prefetch(std::span<const std::uint32_t> coming) const {
-    constexpr std::size_t kIndices = 16;
-    constexpr std::size_t kVertices = 8;
-    if (coming.size() > kIndices) __builtin_prefetch(&mesh_.triangles[coming[kIndices]]);
-    if (coming.size() <= kVertices) return;
-    const glm::uvec3& corners = mesh_.triangles[coming[kVertices]];
-    for (const std::uint32_t vertex : {corners.x, corners.y, corners.z}) {
-      __builtin_prefetch(&mesh_.positions[vertex]);
-      __builtin_prefetch(mesh_.attributes.data() + vertex * setting_.state.attributes.size());
-    }
-  }
-
-  void draw(std::uint32_t triangle, Tile& tile) {
-    if (drawing_.set_up(triangle) != Fate::drawn) return;
-    if constexpr (Coverage::kLeavesWeights) {
-      if (is_shaded_by_rows()) return shade_rows(tile);
-    }
-    drawing_.draw_rows({tile.columns(), tile.rows()});
-  }
-
-  /// Whether double holds nearly all of the triangle's samples (tile_kernels.h).
-  bool is_shaded_by_rows() const {
-    if (setting_.pattern.size() > 1 || drawing_.coverage().is_clipped()) return false;
-    const TriangleValues& values = drawing_.parts()[0].values;
-    const Certificates& certificates = values.certificates;
-    if (!values.has_constant_depth && !certificates.depth_is_certain) return false;
-    return std::all_of(
-        values.attributes.begin(), values.attributes.end(), [&certificates](const ValueLine& line) {
-          if (line.kind == ValueLine::Kind::copied) return true;
-          return !line.is_float &&
-                 (line.kind == ValueLine::Kind::smooth || certificates.affine_is_certain);
-        });
-  }
-
-  void shade_rows(Tile& tile);
-  ShadedTriangle shaded();
-
   const DrawSetting& setting_;
   const Mesh& mesh_;
   TileOutput output_;
   NoTap tap_;
   Coverage coverage_;  ///< to locate triangles with
   Drawing<Coverage, NoTap, TileOutput> drawing_;
-  std::vector<ShadedValue> values_;
-  std::vector<float*> rows_;  ///< [attribute] of a row of the tile
 };
-
-/// The triangle at hand, for the kernels.
-template <typename Coverage>
-ShadedTriangle TileDrawingBy<Coverage>::shaded() {
-  const DrawnPart& part = drawing_.parts()[0];
-  const TriangleValues& values = part.values;
-  ShadedTriangle triangle;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const EdgeFunction& edge = part.weights.edges[i];
-    triangle.a[i] = edge.a.value;
-    triangle.band[i] = edge.band;
-    using Edge = ShadedTriangle::Edge;
-    const Edge exact = edge.owns_zero ? Edge::closed : Edge::open;
-    triangle.edges[i] = edge.band > 0 ? Edge::banded : exact;
-  }
-  triangle.least_sum = values.certificates.least_sum;
-  triangle.has_smooth = values.has_smooth;
-  triangle.affine_scale = 1 / part.weights.det_t;
-  triangle.has_constant_depth = values.has_constant_depth;
-  triangle.constant_depth = values.constant_depth;
-  triangle.depth = values.depth;
-  for (std::size_t a = 0; a < values_.size(); ++a) {
-    const ValueLine& line = values.attributes[a];
-    values_[a] = {line.kind, line.numerators, line.copy};
-  }
-  triangle.attributes = values_;
-  triangle.tests_depth = setting_.state.depth_test == DepthTest::less;
-  return triangle;
-}
-
-template <typename Coverage>
-void TileDrawingBy<Coverage>::shade_rows(Tile& tile) {
-  const DrawBounds& bounds = setting_.bounds;
-  const PixelBox& box = drawing_.coverage().box();
-  const PixelRange rows = intersection(intersection(box.rows, bounds.sample_rows[0]), tile.rows());
-  const PixelRange columns =
-      intersection(intersection(box.columns, bounds.sample_columns[0]), tile.columns());
-  if (rows.empty() || columns.empty()) return;
-  const SampleFrame& frame = setting_.frame;
-  const SampleOffset& offset = setting_.pattern[0];
-  const EdgeFunctions& edges = drawing_.parts()[0].weights.edges;
-  const ShadedTriangle triangle = shaded();
-  const int first = tile.columns().begin;
-  alignas(64) std::array<double, kTileSize> u;
-  for (int j = 0; j < kTileSize; ++j) {
-    u[static_cast<std::size_t>(j)] = frame.u.at(first + j + offset.x);
-  }
-  TileRow row;
-  row.u = u.data();
-  row.begin = columns.begin - first;
-  row.end = columns.end - first;
-  row.attributes = rows_;
-  for (int y = rows.begin; y < rows.end; ++y) {
-    for (std::size_t i = 0; i < 3; ++i) row.edge[i] = edges[i].row(frame, y + offset.y);
-    row.depth = tile.depth(0, y);
-    for (std::size_t a = 0; a < rows_.size(); ++a) rows_[a] = tile.attribute(a, 0, y);
-    const Mask left_out = shade_row(triangle, row);
-    if (left_out != 0) drawing_.draw_block(y, first, kTileSize, left_out);
-  }
-}
 
 template <typename Tap>
 DrawCounts draw_with(const State& state, const Mesh& mesh, const TargetSize& size,

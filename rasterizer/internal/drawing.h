@@ -15,9 +15,9 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 
 #include "rasterizer/internal/draw_setting.h"
+#include "rasterizer/internal/masks.h"
 #include "rasterizer/internal/tile.h"
 #include "rasterizer/rasterizer.h"
 #include "rasterizer/trace.h"
@@ -43,8 +43,8 @@ class TileDrawing {
   virtual ~TileDrawing() = default;
   /// What becomes of a triangle of the mesh, and if it is drawn the pixels that it may touch.
   virtual Fate locate(std::size_t triangle, PixelBox& box) = 0;
-  /// Draws what of these triangles lies in the tile, one after the other.
-  virtual void draw(std::span<const std::uint32_t> triangles, Tile& tile) = 0;
+  /// Draws what of a triangle lies in rows of the tile: bit i is row tile.rows().begin + i.
+  virtual void draw(std::uint32_t triangle, Tile& tile, Mask rows) = 0;
 };
 
 /// For checked arguments, which must outlive it.

@@ -1,163 +1,277 @@
 #include "rasterizer/internal/frame_drawing.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
-#include <optional>
-#include <stdexcept>
 #include <vector>
 
-#include "rasterizer/internal/discard.h"
+#include "rasterizer/internal/binning.h"
 #include "rasterizer/internal/drawing.h"
 #include "rasterizer/internal/parallel.h"
+#include "rasterizer/internal/tile.h"
+#include "rasterizer/internal/tile_kernels.h"
 
 namespace rastercheck::rasterizer {
 namespace {
 
 /// Chunks are at least so large; and so large beside the number of tiles that a chunk's list of
 /// tiles is no larger than itself.
-constexpr std::size_t kLeastChunk = 1024;
+constexpr std::size_t kLeastChunk = 2048;
+/// Samples of triangles that are sorted before their memory is looked at.
+constexpr std::size_t kWave = 65536;
 
-/// The triangles of a chunk, by tile.
-struct Bins {
-  std::vector<std::uint32_t> triangles;  ///< by tile, in submission order
-  std::vector<std::uint32_t> ends;       ///< [tile]: one past its last in `triangles`
-  DrawCounts counts;
-
-  std::span<const std::uint32_t> of(std::size_t tile) const {
-    const std::size_t begin = tile == 0 ? 0 : ends[tile - 1];
-    return std::span(triangles).subspan(begin, ends[tile] - begin);
+/// A tile of one thread, and what the kernels want of it.
+class DrawnTile {
+ public:
+  explicit DrawnTile(const Framebuffer& framebuffer)
+      : tile_(framebuffer.size.samples, framebuffer.attribute_count),
+        of_samples_(static_cast<std::size_t>(framebuffer.size.samples)) {
+    for (std::size_t s = 0; s < of_samples_.size(); ++s) {
+      for (std::size_t a = 0; a < framebuffer.attribute_count; ++a) {
+        of_samples_[s].values.push_back(tile_.values(a, s));
+      }
+    }
   }
-};
 
-/// Tiles that a box of pixels touches.
-struct TileBox {
-  PixelRange columns;
-  PixelRange rows;
-};
+  Tile& tile() { return tile_; }
 
-TileBox tiles_of(const PixelBox& box) {
-  return {{box.columns.begin / kTileSize, tiles_across(box.columns.end)},
-          {box.rows.begin / kTileSize, tiles_across(box.rows.end)}};
-}
+  /// Sets the areas of samples up for the tile as it is placed now.
+  void place(const KernelSetting& setting) {
+    drawn_ = 0;
+    for (std::size_t s = 0; s < of_samples_.size(); ++s) {
+      find_greatest(tile_.depths(s), of_samples_[s].greatest);
+      for (int i = 0; i < kTileSize + kTilePadding; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        of_samples_[s].u[at] = setting.u_first[s] + (tile_.columns().begin + i) * setting.u_step;
+        of_samples_[s].v[at] = setting.v_first[s] + (tile_.rows().begin + i) * setting.v_step;
+      }
+    }
+  }
+  TileArea area(std::size_t sample) {
+    const OfSample& of_sample = of_samples_[sample];
+    return {of_sample.u.data(), of_sample.v.data(), tile_.depths(sample), of_sample.values,
+            of_sample.greatest.data()};
+  }
+  /// Once a triangle was drawn. Looking at all depths takes as long as drawing one that is small.
+  void count_triangle() {
+    constexpr int kLooksAfter = 32;
+    if (++drawn_ % kLooksAfter != 0) return;
+    for (std::size_t s = 0; s < of_samples_.size(); ++s) {
+      find_greatest(tile_.depths(s), of_samples_[s].greatest);
+    }
+  }
+
+ private:
+  struct OfSample {
+    alignas(64) std::array<double, kTileSize + kTilePadding> u{};
+    alignas(64) std::array<double, kTileSize + kTilePadding> v{};
+    std::vector<float*> values;  ///< [attribute]
+    std::array<float, kBands> greatest{};
+  };
+  int drawn_ = 0;  ///< triangles
+  Tile tile_;
+  std::vector<OfSample> of_samples_;
+};
 
 class FrameDrawing {
  public:
-  FrameDrawing(const State& state, const Mesh& mesh, Framebuffer& framebuffer, std::size_t workers)
+  FrameDrawing(const State& state, const Mesh& mesh, Framebuffer& framebuffer, std::size_t workers,
+               std::optional<float> clear_depth)
       : setting_(state, framebuffer.size),
         mesh_(mesh),
         framebuffer_(framebuffer),
-        columns_(tiles_across(framebuffer.size.width)),
-        rows_(tiles_across(framebuffer.size.height)) {
-    const std::size_t tiles = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-    chunk_ = std::max(kLeastChunk, tiles);
-    bins_.resize((mesh.triangles.size() + chunk_ - 1) / chunk_);
-    const std::size_t busy = std::min(workers, std::max(tiles, bins_.size()));
+        clear_depth_(clear_depth),
+        columns_(static_cast<std::size_t>(tiles_across(framebuffer.size.width))),
+        tiles_(columns_ * static_cast<std::size_t>(tiles_across(framebuffer.size.height))),
+        kernel_(kernel_setting(setting_, static_cast<int>(columns_))) {
+    chunk_ = std::max(kLeastChunk, tiles_);
+    chunks_ = (mesh.triangles.size() + chunk_ - 1) / chunk_;
+    const std::size_t busy = std::min(workers, std::max(tiles_, chunks_));
+    wave_ = std::max(busy, kWave / (chunk_ * setting_.pattern.size()));
     for (std::size_t i = 0; i < busy; ++i) {
-      workers_.push_back({make_tile_drawing(setting_, mesh),
-                          Tile(framebuffer.size.samples, framebuffer.attribute_count),
-                          {},
-                          {}});
+      workers_.push_back(std::make_unique<Worker>(*this));
     }
   }
 
   DrawCounts draw() {
-    for_each_index(bins_.size(), workers_.size(), [&](std::size_t i, std::size_t worker) {
-      const std::size_t first = i * chunk_;
-      sort(first, std::min(first + chunk_, mesh_.triangles.size()), workers_[worker], bins_[i]);
-    });
-    const std::size_t tiles = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-    for_each_index(tiles, workers_.size(), [&](std::size_t tile, std::size_t worker) {
-      draw_tile(tile, workers_[worker]);
-    });
     DrawCounts counts;
-    for (const Bins& bins : bins_) {
-      counts.discarded_not_finite += bins.counts.discarded_not_finite;
-      counts.discarded_degenerate += bins.counts.discarded_degenerate;
-    }
+    std::size_t done = 0;
+    do {
+      const std::size_t used = sort_from(done);
+      for (std::size_t i = 0; i < used; ++i) {
+        counts.discarded_not_finite += bins_[i].counts.discarded_not_finite;
+        counts.discarded_degenerate += bins_[i].counts.discarded_degenerate;
+      }
+      done += used;
+      for_each_index(tiles_, workers_.size(), [&](std::size_t tile, std::size_t worker) {
+        draw_tile(tile, std::span(bins_).first(used), *workers_[worker]);
+      });
+      clear_depth_.reset();  // it is no longer what it was cleared to
+    } while (done < chunks_);
     return counts;
   }
 
  private:
   struct Worker {
+    explicit Worker(const FrameDrawing& frame)
+        : drawing(make_tile_drawing(frame.setting_, frame.mesh_)),
+          binning(frame.setting_, frame.kernel_ ? &*frame.kernel_ : nullptr, frame.mesh_,
+                  frame.framebuffer_.size),
+          tile(frame.framebuffer_) {}
     std::unique_ptr<TileDrawing> drawing;
-    Tile tile;
-    std::vector<std::pair<std::uint32_t, TileBox>> located;  ///< of a chunk
-    std::vector<std::uint32_t> triangles;                    ///< of a tile
+    Binning binning;
+    DrawnTile tile;
+    std::vector<const double*> records;  ///< of the tile
+    std::size_t next_record = 0;
   };
 
-  template <typename Visit>
-  void for_each_tile(const TileBox& box, const Visit& visit) const {
-    for (int row = box.rows.begin; row < box.rows.end; ++row) {
-      for (int column = box.columns.begin; column < box.columns.end; ++column) {
-        visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-              static_cast<std::size_t>(column));
+  /// Sorts chunks from this one on, until they are all, or enough. Returns how many.
+  std::size_t sort_from(std::size_t begin) {
+    std::size_t used = 0;
+    std::size_t memory = 0;
+    while (begin + used < chunks_ && memory < kBinMemory) {
+      const std::size_t wave = std::min(wave_, chunks_ - begin - used);
+      if (bins_.size() < used + wave) bins_.resize(used + wave);
+      for_each_index(wave, workers_.size(), [&](std::size_t i, std::size_t worker) {
+        const std::size_t first = (begin + used + i) * chunk_;
+        Worker& at_work = *workers_[worker];
+        at_work.binning.sort(first, std::min(first + chunk_, mesh_.triangles.size()),
+                             *at_work.drawing, bins_[used + i]);
+      });
+      for (std::size_t i = 0; i < wave; ++i) memory += bins_[used + i].memory();
+      used += wave;
+    }
+    return used;
+  }
+
+  void draw_tile(std::size_t tile, std::span<const Bins> all_bins, Worker& worker) {
+    const bool is_touched = std::any_of(all_bins.begin(), all_bins.end(), [tile](const Bins& bins) {
+      const auto [first_fragment, last_fragment] = bins.fragments.range(tile);
+      const auto [first_triangle, last_triangle] = bins.triangles.range(tile);
+      return first_fragment < last_fragment || first_triangle < last_triangle;
+    });
+    if (!is_touched && !clear_depth_) return;
+    Tile& drawn = worker.tile.tile();
+    const auto column = static_cast<int>(tile % columns_);
+    const auto row = static_cast<int>(tile / columns_);
+    if (clear_depth_) {
+      drawn.clear(framebuffer_, column, row, *clear_depth_);
+    } else {
+      drawn.load(framebuffer_, column, row);
+    }
+    if (is_touched) {
+      if (kernel_) worker.tile.place(*kernel_);
+      list_records(tile, all_bins, worker);
+      for (const Bins& bins : all_bins) draw_bins(tile, bins, worker);
+    }
+    drawn.store(framebuffer_);
+  }
+
+  /// Where the records of a tile's triangles are, one after the other: anywhere, so that they are
+  /// asked for before their turn.
+  static void list_records(std::size_t tile, std::span<const Bins> all_bins, Worker& worker) {
+    worker.records.clear();
+    worker.next_record = 0;
+    for (const Bins& bins : all_bins) {
+      const auto [first, last] = bins.triangles.range(tile);
+      for (std::size_t i = first; i < last; ++i) {
+        worker.records.push_back(bins.record(bins.by_tile[i]));
       }
     }
   }
-
-  /// Sorts triangles first … last − 1 by counting.
-  void sort(std::size_t first, std::size_t last, Worker& worker, Bins& bins) const {
-    worker.located.clear();
-    bins.ends.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
-    for (std::size_t t = first; t < last; ++t) {
-      PixelBox box;
-      const Fate fate = worker.drawing->locate(t, box);
-      count(fate, bins.counts);
-      if (fate != Fate::drawn) continue;
-      const TileBox tiles = tiles_of(box);
-      worker.located.emplace_back(static_cast<std::uint32_t>(t), tiles);
-      for_each_tile(tiles, [&bins](std::size_t tile) { ++bins.ends[tile]; });
-    }
-    std::size_t begin = 0;
-    for (std::uint32_t& end : bins.ends) {
-      const std::uint32_t of_tile = end;
-      end = static_cast<std::uint32_t>(begin);
-      begin += of_tile;
-    }
-    // Such a chunk needs 16 GiB.
-    if (begin > std::numeric_limits<std::uint32_t>::max()) throw std::length_error("bins");
-    bins.triangles.resize(begin);
-    // Each end starts at its tile's beginning and moves past what is put there.
-    for (const auto& [triangle, tiles] : worker.located) {
-      for_each_tile(tiles, [&bins, t = triangle](std::size_t tile) {
-        bins.triangles[bins.ends[tile]++] = t;
-      });
+  static void fetch_ahead(std::size_t record_size, Worker& worker) {
+    constexpr std::size_t kAhead = 6;
+    const std::size_t at = worker.next_record++ + kAhead;
+    if (at >= worker.records.size()) return;
+    constexpr std::size_t kLine = 64 / sizeof(double);
+    for (std::size_t i = 0; i < record_size; i += kLine) {
+      __builtin_prefetch(worker.records[at] + i);
     }
   }
 
-  void draw_tile(std::size_t tile, Worker& worker) {
-    worker.triangles.clear();
-    for (const Bins& bins : bins_) {
-      const std::span<const std::uint32_t> of_tile = bins.of(tile);
-      worker.triangles.insert(worker.triangles.end(), of_tile.begin(), of_tile.end());
+  /// What of a chunk is in a tile: fragments and triangles, in the order of their triangles.
+  void draw_bins(std::size_t tile, const Bins& bins, Worker& worker) {
+    const std::size_t size = 2 + setting_.state.attributes.size();
+    auto [fragment, last_fragment] = bins.fragments.range(tile);
+    const auto [first_triangle, last_triangle] = bins.triangles.range(tile);
+    const auto put = [&](std::size_t begin, std::size_t end) {
+      if (begin == end) return;
+      put_fragments(*kernel_, std::span(bins.words).subspan(begin * size, (end - begin) * size),
+                    worker.tile.area(0));
+    };
+    for (std::size_t i = first_triangle; i < last_triangle; ++i) {
+      fetch_ahead(bins.record_size, worker);
+      const BinnedTriangle binned = bins.binned(bins.by_tile[i]);
+      const std::size_t begin = fragment;
+      while (fragment < last_fragment &&
+             triangle_of(bins.words[fragment * size]) < binned.triangle - bins.first) {
+        ++fragment;
+      }
+      put(begin, fragment);
+      draw_triangle(binned, worker);
     }
-    if (worker.triangles.empty()) return;
-    const auto columns = static_cast<std::size_t>(columns_);
-    worker.tile.load(framebuffer_, static_cast<int>(tile % columns),
-                     static_cast<int>(tile / columns));
-    worker.drawing->draw(worker.triangles, worker.tile);
-    worker.tile.store(framebuffer_);
+    put(fragment, last_fragment);
+  }
+
+  void draw_triangle(const BinnedTriangle& binned, Worker& worker) {
+    Tile& tile = worker.tile.tile();
+    if (binned.numbers == nullptr) {
+      worker.drawing->draw(binned.triangle, tile, ~Mask{0});
+      return;
+    }
+    const PixelRange columns = intersection(binned.box.columns, tile.columns());
+    const PixelRange rows = intersection(binned.box.rows, tile.rows());
+    const int left = tile.columns().begin;
+    const int top = tile.rows().begin;
+    const TilePart part{{columns.begin - left, columns.end - left},
+                        {rows.begin - top, rows.end - top}};
+    Mask undrawn = 0;
+    for (std::size_t s = 0; s < kernel_->samples; ++s) {
+      undrawn |= draw_sample(binned, part, worker.tile.area(s));
+    }
+    worker.tile.count_triangle();
+    // Samples that were drawn are drawn once more, and come out the same.
+    if (undrawn != 0) worker.drawing->draw(binned.triangle, tile, undrawn);
+  }
+
+  /// Draws one sample of the pixels of a part; returns the rows that it left out.
+  Mask draw_sample(const BinnedTriangle& binned, const TilePart& part, const TileArea& area) const {
+    const Undrawn undrawn = shade_triangle(*kernel_, binned.numbers, area, part);
+    for (std::size_t i = 0; i < undrawn.vertex_count; ++i) {
+      const VertexSample& sample = undrawn.vertices[i];
+      const glm::uvec3& corners = mesh_.triangles[binned.triangle];
+      const std::size_t vertex = corners[static_cast<glm::length_t>(sample.vertex)];
+      const std::size_t attributes = kernel_->attributes;
+      put_vertex(*kernel_, binned.numbers, sample,
+                 mesh_.attributes.subspan(vertex * attributes, attributes), area);
+    }
+    return undrawn.rows;
   }
 
   const DrawSetting setting_;
   const Mesh& mesh_;
   Framebuffer& framebuffer_;
-  int columns_;  ///< of tiles
-  int rows_;
+  std::optional<float> clear_depth_;
+  std::size_t columns_;  ///< of tiles
+  std::size_t tiles_;
+  std::optional<KernelSetting> kernel_;
   std::size_t chunk_ = 0;  ///< triangles of a chunk
-  std::vector<Worker> workers_;
-  std::vector<Bins> bins_;  ///< [chunk]
+  std::size_t chunks_ = 0;
+  std::size_t wave_ = 1;  ///< chunks of a wave
+  std::vector<std::unique_ptr<Worker>> workers_;
+  std::vector<Bins> bins_;  ///< of the chunks at hand
 };
 
 }  // namespace
 
 DrawCounts draw_frame(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
-                      std::size_t workers) {
+                      std::size_t workers, std::optional<float> clear_depth) {
   State drawn = state;
   drawn.derivatives = false;  // a framebuffer holds none
-  return FrameDrawing(drawn, mesh, framebuffer, workers).draw();
+  // Double is what the kernels are made for; float32 would be slower, and less exact.
+  drawn.precision = Precision::float64;
+  return FrameDrawing(drawn, mesh, framebuffer, workers, clear_depth).draw();
 }
 
 }  // namespace rastercheck::rasterizer

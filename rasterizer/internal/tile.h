@@ -6,14 +6,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/draw_bounds.h"
+#include "rasterizer/internal/tile_kernels.h"
 #include "rasterizer/rasterizer.h"
 
 namespace rastercheck::rasterizer {
-
-/// Pixels per side: a row of a tile is a block.
-inline constexpr int kTileSize = kBlockSize;
 
 class Tile {
  public:
@@ -22,24 +19,32 @@ class Tile {
 
   /// The tile's pixels of the framebuffer, at tile column and row.
   void load(const Framebuffer& framebuffer, int column, int row);
+  /// The same pixels, all of that depth and with attributes 0.
+  void clear(const Framebuffer& framebuffer, int column, int row, float depth);
   /// Writes them back.
   void store(Framebuffer& framebuffer) const;
 
   const PixelRange& columns() const { return columns_; }
   const PixelRange& rows() const { return rows_; }
 
+  /// One sample of all pixels, [row][column].
+  float* depths(std::size_t sample) { return depth_.data() + sample * kSize; }
+  float* values(std::size_t attribute, std::size_t sample) {
+    return attributes_.data() + (attribute * samples_ + sample) * kSize;
+  }
   /// The row of window row y: kTileSize values from columns().begin.
-  float* depth(std::size_t sample, int y) { return depth_.data() + offset(sample, y); }
+  float* depth(std::size_t sample, int y) { return depths(sample) + offset(y); }
   float* attribute(std::size_t attribute, std::size_t sample, int y) {
-    return attributes_.data() + attribute * depth_.size() + offset(sample, y);
+    return values(attribute, sample) + offset(y);
   }
 
  private:
-  std::size_t offset(std::size_t sample, int y) const {
-    const auto row = static_cast<std::size_t>(y - rows_.begin);
-    return (sample * kTileSize + row) * kTileSize;
-  }
-  std::size_t width() const { return static_cast<std::size_t>(columns_.end - columns_.begin); }
+  static constexpr std::size_t kSize = std::size_t{kTileSize} * kTileSize;
+
+  void move_to(const Framebuffer& framebuffer, int column, int row);
+  std::size_t offset(int y) const { return static_cast<std::size_t>(y - rows_.begin) * kTileSize; }
+  std::size_t first_pixel(const Framebuffer& framebuffer) const;
+  TileRows rows_of(std::span<float* const> arrays, const Framebuffer& framebuffer) const;
 
   std::size_t samples_;
   std::size_t attribute_count_;
@@ -47,6 +52,9 @@ class Tile {
   PixelRange rows_;
   std::vector<float> depth_;       ///< [sample][row][column]
   std::vector<float> attributes_;  ///< [attribute][sample][row][column]
+  // What lies side by side in framebuffers.
+  std::vector<float*> depth_arrays_;      ///< [sample]
+  std::vector<float*> attribute_arrays_;  ///< [sample][attribute]
 };
 
 /// Tiles of a row and of a column that hold so many pixels.

@@ -2,6 +2,15 @@
 
 #include "rasterizer/internal/tile_kernels.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
+#include <type_traits>
+
+#include "rasterizer/internal/group_kernels.h"
+#include "rasterizer/internal/masks.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/internal/tile_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -16,157 +25,474 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Floats = hn::CappedTag<float, 16>;
 
-void Interleave(std::span<const float* const> rows, std::size_t width, float* out) {
+/// The arrays' rows of that number.
+template <std::size_t kCount>
+std::array<float*, kCount> RowsAt(const TileRows& rows, std::size_t y) {
+  std::array<float*, kCount> at{};
+  for (std::size_t k = 0; k < kCount; ++k) at[k] = rows.arrays[k] + y * kTileSize;
+  return at;
+}
+
+template <std::size_t kCount>
+void InterleaveRows(const TileRows& rows, float* out) {
   const Floats d;
-  const std::size_t count = rows.size();
-  std::size_t i = 0;
-  const std::size_t whole = width - width % hn::Lanes(d);
-  if (count == 1) {
-    for (; i < whole; i += hn::Lanes(d)) hn::StoreU(hn::LoadU(d, rows[0] + i), d, out + i);
-  } else if (count == 2) {
+  const std::size_t whole = rows.width - rows.width % hn::Lanes(d);
+  for (std::size_t y = 0; y < rows.height; ++y, out += rows.pitch) {
+    const auto in = RowsAt<kCount>(rows, y);
+    std::size_t i = 0;
     for (; i < whole; i += hn::Lanes(d)) {
-      hn::StoreInterleaved2(hn::LoadU(d, rows[0] + i), hn::LoadU(d, rows[1] + i), d, out + 2 * i);
+      if constexpr (kCount == 1) hn::StoreU(hn::LoadU(d, in[0] + i), d, out + i);
+      if constexpr (kCount == 2) {
+        hn::StoreInterleaved2(hn::LoadU(d, in[0] + i), hn::LoadU(d, in[1] + i), d, out + 2 * i);
+      }
+      if constexpr (kCount == 4) {
+        hn::StoreInterleaved4(hn::LoadU(d, in[0] + i), hn::LoadU(d, in[1] + i),
+                              hn::LoadU(d, in[2] + i), hn::LoadU(d, in[3] + i), d, out + 4 * i);
+      }
     }
-  } else if (count == 4) {
-    for (; i < whole; i += hn::Lanes(d)) {
-      hn::StoreInterleaved4(hn::LoadU(d, rows[0] + i), hn::LoadU(d, rows[1] + i),
-                            hn::LoadU(d, rows[2] + i), hn::LoadU(d, rows[3] + i), d, out + 4 * i);
+    for (; i < rows.width; ++i) {
+      for (std::size_t k = 0; k < kCount; ++k) out[kCount * i + k] = in[k][i];
     }
-  }
-  for (; i < width; ++i) {
-    for (std::size_t k = 0; k < count; ++k) out[count * i + k] = rows[k][i];
   }
 }
 
-void Separate(const float* in, std::span<float* const> rows, std::size_t width) {
+template <std::size_t kCount>
+void SeparateRows(const float* in, const TileRows& rows) {
   const Floats d;
-  const std::size_t count = rows.size();
-  std::size_t i = 0;
-  const std::size_t whole = width - width % hn::Lanes(d);
-  if (count == 1) {
-    for (; i < whole; i += hn::Lanes(d)) hn::StoreU(hn::LoadU(d, in + i), d, rows[0] + i);
-  } else if (count == 2) {
-    for (; i < whole; i += hn::Lanes(d)) {
-      hn::Vec<Floats> first;
-      hn::Vec<Floats> second;
-      hn::LoadInterleaved2(d, in + 2 * i, first, second);
-      hn::StoreU(first, d, rows[0] + i);
-      hn::StoreU(second, d, rows[1] + i);
-    }
-  } else if (count == 4) {
+  const std::size_t whole = rows.width - rows.width % hn::Lanes(d);
+  for (std::size_t y = 0; y < rows.height; ++y, in += rows.pitch) {
+    const auto out = RowsAt<kCount>(rows, y);
+    std::size_t i = 0;
     for (; i < whole; i += hn::Lanes(d)) {
       std::array<hn::Vec<Floats>, 4> v;
-      hn::LoadInterleaved4(d, in + 4 * i, v[0], v[1], v[2], v[3]);
-      for (std::size_t k = 0; k < 4; ++k) hn::StoreU(v[k], d, rows[k] + i);
+      if constexpr (kCount == 1) v[0] = hn::LoadU(d, in + i);
+      if constexpr (kCount == 2) hn::LoadInterleaved2(d, in + 2 * i, v[0], v[1]);
+      if constexpr (kCount == 4) hn::LoadInterleaved4(d, in + 4 * i, v[0], v[1], v[2], v[3]);
+      for (std::size_t k = 0; k < kCount; ++k) hn::StoreU(v[k], d, out[k] + i);
+    }
+    for (; i < rows.width; ++i) {
+      for (std::size_t k = 0; k < kCount; ++k) out[k][i] = in[kCount * i + k];
     }
   }
-  for (; i < width; ++i) {
-    for (std::size_t k = 0; k < count; ++k) rows[k][i] = in[count * i + k];
+}
+
+void Interleave(const TileRows& rows, float* out) {
+  const std::size_t count = rows.arrays.size();
+  if (count == 1) return InterleaveRows<1>(rows, out);
+  if (count == 2) return InterleaveRows<2>(rows, out);
+  if (count == 4) return InterleaveRows<4>(rows, out);
+  for (std::size_t y = 0; y < rows.height; ++y) {
+    for (std::size_t i = 0; i < rows.width; ++i) {
+      for (std::size_t k = 0; k < count; ++k) {
+        out[rows.pitch * y + count * i + k] = rows.arrays[k][kTileSize * y + i];
+      }
+    }
+  }
+}
+
+void Separate(const float* in, const TileRows& rows) {
+  const std::size_t count = rows.arrays.size();
+  if (count == 1) return SeparateRows<1>(in, rows);
+  if (count == 2) return SeparateRows<2>(in, rows);
+  if (count == 4) return SeparateRows<4>(in, rows);
+  for (std::size_t y = 0; y < rows.height; ++y) {
+    for (std::size_t i = 0; i < rows.width; ++i) {
+      for (std::size_t k = 0; k < count; ++k) {
+        rows.arrays[k][kTileSize * y + i] = in[rows.pitch * y + count * i + k];
+      }
+    }
   }
 }
 
 // At most eight lanes: masks are bytes.
 using Doubles = hn::CappedTag<double, 8>;
 using Halves = hn::Rebind<float, Doubles>;
+using Ints = hn::Rebind<std::int32_t, Doubles>;
+using Vector = hn::Vec<Doubles>;
+using Numbers = TriangleNumbers;
 
-template <class D, class M>
-std::uint64_t bits_of([[maybe_unused]] D d, M mask) {
+HWY_INLINE std::uint64_t BitsOf(hn::Mask<Doubles> lanes) {
   alignas(8) std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(d, mask, bytes.data());
+  hn::StoreMaskBits(Doubles(), lanes, bytes.data());
   return bytes[0];
 }
 
-struct Weights {
-  hn::Vec<Doubles> e0;
-  hn::Vec<Doubles> e1;
-  hn::Vec<Doubles> e2;
+/// A plane's numbers.
+struct PlaneOf {
+  double a;
+  double b;
+  double c;
 };
 
-/// Σ k_i E_i.
-HWY_INLINE hn::Vec<Doubles> Combine(const std::array<double, 3>& k, const Weights& e) {
-  const Doubles d;
-  const auto first = hn::Mul(hn::Set(d, k[0]), e.e0);
-  const auto second = hn::Mul(hn::Set(d, k[1]), e.e1);
-  const auto third = hn::Mul(hn::Set(d, k[2]), e.e2);
-  return hn::Add(hn::Add(first, second), third);
+PlaneOf PlaneAt(const double* numbers, std::size_t at) {
+  return {numbers[at], numbers[at + 1], numbers[at + 2]};
 }
 
-HWY_INLINE hn::Vec<Halves> Depth(const ShadedTriangle& triangle, const Weights& e) {
+using Columns = std::array<std::int32_t, kTileSize + kTilePadding>;
+
+/// Of each row the columns that are surely within all half-planes, and those that may be.
+struct Spans {
+  alignas(64) Columns begin;
+  alignas(64) Columns end;
+  alignas(64) Columns possible_begin;
+  alignas(64) Columns possible_end;
+  std::uint64_t unknown = 0;  ///< rows for which that is not known
+};
+
+HWY_INLINE void RaiseTo(hn::Vec<Ints> value, std::int32_t* out) {
+  const Ints ints;
+  hn::StoreU(hn::Max(hn::LoadU(ints, out), value), ints, out);
+}
+
+HWY_INLINE void LowerTo(hn::Vec<Ints> value, std::int32_t* out) {
+  const Ints ints;
+  hn::StoreU(hn::Min(hn::LoadU(ints, out), value), ints, out);
+}
+
+/// All columns of a part.
+HWY_INLINE void SetWhole(const TilePart& part, Spans& spans) {
+  const Ints ints;
+  const auto begin = hn::Set(ints, part.columns.begin);
+  const auto end = hn::Set(ints, part.columns.end);
+  for (int y = part.rows.begin; y < part.rows.end; y += static_cast<int>(hn::Lanes(ints))) {
+    hn::StoreU(begin, ints, spans.begin.data() + y);
+    hn::StoreU(end, ints, spans.end.data() + y);
+    hn::StoreU(begin, ints, spans.possible_begin.data() + y);
+    hn::StoreU(end, ints, spans.possible_end.data() + y);
+  }
+}
+
+/// Cuts the spans of a part's rows to a half-plane. Its values go up, or down, along a row, so that
+/// what is surely within begins, or ends, somewhere: about where the line crosses the limit, and
+/// exactly there if the samples on either side of that say so. Where the one outside may be within
+/// nevertheless, so may be all beyond it. Returns the rows in which the one within is exactly on
+/// the line.
+HWY_INLINE std::uint64_t CutSpans(const KernelSetting& setting, const double* numbers,
+                                  std::size_t index, const TileArea& area, const TilePart& part,
+                                  Spans& spans) {
   const Doubles d;
+  const Ints ints;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const double a = numbers[Numbers::kA + index];
+  const double slope = a * setting.u_step;
+  const bool rises = slope > 0;
+  const auto along = hn::Set(d, a);
+  const auto b = hn::Set(d, numbers[Numbers::kB + index]);
+  const auto c = hn::Set(d, numbers[Numbers::kC + index]);
+  const auto sure = hn::Set(d, numbers[Numbers::kSure + index]);
+  const auto possible = hn::Set(d, numbers[Numbers::kPossible + index]);
+  const auto u_first = hn::Set(d, area.u[0]);
+  const auto u_step = hn::Set(d, setting.u_step);
+  // Samples on a line without a band are within where its limit is below 0. A crossing at such
+  // a sample is exact, as its quotient is whole.
+  const auto limit = hn::Max(sure, hn::Zero(d));
+  const bool owns_zero = numbers[Numbers::kSure + index] < 0;
+  const bool is_before = rises == owns_zero;  // what is at the crossing comes after it
+  const auto first = hn::Set(d, static_cast<double>(part.columns.begin - 1));
+  const auto last = hn::Set(d, static_cast<double>(part.columns.end - 1));
+  const auto one = hn::Set(d, 1.0);
+  std::uint64_t on_line = 0;
+  for (int y = part.rows.begin; y < part.rows.end; y += lanes) {
+    const auto row = hn::Add(hn::Mul(b, hn::LoadU(d, area.v + y)), c);
+    // The last column before the crossing.
+    auto crossing = hn::IfThenElse(hn::Gt(row, sure), last, first);
+    if (slope != 0) {
+      const auto at_first = hn::Add(hn::Mul(along, u_first), row);
+      const auto exact = hn::Div(hn::Sub(limit, at_first), hn::Set(d, slope));
+      crossing = is_before ? hn::Sub(hn::Ceil(exact), one) : hn::Floor(exact);
+    }
+    const auto before = hn::Min(hn::Max(crossing, first), last);
+    const auto u = hn::Add(u_first, hn::Mul(before, u_step));
+    const auto e_before = hn::Add(hn::Mul(along, u), row);
+    const auto e_after = hn::Add(hn::Mul(along, hn::Add(u, u_step)), row);
+    const auto starts = hn::Eq(before, first);
+    const auto ends = hn::Eq(before, last);
+    // The samples on either side, where they are in the part.
+    const auto outside = rises ? e_before : e_after;
+    const auto inside = rises ? e_after : e_before;
+    const auto no_outside = rises ? starts : ends;
+    const auto no_inside = rises ? ends : starts;
+    const auto is_out = hn::Or(no_outside, hn::Not(hn::Gt(outside, sure)));
+    const auto is_in = hn::Or(no_inside, hn::Gt(inside, sure));
+    const auto is_far = hn::Or(no_outside, hn::Not(hn::Gt(outside, possible)));
+    const std::uint64_t of_lanes = (1U << lanes) - 1;
+    spans.unknown |= (~BitsOf(hn::And(is_out, is_in)) & of_lanes) << y;
+    on_line |= BitsOf(hn::Eq(inside, hn::Zero(d))) << y;
+    const auto after = hn::Add(before, one);
+    const auto sure_column = hn::DemoteTo(ints, after);
+    if (rises) {
+      const auto begin = hn::Set(d, static_cast<double>(part.columns.begin));
+      RaiseTo(sure_column, spans.begin.data() + y);
+      RaiseTo(hn::DemoteTo(ints, hn::IfThenElse(is_far, after, begin)),
+              spans.possible_begin.data() + y);
+    } else {
+      const auto end = hn::Set(d, static_cast<double>(part.columns.end));
+      LowerTo(sure_column, spans.end.data() + y);
+      LowerTo(hn::DemoteTo(ints, hn::IfThenElse(is_far, after, end)),
+              spans.possible_end.data() + y);
+    }
+  }
+  return on_line;
+}
+
+/// Rows in which there may be samples, and those of them that are not known to be just the surely
+/// covered ones.
+struct RowKinds {
+  std::uint64_t touched = 0;
+  std::uint64_t doubtful = 0;
+};
+
+HWY_INLINE std::uint64_t RowsOfPart(const TilePart& part) {
+  const int rows = part.rows.end - part.rows.begin;
+  return ~std::uint64_t{0} >> (kTileSize - rows) << part.rows.begin;
+}
+
+HWY_INLINE RowKinds KindsOf(const TilePart& part, const Spans& spans) {
+  const Doubles d;
+  const Ints ints;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  RowKinds kinds;
+  for (int y = part.rows.begin; y < part.rows.end; y += lanes) {
+    const auto possible_begin = hn::LoadU(ints, spans.possible_begin.data() + y);
+    const auto possible_end = hn::LoadU(ints, spans.possible_end.data() + y);
+    const auto begin = hn::LoadU(ints, spans.begin.data() + y);
+    const auto end = hn::LoadU(ints, spans.end.data() + y);
+    const auto is_same = hn::And(hn::Eq(begin, possible_begin), hn::Eq(end, possible_end));
+    const auto width = hn::PromoteTo(d, hn::Sub(possible_end, possible_begin));
+    const auto differs = hn::PromoteTo(d, hn::IfThenZeroElse(is_same, hn::Set(ints, 1)));
+    kinds.touched |= BitsOf(hn::Gt(width, hn::Zero(d))) << y;
+    kinds.doubtful |= BitsOf(hn::Gt(differs, hn::Zero(d))) << y;
+  }
+  kinds.touched &= RowsOfPart(part);
+  kinds.doubtful = (kinds.doubtful | spans.unknown) & kinds.touched;
+  return kinds;
+}
+
+/// Replaces what `lanes` says.
+HWY_INLINE void PutWhere(hn::Mask<Halves> lanes, hn::Vec<Halves> value, float* out) {
   const Halves floats;
-  if (triangle.has_constant_depth) return hn::Set(floats, triangle.constant_depth);
-  const DepthLine& line = triangle.depth;
-  const auto z = hn::Mul(Combine(line.k, e), hn::Set(d, line.scale));
-  const auto depth = hn::Add(hn::Set(d, line.low), hn::Mul(hn::Set(d, line.span), z));
-  return hn::DemoteTo(floats,
-                      hn::Min(hn::Max(depth, hn::Set(d, line.least)), hn::Set(d, line.greatest)));
+#if HWY_TARGET <= HWY_AVX3
+  hn::BlendedStore(value, lanes, floats, out);
+#else
+  hn::StoreU(hn::IfThenElse(lanes, value, hn::LoadU(floats, out)), floats, out);
+#endif
 }
 
-std::uint64_t ShadeRow(const ShadedTriangle& triangle, const TileRow& row) {
+/// What is the same along each row: B V + C of a plane.
+struct RowsOf {
+  alignas(64) std::array<double, kTileSize + kTilePadding> at;
+};
+
+HWY_INLINE void SetRows(const PlaneOf& plane, const TileArea& area, const TilePart& part,
+                        RowsOf& rows) {
+  const Doubles d;
+  for (int y = part.rows.begin; y < part.rows.end; y += static_cast<int>(hn::Lanes(d))) {
+    const auto v = hn::LoadU(d, area.v + y);
+    hn::StoreU(hn::Add(hn::Mul(hn::Set(d, plane.b), v), hn::Set(d, plane.c)), d,
+               rows.at.data() + y);
+  }
+}
+
+/// Draws rows of a triangle, each from spans.begin to spans.end, with `kAttributes` attributes, or
+/// as many as the setting says where it is 0. `kPlain`: all attributes are smooth, and depth is
+/// tested.
+template <std::size_t kAttributes, bool kPlain>
+void ShadeSpans(const KernelSetting& setting, const double* numbers, const TileArea& area,
+                const TilePart& part, const Spans& spans, std::uint64_t rows) {
   const Doubles d;
   const Halves floats;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const auto zero = hn::Zero(d);
-  std::uint64_t left_out = 0;
-  for (int j = row.begin - row.begin % lanes; j < row.end; j += lanes) {
-    const auto u = hn::LoadU(d, row.u + j);
-    auto possible = hn::FirstN(d, static_cast<std::size_t>(row.end - j));
-    auto sure = possible;
-    const auto edge = [&](std::size_t i) HWY_ATTR {
-      const auto e = hn::Add(hn::Mul(hn::Set(d, triangle.a[i]), u), hn::Set(d, row.edge[i]));
-      switch (triangle.edges[i]) {
-        case ShadedTriangle::Edge::banded: {
-          const auto band = hn::Set(d, triangle.band[i]);
-          possible = hn::And(possible, hn::Ge(e, hn::Neg(band)));
-          sure = hn::And(sure, hn::Gt(e, band));
-          break;
+  const std::size_t count = kAttributes == 0 ? setting.attributes : kAttributes;
+  const bool has_smooth = kPlain || setting.has_smooth;
+  const bool tests_depth = kPlain || setting.tests_depth;
+  const PlaneOf sum{numbers[Numbers::kA + Numbers::kDenominator],
+                    numbers[Numbers::kB + Numbers::kDenominator],
+                    numbers[Numbers::kC + Numbers::kDenominator]};
+  const PlaneOf depth_plane = PlaneAt(numbers, Numbers::kDepth);
+  RowsOf sum_rows;
+  RowsOf depth_rows;
+  constexpr std::size_t kMost = kAttributes == 0 ? kMaxAttributes : kAttributes;
+  std::array<RowsOf, kMost> value_rows;
+  if (has_smooth) SetRows(sum, area, part, sum_rows);
+  SetRows(depth_plane, area, part, depth_rows);
+  for (std::size_t a = 0; a < count; ++a) {
+    SetRows(PlaneAt(numbers, Numbers::kValues + 3 * a), area, part, value_rows[a]);
+  }
+  // Copies, as stores through pointers might change what is read through others.
+  const double* const area_u = area.u;
+  float* const area_depth = area.depth;
+  std::array<float*, kMost> area_values;
+  std::array<double, kMost> value_a;
+  for (std::size_t a = 0; a < count; ++a) {
+    area_values[a] = area.attributes[a];
+    const bool is_flat = setting.interpolation[a] == Interpolation::flat;
+    value_a[a] = numbers[Numbers::kValues + 3 * a + (is_flat ? 2 : 0)];
+  }
+  const auto sum_a = hn::Set(d, sum.a);
+  const auto depth_a = hn::Set(d, depth_plane.a);
+  const auto least = hn::Set(d, setting.depth_least);
+  const auto greatest = hn::Set(d, setting.depth_greatest);
+  for (; rows != 0; rows &= rows - 1) {
+    const auto y = static_cast<std::size_t>(std::countr_zero(rows));
+    const std::int32_t end = spans.end[y];
+    const auto depth_row = hn::Set(d, depth_rows.at[y]);
+    float* const depth_out = area_depth + y * kTileSize;
+    for (std::int32_t x = spans.begin[y]; x < end; x += lanes) {
+      const auto u = hn::LoadU(d, area_u + x);
+      const auto value = hn::Add(hn::Mul(depth_a, u), depth_row);
+      const auto depth = hn::DemoteTo(floats, hn::Min(hn::Max(value, least), greatest));
+      auto mask = hn::FirstN(floats, static_cast<std::size_t>(end - x));
+      if (tests_depth) {
+        mask = hn::And(mask, hn::Lt(depth, hn::LoadU(floats, depth_out + x)));
+        if (hn::AllFalse(floats, mask)) continue;
+      }
+      PutWhere(mask, depth, depth_out + x);
+      auto reciprocal = hn::Zero(d);
+      if (has_smooth) {
+        const auto denominator = hn::Add(hn::Mul(sum_a, u), hn::Set(d, sum_rows.at[y]));
+        reciprocal = hn::Div(hn::Set(d, 1.0), denominator);
+      }
+      for (std::size_t a = 0; a < count; ++a) {
+        float* const out = area_values[a] + y * kTileSize + x;
+        if (!kPlain && setting.interpolation[a] == Interpolation::flat) {
+          PutWhere(mask, hn::Set(floats, static_cast<float>(value_a[a])), out);
+          continue;
         }
-        case ShadedTriangle::Edge::open:
-          possible = hn::And(possible, hn::Gt(e, zero));
-          break;
-        case ShadedTriangle::Edge::closed:
-          possible = hn::And(possible, hn::Ge(e, zero));
-          break;
+        auto r = hn::Add(hn::Mul(hn::Set(d, value_a[a]), u), hn::Set(d, value_rows[a].at[y]));
+        if (kPlain || setting.interpolation[a] == Interpolation::smooth) r = hn::Mul(r, reciprocal);
+        PutWhere(mask, hn::DemoteTo(floats, r), out);
       }
-      return e;
-    };
-    const Weights e{edge(0), edge(1), edge(2)};
-    sure = hn::And(sure, possible);
-    std::uint64_t possible_bits = bits_of(d, possible);
-    if (j < row.begin) possible_bits &= ~std::uint64_t{0} << (row.begin - j);
-    if (possible_bits == 0) continue;
-    const auto sum = hn::Add(hn::Add(e.e0, e.e1), e.e2);
-    auto drawn = sure;
-    if (triangle.has_smooth) drawn = hn::And(drawn, hn::Gt(sum, hn::Set(d, triangle.least_sum)));
-    std::uint64_t drawn_bits = bits_of(d, drawn) & possible_bits;
-    left_out |= (possible_bits & ~drawn_bits) << j;
-    if (drawn_bits == 0) continue;
-
-    const auto depth = Depth(triangle, e);
-    const auto old_depth = hn::LoadU(floats, row.depth + j);
-    if (triangle.tests_depth) drawn_bits &= bits_of(floats, hn::Lt(depth, old_depth));
-    if (drawn_bits == 0) continue;
-    alignas(8) std::array<std::uint8_t, 8> bytes{static_cast<std::uint8_t>(drawn_bits)};
-    const auto mask = hn::LoadMaskBits(floats, bytes.data());
-    const auto put = [&](hn::Vec<Halves> value, float* out) HWY_ATTR {
-      hn::StoreU(hn::IfThenElse(mask, value, hn::LoadU(floats, out)), floats, out);
-    };
-    put(depth, row.depth + j);
-    auto reciprocal = zero;
-    if (triangle.has_smooth) reciprocal = hn::Div(hn::Set(d, 1.0), sum);
-    for (std::size_t a = 0; a < triangle.attributes.size(); ++a) {
-      const ShadedValue& value = triangle.attributes[a];
-      float* const out = row.attributes[a] + j;
-      if (value.kind == ValueKind::copied) {
-        put(hn::Set(floats, value.copy), out);
-        continue;
-      }
-      const auto factor =
-          value.kind == ValueKind::smooth ? reciprocal : hn::Set(d, triangle.affine_scale);
-      put(hn::DemoteTo(floats, hn::Mul(Combine(value.numerators, e), factor)), out);
     }
   }
-  return left_out;
+}
+
+/// Takes the sample at a vertex out of a row's span: one on two edges, the first or the last.
+void TakeVertices(const double* numbers, const TileArea& area, int y, Spans& spans,
+                  Undrawn& undrawn) {
+  const auto take = [&](int x) {
+    std::size_t on = 0;
+    std::size_t vertex = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double row = numbers[Numbers::kB + i] * area.v[y] + numbers[Numbers::kC + i];
+      const bool is_on = numbers[Numbers::kA + i] * area.u[x] + row == 0;
+      on += is_on ? 1 : 0;
+      if (!is_on) vertex = i;
+    }
+    if (on < 2) return false;
+    undrawn.vertices[undrawn.vertex_count++] = {x, y, vertex};
+    return true;
+  };
+  std::int32_t& begin = spans.begin[static_cast<std::size_t>(y)];
+  std::int32_t& end = spans.end[static_cast<std::size_t>(y)];
+  if (begin < end && take(begin)) ++begin;
+  if (begin < end && take(end - 1)) --end;
+}
+
+/// How a triangle's half-planes lie to a part of a tile: those that cut it, or that one has none of
+/// it. A line's least and greatest values there are at corners (plane.h).
+struct Position {
+  bool is_beside = false;
+  std::uint64_t cuts = 0;
+};
+
+HWY_INLINE Position PositionOf(const double* numbers, const TileArea& area, const TilePart& part) {
+  const Doubles d;
+  const auto u0 = hn::Set(d, area.u[part.columns.begin]);
+  const auto u1 = hn::Set(d, area.u[part.columns.end - 1]);
+  const auto v0 = hn::Set(d, area.v[part.rows.begin]);
+  const auto v1 = hn::Set(d, area.v[part.rows.end - 1]);
+  Position position;
+  for (std::size_t i = 0; i < Numbers::kHalfPlanes; i += hn::Lanes(d)) {
+    const auto a = hn::LoadU(d, numbers + Numbers::kA + i);
+    const auto b = hn::LoadU(d, numbers + Numbers::kB + i);
+    const auto c = hn::LoadU(d, numbers + Numbers::kC + i);
+    const auto sure = hn::LoadU(d, numbers + Numbers::kSure + i);
+    const auto possible = hn::LoadU(d, numbers + Numbers::kPossible + i);
+    const auto a0 = hn::Mul(a, u0);
+    const auto a1 = hn::Mul(a, u1);
+    const auto b0 = hn::Mul(b, v0);
+    const auto b1 = hn::Mul(b, v1);
+    const auto least = hn::Add(hn::Min(a0, a1), hn::Add(hn::Min(b0, b1), c));
+    const auto greatest = hn::Add(hn::Max(a0, a1), hn::Add(hn::Max(b0, b1), c));
+    // The vector may go beyond the last of them.
+    const auto those = hn::FirstN(d, Numbers::kHalfPlanes - i);
+    const auto beside = hn::And(those, hn::Not(hn::Gt(greatest, possible)));
+    const auto within = hn::Gt(least, hn::Max(sure, hn::Zero(d)));
+    position.is_beside = position.is_beside || BitsOf(beside) != 0;
+    position.cuts |= BitsOf(hn::AndNot(within, those)) << i;
+  }
+  return position;
+}
+
+void FindGreatest(const float* depth, std::span<float, kBands> greatest) {
+  const Floats d;
+  constexpr std::size_t kBandPixels = std::size_t{kBandSize} * kTileSize;
+  for (std::size_t band = 0; band < kBands; ++band) {
+    // NaNs are passed over: nothing is nearer than they are.
+    auto most = hn::Set(d, -std::numeric_limits<float>::infinity());
+    for (std::size_t i = 0; i < kBandPixels; i += hn::Lanes(d)) {
+      const auto depths = hn::LoadU(d, depth + band * kBandPixels + i);
+      most = hn::IfThenElse(hn::Gt(depths, most), depths, most);
+    }
+    greatest[band] = hn::GetLane(hn::MaxOfLanes(d, most));
+  }
+}
+
+/// Whether what is there is nowhere behind any of the triangle: neither is it where double is left
+/// to decide, as its depth is this plane's everywhere. Evaluating, clamping and rounding are
+/// monotone, so that the least depth is a corner's (plane.h).
+bool IsBehind(const KernelSetting& setting, const double* numbers, const TileArea& area,
+              const TilePart& part) {
+  if (!setting.tests_depth) return false;
+  const PlaneOf plane = PlaneAt(numbers, Numbers::kDepth);
+  const double along_u =
+      std::min(plane.a * area.u[part.columns.begin], plane.a * area.u[part.columns.end - 1]);
+  const double along_v =
+      std::min(plane.b * area.v[part.rows.begin], plane.b * area.v[part.rows.end - 1]);
+  const double value = along_u + (along_v + plane.c);
+  const auto least =
+      static_cast<float>(std::min(std::max(value, setting.depth_least), setting.depth_greatest));
+  for (int band = part.rows.begin / kBandSize; band * kBandSize < part.rows.end; ++band) {
+    if (!(least >= area.greatest[band])) return false;
+  }
+  return true;
+}
+
+Undrawn ShadeTriangle(const KernelSetting& setting, const double* numbers, const TileArea& area,
+                      const TilePart& part) {
+  const Position position = PositionOf(numbers, area, part);
+  if (position.is_beside || IsBehind(setting, numbers, area, part)) return {};
+  Spans spans;
+  SetWhole(part, spans);
+  std::array<std::uint64_t, Numbers::kHalfPlanes> on_line{};
+  for_each_bit(position.cuts, [&](int index) HWY_ATTR {
+    const auto at = static_cast<std::size_t>(index);
+    on_line[at] = CutSpans(setting, numbers, at, area, part, spans);
+  });
+  const RowKinds kinds = position.cuts == 0 ? RowKinds{RowsOfPart(part), 0} : KindsOf(part, spans);
+  const std::uint64_t rows = kinds.touched & ~kinds.doubtful;
+  Undrawn undrawn;
+  undrawn.rows = kinds.doubtful;
+  const std::uint64_t on_two =
+      (on_line[0] & on_line[1]) | (on_line[1] & on_line[2]) | (on_line[2] & on_line[0]);
+  for_each_bit(on_two & rows, [&](int y) { TakeVertices(numbers, area, y, spans, undrawn); });
+  const auto shade = [&](auto attributes, auto is_plain) {
+    ShadeSpans<decltype(attributes)::value, decltype(is_plain)::value>(setting, numbers, area, part,
+                                                                       spans, rows);
+  };
+  using Many = std::integral_constant<std::size_t, 0>;
+  if (!setting.is_plain) {
+    shade(Many(), std::false_type());
+  } else if (setting.attributes == 1) {
+    shade(std::integral_constant<std::size_t, 1>(), std::true_type());
+  } else if (setting.attributes == 2) {
+    shade(std::integral_constant<std::size_t, 2>(), std::true_type());
+  } else if (setting.attributes == 4) {
+    shade(std::integral_constant<std::size_t, 4>(), std::true_type());
+  } else {
+    shade(Many(), std::true_type());
+  }
+  return undrawn;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -178,18 +504,67 @@ namespace rastercheck::rasterizer {
 
 HWY_EXPORT(Interleave);
 HWY_EXPORT(Separate);
-HWY_EXPORT(ShadeRow);
+HWY_EXPORT(ShadeTriangle);
+HWY_EXPORT(FindGreatest);
 
-void interleave(std::span<const float* const> rows, std::size_t width, float* out) {
-  HWY_DYNAMIC_DISPATCH(Interleave)(rows, width, out);
+void interleave(const TileRows& rows, float* out) { HWY_DYNAMIC_DISPATCH(Interleave)(rows, out); }
+
+void separate(const float* in, const TileRows& rows) { HWY_DYNAMIC_DISPATCH(Separate)(in, rows); }
+
+void find_greatest(const float* depth, std::span<float, kBands> greatest) {
+  HWY_DYNAMIC_DISPATCH(FindGreatest)(depth, greatest);
 }
 
-void separate(const float* in, std::span<float* const> rows, std::size_t width) {
-  HWY_DYNAMIC_DISPATCH(Separate)(in, rows, width);
+Undrawn shade_triangle(const KernelSetting& setting, const double* numbers, const TileArea& area,
+                       const TilePart& part) {
+  return HWY_DYNAMIC_DISPATCH(ShadeTriangle)(setting, numbers, area, part);
 }
 
-std::uint64_t shade_row(const ShadedTriangle& triangle, const TileRow& row) {
-  return HWY_DYNAMIC_DISPATCH(ShadeRow)(triangle, row);
+namespace {
+
+/// `kAttributes` of them, or as many as the setting says where it is 0.
+template <std::size_t kAttributes>
+void put_fragments_of(const KernelSetting& setting, std::span<const std::uint32_t> words,
+                      const TileArea& area) {
+  const std::size_t attributes = kAttributes == 0 ? setting.attributes : kAttributes;
+  for (std::size_t at = 0; at < words.size(); at += 2 + attributes) {
+    // All is written, what stays as well: which of them are kept no processor foresees.
+    const std::size_t place = place_of(words[at]);
+    const float depth = std::bit_cast<float>(words[at + 1]);
+    const float old_depth = area.depth[place];
+    const bool is_kept = !setting.tests_depth || depth < old_depth;
+    area.depth[place] = is_kept ? depth : old_depth;
+    for (std::size_t a = 0; a < attributes; ++a) {
+      float& out = area.attributes[a][place];
+      const float value = std::bit_cast<float>(words[at + 2 + a]);
+      out = is_kept ? value : out;
+    }
+  }
+}
+
+}  // namespace
+
+void put_vertex(const KernelSetting& setting, const double* numbers, const VertexSample& sample,
+                std::span<const float> values, const TileArea& area) {
+  const double* const plane = numbers + TriangleNumbers::kDepth;
+  const double row = plane[1] * area.v[sample.row] + plane[2];
+  const double value = plane[0] * area.u[sample.column] + row;
+  const auto depth =
+      static_cast<float>(std::min(std::max(value, setting.depth_least), setting.depth_greatest));
+  const int place = sample.row * kTileSize + sample.column;
+  if (setting.tests_depth && !(depth < area.depth[place])) return;
+  area.depth[place] = depth;
+  for (std::size_t a = 0; a < setting.attributes; ++a) {
+    const bool is_flat = setting.interpolation[a] == Interpolation::flat;
+    const auto flat = static_cast<float>(numbers[TriangleNumbers::kValues + 3 * a + 2]);
+    area.attributes[a][place] = is_flat ? flat : values[a] + 0.0F;  // an exact sum is not −0
+  }
+}
+
+void put_fragments(const KernelSetting& setting, std::span<const std::uint32_t> words,
+                   const TileArea& area) {
+  if (setting.attributes == 2) return put_fragments_of<2>(setting, words, area);
+  put_fragments_of<0>(setting, words, area);
 }
 
 }  // namespace rastercheck::rasterizer

@@ -9,51 +9,76 @@
 #include <span>
 
 #include "rasterizer/internal/block_kernels.h"
+#include "rasterizer/internal/kernel_setting.h"
 
 namespace rastercheck::rasterizer {
 
-/// out[count · i + k] = rows[k][i] for i below `width`, count = rows.size().
-void interleave(std::span<const float* const> rows, std::size_t width, float* out);
-/// rows[k][i] = in[count · i + k].
-void separate(const float* in, std::span<float* const> rows, std::size_t width);
+/// Pixels per side: a row of a tile is a block.
+inline constexpr int kTileSize = kBlockSize;
+/// What whole vectors may read, or write back as it was, beyond the end of a tile's arrays.
+inline constexpr int kTilePadding = 8;
 
-/// An attribute of a triangle.
-struct ShadedValue {
-  ValueKind kind = ValueKind::copied;
-  std::array<double, 3> numerators{};
-  float copy = 0;
+/// Rows of arrays in a tile, and of the same numbers side by side in a framebuffer.
+struct TileRows {
+  std::span<float* const> arrays;  ///< [k]: row after row of kTileSize
+  std::size_t width = 0;           ///< of a row
+  std::size_t height = 0;
+  std::size_t pitch = 0;  ///< numbers from a row of the framebuffer to the next
 };
 
-/// A triangle whose values double holds, but for some samples (Certificates).
-struct ShadedTriangle {
-  std::array<double, 3> a{};
-  std::array<double, 3> band{};
-  /// What double knows of an edge: its sign beyond the band, or, where evaluating rounds nothing,
-  /// all; then a sample with E_i = 0 is inside iff the edge is closed.
-  enum class Edge { banded, open, closed };
-  std::array<Edge, 3> edges{};
-  double least_sum = 0;  ///< smooth values are certain where Σ E_i is above this
-  bool has_smooth = false;
-  double affine_scale = 0;  ///< 1 / (|det| T)
-  bool has_constant_depth = false;
-  float constant_depth = 0;
-  DepthLine depth;
-  std::span<const ShadedValue> attributes;
-  bool tests_depth = false;  ///< keeps a fragment iff its depth is less; else always
+/// out[pitch · y + count · i + k] = arrays[k][kTileSize · y + i], count = arrays.size().
+void interleave(const TileRows& rows, float* out);
+/// arrays[k][kTileSize · y + i] = in[pitch · y + count · i + k].
+void separate(const float* in, const TileRows& rows);
+
+/// A tile to be drawn into: what kernel settings and tiles (tile.h) say of it, as arrays.
+struct TileArea {
+  /// U of the samples of its columns and V of its rows. A vector more than it has may be read.
+  const double* u = nullptr;
+  const double* v = nullptr;
+  float* depth = nullptr;  ///< [row][column], kTileSize columns
+  std::span<float* const> attributes;
+  const float* greatest = nullptr;  ///< depth of each band: no number in it is greater
 };
 
-/// A row of a tile.
-struct TileRow {
-  const double* u = nullptr;     ///< U of each column's samples (sample_frame.h)
-  std::array<double, 3> edge{};  ///< b_i V + c_i T of the row
-  int begin = 0;                 ///< the columns that may be drawn
-  int end = 0;
-  float* depth = nullptr;
-  std::span<float* const> attributes;  ///< [attribute]
+/// Rows of a band of a tile.
+inline constexpr int kBandSize = 8;
+inline constexpr int kBands = kTileSize / kBandSize;
+
+/// The greatest of each band of a tile's depths.
+void find_greatest(const float* depth, std::span<float, kBands> greatest);
+
+/// Columns and rows of a tile.
+struct TilePart {
+  PixelRange columns;
+  PixelRange rows;
 };
 
-/// Draws the samples of the row that are surely inside and whose values are certain. Returns those
-/// left out that may be inside, by column.
-std::uint64_t shade_row(const ShadedTriangle& triangle, const TileRow& row);
+/// A sample of a tile that a vertex lies on.
+struct VertexSample {
+  int column = 0;
+  int row = 0;
+  std::size_t vertex = 0;
+};
+
+/// What of a triangle was not drawn.
+struct Undrawn {
+  /// Rows with samples that may be covered, but within a band, or for which double is not enough.
+  std::uint64_t rows = 0;
+  std::size_t vertex_count = 0;
+  std::array<VertexSample, 3> vertices;  ///< of other rows
+};
+
+/// Draws what of a triangle with these numbers (TriangleNumbers) lies in that part of a tile.
+Undrawn shade_triangle(const KernelSetting& setting, const double* numbers, const TileArea& area,
+                       const TilePart& part);
+
+/// Draws the sample at a vertex; values[a] are its attributes.
+void put_vertex(const KernelSetting& setting, const double* numbers, const VertexSample& sample,
+                std::span<const float> values, const TileArea& area);
+
+/// Draws fragments: words of key, depth and attributes one after the other.
+void put_fragments(const KernelSetting& setting, std::span<const std::uint32_t> words,
+                   const TileArea& area);
 
 }  // namespace rastercheck::rasterizer

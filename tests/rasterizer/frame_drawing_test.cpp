@@ -1,64 +1,23 @@
 // Draws into framebuffers, tile by tile: each sample is what its fragments, in order, leave there.
 
+#include "rasterizer/internal/frame_drawing.h"
+
 #include <gtest/gtest.h>
 
-#include <bit>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <utility>
 
 #include "rasterizer/rasterizer.h"
+#include "tests/rasterizer/kept_frame.h"
 #include "tests/rasterizer/random_draw.h"
 #include "tests/simd_targets.h"
 
 namespace rastercheck::rasterizer {
 namespace {
-
-/// The same bits, signs of zeros and NaN included.
-std::vector<std::uint32_t> bits_of(const std::vector<float>& values) {
-  std::vector<std::uint32_t> bits;
-  for (const float value : values) bits.push_back(std::bit_cast<std::uint32_t>(value));
-  return bits;
-}
-
-/// What the fragments leave, one by one.
-Framebuffer kept(const State& state, const Mesh& mesh, Framebuffer framebuffer) {
-  State plain = state;
-  plain.derivatives = false;
-  Fragments fragments;
-  EXPECT_FALSE(draw_fragments(plain, mesh, framebuffer.size, fragments).error);
-  const TargetSize& size = framebuffer.size;
-  const std::size_t attributes = framebuffer.attribute_count;
-  for (std::size_t i = 0; i < fragments.size(); ++i) {
-    const std::size_t pixel =
-        std::size_t{fragments.y[i]} * static_cast<std::size_t>(size.width) + fragments.x[i];
-    const std::size_t place = pixel * static_cast<std::size_t>(size.samples) + fragments.sample[i];
-    const bool is_nearer = fragments.depth[i] < framebuffer.depth[place];
-    if (state.depth_test == DepthTest::less && !is_nearer) continue;
-    framebuffer.depth[place] = fragments.depth[i];
-    std::copy_n(fragments.attributes.data() + i * attributes, attributes,
-                framebuffer.attributes.data() + place * attributes);
-  }
-  return framebuffer;
-}
-
-void expect_equal(const Framebuffer& a, const Framebuffer& b) {
-  ASSERT_EQ(bits_of(a.depth), bits_of(b.depth));
-  ASSERT_EQ(bits_of(a.attributes), bits_of(b.attributes));
-}
-
-/// Draws on one to three threads; all give what the fragments leave.
-void expect_kept(const State& state, const Mesh& mesh, const TargetSize& size) {
-  Framebuffer cleared;
-  ASSERT_FALSE(clear(cleared, size, state.attributes.size(), 1));
-  for (std::size_t i = 0; i < cleared.attributes.size(); ++i) {
-    cleared.attributes[i] = static_cast<float>(i);  // what is not drawn comes back
-  }
-  const Framebuffer expected = kept(state, mesh, cleared);
-  for (const unsigned threads : {1U, 2U, 3U}) {
-    Framebuffer drawn = cleared;
-    ASSERT_FALSE(draw(state, mesh, drawn, threads).error);
-    expect_equal(drawn, expected);
-  }
-}
 
 /// A mesh of many triangles of all sizes, some of which share vertices.
 SmallMesh many_triangles(Random& random, const State& state, int count) {
@@ -71,6 +30,33 @@ SmallMesh many_triangles(Random& random, const State& state, int count) {
     mesh.clip_distances.insert(mesh.clip_distances.end(), one.clip_distances.begin(),
                                one.clip_distances.end());
     for (const glm::uvec3& t : one.triangles) mesh.triangles.push_back(t + first);
+  }
+  return mesh;
+}
+
+/// A state that the kernels of frames draw themselves: all smooth, or a few of each kind.
+State frame_state(Random& random, const TargetSize& size) {
+  State state = small_state(size.width, size.height,
+                            random.pick({Convention::opengl, Convention::vulkan, Convention::d3d}));
+  state.depth_test = random.one_in(3) ? DepthTest::none : DepthTest::less;
+  state.attributes.resize(static_cast<std::size_t>(random.pick({0, 1, 2, 2, 3, 4})));
+  if (random.one_in(2)) return state;
+  for (Qualifier& qualifier : state.attributes) {
+    qualifier.interpolation =
+        random.pick({Interpolation::smooth, Interpolation::noperspective, Interpolation::flat});
+  }
+  return state;
+}
+
+/// Triangles of these corners, with values of all sizes.
+SmallMesh with_values(Random& random, const State& state, std::vector<glm::vec4> positions) {
+  SmallMesh mesh;
+  mesh.positions = std::move(positions);
+  for (std::uint32_t i = 0; i < mesh.positions.size(); i += 3) {
+    mesh.triangles.emplace_back(i, i + 1, i + 2);
+  }
+  for (std::size_t i = 0; i < mesh.positions.size() * state.attributes.size(); ++i) {
+    mesh.attributes.push_back(random.one_in(8) ? random.any_real() : random.real(-2, 2));
   }
   return mesh;
 }
@@ -102,6 +88,208 @@ TEST_P(DrawOnTarget, LeavesWhatItsFragmentsLeave) {
     expect_kept(draw.state, draw.mesh.mesh(), draw.size);
     if (HasFatalFailure()) return;
   }
+}
+
+/// A corner on the grid of half pixels: at samples, between them, on borders of tiles; within
+/// `reach` of `near`, or anywhere.
+glm::vec4 grid_corner(Random& random, const State& state, const TargetSize& size, glm::vec2 near,
+                      int reach) {
+  const auto coordinate = [&](float from, int side) {
+    if (random.one_in(16)) return random.pick({0.0F, 64.0F, 63.5F, 64.5F, 128.0F});
+    if (reach == 0) return static_cast<float>(random.between(-8, 2 * side + 8)) / 2;
+    return from + static_cast<float>(random.between(-reach, reach)) / 2;
+  };
+  const float u = coordinate(near.x, size.width);
+  const float v = coordinate(near.y, size.height);
+  return at(state, u, v, random.pick({1.0F, 1.0F, 0.5F, 4.0F}),
+            static_cast<float>(random.between(0, 8)) / 8);
+}
+
+// Kills: vertices whose values are interpolated; ties given away, or kept, in one of the kernels;
+// small triangles drawn after large ones of the same depth.
+TEST_P(DrawOnTarget, LeavesOnTheGridWhatItsFragmentsLeave) {
+  const OnTarget on_target(GetParam());
+  Random random(8);
+  for (int i = 0; i < 40; ++i) {
+    SCOPED_TRACE(i);
+    const TargetSize size{random.pick({64, 128}), random.pick({64, 128}), 1};
+    const State state = frame_state(random, size);
+    std::vector<glm::vec4> corners;
+    for (int triangle = 0; triangle < 150; ++triangle) {
+      const int reach = random.pick({0, 4, 7, 12});
+      const glm::vec2 near{random.between(0, size.width), random.between(0, size.height)};
+      const bool is_level = random.one_in(2);
+      for (int corner = 0; corner < 3; ++corner) {
+        corners.push_back(grid_corner(random, state, size, near, reach));
+        if (is_level) corners.back().z = corners.back().w / 2;
+      }
+    }
+    expect_kept(state, with_values(random, state, corners).mesh(), size);
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Kills: a depth plane that is not drawn by; eye-crossers that are held to a box; the horizon's
+// values taken from rounded weights.
+TEST_P(DrawOnTarget, LeavesBeforeAndBehindTheEyeWhatItsFragmentsLeave) {
+  const OnTarget on_target(GetParam());
+  Random random(9);
+  for (int i = 0; i < 40; ++i) {
+    SCOPED_TRACE(i);
+    const TargetSize size = random_size(random, 1);
+    const State state = frame_state(random, size);
+    std::vector<glm::vec4> corners;
+    for (int triangle = 0; triangle < 12; ++triangle) {
+      const bool is_on_grid = random.one_in(4);
+      for (int corner = 0; corner < 3; ++corner) {
+        // Some have w > 0 and z on both sides of the planes; more have w of both signs.
+        const float w = corner > 0 && random.one_in(2) ? -random.real(-3, 1) : random.real(-3, 1);
+        corners.emplace_back(random.real(-1, 3), random.real(-1, 3), w * random.real(-2, 1), w);
+        if (!is_on_grid) continue;
+        for (int k = 0; k < 4; ++k) corners.back()[k] = std::round(corners.back()[k] * 4) / 4;
+      }
+    }
+    expect_kept(state, with_values(random, state, corners).mesh(), size);
+    if (HasFatalFailure()) return;
+  }
+}
+
+/// Three corners within a few units in the last place of a diagonal through the middle of the
+/// viewport. Edges through the middle have small constants, so that the triangle's side is certain
+/// in double where its values are not.
+std::array<glm::vec4, 3> middle_sliver(Random& random) {
+  const float reach = random.pick({0.0625F, 1.5F});  // in a small box, or not
+  const float start = reach < 1 ? static_cast<float>(random.between(-15, 14)) / 16 : 0;
+  const float slope = random.pick({1.0F, -1.0F});
+  const bool is_level = random.one_in(2);
+  std::array<glm::vec4, 3> corners;
+  for (glm::vec4& p : corners) {
+    const float w = random.one_in(2) ? 1.0F : std::abs(random.real(-8, 7)) + 0x1p-10F;
+    const float x = w * (start + reach * random.real(-3, -1));
+    const float y = slope * x * (1 + static_cast<float>(random.between(-8, 8)) * 0x1p-23F);
+    p = {x, y, is_level ? w / 4 : w * std::abs(random.real(-12, -1)), w};
+  }
+  return corners;
+}
+
+// Kills: slivers whose depths, values or sides are taken from double unasked, wherever they are
+// drawn.
+TEST_P(DrawOnTarget, LeavesOfSliversWhatTheirFragmentsLeave) {
+  const OnTarget on_target(GetParam());
+  Random random(12);
+  for (int i = 0; i < 40; ++i) {
+    SCOPED_TRACE(i);
+    const int side = random.pick({7, 64, 65, 129});
+    const TargetSize size{side, side, 1};  // samples lie on the diagonals
+    const State state = frame_state(random, size);
+    std::vector<glm::vec4> corners;
+    for (int triangle = 0; triangle < 100; ++triangle) {
+      const std::array<glm::vec4, 3> sliver = middle_sliver(random);
+      corners.insert(corners.end(), sliver.begin(), sliver.end());
+    }
+    expect_kept(state, with_values(random, state, corners).mesh(), size);
+    if (HasFatalFailure()) return;
+  }
+}
+
+/// A framebuffer of any size with anything in it.
+Framebuffer used_framebuffer(Random& random) {
+  Framebuffer framebuffer;
+  framebuffer.size = random_size(random, random.pick({1, 2, 4}));
+  framebuffer.attribute_count = static_cast<std::size_t>(random.between(0, 4));
+  const auto samples = static_cast<std::size_t>(framebuffer.size.width) *
+                       static_cast<std::size_t>(framebuffer.size.height) *
+                       static_cast<std::size_t>(framebuffer.size.samples);
+  framebuffer.depth.assign(samples, random.pick({0.0F, 0.5F, -1.0F}));
+  framebuffer.attributes.assign(samples * framebuffer.attribute_count, 7);
+  return framebuffer;
+}
+
+// Kills: tiles that no triangle touches left as they were; what was there before.
+TEST(ClearAndDraw, LeavesWhatClearingAndDrawingLeave) {
+  Random random(10);
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    RandomDraw draw = random_draw(random);
+    draw.size = random_size(random, draw.size.samples);
+    draw.state.viewport = random_viewport(random, ViewportKind::plain, draw.size);
+    draw.state.depth_test = i % 3 == 0 ? DepthTest::none : DepthTest::less;
+    draw.mesh = many_triangles(random, draw.state, random.between(0, 3));
+    const float depth = random.pick({1.0F, 0.5F, 0.0F});
+    Framebuffer expected;
+    ASSERT_FALSE(clear(expected, draw.size, draw.state.attributes.size(), depth));
+    const DrawResult result = rasterizer::draw(draw.state, draw.mesh.mesh(), expected);
+    ASSERT_FALSE(result.error);
+    for (const unsigned threads : {1U, 3U}) {
+      Framebuffer drawn = random.one_in(4) ? expected : used_framebuffer(random);
+      const DrawResult at_once =
+          clear_and_draw(draw.state, draw.mesh.mesh(), draw.size, depth, drawn, threads);
+      ASSERT_FALSE(at_once.error);
+      EXPECT_EQ(at_once.counts, result.counts);
+      EXPECT_EQ(drawn.size.width, draw.size.width);
+      EXPECT_EQ(drawn.size.height, draw.size.height);
+      EXPECT_EQ(drawn.size.samples, draw.size.samples);
+      EXPECT_EQ(drawn.attribute_count, draw.state.attributes.size());
+      expect_equal(drawn, expected);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+// Kills: triangles that are left out and not counted, or counted once for each tile or worker.
+TEST(Draw, CountsWhatFragmentsCount) {
+  Random random(13);
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
+    const TargetSize size = random_size(random, 1);
+    const State state = frame_state(random, size);
+    std::vector<glm::vec4> corners;
+    for (int corner = 0; corner < 300; ++corner) {
+      corners.push_back(grid_corner(random, state, size, {size.width / 2, size.height / 2}, 3));
+      if (random.one_in(50)) corners.back().z = std::numeric_limits<float>::infinity();
+    }
+    const SmallMesh mesh = with_values(random, state, corners);
+    Fragments fragments;
+    const DrawCounts counts = draw_fragments(state, mesh.mesh(), size, fragments).counts;
+    EXPECT_GT(counts.discarded_not_finite, 0U);
+    EXPECT_GT(counts.discarded_degenerate, 0U);
+    for (const unsigned threads : {1U, 3U}) {
+      Framebuffer drawn;
+      EXPECT_EQ(clear_and_draw(state, mesh.mesh(), size, 1, drawn, threads).counts, counts);
+    }
+  }
+}
+
+// Kills: a round of chunks that starts over, or is left out; the tiles of a later one cleared.
+TEST(Draw, GoesOnWhereBinsOutgrowTheirMemory) {
+  constexpr std::uint32_t kRound = 65'536;  // triangles after which memory is looked at
+  const TargetSize size{70, 10, 1};
+  State state = small_state(size.width, size.height);
+  state.attributes.assign(6, {Interpolation::flat, Location::sample});
+  Random random(11);
+  std::vector<glm::vec4> corners;
+  for (int i = 0; i < 100; ++i) {
+    const float u = static_cast<float>(random.between(0, 62)) + 0.25F;
+    const float v = static_cast<float>(random.between(0, 2)) + 0.25F;
+    corners.insert(corners.end(), {at(state, u, v), at(state, u + 8, v), at(state, u + 1, v + 8)});
+  }
+  SmallMesh mesh = with_values(random, state, corners);
+  const std::vector<glm::uvec3> some = mesh.triangles;
+  for (std::uint32_t i = 1; mesh.triangles.size() < kRound + 3000; ++i) {
+    mesh.triangles.push_back(some[i * i % some.size()]);
+  }
+  Framebuffer cleared;
+  ASSERT_FALSE(clear(cleared, size, state.attributes.size(), 1));
+  const Framebuffer expected = kept(state, mesh.mesh(), cleared);
+  Framebuffer drawn;
+  ASSERT_FALSE(clear_and_draw(state, mesh.mesh(), size, 1, drawn, 2).error);
+  expect_equal(drawn, expected);
+
+  const Fragments fragments = fragments_of(state, mesh, size);
+  const auto first_round = std::count_if(fragments.triangle.begin(), fragments.triangle.end(),
+                                         [](std::uint32_t triangle) { return triangle < kRound; });
+  const std::size_t of_fragment = (2 + state.attributes.size()) * sizeof(float);
+  EXPECT_GT(static_cast<std::size_t>(first_round) * of_fragment, kBinMemory);
 }
 
 }  // namespace

@@ -1,0 +1,315 @@
+// What small triangles of a group cover, and their fragments. Included once for each SIMD target.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#if defined(RASTERCHECK_GROUP_FRAGMENTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERCHECK_GROUP_FRAGMENTS_INL_H_
+#undef RASTERCHECK_GROUP_FRAGMENTS_INL_H_
+#else
+#define RASTERCHECK_GROUP_FRAGMENTS_INL_H_
+#endif
+
+#include "rasterizer/internal/group_lanes-inl.h"
+#include "rasterizer/internal/masks.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rastercheck::rasterizer {
+namespace HWY_NAMESPACE {
+
+/// What small triangles cover: bit 8 y + x of a lane's word is a sample of its box, or one beyond.
+struct Cover {
+  Bits covered;
+  Bits doubtful;   ///< within the band of an edge, and beyond no other
+  Bits at_vertex;  ///< of the covered, those on two edges
+};
+
+/// Of the `width` × `height` samples from U, V.
+HWY_INLINE Cover CoverBoxes(const KernelSetting& setting, const Part& part, Vector u_first,
+                            Vector v_first, int width, int height, bool finds_vertices) {
+  const Doubles d;
+  const Words words;
+  const auto zero = hn::Zero(d);
+  Three a;
+  Three b;
+  Three c;
+  Three sure_limit;
+  Three possible_limit;
+  for (std::size_t i = 0; i < 3; ++i) {
+    a[i] = part.Get(Numbers::kA + i);
+    b[i] = part.Get(Numbers::kB + i);
+    c[i] = part.Get(Numbers::kC + i);
+    sure_limit[i] = part.Get(Numbers::kSure + i);
+    possible_limit[i] = part.Get(Numbers::kPossible + i);
+  }
+  Cover cover{hn::Zero(words), hn::Zero(words), hn::Zero(words)};
+  auto v = v_first;
+  for (int y = 0; y < height; ++y, v = hn::Add(v, hn::Set(d, setting.v_step))) {
+    const Three row{hn::Add(hn::Mul(b[0], v), c[0]), hn::Add(hn::Mul(b[1], v), c[1]),
+                    hn::Add(hn::Mul(b[2], v), c[2])};
+    auto u = u_first;
+    for (int x = 0; x < width; ++x, u = hn::Add(u, hn::Set(d, setting.u_step))) {
+      const Three e{hn::Add(hn::Mul(a[0], u), row[0]), hn::Add(hn::Mul(a[1], u), row[1]),
+                    hn::Add(hn::Mul(a[2], u), row[2])};
+      const auto sure = All(hn::Gt(e[0], sure_limit[0]), hn::Gt(e[1], sure_limit[1]),
+                            hn::Gt(e[2], sure_limit[2]));
+      const auto possible = All(hn::Gt(e[0], possible_limit[0]), hn::Gt(e[1], possible_limit[1]),
+                                hn::Gt(e[2], possible_limit[2]));
+      const auto bit = hn::BitCast(d, hn::Set(words, std::uint64_t{1} << (8 * y + x)));
+      const auto add = [&](Bits to, Lanes lanes) HWY_ATTR {
+        return hn::Or(to, hn::BitCast(words, hn::IfThenElseZero(lanes, bit)));
+      };
+      cover.covered = add(cover.covered, sure);
+      cover.doubtful = add(cover.doubtful, hn::AndNot(sure, possible));
+      if (!finds_vertices) continue;
+      const Lanes on0 = hn::Eq(e[0], zero);
+      const Lanes on1 = hn::Eq(e[1], zero);
+      const Lanes on2 = hn::Eq(e[2], zero);
+      const Lanes on_two = hn::Or(hn::And(on0, hn::Or(on1, on2)), hn::And(on1, on2));
+      cover.at_vertex = add(cover.at_vertex, hn::And(sure, on_two));
+    }
+  }
+  return cover;
+}
+
+/// A fragment of the group: its lane and its bit.
+using Code = std::uint32_t;
+
+/// Depth and attributes of the fragments in `codes`, whose arrays have room for whole vectors.
+HWY_INLINE void Shade(const KernelSetting& setting, const Part& part, std::size_t sample,
+                      const Code* codes, std::size_t count, std::uint32_t first,
+                      FragmentList& out) {
+  const Doubles d;
+  const Halves floats;
+  const Ints ints;
+  const Words words;
+  const hn::Rebind<std::uint32_t, Doubles> codes_tag;
+  alignas(64) std::array<std::int32_t, kGroup> corner{};
+  alignas(64) std::array<double, kGroup> u_corner{};
+  alignas(64) std::array<double, kGroup> v_corner{};
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+    const PixelBox& box = part.output->box[part.from + lane];
+    corner[lane] = box.columns.begin | box.rows.begin << 16;
+    u_corner[lane] = setting.u_first[sample] + box.columns.begin * setting.u_step;
+    v_corner[lane] = setting.v_first[sample] + box.rows.begin * setting.v_step;
+  }
+  const auto corners = hn::Load(ints, corner.data());
+  const auto u_corners = hn::Load(d, u_corner.data());
+  const auto v_corners = hn::Load(d, v_corner.data());
+  const std::size_t at = out.size;
+  for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+    const auto code = hn::LoadU(codes_tag, codes + k);
+    const auto lane = hn::ShiftRight<6>(code);
+    const auto of_lane = hn::IndicesFromVec(d, hn::PromoteTo(words, lane));
+    const auto x = hn::BitCast(ints, hn::And(code, hn::Set(codes_tag, 7)));
+    const auto y = hn::BitCast(ints, hn::And(hn::ShiftRight<3>(code), hn::Set(codes_tag, 7)));
+    const auto u = hn::Add(hn::TableLookupLanes(u_corners, of_lane),
+                           hn::Mul(hn::PromoteTo(d, x), hn::Set(d, setting.u_step)));
+    const auto v = hn::Add(hn::TableLookupLanes(v_corners, of_lane),
+                           hn::Mul(hn::PromoteTo(d, y), hn::Set(d, setting.v_step)));
+    const auto plane = [&](std::size_t at_a, std::size_t at_b, std::size_t at_c) HWY_ATTR {
+      const auto a = hn::TableLookupLanes(part.Get(at_a), of_lane);
+      const auto b = hn::TableLookupLanes(part.Get(at_b), of_lane);
+      const auto c = hn::TableLookupLanes(part.Get(at_c), of_lane);
+      return hn::Add(hn::Mul(a, u), hn::Add(hn::Mul(b, v), c));
+    };
+    const auto plane_at = [&](std::size_t number)
+                              HWY_ATTR { return plane(number, number + 1, number + 2); };
+    const auto depth = hn::Min(hn::Max(plane_at(Numbers::kDepth), hn::Set(d, setting.depth_least)),
+                               hn::Set(d, setting.depth_greatest));
+    hn::StoreU(hn::DemoteTo(floats, depth), floats, out.depth.data() + at + k);
+    auto reciprocal = hn::Zero(d);
+    if (setting.has_smooth) {
+      constexpr std::size_t kAt = Numbers::kDenominator;
+      const auto sum = plane(Numbers::kA + kAt, Numbers::kB + kAt, Numbers::kC + kAt);
+      reciprocal = hn::Div(hn::Set(d, 1.0), sum);
+    }
+    for (std::size_t a = 0; a < setting.attributes; ++a) {
+      const std::size_t number = Numbers::kValues + 3 * a;
+      Vector value;
+      switch (setting.interpolation[a]) {
+        case Interpolation::smooth:
+          value = hn::Mul(plane_at(number), reciprocal);
+          break;
+        case Interpolation::noperspective:
+          value = plane_at(number);
+          break;
+        case Interpolation::flat:
+          value = hn::TableLookupLanes(part.Get(number + 2), of_lane);
+          break;
+      }
+      hn::StoreU(hn::DemoteTo(floats, value), floats, out.attributes[a].data() + at + k);
+    }
+    // Where it is: no coordinate has more than 14 bits.
+    const auto of_half = hn::IndicesFromVec(ints, hn::BitCast(ints, lane));
+    const auto place =
+        hn::Add(hn::TableLookupLanes(corners, of_half), hn::Or(x, hn::ShiftLeft<16>(y)));
+    const auto column = hn::And(place, hn::Set(ints, 0xffff));
+    const auto row = hn::ShiftRight<16>(place);
+    const auto tile = hn::Add(hn::Mul(hn::ShiftRight<6>(row), hn::Set(ints, setting.tile_columns)),
+                              hn::ShiftRight<6>(column));
+    const auto in_tile = hn::Or(hn::ShiftLeft<6>(hn::And(row, hn::Set(ints, 63))),
+                                hn::And(column, hn::Set(ints, 63)));
+    const auto triangle = hn::Add(hn::Set(codes_tag, first), lane);
+    hn::StoreU(hn::BitCast(codes_tag, tile), codes_tag, out.tile.data() + at + k);
+    const auto of_sample =
+        hn::Set(codes_tag, fragment_key(0, static_cast<std::uint32_t>(sample), 0));
+    const auto key = hn::Or(hn::ShiftLeft<kKeyTriangle>(triangle),
+                            hn::Or(of_sample, hn::BitCast(codes_tag, in_tile)));
+    hn::StoreU(key, codes_tag, out.key.data() + at + k);
+  }
+  out.size += count;
+}
+
+/// A fragment at a vertex has the vertex's values: that of the edge it is not on.
+void PutVertexValues(const KernelSetting& setting, const GroupInput& input,
+                     const GroupOutput& output, std::size_t sample, std::size_t lane, Code bit,
+                     std::size_t at, FragmentList& out) {
+  const PixelBox& box = output.box[lane];
+  const int x = box.columns.begin + static_cast<int>(bit & 7);
+  const int y = box.rows.begin + static_cast<int>(bit >> 3);
+  const double u = setting.u_first[sample] + x * setting.u_step;
+  const double v = setting.v_first[sample] + y * setting.v_step;
+  std::size_t vertex = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double row =
+        output.numbers[Numbers::kB + i][lane] * v + output.numbers[Numbers::kC + i][lane];
+    if (output.numbers[Numbers::kA + i][lane] * u + row != 0) vertex = i;
+  }
+  for (std::size_t a = 0; a < setting.attributes; ++a) {
+    if (setting.interpolation[a] == Interpolation::flat) continue;
+    out.attributes[a][at] =
+        input.attributes[vertex][lane * setting.attributes + a] + 0.0F;  // an exact sum is not −0
+  }
+}
+/// Of the small triangles by sample and lane, as Cover has it.
+struct SmallCover {
+  template <typename T>
+  using PerSample = std::array<T, DrawBounds::kMaxSamples>;
+  alignas(64) PerSample<std::array<std::uint64_t, kGroup>> covered;
+  alignas(64) PerSample<std::array<std::uint64_t, kGroup>> at_vertex;
+};
+
+/// Where the boxes of the small triangles are, and how large the largest is.
+struct SmallBoxes {
+  Extent columns;
+  Extent rows;
+  int width = 0;
+  int height = 0;
+};
+
+/// Covers the small triangles among `small_bits`. Returns those that it did not: where double is
+/// not enough for the denominator, or a sample is within the band of an edge. `is_exact`: whether
+/// edges without a band have their limits, which they are given where there is need.
+HWY_INLINE std::uint32_t CoverSmall(const KernelSetting& setting, const std::array<Corner, 3>& p,
+                                    const Part& part, const SmallBoxes& boxes,
+                                    std::uint32_t small_bits, bool& is_exact, SmallCover& out) {
+  const Doubles d;
+  const auto one = hn::Set(d, 1.0);
+  const Extent& columns = boxes.columns;
+  const Extent& rows = boxes.rows;
+  std::uint32_t left_bits = 0;
+  for (std::size_t s = 0; s < setting.samples && small_bits != 0; ++s) {
+    const auto u_step = hn::Set(d, setting.u_step);
+    const auto v_step = hn::Set(d, setting.v_step);
+    const auto u_first = hn::Set(d, setting.u_first[s]);
+    const auto v_first = hn::Set(d, setting.v_first[s]);
+    const auto u = hn::Add(u_first, hn::Mul(columns.begin, u_step));
+    const auto v = hn::Add(v_first, hn::Mul(rows.begin, v_step));
+    // The least denominator of the box is at a corner (plane.h).
+    if (setting.has_smooth) {
+      const auto u_last = hn::Add(u_first, hn::Mul(hn::Sub(columns.end, one), u_step));
+      const auto v_last = hn::Add(v_first, hn::Mul(hn::Sub(rows.end, one), v_step));
+      const auto a = part.Get(Numbers::kA + Numbers::kDenominator);
+      const auto b = part.Get(Numbers::kB + Numbers::kDenominator);
+      const auto c = part.Get(Numbers::kC + Numbers::kDenominator);
+      const auto along_v = hn::Min(hn::Mul(b, v), hn::Mul(b, v_last));
+      const auto least_sum =
+          hn::Add(hn::Min(hn::Mul(a, u), hn::Mul(a, u_last)), hn::Add(along_v, c));
+      const auto least = part.Get(Numbers::kSure + Numbers::kDenominator);
+      const std::uint32_t is_above = BitsOf(hn::Gt(least_sum, least));
+
+      left_bits |= small_bits & ~is_above;
+      small_bits &= is_above;
+    }
+    const Words words;
+    const auto lane_bits = [&](Bits bits) HWY_ATTR {
+      return BitsOf(hn::RebindMask(d, hn::Ne(bits, hn::Zero(words)))) & small_bits;
+    };
+    Cover cover = CoverBoxes(setting, part, u, v, boxes.width, boxes.height, is_exact);
+    if (!is_exact && lane_bits(cover.doubtful) != 0) {
+      is_exact = SetExactLimits(setting, part, p);
+      if (is_exact) cover = CoverBoxes(setting, part, u, v, boxes.width, boxes.height, true);
+    }
+    const std::uint32_t doubtful = lane_bits(cover.doubtful);
+    left_bits |= doubtful;
+    small_bits &= ~doubtful;
+    hn::Store(cover.covered, words, out.covered[s].data());
+    hn::Store(cover.at_vertex, words, out.at_vertex[s].data());
+  }
+  return left_bits;
+}
+
+/// Appends the fragments of the small triangles.
+void AppendFragments(const KernelSetting& setting, const GroupInput& input, const Part& part,
+                     const SmallCover& cover, std::uint32_t small_bits, std::uint32_t first,
+                     FragmentList& fragments) {
+  const Doubles d;
+  const GroupOutput& output = *part.output;
+  std::array<std::uint64_t, kGroup> boxes{};
+  for_each_bit(small_bits, [&](int bit) {
+    const auto lane = static_cast<std::size_t>(bit);
+    const PixelBox& box = output.box[part.from + lane];
+    const std::uint64_t row = (std::uint64_t{1} << (box.columns.end - box.columns.begin)) - 1;
+    const int rows_beyond = kSmallBox - (box.rows.end - box.rows.begin);
+    boxes[lane] = row * 0x0101010101010101U & ~std::uint64_t{0} >> (8 * rows_beyond);
+  });
+  for (std::size_t s = 0; s < setting.samples; ++s) {
+    struct AtVertex {
+      std::size_t fragment;
+      std::size_t lane;
+      Code bit;
+    };
+    std::array<AtVertex, 3 * kGroup> vertices;
+    std::size_t vertex_count = 0;
+    std::array<Code, kGroup * 64 + kGroup> codes;
+    std::size_t count = 0;
+    for_each_bit(small_bits, [&](int bit) {
+      const auto lane = static_cast<std::size_t>(bit);
+      const Code of_lane = static_cast<Code>(lane) << 6;
+      const std::uint64_t bits = cover.covered[s][lane] & boxes[lane];
+      for_each_bit(cover.at_vertex[s][lane] & bits, [&](int place) {
+        const std::uint64_t before = bits & ((std::uint64_t{1} << place) - 1);
+        vertices[vertex_count++] = {count + static_cast<std::size_t>(std::popcount(before)), lane,
+                                    static_cast<Code>(place)};
+      });
+      // Four at a time, of which some may be beyond the last: how many there are is not foreseen.
+      const auto end = count + static_cast<std::size_t>(std::popcount(bits));
+      std::uint64_t rest = bits;
+      for (std::size_t at = count; at < end; at += 4) {
+        for (std::size_t k = 0; k < 4; ++k, rest &= rest - 1) {
+          codes[at + k] = of_lane | static_cast<Code>(std::countr_zero(rest));
+        }
+      }
+      count = end;
+    });
+    if (count == 0) continue;
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i) codes[count + i] = 0;
+    const std::size_t at = fragments.size;
+    Shade(setting, part, s, codes.data(), count, first + static_cast<std::uint32_t>(part.from),
+          fragments);
+    for (std::size_t i = 0; i < vertex_count; ++i) {
+      PutVertexValues(setting, input, output, s, part.from + vertices[i].lane, vertices[i].bit,
+                      at + vertices[i].fragment, fragments);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rastercheck::rasterizer
+HWY_AFTER_NAMESPACE();
+
+#endif  // RASTERCHECK_GROUP_FRAGMENTS_INL_H_

@@ -1,0 +1,280 @@
+// Compiled once for each SIMD target; the best that the processor has is chosen at run time.
+
+#include "rasterizer/internal/group_kernels.h"
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#include "rasterizer/internal/certificates.h"
+#include "rasterizer/internal/masks.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rasterizer/internal/group_kernels.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h, as Highway wants it.
+#include <hwy/highway.h>
+
+#include "rasterizer/internal/group_fragments-inl.h"
+#include "rasterizer/internal/group_lanes-inl.h"
+#include "rasterizer/internal/group_outline-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rastercheck::rasterizer {
+namespace HWY_NAMESPACE {
+
+/// The same attribute of all lanes: apart in memory, but two of them are taken apart at once.
+HWY_INLINE Three Values(const KernelSetting& setting, const GroupInput& input,
+                        std::size_t attribute, std::size_t from) {
+  const Doubles d;
+  const Halves floats;
+  Three r;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float* const all = input.attributes[i].data() + from * setting.attributes;
+    if (setting.attributes == 2) {
+      hn::Vec<Halves> first;
+      hn::Vec<Halves> second;
+      hn::LoadInterleaved2(floats, all, first, second);
+      r[i] = hn::PromoteTo(d, attribute == 0 ? first : second);
+      continue;
+    }
+    alignas(64) std::array<float, kGroup> of_lanes;
+    for (std::size_t lane = 0; lane < hn::Lanes(floats); ++lane) {
+      of_lanes[lane] = all[lane * setting.attributes + attribute];
+    }
+    r[i] = hn::PromoteTo(d, hn::Load(floats, of_lanes.data()));
+  }
+  return r;
+}
+
+/// Whether they are not finite, or all −0: no sum holds those.
+HWY_INLINE Lanes AreCopied(const Three& r) {
+  const Doubles d;
+  const Words words;
+  const auto zero = hn::Zero(d);
+  const auto sum = hn::Add(hn::Add(r[0], r[1]), r[2]);
+  const auto not_finite = hn::Not(hn::Eq(hn::Mul(sum, zero), zero));
+  const auto all = hn::And(hn::And(r[0], r[1]), r[2]);  // −0 and −0 is −0
+  const auto any = hn::Or(hn::Or(r[0], r[1]), r[2]);
+  const auto minus_zero = hn::Set(words, std::uint64_t{1} << 63);
+  const auto is = [&](Vector v) HWY_ATTR {
+    return hn::RebindMask(d, hn::Eq(hn::BitCast(words, v), minus_zero));
+  };
+  return hn::Or(not_finite, hn::And(is(all), is(any)));
+}
+/// Puts the half-planes and planes of triangles; returns those whose values double holds.
+HWY_INLINE Lanes PutNumbers(const KernelSetting& setting, const GroupInput& input, const Part& part,
+                            const std::array<Corner, 3>& p, const Outline& outline) {
+  const Doubles d;
+  const auto zero = hn::Zero(d);
+  const auto one = hn::Set(d, 1.0);
+  const auto t = hn::Set(d, setting.t);
+  const Lanes all = hn::FirstN(d, hn::Lanes(d));
+  const Edges& edges = outline.edges;
+  const Three& band = outline.band;
+  const auto det_t = outline.det_t;
+  const Lanes in_front = outline.in_front;
+  const Three z{p[0].z, p[1].z, p[2].z};
+  const Three w{p[0].w, p[1].w, p[2].w};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Edges& lines = outline.lines;
+    PutHalfPlane(part, i, {lines.a[i], lines.b[i], lines.c[i]}, outline.sure[i],
+                 outline.possible[i]);
+  }
+  if (BitsOf(hn::Not(outline.is_whole)) != 0) {
+    PutClip(part, Numbers::kNear, outline.near, edges, band, t);
+    PutClip(part, Numbers::kFar, outline.far, edges, band, t);
+  } else {
+    PutHalfPlane(part, Numbers::kNear, {zero, zero, one}, zero, zero);
+    PutHalfPlane(part, Numbers::kFar, {zero, zero, one}, zero, zero);
+  }
+  const auto scale = hn::Div(one, det_t);
+  const auto depth_error = SumOfSizes(z, band);
+  Lanes certain = hn::Le(hn::Mul(depth_error, hn::Set(d, kDepthCertainty)), det_t);
+  PlaneOf depth = Collect(edges, z, t, hn::Mul(hn::Set(d, setting.depth_span), scale),
+                          hn::Set(d, setting.depth_low));
+  const Lanes is_level = All(hn::Eq(hn::Mul(z[0], w[1]), hn::Mul(z[1], w[0])),
+                             hn::Eq(hn::Mul(z[1], w[2]), hn::Mul(z[2], w[1])),
+                             hn::Eq(hn::Mul(z[2], w[0]), hn::Mul(z[0], w[2])));
+  if (BitsOf(is_level) != 0) {
+    const Lanes second = hn::Gt(hn::Abs(w[1]), hn::Abs(w[0]));
+    auto z_most = hn::IfThenElse(second, z[1], z[0]);
+    auto w_most = hn::IfThenElse(second, w[1], w[0]);
+    const Lanes third = hn::Gt(hn::Abs(w[2]), hn::Abs(w_most));
+    z_most = hn::IfThenElse(third, z[2], z_most);
+    w_most = hn::IfThenElse(third, w[2], w_most);
+    const auto level = hn::Add(hn::Set(d, setting.depth_low),
+                               hn::Mul(hn::Set(d, setting.depth_span), hn::Div(z_most, w_most)));
+    depth = Constant(is_level, level, depth);
+    certain = hn::Or(certain, is_level);
+  }
+  PutPlane(part, Numbers::kDepth, depth);
+
+  // Denominator and numerators.
+  const Lanes has_one_w = All(hn::Eq(w[0], w[1]), hn::Eq(w[1], w[2]), in_front);
+  const auto affine_error = SumOfSizes(w, band);
+  const Lanes is_affine_certain =
+      hn::And(in_front, hn::Le(hn::Mul(affine_error, hn::Set(d, kAffineCertainty)), det_t));
+  if (setting.has_affine) certain = hn::And(certain, is_affine_certain);
+  PlaneOf denominator{zero, zero, one};
+  auto least = zero;
+  if (setting.has_smooth) {
+    certain = hn::And(certain, hn::Or(hn::Not(has_one_w), is_affine_certain));
+    denominator = Constant(has_one_w, one, Collect(edges, {one, one, one}, t, one, zero));
+    least = hn::Mul(hn::Set(d, kSmoothCertainty), hn::Add(hn::Add(band[0], band[1]), band[2]));
+    least = hn::IfThenZeroElse(has_one_w, least);
+  }
+  PutHalfPlane(part, Numbers::kDenominator, denominator, least,
+               hn::Set(d, -std::numeric_limits<double>::infinity()));
+  Lanes copied = Never();
+  for (std::size_t a = 0; a < setting.attributes; ++a) {
+    const std::size_t number = Numbers::kValues + 3 * a;
+    const Three r = Values(setting, input, a, part.from);
+    if (setting.interpolation[a] == Interpolation::flat) {
+      // Infinities and NaNs are not copied bit for bit through another format.
+      const auto flat = r[setting.provoking];
+      copied = hn::Or(copied, hn::Not(hn::Eq(hn::Mul(flat, zero), zero)));
+      PutPlane(part, number, {zero, zero, flat});
+      continue;
+    }
+    copied = hn::Or(copied, AreCopied(r));
+    const bool is_affine = setting.interpolation[a] == Interpolation::noperspective;
+    const Lanes weighed = is_affine ? all : has_one_w;
+    Three k;
+    for (std::size_t i = 0; i < 3; ++i) k[i] = hn::IfThenElse(weighed, hn::Mul(r[i], w[i]), r[i]);
+    PutPlane(part, number, Collect(edges, k, t, hn::IfThenElse(weighed, scale, one), zero));
+  }
+  return hn::AndNot(copied, certain);
+}
+
+HWY_INLINE void PutBoxes(const Part& part, const Extent& columns, const Extent& rows) {
+  const Doubles d;
+  const Ints ints;
+  using Numbers32 = std::array<std::int32_t, kGroup>;
+  alignas(64) Numbers32 left;
+  alignas(64) Numbers32 right;
+  alignas(64) Numbers32 top;
+  alignas(64) Numbers32 bottom;
+  hn::Store(hn::DemoteTo(ints, columns.begin), ints, left.data());
+  hn::Store(hn::DemoteTo(ints, columns.end), ints, right.data());
+  hn::Store(hn::DemoteTo(ints, rows.begin), ints, top.data());
+  hn::Store(hn::DemoteTo(ints, rows.end), ints, bottom.data());
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+    part.output->box[part.from + lane] = {{left[lane], right[lane]}, {top[lane], bottom[lane]}};
+  }
+}
+
+/// Calls `visit` with the bits between one of `borders` and the next, in ascending order, unless
+/// there are none. Fragments go sample by sample, so that those of triangles on either side of one
+/// that is drawn tile by tile are to be appended apart.
+template <typename Visit>
+void for_each_run(std::uint32_t bits, std::uint32_t borders, const Visit& visit) {
+  while (bits != 0) {
+    const int first = std::countr_zero(bits);
+    const int border = std::countr_zero(borders >> first) + first;
+    const std::uint64_t run = bits & ((std::uint64_t{1} << border) - 1);
+    visit(static_cast<std::uint32_t>(run));
+    bits &= ~static_cast<std::uint32_t>(run);
+  }
+}
+
+/// Numbers and fates of the lanes of a part, of which `live` are triangles; and the fragments of
+/// the small ones.
+void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part& part, Lanes live,
+               std::uint32_t first, FragmentList& fragments) {
+  const Doubles d;
+  GroupOutput& output = *part.output;
+  const std::array<Corner, 3> p{LoadCorner(input, 0, part.from), LoadCorner(input, 1, part.from),
+                                LoadCorner(input, 2, part.from)};
+  const Outline outline = setting.snaps ? SnappedOutline(setting, p) : ExactOutline(setting, p);
+  const std::uint32_t live_bits = BitsOf(live);
+  const std::uint32_t finite_bits = BitsOf(AreFinite(p)) & live_bits;
+  std::uint32_t left_bits = finite_bits & BitsOf(outline.left);
+  std::uint32_t kept_bits = finite_bits & ~left_bits & ~BitsOf(outline.hidden);
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+    const std::uint32_t bit = 1U << lane;
+    LaneFate fate = LaneFate::hidden;
+    if ((live_bits & ~finite_bits & bit) != 0) fate = LaneFate::not_finite;
+    if ((left_bits & bit) != 0) fate = LaneFate::left;
+    output.fate[part.from + lane] = fate;
+  }
+  if (kept_bits == 0) return;
+
+  const std::uint32_t trusted = BitsOf(PutNumbers(setting, input, part, p, outline));
+  left_bits |= kept_bits & ~trusted;
+  kept_bits &= trusted;
+  const std::uint32_t plain_bits = BitsOf(hn::And(outline.in_front, outline.is_whole));
+
+  // What is small, and how large the largest of that is.
+  const Extent& columns = outline.columns;
+  const Extent& rows = outline.rows;
+  const auto widths = hn::Sub(columns.end, columns.begin);
+  const auto heights = hn::Sub(rows.end, rows.begin);
+  const auto most = hn::Set(d, kSmallBox);
+  const Lanes is_small = hn::And(hn::Le(widths, most), hn::Le(heights, most));
+  std::uint32_t small_bits = kept_bits & plain_bits & BitsOf(is_small);
+  const auto greatest_of = [&](Vector v) HWY_ATTR {
+    return static_cast<int>(hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(is_small, v))));
+  };
+  const SmallBoxes boxes{columns, rows, greatest_of(widths), greatest_of(heights)};
+  PutBoxes(part, columns, rows);
+  const std::uint32_t large_bits = kept_bits & ~small_bits;
+  // Where the last ones had ties, these will.
+  const bool needs_limits = !setting.snaps && (large_bits != 0 || output.had_ties);
+  bool is_exact = needs_limits ? SetExactLimits(setting, part, p) : setting.snaps;
+
+  SmallCover cover;
+  if (small_bits != 0) {
+    const std::uint32_t uncovered =
+        CoverSmall(setting, p, part, boxes, small_bits, is_exact, cover);
+    output.had_ties = is_exact;
+    left_bits |= uncovered;
+    small_bits &= ~uncovered;
+  }
+  for_each_bit(left_bits, [&](int bit) {
+    output.fate[part.from + static_cast<std::size_t>(bit)] = LaneFate::left;
+  });
+  for_each_bit(large_bits, [&](int bit) {
+    output.fate[part.from + static_cast<std::size_t>(bit)] = LaneFate::numbered;
+  });
+  for_each_run(small_bits, left_bits | large_bits, [&](std::uint32_t run) {
+    AppendFragments(setting, input, part, cover, run, first, fragments);
+  });
+}
+
+void SetUpGroup(const KernelSetting& setting, const GroupInput& input, std::size_t count,
+                std::uint32_t first, GroupOutput& output, FragmentList& fragments) {
+  const Doubles d;
+  for (std::size_t from = 0; from < count; from += hn::Lanes(d)) {
+    SetUpPart(setting, input, {from, &output}, hn::FirstN(d, count - from), first, fragments);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rastercheck::rasterizer
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rastercheck::rasterizer {
+
+HWY_EXPORT(SetUpGroup);
+
+void FragmentList::reserve_group(std::size_t samples, std::size_t attribute_count) {
+  const std::size_t of_group = samples * kGroup * kSmallBox * kSmallBox + kGroup;
+  if (size + of_group <= tile.size()) return;
+  const std::size_t room = 2 * (size + of_group);
+  tile.resize(room);
+  key.resize(room);
+  depth.resize(room);
+  attributes.resize(attribute_count);
+  for (std::vector<float>& values : attributes) values.resize(room);
+}
+
+void set_up_group(const KernelSetting& setting, const GroupInput& input, std::size_t count,
+                  std::uint32_t first, GroupOutput& output, FragmentList& fragments) {
+  fragments.reserve_group(setting.samples, setting.attributes);
+  HWY_DYNAMIC_DISPATCH(SetUpGroup)(setting, input, count, first, output, fragments);
+}
+
+}  // namespace rastercheck::rasterizer
+#endif  // HWY_ONCE

@@ -1,0 +1,301 @@
+// What triangles in the lanes of vectors are to the kernels of groups: corners, edges, planes, and
+// where their numbers go. Included once for each SIMD target, as Highway has it.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#if defined(RASTERCHECK_GROUP_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERCHECK_GROUP_LANES_INL_H_
+#undef RASTERCHECK_GROUP_LANES_INL_H_
+#else
+#define RASTERCHECK_GROUP_LANES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "rasterizer/internal/group_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rastercheck::rasterizer {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, kGroup>;
+using Words = hn::RebindToUnsigned<Doubles>;
+using Halves = hn::Rebind<float, Doubles>;
+using Ints = hn::Rebind<std::int32_t, Doubles>;
+using Vector = hn::Vec<Doubles>;
+using Bits = hn::Vec<Words>;
+using Lanes = hn::Mask<Doubles>;
+using Three = std::array<Vector, 3>;
+using Numbers = TriangleNumbers;
+
+HWY_INLINE std::uint32_t BitsOf(Lanes lanes) {
+  alignas(8) std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(Doubles(), lanes, bytes.data());
+  return bytes[0];
+}
+
+HWY_INLINE Lanes Never() { return hn::FirstN(Doubles(), 0); }
+
+/// All three.
+HWY_INLINE Lanes All(Lanes a, Lanes b, Lanes c) { return hn::And(hn::And(a, b), c); }
+
+/// The vectors of a group that are at hand: lanes `from` and on of its arrays.
+struct Part {
+  std::size_t from = 0;
+  GroupOutput* output = nullptr;
+
+  HWY_INLINE void Put(std::size_t number, Vector value) const {
+    hn::Store(value, Doubles(), output->numbers[number].data() + from);
+  }
+  HWY_INLINE Vector Get(std::size_t number) const {
+    return hn::Load(Doubles(), output->numbers[number].data() + from);
+  }
+};
+
+struct Corner {
+  Vector x;
+  Vector y;
+  Vector z;
+  Vector w;
+};
+
+HWY_INLINE Corner LoadCorner(const GroupInput& input, std::size_t vertex, std::size_t from) {
+  const Doubles d;
+  const Halves floats;
+  hn::Vec<Halves> x;
+  hn::Vec<Halves> y;
+  hn::Vec<Halves> z;
+  hn::Vec<Halves> w;
+  hn::LoadInterleaved4(floats, &input.positions[vertex][from].x, x, y, z, w);
+  return {hn::PromoteTo(d, x), hn::PromoteTo(d, y), hn::PromoteTo(d, z), hn::PromoteTo(d, w)};
+}
+
+/// Whether no term is infinite or not a number: those times 0 are not 0.
+HWY_INLINE Lanes AreFinite(const std::array<Corner, 3>& p) {
+  const auto zero = hn::Zero(Doubles());
+  auto sum = zero;
+  for (const Corner& corner : p) {
+    sum = hn::Add(sum,
+                  hn::Mul(zero, hn::Add(hn::Add(corner.x, corner.y), hn::Add(corner.z, corner.w))));
+  }
+  return hn::Eq(sum, zero);
+}
+
+/// The edges' coefficients, not yet turned by the orientation.
+struct Edges {
+  Three a;
+  Three b;
+  Three c;
+};
+
+HWY_INLINE Edges EdgesOf(const std::array<Corner, 3>& p) {
+  Edges edges;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Corner& q = p[(i + 1) % 3];
+    const Corner& r = p[(i + 2) % 3];
+    edges.a[i] = hn::Sub(hn::Mul(q.y, r.w), hn::Mul(q.w, r.y));
+    edges.b[i] = hn::Sub(hn::Mul(q.w, r.x), hn::Mul(q.x, r.w));
+    edges.c[i] = hn::Sub(hn::Mul(q.x, r.y), hn::Mul(q.y, r.x));
+  }
+  return edges;
+}
+
+/// (k_0 t_0 + k_1 t_1) + k_2 t_2.
+HWY_INLINE Vector Sum(const Three& k, const Three& t) {
+  return hn::Add(hn::Add(hn::Mul(k[0], t[0]), hn::Mul(k[1], t[1])), hn::Mul(k[2], t[2]));
+}
+
+HWY_INLINE Vector SumOfSizes(const Three& k, const Three& t) {
+  return hn::Add(hn::Add(hn::Abs(hn::Mul(k[0], t[0])), hn::Abs(hn::Mul(k[1], t[1]))),
+                 hn::Abs(hn::Mul(k[2], t[2])));
+}
+
+struct PlaneOf {
+  Vector a;
+  Vector b;
+  Vector c;
+};
+
+/// plane_of (plane.h).
+HWY_INLINE PlaneOf Collect(const Edges& edges, const Three& k, Vector t, Vector scale,
+                           Vector offset) {
+  return {hn::Mul(Sum(k, edges.a), scale), hn::Mul(Sum(k, edges.b), scale),
+          hn::Add(hn::Mul(hn::Mul(Sum(k, edges.c), t), scale), offset)};
+}
+
+/// In some lanes the same everywhere.
+HWY_INLINE PlaneOf Constant(Lanes lanes, Vector constant, const PlaneOf& plane) {
+  return {hn::IfThenZeroElse(lanes, plane.a), hn::IfThenZeroElse(lanes, plane.b),
+          hn::IfThenElse(lanes, constant, plane.c)};
+}
+
+HWY_INLINE void PutPlane(const Part& part, std::size_t number, const PlaneOf& plane) {
+  part.Put(number, plane.a);
+  part.Put(number + 1, plane.b);
+  part.Put(number + 2, plane.c);
+}
+
+HWY_INLINE void PutHalfPlane(const Part& part, std::size_t index, const PlaneOf& plane, Vector sure,
+                             Vector possible) {
+  part.Put(Numbers::kA + index, plane.a);
+  part.Put(Numbers::kB + index, plane.b);
+  part.Put(Numbers::kC + index, plane.c);
+  part.Put(Numbers::kSure + index, sure);
+  part.Put(Numbers::kPossible + index, possible);
+}
+
+/// What lies just beyond −band.
+HWY_INLINE Vector BeyondBand(Vector band) {
+  const Words words;
+  return hn::Neg(
+      hn::BitCast(Doubles(), hn::Add(hn::BitCast(words, band), hn::Set(words, std::uint64_t{1}))));
+}
+
+/// What a clip plane makes of the triangles: the signs of its distances decide most.
+struct Clip {
+  Three g;
+  Lanes hides;    ///< all of a triangle is beyond it
+  Lanes is_away;  ///< nothing is
+};
+
+HWY_INLINE Clip ClipBy(const Three& g) {
+  const auto zero = hn::Zero(Doubles());
+  return {g, All(hn::Lt(g[0], zero), hn::Lt(g[1], zero), hn::Lt(g[2], zero)),
+          All(hn::Ge(g[0], zero), hn::Ge(g[1], zero), hn::Ge(g[2], zero))};
+}
+
+/// Distances add · w + k · of each corner.
+HWY_INLINE Three Distances(const Three& w, const Three& k, double add, double times) {
+  const Doubles d;
+  Three g;
+  for (std::size_t i = 0; i < 3; ++i) {
+    g[i] = hn::Add(hn::Mul(hn::Set(d, add), w[i]), hn::Mul(hn::Set(d, times), k[i]));
+  }
+  return g;
+}
+
+/// Whether all corners are beyond one side of the viewport: with them is all that weights E_i >= 0
+/// make of them.
+HWY_INLINE Lanes IsBeside(const Three& w, const Three& x, const Three& y) {
+  return hn::Or(hn::Or(ClipBy(Distances(w, x, 1, 1)).hides, ClipBy(Distances(w, x, 1, -1)).hides),
+                hn::Or(ClipBy(Distances(w, y, 1, 1)).hides, ClipBy(Distances(w, y, 1, -1)).hides));
+}
+
+/// The half-plane of a depth plane. Its distances have a rounding, and what is collected of edges
+/// in which nothing is rounded has as many as of others: twice what plane.h says is more than that.
+HWY_INLINE void PutClip(const Part& part, std::size_t index, const Clip& clip, const Edges& edges,
+                        const Three& band, Vector t) {
+  const Doubles d;
+  const auto one = hn::Set(d, 1.0);
+  const auto zero = hn::Zero(d);
+  const auto error = hn::Mul(hn::Set(d, 2.0), SumOfSizes(clip.g, band));
+  const PlaneOf plane = Constant(clip.is_away, one, Collect(edges, clip.g, t, one, zero));
+  PutHalfPlane(part, index, plane, hn::IfThenZeroElse(clip.is_away, error),
+               hn::IfThenZeroElse(clip.is_away, BeyondBand(error)));
+}
+
+/// Pixels along one axis.
+struct Extent {
+  Vector begin;
+  Vector end;
+};
+
+/// The pixels whose samples lie within the extent of the corners (`clip` times `share`) and 2^-20
+/// more on each side: far more than what their window positions are off by where these lie near the
+/// target.
+HWY_INLINE Extent ExtentOf(const KernelSetting& setting, Lanes in_front, const Three& clip,
+                           const Three& share, double middle, double half,
+                           const PixelRange& bounds) {
+  const Doubles d;
+  Three at;
+  for (std::size_t i = 0; i < 3; ++i) {
+    at[i] = hn::Add(hn::Set(d, middle), hn::Mul(hn::Set(d, half), hn::Mul(clip[i], share[i])));
+  }
+  const auto low = hn::Min(hn::Min(at[0], at[1]), at[2]);
+  const auto high = hn::Max(hn::Max(at[0], at[1]), at[2]);
+  constexpr double kMargin = 0x1p-20;
+  const auto begin = hn::Ceil(hn::Sub(low, hn::Set(d, setting.greatest_offset + kMargin)));
+  const auto end = hn::Add(hn::Floor(hn::Add(high, hn::Set(d, kMargin - setting.least_offset))),
+                           hn::Set(d, 1.0));
+  const auto least = hn::Set(d, static_cast<double>(bounds.begin));
+  const auto most = hn::Set(d, static_cast<double>(bounds.end));
+  return {hn::IfThenElse(in_front, hn::Min(hn::Max(begin, least), most), least),
+          hn::IfThenElse(in_front, hn::Min(hn::Max(end, least), most), most)};
+}
+
+/// |v|'s lowest bit; infinite for 0.
+HWY_INLINE Vector LowestBit(Vector v) {
+  const Doubles d;
+  const Words words;
+  const auto bits = hn::BitCast(words, v);
+  const auto fraction = hn::And(bits, hn::Set(words, (std::uint64_t{1} << 52) - 1));
+  const auto cleared = hn::BitCast(d, hn::And(bits, hn::Sub(bits, hn::Set(words, 1))));
+  const Lanes is_power = hn::RebindMask(d, hn::Eq(fraction, hn::Zero(words)));
+  const auto lowest = hn::Abs(hn::IfThenElse(is_power, v, hn::Sub(v, cleared)));
+  return hn::IfThenElse(hn::Eq(v, hn::Zero(d)), hn::Set(d, std::numeric_limits<double>::infinity()),
+                        lowest);
+}
+
+/// Whether p q − r t is no rounding.
+HWY_INLINE Lanes IsExact(Vector p, Vector q, Vector r, Vector t) {
+  const auto x = hn::Mul(p, q);
+  const auto y = hn::Mul(r, t);
+  const auto difference = hn::Sub(x, y);
+  const auto back = hn::Sub(x, difference);
+  const auto error = hn::Add(hn::Sub(x, hn::Add(difference, back)), hn::Sub(back, y));
+  return hn::Eq(error, hn::Zero(Doubles()));
+}
+
+/// What values lie above at the samples of an edge without a band, by the fill rule.
+HWY_INLINE Vector LimitOf(const KernelSetting& setting, Vector a, Vector b) {
+  const Doubles d;
+  const auto zero = hn::Zero(d);
+  const auto along_u = hn::Mul(a, hn::Set(d, setting.u_owner));
+  const auto along_v = hn::Mul(b, hn::Set(d, setting.v_owner));
+  const auto owns = hn::Or(hn::Gt(along_u, zero), hn::And(hn::Eq(a, zero), hn::Gt(along_v, zero)));
+  return hn::IfThenElseZero(owns, hn::Set(d, -std::numeric_limits<double>::denorm_min()));
+}
+
+/// Gives edges in which nothing is rounded their limits (is_exact of edge_functions.cpp). Returns
+/// whether there are any.
+HWY_INLINE bool SetExactLimits(const KernelSetting& setting, const Part& part,
+                               const std::array<Corner, 3>& p) {
+  const Doubles d;
+  bool any = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Corner& q = p[(i + 1) % 3];
+    const Corner& r = p[(i + 2) % 3];
+    const auto a = part.Get(Numbers::kA + i);
+    const auto b = part.Get(Numbers::kB + i);
+    const auto c_t = part.Get(Numbers::kC + i);
+    const auto c = hn::Sub(hn::Mul(q.x, r.y), hn::Mul(q.y, r.x));
+    auto exact =
+        All(IsExact(q.y, r.w, q.w, r.y), IsExact(q.w, r.x, q.x, r.w), IsExact(q.x, r.y, q.y, r.x));
+    const auto grain = hn::Min(hn::Min(hn::Mul(LowestBit(a), hn::Set(d, setting.u_grain)),
+                                       hn::Mul(LowestBit(b), hn::Set(d, setting.v_grain))),
+                               hn::Mul(LowestBit(c), hn::Set(d, setting.t_grain)));
+    const auto greatest = hn::Add(hn::Add(hn::Mul(hn::Abs(a), hn::Set(d, setting.u_greatest)),
+                                          hn::Mul(hn::Abs(b), hn::Set(d, setting.v_greatest))),
+                                  hn::Abs(c_t));
+    exact = hn::And(exact,
+                    hn::Lt(hn::Mul(hn::Set(d, 2.0), greatest), hn::Mul(grain, hn::Set(d, 0x1p53))));
+    if (BitsOf(exact) == 0) continue;
+    any = true;
+    const auto limit = LimitOf(setting, a, b);
+    part.Put(Numbers::kSure + i, hn::IfThenElse(exact, limit, part.Get(Numbers::kSure + i)));
+    part.Put(Numbers::kPossible + i,
+             hn::IfThenElse(exact, limit, part.Get(Numbers::kPossible + i)));
+  }
+  return any;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rastercheck::rasterizer
+HWY_AFTER_NAMESPACE();
+
+#endif  // RASTERCHECK_GROUP_LANES_INL_H_

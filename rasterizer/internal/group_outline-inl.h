@@ -1,0 +1,204 @@
+// The first half of a group's set-up: what bounds triangles, what hides them, where they may be.
+// Included once for each SIMD target.
+
+#include <array>
+#include <cstddef>
+
+#if defined(RASTERCHECK_GROUP_OUTLINE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERCHECK_GROUP_OUTLINE_INL_H_
+#undef RASTERCHECK_GROUP_OUTLINE_INL_H_
+#else
+#define RASTERCHECK_GROUP_OUTLINE_INL_H_
+#endif
+
+#include "rasterizer/internal/group_lanes-inl.h"
+#include "rasterizer/internal/weights.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rastercheck::rasterizer {
+namespace HWY_NAMESPACE {
+
+/// What triangles cover and what their values are made of, before these are looked at.
+struct Outline {
+  Edges lines;  ///< what bounds them, c times T
+  Three sure;   ///< TriangleNumbers::kSure of the lines
+  Three possible;
+  Edges edges;  ///< the weights E_i
+  Three band;   ///< their plane_band (plane.h)
+  Vector det_t;
+  Clip near;
+  Clip far;
+  Lanes left;      ///< they are not plain enough
+  Lanes hidden;    ///< unless left
+  Lanes is_whole;  ///< no depth plane cuts them
+  Lanes in_front;  ///< all w > 0
+  Extent columns;
+  Extent rows;
+};
+
+HWY_INLINE Vector TurnedBy(Vector turn, Vector value) { return hn::Xor(value, turn); }
+
+/// S_i of an edge (edge_functions.h).
+HWY_INLINE Vector GreatestOf(const KernelSetting& setting, Vector a, Vector b, Vector c) {
+  const Doubles d;
+  return hn::Add(hn::Add(hn::Mul(hn::Abs(a), hn::Set(d, setting.u_greatest)),
+                         hn::Mul(hn::Abs(b), hn::Set(d, setting.v_greatest))),
+                 hn::Mul(hn::Abs(c), hn::Set(d, setting.t)));
+}
+
+HWY_INLINE Lanes IsCulled(const KernelSetting& setting, Vector turn) {
+  const auto zero = hn::Zero(Doubles());
+  Lanes culled = Never();
+  if (setting.culls_positive) culled = hn::Or(culled, hn::Gt(turn, zero));
+  if (setting.culls_negative) culled = hn::Or(culled, hn::Lt(turn, zero));
+  return culled;
+}
+
+HWY_INLINE Lanes IsEmpty(const Extent& columns, const Extent& rows) {
+  return hn::Or(hn::Ge(columns.begin, columns.end), hn::Ge(rows.begin, rows.end));
+}
+
+/// That of the clip positions, exactly.
+HWY_INLINE Outline ExactOutline(const KernelSetting& setting, const std::array<Corner, 3>& p) {
+  const Doubles d;
+  const auto zero = hn::Zero(d);
+  const auto one = hn::Set(d, 1.0);
+  const auto t = hn::Set(d, setting.t);
+  const Three x{p[0].x, p[1].x, p[2].x};
+  const Three y{p[0].y, p[1].y, p[2].y};
+  const Three z{p[0].z, p[1].z, p[2].z};
+  const Three w{p[0].w, p[1].w, p[2].w};
+  Outline out;
+  out.edges = EdgesOf(p);
+  const auto determinant = Sum(w, out.edges.c);
+  const auto size = SumOfSizes(w, out.edges.c);
+  const auto is_above = [&](double share) HWY_ATTR {
+    return hn::Gt(hn::Abs(determinant), hn::Mul(hn::Set(d, share), size));
+  };
+  out.det_t = hn::Mul(hn::Abs(determinant), t);
+  const auto turn = hn::And(determinant, hn::SignBit(d));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto a = TurnedBy(turn, out.edges.a[i]);
+    const auto b = TurnedBy(turn, out.edges.b[i]);
+    const auto c = TurnedBy(turn, out.edges.c[i]);
+    out.edges.a[i] = out.lines.a[i] = a;
+    out.edges.b[i] = out.lines.b[i] = b;
+    out.edges.c[i] = c;
+    out.lines.c[i] = hn::Mul(c, t);
+    out.band[i] = hn::Mul(hn::Set(d, 0x1p-50), GreatestOf(setting, a, b, c));  // 8u
+    out.sure[i] = out.band[i];
+    out.possible[i] = BeyondBand(out.band[i]);
+  }
+
+  // With all w <= 0 no weights E_i >= 0 make a point in front of the eye.
+  out.hidden = hn::Or(IsBeside(w, x, y), IsCulled(setting, determinant));
+  out.hidden = hn::Or(out.hidden, All(hn::Le(w[0], zero), hn::Le(w[1], zero), hn::Le(w[2], zero)));
+  out.near = ClipBy(Distances(w, z, setting.near_w, 1));
+  out.far = ClipBy(Distances(w, z, 1, -1));
+  out.is_whole = hn::FirstN(d, hn::Lanes(d));
+  if (setting.clips_depth) {
+    out.hidden = hn::Or(out.hidden, hn::Or(out.near.hides, out.far.hides));
+    out.is_whole = hn::And(out.near.is_away, out.far.is_away);
+  }
+  // What reaches behind the eye may touch any pixel.
+  out.in_front = All(hn::Gt(w[0], zero), hn::Gt(w[1], zero), hn::Gt(w[2], zero));
+  const Three share{hn::Div(one, w[0]), hn::Div(one, w[1]), hn::Div(one, w[2])};
+  out.columns = ExtentOf(setting, out.in_front, x, share, setting.u_middle, setting.u_half,
+                         setting.bounds.columns);
+  out.rows = ExtentOf(setting, out.in_front, y, share, setting.v_middle, setting.v_half,
+                      setting.bounds.rows);
+  out.hidden = hn::Or(out.hidden, IsEmpty(out.columns, out.rows));
+  // What is hidden need not be known but for its sign, off by less than 8u.
+  out.left =
+      hn::Not(hn::Or(is_above(1 / kCertainDeterminant), hn::And(out.hidden, is_above(0x1p-50))));
+  return out;
+}
+
+/// A coordinate on the grid (grid_position.h); `certain` keeps the lanes in which double tells the
+/// nearest point, within the guard band.
+HWY_INLINE Vector SnappedTo(const GridAxis& axis, double half_units, Vector coordinate, Vector w,
+                            Lanes& certain) {
+  const Doubles d;
+  const auto along = hn::Mul(hn::Set(d, axis.slope), coordinate);
+  const auto origin = hn::Mul(hn::Set(d, axis.origin), w);
+  const auto size = hn::Mul(hn::Set(d, axis.size), w);
+  const auto n = hn::Add(hn::Add(along, origin), size);
+  const auto sizes = hn::Add(hn::Add(hn::Abs(along), hn::Abs(origin)), hn::Abs(size));
+  const auto scale = hn::Set(d, half_units);
+  const auto position = hn::Mul(hn::Div(n, w), scale);
+  const auto error =
+      hn::Add(hn::Mul(hn::Div(hn::Mul(hn::Set(d, 0x1p-51), sizes), w), scale), hn::Set(d, 0x1p-20));
+  const auto below = hn::Floor(position);
+  const auto rest = hn::Sub(position, below);
+  const auto half = hn::Set(d, 0.5);
+  const Lanes is_up = hn::Gt(rest, hn::Add(half, error));
+  const Lanes is_down = hn::Lt(rest, hn::Sub(half, error));
+  const auto most = hn::Set(d, 2.0 * kGuardBand * half_units);
+  const Lanes is_near = hn::Lt(hn::Add(hn::Abs(position), error), most);
+  certain = hn::And(certain, hn::And(is_near, hn::Or(is_up, is_down)));
+  return hn::Add(below, hn::IfThenElseZero(is_up, hn::Set(d, 1.0)));
+}
+
+/// That of the snapped vertices, with their weights (weights.h, "placed"): only where nothing is
+/// clipped. With kMostKernelBits lines are whole numbers that double holds.
+HWY_INLINE Outline SnappedOutline(const KernelSetting& setting, const std::array<Corner, 3>& p) {
+  const Doubles d;
+  const auto zero = hn::Zero(d);
+  const auto one = hn::Set(d, 1.0);
+  const Lanes all = hn::FirstN(d, hn::Lanes(d));
+  const Three z{p[0].z, p[1].z, p[2].z};
+  const Three w{p[0].w, p[1].w, p[2].w};
+  Outline out;
+  out.in_front = All(hn::Gt(w[0], zero), hn::Gt(w[1], zero), hn::Gt(w[2], zero));
+  out.near = ClipBy(Distances(w, z, setting.near_w, 1));
+  out.far = ClipBy(Distances(w, z, 1, -1));
+  Lanes certain = out.in_front;
+  if (setting.clips_depth) {
+    certain = hn::And(certain, hn::And(out.near.is_away, out.far.is_away));
+  }
+  out.is_whole = all;
+  Three x;
+  Three y;
+  for (std::size_t i = 0; i < 3; ++i) {
+    x[i] = SnappedTo(setting.grid.x, setting.units / 2, p[i].x, w[i], certain);
+    y[i] = SnappedTo(setting.grid.y, setting.units / 2, p[i].y, w[i], certain);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t q = (i + 1) % 3;
+    const std::size_t r = (i + 2) % 3;
+    out.lines.a[i] = hn::Sub(y[q], y[r]);
+    out.lines.b[i] = hn::Sub(x[r], x[q]);
+    out.lines.c[i] = hn::Neg(hn::Add(hn::Mul(out.lines.a[i], x[q]), hn::Mul(out.lines.b[i], y[q])));
+  }
+  const auto area = hn::Add(hn::Add(hn::Mul(out.lines.a[0], x[0]), hn::Mul(out.lines.b[0], y[0])),
+                            out.lines.c[0]);
+  out.left = hn::Not(hn::AndNot(hn::Eq(area, zero), certain));
+  out.det_t = hn::Abs(area);
+  const auto turn = hn::And(area, hn::SignBit(d));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto a = out.lines.a[i] = TurnedBy(turn, out.lines.a[i]);
+    const auto b = out.lines.b[i] = TurnedBy(turn, out.lines.b[i]);
+    const auto c = out.lines.c[i] = TurnedBy(turn, out.lines.c[i]);
+    const auto limit = LimitOf(setting, a, b);
+    out.sure[i] = limit;
+    out.possible[i] = limit;
+    const auto share = hn::Div(one, w[i]);
+    out.edges.a[i] = hn::Mul(a, share);
+    out.edges.b[i] = hn::Mul(b, share);
+    out.edges.c[i] = hn::Mul(c, share);
+    out.band[i] = hn::Mul(hn::Set(d, 10 * 0x1p-53),
+                          GreatestOf(setting, out.edges.a[i], out.edges.b[i], out.edges.c[i]));
+  }
+  const auto pixels = hn::Set(d, 1 / setting.units);
+  const Three to_pixels{pixels, pixels, pixels};
+  out.columns = ExtentOf(setting, all, x, to_pixels, 0, 1, setting.bounds.columns);
+  out.rows = ExtentOf(setting, all, y, to_pixels, 0, 1, setting.bounds.rows);
+  out.hidden = hn::Or(IsCulled(setting, area), IsEmpty(out.columns, out.rows));
+  return out;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rastercheck::rasterizer
+HWY_AFTER_NAMESPACE();
+
+#endif  // RASTERCHECK_GROUP_OUTLINE_INL_H_

@@ -1,0 +1,19 @@
+#pragma once
+
+// What a draw into a framebuffer is to leave there: of each sample what its fragments, in order,
+// leave.
+
+#include "rasterizer/rasterizer.h"
+
+namespace rastercheck::rasterizer {
+
+/// What the fragments of a draw leave, one by one.
+Framebuffer kept(const State& state, const Mesh& mesh, Framebuffer framebuffer);
+
+/// The same bits, signs of zeros and NaN included.
+void expect_equal(const Framebuffer& a, const Framebuffer& b);
+
+/// Draws on one to three threads; all give what the fragments leave.
+void expect_kept(const State& state, const Mesh& mesh, const TargetSize& size);
+
+}  // namespace rastercheck::rasterizer
