@@ -10,22 +10,9 @@
 #include <string>
 #include <vector>
 
-namespace rastercheck {
+#include "tests/on_target.h"
 
-/// Sees to it that the kernels run on one kind of vectors, until it goes.
-class OnTarget {
- public:
-  explicit OnTarget(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-  OnTarget(const OnTarget&) = delete;
-  OnTarget& operator=(const OnTarget&) = delete;
-  ~OnTarget() {
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().DeInit();
-  }
-};
+namespace rastercheck {
 
 inline std::string target_name(const ::testing::TestParamInfo<std::int64_t>& target) {
   return hwy::TargetName(target.param);

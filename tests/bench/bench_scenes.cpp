@@ -1,11 +1,9 @@
 #include "tests/bench/bench_scenes.h"
 
-#include <algorithm>
 #include <cmath>
-#include <string>
-
-#include "cases/mesh.h"
-#include "oracle/transform.h"
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <utility>
 
 namespace rastercheck::bench {
 namespace {
@@ -22,77 +20,77 @@ class Scatter {
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
     return static_cast<float>((z ^ (z >> 31)) >> 40) * 0x1p-24F;
   }
+  /// A whole number in [0, end).
+  float below(int end) {
+    return static_cast<float>(static_cast<int>(unit() * static_cast<float>(end)));
+  }
 
  private:
   std::uint64_t state_;
 };
 
-/// A window position of the target as a clip position of that w.
-glm::vec4 clip_position(float u, float v, float depth, float w) {
-  return {(2 * u / kTarget - 1) * w, (2 * v / kTarget - 1) * w, depth * w, w};
+Scene empty_scene(const glm::ivec2& size) {
+  Scene scene;
+  scene.size = size;
+  return scene;
+}
+
+/// A window position of the scene's target as a clip position of that w.
+glm::vec4 clip_position(const Scene& scene, float u, float v, float depth, float w) {
+  const glm::vec2 size(scene.size);
+  return {(2 * u / size.x - 1) * w, (2 * v / size.y - 1) * w, depth * w, w};
+}
+
+/// A vertex with attributes of its own.
+void add_vertex(Scene& scene, const glm::vec4& position, Scatter& scatter) {
+  scene.positions.push_back(position);
+  scene.attributes.push_back(scatter.unit());
+  scene.attributes.push_back(scatter.unit());
 }
 
 void add_triangle(Scene& scene, const glm::vec4& a, const glm::vec4& b, const glm::vec4& c,
                   Scatter& scatter) {
   const auto first = static_cast<std::uint32_t>(scene.positions.size());
-  for (const glm::vec4& p : {a, b, c}) {
-    scene.positions.push_back(p);
-    scene.attributes.push_back(scatter.unit());
-    scene.attributes.push_back(scatter.unit());
-  }
+  for (const glm::vec4& p : {a, b, c}) add_vertex(scene, p, scatter);
   scene.triangles.emplace_back(first, first + 1, first + 2);
 }
 
 void add_full_triangle(Scene& scene, float depth, Scatter& scatter) {
-  constexpr float kFar = 2 * kTarget;
-  add_triangle(scene, clip_position(0, 0, depth, 1), clip_position(kFar, 0, depth, 2),
-               clip_position(0, kFar, depth, 1.5F), scatter);
+  const glm::vec2 far = 2.0F * glm::vec2(scene.size);
+  add_triangle(scene, clip_position(scene, 0, 0, depth, 1),
+               clip_position(scene, far.x, 0, depth, 2),
+               clip_position(scene, 0, far.y, depth, 1.5F), scatter);
 }
 
-/// The bunny, framed: a mesh as meshes are, 69,666 triangles of a pixel or so at this size.
-Result<Scene> bunny() {
-  const std::string file = "/usr/share/glmark2/models/bunny.obj";
-  const auto framed =
-      cases::case_from_mesh(file, {kTarget, kTarget}).and_then([&](const cases::Case& c) {
-        return oracle::to_clip_case(c, file);
-      });
-  if (!framed) return tl::unexpected(framed.error());
-  Scene scene;
-  for (const cases::ClipVertex& p : framed->positions) {
-    scene.positions.emplace_back(p.x, p.y, p.z, p.w);
+using Polygon = std::vector<glm::dvec4>;
+
+/// Keeps what of a polygon in clip space lies where `side`, a linear form, is not negative.
+void cut(Polygon& polygon, double (*side)(const glm::dvec4&)) {
+  Polygon rest;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec4& p = polygon[i];
+    const glm::dvec4& q = polygon[(i + 1) % polygon.size()];
+    const double at_p = side(p);
+    const double at_q = side(q);
+    if (at_p >= 0) rest.push_back(p);
+    if ((at_p < 0) != (at_q < 0)) rest.push_back(p + at_p / (at_p - at_q) * (q - p));
   }
-  scene.attributes = framed->attribute_values;
-  for (const cases::Triangle& t : framed->triangles) scene.triangles.emplace_back(t[0], t[1], t[2]);
-  return scene;
+  polygon = std::move(rest);
 }
-
-struct FrameScene {
-  std::string_view name;
-  Result<Scene> (*make)();
-};
-
-constexpr FrameScene kFrameScenes[] = {
-    {"fill_32_layers", [] { return Result<Scene>(layers_back_to_front(32)); }},
-    {"random_1px", [] { return Result<Scene>(random_triangles(20000, 1.3F)); }},
-    {"random_8px", [] { return Result<Scene>(random_triangles(20000, 8)); }},
-    {"grid_8px", [] { return Result<Scene>(grid_triangles(20000, 8)); }},
-    {"random_72px", [] { return Result<Scene>(random_triangles(2000, 72)); }},
-    {"random_805px", [] { return Result<Scene>(random_triangles(20, 805)); }},
-    {"bunny", &bunny},
-};
 
 }  // namespace
 
-Scene random_triangles(int count, float side) {
-  Scene scene;
+Scene random_triangles(int count, float side, const glm::ivec2& size) {
+  Scene scene = empty_scene(size);
   Scatter scatter(1);
   for (int i = 0; i < count; ++i) {
-    const float u = scatter.unit() * (kTarget - side);
-    const float v = scatter.unit() * (kTarget - side);
+    const float u = scatter.unit() * (static_cast<float>(size.x) - side);
+    const float v = scatter.unit() * (static_cast<float>(size.y) - side);
     const float depth = scatter.unit();
     const float w = 0.5F + 1.5F * scatter.unit();
-    add_triangle(scene, clip_position(u, v, depth, w), clip_position(u + side, v, depth, 1),
-                 clip_position(u, v + side, depth, 1), scatter);
+    add_triangle(scene, clip_position(scene, u, v, depth, w),
+                 clip_position(scene, u + side, v, depth, 1),
+                 clip_position(scene, u, v + side, depth, 1), scatter);
   }
   return scene;
 }
@@ -100,17 +98,34 @@ Scene random_triangles(int count, float side) {
 Scene grid_triangles(int count, int side) {
   Scene scene;
   Scatter scatter(1);
-  const auto any_centre = [&] {
-    return 0.5F + static_cast<float>(
-                      static_cast<int>(scatter.unit() * static_cast<float>(kTarget - side)));
-  };
+  const auto any_centre = [&] { return 0.5F + scatter.below(kTarget - side); };
   for (int i = 0; i < count; ++i) {
     const float u = any_centre();
     const float v = any_centre();
     const auto far = static_cast<float>(side);
     const float depth = scatter.unit();
-    add_triangle(scene, clip_position(u, v, depth, 1), clip_position(u + far, v, depth, 1),
-                 clip_position(u, v + far, depth, 1), scatter);
+    add_triangle(scene, clip_position(scene, u, v, depth, 1),
+                 clip_position(scene, u + far, v, depth, 1),
+                 clip_position(scene, u, v + far, depth, 1), scatter);
+  }
+  return scene;
+}
+
+Scene sprites(int count, int side) {
+  Scene scene;
+  Scatter scatter(1);
+  for (int i = 0; i < count; ++i) {
+    const float u = scatter.below(kTarget - side);
+    const float v = scatter.below(kTarget - side);
+    const auto far = static_cast<float>(side);
+    const float depth = scatter.unit();
+    const auto first = static_cast<std::uint32_t>(scene.positions.size());
+    add_vertex(scene, clip_position(scene, u, v, depth, 1), scatter);
+    add_vertex(scene, clip_position(scene, u + far, v, depth, 1), scatter);
+    add_vertex(scene, clip_position(scene, u, v + far, depth, 1), scatter);
+    add_vertex(scene, clip_position(scene, u + far, v + far, depth, 1), scatter);
+    scene.triangles.emplace_back(first, first + 1, first + 2);
+    scene.triangles.emplace_back(first + 2, first + 1, first + 3);
   }
   return scene;
 }
@@ -122,8 +137,8 @@ Scene full_triangles(int count) {
   return scene;
 }
 
-Scene layers_back_to_front(int count) {
-  Scene scene;
+Scene layers_back_to_front(int count, const glm::ivec2& size) {
+  Scene scene = empty_scene(size);
   Scatter scatter(1);
   for (int i = count; i > 0; --i) {
     add_full_triangle(scene, static_cast<float>(i) / static_cast<float>(count + 1), scatter);
@@ -131,32 +146,27 @@ Scene layers_back_to_front(int count) {
   return scene;
 }
 
-const std::vector<std::string_view>& frame_scenes() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> all;
-    for (const FrameScene& scene : kFrameScenes) all.push_back(scene.name);
-    return all;
-  }();
-  return names;
-}
-
-Result<Scene> frame_scene(std::string_view name) {
-  for (const FrameScene& scene : kFrameScenes) {
-    if (scene.name == name) return scene.make();
-  }
-  return tl::unexpected(Error{std::string(name), "", "no scene of that name"});
-}
-
 double drawn_area(const Scene& scene) {
-  const auto window = [](const glm::vec4& p) {
-    return glm::dvec2(kTarget / 2.0 * p.x / p.w, kTarget / 2.0 * p.y / p.w);
+  using Side = double (*)(const glm::dvec4&);
+  constexpr Side kSides[] = {
+      [](const glm::dvec4& p) { return p.z; }, [](const glm::dvec4& p) { return p.w - p.x; },
+      [](const glm::dvec4& p) { return p.w + p.x; }, [](const glm::dvec4& p) { return p.w - p.y; },
+      [](const glm::dvec4& p) { return p.w + p.y; }};
+  const glm::dvec2 half = glm::dvec2(scene.size) / 2.0;
+  const auto window = [&](const glm::dvec4& p) {
+    return glm::dvec2(half.x * p.x / p.w, half.y * p.y / p.w);
   };
   double sum = 0;
+  Polygon polygon;
   for (const glm::uvec3& t : scene.triangles) {
-    const glm::dvec2 origin = window(scene.positions[t.x]);
-    const glm::dvec2 a = window(scene.positions[t.y]) - origin;
-    const glm::dvec2 b = window(scene.positions[t.z]) - origin;
-    sum += std::min(std::abs(a.x * b.y - a.y * b.x) / 2, double{kTarget} * kTarget);
+    polygon = {scene.positions[t.x], scene.positions[t.y], scene.positions[t.z]};
+    for (const Side side : kSides) cut(polygon, side);
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      const glm::dvec2 origin = window(polygon[0]);
+      const glm::dvec2 a = window(polygon[i - 1]) - origin;
+      const glm::dvec2 b = window(polygon[i]) - origin;
+      sum += std::abs(a.x * b.y - a.y * b.x) / 2;
+    }
   }
   return sum;
 }

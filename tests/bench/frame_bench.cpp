@@ -1,160 +1,140 @@
-// raster/draw/… and raster/llvmpipe/…: whole frames, cleared and drawn with a depth test, two
-// perspective attributes in float32, 1024×1024. Ours by `draw`; Mesa's llvmpipe, the fastest
-// software driver there is to compare with, through OpenGL into RGBA32F and depth32F, in the same
-// run, by a process for each configuration: llvmpipe reads its settings from the environment once.
+// raster/draw…/threads:T/SCENE and raster/llvmpipe…/threads:T/width:W/SCENE: whole frames, cleared
+// and drawn with a depth test, two perspective attributes in float32 (frame_scenes.h). Ours by
+// `draw`; llvmpipe's (llvmpipe.h) into depth32F, in the same run, by processes of its own.
 //
-// llvmpipe's threads. LP_NUM_THREADS=N makes N threads that rasterize beside the one that calls,
-// which transforms, sets up and bins; with 0 that one does it all. So `threads:1` is 0, the one
-// setting that keeps to a core, and `threads:2` is 2, which leaves it at least the two cores that
-// ours has: a draw is binned before it is rasterized, so that the third thread waits most of the
-// time. `width` is that of its vectors in bits (LP_NATIVE_VECTOR_WIDTH); by default 256 where there
-// is AVX.
+//   draw             exact coverage, values in double, one sample per pixel
+//   draw-avx2        the same by vectors of 256 bits, where the processor has longer ones
+//   draw-samples:4   four samples per pixel
+//   draw-snapped:8   coverage and values of triangles on the grid of 2^-8 pixels, as drivers' are
+//   draw-float32     attributes computed in float32
+//   llvmpipe             into RGBA32F
+//   llvmpipe-rgba8       into bytes: what it is best at, while ours writes two floats per pixel
+//   llvmpipe-samples:4   four samples per pixel, RGBA32F
+//
+// fraction_of_limit of filled frames: the least time that the machine can do it in over the time
+// taken (machine_limits.h); the limit is measured before each repetition, on as many threads.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <chrono>
 #include <map>
-#include <memory>
-#include <sstream>
+#include <optional>
 #include <string>
+#include <utility>
 
-#include "tests/bench/bench_scenes.h"
-#include "tests/bench/peer_process.h"
+#include "tests/bench/frame_scenes.h"
+#include "tests/bench/llvmpipe.h"
+#include "tests/bench/machine_limits.h"
 #include "tests/bench/summary.h"
+#include "tests/on_target.h"
 
 namespace rastercheck::bench {
 namespace {
 
-/// A scene and what our rasterizer makes of it; made when it is asked for first.
-struct Frame {
-  Scene scene;
-  Summary summary;
+/// One of our modes, beside what all frames have in common.
+struct Mode {
+  std::string name = "draw";
+  int samples = 1;
+  std::optional<rasterizer::Snapping> snapping = {};
+  rasterizer::Precision precision = rasterizer::Precision::float64;
+  bool on_avx2 = false;
 };
 
-rasterizer::State frame_state() {
+rasterizer::State state_of(const Mode& mode, const Scene& scene) {
   rasterizer::State state;
-  state.viewport.size = {kTarget, kTarget};
+  state.viewport.size = scene.size;
   state.attributes.resize(2);
   state.depth_test = rasterizer::DepthTest::less;
+  state.snapping = mode.snapping;
+  if (mode.snapping) state.basis = rasterizer::Basis::snapped;
+  state.precision = mode.precision;
   return state;
 }
 
 /// Whether it could be drawn.
-bool draw_frame(const rasterizer::State& state, const Scene& scene,
+bool draw_frame(const rasterizer::State& state, const Scene& scene, int samples,
                 rasterizer::Framebuffer& framebuffer, unsigned threads = 1) {
-  return !rasterizer::clear(framebuffer, {kTarget, kTarget, 1}, 2, 1) &&
-         !rasterizer::draw(state, scene.mesh(), framebuffer, threads).error;
+  const rasterizer::TargetSize size{scene.size.x, scene.size.y, samples};
+  return !rasterizer::clear_and_draw(state, scene.mesh(), size, 1, framebuffer, threads).error;
 }
 
-const Result<Frame>& frame_of(const std::string& name) {
-  static std::map<std::string, Result<Frame>> frames;
-  const auto known = frames.find(name);
-  if (known != frames.end()) return known->second;
-  Result<Frame> made = frame_scene(name).and_then([](const Scene& scene) -> Result<Frame> {
-    rasterizer::Framebuffer drawn;
-    if (!draw_frame(frame_state(), scene, drawn)) {
-      return tl::unexpected(Error{"", "", "the draw was refused"});
-    }
-    return Frame{scene, summarize(drawn.depth, drawn.attributes, 2)};
-  });
-  return frames.emplace(name, std::move(made)).first->second;
+/// Of our picture of a scene that can be had; drawn when it is asked for first.
+const Result<Summary>& summary_of(const std::string& name, int samples) {
+  static std::map<std::pair<std::string, int>, Result<Summary>> drawn;
+  const auto known = drawn.find({name, samples});
+  if (known != drawn.end()) return known->second;
+  const Scene& scene = *frame_scene(name);
+  rasterizer::Framebuffer framebuffer;
+  Result<Summary> summary = tl::unexpected(Error{"", "", "the draw was refused"});
+  if (draw_frame(state_of({}, scene), scene, samples, framebuffer)) {
+    summary = summarize(framebuffer.depth, framebuffer.attributes, 2);
+  }
+  return drawn.emplace(std::pair{name, samples}, std::move(summary)).first->second;
 }
 
-void set_rates(benchmark::State& bench, const Scene& scene) {
+double drawn_area(const std::string& name) {
+  static std::map<std::string, double> areas;
+  const auto [area, is_new] = areas.try_emplace(name);
+  if (is_new) area->second = drawn_area(*frame_scene(name));
+  return area->second;
+}
+
+void set_rates(benchmark::State& bench, const std::string& name) {
   const auto rate = [&bench](double count) {
     return benchmark::Counter(count * static_cast<double>(bench.iterations()),
                               benchmark::Counter::kIsRate);
   };
-  bench.counters["triangles_per_second"] = rate(static_cast<double>(scene.triangles.size()));
+  bench.counters["triangles_per_second"] =
+      rate(static_cast<double>(frame_scene(name)->triangles.size()));
   // Hidden ones too: all of them in fill_32_layers are shaded.
-  bench.counters["pixels_per_second"] = rate(drawn_area(scene));
+  bench.counters["pixels_per_second"] = rate(drawn_area(name));
 }
 
-void draw(benchmark::State& bench, const std::string& name, unsigned threads) {
-  const Result<Frame>& frame = frame_of(name);
-  if (!frame) return bench.SkipWithError(to_string(frame.error()).c_str());
-  const rasterizer::State state = frame_state();
+bool has_more_than_avx2() {
+  // Highway's targets for one processor are bits, the better the lower.
+  return (hwy::SupportedTargets() & HWY_AVX2) != 0 &&
+         (hwy::SupportedTargets() & (HWY_AVX2 - 1)) != 0;
+}
+
+void draw(benchmark::State& bench, const std::string& name, const Mode& mode, unsigned threads) {
+  const Result<Scene>& scene = frame_scene(name);
+  if (!scene) return bench.SkipWithError(to_string(scene.error()).c_str());
+  std::optional<OnTarget> target;
+  if (mode.on_avx2) {
+    if (!has_more_than_avx2()) return bench.SkipWithError("the processor has no more than AVX2");
+    target.emplace(HWY_AVX2);
+  }
+  const bool has_limit = name.starts_with("fill") && mode.samples == 1 && !mode.snapping &&
+                         mode.precision == rasterizer::Precision::float64;
+  MachineLimits limits;
+  if (has_limit) limits = measure_machine_limits(threads);
+
+  const rasterizer::State state = state_of(mode, *scene);
   rasterizer::Framebuffer framebuffer;
+  const auto start = std::chrono::steady_clock::now();
   for (auto _ : bench) {
-    if (!draw_frame(state, frame->scene, framebuffer, threads))
+    if (!draw_frame(state, *scene, mode.samples, framebuffer, threads)) {
       return bench.SkipWithError("refused");
+    }
     benchmark::DoNotOptimize(framebuffer.depth.data());
   }
-  set_rates(bench, frame->scene);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  set_rates(bench, name);
+  if (has_limit) {
+    bench.counters["fraction_of_limit"] = least_fill_seconds(limits, drawn_area(name)) *
+                                          static_cast<double>(bench.iterations()) / taken.count();
+  }
 }
 
-/// A process that draws by llvmpipe, and the scene it has drawn last.
-class Llvmpipe {
- public:
-  explicit Llvmpipe(const std::vector<std::string>& settings) {
-    Result<std::unique_ptr<PeerProcess>> started =
-        PeerProcess::start(RASTERCHECK_BENCH_GL_PROGRAM, settings);
-    if (!started) {
-      problem_ = started.error();
-      return;
-    }
-    const Result<std::string> renderer = (*started)->hear();
-    if (!renderer) {
-      problem_ = renderer.error();
-    } else if (!renderer->starts_with("llvmpipe")) {
-      problem_ = Error{"", "", "it is not llvmpipe that draws but " + *renderer};
-    } else {
-      renderer_ = *renderer;
-      process_ = *std::move(started);
-    }
-  }
-
-  const std::string& renderer() const { return renderer_; }
-
-  /// Makes it ready to draw this frame; an error where it draws something else than we do.
-  Result<void> take(const std::string& name, const Frame& frame) {
-    if (!process_) return tl::unexpected(problem_);
-    if (scene_ == name) return {};
-    scene_.clear();
-    const Result<std::string> summary =
-        process_->ask("scene " + name).and_then([&](const std::string& /*ok*/) {
-          return process_->ask("summary");
-        });
-    if (!summary) return tl::unexpected(summary.error());
-    Summary its;
-    std::istringstream(*summary) >> its.covered >> its.red >> its.green >> its.depth;
-    if (!show_the_same(its, frame.summary)) {
-      return tl::unexpected(Error{"", "", "its picture of " + name + " is another: " + *summary});
-    }
-    scene_ = name;
-    return {};
-  }
-
-  /// Seconds for one frame.
-  Result<double> draw() {
-    return process_->ask("draw 1").map(
-        [](const std::string& seconds) { return std::stod(seconds); });
-  }
-
- private:
-  std::unique_ptr<PeerProcess> process_;
-  Error problem_;
-  std::string renderer_;
-  std::string scene_;
-};
-
-struct Configuration {
-  std::string name;
-  std::vector<std::string> settings;
-};
-
-/// The process of a configuration: started when it is asked for first, ended with this one.
-Llvmpipe& llvmpipe(const Configuration& configuration) {
-  static std::map<std::string, Llvmpipe> all;
-  return all.try_emplace(configuration.name, configuration.settings).first->second;
-}
-
-void draw_by_llvmpipe(benchmark::State& bench, const std::string& name,
+void draw_by_llvmpipe(benchmark::State& bench, const std::string& name, const PeerTarget& target,
                       const Configuration& configuration) {
-  const Result<Frame>& frame = frame_of(name);
-  if (!frame) return bench.SkipWithError(to_string(frame.error()).c_str());
+  const Result<Scene>& scene = frame_scene(name);
+  if (!scene) return bench.SkipWithError(to_string(scene.error()).c_str());
+  const Result<Summary>& summary = summary_of(name, target.samples);
+  if (!summary) return bench.SkipWithError(to_string(summary.error()).c_str());
   Llvmpipe& peer = llvmpipe(configuration);
-  if (const Result<void> ready = peer.take(name, *frame); !ready) {
+  if (const Result<void> ready = peer.take(name, target, *summary); !ready) {
     return bench.SkipWithError(("no llvmpipe: " + to_string(ready.error())).c_str());
   }
   for (auto _ : bench) {
@@ -163,38 +143,42 @@ void draw_by_llvmpipe(benchmark::State& bench, const std::string& name,
     bench.SetIterationTime(*seconds);
   }
   bench.SetLabel(peer.renderer());
-  set_rates(bench, frame->scene);
+  set_rates(bench, name);
 }
 
-std::vector<Configuration> configurations() {
-  std::vector<Configuration> all;
-  for (const auto& [threads, lp_num_threads] : {std::pair{"1", "0"}, std::pair{"2", "2"}}) {
-    for (const auto& [width, setting] :
-         {std::pair{"default", "LP_NATIVE_VECTOR_WIDTH"}, {"512", "LP_NATIVE_VECTOR_WIDTH=512"}}) {
-      all.push_back({fmt::format("threads:{}/width:{}", threads, width),
-                     {"LIBGL_ALWAYS_SOFTWARE=1", "GALLIUM_DRIVER=llvmpipe",
-                      fmt::format("LP_NUM_THREADS={}", lp_num_threads), setting}});
-    }
+void add(const std::string& name, const Mode& mode) {
+  for (const unsigned threads : {1U, 2U}) {
+    benchmark::RegisterBenchmark(
+        fmt::format("raster/{}/threads:{}/{}", mode.name, threads, name).c_str(),
+        [=](benchmark::State& bench) { draw(bench, name, mode, threads); })
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
   }
-  return all;
+}
+
+void add(const std::string& name, const std::string& kind, const PeerTarget& target) {
+  for (const Configuration& configuration : llvmpipe_configurations()) {
+    benchmark::RegisterBenchmark(
+        fmt::format("raster/{}/{}/{}", kind, configuration.name, name).c_str(),
+        [=](benchmark::State& bench) { draw_by_llvmpipe(bench, name, target, configuration); })
+        ->Unit(benchmark::kMillisecond)
+        ->UseManualTime();
+  }
 }
 
 const bool kRegistered = [] {
   for (const std::string_view scene : frame_scenes()) {
     const std::string name(scene);
-    for (const unsigned threads : {1U, 2U}) {
-      benchmark::RegisterBenchmark(fmt::format("raster/draw/threads:{}/{}", threads, name).c_str(),
-                                   [=](benchmark::State& bench) { draw(bench, name, threads); })
-          ->Unit(benchmark::kMillisecond)
-          ->UseRealTime();
-    }
-    for (const Configuration& configuration : configurations()) {
-      benchmark::RegisterBenchmark(
-          ("raster/llvmpipe/" + configuration.name + "/" + name).c_str(),
-          [=](benchmark::State& bench) { draw_by_llvmpipe(bench, name, configuration); })
-          ->Unit(benchmark::kMillisecond)
-          ->UseManualTime();
-    }
+    add(name, Mode{});
+    add(name, Mode{.name = "draw-avx2", .on_avx2 = true});
+    add(name, "llvmpipe", {});
+    add(name, "llvmpipe-rgba8", {"rgba8"});
+  }
+  for (const std::string name : {"fill_32_layers", "random_8px", "random_72px", "bunny"}) {
+    add(name, Mode{.name = "draw-samples:4", .samples = 4});
+    add(name, Mode{.name = "draw-snapped:8", .snapping = rasterizer::Snapping{8}});
+    add(name, Mode{.name = "draw-float32", .precision = rasterizer::Precision::float32});
+    add(name, "llvmpipe-samples:4", {"rgba32f", 4});
   }
   return true;
 }();

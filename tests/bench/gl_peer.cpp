@@ -3,8 +3,9 @@
 // takes a line and answers with one, "ok …" or "error …"; the first answer comes unasked.
 //
 //   (started)     ok RENDERER
-//   scene NAME    ok                        the scene is built, uploaded and drawn to warm up
-//   draw COUNT    ok SECONDS                that many frames, each finished before the next
+//   scene NAME COLOR SAMPLES   ok    the scene is built, uploaded and drawn to warm up; COLOR is
+//                                    rgba32f or rgba8
+//   draw COUNT    ok SECONDS         that many frames, each finished before the next
 //   summary       ok COVERED RED GREEN DEPTH    of the last frame (summary.h)
 
 #include <chrono>
@@ -16,7 +17,7 @@
 #include "backends/gl/context.h"
 #include "backends/gl/draw.h"
 #include "backends/gl/target.h"
-#include "tests/bench/bench_scenes.h"
+#include "tests/bench/frame_scenes.h"
 #include "tests/bench/summary.h"
 
 namespace rastercheck::bench {
@@ -31,12 +32,9 @@ tl::unexpected<Error> failure(const std::string& reason) {
 class GlPeer {
  public:
   static Result<GlPeer> create(const gl::Context& context) {
-    Result<gl::Target> target =
-        gl::Target::create(context, {kTarget, kTarget, 1, gl::ColorFormat::rgba32f});
-    if (!target) return tl::unexpected(target.error());
     Result<gl::Program> program = gl::Program::build(context);
     if (!program) return tl::unexpected(program.error());
-    return GlPeer(context, *std::move(target), *std::move(program));
+    return GlPeer(context, *std::move(program));
   }
 
   /// What comes after "ok ".
@@ -46,8 +44,10 @@ class GlPeer {
     words >> verb;
     if (verb == "scene") {
       std::string name;
-      words >> name;
-      return take(name).map([] { return std::string(); });
+      std::string color;
+      int samples = 0;
+      words >> name >> color >> samples;
+      return take(name, color, samples).map([] { return std::string(); });
     }
     if (!mesh_) return failure("no scene yet");
     if (verb == "draw") {
@@ -60,13 +60,19 @@ class GlPeer {
   }
 
  private:
-  GlPeer(const gl::Context& context, gl::Target target, gl::Program program)
-      : context_(&context), target_(std::move(target)), program_(std::move(program)) {}
+  GlPeer(const gl::Context& context, gl::Program program)
+      : context_(&context), program_(std::move(program)) {}
 
-  Result<void> take(const std::string& name) {
+  Result<void> take(const std::string& name, const std::string& color, int samples) {
     mesh_.reset();
-    const Result<Scene> scene = frame_scene(name);
+    target_.reset();
+    const Result<Scene>& scene = frame_scene(name);
     if (!scene) return tl::unexpected(scene.error());
+    const auto format = color == "rgba8" ? gl::ColorFormat::rgba8 : gl::ColorFormat::rgba32f;
+    Result<gl::Target> target =
+        gl::Target::create(*context_, {scene->size.x, scene->size.y, samples, format});
+    if (!target) return tl::unexpected(target.error());
+    target_ = *std::move(target);
     std::vector<cases::ClipVertex> positions;
     for (const glm::vec4& p : scene->positions) positions.push_back({p.x, p.y, p.z, p.w});
     std::vector<cases::Triangle> triangles;
@@ -81,7 +87,7 @@ class GlPeer {
   Result<std::string> draw(int count) const {
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < count; ++i) {
-      if (const Result<void> drawn = program_.draw_frame(*mesh_, target_); !drawn) {
+      if (const Result<void> drawn = program_.draw_frame(*mesh_, *target_); !drawn) {
         return tl::unexpected(drawn.error());
       }
     }
@@ -90,7 +96,7 @@ class GlPeer {
   }
 
   Result<std::string> summary() const {
-    const Result<gl::Picture> picture = target_.read();
+    const Result<gl::Picture> picture = target_->read();
     if (!picture) return tl::unexpected(picture.error());
     const Summary s =
         summarize(picture->depth, {picture->color.front().data(), 4 * picture->color.size()}, 4);
@@ -107,8 +113,8 @@ class GlPeer {
   }
 
   const gl::Context* context_;
-  gl::Target target_;
   gl::Program program_;
+  std::optional<gl::Target> target_;
   std::optional<gl::Mesh> mesh_;
 };
 

@@ -1,0 +1,58 @@
+#pragma once
+
+// Mesa's llvmpipe, the fastest software driver there is to compare with, through OpenGL: a process
+// for each configuration, as it reads its settings from the environment once.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cases/error.h"
+#include "tests/bench/peer_process.h"
+#include "tests/bench/summary.h"
+
+namespace rastercheck::bench {
+
+/// What it draws into, beside a depth of float32.
+struct PeerTarget {
+  std::string color = "rgba32f";  ///< or "rgba8"
+  int samples = 1;
+};
+
+class Llvmpipe {
+ public:
+  explicit Llvmpipe(const std::vector<std::string>& settings);
+
+  /// As the driver names itself.
+  const std::string& renderer() const { return renderer_; }
+
+  /// Makes it ready to draw this scene; an error where its picture is another than the `expected`.
+  Result<void> take(const std::string& scene, const PeerTarget& target, const Summary& expected);
+
+  /// Seconds for one frame.
+  Result<double> draw();
+
+ private:
+  std::unique_ptr<PeerProcess> process_;
+  Error problem_;
+  std::string renderer_;
+  std::string taken_;  ///< the last request, empty: it did not succeed
+};
+
+/// Threads and vectors of llvmpipe.
+///
+/// LP_NUM_THREADS=N makes N threads that rasterize beside the one that calls, which transforms,
+/// sets up and bins; with 0 that one does it all. So `threads:1` is 0, the one setting that keeps
+/// to a core, and `threads:2` is 2, which leaves it at least the two cores that ours has: a draw is
+/// binned before it is rasterized, so that the third thread waits most of the time. `width` is that
+/// of its vectors in bits (LP_NATIVE_VECTOR_WIDTH); by default 256 where there is AVX.
+struct Configuration {
+  std::string name;
+  std::vector<std::string> settings;
+};
+std::vector<Configuration> llvmpipe_configurations();
+
+/// The process of a configuration: started when it is asked for first, ended with this one.
+Llvmpipe& llvmpipe(const Configuration& configuration);
+
+}  // namespace rastercheck::bench

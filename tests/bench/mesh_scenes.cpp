@@ -1,0 +1,110 @@
+#include "tests/bench/mesh_scenes.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+#include "cases/mesh.h"
+#include "oracle/transform.h"
+#include "tests/bench/quake_level.h"
+
+namespace rastercheck::bench {
+namespace {
+
+/// Where CMake has unpacked archives.
+const std::string kUnpacked = RASTERCHECK_BENCH_DATA "/";
+const std::string kModels = "/usr/share/assimp/models/";
+
+/// `origin`: the package, and what else is to be done for it to be there.
+Result<void> check_there(const std::string& file, const char* origin) {
+  std::error_code unused;
+  if (std::filesystem::exists(file, unused)) return {};
+  return tl::unexpected(Error{file, "", std::string("not there: it comes with ") + origin});
+}
+
+/// Maps both attributes to 0…1, so that targets of bytes hold them too.
+void normalize_attributes(Scene& scene) {
+  for (std::size_t a = 0; a < 2; ++a) {
+    float lo = scene.attributes[a];
+    float hi = lo;
+    for (std::size_t i = a; i < scene.attributes.size(); i += 2) {
+      lo = std::min(lo, scene.attributes[i]);
+      hi = std::max(hi, scene.attributes[i]);
+    }
+    if (lo == hi) continue;
+    for (std::size_t i = a; i < scene.attributes.size(); i += 2) {
+      scene.attributes[i] = (scene.attributes[i] - lo) / (hi - lo);
+    }
+  }
+}
+
+Result<Scene> framed_mesh(const std::string& file, const char* origin, const glm::ivec2& size) {
+  const auto framed =
+      check_there(file, origin)
+          .and_then([&] {
+            return cases::case_from_mesh(file, {size.x, size.y});
+          })
+          .and_then([&](const cases::Case& c) { return oracle::to_clip_case(c, file); });
+  if (!framed) return tl::unexpected(framed.error());
+  Scene scene;
+  scene.size = size;
+  for (const cases::ClipVertex& p : framed->positions) {
+    scene.positions.emplace_back(p.x, p.y, p.z, p.w);
+  }
+  scene.attributes = framed->attribute_values;
+  for (const cases::Triangle& t : framed->triangles) scene.triangles.emplace_back(t[0], t[1], t[2]);
+  normalize_attributes(scene);
+  return scene;
+}
+
+}  // namespace
+
+Result<Scene> bunny(const glm::ivec2& size) {
+  return framed_mesh("/usr/share/glmark2/models/bunny.obj", "glmark2-data", size);
+}
+
+Result<Scene> armadillo(const glm::ivec2& size) {
+  return framed_mesh(kUnpacked + "data/meshes/armadillo.off", "libcgal-demo; then configure anew",
+                     size);
+}
+
+Result<Scene> engine(const glm::ivec2& size) {
+  return framed_mesh(kModels + "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb",
+                     "assimp-testmodels", size);
+}
+
+Result<Scene> human(const glm::ivec2& size) {
+  return framed_mesh(kModels + "Collada/human.zae", "assimp-testmodels", size);
+}
+
+Result<Scene> castle(const glm::ivec2& size) {
+  const std::string file = kUnpacked + "maps/oasago2.bsp";
+  const auto level = check_there(file, "openarena-081-maps; then configure anew").and_then([&] {
+    return read_quake_level(file);
+  });
+  if (!level) return tl::unexpected(level.error());
+  // The eye of a player, in the game's units, z up, and where it looks, on the level. Sums and
+  // products of floats: the same bits everywhere.
+  constexpr glm::vec3 kEye{-1984, -892, 66};
+  constexpr glm::vec2 kAhead{0.8F, 0.6F};
+  constexpr float kNear = 4;
+  const float narrow = static_cast<float>(size.y) / static_cast<float>(size.x);
+  Scene scene;
+  scene.size = size;
+  for (const glm::vec3& p : level->positions) {
+    const glm::vec3 to = p - kEye;
+    const float ahead = to.x * kAhead.x + to.y * kAhead.y;
+    const float right = to.x * kAhead.y - to.y * kAhead.x;
+    // A field of view of 90° up and down, and nothing is too far.
+    scene.positions.emplace_back(right * narrow, -to.z, ahead - kNear, ahead);
+  }
+  for (const glm::vec2& t : level->texture_coordinates) {
+    scene.attributes.insert(scene.attributes.end(), {t.x, t.y});
+  }
+  scene.triangles = level->triangles;
+  normalize_attributes(scene);
+  return scene;
+}
+
+}  // namespace rastercheck::bench
