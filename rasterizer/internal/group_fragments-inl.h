@@ -165,9 +165,9 @@ HWY_INLINE void Shade(const KernelSetting& setting, const Part& part, std::size_
 }
 
 /// A fragment at a vertex has the vertex's values: that of the edge it is not on.
-void PutVertexValues(const KernelSetting& setting, const GroupInput& input,
-                     const GroupOutput& output, std::size_t sample, std::size_t lane, Code bit,
-                     std::size_t at, FragmentList& out) {
+inline void PutVertexValues(const KernelSetting& setting, const GroupInput& input,
+                            const GroupOutput& output, std::size_t sample, std::size_t lane,
+                            Code bit, std::size_t at, FragmentList& out) {
   const PixelBox& box = output.box[lane];
   const int x = box.columns.begin + static_cast<int>(bit & 7);
   const int y = box.rows.begin + static_cast<int>(bit >> 3);
@@ -254,9 +254,9 @@ HWY_INLINE std::uint32_t CoverSmall(const KernelSetting& setting, const std::arr
 }
 
 /// Appends the fragments of the small triangles.
-void AppendFragments(const KernelSetting& setting, const GroupInput& input, const Part& part,
-                     const SmallCover& cover, std::uint32_t small_bits, std::uint32_t first,
-                     FragmentList& fragments) {
+inline void AppendFragments(const KernelSetting& setting, const GroupInput& input, const Part& part,
+                            const SmallCover& cover, std::uint32_t small_bits, std::uint32_t first,
+                            FragmentList& fragments) {
   const Doubles d;
   const GroupOutput& output = *part.output;
   std::array<std::uint64_t, kGroup> boxes{};
