@@ -10,9 +10,9 @@
 //            E_i: band_i for plane_band_i, besides roundings of 8u Σ|E_i|.
 //   affine   |δr| <= max|r_i| Σ |w_i| plane_band_i / (|det| T), certified below 2^-33, and 2^-33
 //            for the determinant.
-//   depth    |δz| <= Σ |z_i| (9u S_i and what U and V are off by) / (|det| T), certified below
-//            9/16 2^-31, for 2 plane_band_i are; 2^-33 for the determinant; 3u for the offset.
-//            n, f and f − n are at most max(|n|, |f|).
+//   depth    |δz| <= Σ |z_i| (9u S_i and what U and V are off by) / (|det| T), below
+//            9/8 2^-32, as Σ |z_i| plane_band_i is certified below 2^-32; 2^-33 for the
+//            determinant; 3u for the offset. n, f and f − n are at most max(|n|, |f|).
 //
 // With half an ULP for the rounding to float32 no value is off by more than kValueBound.
 

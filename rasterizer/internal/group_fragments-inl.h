@@ -185,6 +185,7 @@ inline void PutVertexValues(const KernelSetting& setting, const GroupInput& inpu
         input.attributes[vertex][lane * setting.attributes + a] + 0.0F;  // an exact sum is not −0
   }
 }
+
 /// Of the small triangles by sample and lane, as Cover has it.
 struct SmallCover {
   template <typename T>
@@ -231,7 +232,6 @@ HWY_INLINE std::uint32_t CoverSmall(const KernelSetting& setting, const std::arr
           hn::Add(hn::Min(hn::Mul(a, u), hn::Mul(a, u_last)), hn::Add(along_v, c));
       const auto least = part.Get(Numbers::kSure + Numbers::kDenominator);
       const std::uint32_t is_above = BitsOf(hn::Gt(least_sum, least));
-
       left_bits |= small_bits & ~is_above;
       small_bits &= is_above;
     }

@@ -169,7 +169,7 @@ HWY_INLINE Clip ClipBy(const Three& g) {
           All(hn::Ge(g[0], zero), hn::Ge(g[1], zero), hn::Ge(g[2], zero))};
 }
 
-/// Distances add · w + k · of each corner.
+/// Distances add · w + times · k of each corner.
 HWY_INLINE Three Distances(const Three& w, const Three& k, double add, double times) {
   const Doubles d;
   Three g;
@@ -241,7 +241,7 @@ HWY_INLINE Vector LowestBit(Vector v) {
                         lowest);
 }
 
-/// Whether p q − r t is no rounding.
+/// Whether nothing is rounded in p q − r t.
 HWY_INLINE Lanes IsExact(Vector p, Vector q, Vector r, Vector t) {
   const auto x = hn::Mul(p, q);
   const auto y = hn::Mul(r, t);
@@ -249,6 +249,14 @@ HWY_INLINE Lanes IsExact(Vector p, Vector q, Vector r, Vector t) {
   const auto back = hn::Sub(x, difference);
   const auto error = hn::Add(hn::Sub(x, hn::Add(difference, back)), hn::Sub(back, y));
   return hn::Eq(error, hn::Zero(Doubles()));
+}
+
+/// S_i of an edge (edge_functions.h).
+HWY_INLINE Vector GreatestOf(const KernelSetting& setting, Vector a, Vector b, Vector c) {
+  const Doubles d;
+  return hn::Add(hn::Add(hn::Mul(hn::Abs(a), hn::Set(d, setting.u_greatest)),
+                         hn::Mul(hn::Abs(b), hn::Set(d, setting.v_greatest))),
+                 hn::Mul(hn::Abs(c), hn::Set(d, setting.t)));
 }
 
 /// What values lie above at the samples of an edge without a band, by the fill rule.
@@ -272,18 +280,14 @@ HWY_INLINE bool SetExactLimits(const KernelSetting& setting, const Part& part,
     const Corner& r = p[(i + 2) % 3];
     const auto a = part.Get(Numbers::kA + i);
     const auto b = part.Get(Numbers::kB + i);
-    const auto c_t = part.Get(Numbers::kC + i);
     const auto c = hn::Sub(hn::Mul(q.x, r.y), hn::Mul(q.y, r.x));
     auto exact =
         All(IsExact(q.y, r.w, q.w, r.y), IsExact(q.w, r.x, q.x, r.w), IsExact(q.x, r.y, q.y, r.x));
     const auto grain = hn::Min(hn::Min(hn::Mul(LowestBit(a), hn::Set(d, setting.u_grain)),
                                        hn::Mul(LowestBit(b), hn::Set(d, setting.v_grain))),
                                hn::Mul(LowestBit(c), hn::Set(d, setting.t_grain)));
-    const auto greatest = hn::Add(hn::Add(hn::Mul(hn::Abs(a), hn::Set(d, setting.u_greatest)),
-                                          hn::Mul(hn::Abs(b), hn::Set(d, setting.v_greatest))),
-                                  hn::Abs(c_t));
-    exact = hn::And(exact,
-                    hn::Lt(hn::Mul(hn::Set(d, 2.0), greatest), hn::Mul(grain, hn::Set(d, 0x1p53))));
+    const auto twice = hn::Mul(hn::Set(d, 2.0), GreatestOf(setting, a, b, c));
+    exact = hn::And(exact, hn::Lt(twice, hn::Mul(grain, hn::Set(d, 0x1p53))));
     if (BitsOf(exact) == 0) continue;
     any = true;
     const auto limit = LimitOf(setting, a, b);

@@ -38,14 +38,6 @@ struct Outline {
 
 HWY_INLINE Vector TurnedBy(Vector turn, Vector value) { return hn::Xor(value, turn); }
 
-/// S_i of an edge (edge_functions.h).
-HWY_INLINE Vector GreatestOf(const KernelSetting& setting, Vector a, Vector b, Vector c) {
-  const Doubles d;
-  return hn::Add(hn::Add(hn::Mul(hn::Abs(a), hn::Set(d, setting.u_greatest)),
-                         hn::Mul(hn::Abs(b), hn::Set(d, setting.v_greatest))),
-                 hn::Mul(hn::Abs(c), hn::Set(d, setting.t)));
-}
-
 HWY_INLINE Lanes IsCulled(const KernelSetting& setting, Vector turn) {
   const auto zero = hn::Zero(Doubles());
   Lanes culled = Never();

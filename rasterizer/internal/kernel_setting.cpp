@@ -8,7 +8,6 @@
 #include "rasterizer/internal/weights.h"
 
 namespace rastercheck::rasterizer {
-
 namespace {
 
 /// Whether values are those of samples.

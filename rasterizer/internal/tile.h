@@ -16,6 +16,8 @@ class Tile {
  public:
   /// Memory for tiles of framebuffers of that kind; none is needed later.
   Tile(int samples, std::size_t attribute_count);
+  Tile(const Tile&) = delete;  // it points into itself
+  Tile& operator=(const Tile&) = delete;
 
   /// The tile's pixels of the framebuffer, at tile column and row.
   void load(const Framebuffer& framebuffer, int column, int row);

@@ -1,7 +1,8 @@
 #pragma once
 
-// What is done to a row of a tile at once, on the widest vectors that the processor has. All
-// targets compute the same bits, and values those of block_kernels.h.
+// What is done to tiles on the widest vectors that the processor has: larger triangles by spans,
+// fragments of small ones, moving them to and from framebuffers. All targets compute the same bits,
+// and values those of block_kernels.h.
 
 #include <array>
 #include <cstddef>

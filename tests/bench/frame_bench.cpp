@@ -6,7 +6,7 @@
 //   draw-avx2        the same by vectors of 256 bits, where the processor has longer ones
 //   draw-samples:4   four samples per pixel
 //   draw-snapped:8   coverage and values of triangles on the grid of 2^-8 pixels, as drivers' are
-//   draw-float32     attributes computed in float32
+//   draw-float32     Precision::float32, which framebuffers are drawn without: the same as draw
 //   llvmpipe             into RGBA32F
 //   llvmpipe-rgba8       into bytes: what it is best at, while ours writes two floats per pixel
 //   llvmpipe-samples:4   four samples per pixel, RGBA32F
