@@ -293,78 +293,146 @@ HWY_INLINE void SetRows(const PlaneOf& plane, const TileArea& area, const TilePa
   }
 }
 
-/// Draws rows of a triangle, each from spans.begin to spans.end, with `kAttributes` attributes, or
-/// as many as the setting says where it is 0. `kPlain`: all attributes are smooth, and depth is
-/// tested.
+/// In place of a mask: all lanes.
+struct Everywhere {};
+
+/// Draws samples of a triangle, with `kAttributes` attributes, or as many as the setting says where
+/// it is 0. `kPlain`: all attributes are smooth, and depth is tested.
 template <std::size_t kAttributes, bool kPlain>
-void ShadeSpans(const KernelSetting& setting, const double* numbers, const TileArea& area,
-                const TilePart& part, const Spans& spans, std::uint64_t rows) {
-  const Doubles d;
-  const Halves floats;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const std::size_t count = kAttributes == 0 ? setting.attributes : kAttributes;
-  const bool has_smooth = kPlain || setting.has_smooth;
-  const bool tests_depth = kPlain || setting.tests_depth;
-  const PlaneOf sum{numbers[Numbers::kA + Numbers::kDenominator],
-                    numbers[Numbers::kB + Numbers::kDenominator],
-                    numbers[Numbers::kC + Numbers::kDenominator]};
-  const PlaneOf depth_plane = PlaneAt(numbers, Numbers::kDepth);
-  RowsOf sum_rows;
-  RowsOf depth_rows;
-  constexpr std::size_t kMost = kAttributes == 0 ? kMaxAttributes : kAttributes;
-  std::array<RowsOf, kMost> value_rows;
-  if (has_smooth) SetRows(sum, area, part, sum_rows);
-  SetRows(depth_plane, area, part, depth_rows);
-  for (std::size_t a = 0; a < count; ++a) {
-    SetRows(PlaneAt(numbers, Numbers::kValues + 3 * a), area, part, value_rows[a]);
+class Shader {
+ public:
+  HWY_INLINE Shader(const KernelSetting& setting, const double* numbers, const TileArea& area,
+                    const TilePart& part)
+      : setting_(setting), part_(part), u_(area.u), depth_(area.depth) {
+    const PlaneOf sum{numbers[Numbers::kA + Numbers::kDenominator],
+                      numbers[Numbers::kB + Numbers::kDenominator],
+                      numbers[Numbers::kC + Numbers::kDenominator]};
+    const PlaneOf depth = PlaneAt(numbers, Numbers::kDepth);
+    if (HasSmooth()) SetRows(sum, area, part, sum_rows_);
+    SetRows(depth, area, part, depth_rows_);
+    sum_a_ = sum.a;
+    depth_a_ = depth.a;
+    for (std::size_t a = 0; a < Count(); ++a) {
+      const PlaneOf value = PlaneAt(numbers, Numbers::kValues + 3 * a);
+      SetRows(value, area, part, value_rows_[a]);
+      value_a_[a] = IsFlat(a) ? value.c : value.a;
+      values_[a] = area.attributes[a];
+    }
   }
-  // Copies, as stores through pointers might change what is read through others.
-  const double* const area_u = area.u;
-  float* const area_depth = area.depth;
-  std::array<float*, kMost> area_values;
-  std::array<double, kMost> value_a;
-  for (std::size_t a = 0; a < count; ++a) {
-    area_values[a] = area.attributes[a];
-    const bool is_flat = setting.interpolation[a] == Interpolation::flat;
-    value_a[a] = numbers[Numbers::kValues + 3 * a + (is_flat ? 2 : 0)];
-  }
-  const auto sum_a = hn::Set(d, sum.a);
-  const auto depth_a = hn::Set(d, depth_plane.a);
-  const auto least = hn::Set(d, setting.depth_least);
-  const auto greatest = hn::Set(d, setting.depth_greatest);
-  for (; rows != 0; rows &= rows - 1) {
-    const auto y = static_cast<std::size_t>(std::countr_zero(rows));
-    const std::int32_t end = spans.end[y];
-    const auto depth_row = hn::Set(d, depth_rows.at[y]);
-    float* const depth_out = area_depth + y * kTileSize;
-    for (std::int32_t x = spans.begin[y]; x < end; x += lanes) {
-      const auto u = hn::LoadU(d, area_u + x);
-      const auto value = hn::Add(hn::Mul(depth_a, u), depth_row);
-      const auto depth = hn::DemoteTo(floats, hn::Min(hn::Max(value, least), greatest));
-      auto mask = hn::FirstN(floats, static_cast<std::size_t>(end - x));
-      if (tests_depth) {
-        mask = hn::And(mask, hn::Lt(depth, hn::LoadU(floats, depth_out + x)));
-        if (hn::AllFalse(floats, mask)) continue;
-      }
-      PutWhere(mask, depth, depth_out + x);
-      auto reciprocal = hn::Zero(d);
-      if (has_smooth) {
-        const auto denominator = hn::Add(hn::Mul(sum_a, u), hn::Set(d, sum_rows.at[y]));
-        reciprocal = hn::Div(hn::Set(d, 1.0), denominator);
-      }
-      for (std::size_t a = 0; a < count; ++a) {
-        float* const out = area_values[a] + y * kTileSize + x;
-        if (!kPlain && setting.interpolation[a] == Interpolation::flat) {
-          PutWhere(mask, hn::Set(floats, static_cast<float>(value_a[a])), out);
-          continue;
-        }
-        auto r = hn::Add(hn::Mul(hn::Set(d, value_a[a]), u), hn::Set(d, value_rows[a].at[y]));
-        if (kPlain || setting.interpolation[a] == Interpolation::smooth) r = hn::Mul(r, reciprocal);
-        PutWhere(mask, hn::DemoteTo(floats, r), out);
+
+  /// Rows of the part, each from spans.begin to spans.end.
+  HWY_INLINE void ShadeSpans(const Spans& spans, std::uint64_t rows) const {
+    const Halves floats;
+    for (; rows != 0; rows &= rows - 1) {
+      const auto y = static_cast<std::size_t>(std::countr_zero(rows));
+      const std::int32_t end = spans.end[y];
+      for (std::int32_t x = spans.begin[y]; x < end; x += kLanes) {
+        Shade(AlongColumns(x), y, x, hn::FirstN(floats, static_cast<std::size_t>(end - x)));
       }
     }
   }
-}
+
+  /// All of the part: column by column, as what is the same along them are vectors.
+  HWY_INLINE void ShadeAll() const {
+    const Halves floats;
+    for (std::int32_t x = part_.columns.begin; x < part_.columns.end; x += kLanes) {
+      const Along along = AlongColumns(x);
+      const std::int32_t rest = part_.columns.end - x;
+      if (rest >= kLanes) {
+        ShadeColumns(along, x, Everywhere());
+      } else {
+        ShadeColumns(along, x, hn::FirstN(floats, static_cast<std::size_t>(rest)));
+      }
+    }
+  }
+
+ private:
+  static constexpr std::int32_t kLanes = hn::MaxLanes(Doubles());
+  static constexpr std::size_t kMost = kAttributes == 0 ? kMaxAttributes : kAttributes;
+
+  /// A U of the planes, for a vector of columns.
+  struct Along {
+    Vector depth;
+    Vector sum;
+    std::array<Vector, kMost> values;
+  };
+
+  HWY_INLINE std::size_t Count() const {
+    return kAttributes == 0 ? setting_.attributes : kAttributes;
+  }
+  HWY_INLINE bool HasSmooth() const { return kPlain || setting_.has_smooth; }
+  HWY_INLINE bool TestsDepth() const { return kPlain || setting_.tests_depth; }
+  HWY_INLINE bool IsFlat(std::size_t a) const {
+    return !kPlain && setting_.interpolation[a] == Interpolation::flat;
+  }
+  HWY_INLINE bool IsSmooth(std::size_t a) const {
+    return kPlain || setting_.interpolation[a] == Interpolation::smooth;
+  }
+
+  HWY_INLINE Along AlongColumns(std::int32_t x) const {
+    const Doubles d;
+    const auto u = hn::LoadU(d, u_ + x);
+    Along along;
+    along.depth = hn::Mul(hn::Set(d, depth_a_), u);
+    if (HasSmooth()) along.sum = hn::Mul(hn::Set(d, sum_a_), u);
+    for (std::size_t a = 0; a < Count(); ++a) {
+      along.values[a] = hn::Mul(hn::Set(d, value_a_[a]), u);
+    }
+    return along;
+  }
+
+  template <typename Within>
+  HWY_INLINE void ShadeColumns(const Along& along, std::int32_t x, const Within& within) const {
+    const auto end = static_cast<std::size_t>(part_.rows.end);
+    for (auto y = static_cast<std::size_t>(part_.rows.begin); y < end; ++y) {
+      Shade(along, y, x, within);
+    }
+  }
+
+  /// Those `within` of a vector of samples, from column x of row y.
+  template <typename Within>
+  HWY_INLINE void Shade(const Along& along, std::size_t y, std::int32_t x,
+                        const Within& within) const {
+    const Doubles d;
+    const Halves floats;
+    const std::size_t at = y * kTileSize + static_cast<std::size_t>(x);
+    const auto value = hn::Add(along.depth, hn::Set(d, depth_rows_.at[y]));
+    const auto clamped = hn::Min(hn::Max(value, hn::Set(d, setting_.depth_least)),
+                                 hn::Set(d, setting_.depth_greatest));
+    const auto depth = hn::DemoteTo(floats, clamped);
+    auto mask = hn::FirstN(floats, hn::Lanes(floats));
+    if constexpr (!std::is_same_v<Within, Everywhere>) mask = within;
+    if (TestsDepth()) {
+      const auto is_nearer = hn::Lt(depth, hn::LoadU(floats, depth_ + at));
+      mask = std::is_same_v<Within, Everywhere> ? is_nearer : hn::And(mask, is_nearer);
+      if (hn::AllFalse(floats, mask)) return;
+    }
+    PutWhere(mask, depth, depth_ + at);
+    auto reciprocal = hn::Zero(d);
+    if (HasSmooth()) {
+      const auto sum = hn::Add(along.sum, hn::Set(d, sum_rows_.at[y]));
+      reciprocal = hn::Div(hn::Set(d, 1.0), sum);
+    }
+    for (std::size_t a = 0; a < Count(); ++a) {
+      auto result = hn::Set(d, value_a_[a]);
+      if (!IsFlat(a)) result = hn::Add(along.values[a], hn::Set(d, value_rows_[a].at[y]));
+      if (IsSmooth(a)) result = hn::Mul(result, reciprocal);
+      PutWhere(mask, hn::DemoteTo(floats, result), values_[a] + at);
+    }
+  }
+
+  const KernelSetting& setting_;
+  const TilePart part_;
+  const double* const u_;
+  float* const depth_;
+  double sum_a_;
+  double depth_a_;
+  std::array<double, kMost> value_a_;  ///< or, where it is flat, the value
+  std::array<float*, kMost> values_;
+  RowsOf sum_rows_;
+  RowsOf depth_rows_;
+  std::array<RowsOf, kMost> value_rows_;
+};
 
 /// Takes the sample at a vertex out of a row's span: one on two edges, the first or the last.
 void TakeVertices(const double* numbers, const TileArea& area, int y, Spans& spans,
@@ -477,8 +545,13 @@ Undrawn ShadeTriangle(const KernelSetting& setting, const double* numbers, const
       (on_line[0] & on_line[1]) | (on_line[1] & on_line[2]) | (on_line[2] & on_line[0]);
   for_each_bit(on_two & rows, [&](int y) { TakeVertices(numbers, area, y, spans, undrawn); });
   const auto shade = [&](auto attributes, auto is_plain) {
-    ShadeSpans<decltype(attributes)::value, decltype(is_plain)::value>(setting, numbers, area, part,
-                                                                       spans, rows);
+    const Shader<decltype(attributes)::value, decltype(is_plain)::value> shader(setting, numbers,
+                                                                                area, part);
+    if (position.cuts == 0) {
+      shader.ShadeAll();
+    } else {
+      shader.ShadeSpans(spans, rows);
+    }
   };
   using Many = std::integral_constant<std::size_t, 0>;
   if (!setting.is_plain) {
