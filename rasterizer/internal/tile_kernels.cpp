@@ -107,7 +107,6 @@ void Separate(const float* in, const TileRows& rows) {
 // At most eight lanes: masks are bytes.
 using Doubles = hn::CappedTag<double, 8>;
 using Halves = hn::Rebind<float, Doubles>;
-using Ints = hn::Rebind<std::int32_t, Doubles>;
 using Vector = hn::Vec<Doubles>;
 using Numbers = TriangleNumbers;
 
@@ -128,144 +127,113 @@ PlaneOf PlaneAt(const double* numbers, std::size_t at) {
   return {numbers[at], numbers[at + 1], numbers[at + 2]};
 }
 
-using Columns = std::array<std::int32_t, kTileSize + kTilePadding>;
-
-/// Of each row the columns that are surely within all half-planes, and those that may be.
+/// Of each row the columns that are surely within all half-planes.
 struct Spans {
+  using Columns = std::array<std::int32_t, kTileSize + kTilePadding>;
   alignas(64) Columns begin;
   alignas(64) Columns end;
-  alignas(64) Columns possible_begin;
-  alignas(64) Columns possible_end;
-  std::uint64_t unknown = 0;  ///< rows for which that is not known
+  std::uint64_t touched = 0;   ///< rows in which there may be samples
+  std::uint64_t doubtful = 0;  ///< those where not just the surely covered ones are
+  std::uint64_t on_two = 0;    ///< rows with a first or last sample on two edges, and within
 };
 
-HWY_INLINE void RaiseTo(hn::Vec<Ints> value, std::int32_t* out) {
-  const Ints ints;
-  hn::StoreU(hn::Max(hn::LoadU(ints, out), value), ints, out);
-}
+/// Where a half-plane's line crosses a vector of rows. Its values go up, or down, along a row, so
+/// that what is surely within begins, or ends, somewhere: about where the line crosses the limit,
+/// and exactly there if the samples on either side of that say so.
+struct Crossing {
+  Vector after;               ///< the first column after it
+  hn::Mask<Doubles> rises;    ///< what is within comes after it
+  hn::Mask<Doubles> is_sure;  ///< it is exactly there
+  /// The sample outside is surely beyond; where it may be within, so may be all beyond it.
+  hn::Mask<Doubles> is_far;
+  hn::Mask<Doubles> is_on;  ///< the sample within is exactly on the line
+};
 
-HWY_INLINE void LowerTo(hn::Vec<Ints> value, std::int32_t* out) {
-  const Ints ints;
-  hn::StoreU(hn::Min(hn::LoadU(ints, out), value), ints, out);
-}
-
-/// All columns of a part.
-HWY_INLINE void SetWhole(const TilePart& part, Spans& spans) {
-  const Ints ints;
-  const auto begin = hn::Set(ints, part.columns.begin);
-  const auto end = hn::Set(ints, part.columns.end);
-  for (int y = part.rows.begin; y < part.rows.end; y += static_cast<int>(hn::Lanes(ints))) {
-    hn::StoreU(begin, ints, spans.begin.data() + y);
-    hn::StoreU(end, ints, spans.end.data() + y);
-    hn::StoreU(begin, ints, spans.possible_begin.data() + y);
-    hn::StoreU(end, ints, spans.possible_end.data() + y);
-  }
-}
-
-/// Cuts the spans of a part's rows to a half-plane. Its values go up, or down, along a row, so that
-/// what is surely within begins, or ends, somewhere: about where the line crosses the limit, and
-/// exactly there if the samples on either side of that say so. Where the one outside may be within
-/// nevertheless, so may be all beyond it. Returns the rows in which the one within is exactly on
-/// the line.
-HWY_INLINE std::uint64_t CutSpans(const KernelSetting& setting, const double* numbers,
-                                  std::size_t index, const TileArea& area, const TilePart& part,
-                                  Spans& spans) {
+HWY_INLINE Crossing CrossingAt(const KernelSetting& setting, const double* numbers,
+                               std::size_t index, const TileArea& area, const TilePart& part,
+                               Vector v) {
   const Doubles d;
-  const Ints ints;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const double a = numbers[Numbers::kA + index];
-  const double slope = a * setting.u_step;
-  const bool rises = slope > 0;
-  const auto along = hn::Set(d, a);
-  const auto b = hn::Set(d, numbers[Numbers::kB + index]);
-  const auto c = hn::Set(d, numbers[Numbers::kC + index]);
+  const auto zero = hn::Zero(d);
+  const auto one = hn::Set(d, 1.0);
+  const auto a = hn::Set(d, numbers[Numbers::kA + index]);
   const auto sure = hn::Set(d, numbers[Numbers::kSure + index]);
   const auto possible = hn::Set(d, numbers[Numbers::kPossible + index]);
   const auto u_first = hn::Set(d, area.u[0]);
   const auto u_step = hn::Set(d, setting.u_step);
-  // Samples on a line without a band are within where its limit is below 0. A crossing at such
-  // a sample is exact, as its quotient is whole.
-  const auto limit = hn::Max(sure, hn::Zero(d));
-  const bool owns_zero = numbers[Numbers::kSure + index] < 0;
-  const bool is_before = rises == owns_zero;  // what is at the crossing comes after it
   const auto first = hn::Set(d, static_cast<double>(part.columns.begin - 1));
   const auto last = hn::Set(d, static_cast<double>(part.columns.end - 1));
-  const auto one = hn::Set(d, 1.0);
-  std::uint64_t on_line = 0;
-  for (int y = part.rows.begin; y < part.rows.end; y += lanes) {
-    const auto row = hn::Add(hn::Mul(b, hn::LoadU(d, area.v + y)), c);
-    // The last column before the crossing.
-    auto crossing = hn::IfThenElse(hn::Gt(row, sure), last, first);
-    if (slope != 0) {
-      const auto at_first = hn::Add(hn::Mul(along, u_first), row);
-      const auto exact = hn::Div(hn::Sub(limit, at_first), hn::Set(d, slope));
-      crossing = is_before ? hn::Sub(hn::Ceil(exact), one) : hn::Floor(exact);
-    }
-    const auto before = hn::Min(hn::Max(crossing, first), last);
-    const auto u = hn::Add(u_first, hn::Mul(before, u_step));
-    const auto e_before = hn::Add(hn::Mul(along, u), row);
-    const auto e_after = hn::Add(hn::Mul(along, hn::Add(u, u_step)), row);
-    const auto starts = hn::Eq(before, first);
-    const auto ends = hn::Eq(before, last);
-    // The samples on either side, where they are in the part.
-    const auto outside = rises ? e_before : e_after;
-    const auto inside = rises ? e_after : e_before;
-    const auto no_outside = rises ? starts : ends;
-    const auto no_inside = rises ? ends : starts;
-    const auto is_out = hn::Or(no_outside, hn::Not(hn::Gt(outside, sure)));
-    const auto is_in = hn::Or(no_inside, hn::Gt(inside, sure));
-    const auto is_far = hn::Or(no_outside, hn::Not(hn::Gt(outside, possible)));
-    const std::uint64_t of_lanes = (1U << lanes) - 1;
-    spans.unknown |= (~BitsOf(hn::And(is_out, is_in)) & of_lanes) << y;
-    on_line |= BitsOf(hn::Eq(inside, hn::Zero(d))) << y;
-    const auto after = hn::Add(before, one);
-    const auto sure_column = hn::DemoteTo(ints, after);
-    if (rises) {
-      const auto begin = hn::Set(d, static_cast<double>(part.columns.begin));
-      RaiseTo(sure_column, spans.begin.data() + y);
-      RaiseTo(hn::DemoteTo(ints, hn::IfThenElse(is_far, after, begin)),
-              spans.possible_begin.data() + y);
-    } else {
-      const auto end = hn::Set(d, static_cast<double>(part.columns.end));
-      LowerTo(sure_column, spans.end.data() + y);
-      LowerTo(hn::DemoteTo(ints, hn::IfThenElse(is_far, after, end)),
-              spans.possible_end.data() + y);
-    }
-  }
-  return on_line;
+  const auto slope = hn::Mul(a, u_step);
+  const auto row = hn::Add(hn::Mul(hn::Set(d, numbers[Numbers::kB + index]), v),
+                           hn::Set(d, numbers[Numbers::kC + index]));
+  // Samples on a line without a band are within where its limit is below 0. A crossing at such
+  // a sample is exact, as its quotient is whole.
+  const auto at_first = hn::Add(hn::Mul(a, u_first), row);
+  const auto exact = hn::Div(hn::Sub(hn::Max(sure, zero), at_first), slope);
+  const auto rises = hn::Gt(slope, zero);
+  // Where what is at the crossing comes after it; else it comes before.
+  const auto is_before = hn::Not(hn::Xor(rises, hn::Lt(sure, zero)));
+  auto crossing = hn::IfThenElse(is_before, hn::Sub(hn::Ceil(exact), one), hn::Floor(exact));
+  const auto of_level = hn::IfThenElse(hn::Gt(row, sure), last, first);
+  crossing = hn::IfThenElse(hn::Eq(slope, zero), of_level, crossing);
+  // The samples on either side, where they are in the part.
+  const auto before = hn::Min(hn::Max(crossing, first), last);
+  const auto u = hn::Add(u_first, hn::Mul(before, u_step));
+  const auto e_before = hn::Add(hn::Mul(a, u), row);
+  const auto e_after = hn::Add(hn::Mul(a, hn::Add(u, u_step)), row);
+  const auto starts = hn::Eq(before, first);
+  const auto ends = hn::Eq(before, last);
+  const auto outside = hn::IfThenElse(rises, e_before, e_after);
+  const auto inside = hn::IfThenElse(rises, e_after, e_before);
+  const auto no_outside = hn::Or(hn::And(rises, starts), hn::AndNot(rises, ends));
+  const auto no_inside = hn::Or(hn::And(rises, ends), hn::AndNot(rises, starts));
+  const auto is_out = hn::Or(no_outside, hn::Not(hn::Gt(outside, sure)));
+  const auto is_in = hn::Or(no_inside, hn::Gt(inside, sure));
+  return {hn::Add(before, one), rises, hn::And(is_out, is_in),
+          hn::Or(no_outside, hn::Not(hn::Gt(outside, possible))), hn::Eq(inside, zero)};
 }
 
-/// Rows in which there may be samples, and those of them that are not known to be just the surely
-/// covered ones.
-struct RowKinds {
-  std::uint64_t touched = 0;
-  std::uint64_t doubtful = 0;
-};
-
-HWY_INLINE std::uint64_t RowsOfPart(const TilePart& part) {
-  const int rows = part.rows.end - part.rows.begin;
-  return ~std::uint64_t{0} >> (kTileSize - rows) << part.rows.begin;
-}
-
-HWY_INLINE RowKinds KindsOf(const TilePart& part, const Spans& spans) {
+/// The spans of a part that half-planes cut.
+HWY_INLINE void FindSpans(const KernelSetting& setting, const double* numbers, std::uint64_t cuts,
+                          const TileArea& area, const TilePart& part, Spans& spans) {
   const Doubles d;
-  const Ints ints;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  RowKinds kinds;
-  for (int y = part.rows.begin; y < part.rows.end; y += lanes) {
-    const auto possible_begin = hn::LoadU(ints, spans.possible_begin.data() + y);
-    const auto possible_end = hn::LoadU(ints, spans.possible_end.data() + y);
-    const auto begin = hn::LoadU(ints, spans.begin.data() + y);
-    const auto end = hn::LoadU(ints, spans.end.data() + y);
+  const hn::Rebind<std::int32_t, Doubles> ints;
+  const auto first = hn::Set(d, static_cast<double>(part.columns.begin));
+  const auto last = hn::Set(d, static_cast<double>(part.columns.end));
+  for (int y = part.rows.begin; y < part.rows.end; y += static_cast<int>(hn::Lanes(d))) {
+    const auto v = hn::LoadU(d, area.v + y);
+    auto begin = first;
+    auto end = last;
+    auto possible_begin = first;
+    auto possible_end = last;
+    auto is_sure = hn::FirstN(d, hn::Lanes(d));
+    auto on_one = hn::FirstN(d, 0);
+    auto on_two = on_one;
+    for (std::uint64_t rest = cuts; rest != 0; rest &= rest - 1) {
+      const auto index = static_cast<std::size_t>(std::countr_zero(rest));
+      const Crossing at = CrossingAt(setting, numbers, index, area, part, v);
+      begin = hn::Max(begin, hn::IfThenElse(at.rises, at.after, first));
+      end = hn::Min(end, hn::IfThenElse(at.rises, last, at.after));
+      const auto begins = hn::And(at.is_far, at.rises);
+      const auto ends = hn::AndNot(at.rises, at.is_far);
+      possible_begin = hn::Max(possible_begin, hn::IfThenElse(begins, at.after, first));
+      possible_end = hn::Min(possible_end, hn::IfThenElse(ends, at.after, last));
+      is_sure = hn::And(is_sure, at.is_sure);
+      if (index < 3) {
+        on_two = hn::Or(on_two, hn::And(on_one, at.is_on));
+        on_one = hn::Or(on_one, at.is_on);
+      }
+    }
+    hn::StoreU(hn::DemoteTo(ints, begin), ints, spans.begin.data() + y);
+    hn::StoreU(hn::DemoteTo(ints, end), ints, spans.end.data() + y);
     const auto is_same = hn::And(hn::Eq(begin, possible_begin), hn::Eq(end, possible_end));
-    const auto width = hn::PromoteTo(d, hn::Sub(possible_end, possible_begin));
-    const auto differs = hn::PromoteTo(d, hn::IfThenZeroElse(is_same, hn::Set(ints, 1)));
-    kinds.touched |= BitsOf(hn::Gt(width, hn::Zero(d))) << y;
-    kinds.doubtful |= BitsOf(hn::Gt(differs, hn::Zero(d))) << y;
+    const auto of_lanes = (std::uint64_t{1} << hn::Lanes(d)) - 1;
+    spans.touched |= BitsOf(hn::Gt(possible_end, possible_begin)) << y;
+    spans.doubtful |= (~BitsOf(hn::And(is_same, is_sure)) & of_lanes) << y;
+    spans.on_two |= BitsOf(on_two) << y;
   }
-  kinds.touched &= RowsOfPart(part);
-  kinds.doubtful = (kinds.doubtful | spans.unknown) & kinds.touched;
-  return kinds;
+  const int rows = part.rows.end - part.rows.begin;
+  spans.touched &= ~std::uint64_t{0} >> (kTileSize - rows) << part.rows.begin;
+  spans.doubtful &= spans.touched;
 }
 
 /// Replaces what `lanes` says.
@@ -405,7 +373,7 @@ class Shader {
     if (TestsDepth()) {
       const auto is_nearer = hn::Lt(depth, hn::LoadU(floats, depth_ + at));
       mask = std::is_same_v<Within, Everywhere> ? is_nearer : hn::And(mask, is_nearer);
-      if (hn::AllFalse(floats, mask)) return;
+      if (std::is_same_v<Within, Everywhere> && hn::AllFalse(floats, mask)) return;
     }
     PutWhere(mask, depth, depth_ + at);
     auto reciprocal = hn::Zero(d);
@@ -531,19 +499,11 @@ Undrawn ShadeTriangle(const KernelSetting& setting, const double* numbers, const
   const Position position = PositionOf(numbers, area, part);
   if (position.is_beside || IsBehind(setting, numbers, area, part)) return {};
   Spans spans;
-  SetWhole(part, spans);
-  std::array<std::uint64_t, Numbers::kHalfPlanes> on_line{};
-  for_each_bit(position.cuts, [&](int index) HWY_ATTR {
-    const auto at = static_cast<std::size_t>(index);
-    on_line[at] = CutSpans(setting, numbers, at, area, part, spans);
-  });
-  const RowKinds kinds = position.cuts == 0 ? RowKinds{RowsOfPart(part), 0} : KindsOf(part, spans);
-  const std::uint64_t rows = kinds.touched & ~kinds.doubtful;
+  if (position.cuts != 0) FindSpans(setting, numbers, position.cuts, area, part, spans);
+  const std::uint64_t rows = spans.touched & ~spans.doubtful;
   Undrawn undrawn;
-  undrawn.rows = kinds.doubtful;
-  const std::uint64_t on_two =
-      (on_line[0] & on_line[1]) | (on_line[1] & on_line[2]) | (on_line[2] & on_line[0]);
-  for_each_bit(on_two & rows, [&](int y) { TakeVertices(numbers, area, y, spans, undrawn); });
+  undrawn.rows = spans.doubtful;
+  for_each_bit(spans.on_two & rows, [&](int y) { TakeVertices(numbers, area, y, spans, undrawn); });
   const auto shade = [&](auto attributes, auto is_plain) {
     const Shader<decltype(attributes)::value, decltype(is_plain)::value> shader(setting, numbers,
                                                                                 area, part);
