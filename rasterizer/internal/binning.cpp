@@ -121,6 +121,9 @@ void Binning::take_group(std::uint32_t first, std::size_t count, TileDrawing& dr
       case LaneFate::not_finite:
         rasterizer::count(Fate::not_finite, bins.counts);
         break;
+      case LaneFate::degenerate:
+        rasterizer::count(Fate::degenerate, bins.counts);
+        break;
       case LaneFate::numbered: {
         double* const numbers =
             bins.add({triangle, output_->numbers[0].data(), output_->box[lane]});

@@ -191,10 +191,15 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
   const std::uint32_t finite_bits = BitsOf(AreFinite(p)) & live_bits;
   std::uint32_t left_bits = finite_bits & BitsOf(outline.left);
   std::uint32_t kept_bits = finite_bits & ~left_bits & ~BitsOf(outline.hidden);
+  // Only of what is left, as many meshes have none. On the grid others are degenerate.
+  const std::uint32_t degenerate_bits =
+      left_bits == 0 || setting.snaps ? 0 : left_bits & BitsOf(HaveTwins(p));
+  left_bits &= ~degenerate_bits;
   for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
     const std::uint32_t bit = 1U << lane;
     LaneFate fate = LaneFate::hidden;
     if ((live_bits & ~finite_bits & bit) != 0) fate = LaneFate::not_finite;
+    if ((degenerate_bits & bit) != 0) fate = LaneFate::degenerate;
     if ((left_bits & bit) != 0) fate = LaneFate::left;
     output.fate[part.from + lane] = fate;
   }

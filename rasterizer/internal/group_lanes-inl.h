@@ -86,6 +86,14 @@ HWY_INLINE Lanes AreFinite(const std::array<Corner, 3>& p) {
   return hn::Eq(sum, zero);
 }
 
+/// Whether two corners are the same but for z, so that the determinant is 0.
+HWY_INLINE Lanes HaveTwins(const std::array<Corner, 3>& p) {
+  const auto are_same = [](const Corner& q, const Corner& r) HWY_ATTR {
+    return All(hn::Eq(q.x, r.x), hn::Eq(q.y, r.y), hn::Eq(q.w, r.w));
+  };
+  return hn::Or(are_same(p[0], p[1]), hn::Or(are_same(p[1], p[2]), are_same(p[2], p[0])));
+}
+
 /// The edges' coefficients, not yet turned by the orientation.
 struct Edges {
   Three a;

@@ -8,8 +8,7 @@ namespace rastercheck::rasterizer {
 Tile::Tile(int samples, std::size_t attribute_count)
     : samples_(static_cast<std::size_t>(samples)),
       attribute_count_(attribute_count),
-      depth_(samples_ * kSize + kTilePadding),
-      attributes_(samples_ * kSize * attribute_count + kTilePadding) {
+      values_(samples_ * (1 + attribute_count) * kStride) {
   for (std::size_t s = 0; s < samples_; ++s) {
     depth_arrays_.push_back(depths(s));
     for (std::size_t a = 0; a < attribute_count_; ++a) attribute_arrays_.push_back(values(a, s));
@@ -23,8 +22,9 @@ void Tile::move_to(const Framebuffer& framebuffer, int column, int row) {
 
 void Tile::clear(const Framebuffer& framebuffer, int column, int row, float depth) {
   move_to(framebuffer, column, row);
-  std::fill(depth_.begin(), depth_.end(), depth);
-  std::fill(attributes_.begin(), attributes_.end(), 0.0F);
+  float* const attributes = values_.data() + samples_ * kStride;
+  std::fill(values_.data(), attributes, depth);
+  std::fill(attributes, values_.data() + values_.size(), 0.0F);
 }
 
 std::size_t Tile::first_pixel(const Framebuffer& framebuffer) const {

@@ -3,6 +3,7 @@
 // A piece of a framebuffer that a thread has to itself while it draws, small enough for its caches:
 // depths, and each attribute in an array of its own, as vectors want them.
 
+#include <boost/align/aligned_allocator.hpp>
 #include <cstddef>
 #include <vector>
 
@@ -30,9 +31,9 @@ class Tile {
   const PixelRange& rows() const { return rows_; }
 
   /// One sample of all pixels, [row][column].
-  float* depths(std::size_t sample) { return depth_.data() + sample * kSize; }
+  float* depths(std::size_t sample) { return values_.data() + sample * kStride; }
   float* values(std::size_t attribute, std::size_t sample) {
-    return attributes_.data() + (attribute * samples_ + sample) * kSize;
+    return values_.data() + ((1 + attribute) * samples_ + sample) * kStride;
   }
   /// The row of window row y: kTileSize values from columns().begin.
   float* depth(std::size_t sample, int y) { return depths(sample) + offset(y); }
@@ -41,7 +42,11 @@ class Tile {
   }
 
  private:
-  static constexpr std::size_t kSize = std::size_t{kTileSize} * kTileSize;
+  /// From an array to the next. Were it a multiple of 4096 bytes, processors would take a number
+  /// written to one for that at the same place of another, and wait.
+  static constexpr std::size_t kStride = std::size_t{kTileSize} * kTileSize + 64;
+  static_assert(64 >= kTilePadding);
+  using Values = std::vector<float, boost::alignment::aligned_allocator<float, 64>>;
 
   void move_to(const Framebuffer& framebuffer, int column, int row);
   std::size_t offset(int y) const { return static_cast<std::size_t>(y - rows_.begin) * kTileSize; }
@@ -52,8 +57,7 @@ class Tile {
   std::size_t attribute_count_;
   PixelRange columns_;
   PixelRange rows_;
-  std::vector<float> depth_;       ///< [sample][row][column]
-  std::vector<float> attributes_;  ///< [attribute][sample][row][column]
+  Values values_;  ///< depth and each attribute: [sample][row][column]
   // What lies side by side in framebuffers.
   std::vector<float*> depth_arrays_;      ///< [sample]
   std::vector<float*> attribute_arrays_;  ///< [sample][attribute]
