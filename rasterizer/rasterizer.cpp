@@ -40,8 +40,8 @@ std::optional<Error> resize(Framebuffer& framebuffer, const TargetSize& size,
     const std::size_t samples = sample_count(size);
     const std::size_t values = samples * attribute_count;
     // New memory before the old is lost, or, where there is enough, the old.
-    std::vector<float> depths;
-    std::vector<float> attributes;
+    Framebuffer::Values depths;
+    Framebuffer::Values attributes;
     if (framebuffer.depth.capacity() < samples) depths.reserve(samples);
     if (framebuffer.attributes.capacity() < values) attributes.reserve(values);
     if (depths.capacity() > 0) framebuffer.depth.swap(depths);

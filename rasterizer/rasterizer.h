@@ -14,6 +14,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <new>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -165,12 +166,31 @@ struct Fragments {
   std::size_t size() const { return triangle.size(); }
 };
 
+/// Memory that begins where a cache line does, so that whole ones can be written.
+template <typename T>
+struct CacheLineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t kLine{64};
+
+  CacheLineAllocator() = default;
+  template <typename U>
+  explicit CacheLineAllocator(const CacheLineAllocator<U>& /*other*/) {}
+
+  T* allocate(std::size_t count) {
+    return static_cast<T*>(::operator new(count * sizeof(T), kLine));
+  }
+  void deallocate(T* memory, std::size_t /*count*/) { ::operator delete(memory, kLine); }
+  bool operator==(const CacheLineAllocator&) const = default;
+};
+
 /// What a framebuffer holds after a depth-tested draw.
 struct Framebuffer {
+  using Values = std::vector<float, CacheLineAllocator<float>>;
+
   TargetSize size;
   std::size_t attribute_count = 0;
-  std::vector<float> depth;       ///< [y][x][sample]
-  std::vector<float> attributes;  ///< [y][x][sample][attribute]
+  Values depth;       ///< [y][x][sample]
+  Values attributes;  ///< [y][x][sample][attribute]
 };
 
 /// `error` set: nothing was drawn. Otherwise `counts` says what was left out.

@@ -3,7 +3,6 @@
 // A piece of a framebuffer that a thread has to itself while it draws, small enough for its caches:
 // depths, and each attribute in an array of its own, as vectors want them.
 
-#include <boost/align/aligned_allocator.hpp>
 #include <cstddef>
 #include <vector>
 
@@ -24,16 +23,17 @@ class Tile {
   void load(const Framebuffer& framebuffer, int column, int row);
   /// The same pixels, all of that depth and with attributes 0.
   void clear(const Framebuffer& framebuffer, int column, int row, float depth);
-  /// Writes them back.
+  /// Writes them back. What was only cleared before goes past the caches where these do not hold
+  /// a framebuffer of that size: they need not fetch what is overwritten.
   void store(Framebuffer& framebuffer) const;
 
   const PixelRange& columns() const { return columns_; }
   const PixelRange& rows() const { return rows_; }
 
   /// One sample of all pixels, [row][column].
-  float* depths(std::size_t sample) { return values_.data() + sample * kStride; }
+  float* depths(std::size_t sample) { return values_.data() + sample * kSize; }
   float* values(std::size_t attribute, std::size_t sample) {
-    return values_.data() + ((1 + attribute) * samples_ + sample) * kStride;
+    return values_.data() + (1 + attribute) * stride() + sample * kSize;
   }
   /// The row of window row y: kTileSize values from columns().begin.
   float* depth(std::size_t sample, int y) { return depths(sample) + offset(y); }
@@ -42,12 +42,14 @@ class Tile {
   }
 
  private:
-  /// From an array to the next. Were it a multiple of 4096 bytes, processors would take a number
+  static constexpr std::size_t kSize = std::size_t{kTileSize} * kTileSize;
+  /// Between attributes. Were they multiples of 4096 bytes apart, processors would take a number
   /// written to one for that at the same place of another, and wait.
-  static constexpr std::size_t kStride = std::size_t{kTileSize} * kTileSize + 64;
-  static_assert(64 >= kTilePadding);
-  using Values = std::vector<float, boost::alignment::aligned_allocator<float, 64>>;
+  static constexpr std::size_t kGap = 64;
+  static_assert(kGap >= kTilePadding);
 
+  /// From an attribute's samples to the next's.
+  std::size_t stride() const { return samples_ * kSize + kGap; }
   void move_to(const Framebuffer& framebuffer, int column, int row);
   std::size_t offset(int y) const { return static_cast<std::size_t>(y - rows_.begin) * kTileSize; }
   std::size_t first_pixel(const Framebuffer& framebuffer) const;
@@ -55,9 +57,10 @@ class Tile {
 
   std::size_t samples_;
   std::size_t attribute_count_;
+  bool is_cleared_ = false;  ///< not loaded
   PixelRange columns_;
   PixelRange rows_;
-  Values values_;  ///< depth and each attribute: [sample][row][column]
+  Framebuffer::Values values_;  ///< depth and each attribute: [sample][row][column]
   // What lies side by side in framebuffers.
   std::vector<float*> depth_arrays_;      ///< [sample]
   std::vector<float*> attribute_arrays_;  ///< [sample][attribute]

@@ -2,6 +2,8 @@
 
 #include "rasterizer/internal/tile_kernels.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -34,26 +36,53 @@ std::array<float*, kCount> RowsAt(const TileRows& rows, std::size_t y) {
 }
 
 template <std::size_t kCount>
-void InterleaveRows(const TileRows& rows, float* out) {
+HWY_INLINE void InterleaveRow(const std::array<float*, kCount>& in, std::size_t width, float* out) {
   const Floats d;
-  const std::size_t whole = rows.width - rows.width % hn::Lanes(d);
-  for (std::size_t y = 0; y < rows.height; ++y, out += rows.pitch) {
-    const auto in = RowsAt<kCount>(rows, y);
-    std::size_t i = 0;
-    for (; i < whole; i += hn::Lanes(d)) {
-      if constexpr (kCount == 1) hn::StoreU(hn::LoadU(d, in[0] + i), d, out + i);
-      if constexpr (kCount == 2) {
-        hn::StoreInterleaved2(hn::LoadU(d, in[0] + i), hn::LoadU(d, in[1] + i), d, out + 2 * i);
-      }
-      if constexpr (kCount == 4) {
-        hn::StoreInterleaved4(hn::LoadU(d, in[0] + i), hn::LoadU(d, in[1] + i),
-                              hn::LoadU(d, in[2] + i), hn::LoadU(d, in[3] + i), d, out + 4 * i);
-      }
+  const std::size_t whole = width - width % hn::Lanes(d);
+  std::size_t i = 0;
+  for (; i < whole; i += hn::Lanes(d)) {
+    if constexpr (kCount == 1) hn::StoreU(hn::LoadU(d, in[0] + i), d, out + i);
+    if constexpr (kCount == 2) {
+      hn::StoreInterleaved2(hn::LoadU(d, in[0] + i), hn::LoadU(d, in[1] + i), d, out + 2 * i);
     }
-    for (; i < rows.width; ++i) {
-      for (std::size_t k = 0; k < kCount; ++k) out[kCount * i + k] = in[k][i];
+    if constexpr (kCount == 4) {
+      hn::StoreInterleaved4(hn::LoadU(d, in[0] + i), hn::LoadU(d, in[1] + i),
+                            hn::LoadU(d, in[2] + i), hn::LoadU(d, in[3] + i), d, out + 4 * i);
     }
   }
+  for (; i < width; ++i) {
+    for (std::size_t k = 0; k < kCount; ++k) out[kCount * i + k] = in[k][i];
+  }
+}
+
+/// Copies numbers, whole cache lines past the caches.
+HWY_INLINE void StreamTo(float* out, const float* in, std::size_t count) {
+  const hn::CappedTag<float, 16> d;
+  constexpr std::size_t kLine = 64 / sizeof(float);
+  const std::size_t beyond = reinterpret_cast<std::uintptr_t>(out) / sizeof(float) % kLine;
+  const std::size_t first = std::min((kLine - beyond) % kLine, count);
+  const std::size_t end = first + (count - first) / kLine * kLine;
+  std::copy_n(in, first, out);
+  for (std::size_t i = first; i < end; i += hn::Lanes(d)) {
+    hn::Stream(hn::LoadU(d, in + i), d, out + i);
+  }
+  std::copy_n(in + end, count - end, out + end);
+}
+
+template <std::size_t kCount>
+void InterleaveRows(const TileRows& rows, float* out) {
+  for (std::size_t y = 0; y < rows.height; ++y, out += rows.pitch) {
+    const auto in = RowsAt<kCount>(rows, y);
+    if (!rows.streams) {
+      InterleaveRow<kCount>(in, rows.width, out);
+      continue;
+    }
+    alignas(64) std::array<float, kCount * kTileSize> row;
+    InterleaveRow<kCount>(in, rows.width, row.data());
+    StreamTo(out, row.data(), kCount * rows.width);
+  }
+  // Others may read it from now on.
+  if (rows.streams) hwy::FlushStream();
 }
 
 template <std::size_t kCount>

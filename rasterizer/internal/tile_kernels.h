@@ -25,6 +25,7 @@ struct TileRows {
   std::size_t width = 0;           ///< of a row
   std::size_t height = 0;
   std::size_t pitch = 0;  ///< numbers from a row of the framebuffer to the next
+  bool streams = false;   ///< interleave() writes past the caches, where it is made for `arrays`
 };
 
 /// out[pitch · y + count · i + k] = arrays[k][kTileSize · y + i], count = arrays.size().

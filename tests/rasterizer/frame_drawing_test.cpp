@@ -236,6 +236,56 @@ TEST(ClearAndDraw, LeavesWhatClearingAndDrawingLeave) {
   }
 }
 
+// What is larger than caches is written past them. Kills: numbers that lie between two cache lines
+// left out, or lines written that are another row's.
+TEST_P(DrawOnTarget, LeavesTheSameWhereFramebuffersAreLarge) {
+  const OnTarget target(GetParam());
+  Random random(16);
+  for (const int attributes : {1, 2, 3, 4}) {
+    SCOPED_TRACE(attributes);
+    constexpr int kWidth = 1101;  // rows begin anywhere in a line
+    constexpr int kNumbers = 2'200'000;
+    const TargetSize size{kWidth, kNumbers / (kWidth * (1 + attributes)), 1};
+    State state = small_state(size.width, size.height, Convention::vulkan);
+    state.depth_test = DepthTest::less;
+    state.attributes.resize(static_cast<std::size_t>(attributes));
+    const SmallMesh mesh = many_triangles(random, state, 3);
+    Framebuffer expected;
+    ASSERT_FALSE(clear(expected, size, state.attributes.size(), 1));
+    ASSERT_FALSE(rasterizer::draw(state, mesh.mesh(), expected).error);
+    Framebuffer drawn;
+    ASSERT_FALSE(clear_and_draw(state, mesh.mesh(), size, 1, drawn, 2).error);
+    expect_equal(drawn, expected);
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Kills: corners taken for the same that are not, or for different where only z is.
+TEST_P(DrawOnTarget, CornersAtTheSamePointMakeNoTriangle) {
+  const OnTarget target(GetParam());
+  const TargetSize size{20, 20, 1};
+  State state = small_state(size.width, size.height, Convention::vulkan);
+  state.attributes.resize(1);
+  const glm::vec4 first{-1, -1, 0, 1};
+  const glm::vec4 second{0.5F, 0.25F, 0, 1};
+  for (const glm::vec4& change : {glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0),
+                                  glm::vec4(0, 0, 1, 0), glm::vec4(0, 0, 0, 1)}) {
+    SCOPED_TRACE(testing::Message() << change.x << change.y << change.z << change.w);
+    SmallMesh mesh;
+    // The twins are two corners, then the next two, then the last and the first.
+    mesh.positions = {first, second, second + 0.5F * change};
+    mesh.triangles = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
+    mesh.attributes = {1, 2, 3};
+    Fragments fragments;
+    const DrawCounts counts = draw_fragments(state, mesh.mesh(), size, fragments).counts;
+    EXPECT_EQ(counts.discarded_degenerate, change.z > 0 ? 3 : 0);
+    Framebuffer drawn;
+    EXPECT_EQ(clear_and_draw(state, mesh.mesh(), size, 1, drawn).counts, counts);
+    expect_kept(state, mesh.mesh(), size);
+    if (HasFatalFailure()) return;
+  }
+}
+
 // Kills: triangles that are left out and not counted, or counted once for each tile or worker.
 TEST(Draw, CountsWhatFragmentsCount) {
   Random random(13);

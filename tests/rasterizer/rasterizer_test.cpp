@@ -32,14 +32,19 @@ int g_allocations_left = -1;
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 #endif
 #ifndef RASTERCHECK_HAS_TSAN
-void* operator new(std::size_t size) {
+void* operator new(std::size_t size, std::align_val_t alignment) {
   if (g_allocations_left == 0) throw std::bad_alloc();
   if (g_allocations_left > 0) --g_allocations_left;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  const auto unit = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(unit, (size + unit) / unit * unit)) return memory;
   throw std::bad_alloc();
 }
+void* operator new(std::size_t size) { return operator new (size, std::align_val_t{16}); }
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
 #endif
 
 namespace rastercheck::rasterizer {
@@ -406,8 +411,8 @@ TEST(Clear, SetsEveryDepthAndZeroesEveryAttribute) {
   EXPECT_EQ(framebuffer.size.height, 2);
   EXPECT_EQ(framebuffer.size.samples, 4);
   EXPECT_EQ(framebuffer.attribute_count, 5U);
-  EXPECT_EQ(framebuffer.depth, std::vector<float>(24, 0.75F));
-  EXPECT_EQ(framebuffer.attributes, std::vector<float>(120, 0));
+  EXPECT_EQ(framebuffer.depth, Framebuffer::Values(24, 0.75F));
+  EXPECT_EQ(framebuffer.attributes, Framebuffer::Values(120, 0));
 }
 
 TEST(Clear, ABadSizeIsAnErrorAndLeavesTheFramebuffer) {
@@ -417,7 +422,7 @@ TEST(Clear, ABadSizeIsAnErrorAndLeavesTheFramebuffer) {
   EXPECT_EQ(clear(framebuffer, {1, kMaxSize + 1, 1}, 0, 1), Error::target_size);
   EXPECT_EQ(clear(framebuffer, {1, 1, 3}, 0, 1), Error::sample_count);
   EXPECT_EQ(clear(framebuffer, {1, 1, 1}, kMaxAttributes + 1, 1), Error::attribute_count);
-  EXPECT_EQ(framebuffer.depth, std::vector<float>(1, 0.5F));
+  EXPECT_EQ(framebuffer.depth, Framebuffer::Values(1, 0.5F));
 }
 
 TEST(Clear, WhereMemoryRunsOutTheFramebufferIsThatOfBefore) {
@@ -431,8 +436,8 @@ TEST(Clear, WhereMemoryRunsOutTheFramebufferIsThatOfBefore) {
                                }),
               Error::out_of_memory);
     EXPECT_EQ(framebuffer.size.width, 1);
-    EXPECT_EQ(framebuffer.depth, std::vector<float>(1, 0.5F));
-    EXPECT_EQ(framebuffer.attributes, std::vector<float>(1, 0));
+    EXPECT_EQ(framebuffer.depth, Framebuffer::Values(1, 0.5F));
+    EXPECT_EQ(framebuffer.attributes, Framebuffer::Values(1, 0));
   }
 }
 
@@ -457,7 +462,7 @@ struct Overlap {
     EXPECT_EQ(clear(framebuffer, {4, 1, 1}, 1, 1), std::nullopt);
   }
 
-  std::vector<float> drawn() {
+  Framebuffer::Values drawn() {
     EXPECT_EQ(draw(state, mesh.mesh(), framebuffer).error, std::nullopt);
     return framebuffer.attributes;
   }
@@ -465,24 +470,24 @@ struct Overlap {
 
 TEST(Draw, TheNearestFragmentStays) {
   Overlap farther(DepthTest::less, 0.75F);
-  EXPECT_EQ(farther.drawn(), (std::vector<float>{1, 1, 1, 2}));
-  EXPECT_EQ(farther.framebuffer.depth, (std::vector<float>{0.5F, 0.5F, 0.5F, 0.75F}));
+  EXPECT_EQ(farther.drawn(), (Framebuffer::Values{1, 1, 1, 2}));
+  EXPECT_EQ(farther.framebuffer.depth, (Framebuffer::Values{0.5F, 0.5F, 0.5F, 0.75F}));
   Overlap nearer(DepthTest::less, 0.25F);
-  EXPECT_EQ(nearer.drawn(), (std::vector<float>{1, 2, 2, 2}));
+  EXPECT_EQ(nearer.drawn(), (Framebuffer::Values{1, 2, 2, 2}));
 }
 
 // Kills: less or equal.
 TEST(Draw, OfEqualDepthsTheFirstStays) {
   Overlap equal(DepthTest::less, 0.5F);
-  EXPECT_EQ(equal.drawn(), (std::vector<float>{1, 1, 1, 2}));
+  EXPECT_EQ(equal.drawn(), (Framebuffer::Values{1, 1, 1, 2}));
   Overlap at_the_cleared_depth(DepthTest::less, 1);
-  EXPECT_EQ(at_the_cleared_depth.drawn(), (std::vector<float>{1, 1, 1, 0}));
+  EXPECT_EQ(at_the_cleared_depth.drawn(), (Framebuffer::Values{1, 1, 1, 0}));
 }
 
 TEST(Draw, WithoutADepthTestTheLastStays) {
   Overlap farther(DepthTest::none, 0.75F);
-  EXPECT_EQ(farther.drawn(), (std::vector<float>{1, 2, 2, 2}));
-  EXPECT_EQ(farther.framebuffer.depth, (std::vector<float>{0.5F, 0.75F, 0.75F, 0.75F}));
+  EXPECT_EQ(farther.drawn(), (Framebuffer::Values{1, 2, 2, 2}));
+  EXPECT_EQ(farther.framebuffer.depth, (Framebuffer::Values{0.5F, 0.75F, 0.75F, 0.75F}));
 }
 
 TEST(Draw, DrawsOverWhatEarlierDrawsLeft) {
@@ -491,7 +496,7 @@ TEST(Draw, DrawsOverWhatEarlierDrawsLeft) {
   overlap.mesh.positions[7].z = overlap.mesh.positions[6].z = overlap.mesh.positions[5].z =
       overlap.mesh.positions[4].z = 0;
   overlap.mesh.triangles.erase(overlap.mesh.triangles.begin(), overlap.mesh.triangles.begin() + 2);
-  EXPECT_EQ(overlap.drawn(), (std::vector<float>{1, 2, 2, 2}));
+  EXPECT_EQ(overlap.drawn(), (Framebuffer::Values{1, 2, 2, 2}));
 }
 
 TEST(Draw, EachSampleHasItsOwnDepthAndAttributes) {
@@ -507,8 +512,8 @@ TEST(Draw, EachSampleHasItsOwnDepthAndAttributes) {
   Framebuffer framebuffer;
   ASSERT_EQ(clear(framebuffer, {1, 1, 2}, 2, 1), std::nullopt);
   ASSERT_EQ(draw(state, mesh.mesh(), framebuffer).error, std::nullopt);
-  EXPECT_EQ(framebuffer.depth, (std::vector<float>{0.75F, 0.25F}));
-  EXPECT_EQ(framebuffer.attributes, (std::vector<float>{0.75F, 0.75F, 0.25F, 0.25F}));
+  EXPECT_EQ(framebuffer.depth, (Framebuffer::Values{0.75F, 0.25F}));
+  EXPECT_EQ(framebuffer.attributes, (Framebuffer::Values{0.75F, 0.75F, 0.25F, 0.25F}));
 }
 
 TEST(Draw, CountsWhatItLeavesOut) {
@@ -524,7 +529,7 @@ TEST(Draw, CountsWhatItLeavesOut) {
 TEST(Draw, ErrorsLeaveTheFramebuffer) {
   Overlap overlap(DepthTest::less, 0.75F);
   const auto error_of = [](Overlap faulty) {
-    const std::vector<float> before = faulty.framebuffer.depth;
+    const Framebuffer::Values before = faulty.framebuffer.depth;
     const std::optional<Error> error =
         draw(faulty.state, faulty.mesh.mesh(), faulty.framebuffer).error;
     EXPECT_EQ(faulty.framebuffer.depth, before);
@@ -573,8 +578,8 @@ TEST(Draw, WhereMemoryRunsOutNothingWasDrawn) {
     succeeded = !error;
     if (succeeded) break;
     EXPECT_EQ(error, Error::out_of_memory);
-    EXPECT_EQ(overlap.framebuffer.depth, std::vector<float>(4, 1));
-    EXPECT_EQ(overlap.framebuffer.attributes, std::vector<float>(4, 0));
+    EXPECT_EQ(overlap.framebuffer.depth, Framebuffer::Values(4, 1));
+    EXPECT_EQ(overlap.framebuffer.attributes, Framebuffer::Values(4, 0));
   }
   EXPECT_TRUE(succeeded);
 }
