@@ -25,6 +25,7 @@ struct Cover {
   Bits covered;
   Bits doubtful;   ///< within the band of an edge, and beyond no other
   Bits at_vertex;  ///< of the covered, those on two edges
+  Lanes has_ties;  ///< a sample is on an edge; known where vertices are found
 };
 
 /// Of the `width` × `height` samples from U, V.
@@ -45,7 +46,7 @@ HWY_INLINE Cover CoverBoxes(const KernelSetting& setting, const Part& part, Vect
     sure_limit[i] = part.Get(Numbers::kSure + i);
     possible_limit[i] = part.Get(Numbers::kPossible + i);
   }
-  Cover cover{hn::Zero(words), hn::Zero(words), hn::Zero(words)};
+  Cover cover{hn::Zero(words), hn::Zero(words), hn::Zero(words), Never()};
   auto v = v_first;
   for (int y = 0; y < height; ++y, v = hn::Add(v, hn::Set(d, setting.v_step))) {
     const Three row{hn::Add(hn::Mul(b[0], v), c[0]), hn::Add(hn::Mul(b[1], v), c[1]),
@@ -70,6 +71,7 @@ HWY_INLINE Cover CoverBoxes(const KernelSetting& setting, const Part& part, Vect
       const Lanes on2 = hn::Eq(e[2], zero);
       const Lanes on_two = hn::Or(hn::And(on0, hn::Or(on1, on2)), hn::And(on1, on2));
       cover.at_vertex = add(cover.at_vertex, hn::And(sure, on_two));
+      cover.has_ties = hn::Or(cover.has_ties, hn::Or(on0, hn::Or(on1, on2)));
     }
   }
   return cover;
@@ -192,6 +194,7 @@ struct SmallCover {
   using PerSample = std::array<T, DrawBounds::kMaxSamples>;
   alignas(64) PerSample<std::array<std::uint64_t, kGroup>> covered;
   alignas(64) PerSample<std::array<std::uint64_t, kGroup>> at_vertex;
+  std::uint32_t ties;  ///< lanes with samples on edges, or next to them
 };
 
 /// Where the boxes of the small triangles are, and how large the largest is.
@@ -213,6 +216,7 @@ HWY_INLINE std::uint32_t CoverSmall(const KernelSetting& setting, const std::arr
   const Extent& columns = boxes.columns;
   const Extent& rows = boxes.rows;
   std::uint32_t left_bits = 0;
+  out.ties = 0;
   for (std::size_t s = 0; s < setting.samples && small_bits != 0; ++s) {
     const auto u_step = hn::Set(d, setting.u_step);
     const auto v_step = hn::Set(d, setting.v_step);
@@ -241,10 +245,12 @@ HWY_INLINE std::uint32_t CoverSmall(const KernelSetting& setting, const std::arr
     };
     Cover cover = CoverBoxes(setting, part, u, v, boxes.width, boxes.height, is_exact);
     if (!is_exact && lane_bits(cover.doubtful) != 0) {
+      out.ties |= lane_bits(cover.doubtful);
       is_exact = SetExactLimits(setting, part, p);
       if (is_exact) cover = CoverBoxes(setting, part, u, v, boxes.width, boxes.height, true);
     }
     const std::uint32_t doubtful = lane_bits(cover.doubtful);
+    out.ties |= BitsOf(cover.has_ties) & small_bits;
     left_bits |= doubtful;
     small_bits &= ~doubtful;
     hn::Store(cover.covered, words, out.covered[s].data());

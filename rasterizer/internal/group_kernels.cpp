@@ -62,9 +62,11 @@ HWY_INLINE Lanes AreCopied(const Three& r) {
   };
   return hn::Or(not_finite, hn::And(is(all), is(any)));
 }
-/// Puts the half-planes and planes of triangles; returns those whose values double holds.
+/// Puts the half-planes and planes of triangles, those of depth only where some are not small;
+/// returns those whose values double holds.
 HWY_INLINE Lanes PutNumbers(const KernelSetting& setting, const GroupInput& input, const Part& part,
-                            const std::array<Corner, 3>& p, const Outline& outline) {
+                            const std::array<Corner, 3>& p, const Outline& outline,
+                            bool all_are_small) {
   const Doubles d;
   const auto zero = hn::Zero(d);
   const auto one = hn::Set(d, 1.0);
@@ -84,7 +86,7 @@ HWY_INLINE Lanes PutNumbers(const KernelSetting& setting, const GroupInput& inpu
   if (BitsOf(hn::Not(outline.is_whole)) != 0) {
     PutClip(part, Numbers::kNear, outline.near, edges, band, t);
     PutClip(part, Numbers::kFar, outline.far, edges, band, t);
-  } else {
+  } else if (!all_are_small) {
     PutHalfPlane(part, Numbers::kNear, {zero, zero, one}, zero, zero);
     PutHalfPlane(part, Numbers::kFar, {zero, zero, one}, zero, zero);
   }
@@ -205,19 +207,20 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
   }
   if (kept_bits == 0) return;
 
-  const std::uint32_t trusted = BitsOf(PutNumbers(setting, input, part, p, outline));
-  left_bits |= kept_bits & ~trusted;
-  kept_bits &= trusted;
-  const std::uint32_t plain_bits = BitsOf(hn::And(outline.in_front, outline.is_whole));
-
   // What is small, and how large the largest of that is.
   const Extent& columns = outline.columns;
   const Extent& rows = outline.rows;
   const auto widths = hn::Sub(columns.end, columns.begin);
   const auto heights = hn::Sub(rows.end, rows.begin);
   const auto most = hn::Set(d, kSmallBox);
-  const Lanes is_small = hn::And(hn::Le(widths, most), hn::Le(heights, most));
-  std::uint32_t small_bits = kept_bits & plain_bits & BitsOf(is_small);
+  const Lanes is_small =
+      All(hn::Le(widths, most), hn::Le(heights, most), hn::And(outline.in_front, outline.is_whole));
+  const std::uint32_t small_of_all = BitsOf(is_small);
+  const bool all_are_small = (kept_bits & ~small_of_all) == 0;
+  const std::uint32_t trusted = BitsOf(PutNumbers(setting, input, part, p, outline, all_are_small));
+  left_bits |= kept_bits & ~trusted;
+  kept_bits &= trusted;
+  std::uint32_t small_bits = kept_bits & small_of_all;
   const auto greatest_of = [&](Vector v) HWY_ATTR {
     return static_cast<int>(hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(is_small, v))));
   };
@@ -232,7 +235,7 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
   if (small_bits != 0) {
     const std::uint32_t uncovered =
         CoverSmall(setting, p, part, boxes, small_bits, is_exact, cover);
-    output.had_ties = is_exact;
+    output.had_ties = cover.ties != 0;
     left_bits |= uncovered;
     small_bits &= ~uncovered;
   }
