@@ -20,7 +20,15 @@ HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-/// What small triangles cover: bit 8 y + x of a lane's word is a sample of its box, or one beyond.
+/// Where the boxes of the small triangles are, and how large the largest is.
+struct SmallBoxes {
+  Extent columns;
+  Extent rows;
+  int width = 0;
+  int height = 0;
+};
+
+/// What small triangles cover: bit 8 y + x of a lane's word is a sample of its box.
 struct Cover {
   Bits covered;
   Bits doubtful;   ///< within the band of an edge, and beyond no other
@@ -28,9 +36,28 @@ struct Cover {
   Lanes has_ties;  ///< a sample is on an edge; known where vertices are found
 };
 
-/// Of the `width` × `height` samples from U, V.
-HWY_INLINE Cover CoverBoxes(const KernelSetting& setting, const Part& part, Vector u_first,
-                            Vector v_first, int width, int height, bool finds_vertices) {
+/// The samples of boxes.
+HWY_INLINE Bits SamplesOf(const SmallBoxes& boxes) {
+  const Doubles d;
+  const Words words;
+  const auto bits_below = [&](Vector end, int most, std::uint64_t first, int step) HWY_ATTR {
+    Bits bits = hn::Zero(words);
+    for (int i = 0; i < most; ++i, first <<= step) {
+      const Lanes is_below = hn::Lt(hn::Set(d, static_cast<double>(i)), end);
+      bits = hn::Or(bits, hn::BitCast(words, hn::IfThenElseZero(
+                                                 is_below, hn::BitCast(d, hn::Set(words, first)))));
+    }
+    return bits;
+  };
+  const auto widths = hn::Sub(boxes.columns.end, boxes.columns.begin);
+  const auto heights = hn::Sub(boxes.rows.end, boxes.rows.begin);
+  return hn::And(bits_below(widths, boxes.width, 0x0101010101010101U, 1),
+                 bits_below(heights, boxes.height, 0xff, 8));
+}
+
+/// Of the samples of boxes whose first are at U, V.
+HWY_INLINE Cover CoverBoxes(const KernelSetting& setting, const Part& part, const SmallBoxes& boxes,
+                            Vector u_first, Vector v_first, bool finds_vertices) {
   const Doubles d;
   const Words words;
   const auto zero = hn::Zero(d);
@@ -48,11 +75,11 @@ HWY_INLINE Cover CoverBoxes(const KernelSetting& setting, const Part& part, Vect
   }
   Cover cover{hn::Zero(words), hn::Zero(words), hn::Zero(words), Never()};
   auto v = v_first;
-  for (int y = 0; y < height; ++y, v = hn::Add(v, hn::Set(d, setting.v_step))) {
+  for (int y = 0; y < boxes.height; ++y, v = hn::Add(v, hn::Set(d, setting.v_step))) {
     const Three row{hn::Add(hn::Mul(b[0], v), c[0]), hn::Add(hn::Mul(b[1], v), c[1]),
                     hn::Add(hn::Mul(b[2], v), c[2])};
     auto u = u_first;
-    for (int x = 0; x < width; ++x, u = hn::Add(u, hn::Set(d, setting.u_step))) {
+    for (int x = 0; x < boxes.width; ++x, u = hn::Add(u, hn::Set(d, setting.u_step))) {
       const Three e{hn::Add(hn::Mul(a[0], u), row[0]), hn::Add(hn::Mul(a[1], u), row[1]),
                     hn::Add(hn::Mul(a[2], u), row[2])};
       const auto sure = All(hn::Gt(e[0], sure_limit[0]), hn::Gt(e[1], sure_limit[1]),
@@ -74,6 +101,10 @@ HWY_INLINE Cover CoverBoxes(const KernelSetting& setting, const Part& part, Vect
       cover.has_ties = hn::Or(cover.has_ties, hn::Or(on0, hn::Or(on1, on2)));
     }
   }
+  const Bits samples = SamplesOf(boxes);
+  cover.covered = hn::And(cover.covered, samples);
+  cover.doubtful = hn::And(cover.doubtful, samples);
+  cover.at_vertex = hn::And(cover.at_vertex, samples);
   return cover;
 }
 
@@ -197,14 +228,6 @@ struct SmallCover {
   std::uint32_t ties;  ///< lanes with samples on edges, or next to them
 };
 
-/// Where the boxes of the small triangles are, and how large the largest is.
-struct SmallBoxes {
-  Extent columns;
-  Extent rows;
-  int width = 0;
-  int height = 0;
-};
-
 /// Covers the small triangles among `small_bits`. Returns those that it did not: where double is
 /// not enough for the denominator, or a sample is within the band of an edge. `is_exact`: whether
 /// edges without a band have their limits, which they are given where there is need.
@@ -243,11 +266,11 @@ HWY_INLINE std::uint32_t CoverSmall(const KernelSetting& setting, const std::arr
     const auto lane_bits = [&](Bits bits) HWY_ATTR {
       return BitsOf(hn::RebindMask(d, hn::Ne(bits, hn::Zero(words)))) & small_bits;
     };
-    Cover cover = CoverBoxes(setting, part, u, v, boxes.width, boxes.height, is_exact);
+    Cover cover = CoverBoxes(setting, part, boxes, u, v, is_exact);
     if (!is_exact && lane_bits(cover.doubtful) != 0) {
       out.ties |= lane_bits(cover.doubtful);
       is_exact = SetExactLimits(setting, part, p);
-      if (is_exact) cover = CoverBoxes(setting, part, u, v, boxes.width, boxes.height, true);
+      if (is_exact) cover = CoverBoxes(setting, part, boxes, u, v, true);
     }
     const std::uint32_t doubtful = lane_bits(cover.doubtful);
     out.ties |= BitsOf(cover.has_ties) & small_bits;
@@ -265,14 +288,6 @@ inline void AppendFragments(const KernelSetting& setting, const GroupInput& inpu
                             FragmentList& fragments) {
   const Doubles d;
   const GroupOutput& output = *part.output;
-  std::array<std::uint64_t, kGroup> boxes{};
-  for_each_bit(small_bits, [&](int bit) {
-    const auto lane = static_cast<std::size_t>(bit);
-    const PixelBox& box = output.box[part.from + lane];
-    const std::uint64_t row = (std::uint64_t{1} << (box.columns.end - box.columns.begin)) - 1;
-    const int rows_beyond = kSmallBox - (box.rows.end - box.rows.begin);
-    boxes[lane] = row * 0x0101010101010101U & ~std::uint64_t{0} >> (8 * rows_beyond);
-  });
   for (std::size_t s = 0; s < setting.samples; ++s) {
     struct AtVertex {
       std::size_t fragment;
@@ -286,8 +301,8 @@ inline void AppendFragments(const KernelSetting& setting, const GroupInput& inpu
     for_each_bit(small_bits, [&](int bit) {
       const auto lane = static_cast<std::size_t>(bit);
       const Code of_lane = static_cast<Code>(lane) << 6;
-      const std::uint64_t bits = cover.covered[s][lane] & boxes[lane];
-      for_each_bit(cover.at_vertex[s][lane] & bits, [&](int place) {
+      const std::uint64_t bits = cover.covered[s][lane];
+      for_each_bit(cover.at_vertex[s][lane], [&](int place) {
         const std::uint64_t before = bits & ((std::uint64_t{1} << place) - 1);
         vertices[vertex_count++] = {count + static_cast<std::size_t>(std::popcount(before)), lane,
                                     static_cast<Code>(place)};
@@ -295,11 +310,12 @@ inline void AppendFragments(const KernelSetting& setting, const GroupInput& inpu
       // Four at a time, of which some may be beyond the last: how many there are is not foreseen.
       const auto end = count + static_cast<std::size_t>(std::popcount(bits));
       std::uint64_t rest = bits;
-      for (std::size_t at = count; at < end; at += 4) {
+      do {
         for (std::size_t k = 0; k < 4; ++k, rest &= rest - 1) {
-          codes[at + k] = of_lane | static_cast<Code>(std::countr_zero(rest));
+          codes[count + k] = of_lane | static_cast<Code>(std::countr_zero(rest));
         }
-      }
+        count += 4;
+      } while (count < end);
       count = end;
     });
     if (count == 0) continue;
