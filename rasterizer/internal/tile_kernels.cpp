@@ -493,13 +493,19 @@ void FindGreatest(const float* depth, std::span<float, kBands> greatest) {
   const Floats d;
   constexpr std::size_t kBandPixels = std::size_t{kBandSize} * kTileSize;
   for (std::size_t band = 0; band < kBands; ++band) {
-    // NaNs are passed over: nothing is nearer than they are.
-    auto most = hn::Set(d, -std::numeric_limits<float>::infinity());
-    for (std::size_t i = 0; i < kBandPixels; i += hn::Lanes(d)) {
-      const auto depths = hn::LoadU(d, depth + band * kBandPixels + i);
-      most = hn::IfThenElse(hn::Gt(depths, most), depths, most);
+    // NaNs are passed over: nothing is nearer than they are. Several at once, none of which has to
+    // wait for another.
+    std::array<hn::Vec<Floats>, 4> most;
+    most.fill(hn::Set(d, -std::numeric_limits<float>::infinity()));
+    const auto greater = [](auto a, auto b) HWY_ATTR { return hn::IfThenElse(hn::Gt(a, b), a, b); };
+    const float* const depths = depth + band * kBandPixels;
+    for (std::size_t i = 0; i < kBandPixels; i += most.size() * hn::Lanes(d)) {
+      for (std::size_t k = 0; k < most.size(); ++k) {
+        most[k] = greater(hn::LoadU(d, depths + i + k * hn::Lanes(d)), most[k]);
+      }
     }
-    greatest[band] = hn::GetLane(hn::MaxOfLanes(d, most));
+    const auto of_all = greater(greater(most[0], most[1]), greater(most[2], most[3]));
+    greatest[band] = hn::GetLane(hn::MaxOfLanes(d, of_all));
   }
 }
 
