@@ -96,6 +96,13 @@ class FrameDrawing {
 
   DrawCounts draw() {
     DrawCounts counts;
+    with_workers(workers_.size(), [&] { counts = draw_with_workers(); });
+    return counts;
+  }
+
+ private:
+  DrawCounts draw_with_workers() {
+    DrawCounts counts;
     std::size_t done = 0;
     do {
       const std::size_t used = sort_from(done);
@@ -112,7 +119,6 @@ class FrameDrawing {
     return counts;
   }
 
- private:
   struct Worker {
     explicit Worker(const FrameDrawing& frame)
         : drawing(make_tile_drawing(frame.setting_, frame.mesh_)),

@@ -19,6 +19,17 @@ std::size_t worker_count(unsigned threads) {
   return threads == 0 ? std::max(1U, std::thread::hardware_concurrency()) : threads;
 }
 
+void with_workers([[maybe_unused]] std::size_t workers, const std::function<void()>& drive) {
+#ifndef RASTERCHECK_STD_THREADS
+  if (workers > 1) {
+    tbb::task_arena arena(static_cast<int>(workers));
+    arena.execute(drive);
+    return;
+  }
+#endif
+  drive();
+}
+
 void for_each_index(std::size_t count, std::size_t workers,
                     const std::function<void(std::size_t, std::size_t)>& work) {
   if (workers == 1 || count <= 1) {
@@ -42,15 +53,12 @@ void for_each_index(std::size_t count, std::size_t workers,
   run(0);
   for (std::future<void>& other : others) other.get();
 #else
-  tbb::task_arena arena(static_cast<int>(workers));
-  arena.execute([&] {
-    tbb::parallel_for(
-        std::size_t{0}, count,
-        [&work](std::size_t i) {
-          work(i, static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()));
-        },
-        tbb::simple_partitioner());
-  });
+  tbb::parallel_for(
+      std::size_t{0}, count,
+      [&work](std::size_t i) {
+        work(i, static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()));
+      },
+      tbb::simple_partitioner());
 #endif
 }
 
