@@ -324,21 +324,24 @@ class Shader {
       const auto y = static_cast<std::size_t>(std::countr_zero(rows));
       const std::int32_t end = spans.end[y];
       for (std::int32_t x = spans.begin[y]; x < end; x += kLanes) {
-        Shade(AlongColumns(x), y, x, hn::FirstN(floats, static_cast<std::size_t>(end - x)));
+        const auto within = hn::FirstN(floats, static_cast<std::size_t>(end - x));
+        Shade<true>(AlongColumns(x), y, x, within);
       }
     }
   }
 
-  /// All of the part: column by column, as what is the same along them are vectors.
+  /// All of the part: column by column, as what is the same along them are vectors. `kClamps`: a
+  /// depth may be out of range.
+  template <bool kClamps>
   HWY_INLINE void ShadeAll() const {
     const Halves floats;
     for (std::int32_t x = part_.columns.begin; x < part_.columns.end; x += kLanes) {
       const Along along = AlongColumns(x);
       const std::int32_t rest = part_.columns.end - x;
       if (rest >= kLanes) {
-        ShadeColumns(along, x, Everywhere());
+        ShadeColumns<kClamps>(along, x, Everywhere());
       } else {
-        ShadeColumns(along, x, hn::FirstN(floats, static_cast<std::size_t>(rest)));
+        ShadeColumns<true>(along, x, hn::FirstN(floats, static_cast<std::size_t>(rest)));
       }
     }
   }
@@ -378,25 +381,27 @@ class Shader {
     return along;
   }
 
-  template <typename Within>
+  template <bool kClamps, typename Within>
   HWY_INLINE void ShadeColumns(const Along& along, std::int32_t x, const Within& within) const {
     const auto end = static_cast<std::size_t>(part_.rows.end);
     for (auto y = static_cast<std::size_t>(part_.rows.begin); y < end; ++y) {
-      Shade(along, y, x, within);
+      Shade<kClamps>(along, y, x, within);
     }
   }
 
   /// Those `within` of a vector of samples, from column x of row y.
-  template <typename Within>
+  template <bool kClamps, typename Within>
   HWY_INLINE void Shade(const Along& along, std::size_t y, std::int32_t x,
                         const Within& within) const {
     const Doubles d;
     const Halves floats;
     const std::size_t at = y * kTileSize + static_cast<std::size_t>(x);
-    const auto value = hn::Add(along.depth, hn::Set(d, depth_rows_.at[y]));
-    const auto clamped = hn::Min(hn::Max(value, hn::Set(d, setting_.depth_least)),
-                                 hn::Set(d, setting_.depth_greatest));
-    const auto depth = hn::DemoteTo(floats, clamped);
+    auto value = hn::Add(along.depth, hn::Set(d, depth_rows_.at[y]));
+    if (kClamps) {
+      value = hn::Min(hn::Max(value, hn::Set(d, setting_.depth_least)),
+                      hn::Set(d, setting_.depth_greatest));
+    }
+    const auto depth = hn::DemoteTo(floats, value);
     auto mask = hn::FirstN(floats, hn::Lanes(floats));
     if constexpr (!std::is_same_v<Within, Everywhere>) mask = within;
     if (TestsDepth()) {
@@ -509,20 +514,28 @@ void FindGreatest(const float* depth, std::span<float, kBands> greatest) {
   }
 }
 
+/// The least and the greatest depth of a part, before they are clamped: corners' (plane.h).
+struct Depths {
+  double least;
+  double greatest;
+};
+
+HWY_INLINE Depths DepthsOf(const double* numbers, const TileArea& area, const TilePart& part) {
+  const PlaneOf plane = PlaneAt(numbers, Numbers::kDepth);
+  const auto [u_least, u_greatest] =
+      std::minmax({plane.a * area.u[part.columns.begin], plane.a * area.u[part.columns.end - 1]});
+  const auto [v_least, v_greatest] =
+      std::minmax({plane.b * area.v[part.rows.begin], plane.b * area.v[part.rows.end - 1]});
+  return {u_least + (v_least + plane.c), u_greatest + (v_greatest + plane.c)};
+}
+
 /// Whether what is there is nowhere behind any of the triangle: neither is it where double is left
-/// to decide, as its depth is this plane's everywhere. Evaluating, clamping and rounding are
-/// monotone, so that the least depth is a corner's (plane.h).
-bool IsBehind(const KernelSetting& setting, const double* numbers, const TileArea& area,
+/// to decide, as its depth is this plane's everywhere. Clamping and rounding are monotone too.
+bool IsBehind(const KernelSetting& setting, const Depths& depths, const TileArea& area,
               const TilePart& part) {
   if (!setting.tests_depth) return false;
-  const PlaneOf plane = PlaneAt(numbers, Numbers::kDepth);
-  const double along_u =
-      std::min(plane.a * area.u[part.columns.begin], plane.a * area.u[part.columns.end - 1]);
-  const double along_v =
-      std::min(plane.b * area.v[part.rows.begin], plane.b * area.v[part.rows.end - 1]);
-  const double value = along_u + (along_v + plane.c);
-  const auto least =
-      static_cast<float>(std::min(std::max(value, setting.depth_least), setting.depth_greatest));
+  const auto least = static_cast<float>(
+      std::min(std::max(depths.least, setting.depth_least), setting.depth_greatest));
   for (int band = part.rows.begin / kBandSize; band * kBandSize < part.rows.end; ++band) {
     if (!(least >= area.greatest[band])) return false;
   }
@@ -532,7 +545,9 @@ bool IsBehind(const KernelSetting& setting, const double* numbers, const TileAre
 Undrawn ShadeTriangle(const KernelSetting& setting, const double* numbers, const TileArea& area,
                       const TilePart& part) {
   const Position position = PositionOf(numbers, area, part);
-  if (position.is_beside || IsBehind(setting, numbers, area, part)) return {};
+  if (position.is_beside) return {};
+  const Depths depths = DepthsOf(numbers, area, part);
+  if (IsBehind(setting, depths, area, part)) return {};
   Spans spans;
   if (position.cuts != 0) FindSpans(setting, numbers, position.cuts, area, part, spans);
   const std::uint64_t rows = spans.touched & ~spans.doubtful;
@@ -542,10 +557,12 @@ Undrawn ShadeTriangle(const KernelSetting& setting, const double* numbers, const
   const auto shade = [&](auto attributes, auto is_plain) {
     const Shader<decltype(attributes)::value, decltype(is_plain)::value> shader(setting, numbers,
                                                                                 area, part);
-    if (position.cuts == 0) {
-      shader.ShadeAll();
-    } else {
+    if (position.cuts != 0) {
       shader.ShadeSpans(spans, rows);
+    } else if (depths.least >= setting.depth_least && depths.greatest <= setting.depth_greatest) {
+      shader.template ShadeAll<false>();
+    } else {
+      shader.template ShadeAll<true>();
     }
   };
   using Many = std::integral_constant<std::size_t, 0>;
