@@ -265,14 +265,20 @@ HWY_INLINE void FindSpans(const KernelSetting& setting, const double* numbers, s
   spans.doubtful &= spans.touched;
 }
 
+#if HWY_TARGET <= HWY_AVX3
+constexpr bool kStoresMasked = true;
+#else
+constexpr bool kStoresMasked = false;
+#endif
+
 /// Replaces what `lanes` says.
 HWY_INLINE void PutWhere(hn::Mask<Halves> lanes, hn::Vec<Halves> value, float* out) {
   const Halves floats;
-#if HWY_TARGET <= HWY_AVX3
-  hn::BlendedStore(value, lanes, floats, out);
-#else
-  hn::StoreU(hn::IfThenElse(lanes, value, hn::LoadU(floats, out)), floats, out);
-#endif
+  if (kStoresMasked) {
+    hn::BlendedStore(value, lanes, floats, out);
+  } else {
+    hn::StoreU(hn::IfThenElse(lanes, value, hn::LoadU(floats, out)), floats, out);
+  }
 }
 
 /// What is the same along each row: B V + C of a plane.
@@ -409,7 +415,17 @@ class Shader {
       mask = std::is_same_v<Within, Everywhere> ? is_nearer : hn::And(mask, is_nearer);
       if (std::is_same_v<Within, Everywhere> && hn::AllFalse(floats, mask)) return;
     }
-    PutWhere(mask, depth, depth_ + at);
+    // Nothing needs to be fetched where all is replaced.
+    const bool is_all =
+        !kStoresMasked && std::is_same_v<Within, Everywhere> && hn::AllTrue(floats, mask);
+    const auto put = [&](hn::Vec<Halves> values, float* out) HWY_ATTR {
+      if (is_all) {
+        hn::StoreU(values, floats, out + at);
+      } else {
+        PutWhere(mask, values, out + at);
+      }
+    };
+    put(depth, depth_);
     auto reciprocal = hn::Zero(d);
     if (HasSmooth()) {
       const auto sum = hn::Add(along.sum, hn::Set(d, sum_rows_.at[y]));
@@ -419,7 +435,7 @@ class Shader {
       auto result = hn::Set(d, value_a_[a]);
       if (!IsFlat(a)) result = hn::Add(along.values[a], hn::Set(d, value_rows_[a].at[y]));
       if (IsSmooth(a)) result = hn::Mul(result, reciprocal);
-      PutWhere(mask, hn::DemoteTo(floats, result), values_[a] + at);
+      put(hn::DemoteTo(floats, result), values_[a]);
     }
   }
 
