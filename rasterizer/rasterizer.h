@@ -174,13 +174,16 @@ struct CacheLineAllocator {
 
   CacheLineAllocator() = default;
   template <typename U>
-  explicit CacheLineAllocator(const CacheLineAllocator<U>& /*other*/) {}
+  explicit CacheLineAllocator(const CacheLineAllocator<U>& /*other*/) noexcept {}
 
   T* allocate(std::size_t count) {
     return static_cast<T*>(::operator new(count * sizeof(T), kLine));
   }
   void deallocate(T* memory, std::size_t /*count*/) { ::operator delete(memory, kLine); }
-  bool operator==(const CacheLineAllocator&) const = default;
+  template <typename U>
+  bool operator==(const CacheLineAllocator<U>& /*other*/) const {
+    return true;
+  }
 };
 
 /// What a framebuffer holds after a depth-tested draw.

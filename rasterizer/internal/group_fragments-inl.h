@@ -1,6 +1,5 @@
 // What small triangles of a group cover, and their fragments. Included once for each SIMD target.
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>

@@ -62,8 +62,9 @@ HWY_INLINE Lanes AreCopied(const Three& r) {
   };
   return hn::Or(not_finite, hn::And(is(all), is(any)));
 }
-/// Puts the half-planes and planes of triangles, those of depth only where some are not small;
-/// returns those whose values double holds.
+
+/// Puts the half-planes and planes of triangles, but where all are small not the half-planes of
+/// depth planes, as they cut none of these. Returns those whose values double holds.
 HWY_INLINE Lanes PutNumbers(const KernelSetting& setting, const GroupInput& input, const Part& part,
                             const std::array<Corner, 3>& p, const Outline& outline,
                             bool all_are_small) {

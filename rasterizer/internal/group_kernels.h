@@ -34,7 +34,7 @@ struct GroupInput {
 enum class LaneFate : std::uint8_t {
   hidden,      ///< nothing of it is drawn; or its fragments were appended
   not_finite,  ///< it has a position that is not
-  degenerate,  ///< two of its corners are the same
+  degenerate,  ///< two of its corners are the same but for z
   numbered,    ///< its numbers are to draw it by (tile_kernels.h)
   left,        ///< to drawing.cpp
 };

@@ -1,6 +1,7 @@
 #include "rasterizer/internal/parallel.h"
 
 #include <algorithm>
+#include <cassert>
 #include <thread>
 
 #ifdef RASTERCHECK_STD_THREADS
@@ -53,6 +54,7 @@ void for_each_index(std::size_t count, std::size_t workers,
   run(0);
   for (std::future<void>& other : others) other.get();
 #else
+  assert(tbb::this_task_arena::max_concurrency() <= static_cast<int>(workers));
   tbb::parallel_for(
       std::size_t{0}, count,
       [&work](std::size_t i) {

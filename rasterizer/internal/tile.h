@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rasterizer/internal/draw_bounds.h"
+#include "rasterizer/internal/interleave.h"
 #include "rasterizer/internal/tile_kernels.h"
 #include "rasterizer/rasterizer.h"
 
@@ -23,8 +24,8 @@ class Tile {
   void load(const Framebuffer& framebuffer, int column, int row);
   /// The same pixels, all of that depth and with attributes 0.
   void clear(const Framebuffer& framebuffer, int column, int row, float depth);
-  /// Writes them back. What was only cleared before goes past the caches where these do not hold
-  /// a framebuffer of that size: they need not fetch what is overwritten.
+  /// Writes them back; past the caches where clear(), not load(), put them here and caches do not
+  /// hold a framebuffer of that size: they need not fetch what is overwritten.
   void store(Framebuffer& framebuffer) const;
 
   const PixelRange& columns() const { return columns_; }

@@ -1,8 +1,7 @@
 #pragma once
 
-// What is done to tiles on the widest vectors that the processor has: larger triangles by spans,
-// fragments of small ones, moving them to and from framebuffers. All targets compute the same bits,
-// and values those of block_kernels.h.
+// What is drawn into tiles on the widest vectors that the processor has: larger triangles by spans,
+// fragments of small ones. All targets compute the same bits, and values those of block_kernels.h.
 
 #include <array>
 #include <cstddef>
@@ -18,20 +17,6 @@ namespace rastercheck::rasterizer {
 inline constexpr int kTileSize = kBlockSize;
 /// What whole vectors may read, or write back as it was, beyond the end of a tile's arrays.
 inline constexpr int kTilePadding = 8;
-
-/// Rows of arrays in a tile, and of the same numbers side by side in a framebuffer.
-struct TileRows {
-  std::span<float* const> arrays;  ///< [k]: row after row of kTileSize
-  std::size_t width = 0;           ///< of a row
-  std::size_t height = 0;
-  std::size_t pitch = 0;  ///< numbers from a row of the framebuffer to the next
-  bool streams = false;   ///< interleave() writes past the caches, where it is made for `arrays`
-};
-
-/// out[pitch · y + count · i + k] = arrays[k][kTileSize · y + i], count = arrays.size().
-void interleave(const TileRows& rows, float* out);
-/// arrays[k][kTileSize · y + i] = in[pitch · y + count · i + k].
-void separate(const float* in, const TileRows& rows);
 
 /// A tile to be drawn into: what kernel settings and tiles (tile.h) say of it, as arrays.
 struct TileArea {

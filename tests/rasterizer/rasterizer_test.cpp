@@ -19,6 +19,11 @@ namespace {
 /// How many allocations still succeed; negative: all.
 int g_allocations_left = -1;
 
+[[maybe_unused]] void take_allocation() {
+  if (g_allocations_left == 0) throw std::bad_alloc();
+  if (g_allocations_left > 0) --g_allocations_left;
+}
+
 }  // namespace
 
 // The allocations of this program, so that they can be made to fail. Where GCC inlines only one of
@@ -32,14 +37,19 @@ int g_allocations_left = -1;
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 #endif
 #ifndef RASTERCHECK_HAS_TSAN
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  if (g_allocations_left == 0) throw std::bad_alloc();
-  if (g_allocations_left > 0) --g_allocations_left;
-  const auto unit = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(unit, (size + unit) / unit * unit)) return memory;
+// Not a byte more than asked for, so that AddressSanitizer sees what goes beyond.
+void* operator new(std::size_t size) {
+  take_allocation();
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
-void* operator new(std::size_t size) { return operator new (size, std::align_val_t{16}); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  take_allocation();
+  void* memory = nullptr;
+  const auto unit = static_cast<std::size_t>(alignment);
+  if (posix_memalign(&memory, unit, size == 0 ? 1 : size) == 0) return memory;
+  throw std::bad_alloc();
+}
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
