@@ -1,6 +1,10 @@
 // The backend `cpu`: this project's rasterizer.
 
+#include <charconv>
+#include <optional>
 #include <sstream>
+#include <string_view>
+#include <system_error>
 
 #include "backends/backend.h"
 #include "backends/cpu/rasterizer_backend.h"
@@ -8,29 +12,51 @@
 namespace rastercheck::backends {
 namespace {
 
-Result<std::unique_ptr<Backend>> make(const std::string& options) {
+/// 1…256.
+std::optional<unsigned> thread_count(std::string_view text) {
+  unsigned count = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, count);
+  if (error != std::errc() || rest != end || count < 1 || count > 256) return std::nullopt;
+  return count;
+}
+
+/// Whether there is such an option.
+bool set(std::string_view option, RasterizerOptions& options) {
   using rasterizer::Precision;
-  Precision precision = Precision::float64;
-  Output output = Output::fragments;
-  std::istringstream all(options);
-  for (std::string option; std::getline(all, option, ',');) {
-    if (option == "precision=float64") {
-      precision = Precision::float64;
-    } else if (option == "precision=float32") {
-      precision = Precision::float32;
-    } else if (option == "output=fragments") {
-      output = Output::fragments;
-    } else if (option == "output=framebuffer") {
-      output = Output::framebuffer;
-    } else {
-      return tl::unexpected(
-          Error{"cpu:" + options, "",
-                "cpu has no option '" + option +
-                    "'; there are: precision=float64 (the default), precision=float32, "
-                    "output=fragments (the default), output=framebuffer"});
-    }
+  constexpr std::string_view kThreads = "threads=";
+  if (option == "precision=float64" || option == "precision=float32") {
+    const bool is_double = option.ends_with("64");
+    options.precision = is_double ? Precision::float64 : Precision::float32;
+  } else if (option == "output=fragments" || option == "output=framebuffer") {
+    options.output = option.ends_with("fragments") ? Output::fragments : Output::framebuffer;
+  } else if (option.starts_with(kThreads)) {
+    const std::optional<unsigned> count = thread_count(option.substr(kThreads.size()));
+    if (count) options.threads = *count;
+    return count.has_value();
+  } else {
+    return false;
   }
-  return make_rasterizer_backend("", precision, output);
+  return true;
+}
+
+Result<std::unique_ptr<Backend>> make(const std::string& text) {
+  RasterizerOptions options;
+  std::istringstream all(text);
+  for (std::string option; std::getline(all, option, ',');) {
+    if (set(option, options)) continue;
+    return tl::unexpected(Error{
+        "cpu:" + text, "",
+        "cpu has no option '" + option +
+            "'; there are: precision=float64 (the default), precision=float32, output=fragments "
+            "(the default), output=framebuffer, threads=N (1 to 256)"});
+  }
+  if (options.threads > 1 && options.output == Output::fragments) {
+    return tl::unexpected(Error{"cpu:" + text, "",
+                                "fragments are drawn on one thread; threads=N is for "
+                                "output=framebuffer"});
+  }
+  return make_rasterizer_backend(options);
 }
 
 std::vector<Listing> list() {

@@ -11,7 +11,7 @@ namespace {
 Result<std::unique_ptr<Backend>> make(const std::string& name) {
   std::string known;
   for (const rasterizer::Method& method : rasterizer::methods()) {
-    if (method.name == name) return make_rasterizer_backend(name);
+    if (method.name == name) return make_rasterizer_backend({name});
     known += (known.empty() ? "" : ", ") + std::string(method.name);
   }
   return tl::unexpected(Error{"method:" + name, "", "no method of that name; there are: " + known});

@@ -284,8 +284,8 @@ class UnsharedTriangles {
 /// Draws through the rasterizer's framebuffer and lists what is in it.
 class FramebufferDrawing {
  public:
-  FramebufferDrawing(const cases::Case& c, ras::Precision precision)
-      : case_(c), state_(state(c, precision)) {
+  FramebufferDrawing(const cases::Case& c, ras::Precision precision, unsigned threads)
+      : case_(c), state_(state(c, precision)), threads_(threads) {
     state_.derivatives = false;
     result_.attribute_count = c.attributes.size();
   }
@@ -322,7 +322,7 @@ class FramebufferDrawing {
     return is_done(ras::clear(framebuffer, target_size(case_), attributes, kFarthest));
   }
   bool draw(const ras::State& by, const ras::Mesh& mesh, ras::Framebuffer& into) {
-    return is_done(ras::draw(by, mesh, into).error);
+    return is_done(ras::draw(by, mesh, into, threads_).error);
   }
   bool is_done(const std::optional<ras::Error>& error) {
     if (error) error_ = refused(*error);
@@ -365,6 +365,7 @@ class FramebufferDrawing {
 
   const cases::Case& case_;
   ras::State state_;
+  unsigned threads_;
   ras::Framebuffer framebuffer_;
   ras::Framebuffer indices_;
   cases::Framebuffer result_;
@@ -442,23 +443,23 @@ records::SampleTrace sample_trace(const ras::Trace& trace) {
 
 class RasterizerBackend : public Backend {
  public:
-  RasterizerBackend(std::string method, ras::Precision precision, Output output)
-      : method_(std::move(method)), precision_(precision), output_(output) {}
+  explicit RasterizerBackend(RasterizerOptions options) : options_(std::move(options)) {}
 
   cases::Contract contract(const cases::Case& c) const override {
-    if (!method_.empty()) return double_precision_contract(c);
-    cases::Contract contract = production_contract(c, precision_);
-    if (output_ == Output::framebuffer) contract.derivative_bound.reset();  // it holds none
+    if (!options_.method.empty()) return double_precision_contract(c);
+    cases::Contract contract = production_contract(c, options_.precision);
+    if (options_.output == Output::framebuffer) contract.derivative_bound.reset();  // it holds none
     return contract;
   }
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
-    if (output_ == Output::framebuffer) return FramebufferDrawing(c, precision_).draw();
-    return draw_with_rasterizer(c, method_, precision_);
+    if (options_.output == Output::framebuffer)
+      return FramebufferDrawing(c, options_.precision, options_.threads).draw();
+    return draw_with_rasterizer(c, options_.method, options_.precision);
   }
-  bool traces() const override { return method_.empty(); }
+  bool traces() const override { return options_.method.empty(); }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                     const records::SampleAddress& at) override {
-    if (!method_.empty()) return Backend::trace(c, at);
+    if (!options_.method.empty()) return Backend::trace(c, at);
     if (at.triangle >= c.triangles.size()) return tl::unexpected(refused(ras::Error::index));
     if (std::cmp_greater_equal(at.x, c.framebuffer.width) ||
         std::cmp_greater_equal(at.y, c.framebuffer.height) ||
@@ -469,23 +470,20 @@ class RasterizerBackend : public Backend {
     const ras::SampleAddress address{0, static_cast<int>(at.x), static_cast<int>(at.y),
                                      static_cast<int>(at.sample)};
     const ras::TraceResult traced =
-        ras::trace_sample(state(c, precision_), one.mesh(), target_size(c), address);
+        ras::trace_sample(state(c, options_.precision), one.mesh(), target_size(c), address);
     if (traced.error) return tl::unexpected(refused(*traced.error));
     if (!traced.trace) return std::nullopt;
     return sample_trace(*traced.trace);
   }
 
  private:
-  std::string method_;
-  ras::Precision precision_;
-  Output output_;
+  RasterizerOptions options_;
 };
 
 }  // namespace
 
-std::unique_ptr<Backend> make_rasterizer_backend(const std::string& method,
-                                                 rasterizer::Precision precision, Output output) {
-  return std::make_unique<RasterizerBackend>(method, precision, output);
+std::unique_ptr<Backend> make_rasterizer_backend(const RasterizerOptions& options) {
+  return std::make_unique<RasterizerBackend>(options);
 }
 
 }  // namespace rastercheck::backends

@@ -15,10 +15,15 @@ namespace rastercheck::backends {
 /// users draw into, each triangle alone in one, or all by the depth test of the case.
 enum class Output { fragments, framebuffer };
 
-/// Draws with the rasterizer, or with one of its textbook methods where `method` is not empty
-/// (which have a precision of their own).
-std::unique_ptr<Backend> make_rasterizer_backend(
-    const std::string& method, rasterizer::Precision precision = rasterizer::Precision::float64,
-    Output output = Output::fragments);
+struct RasterizerOptions {
+  /// One of the textbook methods, which have a precision of their own; empty: the rasterizer
+  /// proper.
+  std::string method = {};
+  rasterizer::Precision precision = rasterizer::Precision::float64;
+  Output output = Output::fragments;
+  unsigned threads = 1;  ///< that draw into the framebuffer; 0: as many as the machine has
+};
+
+std::unique_ptr<Backend> make_rasterizer_backend(const RasterizerOptions& options);
 
 }  // namespace rastercheck::backends

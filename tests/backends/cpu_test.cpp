@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <string>
 #include <tuple>
 
 #include "backends/backend.h"
@@ -135,6 +136,48 @@ TEST(Method, DoesNotTrace) {
   const auto trace = backend->trace({}, {});
   ASSERT_FALSE(trace.has_value());
   EXPECT_EQ(trace.error().reason, "this backend does not trace");
+}
+
+// Kills: tiles of other threads left out, or drawn into one another.
+TEST(Cpu, DrawsTheSameOnSeveralThreads) {
+  const auto one = make_backend("cpu:output=framebuffer").value();
+  const auto several = make_backend("cpu:output=framebuffer,threads=3").value();
+  std::size_t drawn = 0;
+  for (cases::Case c : corpus()) {
+    // Several tiles.
+    c.framebuffer.width = 320;
+    c.framebuffer.height = 200;
+    c.viewport.width = 320;
+    c.viewport.height = 200;
+    for (const cases::DepthTest test : {cases::DepthTest::none, cases::DepthTest::less}) {
+      c.depth_test = test;
+      const cases::Framebuffer expected = one->draw(c).value();
+      const cases::Framebuffer actual = several->draw(c).value();
+      EXPECT_EQ(actual.triangle, expected.triangle) << c.name;
+      EXPECT_EQ(actual.x, expected.x) << c.name;
+      EXPECT_EQ(actual.y, expected.y) << c.name;
+      EXPECT_EQ(actual.sample, expected.sample) << c.name;
+      EXPECT_EQ(actual.depth, expected.depth) << c.name;
+      EXPECT_EQ(actual.attributes, expected.attributes) << c.name;
+      drawn += expected.size();
+    }
+  }
+  EXPECT_GT(drawn, 100'000U);
+}
+
+TEST(Cpu, SaysWhatItsOptionsAre) {
+  for (const char* bad : {"threads=0", "threads=257", "threads=-1", "threads=2x",
+                          "threads=", "output=framebuffer,threads=0", "simd"}) {
+    const auto backend = make_backend(std::string("cpu:") + bad);
+    ASSERT_FALSE(backend) << bad;
+    EXPECT_NE(to_string(backend.error()).find("cpu has no option"), std::string::npos) << bad;
+  }
+  const auto fragments = make_backend("cpu:threads=2");
+  ASSERT_FALSE(fragments);
+  EXPECT_EQ(to_string(fragments.error()),
+            "cpu:threads=2: fragments are drawn on one thread; threads=N is for "
+            "output=framebuffer");
+  EXPECT_TRUE(make_backend("cpu:threads=2,output=framebuffer"));
 }
 
 TEST(Cpu, PromisesConstantsAndVertexValuesAndTheMethodsDoNot) {

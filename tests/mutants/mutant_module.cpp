@@ -11,8 +11,8 @@ extern "C" __attribute__((visibility("default"))) rastercheck::backends::Backend
 rastercheck_make_mutant() {
   using rastercheck::backends::Output;
   using rastercheck::rasterizer::Precision;
-  return rastercheck::backends::make_rasterizer_backend(RASTERCHECK_MUTANT_METHOD,
-                                                        Precision::RASTERCHECK_MUTANT_PRECISION,
-                                                        Output::RASTERCHECK_MUTANT_OUTPUT)
+  return rastercheck::backends::make_rasterizer_backend({RASTERCHECK_MUTANT_METHOD,
+                                                         Precision::RASTERCHECK_MUTANT_PRECISION,
+                                                         Output::RASTERCHECK_MUTANT_OUTPUT})
       .release();
 }
