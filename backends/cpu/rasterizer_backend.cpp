@@ -452,8 +452,9 @@ class RasterizerBackend : public Backend {
     return contract;
   }
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
-    if (options_.output == Output::framebuffer)
+    if (options_.output == Output::framebuffer) {
       return FramebufferDrawing(c, options_.precision, options_.threads).draw();
+    }
     return draw_with_rasterizer(c, options_.method, options_.precision);
   }
   bool traces() const override { return options_.method.empty(); }

@@ -21,7 +21,7 @@ struct RasterizerOptions {
   std::string method = {};
   rasterizer::Precision precision = rasterizer::Precision::float64;
   Output output = Output::fragments;
-  unsigned threads = 1;  ///< that draw into the framebuffer; 0: as many as the machine has
+  unsigned threads = 1;  ///< that draw into the framebuffer
 };
 
 std::unique_ptr<Backend> make_rasterizer_backend(const RasterizerOptions& options);

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <limits>
-#include <new>
 #include <optional>
 #include <random>
 #include <set>
@@ -12,50 +10,8 @@
 #include <tuple>
 #include <vector>
 
+#include "tests/rasterizer/failing_allocator.h"
 #include "tests/rasterizer/small_draw.h"
-
-namespace {
-
-/// How many allocations still succeed; negative: all.
-int g_allocations_left = -1;
-
-[[maybe_unused]] void take_allocation() {
-  if (g_allocations_left == 0) throw std::bad_alloc();
-  if (g_allocations_left > 0) --g_allocations_left;
-}
-
-}  // namespace
-
-// The allocations of this program, so that they can be made to fail. Where GCC inlines only one of
-// a pair it takes malloc and free for a mismatch. ThreadSanitizer has operators of its own.
-#if defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-#define RASTERCHECK_HAS_TSAN
-#endif
-#endif
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-#endif
-#ifndef RASTERCHECK_HAS_TSAN
-// Not a byte more than asked for, so that AddressSanitizer sees what goes beyond.
-void* operator new(std::size_t size) {
-  take_allocation();
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  take_allocation();
-  void* memory = nullptr;
-  const auto unit = static_cast<std::size_t>(alignment);
-  if (posix_memalign(&memory, unit, size == 0 ? 1 : size) == 0) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-#endif
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -63,21 +19,6 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr TargetSize kFour{4, 4, 1};
-
-#ifdef RASTERCHECK_HAS_TSAN
-constexpr bool kCanRunOutOfMemory = false;
-#else
-constexpr bool kCanRunOutOfMemory = true;
-#endif
-
-/// Runs the call with `count` allocations to spare.
-template <class Call>
-auto with_allocations(int count, Call call) {
-  g_allocations_left = count;
-  auto result = call();
-  g_allocations_left = -1;
-  return result;
-}
 
 /// Two attributes and one clip distance per vertex, so that every argument has something to be
 /// wrong.
