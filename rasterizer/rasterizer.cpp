@@ -3,74 +3,13 @@
 #include <algorithm>
 #include <new>
 #include <stdexcept>
-#include <utility>
 
 #include "rasterizer/internal/checked_draw.h"
+#include "rasterizer/internal/checked_frame.h"
 #include "rasterizer/internal/drawing.h"
-#include "rasterizer/internal/frame_drawing.h"
-#include "rasterizer/internal/parallel.h"
 #include "rasterizer/trace.h"
 
 namespace rastercheck::rasterizer {
-namespace {
-
-std::size_t sample_count(const TargetSize& size) {
-  return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) *
-         static_cast<std::size_t>(size.samples);
-}
-
-/// Whether the arrays of a framebuffer are those of its own size, and its attributes the state's.
-std::optional<Error> check_framebuffer(const State& state, const Framebuffer& framebuffer) {
-  if (const std::optional<Error> error = check_size(framebuffer.size)) return error;
-  if (framebuffer.attribute_count != state.attributes.size()) return Error::attribute_count;
-  const std::size_t samples = sample_count(framebuffer.size);
-  if (framebuffer.depth.size() != samples ||
-      framebuffer.attributes.size() != samples * framebuffer.attribute_count) {
-    return Error::target_size;
-  }
-  return std::nullopt;
-}
-
-/// Gives it memory of that size; what it holds is any.
-std::optional<Error> resize(Framebuffer& framebuffer, const TargetSize& size,
-                            std::size_t attribute_count) {
-  if (const std::optional<Error> error = check_size(size)) return error;
-  if (attribute_count > kMaxAttributes) return Error::attribute_count;
-  try {
-    const std::size_t samples = sample_count(size);
-    const std::size_t values = samples * attribute_count;
-    // New memory before the old is lost, or, where there is enough, the old.
-    Framebuffer::Values depths;
-    Framebuffer::Values attributes;
-    if (framebuffer.depth.capacity() < samples) depths.reserve(samples);
-    if (framebuffer.attributes.capacity() < values) attributes.reserve(values);
-    if (depths.capacity() > 0) framebuffer.depth.swap(depths);
-    if (attributes.capacity() > 0) framebuffer.attributes.swap(attributes);
-    framebuffer.depth.resize(samples);
-    framebuffer.attributes.resize(values);
-    framebuffer.size = size;
-    framebuffer.attribute_count = attribute_count;
-  } catch (const std::bad_alloc&) {
-    return Error::out_of_memory;
-  } catch (const std::length_error&) {  // more than a vector can ever hold
-    return Error::out_of_memory;
-  }
-  return std::nullopt;
-}
-
-DrawResult draw_checked_frame(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
-                              unsigned threads, std::optional<float> clear_depth) {
-  try {
-    return {std::nullopt, draw_frame(state, mesh, framebuffer, worker_count(threads), clear_depth)};
-  } catch (const std::bad_alloc&) {
-    return {Error::out_of_memory, {}};
-  } catch (const std::length_error&) {  // more than a vector can ever hold
-    return {Error::out_of_memory, {}};
-  }
-}
-
-}  // namespace
-
 std::string_view to_string(Error error) {
   switch (error) {
     case Error::target_size:
@@ -95,6 +34,12 @@ std::string_view to_string(Error error) {
       return "the clip distances of the mesh are not one value for each vertex and distance";
     case Error::index:
       return "a triangle of the mesh has a vertex index beyond the positions";
+    case Error::triangle_count:
+      return "there are more than 2^31 triangles";
+    case Error::color_format:
+      return "bytes, and blending over what is there, take four channels, the last of them alpha";
+    case Error::output_count:
+      return "the shader does not have as many outputs as the framebuffer has channels";
     case Error::unknown_method:
       return "the method is not one of the registered methods";
     case Error::out_of_memory:
@@ -136,23 +81,29 @@ std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,
   if (const std::optional<Error> error = resize(framebuffer, size, attribute_count)) return error;
   std::fill(framebuffer.depth.begin(), framebuffer.depth.end(), depth);
   std::fill(framebuffer.attributes.begin(), framebuffer.attributes.end(), 0.0F);
+  std::fill(framebuffer.bytes.begin(), framebuffer.bytes.end(), std::uint8_t{0});
   return std::nullopt;
 }
 
 DrawResult draw(const State& state, const Mesh& mesh, Framebuffer& framebuffer, unsigned threads) {
   std::optional<Error> error = check_state(state);
-  if (!error) error = check_framebuffer(state, framebuffer);
+  if (!error) error = check_framebuffer(framebuffer);
+  if (!error && framebuffer.attribute_count != state.attributes.size()) {
+    error = Error::attribute_count;
+  }
+  if (!error) error = check_channels(state, framebuffer.format, state.attributes.size());
   if (!error) error = check_mesh(state, mesh);
   if (error) return {error, {}};
-  return draw_checked_frame(state, mesh, framebuffer, threads, std::nullopt);
+  return draw_checked_frame(state, mesh, framebuffer, {threads, std::nullopt, nullptr});
 }
 
 DrawResult clear_and_draw(const State& state, const Mesh& mesh, const TargetSize& size, float depth,
                           Framebuffer& framebuffer, unsigned threads) {
   std::optional<Error> error = check_draw(state, mesh, size);
+  if (!error) error = check_channels(state, framebuffer.format, state.attributes.size());
   if (!error) error = resize(framebuffer, size, state.attributes.size());
   if (error) return {error, {}};
-  return draw_checked_frame(state, mesh, framebuffer, threads, depth);
+  return draw_checked_frame(state, mesh, framebuffer, {threads, depth, nullptr});
 }
 
 }  // namespace rastercheck::rasterizer

@@ -7,7 +7,8 @@
 // A vertex is a clip position (x, y, z, w) as a vertex shader writes it; w <= 0 is allowed. All
 // inputs are float32; triangles with a position that is not finite are discarded and counted.
 //
-// What it does not do: shade, blend, resolve samples, run a vertex stage.
+// Beside it lie vertex_stage.h (object space to clip space), shading.h (fragments to colours) and
+// texture.h.
 
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,8 @@ inline constexpr int kMaxSize = 16384;
 inline constexpr std::size_t kMaxAttributes = 32;
 /// User clip distances per vertex, inclusive.
 inline constexpr std::size_t kMaxClipDistances = 8;
+/// Triangles of a draw, inclusive.
+inline constexpr std::size_t kMaxTriangles = std::size_t{1} << 31;
 
 /// Clip depth, direction of window y, depth map and provoking vertex, by API:
 /// | | opengl | vulkan | d3d |
@@ -41,7 +44,36 @@ enum class Cull { none, back, front };
 enum class FrontFace { ccw, cw };
 /// Which edges own a sample exactly on them, as displayed.
 enum class FillRule { top_left, bottom_left };
-enum class DepthTest { none, less };
+/// When a fragment is kept: `less`, where its depth is less than the sample's, and so on.
+enum class DepthTest {
+  always,
+  never,
+  less,
+  equal,
+  less_or_equal,
+  greater,
+  not_equal,
+  greater_or_equal
+};
+
+/// What becomes of a colour s that is drawn where d is, in submission order, sample by sample.
+///
+///   off        s
+///   over       s_a s + (1 − s_a) d for the first three channels, s_a + (1 − s_a) d_a for the last;
+///              s_a is the last of four channels, which are not multiplied with it
+///   additive   s + d
+///
+/// In double, every operation rounded, then rounded to what the framebuffer holds. A colour for
+/// ColorFormat::rgba8 is held to [0, 1] first, NaN as 0, and blended in units of its bytes: 255 s
+/// for s, the byte that is there for d, the nearest byte, ties to even, for what it leaves.
+enum class Blend { off, over, additive };
+
+/// What a framebuffer holds of each sample.
+enum class ColorFormat {
+  float32,  ///< any number of attributes
+  /// Four channels: bytes k for k/255, the nearest, ties to even; below 0 and NaN 0, above 1 255.
+  rgba8,
+};
 
 /// The vertices' window positions rounded to the nearest point of a grid, ties to even, before
 /// edges are set up (RULES §3).
@@ -98,7 +130,9 @@ struct State {
   Cull cull = Cull::none;
   FrontFace front_face = FrontFace::ccw;
   FillRule fill_rule = FillRule::top_left;
-  DepthTest depth_test = DepthTest::none;
+  DepthTest depth_test = DepthTest::always;
+  bool depth_write = true;  ///< whether what is kept leaves its depth
+  Blend blend = Blend::off;
   std::optional<Snapping> snapping;  ///< nothing: the triangle of the clip positions, exactly
   Basis basis = Basis::ideal;
   Precision precision = Precision::float64;
@@ -136,6 +170,9 @@ enum class Error {
   attribute_values,      ///< not one value for each vertex and attribute
   clip_distance_values,  ///< not one value for each vertex and distance
   index,                 ///< a vertex index beyond the positions
+  triangle_count,        ///< more than kMaxTriangles
+  color_format,          ///< ColorFormat::rgba8, or Blend::over, with other than four channels
+  output_count,          ///< a shader has not as many outputs as the framebuffer has channels
   unknown_method,        ///< no textbook method of that name
   out_of_memory,
 };
@@ -186,14 +223,17 @@ struct CacheLineAllocator {
   }
 };
 
-/// What a framebuffer holds after a depth-tested draw.
+/// What is drawn into: depth, and attributes, or the channels of a colour.
 struct Framebuffer {
   using Values = std::vector<float, CacheLineAllocator<float>>;
+  using Bytes = std::vector<std::uint8_t, CacheLineAllocator<std::uint8_t>>;
 
   TargetSize size;
   std::size_t attribute_count = 0;
+  ColorFormat format = ColorFormat::float32;
   Values depth;       ///< [y][x][sample]
-  Values attributes;  ///< [y][x][sample][attribute]
+  Values attributes;  ///< [y][x][sample][attribute]; of float32
+  Bytes bytes;        ///< of rgba8: [y][x][sample][4]
 };
 
 /// `error` set: nothing was drawn. Otherwise `counts` says what was left out.
@@ -207,15 +247,14 @@ struct DrawResult {
 DrawResult draw_fragments(const State& state, const Mesh& mesh, const TargetSize& size,
                           Fragments& fragments);
 
-/// A framebuffer whose samples all have this depth and zero attributes; an error where the size is
-/// not valid or memory runs out.
+/// A framebuffer, of its own format, whose samples all have this depth and zero attributes; an
+/// error where the size is not valid or memory runs out.
 std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,
                            std::size_t attribute_count, float depth);
 
-/// Draws into the framebuffer, triangle by triangle in submission order: with DepthTest::less a
-/// fragment is kept iff its depth is less than the sample's. On that many threads, 0: as many as
-/// the machine has; the picture is the same for any number. Where memory runs out tiles of 64 × 64
-/// pixels hold some of what was to be drawn, or are what they were.
+/// Draws attributes into the framebuffer, triangle by triangle in submission order. On that many
+/// threads, 0: as many as the machine has; the picture is the same for any number. Where memory
+/// runs out tiles of 64 × 64 pixels hold some of what was to be drawn, or are what they were.
 DrawResult draw(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
                 unsigned threads = 1);
 
@@ -224,5 +263,9 @@ DrawResult draw(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
 /// or any numbers.
 DrawResult clear_and_draw(const State& state, const Mesh& mesh, const TargetSize& size, float depth,
                           Framebuffer& framebuffer, unsigned threads = 1);
+
+/// The mean of each pixel's samples, rounded once; depth is that of sample 0. `from` and `into` are
+/// not the same; an error where memory runs out, or `from` is not well formed.
+std::optional<Error> resolve(const Framebuffer& from, Framebuffer& into);
 
 }  // namespace rastercheck::rasterizer

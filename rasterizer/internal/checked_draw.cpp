@@ -59,6 +59,7 @@ std::optional<Error> check_state(const State& state) {
 
 std::optional<Error> check_mesh(const State& state, const Mesh& mesh) {
   const std::size_t vertices = mesh.positions.size();
+  if (mesh.triangles.size() > kMaxTriangles) return Error::triangle_count;
   if (mesh.attributes.size() != vertices * state.attributes.size()) return Error::attribute_values;
   if (mesh.clip_distances.size() != vertices * state.clip_distance_count) {
     return Error::clip_distance_values;

@@ -26,7 +26,7 @@ class Scaled {
     exponent_ -= exponent;
     return *this;
   }
-  float rounded() const { return static_cast<float>(std::ldexp(mantissa_, exponent_)); }
+  double value() const { return std::ldexp(mantissa_, exponent_); }
 
  private:
   double mantissa_ = 1;
@@ -129,11 +129,11 @@ double exact_sum_of_weights(const Weights& weights, const DerivativeSite& site) 
   return sum.nearest();
 }
 
-Slopes exact_smooth_at(const TriangleDerivatives& triangle, const Weights& weights,
-                       const std::array<double, 3>& r, const DerivativeSite& site) {
+WideSlopes exact_smooth_at(const TriangleDerivatives& triangle, const Weights& weights,
+                           const std::array<double, 3>& r, const DerivativeSite& site) {
   const double d = exact_sum_of_weights(weights, site);
   if (d <= 0) return {};
-  Slopes slopes;
+  WideSlopes slopes{};
   for (const Axis axis : {Axis::u, Axis::v}) {
     const SampleFrame& frame = *weights.frame;
     Scaled slope(exact_minors(triangle.source, frame, r, axis, site));
@@ -142,19 +142,19 @@ Slopes exact_smooth_at(const TriangleDerivatives& triangle, const Weights& weigh
     slope /= frame.t;
     slope /= d;
     slope /= d;
-    slopes[axis == Axis::u ? 0 : 1] = slope.rounded();
+    slopes[axis == Axis::u ? 0 : 1] = slope.value();
   }
   return slopes;
 }
 
-Slopes affine_slopes(const TriangleDerivatives& triangle, const Weights& weights,
-                     const std::array<double, 3>& n) {
-  Slopes slopes;
+WideSlopes affine_slopes(const TriangleDerivatives& triangle, const Weights& weights,
+                         const std::array<double, 3>& n) {
+  WideSlopes slopes{};
   for (const Axis axis : {Axis::u, Axis::v}) {
     Scaled slope(exact_slope(triangle, weights, n, axis));
     slope *= step_of(*weights.frame, axis);
     slope /= weights.exact_det_t();
-    slopes[axis == Axis::u ? 0 : 1] = slope.rounded();
+    slopes[axis == Axis::u ? 0 : 1] = slope.value();
   }
   return slopes;
 }
@@ -205,8 +205,8 @@ DerivativeSite derivative_site(const TriangleValues& values, const Weights& weig
   return site;
 }
 
-Slopes derivatives_at(const TriangleDerivatives& triangle, const Weights& weights,
-                      std::size_t attribute, const DerivativeSite& site) {
+WideSlopes derivatives_at(const TriangleDerivatives& triangle, const Weights& weights,
+                          std::size_t attribute, const DerivativeSite& site) {
   const TriangleDerivatives::Line& line = triangle.attributes[attribute];
   if (line.is_constant) return line.constant;
   if (!site.is_certain) return exact_smooth_at(triangle, weights, line.r, site);
@@ -216,7 +216,7 @@ Slopes derivatives_at(const TriangleDerivatives& triangle, const Weights& weight
   const auto slope = [&](const std::array<double, 3>& along) {
     const double sum =
         along[0] * differences[0] + along[1] * differences[1] + along[2] * differences[2];
-    return static_cast<float>(sum / site.sum);
+    return sum / site.sum;
   };
   return {slope(triangle.along_u), slope(triangle.along_v)};
 }

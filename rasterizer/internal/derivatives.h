@@ -50,13 +50,18 @@ namespace rastercheck::rasterizer {
 /// The most that a derivative is off, in the unit above.
 inline constexpr double kDerivativeBound = 0.5 + 0x1p-7 + 0x1p-22;
 
-/// ∂r/∂u and ∂r/∂v.
+/// ∂r/∂u and ∂r/∂v, rounded to float32, and before that.
 using Slopes = std::array<float, 2>;
+using WideSlopes = std::array<double, 2>;
+
+inline Slopes rounded(const WideSlopes& slopes) {
+  return {static_cast<float>(slopes[0]), static_cast<float>(slopes[1])};
+}
 
 struct TriangleDerivatives {
   struct Line {
     bool is_constant = true;  ///< all over the triangle
-    Slopes constant{};
+    WideSlopes constant{};
     std::array<double, 3> r{};  ///< of one that is not: the corners' values
   };
   std::vector<Line> attributes;
@@ -83,7 +88,7 @@ DerivativeSite derivative_site(const TriangleValues& values, const Weights& weig
 
 /// Of an attribute at a site. Some number where an attribute is infinite or NaN, or undefined there
 /// (a smooth one with 1/w <= 0).
-Slopes derivatives_at(const TriangleDerivatives& triangle, const Weights& weights,
-                      std::size_t attribute, const DerivativeSite& site);
+WideSlopes derivatives_at(const TriangleDerivatives& triangle, const Weights& weights,
+                          std::size_t attribute, const DerivativeSite& site);
 
 }  // namespace rastercheck::rasterizer

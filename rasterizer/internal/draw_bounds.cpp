@@ -65,4 +65,10 @@ DrawBounds draw_bounds(const State& state, const TargetSize& size) {
   return bounds;
 }
 
+DrawBounds draw_bounds_of_window(const State& state, const TargetSize& size) {
+  State whole = state;
+  whole.scissor = {{0, 0}, {kMaxSize, kMaxSize}};
+  return draw_bounds(whole, size);
+}
+
 }  // namespace rastercheck::rasterizer

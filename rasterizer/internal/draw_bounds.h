@@ -43,5 +43,7 @@ struct DrawBounds {
 /// The viewport counts per sample, [origin, origin + size) after sorting its ends; target and
 /// scissor per pixel.
 DrawBounds draw_bounds(const State& state, const TargetSize& size);
+/// The same without a scissor.
+DrawBounds draw_bounds_of_window(const State& state, const TargetSize& size);
 
 }  // namespace rastercheck::rasterizer

@@ -20,7 +20,8 @@ struct DrawSetting {
       : state(draw_state),
         pattern(standard_pattern(size.samples)),
         bounds(draw_bounds(draw_state, size)),
-        frame(sample_frame(draw_state, bounds, size.samples)) {
+        window(draw_bounds_of_window(draw_state, size)),
+        frame(sample_frame(draw_state, window, size.samples)) {
     const bool v_points_down = state.convention != Convention::opengl;
     tie_sign = (state.fill_rule == FillRule::top_left) == v_points_down ? 1 : -1;
   }
@@ -28,6 +29,8 @@ struct DrawSetting {
   const State& state;
   std::span<const SampleOffset> pattern;
   DrawBounds bounds;
+  /// Bounds without the scissor: what errors are bounded over, so that no value depends on it.
+  DrawBounds window;
   SampleFrame frame;
   /// Where the normal of an edge has no part along u, a sample on the edge is inside iff
   /// tie_sign · (its part along v) > 0 (RULES §2).

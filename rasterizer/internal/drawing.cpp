@@ -13,6 +13,7 @@
 #include "rasterizer/internal/float_kernels.h"
 #include "rasterizer/internal/grid_coverage.h"
 #include "rasterizer/internal/masks.h"
+#include "rasterizer/internal/part_set_up.h"
 #include "rasterizer/internal/tap.h"
 
 namespace rastercheck::rasterizer {
@@ -101,21 +102,10 @@ class Drawing {
 
 template <typename Coverage, typename Tap, typename Output>
 Fate Drawing<Coverage, Tap, Output>::set_up(std::size_t index) {
-  const std::optional<InputTriangle> triangle = input_triangle(state_, mesh_, index);
-  if (!triangle) return Fate::not_finite;
-  const bool is_empty = state_.viewport.size.x == 0 || state_.viewport.size.y == 0;
-  const Fate fate = is_empty ? Fate::degenerate : coverage_.set_up(*triangle, parts_);
+  const Fate fate = set_up_parts(state_, mesh_, index, state_.derivatives, coverage_, parts_);
   if (fate != Fate::drawn) return fate;
-
-  triangle_ = triangle->index;
-  for (std::size_t k = 0; k < parts_.size(); ++k) {
-    set_up_values(state_, parts_[k].source, parts_[k].weights, parts_[k].values);
-    if (state_.derivatives) {
-      set_up_derivatives(state_, parts_[k].source, parts_[k].weights, parts_[k].values,
-                         parts_[k].derivatives);
-    }
-    tap_.set_up(triangle_, parts_[k], k);
-  }
+  triangle_ = static_cast<std::uint32_t>(index);
+  for (std::size_t k = 0; k < parts_.size(); ++k) tap_.set_up(triangle_, parts_[k], k);
   if (parts_.size() > 1 && !of_part_) of_part_ = std::make_unique<SampleBlock>();
   return fate;
 }
@@ -264,8 +254,8 @@ Mask Drawing<Coverage, Tap, Output>::evaluate_attribute(const BlockPlace& place,
   const Mask exact = masks.drawn & (~certain | masks.at_vertex);
   const SampleOffset& offset = setting_.pattern[place.sample];
   for_each_bit(exact, [&](int j) {
-    values[static_cast<std::size_t>(j)] =
-        exact_value_at(line, part.weights, place.first + j + offset.x, place.y + offset.y);
+    values[static_cast<std::size_t>(j)] = static_cast<float>(
+        exact_value_at(line, part.weights, place.first + j + offset.x, place.y + offset.y));
   });
   return exact;
 }
@@ -290,7 +280,8 @@ void Drawing<Coverage, Tap, Output>::locate(int y, int first, Mask touched) {
       const double u = first + j + at.x;
       const double v = y + at.y;
       const DrawnPart& part = parts_[coverage_.part_at(u, v)];
-      const float value = value_at(part.values.attributes[a], part.values, part.weights, u, v);
+      const auto value =
+          static_cast<float>(value_at(part.values.attributes[a], part.values, part.weights, u, v));
       for (std::size_t s = 0; s < blocks_.size(); ++s) {
         blocks_[s].attributes[a][static_cast<std::size_t>(j)] = value;
         if (is_covered(blocks_[s])) {
@@ -299,7 +290,7 @@ void Drawing<Coverage, Tap, Output>::locate(int y, int first, Mask touched) {
       }
       if (!state_.derivatives) return;
       const DerivativeSite site = derivative_site(part.values, part.weights, u, v);
-      const auto slopes = derivatives_at(part.derivatives, part.weights, a, site);
+      const Slopes slopes = rounded(derivatives_at(part.derivatives, part.weights, a, site));
       for (std::size_t s = 0; s < blocks_.size(); ++s) derivatives_of(s, j)[a] = slopes;
     });
   }
@@ -315,7 +306,8 @@ void Drawing<Coverage, Tap, Output>::derive(const BlockPlace& place, const Drawn
         derivative_site(part.values, part.weights, place.first + j + offset.x, place.y + offset.y);
     for (std::size_t a = 0; a < state_.attributes.size(); ++a) {
       if (blocks_.size() > 1 && state_.attributes[a].location != Location::sample) continue;
-      derivatives_of(place.sample, j)[a] = derivatives_at(part.derivatives, part.weights, a, site);
+      derivatives_of(place.sample, j)[a] =
+          rounded(derivatives_at(part.derivatives, part.weights, a, site));
     }
   });
 }

@@ -163,29 +163,54 @@ void set_up_values(const State& state, const ValueSource& source, const Weights&
   }
 }
 
-float exact_value_at(const ValueLine& line, const Weights& weights, double u, double v) {
+double exact_value_at(const ValueLine& line, const Weights& weights, double u, double v) {
   if (line.kind == ValueLine::Kind::copied) return line.copy;
   const std::array<ExactSum, 3> e = weights.exact_at(u, v);
   const double numerator = combine(e, line.numerators).nearest();
-  if (line.kind == ValueLine::Kind::affine) {
-    return static_cast<float>(numerator / weights.exact_det_t());
-  }
+  if (line.kind == ValueLine::Kind::affine) return numerator / weights.exact_det_t();
   const double sum = combine(e, {1, 1, 1}).nearest();
-  return sum > 0 ? static_cast<float>(numerator / sum) : line.copy;
+  return sum > 0 ? numerator / sum : line.copy;
 }
 
-float value_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
-               double u, double v) {
+double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
+                      double u, double v, double scale, double period) {
+  const auto of_copy = [&] { return std::fmod(std::floor(line.copy * scale), period); };
+  if (line.kind == ValueLine::Kind::copied) return of_copy();
+  const std::array<ExactSum, 3> e = weights.exact_at(u, v);
+  // The denominator Σ E_i, or, of an affine value, Σ w_i E_i, the same everywhere.
+  const bool is_affine = line.kind == ValueLine::Kind::affine;
+  ExactSum denominator = combine(e, is_affine ? triangle.w : std::array<double, 3>{1, 1, 1});
+  if (denominator.sign() <= 0) return of_copy();
+  ExactSum rest;
+  for (const double component : combine(e, line.numerators).components()) {
+    rest.add_product(component, scale);
+  }
+  // Whole quotients, each of what the one before left, until that is less than one.
+  double floor = 0;
+  for (;;) {
+    const double quotient = std::floor(rest.nearest() / denominator.nearest());
+    ExactSum left;
+    for (const double component : rest.components()) left.add(component);
+    for (const double component : denominator.components()) {
+      left.add_product(component, -quotient);
+    }
+    if (left.sign() < 0 && std::abs(quotient) <= 1) return floor + quotient - 1;
+    floor = std::fmod(floor + std::fmod(quotient, period), period);
+    if (quotient == 0) return floor;
+    rest = left;
+  }
+}
+
+double value_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
+                double u, double v) {
   if (line.kind == ValueLine::Kind::copied) return line.copy;
   const std::array<double, 3> e = weights.at(u, v);
   const double numerator =
       line.numerators[0] * e[0] + line.numerators[1] * e[1] + line.numerators[2] * e[2];
   if (line.kind == ValueLine::Kind::smooth) {
-    if (triangle.certificates.is_smooth_certain(e)) {
-      return static_cast<float>(numerator / (e[0] + e[1] + e[2]));
-    }
+    if (triangle.certificates.is_smooth_certain(e)) return numerator / (e[0] + e[1] + e[2]);
   } else if (triangle.certificates.is_affine_certain(e, weights.det_t)) {
-    return static_cast<float>(numerator / weights.det_t);
+    return numerator / weights.det_t;
   }
   return exact_value_at(line, weights, u, v);
 }

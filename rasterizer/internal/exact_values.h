@@ -94,13 +94,18 @@ struct ValueSource {
 void set_up_values(const State& state, const ValueSource& source, const Weights& weights,
                    TriangleValues& out);
 
-/// The value at (u, v), in double where certain, else from exact sums. Where the rules leave it
-/// undefined (a smooth value with 1/w <= 0) some number.
-float value_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
-               double u, double v);
+/// The value at (u, v) before it is rounded to float32: in double where certain, else from exact
+/// sums. Where the rules leave it undefined (a smooth value with 1/w <= 0) some number.
+double value_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
+                double u, double v);
 
-/// The same without asking whether double is enough.
-float exact_value_at(const ValueLine& line, const Weights& weights, double u, double v);
+/// The same without asking whether double is enough: within 2^-50 of itself.
+double exact_value_at(const ValueLine& line, const Weights& weights, double u, double v);
+/// ⌊scale · r⌋ of the same r as std::fmod by `period` leaves it, or an equal number modulo that,
+/// less than 2 · period from 0; without rounding if `period` is a whole number below 2^51. With an
+/// infinite one that is ⌊scale · r⌋, beyond 2^53 a double next to it.
+double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
+                      double u, double v, double scale, double period);
 float exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v);
 
 }  // namespace rastercheck::rasterizer

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rasterizer/internal/binning.h"
+#include "rasterizer/internal/cell_painter.h"
 #include "rasterizer/internal/drawing.h"
 #include "rasterizer/internal/parallel.h"
 #include "rasterizer/internal/tile.h"
@@ -24,13 +25,14 @@ constexpr std::size_t kWave = 65536;
 /// A tile of one thread, and what the kernels want of it.
 class DrawnTile {
  public:
-  explicit DrawnTile(const Framebuffer& framebuffer)
-      : tile_(framebuffer.size.samples, framebuffer.attribute_count),
+  DrawnTile(const Framebuffer& framebuffer, bool has_words)
+      : tile_(framebuffer.size.samples, framebuffer.attribute_count, has_words),
         of_samples_(static_cast<std::size_t>(framebuffer.size.samples)) {
     for (std::size_t s = 0; s < of_samples_.size(); ++s) {
-      for (std::size_t a = 0; a < framebuffer.attribute_count; ++a) {
+      for (std::size_t a = 0; a < (has_words ? 1 : framebuffer.attribute_count); ++a) {
         of_samples_[s].values.push_back(tile_.values(a, s));
       }
+      areas_.push_back(area(s));
     }
   }
 
@@ -53,6 +55,7 @@ class DrawnTile {
     return {of_sample.u.data(), of_sample.v.data(), tile_.depths(sample), of_sample.values,
             of_sample.greatest.data()};
   }
+  std::span<const TileArea> areas() const { return areas_; }
   /// Once a triangle was drawn. Looking at all depths takes as long as drawing one that is small.
   void count_triangle() {
     constexpr int kLooksAfter = 32;
@@ -72,12 +75,13 @@ class DrawnTile {
   int drawn_ = 0;  ///< triangles
   Tile tile_;
   std::vector<OfSample> of_samples_;
+  std::vector<TileArea> areas_;  ///< [sample]
 };
 
 class FrameDrawing {
  public:
   FrameDrawing(const State& state, const Mesh& mesh, Framebuffer& framebuffer, std::size_t workers,
-               std::optional<float> clear_depth)
+               std::optional<float> clear_depth, const ShaderView* shader)
       : setting_(state, framebuffer.size),
         mesh_(mesh),
         framebuffer_(framebuffer),
@@ -85,6 +89,8 @@ class FrameDrawing {
         columns_(static_cast<std::size_t>(tiles_across(framebuffer.size.width))),
         tiles_(columns_ * static_cast<std::size_t>(tiles_across(framebuffer.size.height))),
         kernel_(kernel_setting(setting_, static_cast<int>(columns_))) {
+    if (shader != nullptr) paint_ = paint_setting(*shader, state, mesh, framebuffer.format);
+    if (kernel_) kernel_->numbers_all = paint_.has_value();
     chunk_ = std::max(kLeastChunk, tiles_);
     chunks_ = (mesh.triangles.size() + chunk_ - 1) / chunk_;
     const std::size_t busy = std::min(workers, std::max(tiles_, chunks_));
@@ -124,8 +130,12 @@ class FrameDrawing {
         : drawing(make_tile_drawing(frame.setting_, frame.mesh_)),
           binning(frame.setting_, frame.kernel_ ? &*frame.kernel_ : nullptr, frame.mesh_,
                   frame.framebuffer_.size),
-          tile(frame.framebuffer_) {}
+          tile(frame.framebuffer_, frame.paint_ && frame.paint_->merging.has_words) {
+      if (!frame.paint_) return;
+      painter = std::make_unique<CellPainter>(frame.setting_, *frame.paint_, frame.mesh_);
+    }
     std::unique_ptr<TileDrawing> drawing;
+    std::unique_ptr<CellPainter> painter;  ///< with a shader
     Binning binning;
     DrawnTile tile;
     std::vector<const double*> records;  ///< of the tile
@@ -168,8 +178,10 @@ class FrameDrawing {
     }
     if (is_touched) {
       if (kernel_) worker.tile.place(*kernel_);
+      if (worker.painter) worker.painter->begin(drawn, worker.tile.areas());
       list_records(tile, all_bins, worker);
       for (const Bins& bins : all_bins) draw_bins(tile, bins, worker);
+      if (worker.painter) worker.painter->end();
     }
     drawn.store(framebuffer_);
   }
@@ -223,8 +235,8 @@ class FrameDrawing {
   void draw_triangle(const BinnedTriangle& binned, Worker& worker) {
     Tile& tile = worker.tile.tile();
     if (binned.numbers == nullptr) {
-      worker.drawing->draw(binned.triangle, tile, ~Mask{0});
-      return;
+      if (worker.painter) return worker.painter->draw_lanes(binned.triangle, ~Mask{0});
+      return worker.drawing->draw(binned.triangle, tile, ~Mask{0});
     }
     const PixelRange columns = intersection(binned.box.columns, tile.columns());
     const PixelRange rows = intersection(binned.box.rows, tile.rows());
@@ -232,6 +244,10 @@ class FrameDrawing {
     const int top = tile.rows().begin;
     const TilePart part{{columns.begin - left, columns.end - left},
                         {rows.begin - top, rows.end - top}};
+    if (worker.painter) {
+      worker.painter->draw(*kernel_, binned.numbers, binned.triangle, part);
+      return worker.tile.count_triangle();
+    }
     Mask undrawn = 0;
     for (std::size_t s = 0; s < kernel_->samples; ++s) {
       undrawn |= draw_sample(binned, part, worker.tile.area(s));
@@ -262,7 +278,8 @@ class FrameDrawing {
   std::size_t columns_;  ///< of tiles
   std::size_t tiles_;
   std::optional<KernelSetting> kernel_;
-  std::size_t chunk_ = 0;  ///< triangles of a chunk
+  std::optional<PaintSetting> paint_;  ///< with a shader
+  std::size_t chunk_ = 0;              ///< triangles of a chunk
   std::size_t chunks_ = 0;
   std::size_t wave_ = 1;  ///< chunks of a wave
   std::vector<std::unique_ptr<Worker>> workers_;
@@ -272,12 +289,21 @@ class FrameDrawing {
 }  // namespace
 
 DrawCounts draw_frame(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
-                      std::size_t workers, std::optional<float> clear_depth) {
+                      std::size_t workers, std::optional<float> clear_depth,
+                      const ShaderView* shader) {
   State drawn = state;
   drawn.derivatives = false;  // a framebuffer holds none
   // Double is what the kernels are made for; float32 would be slower, and less exact.
   drawn.precision = Precision::float64;
-  return FrameDrawing(drawn, mesh, framebuffer, workers, clear_depth).draw();
+  const bool is_plain =
+      (drawn.depth_test == DepthTest::less || drawn.depth_test == DepthTest::always) &&
+      drawn.depth_write && drawn.blend == Blend::off;
+  if (shader != nullptr || is_plain) {
+    return FrameDrawing(drawn, mesh, framebuffer, workers, clear_depth, shader).draw();
+  }
+  const AttributesShader attributes{state.attributes.size()};
+  const ShaderView view = view_of(attributes);
+  return FrameDrawing(drawn, mesh, framebuffer, workers, clear_depth, &view).draw();
 }
 
 }  // namespace rastercheck::rasterizer

@@ -26,7 +26,7 @@ class GridCoverage {
       : setting_(setting),
         bits_(setting.state.snapping->subpixel_bits),
         grid_(grid_of(setting.state)),
-        frame_(grid_frame(setting.bounds, bits_)) {}
+        frame_(grid_frame(setting.window, bits_)) {}
 
   /// Whether a triangle is drawn, and if so where: sets box() alone.
   Fate locate(const InputTriangle& triangle);

@@ -214,8 +214,9 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
   const auto widths = hn::Sub(columns.end, columns.begin);
   const auto heights = hn::Sub(rows.end, rows.begin);
   const auto most = hn::Set(d, kSmallBox);
-  const Lanes is_small =
+  Lanes is_small =
       All(hn::Le(widths, most), hn::Le(heights, most), hn::And(outline.in_front, outline.is_whole));
+  if (setting.numbers_all) is_small = Never();
   const std::uint32_t small_of_all = BitsOf(is_small);
   const bool all_are_small = (kept_bits & ~small_of_all) == 0;
   const std::uint32_t trusted = BitsOf(PutNumbers(setting, input, part, p, outline, all_are_small));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #undef HWY_TARGET_INCLUDE
@@ -21,6 +22,8 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Floats = hn::CappedTag<float, 16>;
+using Doubles = hn::CappedTag<double, 8>;
+using Words = hn::Rebind<std::uint32_t, Doubles>;
 
 /// The arrays' rows of that number.
 template <std::size_t kCount>
@@ -114,6 +117,30 @@ void Interleave(const TileRows& rows, float* out) {
   }
 }
 
+/// What numbers are as bytes, each in a word of its own.
+HWY_INLINE hn::Vec<Words> BytesOf(const float* in) {
+  const Doubles d;
+  const auto one = hn::Set(d, 1.0);
+  const auto value = hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, Doubles>(), in));
+  const auto positive = hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value);
+  const auto held = hn::IfThenElse(hn::Gt(positive, one), one, positive);
+  // The product of a float is exact in double.
+  const auto nearest = hn::Round(hn::Mul(held, hn::Set(d, 255.0)));
+  return hn::BitCast(Words(), hn::DemoteTo(hn::Rebind<std::int32_t, Doubles>(), nearest));
+}
+
+/// Rows of one sample as words, the first byte lowest.
+void RowsToWords(const TileRows& rows, std::size_t sample, std::size_t y, std::uint32_t* out) {
+  const Words words;
+  std::array<const float*, 4> in{};
+  for (std::size_t k = 0; k < 4; ++k) in[k] = rows.arrays[4 * sample + k] + y * kTileSize;
+  for (std::size_t i = 0; i < rows.width; i += hn::Lanes(words)) {
+    const auto low = hn::Or(BytesOf(in[0] + i), hn::ShiftLeft<8>(BytesOf(in[1] + i)));
+    const auto high = hn::Or(BytesOf(in[2] + i), hn::ShiftLeft<8>(BytesOf(in[3] + i)));
+    hn::StoreU(hn::Or(low, hn::ShiftLeft<16>(high)), words, out + i);
+  }
+}
+
 void Separate(const float* in, const TileRows& rows) {
   const std::size_t count = rows.arrays.size();
   if (count == 1) return SeparateRows<1>(in, rows);
@@ -137,10 +164,80 @@ namespace rastercheck::rasterizer {
 
 HWY_EXPORT(Interleave);
 HWY_EXPORT(Separate);
+HWY_EXPORT(RowsToWords);
 
 void interleave(const TileRows& rows, float* out) { HWY_DYNAMIC_DISPATCH(Interleave)(rows, out); }
 
 void separate(const float* in, const TileRows& rows) { HWY_DYNAMIC_DISPATCH(Separate)(in, rows); }
+
+namespace {
+
+/// Four bytes, the first lowest: as they lie in memory, whatever the processor's order.
+void put_word(std::uint32_t word, std::uint8_t* out) {
+  for (int k = 0; k < 4; ++k) out[k] = static_cast<std::uint8_t>(word >> 8 * k);
+}
+std::uint32_t word_at(const std::uint8_t* in) {
+  std::uint32_t word = 0;
+  for (int k = 0; k < 4; ++k) word |= std::uint32_t{in[k]} << 8 * k;
+  return word;
+}
+
+/// Where the four bytes of a sample of a row are, from the row's first.
+std::size_t place_of(const TileRows& rows, std::size_t samples, std::size_t sample, std::size_t y,
+                     std::size_t x) {
+  return rows.pitch * y + 4 * (samples * x + sample);
+}
+
+/// Calls visit(sample, y, x) for each word.
+template <typename Visit>
+void for_each_word(const TileRows& rows, std::size_t samples, const Visit& visit) {
+  for (std::size_t s = 0; s < samples; ++s) {
+    for (std::size_t y = 0; y < rows.height; ++y) {
+      for (std::size_t x = 0; x < rows.width; ++x) visit(s, y, x);
+    }
+  }
+}
+
+}  // namespace
+
+void interleave(const TileRows& rows, std::uint8_t* out) {
+  const std::size_t samples = rows.arrays.size() / 4;
+  std::array<std::uint32_t, kTileSize> row{};
+  for (std::size_t s = 0; s < samples; ++s) {
+    for (std::size_t y = 0; y < rows.height; ++y) {
+      HWY_DYNAMIC_DISPATCH(RowsToWords)(rows, s, y, row.data());
+      for (std::size_t x = 0; x < rows.width; ++x) {
+        put_word(row[x], out + place_of(rows, samples, s, y, x));
+      }
+    }
+  }
+}
+
+void separate(const std::uint8_t* in, const TileRows& rows) {
+  const std::size_t samples = rows.arrays.size() / 4;
+  for_each_word(rows, samples, [&](std::size_t s, std::size_t y, std::size_t x) {
+    const std::uint8_t* const bytes = in + place_of(rows, samples, s, y, x);
+    for (std::size_t k = 0; k < 4; ++k) {
+      rows.arrays[4 * s + k][kTileSize * y + x] = static_cast<float>(bytes[k]) / 255;
+    }
+  });
+}
+
+void interleave_words(const TileRows& rows, std::uint8_t* out) {
+  const std::size_t samples = rows.arrays.size();
+  for_each_word(rows, samples, [&](std::size_t s, std::size_t y, std::size_t x) {
+    put_word(std::bit_cast<std::uint32_t>(rows.arrays[s][kTileSize * y + x]),
+             out + place_of(rows, samples, s, y, x));
+  });
+}
+
+void separate_words(const std::uint8_t* in, const TileRows& rows) {
+  const std::size_t samples = rows.arrays.size();
+  for_each_word(rows, samples, [&](std::size_t s, std::size_t y, std::size_t x) {
+    rows.arrays[s][kTileSize * y + x] =
+        std::bit_cast<float>(word_at(in + place_of(rows, samples, s, y, x)));
+  });
+}
 
 }  // namespace rastercheck::rasterizer
 #endif  // HWY_ONCE

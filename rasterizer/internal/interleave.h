@@ -4,6 +4,7 @@
 // each has an array of its own. On the widest vectors that the processor has.
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "rasterizer/internal/tile_kernels.h"
@@ -23,5 +24,14 @@ struct TileRows {
 void interleave(const TileRows& rows, float* out);
 /// arrays[k][kTileSize · y + i] = in[pitch · y + count · i + k].
 void separate(const float* in, const TileRows& rows);
+
+/// The same of four arrays for each sample to and from bytes k, which are k/255: the nearest, ties
+/// to even, below 0 and NaN 0, above 1 255.
+void interleave(const TileRows& rows, std::uint8_t* out);
+void separate(const std::uint8_t* in, const TileRows& rows);
+
+/// The same of arrays of four bytes' words to and from bytes.
+void interleave_words(const TileRows& rows, std::uint8_t* out);
+void separate_words(const std::uint8_t* in, const TileRows& rows);
 
 }  // namespace rastercheck::rasterizer

@@ -40,7 +40,7 @@ std::optional<KernelSetting> kernel_setting(const DrawSetting& setting, int tile
   const State& state = setting.state;
   const bool snaps = state.snapping.has_value();
   const SampleFrame frame =
-      snaps ? grid_frame(setting.bounds, state.snapping->subpixel_bits) : setting.frame;
+      snaps ? grid_frame(setting.window, state.snapping->subpixel_bits) : setting.frame;
   const bool is_drawn =
       is_at_samples(setting) && has_one_box(setting) && state.clip_distance_count == 0 &&
       frame.u.is_exact && frame.v.is_exact && frame.t > 0 &&
@@ -90,13 +90,14 @@ std::optional<KernelSetting> kernel_setting(const DrawSetting& setting, int tile
   out.tests_depth = state.depth_test == DepthTest::less;
   out.provoking = provoking_vertex(state);
   out.attributes = state.attributes.size();
-  out.is_plain = out.tests_depth && out.attributes > 0;
+  out.all_smooth = out.attributes > 0;
   for (std::size_t a = 0; a < out.attributes; ++a) {
     out.interpolation[a] = state.attributes[a].interpolation;
-    out.is_plain = out.is_plain && out.interpolation[a] == Interpolation::smooth;
+    out.all_smooth = out.all_smooth && out.interpolation[a] == Interpolation::smooth;
     out.has_smooth = out.has_smooth || out.interpolation[a] == Interpolation::smooth;
     out.has_affine = out.has_affine || out.interpolation[a] == Interpolation::noperspective;
   }
+  out.is_plain = out.all_smooth && out.tests_depth;
   return out;
 }
 

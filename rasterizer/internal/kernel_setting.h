@@ -64,7 +64,10 @@ struct KernelSetting {
   std::array<Interpolation, kMaxAttributes> interpolation{};
   bool has_smooth = false;
   bool has_affine = false;
+  bool all_smooth = false;
   bool is_plain = false;  ///< all attributes are smooth, of which there are some; depth is tested
+  /// Whether small triangles are drawn by numbers as well, not as fragments.
+  bool numbers_all = false;
 };
 
 /// Nothing where the kernels do not draw what the state asks for. `tile_columns`: tiles in a row of

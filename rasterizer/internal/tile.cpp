@@ -1,7 +1,6 @@
 #include "rasterizer/internal/tile.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace rastercheck::rasterizer {
 
@@ -12,10 +11,11 @@ constexpr std::size_t kMostCached = (std::size_t{8} << 20) / sizeof(float);
 
 }  // namespace
 
-Tile::Tile(int samples, std::size_t attribute_count)
+Tile::Tile(int samples, std::size_t attribute_count, bool has_words)
     : samples_(static_cast<std::size_t>(samples)),
-      attribute_count_(attribute_count),
-      values_((1 + attribute_count) * stride()) {
+      attribute_count_(has_words ? 1 : attribute_count),
+      has_words_(has_words),
+      values_((1 + attribute_count_) * stride()) {
   for (std::size_t s = 0; s < samples_; ++s) {
     depth_arrays_.push_back(depths(s));
     for (std::size_t a = 0; a < attribute_count_; ++a) attribute_arrays_.push_back(values(a, s));
@@ -50,22 +50,31 @@ void Tile::load(const Framebuffer& framebuffer, int column, int row) {
   move_to(framebuffer, column, row);
   is_cleared_ = false;
   const std::size_t first = first_pixel(framebuffer);
-  for (const auto& [arrays, values] :
-       {std::pair(&depth_arrays_, framebuffer.depth.data()),
-        std::pair(&attribute_arrays_, framebuffer.attributes.data())}) {
-    separate(values + first * arrays->size(), rows_of(*arrays, framebuffer));
+  const TileRows depths = rows_of(depth_arrays_, framebuffer);
+  TileRows attributes = rows_of(attribute_arrays_, framebuffer);
+  separate(framebuffer.depth.data() + first * depths.arrays.size(), depths);
+  if (framebuffer.format == ColorFormat::rgba8) {
+    const std::uint8_t* const bytes = framebuffer.bytes.data() + first * samples_ * 4;
+    if (has_words_) attributes.pitch *= 4;
+    has_words_ ? separate_words(bytes, attributes) : separate(bytes, attributes);
+  } else {
+    separate(framebuffer.attributes.data() + first * attributes.arrays.size(), attributes);
   }
 }
 
 void Tile::store(Framebuffer& framebuffer) const {
   const std::size_t first = first_pixel(framebuffer);
   const bool is_cached = framebuffer.depth.size() + framebuffer.attributes.size() <= kMostCached;
-  for (const auto& [arrays, values] :
-       {std::pair(&depth_arrays_, framebuffer.depth.data()),
-        std::pair(&attribute_arrays_, framebuffer.attributes.data())}) {
-    TileRows rows = rows_of(*arrays, framebuffer);
-    rows.streams = is_cleared_ && !is_cached;
-    interleave(rows, values + first * arrays->size());
+  TileRows depths = rows_of(depth_arrays_, framebuffer);
+  TileRows attributes = rows_of(attribute_arrays_, framebuffer);
+  depths.streams = attributes.streams = is_cleared_ && !is_cached;
+  interleave(depths, framebuffer.depth.data() + first * depths.arrays.size());
+  if (framebuffer.format == ColorFormat::rgba8) {
+    std::uint8_t* const bytes = framebuffer.bytes.data() + first * samples_ * 4;
+    if (has_words_) attributes.pitch *= 4;
+    has_words_ ? interleave_words(attributes, bytes) : interleave(attributes, bytes);
+  } else {
+    interleave(attributes, framebuffer.attributes.data() + first * attributes.arrays.size());
   }
 }
 

@@ -15,8 +15,9 @@ namespace rastercheck::rasterizer {
 
 class Tile {
  public:
-  /// Memory for tiles of framebuffers of that kind; none is needed later.
-  Tile(int samples, std::size_t attribute_count);
+  /// Memory for tiles of framebuffers of that kind; none is needed later. `has_words`: of rgba8 the
+  /// four bytes of a sample are the bits of one number, not four numbers.
+  Tile(int samples, std::size_t attribute_count, bool has_words = false);
   Tile(const Tile&) = delete;  // it points into itself
   Tile& operator=(const Tile&) = delete;
 
@@ -58,6 +59,7 @@ class Tile {
 
   std::size_t samples_;
   std::size_t attribute_count_;
+  bool has_words_;
   bool is_cleared_ = false;  ///< not loaded
   PixelRange columns_;
   PixelRange rows_;

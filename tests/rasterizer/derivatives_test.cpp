@@ -171,8 +171,8 @@ void expect_derivatives(const Prepared& p, const Truth& truth,
         n[i] += Rational(shares[i][k]) * of_vertices[k] * w;
       }
     }
-    const Slopes found = derivatives_at(p.derivatives, p.weights, a, site);
-    const Slopes summed = derivatives_at(p.derivatives, p.weights, a, doubtful);
+    const Slopes found = rounded(derivatives_at(p.derivatives, p.weights, a, site));
+    const Slopes summed = rounded(derivatives_at(p.derivatives, p.weights, a, doubtful));
     for (std::size_t axis = 0; axis < 2; ++axis) {
       Expected expected;
       if (is_smooth) {

@@ -13,6 +13,8 @@
 namespace rastercheck::rasterizer {
 namespace {
 
+float rounded(double value) { return static_cast<float>(value); }
+
 /// What the derivation leaves an exact path: half a unit, and the 2^-50 of sums and a division.
 constexpr double kExactBound = 0.5 + 0x1p-20;
 
@@ -147,8 +149,8 @@ TEST(ExactValues, ExactPathsRoundOnce) {
       if (p.values.attributes[a].kind == ValueLine::Kind::copied) continue;
       const Expected expected = exact_attribute(p, a, e);
       if (!expected.is_defined) continue;
-      EXPECT_TRUE(is_within(exact_value_at(p.values.attributes[a], p.weights, at.x, at.y), expected,
-                            kExactBound));
+      EXPECT_TRUE(is_within(rounded(exact_value_at(p.values.attributes[a], p.weights, at.x, at.y)),
+                            expected, kExactBound));
     }
     const float depth = exact_depth_at(p.values, p.weights, at.x, at.y);
     EXPECT_TRUE(is_within(depth, exact_depth(p, e), kExactBound));
@@ -166,8 +168,9 @@ TEST(ExactValues, ValuesAnywhereAreWithinTheBound) {
       if (p.values.attributes[a].kind == ValueLine::Kind::copied) continue;
       const Expected expected = exact_attribute(p, a, e);
       if (!expected.is_defined) continue;
-      EXPECT_TRUE(is_within(value_at(p.values.attributes[a], p.values, p.weights, at.x, at.y),
-                            expected, kValueBound));
+      EXPECT_TRUE(
+          is_within(rounded(value_at(p.values.attributes[a], p.values, p.weights, at.x, at.y)),
+                    expected, kValueBound));
     }
   }
 }
@@ -290,7 +293,7 @@ TEST(ExactValues, WeightsThatCancelAreSummedExactly) {
   const auto e = p.rational_weights({0.5, 0.5});
   ASSERT_EQ(e[0] + e[1] + e[2], 1);
   ASSERT_EQ(p.values.certificates.band_sum, 0);
-  EXPECT_EQ(value_at(p.values.attributes[0], p.values, p.weights, 0.5, 0.5), 0.1F);
+  EXPECT_EQ(rounded(value_at(p.values.attributes[0], p.values, p.weights, 0.5, 0.5)), 0.1F);
 }
 
 // Inside, with w of both signs: the weights' sum is large, but weighed by w it is 1. Kills: the
@@ -304,7 +307,7 @@ TEST(ExactValues, SharesThatCancelAreSummedExactly) {
   ASSERT_EQ(p.weights.det_t, 1);
   ASSERT_EQ(p.values.certificates.band_sum, 0);
   EXPECT_FALSE(p.values.certificates.affine_is_certain);
-  EXPECT_EQ(value_at(p.values.attributes[0], p.values, p.weights, 0.5, 0.5), 0.1F);
+  EXPECT_EQ(rounded(value_at(p.values.attributes[0], p.values, p.weights, 0.5, 0.5)), 0.1F);
 }
 
 /// A triangle of small_state(8, 8) with these w, the same attributes at all vertices.
@@ -343,8 +346,8 @@ TEST(ExactValues, ConstantsStayWhatTheyAre) {
           evaluate_affine(row_at(p, line.plane, middle), 1, weights, out.data());
         }
         EXPECT_EQ(out[0], c);
-        EXPECT_EQ(value_at(line, p.values, p.weights, 3.5, 3.5), c);
-        EXPECT_EQ(exact_value_at(line, p.weights, 3.5, 3.5), c);
+        EXPECT_EQ(rounded(value_at(line, p.values, p.weights, 3.5, 3.5)), c);
+        EXPECT_EQ(rounded(exact_value_at(line, p.weights, 3.5, 3.5)), c);
       }
     }
   }
@@ -359,8 +362,8 @@ TEST(ExactValues, VerticesHaveTheirOwnValues) {
     const std::array<SampleOffset, 3> vertices{SampleOffset{0.5, 0.5}, {7.5, 1.5}, {2.5, 7.5}};
     for (std::size_t i = 0; i < 3; ++i) {
       const SampleOffset& v = vertices[i];
-      EXPECT_EQ(value_at(line, p.values, p.weights, v.x, v.y), r[i]);
-      EXPECT_EQ(exact_value_at(line, p.weights, v.x, v.y), r[i]);
+      EXPECT_EQ(rounded(value_at(line, p.values, p.weights, v.x, v.y)), r[i]);
+      EXPECT_EQ(rounded(exact_value_at(line, p.weights, v.x, v.y)), r[i]);
     }
   }
 }

@@ -38,7 +38,7 @@ SmallMesh many_triangles(Random& random, const State& state, int count) {
 State frame_state(Random& random, const TargetSize& size) {
   State state = small_state(size.width, size.height,
                             random.pick({Convention::opengl, Convention::vulkan, Convention::d3d}));
-  state.depth_test = random.one_in(3) ? DepthTest::none : DepthTest::less;
+  state.depth_test = random.one_in(3) ? DepthTest::always : DepthTest::less;
   state.attributes.resize(static_cast<std::size_t>(random.pick({0, 1, 2, 2, 3, 4})));
   if (random.one_in(2)) return state;
   for (Qualifier& qualifier : state.attributes) {
@@ -83,7 +83,7 @@ TEST_P(DrawOnTarget, LeavesWhatItsFragmentsLeave) {
     draw.state.scissor = {{0, 0}, {kMaxSize, kMaxSize}};
     draw.state.viewport =
         random_viewport(random, i % 2 == 0 ? ViewportKind::plain : ViewportKind::any, draw.size);
-    draw.state.depth_test = i % 3 == 0 ? DepthTest::none : DepthTest::less;
+    draw.state.depth_test = i % 3 == 0 ? DepthTest::always : DepthTest::less;
     draw.mesh = many_triangles(random, draw.state, 12);
     expect_kept(draw.state, draw.mesh.mesh(), draw.size);
     if (HasFatalFailure()) return;
@@ -213,7 +213,7 @@ TEST(ClearAndDraw, LeavesWhatClearingAndDrawingLeave) {
     RandomDraw draw = random_draw(random);
     draw.size = random_size(random, draw.size.samples);
     draw.state.viewport = random_viewport(random, ViewportKind::plain, draw.size);
-    draw.state.depth_test = i % 3 == 0 ? DepthTest::none : DepthTest::less;
+    draw.state.depth_test = i % 3 == 0 ? DepthTest::always : DepthTest::less;
     draw.mesh = many_triangles(random, draw.state, random.between(0, 3));
     const float depth = random.pick({1.0F, 0.5F, 0.0F});
     Framebuffer expected;

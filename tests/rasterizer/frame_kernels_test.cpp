@@ -24,7 +24,7 @@ State random_kernel_state(Random& random, const TargetSize& size) {
   state.fill_rule = random.pick({FillRule::top_left, FillRule::bottom_left});
   state.cull = random.pick({Cull::none, Cull::none, Cull::none, Cull::back, Cull::front});
   state.depth_clamp = random.one_in(3);
-  state.depth_test = random.one_in(4) ? DepthTest::none : DepthTest::less;
+  state.depth_test = random.one_in(4) ? DepthTest::always : DepthTest::less;
   state.precision = random.pick({Precision::float64, Precision::float32});
   const ViewportKind kind = random.pick(
       {ViewportKind::plain, ViewportKind::plain, ViewportKind::on_a_grid, ViewportKind::mirrored});
@@ -141,7 +141,7 @@ SmallMesh right_triangles(const State& state, const std::vector<std::array<float
 TEST(FrameKernels, KeepTheOrderOfSmallAndLarge) {
   State state = small_state(64, 64);
   state.attributes.resize(1);
-  for (const DepthTest test : {DepthTest::none, DepthTest::less}) {
+  for (const DepthTest test : {DepthTest::always, DepthTest::less}) {
     for (const int samples : {1, 2, 4, 16}) {
       SCOPED_TRACE(samples);
       state.depth_test = test;

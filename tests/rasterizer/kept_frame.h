@@ -13,7 +13,9 @@ Framebuffer kept(const State& state, const Mesh& mesh, Framebuffer framebuffer);
 /// The same bits, signs of zeros and NaN included.
 void expect_equal(const Framebuffer& a, const Framebuffer& b);
 
-/// Draws on one to three threads; all give what the fragments leave.
-void expect_kept(const State& state, const Mesh& mesh, const TargetSize& size);
+/// Draws on one to three threads, as attributes and as what a shader makes of them, the same; all
+/// give what the fragments leave.
+void expect_kept(const State& state, const Mesh& mesh, const TargetSize& size,
+                 ColorFormat format = ColorFormat::float32);
 
 }  // namespace rastercheck::rasterizer

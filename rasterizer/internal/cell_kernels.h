@@ -1,0 +1,83 @@
+#pragma once
+
+// Shading by cells on the widest vectors that the processor has: which cells of a tile a triangle
+// touches, their depths and values, and merging shaded ones into the tile. All targets compute the
+// same bits, and depths and values are those of tile_kernels.h before they are rounded.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "rasterizer/internal/cell_batch.h"
+#include "rasterizer/internal/kernel_setting.h"
+#include "rasterizer/internal/masks.h"
+#include "rasterizer/internal/tile_kernels.h"
+#include "rasterizer/rasterizer.h"
+
+namespace rastercheck::rasterizer {
+
+/// A cell of a tile; `covered` as FragmentBatch::Cell has it. No pixel is covered in two.
+struct TileCell {
+  int column = 0;  ///< even, at most kTileSize − 8
+  int row = 0;     ///< even
+  std::uint16_t covered = 0;
+};
+
+struct TileCells {
+  static constexpr std::size_t kMost =
+      std::size_t{kTileSize} * kTileSize / FragmentBatch::kCellLanes;
+  std::size_t count = 0;
+  std::array<TileCell, kMost> cells;
+
+  void add(const TileCell& cell) {
+    if (cell.covered != 0) cells[count++] = cell;
+  }
+  /// The cells of two rows, the first of which is even, with these columns covered.
+  void add_rows(int row, Mask of_first, Mask of_second);
+  std::span<const TileCell> all() const { return {cells.data(), count}; }
+};
+
+/// Whether a test leaves ever lesser depths in a framebuffer (or, `Rises`, ever greater ones), so
+/// that a fragment that fails it now will fail it later.
+constexpr bool lets_fall(DepthTest test) {
+  return test == DepthTest::less || test == DepthTest::less_or_equal;
+}
+constexpr bool lets_rise(DepthTest test) {
+  return test == DepthTest::greater || test == DepthTest::greater_or_equal;
+}
+
+/// Finds the cells of what of a triangle with these numbers (TriangleNumbers) lies in that part of
+/// a tile. Returns the rows, both of a cell or neither, for which double is not enough, or where a
+/// sample is at a vertex; their cells are left out. `area.greatest` has to be that of the tile
+/// where the test lets_fall.
+Mask find_cells(const KernelSetting& setting, const double* numbers, DepthTest test,
+                const TileArea& area, const TilePart& part, TileCells& cells);
+
+/// Where a batch's cells come from.
+struct CellSource {
+  std::uint32_t triangle = 0;
+  std::uint16_t sample = 0;
+  int left = 0;  ///< of the tile, in pixels
+  int top = 0;
+};
+
+/// Adds cells to a batch until it is full, with depths and values; those of which no fragment can
+/// pass the depth test any more are passed over. Returns how many are done.
+std::size_t evaluate_cells(const KernelSetting& setting, const double* numbers, DepthTest test,
+                           const TileArea& area, const CellSource& source,
+                           std::span<const TileCell> cells, CellBatch& batch);
+
+/// How colours go into a tile.
+struct Merging {
+  DepthTest test = DepthTest::always;
+  bool writes_depth = true;
+  Blend blend = Blend::off;
+  bool has_words = false;  ///< of rgba8: the bits of the tile's only numbers
+};
+
+/// Merges what a batch's cells leave into a tile, in their order; areas[sample].
+void merge_cells(const Merging& merging, const CellBatch& batch, int left, int top,
+                 std::span<const TileArea> areas);
+
+}  // namespace rastercheck::rasterizer

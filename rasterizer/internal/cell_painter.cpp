@@ -1,0 +1,134 @@
+#include "rasterizer/internal/cell_painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rastercheck::rasterizer {
+
+PaintSetting paint_setting(const ShaderView& shader, const State& state, const Mesh& mesh,
+                           ColorFormat format) {
+  PaintSetting paint{
+      shader,
+      {state.depth_test, state.depth_write, state.blend, format == ColorFormat::rgba8},
+      std::vector<double>(state.attributes.size())};
+  const std::size_t count = paint.errors.size();
+  for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
+    const double size = std::abs(mesh.attributes[i]);
+    double& most = paint.errors[i % count];
+    if (std::isfinite(size)) most = std::max(most, size);
+  }
+  // certificates.h: less than 2^-31 of the greatest value, and of the value itself, which is beyond
+  // that at centres alone, where it is within 2^-32 of itself.
+  for (double& error : paint.errors) error *= 0x1p-31;
+  return paint;
+}
+
+CellPainter::CellPainter(const DrawSetting& setting, const PaintSetting& paint, const Mesh& mesh)
+    : setting_(setting),
+      paint_(paint),
+      lanes_(make_lane_drawing(setting, mesh, paint.shader.uses_derivatives)),
+      cells_(std::make_unique<TileCells>()),
+      batch_(setting.state.attributes.size(), paint.shader.outputs, paint.shader.uses_derivatives) {
+}
+
+void CellPainter::begin(Tile& tile, std::span<const TileArea> areas) {
+  tile_ = &tile;
+  areas_ = areas;
+}
+
+void CellPainter::draw(const KernelSetting& kernel, const double* numbers, std::uint32_t triangle,
+                       const TilePart& part) {
+  const DepthTest test = paint_.merging.test;
+  for (std::size_t s = 0; s < kernel.samples; ++s) {
+    const TileArea& area = areas_[s];
+    cells_->count = 0;
+    const Mask left_out = find_cells(kernel, numbers, test, area, part, *cells_);
+    const CellSource source{triangle, static_cast<std::uint16_t>(s), tile_->columns().begin,
+                            tile_->rows().begin};
+    for (std::span<const TileCell> rest = cells_->all(); !rest.empty();) {
+      rest = rest.subspan(evaluate_cells(kernel, numbers, test, area, source, rest, batch_));
+      if (batch_.is_full()) flush();
+    }
+    draw_rows(triangle, s, left_out);
+  }
+}
+
+void CellPainter::draw_lanes(std::uint32_t triangle, Mask rows) {
+  for (std::size_t s = 0; s < setting_.pattern.size(); ++s) draw_rows(triangle, s, rows);
+}
+
+void CellPainter::draw_rows(std::uint32_t triangle, std::size_t sample, Mask rows) {
+  for (int row = 0; row < kTileSize; row += 2) {
+    if ((rows >> row & 3) != 0) draw_two_rows(triangle, sample, row, rows);
+  }
+}
+
+/// The wanted ones of two rows, the first of which is even.
+void CellPainter::draw_two_rows(std::uint32_t triangle, std::size_t sample, int row, Mask rows) {
+  if (!lanes_->begin(triangle)) return;
+  const auto cover = [&](int of_tile) {
+    const int y = tile_->rows().begin + of_tile;
+    const bool is_wanted = (rows >> of_tile & 1) != 0 && y < tile_->rows().end;
+    if (!is_wanted || !lanes_->touches(y)) return CoveredBlock();
+    return lanes_->cover(sample, y, tile_->columns());
+  };
+  const CoveredBlock first = cover(row);
+  const CoveredBlock second = cover(row + 1);
+  cells_->count = 0;
+  cells_->add_rows(row, first.covered, second.covered);
+  for (const TileCell& cell : cells_->all()) {
+    const auto bits = [&cell](Mask mask) { return (mask >> cell.column) & 0xff; };
+    const Mask at_vertex = bits(first.at_vertex) | bits(second.at_vertex)
+                                                       << FragmentBatch::kCellWidth;
+    add_lanes(triangle, sample, cell, static_cast<std::uint16_t>(at_vertex));
+  }
+}
+
+void CellPainter::add_lanes(std::uint32_t triangle, std::size_t sample, const TileCell& cell,
+                            std::uint16_t at_vertex) {
+  const std::size_t first = batch_.count * FragmentBatch::kCellLanes;
+  const int left = tile_->columns().begin + cell.column;
+  const int top = tile_->rows().begin + cell.row;
+  lanes_->begin(triangle);  // a shader may have asked for another
+  for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; ++lane) {
+    const auto bit = [lane](std::uint16_t bits) { return (bits >> lane & 1) != 0; };
+    const LanePlace place{sample, left + static_cast<int>(lane % FragmentBatch::kCellWidth),
+                          top + static_cast<int>(lane / FragmentBatch::kCellWidth),
+                          bit(cell.covered), bit(at_vertex)};
+    lanes_->evaluate(place,
+                     {batch_.depth, batch_.values, batch_.along_u, batch_.along_v, first + lane});
+  }
+  batch_.cells[batch_.count++] = {triangle, cell.covered, static_cast<std::uint16_t>(left),
+                                  static_cast<std::uint16_t>(top),
+                                  static_cast<std::uint16_t>(sample)};
+  if (batch_.is_full()) flush();
+}
+
+void CellPainter::flush() {
+  if (batch_.count == 0) return;
+  batch_.discarded.fill(0);
+  FragmentBatch in;
+  in.lanes = batch_.count * FragmentBatch::kCellLanes;
+  in.cells = std::span(batch_.cells).first(batch_.count);
+  in.values = batch_.values;
+  in.along_u = batch_.along_u;
+  in.along_v = batch_.along_v;
+  in.errors = paint_.errors;
+  in.exact = this;
+  ShadedBatch out{batch_.color, std::span(batch_.discarded).first(batch_.count)};
+  paint_.shader.shade(paint_.shader.shader, in, out);
+  merge_cells(paint_.merging, batch_, tile_->columns().begin, tile_->rows().begin, areas_);
+  batch_.count = 0;
+}
+
+double CellPainter::floor(std::size_t attribute, std::size_t lane, double scale, double period) {
+  const FragmentBatch::Cell& cell = batch_.cells[lane / FragmentBatch::kCellLanes];
+  const std::size_t of_cell = lane % FragmentBatch::kCellLanes;
+  if (!lanes_->begin(cell.triangle)) return 0;  // it is drawn, or it would have no lane
+  const LanePlace place{cell.sample, cell.x + static_cast<int>(of_cell % FragmentBatch::kCellWidth),
+                        cell.y + static_cast<int>(of_cell / FragmentBatch::kCellWidth), true,
+                        false};
+  return lanes_->floor(place, attribute, scale, period);
+}
+
+}  // namespace rastercheck::rasterizer

@@ -1,0 +1,105 @@
+#include "rasterizer/internal/checked_frame.h"
+
+#include <new>
+#include <stdexcept>
+
+#include "rasterizer/internal/checked_draw.h"
+#include "rasterizer/internal/frame_drawing.h"
+#include "rasterizer/internal/parallel.h"
+
+namespace rastercheck::rasterizer {
+namespace {
+
+std::size_t sample_count(const TargetSize& size) {
+  return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) *
+         static_cast<std::size_t>(size.samples);
+}
+
+/// How many numbers a framebuffer of a format holds.
+struct Sizes {
+  std::size_t depth = 0;
+  std::size_t attributes = 0;
+  std::size_t bytes = 0;
+};
+Sizes sizes_of(const TargetSize& size, std::size_t attribute_count, ColorFormat format) {
+  const std::size_t samples = sample_count(size);
+  const bool has_bytes = format == ColorFormat::rgba8;
+  return {samples, has_bytes ? 0 : samples * attribute_count,
+          has_bytes ? samples * attribute_count : 0};
+}
+
+/// New memory, or none where the old is enough.
+template <typename Array>
+Array room_for(std::size_t size, const Array& old) {
+  Array array;
+  if (old.capacity() < size) array.reserve(size);
+  return array;
+}
+
+/// That size, in the new memory if there is some.
+template <typename Array>
+void move_into(Array& array, Array& room, std::size_t size) {
+  if (room.capacity() > 0) array.swap(room);
+  array.resize(size);
+}
+
+}  // namespace
+
+std::optional<Error> check_framebuffer(const Framebuffer& framebuffer) {
+  if (const std::optional<Error> error = check_size(framebuffer.size)) return error;
+  if (framebuffer.attribute_count > kMaxAttributes) return Error::attribute_count;
+  if (framebuffer.format == ColorFormat::rgba8 && framebuffer.attribute_count != 4) {
+    return Error::color_format;
+  }
+  const Sizes sizes = sizes_of(framebuffer.size, framebuffer.attribute_count, framebuffer.format);
+  if (framebuffer.depth.size() != sizes.depth ||
+      framebuffer.attributes.size() != sizes.attributes ||
+      framebuffer.bytes.size() != sizes.bytes) {
+    return Error::target_size;
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> check_channels(const State& state, ColorFormat format, std::size_t channels) {
+  const bool needs_four = state.blend == Blend::over || format == ColorFormat::rgba8;
+  if (needs_four && channels != 4) return Error::color_format;
+  return std::nullopt;
+}
+
+std::optional<Error> resize(Framebuffer& framebuffer, const TargetSize& size,
+                            std::size_t attribute_count) {
+  if (const std::optional<Error> error = check_size(size)) return error;
+  if (attribute_count > kMaxAttributes) return Error::attribute_count;
+  if (framebuffer.format == ColorFormat::rgba8 && attribute_count != 4) return Error::color_format;
+  const Sizes sizes = sizes_of(size, attribute_count, framebuffer.format);
+  try {
+    // All of the new memory before any of the old is lost.
+    auto depth = room_for(sizes.depth, framebuffer.depth);
+    auto attributes = room_for(sizes.attributes, framebuffer.attributes);
+    auto bytes = room_for(sizes.bytes, framebuffer.bytes);
+    move_into(framebuffer.depth, depth, sizes.depth);
+    move_into(framebuffer.attributes, attributes, sizes.attributes);
+    move_into(framebuffer.bytes, bytes, sizes.bytes);
+    framebuffer.size = size;
+    framebuffer.attribute_count = attribute_count;
+  } catch (const std::bad_alloc&) {
+    return Error::out_of_memory;
+  } catch (const std::length_error&) {  // more than a vector can ever hold
+    return Error::out_of_memory;
+  }
+  return std::nullopt;
+}
+
+DrawResult draw_checked_frame(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
+                              const FrameOptions& options) {
+  try {
+    return {std::nullopt, draw_frame(state, mesh, framebuffer, worker_count(options.threads),
+                                     options.clear_depth, options.shader)};
+  } catch (const std::bad_alloc&) {
+    return {Error::out_of_memory, {}};
+  } catch (const std::length_error&) {  // more than a vector can ever hold
+    return {Error::out_of_memory, {}};
+  }
+}
+
+}  // namespace rastercheck::rasterizer

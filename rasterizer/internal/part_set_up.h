@@ -1,0 +1,33 @@
+#pragma once
+
+// Setting a triangle up: its lines and coverage, then the values of the parts that it is drawn in.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "rasterizer/internal/discard.h"
+#include "rasterizer/internal/draw_setting.h"
+#include "rasterizer/internal/exact_coverage.h"
+#include "rasterizer/rasterizer.h"
+
+namespace rastercheck::rasterizer {
+
+/// `has_derivatives`: those of the parts are set up as well.
+template <typename Coverage>
+Fate set_up_parts(const State& state, const Mesh& mesh, std::size_t index, bool has_derivatives,
+                  Coverage& coverage, std::vector<DrawnPart>& parts) {
+  const std::optional<InputTriangle> triangle = input_triangle(state, mesh, index);
+  if (!triangle) return Fate::not_finite;
+  const bool is_empty = state.viewport.size.x == 0 || state.viewport.size.y == 0;
+  const Fate fate = is_empty ? Fate::degenerate : coverage.set_up(*triangle, parts);
+  if (fate != Fate::drawn) return fate;
+  for (DrawnPart& part : parts) {
+    set_up_values(state, part.source, part.weights, part.values);
+    if (!has_derivatives) continue;
+    set_up_derivatives(state, part.source, part.weights, part.values, part.derivatives);
+  }
+  return fate;
+}
+
+}  // namespace rastercheck::rasterizer

@@ -1,0 +1,230 @@
+// How a triangle lies to a part of a tile: beside it, over all of it, or in spans of its rows.
+// Included once for each SIMD target, as Highway has it.
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#if defined(RASTERCHECK_TILE_SPANS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERCHECK_TILE_SPANS_INL_H_
+#undef RASTERCHECK_TILE_SPANS_INL_H_
+#else
+#define RASTERCHECK_TILE_SPANS_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "rasterizer/internal/tile_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rastercheck::rasterizer {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, 16>;
+// At most eight lanes: masks are bytes.
+using Doubles = hn::CappedTag<double, 8>;
+using Halves = hn::Rebind<float, Doubles>;
+using Vector = hn::Vec<Doubles>;
+using Numbers = TriangleNumbers;
+
+HWY_INLINE std::uint64_t BitsOf(hn::Mask<Doubles> lanes) {
+  alignas(8) std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(Doubles(), lanes, bytes.data());
+  return bytes[0];
+}
+
+/// A plane's numbers.
+struct PlaneOf {
+  double a;
+  double b;
+  double c;
+};
+
+HWY_INLINE PlaneOf PlaneAt(const double* numbers, std::size_t at) {
+  return {numbers[at], numbers[at + 1], numbers[at + 2]};
+}
+
+/// Of each row the columns that are surely within all half-planes.
+struct Spans {
+  using Columns = std::array<std::int32_t, kTileSize + kTilePadding>;
+  alignas(64) Columns begin;
+  alignas(64) Columns end;
+  std::uint64_t touched = 0;   ///< rows in which there may be samples
+  std::uint64_t doubtful = 0;  ///< those where not just the surely covered ones are
+  std::uint64_t on_two = 0;    ///< rows with a first or last sample on two edges, and within
+};
+
+/// Where a half-plane's line crosses a vector of rows. Its values go up, or down, along a row, so
+/// that what is surely within begins, or ends, somewhere: about where the line crosses the limit,
+/// and exactly there if the samples on either side of that say so.
+struct Crossing {
+  Vector after;               ///< the first column after it
+  hn::Mask<Doubles> rises;    ///< what is within comes after it
+  hn::Mask<Doubles> is_sure;  ///< it is exactly there
+  /// The sample outside is surely beyond; where it may be within, so may be all beyond it.
+  hn::Mask<Doubles> is_far;
+  hn::Mask<Doubles> is_on;  ///< the sample within is exactly on the line
+};
+
+HWY_INLINE Crossing CrossingAt(const KernelSetting& setting, const double* numbers,
+                               std::size_t index, const TileArea& area, const TilePart& part,
+                               Vector v) {
+  const Doubles d;
+  const auto zero = hn::Zero(d);
+  const auto one = hn::Set(d, 1.0);
+  const auto a = hn::Set(d, numbers[Numbers::kA + index]);
+  const auto sure = hn::Set(d, numbers[Numbers::kSure + index]);
+  const auto possible = hn::Set(d, numbers[Numbers::kPossible + index]);
+  const auto u_first = hn::Set(d, area.u[0]);
+  const auto u_step = hn::Set(d, setting.u_step);
+  const auto first = hn::Set(d, static_cast<double>(part.columns.begin - 1));
+  const auto last = hn::Set(d, static_cast<double>(part.columns.end - 1));
+  const auto slope = hn::Mul(a, u_step);
+  const auto row = hn::Add(hn::Mul(hn::Set(d, numbers[Numbers::kB + index]), v),
+                           hn::Set(d, numbers[Numbers::kC + index]));
+  // Samples on a line without a band are within where its limit is below 0. A crossing at such
+  // a sample is exact, as its quotient is whole.
+  const auto at_first = hn::Add(hn::Mul(a, u_first), row);
+  const auto exact = hn::Div(hn::Sub(hn::Max(sure, zero), at_first), slope);
+  const auto rises = hn::Gt(slope, zero);
+  // Where what is at the crossing comes after it; else it comes before.
+  const auto is_before = hn::Not(hn::Xor(rises, hn::Lt(sure, zero)));
+  auto crossing = hn::IfThenElse(is_before, hn::Sub(hn::Ceil(exact), one), hn::Floor(exact));
+  const auto of_level = hn::IfThenElse(hn::Gt(row, sure), last, first);
+  crossing = hn::IfThenElse(hn::Eq(slope, zero), of_level, crossing);
+  // The samples on either side, where they are in the part.
+  const auto before = hn::Min(hn::Max(crossing, first), last);
+  const auto u = hn::Add(u_first, hn::Mul(before, u_step));
+  const auto e_before = hn::Add(hn::Mul(a, u), row);
+  const auto e_after = hn::Add(hn::Mul(a, hn::Add(u, u_step)), row);
+  const auto starts = hn::Eq(before, first);
+  const auto ends = hn::Eq(before, last);
+  const auto outside = hn::IfThenElse(rises, e_before, e_after);
+  const auto inside = hn::IfThenElse(rises, e_after, e_before);
+  const auto no_outside = hn::Or(hn::And(rises, starts), hn::AndNot(rises, ends));
+  const auto no_inside = hn::Or(hn::And(rises, ends), hn::AndNot(rises, starts));
+  const auto is_out = hn::Or(no_outside, hn::Not(hn::Gt(outside, sure)));
+  const auto is_in = hn::Or(no_inside, hn::Gt(inside, sure));
+  return {hn::Add(before, one), rises, hn::And(is_out, is_in),
+          hn::Or(no_outside, hn::Not(hn::Gt(outside, possible))), hn::Eq(inside, zero)};
+}
+
+/// The spans of a part that half-planes cut.
+HWY_INLINE void FindSpans(const KernelSetting& setting, const double* numbers, std::uint64_t cuts,
+                          const TileArea& area, const TilePart& part, Spans& spans) {
+  const Doubles d;
+  const hn::Rebind<std::int32_t, Doubles> ints;
+  const auto first = hn::Set(d, static_cast<double>(part.columns.begin));
+  const auto last = hn::Set(d, static_cast<double>(part.columns.end));
+  for (int y = part.rows.begin; y < part.rows.end; y += static_cast<int>(hn::Lanes(d))) {
+    const auto v = hn::LoadU(d, area.v + y);
+    auto begin = first;
+    auto end = last;
+    auto possible_begin = first;
+    auto possible_end = last;
+    auto is_sure = hn::FirstN(d, hn::Lanes(d));
+    auto on_one = hn::FirstN(d, 0);
+    auto on_two = on_one;
+    for (std::uint64_t rest = cuts; rest != 0; rest &= rest - 1) {
+      const auto index = static_cast<std::size_t>(std::countr_zero(rest));
+      const Crossing at = CrossingAt(setting, numbers, index, area, part, v);
+      begin = hn::Max(begin, hn::IfThenElse(at.rises, at.after, first));
+      end = hn::Min(end, hn::IfThenElse(at.rises, last, at.after));
+      const auto begins = hn::And(at.is_far, at.rises);
+      const auto ends = hn::AndNot(at.rises, at.is_far);
+      possible_begin = hn::Max(possible_begin, hn::IfThenElse(begins, at.after, first));
+      possible_end = hn::Min(possible_end, hn::IfThenElse(ends, at.after, last));
+      is_sure = hn::And(is_sure, at.is_sure);
+      if (index < 3) {
+        on_two = hn::Or(on_two, hn::And(on_one, at.is_on));
+        on_one = hn::Or(on_one, at.is_on);
+      }
+    }
+    hn::StoreU(hn::DemoteTo(ints, begin), ints, spans.begin.data() + y);
+    hn::StoreU(hn::DemoteTo(ints, end), ints, spans.end.data() + y);
+    const auto is_same = hn::And(hn::Eq(begin, possible_begin), hn::Eq(end, possible_end));
+    const auto of_lanes = (std::uint64_t{1} << hn::Lanes(d)) - 1;
+    spans.touched |= BitsOf(hn::Gt(possible_end, possible_begin)) << y;
+    spans.doubtful |= (~BitsOf(hn::And(is_same, is_sure)) & of_lanes) << y;
+    spans.on_two |= BitsOf(on_two) << y;
+  }
+  const int rows = part.rows.end - part.rows.begin;
+  spans.touched &= ~std::uint64_t{0} >> (kTileSize - rows) << part.rows.begin;
+  spans.doubtful &= spans.touched;
+}
+
+#if HWY_TARGET <= HWY_AVX3
+constexpr bool kStoresMasked = true;
+#else
+constexpr bool kStoresMasked = false;
+#endif
+
+/// Replaces what `lanes` says.
+HWY_INLINE void PutWhere(hn::Mask<Halves> lanes, hn::Vec<Halves> value, float* out) {
+  const Halves floats;
+  if (kStoresMasked) {
+    hn::BlendedStore(value, lanes, floats, out);
+  } else {
+    hn::StoreU(hn::IfThenElse(lanes, value, hn::LoadU(floats, out)), floats, out);
+  }
+}
+
+/// How a triangle's half-planes lie to a part of a tile: those that cut it, or that one has none of
+/// it. A line's least and greatest values there are at corners (plane.h).
+struct Position {
+  bool is_beside = false;
+  std::uint64_t cuts = 0;
+};
+
+HWY_INLINE Position PositionOf(const double* numbers, const TileArea& area, const TilePart& part) {
+  const Doubles d;
+  const auto u0 = hn::Set(d, area.u[part.columns.begin]);
+  const auto u1 = hn::Set(d, area.u[part.columns.end - 1]);
+  const auto v0 = hn::Set(d, area.v[part.rows.begin]);
+  const auto v1 = hn::Set(d, area.v[part.rows.end - 1]);
+  Position position;
+  for (std::size_t i = 0; i < Numbers::kHalfPlanes; i += hn::Lanes(d)) {
+    const auto a = hn::LoadU(d, numbers + Numbers::kA + i);
+    const auto b = hn::LoadU(d, numbers + Numbers::kB + i);
+    const auto c = hn::LoadU(d, numbers + Numbers::kC + i);
+    const auto sure = hn::LoadU(d, numbers + Numbers::kSure + i);
+    const auto possible = hn::LoadU(d, numbers + Numbers::kPossible + i);
+    const auto a0 = hn::Mul(a, u0);
+    const auto a1 = hn::Mul(a, u1);
+    const auto b0 = hn::Mul(b, v0);
+    const auto b1 = hn::Mul(b, v1);
+    const auto least = hn::Add(hn::Min(a0, a1), hn::Add(hn::Min(b0, b1), c));
+    const auto greatest = hn::Add(hn::Max(a0, a1), hn::Add(hn::Max(b0, b1), c));
+    // The vector may go beyond the last of them.
+    const auto those = hn::FirstN(d, Numbers::kHalfPlanes - i);
+    const auto beside = hn::And(those, hn::Not(hn::Gt(greatest, possible)));
+    const auto within = hn::Gt(least, hn::Max(sure, hn::Zero(d)));
+    position.is_beside = position.is_beside || BitsOf(beside) != 0;
+    position.cuts |= BitsOf(hn::AndNot(within, those)) << i;
+  }
+  return position;
+}
+
+/// The least and the greatest depth of a part, before they are clamped: corners' (plane.h).
+struct Depths {
+  double least;
+  double greatest;
+};
+
+HWY_INLINE Depths DepthsOf(const double* numbers, const TileArea& area, const TilePart& part) {
+  const PlaneOf plane = PlaneAt(numbers, Numbers::kDepth);
+  const auto [u_least, u_greatest] =
+      std::minmax({plane.a * area.u[part.columns.begin], plane.a * area.u[part.columns.end - 1]});
+  const auto [v_least, v_greatest] =
+      std::minmax({plane.b * area.v[part.rows.begin], plane.b * area.v[part.rows.end - 1]});
+  return {u_least + (v_least + plane.c), u_greatest + (v_greatest + plane.c)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rastercheck::rasterizer
+HWY_AFTER_NAMESPACE();
+
+#endif  // RASTERCHECK_TILE_SPANS_INL_H_

@@ -1,0 +1,250 @@
+// Draws into framebuffers by all depth functions, blends and formats, and by shaders: each sample
+// is what its fragments, in order, leave there.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "rasterizer/shading.h"
+#include "tests/rasterizer/exact.h"
+#include "tests/rasterizer/failing_allocator.h"
+#include "tests/rasterizer/kept_frame.h"
+#include "tests/rasterizer/random_draw.h"
+#include "tests/simd_targets.h"
+
+namespace rastercheck::rasterizer {
+namespace {
+
+/// Any depth function, blend and write mask.
+void set_output(Random& random, State& state) {
+  state.depth_test = random.pick({DepthTest::always, DepthTest::never, DepthTest::less,
+                                  DepthTest::equal, DepthTest::less_or_equal, DepthTest::greater,
+                                  DepthTest::not_equal, DepthTest::greater_or_equal});
+  state.depth_write = !random.one_in(3);
+  state.blend = random.pick({Blend::off, Blend::over, Blend::additive});
+  if (state.blend == Blend::over && state.attributes.size() != 4) state.blend = Blend::additive;
+}
+
+/// Triangles whose depths often are the same, with values in and around [0, 1].
+SmallMesh flat_triangles(Random& random, const State& state, int count) {
+  SmallMesh mesh;
+  for (int i = 0; i < 3 * count; ++i) {
+    const float depth = random.pick({0.25F, 0.5F, 0.5F, 0.75F});
+    mesh.positions.push_back(at(state, random.real(-20, 160), random.real(-20, 160),
+                                random.pick({1.0F, 1.0F, 0.5F, 3.0F}), depth));
+    for (std::size_t a = 0; a < state.attributes.size(); ++a) {
+      mesh.attributes.push_back(random.one_in(4) ? random.real(-2, 2) : random.real(0, 1));
+    }
+    if (i % 3 == 0) {
+      const auto first = static_cast<std::uint32_t>(i);
+      mesh.triangles.emplace_back(first, first + 1, first + 2);
+    }
+  }
+  return mesh;
+}
+
+class ShadeOnTarget : public testing::TestWithParam<std::int64_t> {};
+INSTANTIATE_TEST_SUITE_P(AllTargets, ShadeOnTarget, testing::ValuesIn(all_targets()), target_name);
+
+// Kills: a depth function taken for another; a colour blended in another order, with another alpha,
+// or rounded once for several; a cell's helpers drawn; cells that overlap at a tile's right border.
+TEST_P(ShadeOnTarget, LeavesWhatFragmentsLeaveByEveryFunction) {
+  const OnTarget on_target(GetParam());
+  Random random(11);
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    const TargetSize size{random.pick({1, 63, 64, 100, 129}), random.pick({2, 64, 65, 100}),
+                          random.pick({1, 1, 2, 4})};
+    State state =
+        small_state(size.width, size.height,
+                    random.pick({Convention::opengl, Convention::vulkan, Convention::d3d}));
+    state.attributes.resize(static_cast<std::size_t>(random.pick({1, 2, 4, 4, 4})));
+    set_output(random, state);
+    const bool has_bytes = state.attributes.size() == 4 && random.one_in(2);
+    const auto format = has_bytes ? ColorFormat::rgba8 : ColorFormat::float32;
+    expect_kept(state, flat_triangles(random, state, 20).mesh(), size, format);
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Kills: lanes that are not evaluated as fragments are; rows left to them and drawn twice.
+TEST_P(ShadeOnTarget, LeavesWhatFragmentsLeaveOfAnyDraw) {
+  const OnTarget on_target(GetParam());
+  Random random(12);
+  for (int i = 0; i < 120; ++i) {
+    SCOPED_TRACE(i);
+    RandomDraw draw = random_draw(random);
+    set_output(random, draw.state);
+    expect_kept(draw.state, draw.mesh.mesh(), draw.size);
+    if (HasFatalFailure()) return;
+  }
+}
+
+/// Keeps the lanes whose first value is at least `least`, and paints where they are.
+struct PlacePainter {
+  double least = 0;
+  std::size_t outputs() const { return 2; }
+  void operator()(const FragmentBatch& in, ShadedBatch& out) const {
+    for (std::size_t lane = 0; lane < in.lanes; ++lane) {
+      const FragmentBatch::Cell& cell = in.cells[lane / FragmentBatch::kCellLanes];
+      out.color[0][lane] = static_cast<float>(cell.x + lane % 8);
+      out.color[1][lane] = static_cast<float>(cell.y + lane / 8 % 2);
+      if (in.values[0][lane] < least) out.discard(lane);
+    }
+  }
+};
+
+TEST(Shade, DiscardsAndSaysWhereLanesAre) {
+  State state = small_state(100, 70);
+  state.attributes.resize(1);
+  SmallMesh mesh = rectangle(state, {3, 5}, {95, 61});
+  for (const glm::vec4& p : mesh.positions) mesh.attributes.push_back((p.x + 1) * 50);
+  Framebuffer framebuffer;
+  ASSERT_FALSE(
+      clear_and_draw(state, mesh.mesh(), PlacePainter{40}, {100, 70, 1}, 1, framebuffer).error);
+  for (std::size_t y = 0; y < 70; ++y) {
+    for (std::size_t x = 0; x < 100; ++x) {
+      const bool is_drawn = y >= 5 && y < 61 && x >= 40 && x < 95;
+      const std::size_t place = 100 * y + x;
+      EXPECT_EQ(framebuffer.depth[place], is_drawn ? 0.0F : 1.0F);
+      EXPECT_EQ(framebuffer.attributes[2 * place], is_drawn ? static_cast<float>(x) : 0);
+      EXPECT_EQ(framebuffer.attributes[2 * place + 1], is_drawn ? static_cast<float>(y) : 0);
+    }
+  }
+}
+
+/// The differences within quads and the derivatives, both along x.
+struct SlopePainter {
+  std::size_t outputs() const { return 2; }
+  bool uses_derivatives() const { return true; }
+  void operator()(const FragmentBatch& in, ShadedBatch& out) const {
+    for (std::size_t lane = 0; lane < in.lanes; ++lane) {
+      const double difference = in.values[0][lane | 1] - in.values[0][lane & ~std::size_t{1}];
+      out.color[0][lane] = static_cast<float>(difference);
+      out.color[1][lane] = static_cast<float>(in.along_u[0][lane]);
+    }
+  }
+};
+
+// Of a plane both are the same all over it, helpers beyond its edges included.
+TEST(Shade, QuadsHaveTheValuesOfHelpers) {
+  State state = small_state(64, 64);
+  state.attributes = {{Interpolation::noperspective}};
+  SmallMesh mesh = triangle(state, {3.3F, 5.1F}, {50.7F, 9.2F}, {20.4F, 60.9F});
+  mesh.attributes = {0, 6, 1};
+  Framebuffer framebuffer;
+  ASSERT_FALSE(
+      clear_and_draw(state, mesh.mesh(), SlopePainter(), {64, 64, 1}, 1, framebuffer).error);
+  std::size_t drawn = 0;
+  for (std::size_t place = 0; place < framebuffer.depth.size(); ++place) {
+    if (framebuffer.depth[place] == 1) continue;
+    ++drawn;
+    EXPECT_NEAR(framebuffer.attributes[2 * place], framebuffer.attributes[2 * place + 1], 1e-6);
+    EXPECT_NE(framebuffer.attributes[2 * place], 0);
+  }
+  EXPECT_GT(drawn, 1000U);
+}
+
+/// ⌊8 r⌋ by exact arithmetic, and by double alone.
+struct FloorPainter {
+  std::size_t outputs() const { return 2; }
+  void operator()(const FragmentBatch& in, ShadedBatch& out) const {
+    for (std::size_t lane = 0; lane < in.lanes; ++lane) {
+      const auto bit = lane % FragmentBatch::kCellLanes;
+      const std::uint32_t covered = in.cells[lane / FragmentBatch::kCellLanes].covered;
+      const bool is_covered = (covered >> bit & 1) != 0;
+      out.color[0][lane] = is_covered ? static_cast<float>(in.exact->floor(
+                                            0, lane, 8, std::numeric_limits<double>::infinity()))
+                                      : 0;
+      out.color[1][lane] = static_cast<float>(std::floor(8 * in.values[0][lane]));
+    }
+  }
+};
+
+// r = k / 64 at column k, of triangles whose weights no double holds.
+TEST(Shade, FloorsAreExact) {
+  State state = small_state(64, 64);
+  state.attributes = {{Interpolation::noperspective}};
+  Random random(3);
+  std::size_t differ = 0;
+  for (int i = 0; i < 100; ++i) {
+    SmallMesh mesh;
+    for (int corner = 0; corner < 3; ++corner) {
+      const int column = random.between(0, 60);
+      mesh.positions.push_back(at(state, static_cast<float>(column) + 0.5F,
+                                  static_cast<float>(random.between(0, 64)),
+                                  static_cast<float>(random.between(1, 9))));
+      mesh.attributes.push_back(static_cast<float>(column) / 64);
+    }
+    mesh.triangles = {{0, 1, 2}};
+    Framebuffer framebuffer;
+    ASSERT_FALSE(
+        clear_and_draw(state, mesh.mesh(), FloorPainter(), {64, 64, 1}, 1, framebuffer).error);
+    for (std::size_t place = 0; place < framebuffer.depth.size(); ++place) {
+      if (framebuffer.depth[place] == 1) continue;
+      EXPECT_EQ(framebuffer.attributes[2 * place], static_cast<float>(place % 64 / 8));
+      if (framebuffer.attributes[2 * place] != framebuffer.attributes[2 * place + 1]) ++differ;
+    }
+  }
+  EXPECT_GT(differ, 0U);  // or there would be nothing to show
+}
+
+TEST(Shade, RefusesWhatItCannotDo) {
+  State state = small_state(4, 4);
+  state.attributes.resize(3);
+  const SmallMesh mesh = [&state] {
+    SmallMesh made = rectangle(state, {0, 0}, {4, 4});
+    made.attributes.resize(made.positions.size() * 3);
+    return made;
+  }();
+  Framebuffer framebuffer;
+  const auto draw_as = [&](const State& by, std::size_t count, ColorFormat format) {
+    framebuffer.format = format;
+    return clear_and_draw(by, mesh.mesh(), AttributesShader{count}, {4, 4, 1}, 1, framebuffer)
+        .error;
+  };
+  EXPECT_EQ(draw_as(state, 3, ColorFormat::rgba8), Error::color_format);
+  State over = state;
+  over.blend = Blend::over;
+  EXPECT_EQ(draw_as(over, 3, ColorFormat::float32), Error::color_format);
+  EXPECT_EQ(draw_as(state, kMaxAttributes + 1, ColorFormat::float32), Error::output_count);
+  ASSERT_EQ(clear(framebuffer, {4, 4, 1}, 2, 1), std::nullopt);
+  EXPECT_EQ(draw(state, mesh.mesh(), AttributesShader{3}, framebuffer).error, Error::output_count);
+  const Mesh most{mesh.positions, mesh.attributes, {}, {mesh.triangles.data(), kMaxTriangles + 1}};
+  EXPECT_EQ(draw(state, most, AttributesShader{2}, framebuffer).error, Error::triangle_count);
+}
+
+TEST(Shade, RunningOutOfMemoryLosesNothingThatWasDrawn) {
+  if (!kCanRunOutOfMemory) GTEST_SKIP() << "the allocator is that of ThreadSanitizer";
+  State state = small_state(70, 70);
+  state.attributes.resize(2);
+  state.depth_test = DepthTest::less_or_equal;
+  Random random(5);
+  const SmallMesh first = flat_triangles(random, state, 4);
+  const SmallMesh second = flat_triangles(random, state, 4);
+  Framebuffer before;
+  ASSERT_EQ(clear(before, {70, 70, 1}, 2, 1), std::nullopt);
+  ASSERT_FALSE(draw(state, first.mesh(), before).error);
+  const Framebuffer both = kept(state, second.mesh(), before);
+  bool succeeded = false;
+  int failures = 0;
+  for (int allocations = 0; !succeeded && allocations < 1000; ++allocations) {
+    Framebuffer drawn = before;
+    const std::optional<Error> error =
+        with_allocations(allocations, [&] { return draw(state, second.mesh(), drawn).error; });
+    succeeded = !error;
+    failures += error == Error::out_of_memory ? 1 : 0;
+    for (std::size_t i = 0; i < drawn.depth.size(); ++i) {
+      EXPECT_TRUE(drawn.depth[i] == before.depth[i] || drawn.depth[i] == both.depth[i]);
+    }
+  }
+  EXPECT_TRUE(succeeded);
+  EXPECT_GT(failures, 5);
+}
+
+}  // namespace
+}  // namespace rastercheck::rasterizer

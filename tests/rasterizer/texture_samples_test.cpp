@@ -1,0 +1,276 @@
+// Samples of textures (rasterizer/texture.h), held against exact rationals. On one target, as all
+// have the same bits, which the last test sees to.
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <optional>
+
+#include "rasterizer/texture.h"
+#include "tests/rasterizer/fragment_batch.h"
+#include "tests/rasterizer/textures.h"
+#include "tests/simd_targets.h"
+
+namespace rastercheck::rasterizer {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// A whole number modulo another, not negative.
+int modulo(const mpz_class& k, int period) {
+  mpz_class rest;
+  mpz_fdiv_r_ui(rest.get_mpz_t(), k.get_mpz_t(), static_cast<unsigned long>(period));
+  return static_cast<int>(rest.get_si());
+}
+
+int texel_of(const mpz_class& k, int size, Wrap wrap) {
+  if (wrap == Wrap::repeat) return modulo(k, size);
+  if (wrap == Wrap::clamp) {
+    return k < 0 ? 0 : k >= size ? size - 1 : static_cast<int>(k.get_si());
+  }
+  const int m = modulo(k, 2 * size);
+  return m < size ? m : 2 * size - 1 - m;
+}
+
+/// A coordinate of some kind: in the texture, near a border of texels, far away.
+double random_coordinate(Random& random, int size) {
+  const double whole = random.between(-3 * size, 4 * size);
+  switch (random.between(0, 4)) {
+    case 0:
+      return whole / size;
+    case 1:
+      return (whole + 0.5) / size + random.number(20, -60, -20);
+    case 2:
+      return random.number(53, -20, 4);
+    case 3:
+      return random.number(53, 4, 40);
+    default:
+      return random.number(53, -1000, 120);
+  }
+}
+
+constexpr std::array<Wrap, 3> kWraps{Wrap::repeat, Wrap::clamp, Wrap::mirror};
+constexpr std::array<std::array<int, 2>, 8> kSizes{
+    {{8, 8}, {7, 5}, {1, 1}, {16384, 1}, {1, 300}, {64, 3}, {2, 2}, {33, 31}}};
+
+/// Coordinates off by up to the errors.
+KnownBatch random_coordinates(Random& random, const Texture& texture) {
+  KnownBatch known(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const int size = i == 0 ? texture.width() : texture.height();
+    known.errors[i] = random.one_in(3) ? 0 : std::ldexp(1.0, -random.between(10, 60));
+    for (std::size_t lane = 0; lane < KnownBatch::kLanes; ++lane) {
+      known.set(i, lane, random_coordinate(random, size));
+      known.exact[i][lane] += Rational(known.errors[i]) * random.between(-8, 8) / 8;
+    }
+  }
+  return known;
+}
+
+// Kills: a margin too small; wraps of numbers near 2^53 that are rounded.
+TEST(Samples, AreOfTheExactTexelWhenNearest) {
+  Random random(3);
+  for (const auto& [width, height] : kSizes) {
+    const Texture texture = random_texture(random, width, height);
+    for (int i = 0; i < 27; ++i) {
+      const Sampler sampler{kWraps[static_cast<std::size_t>(i % 3)],
+                            kWraps[static_cast<std::size_t>(i / 3 % 3)], Filter::nearest};
+      KnownBatch known = random_coordinates(random, texture);
+      ShadedLanes out;
+      sample(texture, sampler, known.batch(), 0, 1, out.colors());
+      for (std::size_t lane = 0; lane < KnownBatch::kLanes; ++lane) {
+        const mpz_class s = floor_of(known.exact[0][lane] * width);
+        const mpz_class t = floor_of(known.exact[1][lane] * height);
+        // Exact arithmetic hands over a double.
+        if (mpz_sizeinbase(s.get_mpz_t(), 2) > 53 || mpz_sizeinbase(t.get_mpz_t(), 2) > 53)
+          continue;
+        const int x = texel_of(s, width, sampler.wrap_s);
+        const int y = texel_of(t, height, sampler.wrap_t);
+        for (std::size_t k = 0; k < 4; ++k) {
+          const auto byte = static_cast<float>(byte_at(texture, 0, x, y, k));
+          ASSERT_EQ(out(k, lane), byte / 255) << known.lines[0].value[lane];
+        }
+      }
+    }
+  }
+}
+
+/// What a coordinate is wrapped to (texture.h).
+Rational wrapped(const Rational& s, Wrap wrap) {
+  if (wrap == Wrap::repeat) return s - floor_of(s);
+  if (wrap == Wrap::clamp) return s < 0 ? Rational(0) : s > 1 ? Rational(1) : s;
+  const Rational m = s - 2 * floor_of(s / 2);
+  return m < 1 ? m : 2 - m;
+}
+
+/// Neighbours along an axis, and where between.
+struct Along {
+  std::array<int, 2> texels;
+  Rational fraction;
+};
+
+Along along(const Rational& s, int size, Wrap wrap) {
+  const Rational x = wrapped(s, wrap) * size - Rational(1, 2);
+  const mpz_class low = floor_of(x);
+  const Wrap beyond = wrap == Wrap::repeat ? wrap : Wrap::clamp;
+  return {{texel_of(low, size, beyond), texel_of(low + 1, size, beyond)}, x - low};
+}
+
+using Colors = std::array<Rational, 4>;
+
+Colors bilinear(const Texture& texture, std::size_t level, const Sampler& sampler,
+                const KnownBatch& known, std::size_t lane) {
+  const Along s = along(known.exact[0][lane], texture.width(level), sampler.wrap_s);
+  const Along t = along(known.exact[1][lane], texture.height(level), sampler.wrap_t);
+  Colors colors;
+  for (std::size_t y = 0; y < 2; ++y) {
+    for (std::size_t x = 0; x < 2; ++x) {
+      const Rational along_s = x == 0 ? Rational(1 - s.fraction) : s.fraction;
+      const Rational along_t = y == 0 ? Rational(1 - t.fraction) : t.fraction;
+      const Rational share = along_s * along_t / 255;
+      for (std::size_t k = 0; k < 4; ++k) {
+        colors[k] += share * byte_at(texture, level, s.texels[x], t.texels[y], k);
+      }
+    }
+  }
+  return colors;
+}
+
+void expect_within(const ShadedLanes& out, std::size_t lane, const Colors& expected,
+                   const Rational& most) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const float color = out(k, lane);
+    ASSERT_TRUE(color >= 0 && color <= 1);
+    ASSERT_LE(abs(Rational(color) - expected[k]), most) << lane << ": " << color;
+  }
+}
+
+/// How far bilinear and trilinear colours may be off (texture.h).
+Rational bound(const Texture& texture, const KnownBatch& known, int units) {
+  const Rational s = Rational(known.errors[0]) + power_of_two(-51);
+  const Rational t = Rational(known.errors[1]) + power_of_two(-51);
+  return texture.width() * s + texture.height() * t + units * power_of_two(-24);
+}
+
+// Kills: fractions rounded before the wrap; neighbours beyond an edge; centres at whole numbers.
+TEST(Samples, AreWithinTheirBoundWhenBilinear) {
+  Random random(4);
+  for (const auto& [width, height] : kSizes) {
+    SCOPED_TRACE(testing::Message() << width << " x " << height);
+    const Texture texture = random_texture(random, width, height);
+    for (int i = 0; i < 9; ++i) {
+      const Sampler sampler{kWraps[static_cast<std::size_t>(i % 3)],
+                            kWraps[static_cast<std::size_t>(i / 3)], Filter::bilinear};
+      KnownBatch known = random_coordinates(random, texture);
+      const Rational most = bound(texture, known, 6);
+      ShadedLanes out;
+      sample(texture, sampler, known.batch(), 0, 1, out.colors());
+      EXPECT_TRUE(known.calls.empty());
+      for (std::size_t lane = 0; lane < KnownBatch::kLanes; ++lane) {
+        expect_within(out, lane, bilinear(texture, 0, sampler, known, lane), most);
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+/// λ, of the derivatives as they are.
+Rational level_of_detail(const Texture& texture, const KnownBatch& known, std::size_t lane) {
+  const auto length = [&](double s, double t) {
+    return std::hypot(static_cast<long double>(s) * texture.width(),
+                      static_cast<long double>(t) * texture.height());
+  };
+  const KnownBatch::Line& s = known.lines[0];
+  const KnownBatch::Line& t = known.lines[1];
+  const long double rho =
+      std::max(length(s.along_u[lane], t.along_u[lane]), length(s.along_v[lane], t.along_v[lane]));
+  const long double lambda =
+      std::clamp(std::log2(rho), 0.0L, static_cast<long double>(texture.level_count() - 1));
+  const auto high = static_cast<double>(lambda);
+  return Rational(high) + Rational(static_cast<double>(lambda - high));
+}
+
+Colors trilinear(const Texture& texture, const Sampler& sampler, const KnownBatch& known,
+                 std::size_t lane) {
+  const Rational lambda = level_of_detail(texture, known, lane);
+  const auto level = static_cast<std::size_t>(floor_of(lambda).get_si());
+  const Rational fraction = lambda - static_cast<int>(level);
+  Colors colors = bilinear(texture, level, sampler, known, lane);
+  if (fraction == 0) return colors;
+  const Colors next = bilinear(texture, level + 1, sampler, known, lane);
+  for (std::size_t k = 0; k < 4; ++k) colors[k] += fraction * (next[k] - colors[k]);
+  return colors;
+}
+
+/// Derivatives of all sizes, powers of two among them.
+void randomize_slopes(Random& random, KnownBatch& known) {
+  for (KnownBatch::Line& line : known.lines) {
+    for (std::size_t lane = 0; lane < KnownBatch::kLanes; ++lane) {
+      line.along_u[lane] = random.number(53, -18, 3);
+      line.along_v[lane] = random.number(random.one_in(2) ? 1 : 53, -18, 3);
+    }
+  }
+}
+
+// Kills: levels of the shorter axis, of one direction alone, the next ones; sizes of a level that
+// are another's; series cut short.
+TEST(Samples, AreWithinTheirBoundWhenTrilinear) {
+  Random random(5);
+  for (const auto& [width, height] : kSizes) {
+    SCOPED_TRACE(testing::Message() << width << " x " << height);
+    const Texture texture = random_texture(random, width, height);
+    for (int i = 0; i < 9; ++i) {
+      const Sampler sampler{kWraps[static_cast<std::size_t>(i % 3)],
+                            kWraps[static_cast<std::size_t>(i / 3)], Filter::trilinear};
+      KnownBatch known = random_coordinates(random, texture);
+      randomize_slopes(random, known);
+      const Rational most = bound(texture, known, 8);
+      ShadedLanes out;
+      sample(texture, sampler, known.batch(), 0, 1, out.colors());
+      for (std::size_t lane = 0; lane < KnownBatch::kLanes; ++lane) {
+        expect_within(out, lane, trilinear(texture, sampler, known, lane), most);
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+// Kills: products fused with sums on processors that can.
+TEST(Samples, AreTheSameOnAllTargets) {
+  Random random(6);
+  for (const auto& [width, height] : kSizes) {
+    const Texture texture = random_texture(random, width, height);
+    for (int i = 0; i < 9; ++i) {
+      KnownBatch known = random_coordinates(random, texture);
+      randomize_slopes(random, known);
+      for (KnownBatch::Line& line : known.lines) {
+        for (std::size_t lane = 0; lane < KnownBatch::kLanes; ++lane) {
+          if (random.one_in(9)) line.along_v[lane] = random.pick({kNaN, kInfinity, 0.0});
+          if (random.one_in(40))
+            line.value[lane] = random.pick({kInfinity, kNaN, -kInfinity, -0.0});
+        }
+      }
+      for (const Filter filter : {Filter::nearest, Filter::bilinear, Filter::trilinear}) {
+        const Sampler sampler{kWraps[static_cast<std::size_t>(i % 3)],
+                              kWraps[static_cast<std::size_t>(i / 3)], filter};
+        std::optional<std::vector<float>> first;
+        for (const std::int64_t target : all_targets()) {
+          const OnTarget on_target(target);
+          ShadedLanes out;
+          sample(texture, sampler, known.batch(), 0, 1, out.colors());
+          std::vector<float> colors;
+          for (const float* of_channel : out.colors()) {
+            colors.insert(colors.end(), of_channel, of_channel + KnownBatch::kLanes);
+          }
+          if (!first) first = colors;
+          ASSERT_EQ(std::memcmp(first->data(), colors.data(), colors.size() * sizeof(float)), 0);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rastercheck::rasterizer
