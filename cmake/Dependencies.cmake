@@ -1,11 +1,18 @@
 # Every outside library, in one place. All are Debian 12 packages (scripts/packages.txt).
 
+# What the rasterizer needs; cmake/RasterCheckConfig.cmake.in has the same list.
+find_package(glm REQUIRED)
+find_package(hwy REQUIRED)
+find_package(TBB REQUIRED)
+find_package(Threads REQUIRED)
+if(RASTERCHECK_ONLY_RASTERIZER)
+  return()
+endif()
+
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
-find_package(glm REQUIRED)
-find_package(hwy REQUIRED)
 find_package(tl-expected REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(assimp REQUIRED)
@@ -13,8 +20,6 @@ find_package(CLI11 REQUIRED)
 find_package(Boost REQUIRED)  # headers only
 find_package(PNG REQUIRED)
 find_package(rapidcheck REQUIRED)
-find_package(TBB REQUIRED)
-find_package(Threads REQUIRED)
 
 # libepoxy, which finds OpenGL's functions when the program runs. It comes without a CMake file.
 find_path(RASTERCHECK_EPOXY_INCLUDE epoxy/egl.h REQUIRED)

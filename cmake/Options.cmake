@@ -1,5 +1,6 @@
 # What every target of the project is compiled with: one INTERFACE target, rastercheck_options.
 
+option(RASTERCHECK_ONLY_RASTERIZER "Build RasterCheck::rasterizer alone, without tests" OFF)
 option(RASTERCHECK_TESTS "Build the tests" ON)
 option(RASTERCHECK_WERROR "Treat warnings as errors" OFF)
 set(RASTERCHECK_SANITIZE "" CACHE STRING "Sanitizers for every target, as -fsanitize takes them")

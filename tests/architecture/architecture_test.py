@@ -73,7 +73,8 @@ def sources():
     for pattern in ("*.h", "*.cpp"):
         for path in SOURCE.rglob(pattern):
             relative = path.relative_to(SOURCE).as_posix()
-            if not relative.startswith("build/"):
+            # The examples are a project of their own, with a root of their own.
+            if not relative.startswith(("build/", "docs/examples/")):
                 yield relative, path.read_text(encoding="utf-8")
 
 
