@@ -6,6 +6,7 @@
 //
 // A backend is asked for by its specification, KIND or KIND:OPTIONS, as `method:rational-linear`.
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -17,6 +18,7 @@
 #include "cases/contract.h"
 #include "cases/error.h"
 #include "cases/framebuffer.h"
+#include "cases/picture.h"
 #include "records/stage_trace.h"
 
 namespace rastercheck::backends {
@@ -44,6 +46,36 @@ class Backend {
   virtual Result<std::optional<records::SampleTrace>> trace(const cases::Case& /*c*/,
                                                             const records::SampleAddress& /*at*/) {
     return tl::unexpected(Error{"", "", "this backend does not trace"});
+  }
+
+  /// Whether it draws pictures.
+  virtual bool draws_pictures() const { return false; }
+
+  /// What all triangles of a case without a camera leave in a framebuffer, in submission order.
+  virtual Result<cases::Picture> draw_picture(const cases::Case& /*c*/,
+                                              const cases::Pipeline& /*pipeline*/) {
+    return tl::unexpected(Error{"", "", "this backend does not draw pictures"});
+  }
+
+  /// Whether it makes triangles of strips and fans.
+  virtual bool assembles() const { return false; }
+
+  /// The fragments of a list, strip or fan of a case's vertices, in place of its triangles: as
+  /// draw() has them, triangles numbered in the order of the indices. cases::kRestart among these
+  /// begins anew.
+  virtual Result<cases::Framebuffer> draw_assembled(const cases::Case& /*c*/,
+                                                    cases::Topology /*topology*/,
+                                                    std::span<const std::uint32_t> /*indices*/) {
+    return tl::unexpected(Error{"", "", "this backend does not assemble strips and fans"});
+  }
+
+  /// Whether it has a vertex stage.
+  virtual bool transforms() const { return false; }
+
+  /// The clip positions that its vertex stage makes of a case with a camera, one for each vertex.
+  /// Coordinates beyond float32 are infinite.
+  virtual Result<std::vector<cases::ClipVertex>> transform(const cases::Case& /*c*/) {
+    return tl::unexpected(Error{"", "", "this backend has no vertex stage"});
   }
 };
 

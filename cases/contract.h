@@ -52,6 +52,23 @@ struct ValueBounds {
   bool operator==(const ValueBounds&) const = default;
 };
 
+/// How far filtered colours of a W×H texture may be off, in units of a whole channel:
+///
+///   W (share · max|s| + constant) + H (share · max|t| + constant) + units · 2^-24
+///
+/// with max|s| and max|t| the greatest coordinates of the vertices drawn, or of the fragment where
+/// these are greater, and the units those of the filter: a colour changes by at most 1 from one
+/// texel to the next. Trilinear ones are those of a level of detail whose derivatives d are off by
+/// no more than derivative_share · max(|d|, M), M as of Contract::derivative_bound.
+struct TextureBounds {
+  float coordinate_share = 0;
+  float coordinate_constant = 0;
+  float bilinear = 0;   ///< units
+  float trilinear = 0;  ///< units
+  float derivative_share = 0;
+  bool operator==(const TextureBounds&) const = default;
+};
+
 struct Contract {
   Coverage coverage;
   Basis basis = Basis::ideal;
@@ -83,6 +100,16 @@ struct Contract {
   ///
   /// Nothing: none are promised.
   std::optional<float> derivative_bound;
+  /// How far the clip positions f of its vertex stage may be off, besides half an ulp: for each
+  /// coordinate k of a case with a camera
+  ///
+  ///   |f − clip_k| <= transform_bound · 2^-53 · (|P| |V| |M| |p|)_k + ulp(f) / 2
+  ///
+  /// with P, V, M the camera's matrices, p the position and |·| of each number of them. Nothing:
+  /// it has no vertex stage, or promises nothing of it.
+  std::optional<float> transform_bound;
+  /// Of filtered textures. Nothing: it has none, or promises nothing of them.
+  std::optional<TextureBounds> texture_bounds;
   bool operator==(const Contract&) const = default;
 
   /// Whether it leaves more than one answer open, so that values are ranges.

@@ -10,93 +10,18 @@
 #include <tuple>
 #include <utility>
 
+#include "backends/cpu/case_state.h"
+#include "backends/cpu/geometry.h"
+#include "backends/cpu/picture.h"
 #include "rasterizer/methods/method.h"
 #include "rasterizer/rasterizer.h"
 #include "rasterizer/trace.h"
+#include "rasterizer/vertex_stage.h"
 
 namespace rastercheck::backends {
 namespace {
 
 namespace ras = rasterizer;
-
-ras::Convention convention(cases::Rules rules) {
-  switch (rules) {
-    case cases::Rules::opengl:
-      return ras::Convention::opengl;
-    case cases::Rules::vulkan:
-      return ras::Convention::vulkan;
-    case cases::Rules::d3d:
-      break;
-  }
-  return ras::Convention::d3d;
-}
-
-ras::Cull cull(cases::Cull cull) {
-  switch (cull) {
-    case cases::Cull::none:
-      return ras::Cull::none;
-    case cases::Cull::back:
-      return ras::Cull::back;
-    case cases::Cull::front:
-      break;
-  }
-  return ras::Cull::front;
-}
-
-ras::Qualifier qualifier(const cases::Attribute& attribute) {
-  ras::Qualifier q;
-  switch (attribute.interpolation) {
-    case cases::Interpolation::smooth:
-      q.interpolation = ras::Interpolation::smooth;
-      break;
-    case cases::Interpolation::noperspective:
-      q.interpolation = ras::Interpolation::noperspective;
-      break;
-    case cases::Interpolation::flat:
-      q.interpolation = ras::Interpolation::flat;
-      break;
-  }
-  switch (attribute.location) {
-    case cases::Location::sample:
-      q.location = ras::Location::sample;
-      break;
-    case cases::Location::center:
-      q.location = ras::Location::center;
-      break;
-    case cases::Location::centroid:
-      q.location = ras::Location::centroid;
-      break;
-  }
-  return q;
-}
-
-/// The grid that the rasterizer snaps to where a case asks for one.
-int subpixel_bits(const cases::Snapping& snapping) {
-  return std::clamp(snapping.subpixel_bits, ras::kLeastSubpixelBits, ras::kMostSubpixelBits);
-}
-
-ras::State state(const cases::Case& c, ras::Precision precision) {
-  ras::State s;
-  s.precision = precision;
-  s.convention = convention(c.rules);
-  s.viewport = {{c.viewport.x, c.viewport.y},
-                {c.viewport.width, c.viewport.height},
-                c.viewport.min_depth,
-                c.viewport.max_depth};
-  if (c.scissor) s.scissor = {{c.scissor->x, c.scissor->y}, {c.scissor->width, c.scissor->height}};
-  s.cull = cull(c.cull);
-  s.front_face = c.front_face == cases::FrontFace::ccw ? ras::FrontFace::ccw : ras::FrontFace::cw;
-  s.fill_rule = c.fill_rule == cases::TieRule::top_left ? ras::FillRule::top_left
-                                                        : ras::FillRule::bottom_left;
-  s.depth_clamp = c.depth_clamp;
-  for (const cases::Attribute& attribute : c.attributes) {
-    s.attributes.push_back(qualifier(attribute));
-  }
-  s.clip_distance_count = c.clip_distance_count;
-  if (c.coverage) s.snapping = ras::Snapping{subpixel_bits(*c.coverage)};
-  s.basis = c.basis == cases::Basis::ideal ? ras::Basis::ideal : ras::Basis::snapped;
-  return s;
-}
 
 /// The fragments that a depth test `less` leaves: of each sample the nearest, of equals the first
 /// drawn. Indices in ascending order.
@@ -192,13 +117,26 @@ cases::Contract double_precision_contract(const cases::Case& c) {
   return contract;
 }
 
+/// Pictures are drawn in double, whatever the precision. Derived in rasterizer/texture.h and, of
+/// the derivatives, in rasterizer/internal/derivatives.h: 2^-31 and 44 roundings.
+cases::TextureBounds texture_bounds() {
+  cases::TextureBounds bounds;
+  bounds.coordinate_share = 0x1p-31F;
+  bounds.coordinate_constant = 0x1p-51F;
+  bounds.bilinear = 6;
+  bounds.trilinear = 8;
+  bounds.derivative_share = 0x1.0001p-31F;
+  return bounds;
+}
+
 /// What the production rasterizer promises: the mathematical triangle, or, where the case asks for
 /// snapping, that of the vertices on such a grid, exactly rounded; and values within 0.51 scale ULP
 /// (the bound derived in rasterizer/internal/certificates.h is 0.5 + 2^-7), attributes in float32
 /// within the bounds derived in rasterizer/internal/float_kernels.h. Constants come back as they
 /// are, and so do the values of vertices (rasterizer/internal/exact_values.h).
 /// Screen derivatives, in either precision, are within 0.51 of their unit
-/// (rasterizer/internal/derivatives.h: 0.5 + 2^-7 + 2^-22).
+/// (rasterizer/internal/derivatives.h: 0.5 + 2^-7 + 2^-22). Clip positions are within the bound of
+/// rasterizer/vertex_stage.h.
 cases::Contract production_contract(const cases::Case& c, ras::Precision precision) {
   cases::Contract contract;
   contract.tie_rule = c.fill_rule;
@@ -219,14 +157,10 @@ cases::Contract production_contract(const cases::Case& c, ras::Precision precisi
   contract.keeps_constants = true;
   contract.keeps_vertex_values = true;
   contract.derivative_bound = kBound;
+  contract.transform_bound = ras::kTransformBound;
+  contract.texture_bounds = texture_bounds();
   return contract;
 }
-
-ras::TargetSize target_size(const cases::Case& c) {
-  return {c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples};
-}
-
-Error refused(ras::Error error) { return {"", "", std::string(ras::to_string(error))}; }
 
 Result<cases::Framebuffer> draw_with_rasterizer(const cases::Case& c, std::string_view method,
                                                 ras::Precision precision) {
@@ -237,7 +171,7 @@ Result<cases::Framebuffer> draw_with_rasterizer(const cases::Case& c, std::strin
   triangles.reserve(c.triangles.size());
   for (const cases::Triangle& t : c.triangles) triangles.emplace_back(t[0], t[1], t[2]);
 
-  ras::State s = state(c, precision);
+  ras::State s = state_of(c, precision);
   s.derivatives = method.empty();  // the textbook methods have none
   const ras::Mesh mesh{positions, c.attribute_values, c.clip_distances, triangles};
   const ras::TargetSize size = target_size(c);
@@ -285,7 +219,7 @@ class UnsharedTriangles {
 class FramebufferDrawing {
  public:
   FramebufferDrawing(const cases::Case& c, ras::Precision precision, unsigned threads)
-      : case_(c), state_(state(c, precision)), threads_(threads) {
+      : case_(c), state_(state_of(c, precision)), threads_(threads) {
     state_.derivatives = false;
     result_.attribute_count = c.attributes.size();
   }
@@ -457,6 +391,15 @@ class RasterizerBackend : public Backend {
     }
     return draw_with_rasterizer(c, options_.method, options_.precision);
   }
+  /// Framebuffers hold values computed in double, whatever fragments are asked for.
+  bool draws_pictures() const override {
+    return options_.method.empty() && options_.precision == ras::Precision::float64;
+  }
+  Result<cases::Picture> draw_picture(const cases::Case& c,
+                                      const cases::Pipeline& pipeline) override {
+    if (!draws_pictures()) return Backend::draw_picture(c, pipeline);
+    return backends::draw_picture(c, pipeline, options_.threads);
+  }
   bool traces() const override { return options_.method.empty(); }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                     const records::SampleAddress& at) override {
@@ -471,10 +414,22 @@ class RasterizerBackend : public Backend {
     const ras::SampleAddress address{0, static_cast<int>(at.x), static_cast<int>(at.y),
                                      static_cast<int>(at.sample)};
     const ras::TraceResult traced =
-        ras::trace_sample(state(c, options_.precision), one.mesh(), target_size(c), address);
+        ras::trace_sample(state_of(c, options_.precision), one.mesh(), target_size(c), address);
     if (traced.error) return tl::unexpected(refused(*traced.error));
     if (!traced.trace) return std::nullopt;
     return sample_trace(*traced.trace);
+  }
+  bool assembles() const override { return options_.method.empty(); }
+  Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                            std::span<const std::uint32_t> indices) override {
+    if (!assembles()) return Backend::draw_assembled(c, topology, indices);
+    const Result<cases::Case> triangles = assembled(c, topology, indices);
+    if (!triangles) return tl::unexpected(triangles.error());
+    return draw(*triangles);
+  }
+  bool transforms() const override { return options_.method.empty(); }
+  Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override {
+    return transforms() ? transformed(c) : Backend::transform(c);
   }
 
  private:

@@ -1,11 +1,14 @@
 #include "backends/gl/draw.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <string>
 #include <utility>
 
+#include "backends/gl/internal/draw_state.h"
 #include "backends/gl/internal/objects.h"
 
 namespace rastercheck::backends::gl {
@@ -21,11 +24,22 @@ void main() {
 }
 )";
 
-constexpr const char* kFragmentShader = R"(#version 450 core
+std::string fragment_shader(const DrawState& state) {
+  std::string head = R"(#version 450 core
 smooth in vec2 interpolated;
 layout(location = 0) out vec4 color;
-void main() { color = vec4(interpolated, 0, 1); }
 )";
+  if (!state.texturing) {
+    return head +
+           fmt::format("void main() {{ color = vec4(interpolated, 0, {}); }}\n", state.alpha);
+  }
+  head += "layout(binding = 0) uniform sampler2D image;\n";
+  std::string body = "  color = texture(image, interpolated);\n";
+  if (const std::optional<float>& least = state.texturing->discard_below) {
+    body += fmt::format("  if (color.a < {}) discard;\n", *least);
+  }
+  return head + "void main() {\n" + body + "}\n";
+}
 
 template <typename T>
 Object upload_buffer(std::span<const T> values) {
@@ -97,7 +111,9 @@ Result<Mesh> Mesh::upload(const Context& /*context*/, const MeshView& view) {
 }
 
 struct Program::Impl {
+  DrawState state;
   Object program;
+  Object sampler;  ///< of name 0 where there is no texture
 };
 
 Program::Program(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -105,31 +121,39 @@ Program::Program(Program&& other) noexcept = default;
 Program& Program::operator=(Program&& other) noexcept = default;
 Program::~Program() = default;
 
-Result<Program> Program::build(const Context& /*context*/) {
-  Result<Object> program = make_program(kVertexShader, kFragmentShader);
+Result<Program> Program::build(const Context& /*context*/, const DrawState& state) {
+  Result<Object> program = make_program(kVertexShader, fragment_shader(state).c_str());
   if (!program) return tl::unexpected(program.error());
-  return Program(std::make_unique<Impl>(Impl{*std::move(program)}));
+  auto impl = std::make_unique<Impl>();
+  impl->state = state;
+  impl->program = *std::move(program);
+  if (state.texturing) impl->sampler = make_sampler(*state.texturing);
+  return check("making a sampler").map([&] { return Program(std::move(impl)); });
 }
 
 Result<void> Program::draw_frame(const Mesh& mesh, const Target& target) const {
+  const DrawState& state = impl_->state;
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer());
   glViewport(0, 0, target.shape().width, target.shape().height);
   // With the lower left as origin, window y and the rows of what is read back go the way of NDC y;
   // the upper left would turn both over.
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glDepthRangef(0, 1);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DITHER);
   glDisable(GL_SCISSOR_TEST);
 
   constexpr std::array<GLfloat, 4> kClearColor = {0, 0, 0, 0};
-  constexpr GLfloat kClearDepth = 1;
+  // Clearing heeds the depth mask too.
+  glDepthMask(GL_TRUE);
   glClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, kClearColor.data());
-  glClearNamedFramebufferfv(target.framebuffer(), GL_DEPTH, 0, &kClearDepth);
+  glClearNamedFramebufferfv(target.framebuffer(), GL_DEPTH, 0, &state.clear_depth);
+  set_depth_state(state);
+  set_blend_state(state.blend);
+  if (state.texturing) {
+    glBindTextureUnit(0, state.texturing->texture->name());
+    glBindSampler(0, impl_->sampler.name());
+  }
   glUseProgram(impl_->program.name());
   glBindVertexArray(mesh.impl_->vertex_array.name());
   glDrawElements(GL_TRIANGLES, mesh.impl_->index_count, GL_UNSIGNED_INT, nullptr);

@@ -2,12 +2,15 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "backends/gl/context.h"
 #include "backends/gl/target.h"
+#include "backends/gl/texture.h"
 #include "cases/case.h"
 #include "cases/error.h"
+#include "cases/picture.h"
 
 namespace rastercheck::backends::gl {
 
@@ -40,19 +43,38 @@ class Mesh {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Shaders that hand positions through and write both attributes, `smooth`, as red and green; blue
-/// is 0 and alpha 1.
+/// What fragments are made of where they have a texture; their attributes are its coordinates.
+struct Texturing {
+  const Texture* texture = nullptr;  ///< must outlive the program
+  cases::Wrap wrap_s = cases::Wrap::repeat;
+  cases::Wrap wrap_t = cases::Wrap::repeat;
+  cases::Filter filter = cases::Filter::nearest;
+  std::optional<float> discard_below = {};  ///< fragments with less alpha are not drawn
+};
+
+/// What becomes of a draw's fragments. `always` without writing is no depth test at all.
+struct DrawState {
+  cases::DepthFunction depth_function = cases::DepthFunction::less;
+  bool writes_depth = true;
+  float clear_depth = 1;
+  cases::Blend blend = cases::Blend::off;
+  float alpha = 1;  ///< of fragments without a texture
+  std::optional<Texturing> texturing;
+};
+
+/// Shaders that hand positions through and write both attributes, `smooth`, as red and green, with
+/// blue 0 and the state's alpha; or the texture's colour there. And the state itself.
 class Program {
  public:
-  static Result<Program> build(const Context& context);
+  static Result<Program> build(const Context& context, const DrawState& state = {});
 
   Program(Program&& other) noexcept;
   Program& operator=(Program&& other) noexcept;
   ~Program();
 
-  /// Clears the target, colour to 0 and depth to 1, and draws the mesh: every triangle, whatever
-  /// its facing, where its depth is less than the sample's. NDC (−1, −1) is window (0, 0), depth
-  /// 0…w becomes 0…1: as Vulkan has it. Returns when all is drawn.
+  /// Clears the target, colour to 0 and depth to the state's, and draws the mesh: every triangle,
+  /// whatever its facing. NDC (−1, −1) is window (0, 0), depth 0…w becomes 0…1: as Vulkan has it.
+  /// Returns when all is drawn.
   Result<void> draw_frame(const Mesh& mesh, const Target& target) const;
 
  private:

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "backends/backend.h"
 #include "cases/case_reader.h"
@@ -189,6 +190,100 @@ TEST(Cpu, PromisesConstantsAndVertexValuesAndTheMethodsDoNot) {
   const cases::Contract method = make_backend("method:rational-linear").value()->contract({});
   EXPECT_FALSE(method.keeps_constants);
   EXPECT_FALSE(method.keeps_vertex_values);
+}
+
+TEST(Cpu, TransformsByItsVertexStage) {
+  std::size_t with_camera = 0;
+  const auto backend = make_backend("cpu").value();
+  ASSERT_TRUE(backend->transforms());
+  const float bound = backend->contract({}).transform_bound.value();
+  const std::filesystem::path folder = RASTERCHECK_SOURCE_DIR "/cases/corpus";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    cases::Case c = cases::read_case(entry.path().string()).value();
+    const auto clip = backend->transform(c);
+    ASSERT_EQ(clip.has_value(), c.camera.has_value()) << c.name;
+    if (!clip) {
+      EXPECT_EQ(clip.error().reason, "the case has no camera");
+      c.camera.emplace();
+      EXPECT_EQ(backend->transform(c).value(), c.positions) << c.name;
+      continue;
+    }
+    ++with_camera;
+    ASSERT_EQ(clip->size(), c.positions.size());
+    for (const oracle::JudgedPosition& position : oracle::judge_transform(c, *clip, bound)) {
+      for (const oracle::JudgedCoordinate& one : position) {
+        EXPECT_EQ(one.fragment_class, records::FragmentClass::correct) << c.name;
+      }
+    }
+  }
+  EXPECT_GT(with_camera, 0U);
+}
+
+// A matrix that is nothing like its transpose, by positions with and without w = 1.
+TEST(Cpu, ReadsMatricesRowByRow) {
+  cases::Case c;
+  c.camera.emplace();
+  c.camera->projection = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+  const auto backend = make_backend("cpu").value();
+  c.positions = {{1, 2, 3, 1}};
+  const cases::ClipVertex expected{18, 46, 74, 102};
+  EXPECT_EQ(backend->transform(c).value().at(0), expected);
+  c.positions.push_back({0, 0, 0, 2});
+  EXPECT_EQ(backend->transform(c).value().at(0), expected);
+  EXPECT_EQ(backend->transform(c).value().at(1), (cases::ClipVertex{8, 16, 24, 32}));
+}
+
+TEST(Cpu, DrawsStripsAndFansAsTheirTriangles) {
+  cases::Case c;
+  c.framebuffer = {8, 8, 1};
+  c.viewport.width = 8;
+  c.viewport.height = 8;
+  c.positions = {{-1, -1, 0.5F, 1}, {1, -1, 0.5F, 1}, {-1, 1, 0.5F, 1}, {1, 1, 0.5F, 1}};
+  c.attributes = {{"vertex", cases::Interpolation::flat, cases::Location::sample}};
+  c.attribute_values = {0, 1, 2, 3};
+  const std::vector<std::uint32_t> strip{0, 1, 2, 3};
+  const std::vector<std::uint32_t> fan{0, 1, 3, 2};
+  using Triangles = std::vector<cases::Triangle>;
+  for (const char* specification : {"cpu", "cpu:output=framebuffer"}) {
+    const auto backend = make_backend(specification).value();
+    ASSERT_TRUE(backend->assembles());
+    for (const cases::Rules rules :
+         {cases::Rules::opengl, cases::Rules::vulkan, cases::Rules::d3d}) {
+      c.rules = rules;
+      const bool is_last = rules == cases::Rules::opengl;
+      const auto expect_drawn = [&](cases::Topology topology,
+                                    const std::vector<std::uint32_t>& indices,
+                                    const Triangles& triangles) {
+        c.triangles = triangles;
+        const cases::Framebuffer expected = backend->draw(c).value();
+        c.triangles.clear();
+        const cases::Framebuffer drawn = backend->draw_assembled(c, topology, indices).value();
+        EXPECT_EQ(drawn.size(), 64U);
+        EXPECT_EQ(drawn.triangle, expected.triangle) << specification;
+        EXPECT_EQ(drawn.x, expected.x);
+        EXPECT_EQ(drawn.attributes, expected.attributes) << specification;
+      };
+      expect_drawn(cases::Topology::strip, strip,
+                   is_last ? Triangles{{0, 1, 2}, {2, 1, 3}} : Triangles{{0, 1, 2}, {1, 3, 2}});
+      expect_drawn(cases::Topology::fan, fan,
+                   is_last ? Triangles{{0, 1, 3}, {0, 3, 2}} : Triangles{{1, 3, 0}, {3, 2, 0}});
+      expect_drawn(cases::Topology::triangles, {0, 1, 2, cases::kRestart, 2, 1, 3, 0},
+                   {{0, 1, 2}, {2, 1, 3}});
+    }
+    const auto refused =
+        backend->draw_assembled(c, cases::Topology::strip, std::vector<std::uint32_t>{0, 1, 4});
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_NE(refused.error().reason.find("vertex index"), std::string::npos);
+  }
+}
+
+TEST(Method, NeitherTransformsNorAssembles) {
+  const auto backend = make_backend("method:rational-linear").value();
+  EXPECT_FALSE(backend->transforms());
+  EXPECT_FALSE(backend->transform({}).has_value());
+  EXPECT_FALSE(backend->contract({}).transform_bound.has_value());
+  EXPECT_FALSE(backend->assembles());
+  EXPECT_FALSE(backend->draw_assembled({}, cases::Topology::strip, {}).has_value());
 }
 
 }  // namespace

@@ -50,6 +50,12 @@ Object make_framebuffer() {
   return {name, [](GLuint old) { glDeleteFramebuffers(1, &old); }};
 }
 
+Object make_sampler() {
+  GLuint name = 0;
+  glCreateSamplers(1, &name);
+  return {name, [](GLuint old) { glDeleteSamplers(1, &old); }};
+}
+
 Object make_texture(GLenum target) {
   GLuint name = 0;
   glCreateTextures(target, 1, &name);

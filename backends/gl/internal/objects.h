@@ -39,6 +39,7 @@ class Object {
 
 Object make_buffer();
 Object make_framebuffer();
+Object make_sampler();
 /// `target`: GL_TEXTURE_2D or GL_TEXTURE_2D_MULTISAMPLE.
 Object make_texture(GLenum target);
 Object make_vertex_array();

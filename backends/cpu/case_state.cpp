@@ -1,0 +1,98 @@
+#include "backends/cpu/case_state.h"
+
+#include <algorithm>
+#include <string>
+
+namespace rastercheck::backends {
+
+namespace ras = rasterizer;
+
+namespace {
+
+ras::Cull cull(cases::Cull cull) {
+  switch (cull) {
+    case cases::Cull::none:
+      return ras::Cull::none;
+    case cases::Cull::back:
+      return ras::Cull::back;
+    case cases::Cull::front:
+      break;
+  }
+  return ras::Cull::front;
+}
+
+ras::Qualifier qualifier(const cases::Attribute& attribute) {
+  ras::Qualifier q;
+  switch (attribute.interpolation) {
+    case cases::Interpolation::smooth:
+      q.interpolation = ras::Interpolation::smooth;
+      break;
+    case cases::Interpolation::noperspective:
+      q.interpolation = ras::Interpolation::noperspective;
+      break;
+    case cases::Interpolation::flat:
+      q.interpolation = ras::Interpolation::flat;
+      break;
+  }
+  switch (attribute.location) {
+    case cases::Location::sample:
+      q.location = ras::Location::sample;
+      break;
+    case cases::Location::center:
+      q.location = ras::Location::center;
+      break;
+    case cases::Location::centroid:
+      q.location = ras::Location::centroid;
+      break;
+  }
+  return q;
+}
+
+}  // namespace
+
+ras::Convention convention(cases::Rules rules) {
+  switch (rules) {
+    case cases::Rules::opengl:
+      return ras::Convention::opengl;
+    case cases::Rules::vulkan:
+      return ras::Convention::vulkan;
+    case cases::Rules::d3d:
+      break;
+  }
+  return ras::Convention::d3d;
+}
+
+int subpixel_bits(const cases::Snapping& snapping) {
+  return std::clamp(snapping.subpixel_bits, ras::kLeastSubpixelBits, ras::kMostSubpixelBits);
+}
+
+ras::State state_of(const cases::Case& c, ras::Precision precision) {
+  ras::State s;
+  s.precision = precision;
+  s.convention = convention(c.rules);
+  s.viewport = {{c.viewport.x, c.viewport.y},
+                {c.viewport.width, c.viewport.height},
+                c.viewport.min_depth,
+                c.viewport.max_depth};
+  if (c.scissor) s.scissor = {{c.scissor->x, c.scissor->y}, {c.scissor->width, c.scissor->height}};
+  s.cull = cull(c.cull);
+  s.front_face = c.front_face == cases::FrontFace::ccw ? ras::FrontFace::ccw : ras::FrontFace::cw;
+  s.fill_rule = c.fill_rule == cases::TieRule::top_left ? ras::FillRule::top_left
+                                                        : ras::FillRule::bottom_left;
+  s.depth_clamp = c.depth_clamp;
+  for (const cases::Attribute& attribute : c.attributes) {
+    s.attributes.push_back(qualifier(attribute));
+  }
+  s.clip_distance_count = c.clip_distance_count;
+  if (c.coverage) s.snapping = ras::Snapping{subpixel_bits(*c.coverage)};
+  s.basis = c.basis == cases::Basis::ideal ? ras::Basis::ideal : ras::Basis::snapped;
+  return s;
+}
+
+ras::TargetSize target_size(const cases::Case& c) {
+  return {c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples};
+}
+
+Error refused(ras::Error error) { return {"", "", std::string(ras::to_string(error))}; }
+
+}  // namespace rastercheck::backends

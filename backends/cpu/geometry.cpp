@@ -1,0 +1,82 @@
+#include "backends/cpu/geometry.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "backends/cpu/case_state.h"
+#include "rasterizer/assembly.h"
+#include "rasterizer/vertex_stage.h"
+
+namespace rastercheck::backends {
+namespace {
+
+namespace ras = rasterizer;
+
+/// GLM's matrices are [column][row], those of cases are written row by row.
+glm::mat4 matrix(const cases::Matrix4& rows) {
+  glm::mat4 result;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    result[static_cast<glm::length_t>(i % 4)][static_cast<glm::length_t>(i / 4)] = rows[i];
+  }
+  return result;
+}
+
+ras::Topology word(cases::Topology topology) {
+  switch (topology) {
+    case cases::Topology::triangles:
+      return ras::Topology::triangles;
+    case cases::Topology::strip:
+      return ras::Topology::strip;
+    case cases::Topology::fan:
+      break;
+  }
+  return ras::Topology::fan;
+}
+
+}  // namespace
+
+Result<std::vector<cases::ClipVertex>> transformed(const cases::Case& c) {
+  if (!c.camera) return tl::unexpected(Error{"", "", "the case has no camera"});
+  const ras::Camera camera{matrix(c.camera->model), matrix(c.camera->view),
+                           matrix(c.camera->projection)};
+  std::vector<glm::vec4> clip;
+  std::optional<ras::Error> error;
+  // The rasterizer takes positions without w as well.
+  const bool is_affine = std::all_of(c.positions.begin(), c.positions.end(),
+                                     [](const cases::ClipVertex& p) { return p.w == 1; });
+  if (is_affine) {
+    std::vector<glm::vec3> positions;
+    for (const cases::ClipVertex& p : c.positions) positions.emplace_back(p.x, p.y, p.z);
+    error = ras::transform(camera, positions, clip);
+  } else {
+    std::vector<glm::vec4> positions;
+    for (const cases::ClipVertex& p : c.positions) positions.emplace_back(p.x, p.y, p.z, p.w);
+    error = ras::transform(camera, positions, clip);
+  }
+  if (error) return tl::unexpected(refused(*error));
+  std::vector<cases::ClipVertex> result;
+  result.reserve(clip.size());
+  for (const glm::vec4& p : clip) result.push_back({p.x, p.y, p.z, p.w});
+  return result;
+}
+
+Result<cases::Case> assembled(const cases::Case& c, cases::Topology topology,
+                              std::span<const std::uint32_t> indices) {
+  static_assert(cases::kRestart == ras::kRestart);
+  std::vector<glm::uvec3> triangles;
+  if (const auto error = ras::assemble(word(topology), indices, convention(c.rules), triangles)) {
+    return tl::unexpected(refused(*error));
+  }
+  cases::Case result = c;
+  result.triangles.clear();
+  for (const glm::uvec3& t : triangles) {
+    // A case's own triangles have vertices that exist, and drawings rely on it.
+    if (std::max({t.x, t.y, t.z}) >= c.positions.size()) {
+      return tl::unexpected(refused(ras::Error::index));
+    }
+    result.triangles.push_back({t.x, t.y, t.z});
+  }
+  return result;
+}
+
+}  // namespace rastercheck::backends

@@ -1,0 +1,78 @@
+#pragma once
+
+// What becomes of a case's fragments on their way into a picture, as plain data: the parts of a
+// pipeline that the case file does not have, as no fragment depends on them. Laws about pictures
+// choose them by the case alone (properties/).
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "cases/case.h"
+
+namespace rastercheck::cases {
+
+/// How vertices become triangles.
+enum class Topology { triangles, strip, fan };
+
+/// An index that is no vertex: with the next begins a new list, strip or fan.
+inline constexpr std::uint32_t kRestart = 0xffffffff;
+
+/// When a fragment is kept: `less`, where its depth is less than the sample's, and so on.
+enum class DepthFunction {
+  always,
+  never,
+  less,
+  equal,
+  less_or_equal,
+  greater,
+  not_equal,
+  greater_or_equal
+};
+
+/// What is drawn of a colour s where d is: s itself; s_a s + (1 − s_a) d, of alpha s_a + (1 − s_a)
+/// d_a; s + d (properties/picture_model.h).
+enum class Blend { off, over, additive };
+
+/// Floats, or bytes k that are k/255.
+enum class ColorFormat { float32, rgba8 };
+
+enum class Wrap { repeat, clamp, mirror };
+enum class Filter { nearest, bilinear, trilinear };
+
+/// Four bytes a texel: red, green, blue, alpha.
+struct Texture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> texels;  ///< [t][s][4]
+};
+
+/// What colours are made of: the attributes as they are, or a texture at the first two.
+struct Texturing {
+  Texture texture;
+  Wrap wrap_s = Wrap::repeat;
+  Wrap wrap_t = Wrap::repeat;
+  Filter filter = Filter::nearest;
+  std::optional<float> discard_below;  ///< fragments with less alpha are not drawn
+};
+
+/// The case's own depth_test has no say.
+struct Pipeline {
+  DepthFunction depth_function = DepthFunction::less;
+  bool writes_depth = true;
+  float clear_depth = 1;  ///< colours are cleared to 0
+  Blend blend = Blend::off;
+  ColorFormat format = ColorFormat::float32;
+  std::optional<Texturing> texturing;
+  bool resolves = false;  ///< whether the picture is the mean of the samples
+};
+
+struct Picture {
+  FramebufferSize size;      ///< one sample where it was resolved
+  std::size_t channels = 0;  ///< the case's attributes, or four of a texture
+  std::vector<float> color;  ///< [y][x][sample][channel]; a byte k as the float next to k/255
+  std::vector<float> depth;  ///< [y][x][sample]
+};
+
+}  // namespace rastercheck::cases
