@@ -103,6 +103,12 @@ Field power_of_two(long exponent) {
   return result;
 }
 
+Field floor_of(const Field& value) {
+  Field result(0);
+  mpz_fdiv_q(mpq_numref(result.mpq()), mpq_numref(value.mpq()), mpq_denref(value.mpq()));
+  return result;
+}
+
 long floor_to_long(const Field& value) {
   Integer result;
   mpz_fdiv_q(result.get(), mpq_numref(value.mpq()), mpq_denref(value.mpq()));

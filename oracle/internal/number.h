@@ -42,7 +42,9 @@ Field quotient(const Ring& numerator, const Ring& denominator);
 /// 2^exponent.
 Field power_of_two(long exponent);
 
-/// The largest integer <= value; the value lies within ±2^62.
+/// The largest integer <= value.
+Field floor_of(const Field& value);
+/// The same; the value lies within ±2^62.
 long floor_to_long(const Field& value);
 /// The smallest integer >= value; the value lies within ±2^62.
 long ceil_to_long(const Field& value);

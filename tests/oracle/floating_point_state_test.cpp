@@ -41,6 +41,7 @@ void use_everything() {
   }
   referee(c, 0, 1, 1, 0);
   to_clip_case(c, "");
+  judge_transform(c, c.positions, 8);
 }
 
 TEST(FloatingPointState, OracleCallsLeaveTheControlBitsAlone) {

@@ -1,0 +1,247 @@
+#include "oracle/texture_truth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/internal/rational_number.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+constexpr int kMostByte = 255;
+
+/// i modulo n, 0…n − 1, of whole numbers.
+int modulo(const Field& i, int n) {
+  const Field rest = i - floor_of(i / Field(n)) * Field(n);
+  return static_cast<int>(floor_to_long(rest));
+}
+
+/// A whole number of texels, wrapped.
+int wrapped(const Field& i, int size, cases::Wrap wrap) {
+  switch (wrap) {
+    case cases::Wrap::repeat:
+      return modulo(i, size);
+    case cases::Wrap::clamp:
+      if (i < Field(0)) return 0;
+      return i < Field(size) ? static_cast<int>(floor_to_long(i)) : size - 1;
+    case cases::Wrap::mirror:
+      break;
+  }
+  const int within = modulo(i, 2 * size);
+  return within < size ? within : 2 * size - 1 - within;
+}
+
+/// Two texels of an axis, and how far from the first to the second.
+struct Neighbors {
+  std::array<int, 2> at{};
+  Field fraction;
+};
+
+Neighbors neighbors_of(const Field& coordinate, int size, cases::Wrap wrap) {
+  const Field x = coordinate * Field(size) - Field(1, 2);
+  const Field low = floor_of(x);
+  return {{wrapped(low, size, wrap), wrapped(low + Field(1), size, wrap)}, x - low};
+}
+
+Field between(const Field& a, const Field& b, const Field& fraction) {
+  return a + fraction * (b - a);
+}
+
+/// What texel j of m covers of n texels side by side: so much of each, from `first` on, in units of
+/// 1/m of one. They add up to n.
+struct Cover {
+  int first = 0;
+  std::vector<std::uint64_t> parts;
+};
+
+Cover cover_of(int n, int m, int j) {
+  Cover cover{j * n / m, {}};
+  for (int k = cover.first; k * m < (j + 1) * n; ++k) {
+    const int begin = std::max(k * m, j * n);
+    const int end = std::min((k + 1) * m, (j + 1) * n);
+    cover.parts.push_back(static_cast<std::uint64_t>(end - begin));
+  }
+  return cover;
+}
+
+struct Bounded {
+  Field lo;
+  Field hi;
+};
+
+/// |d| where it may be off by a share of max(|d|, scale).
+Bounded magnitude_of(const Rational& exact, const Rational& scale, const Field& share) {
+  const Field size = magnitude(to_field(exact));
+  const Field error = share * std::max(size, to_field(scale));
+  return {std::max(Field(0), Field(size - error)), size + error};
+}
+
+}  // namespace
+
+TexelIndex texel_index(const Rational& coordinate, int size, cases::Wrap wrap) {
+  const Field p = to_field(coordinate) * Field(size);
+  const Field low = floor_of(p);
+  return {wrapped(low, size, wrap), low == p, p < Field(0) || p >= Field(size)};
+}
+
+/// Colours at one place, by level.
+struct TextureTruth::Sampling {
+  const TextureTruth& texture;
+  const Field& s;
+  const Field& t;
+
+  std::array<Field, 4> bilinear(std::size_t level) const {
+    const Level& of = texture.levels_[level];
+    const Neighbors columns = neighbors_of(s, of.width, texture.wrap_s_);
+    const Neighbors rows = neighbors_of(t, of.height, texture.wrap_t_);
+    std::array<Color, 4> texels{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      texels[k] = of.texel(columns.at[k % 2], rows.at[k / 2]);
+    }
+    std::array<Field, 4> color;
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+      const auto value = [&](std::size_t k) { return Field(int{texels[k][channel]}); };
+      const Field low = between(value(0), value(1), columns.fraction);
+      const Field high = between(value(2), value(3), columns.fraction);
+      color[channel] = between(low, high, rows.fraction) / Field(kMostByte);
+    }
+    return color;
+  }
+
+  /// Of a level of detail within 0…last.
+  std::array<Field, 4> trilinear(double lambda) const {
+    const auto level = static_cast<std::size_t>(std::floor(lambda));
+    std::array<Field, 4> color = bilinear(level);
+    const Field fraction = Field(lambda) - Field(static_cast<int>(level));
+    if (sign_of(fraction) == 0) return color;
+    const std::array<Field, 4> next = bilinear(level + 1);
+    for (std::size_t k = 0; k < 4; ++k) color[k] = between(color[k], next[k], fraction);
+    return color;
+  }
+
+  /// W (share · max|s| + constant) + H (…) + units · 2^-24.
+  Field bound(const CoordinateSizes& sizes, const cases::TextureBounds& bounds, float units) const {
+    const Field share = exact_field(bounds.coordinate_share);
+    const Field constant = exact_field(bounds.coordinate_constant);
+    const Level& level = texture.levels_.front();
+    const Field most_s = std::max(to_field(sizes.s), magnitude(s));
+    const Field most_t = std::max(to_field(sizes.t), magnitude(t));
+    return Field(level.width) * (share * most_s + constant) +
+           Field(level.height) * (share * most_t + constant) +
+           exact_field(units) * power_of_two(-24);
+  }
+};
+
+TextureTruth::TextureTruth(const cases::Texturing& texturing)
+    : wrap_s_(texturing.wrap_s), wrap_t_(texturing.wrap_t) {
+  levels_.push_back({texturing.texture.width, texturing.texture.height, texturing.texture.texels});
+  if (texturing.filter != cases::Filter::trilinear) return;
+  while (levels_.back().width > 1 || levels_.back().height > 1) {
+    levels_.push_back(half_of(levels_.back()));
+  }
+}
+
+TextureTruth::Level TextureTruth::half_of(const Level& level) {
+  Level half{std::max(1, level.width / 2), std::max(1, level.height / 2), {}};
+  const auto whole =
+      static_cast<std::uint64_t>(level.width) * static_cast<std::uint64_t>(level.height);
+  for (int row = 0; row < half.height; ++row) {
+    const Cover rows = cover_of(level.height, half.height, row);
+    for (int column = 0; column < half.width; ++column) {
+      const Cover columns = cover_of(level.width, half.width, column);
+      std::array<std::uint64_t, 4> sums{};
+      for (std::size_t y = 0; y < rows.parts.size(); ++y) {
+        for (std::size_t x = 0; x < columns.parts.size(); ++x) {
+          const Color color =
+              level.texel(columns.first + static_cast<int>(x), rows.first + static_cast<int>(y));
+          const std::uint64_t weight = rows.parts[y] * columns.parts[x];
+          for (std::size_t k = 0; k < 4; ++k) sums[k] += weight * color[k];
+        }
+      }
+      for (const std::uint64_t sum : sums) {
+        half.texels.push_back(static_cast<std::uint8_t>((2 * sum + whole) / (2 * whole)));
+      }
+    }
+  }
+  return half;
+}
+
+TextureTruth::Color TextureTruth::Level::texel(int column, int row) const {
+  const std::size_t at = 4 * static_cast<std::size_t>(row * width + column);
+  return {texels[at], texels[at + 1], texels[at + 2], texels[at + 3]};
+}
+
+TextureTruth::Color TextureTruth::nearest(const Rational& s, const Rational& t) const {
+  const Level& level = levels_.front();
+  return level.texel(texel_index(s, level.width, wrap_s_).index,
+                     texel_index(t, level.height, wrap_t_).index);
+}
+
+TextureTruth::Filtered TextureTruth::bilinear(const Rational& s, const Rational& t,
+                                              const CoordinateSizes& sizes,
+                                              const cases::TextureBounds& bounds) const {
+  const Sampling sampling{*this, to_field(s), to_field(t)};
+  const std::array<Field, 4> color = sampling.bilinear(0);
+  const Field bound = sampling.bound(sizes, bounds, bounds.bilinear);
+  Filtered filtered;
+  for (std::size_t k = 0; k < 4; ++k) {
+    filtered[k].exact = {to_rational(color[k]), to_rational(color[k])};
+    filtered[k].allowed = {to_rational(color[k] - bound), to_rational(color[k] + bound), true};
+  }
+  return filtered;
+}
+
+TextureTruth::Filtered TextureTruth::trilinear(const Rational& s, const Rational& t,
+                                               const records::Enclosure& level,
+                                               const CoordinateSizes& sizes,
+                                               const cases::TextureBounds& bounds) const {
+  const double last = static_cast<double>(levels_.size() - 1);
+  const double least = std::clamp(level.lo, 0.0, last);
+  const double most = std::clamp(level.hi, 0.0, last);
+  const Sampling sampling{*this, to_field(s), to_field(t)};
+  std::array<Field, 4> lo = sampling.trilinear(least);
+  std::array<Field, 4> hi = lo;
+  const auto take_in = [&](double lambda) {
+    const std::array<Field, 4> color = sampling.trilinear(lambda);
+    for (std::size_t k = 0; k < 4; ++k) {
+      lo[k] = std::min(lo[k], color[k]);
+      hi[k] = std::max(hi[k], color[k]);
+    }
+  };
+  // Linear from level to level, so that the extremes are at the ends or at whole levels.
+  for (double whole = std::floor(least) + 1; whole < most; ++whole) take_in(whole);
+  if (most > least) take_in(most);
+  const Field bound = sampling.bound(sizes, bounds, bounds.trilinear);
+  Filtered filtered;
+  for (std::size_t k = 0; k < 4; ++k) {
+    filtered[k].exact = {to_rational(lo[k]), to_rational(hi[k]), most > least};
+    filtered[k].allowed = {to_rational(lo[k] - bound), to_rational(hi[k] + bound), true};
+  }
+  return filtered;
+}
+
+records::Enclosure TextureTruth::level_of_detail(const ScaledDerivatives& s,
+                                                 const ScaledDerivatives& t,
+                                                 const cases::TextureBounds& bounds) const {
+  const Field share = exact_field(bounds.derivative_share);
+  const Field width(levels_.front().width);
+  const Field height(levels_.front().height);
+  const auto square_length = [&](const Rational& ds, const Rational& s_scale, const Rational& dt,
+                                 const Rational& t_scale) {
+    const Bounded along_s = magnitude_of(ds, s_scale, share);
+    const Bounded along_t = magnitude_of(dt, t_scale, share);
+    const auto square = [&](const Field& a, const Field& b) {
+      return Field(a * width * a * width + b * height * b * height);
+    };
+    return Bounded{square(along_s.lo, along_t.lo), square(along_s.hi, along_t.hi)};
+  };
+  const Bounded u = square_length(s.exact.du, s.scale.du, t.exact.du, t.scale.du);
+  const Bounded v = square_length(s.exact.dv, s.scale.dv, t.exact.dv, t.scale.dv);
+  // Below 1 λ is held to 0; log2 of 0 is not asked for. Halving is exact in this range.
+  const auto level_of = [](const Field& square) {
+    return square > Field(1) ? enclose_log2(square) : records::Enclosure{0, 0};
+  };
+  return {level_of(std::max(u.lo, v.lo)).lo / 2, level_of(std::max(u.hi, v.hi)).hi / 2};
+}
+
+}  // namespace rastercheck::oracle
