@@ -1,6 +1,6 @@
-// draw(): a case handed to a backend, and whether the backend left the floating-point environment
-// as it found it. The oracle runs in the same process: a backend that leaves another rounding mode
-// behind would falsify every answer after its own.
+// draw(), draw_picture(): a case handed to a backend, and whether the backend left the
+// floating-point environment as it found it. The oracle runs in the same process: a backend that
+// leaves another rounding mode behind would falsify every answer after its own.
 
 #include <cfenv>
 
@@ -55,24 +55,78 @@ bool is_well_formed(const cases::Framebuffer& drawn, const cases::Case& c) {
           drawn.derivatives.size() == size * drawn.attribute_count * 2);
 }
 
-}  // namespace
+/// The same of a picture; textures have four channels.
+bool is_well_formed(const cases::Picture& picture, const cases::Case& c,
+                    const cases::Pipeline& pipeline) {
+  cases::FramebufferSize size = c.framebuffer;
+  if (pipeline.resolves) size.samples = 1;
+  const std::size_t samples = static_cast<std::size_t>(size.width) *
+                              static_cast<std::size_t>(size.height) *
+                              static_cast<std::size_t>(size.samples);
+  const std::size_t channels = pipeline.texturing ? 4 : c.attributes.size();
+  return picture.size == size && picture.channels == channels && picture.depth.size() == samples &&
+         picture.color.size() == samples * picture.channels;
+}
 
-Result<cases::Framebuffer> draw(const cases::Case& c, backends::Backend& backend) {
+Error left_other_modes() {
+  return {"", "",
+          "the backend returned with another rounding mode, or with another treatment of subnormal "
+          "numbers, than it was called with"};
+}
+
+/// What `call(clip)` draws of the case without its camera, watched.
+template <typename Call>
+Result<cases::Framebuffer> drawn_by(const cases::Case& c, const Call& call) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   const FloatingPointModes modes;
-  Result<cases::Framebuffer> drawn = backend.draw(*clip);
-  if (modes.have_changed()) {
-    return tl::unexpected(Error{"", "",
-                                "the backend returned with another rounding mode, or with another "
-                                "treatment of subnormal numbers, than it was called with"});
-  }
+  Result<cases::Framebuffer> drawn = call(*clip);
+  if (modes.have_changed()) return tl::unexpected(left_other_modes());
   if (drawn && !is_well_formed(*drawn, *clip)) {
     return tl::unexpected(Error{"", "",
                                 "the backend's fragments do not have the case's attributes, or its "
                                 "arrays differ in length"});
   }
   return drawn;
+}
+
+}  // namespace
+
+Result<cases::Framebuffer> draw(const cases::Case& c, backends::Backend& backend) {
+  return drawn_by(c, [&backend](const cases::Case& clip) { return backend.draw(clip); });
+}
+
+Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                          std::span<const std::uint32_t> indices,
+                                          backends::Backend& backend) {
+  return drawn_by(
+      c, [&](const cases::Case& clip) { return backend.draw_assembled(clip, topology, indices); });
+}
+
+Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends::Backend& backend) {
+  const FloatingPointModes modes;
+  Result<std::vector<cases::ClipVertex>> positions = backend.transform(c);
+  if (modes.have_changed()) return tl::unexpected(left_other_modes());
+  if (positions && positions->size() != c.positions.size()) {
+    return tl::unexpected(
+        Error{"", "", "the backend's clip positions are not one for each vertex"});
+  }
+  return positions;
+}
+
+Result<cases::Picture> draw_picture(const cases::Case& c, backends::Backend& backend,
+                                    const cases::Pipeline& pipeline) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const FloatingPointModes modes;
+  Result<cases::Picture> picture = backend.draw_picture(*clip, pipeline);
+  if (modes.have_changed()) return tl::unexpected(left_other_modes());
+  if (picture && !is_well_formed(*picture, *clip, pipeline)) {
+    return tl::unexpected(Error{"", "",
+                                "the backend's picture does not have the case's size, samples or "
+                                "attributes, or its arrays do not fit it"});
+  }
+  return picture;
 }
 
 }  // namespace rastercheck::properties

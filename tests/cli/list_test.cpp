@@ -68,7 +68,7 @@ TEST(List, NamesWhatOtherCommandsTake) {
   // The square alone says nothing to every law.
   for (const auto& row : document.at("properties")) {
     const Outcome outcome =
-        run_program({"run", "--corpus", folder.path("corpus"), "--cases", "3", "--seed", "1",
+        run_program({"run", "--corpus", folder.path("corpus"), "--cases", "6", "--seed", "1",
                      "--output", folder.path("out"), "--property", row.at("name")});
     EXPECT_EQ(outcome.code, 0) << outcome;
   }

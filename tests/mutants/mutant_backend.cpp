@@ -30,6 +30,20 @@ class MutantBackend : public backends::Backend {
                                                     const records::SampleAddress& at) override {
     return backend_->trace(c, at);
   }
+  bool draws_pictures() const override { return backend_->draws_pictures(); }
+  Result<cases::Picture> draw_picture(const cases::Case& c,
+                                      const cases::Pipeline& pipeline) override {
+    return backend_->draw_picture(c, pipeline);
+  }
+  bool assembles() const override { return backend_->assembles(); }
+  Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                            std::span<const std::uint32_t> indices) override {
+    return backend_->draw_assembled(c, topology, indices);
+  }
+  bool transforms() const override { return backend_->transforms(); }
+  Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override {
+    return backend_->transform(c);
+  }
 
  private:
   Library library_;

@@ -4,12 +4,15 @@
 // as another backend, and then go wrong in one way, and a case small enough to say by hand what
 // each law has to find.
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "backends/backend.h"
 #include "cases/case.h"
@@ -18,6 +21,10 @@
 namespace rastercheck::properties {
 
 using Damage = std::function<void(const cases::Case&, cases::Framebuffer&)>;
+using TransformDamage = std::function<void(const cases::Case&, std::vector<cases::ClipVertex>&)>;
+/// Goes wrong with what is to be assembled.
+using AssemblyDamage =
+    std::function<void(const cases::Case&, cases::Topology&, std::vector<std::uint32_t>& indices)>;
 using TraceDamage =
     std::function<void(const records::SampleAddress&, std::optional<records::SampleTrace>&)>;
 
@@ -47,8 +54,27 @@ class DamagedBackend : public backends::Backend {
     return traced;
   }
 
+  bool transforms() const override { return inner_->transforms(); }
+  Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override {
+    auto positions = inner_->transform(c);
+    if (positions && transform_damage) transform_damage(c, *positions);
+    return positions;
+  }
+
+  bool assembles() const override { return inner_->assembles(); }
+  Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                            std::span<const std::uint32_t> indices) override {
+    std::vector<std::uint32_t> changed(indices.begin(), indices.end());
+    if (assembly_damage) assembly_damage(c, topology, changed);
+    Result<cases::Framebuffer> drawn = inner_->draw_assembled(c, topology, changed);
+    if (drawn && damage_) damage_(c, *drawn);
+    return drawn;
+  }
+
   std::optional<cases::Contract> promised;
   TraceDamage trace_damage;
+  TransformDamage transform_damage;
+  AssemblyDamage assembly_damage;
 
  private:
   std::unique_ptr<backends::Backend> inner_;
@@ -76,6 +102,9 @@ inline void drop(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y
   drawn.depth.erase(drawn.depth.begin() + i);
   drawn.attributes.erase(drawn.attributes.begin() + i * count,
                          drawn.attributes.begin() + (i + 1) * count);
+  if (drawn.derivatives.empty()) return;
+  drawn.derivatives.erase(drawn.derivatives.begin() + i * count * 2,
+                          drawn.derivatives.begin() + (i + 1) * count * 2);
 }
 
 /// Appends a fragment with zero values.
@@ -86,6 +115,7 @@ inline void add(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y)
   drawn.sample.push_back(0);
   drawn.depth.push_back(0);
   drawn.attributes.resize(drawn.attributes.size() + drawn.attribute_count);
+  if (!drawn.derivatives.empty()) drawn.derivatives.resize(drawn.attributes.size() * 2);
 }
 
 inline float& value(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y,

@@ -67,6 +67,25 @@ TEST(Drawing, LetsStickyFlagsPass) {
 }
 #endif
 
+TEST(Drawing, WatchesVertexStageAndStripsAsWell) {
+  const std::array<std::uint32_t, 4> indices{0, 1, 2, 3};
+  DamagedBackend good({}, "cpu");
+  cases::Case c = square();
+  EXPECT_EQ(draw_assembled(c, cases::Topology::strip, indices, good).value().size(), 64U);
+  c.camera.emplace();
+  EXPECT_EQ(transform(c, good).value(), c.positions);
+
+  DamagedBackend bad([](const cases::Case&, cases::Framebuffer&) { std::fesetround(FE_UPWARD); },
+                     "cpu");
+  bad.transform_damage = [](const cases::Case&, std::vector<cases::ClipVertex>&) {
+    std::fesetround(FE_UPWARD);
+  };
+  EXPECT_FALSE(draw_assembled(c, cases::Topology::strip, indices, bad).has_value());
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+  EXPECT_FALSE(transform(c, bad).has_value());
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+}
+
 TEST(Drawing, FailsOnArraysOfDifferentLengths) {
   const std::array<Damage, 4> damages{
       [](const cases::Case&, cases::Framebuffer& drawn) { drawn.derivatives.resize(3); },

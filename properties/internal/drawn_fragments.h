@@ -1,0 +1,54 @@
+#pragma once
+
+// What laws have in common that hold one drawing against another: where fragments are, whether two
+// have the same values, and a number that depends on a case's contents alone.
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "cases/case.h"
+#include "cases/framebuffer.h"
+#include "records/counterexample.h"
+
+namespace rastercheck::properties {
+
+/// One sample of one triangle.
+struct FragmentPlace {
+  std::uint32_t triangle = 0;
+  std::uint32_t y = 0;
+  std::uint32_t x = 0;
+  std::uint32_t sample = 0;
+  auto operator<=>(const FragmentPlace&) const = default;
+};
+
+FragmentPlace place_of(const cases::Framebuffer& drawn, std::size_t fragment);
+
+/// Whether the case has such a triangle, pixel and sample.
+bool is_of_case(const cases::Case& c, const FragmentPlace& place);
+
+/// Where each fragment is found; of those in one place, the first.
+using FragmentMap = std::map<FragmentPlace, std::size_t>;
+FragmentMap fragments_by_place(const cases::Framebuffer& drawn);
+
+/// A violation of coverage at a place: `exact` is what the law expects, `actual` is by the class.
+records::Violation violation_at(const FragmentPlace& place, records::FragmentClass fragment_class,
+                                const std::string& exact, const std::string& note);
+
+/// The first value, depth or attribute, of a fragment that differs from the one expected in any
+/// bit, as a violation at the fragment's place; nothing where none does. Derivatives are values
+/// too, where both drawings have them. NaNs are alike.
+std::optional<records::Violation> find_difference(const cases::Case& c,
+                                                  const cases::Framebuffer& expected,
+                                                  std::size_t expected_fragment,
+                                                  const cases::Framebuffer& drawn,
+                                                  std::size_t fragment, const std::string& note);
+
+/// A hash of the numbers that a case draws with: the same of a case that was written to a file and
+/// read back, whatever its name.
+std::uint64_t fingerprint(const cases::Case& c);
+
+}  // namespace rastercheck::properties

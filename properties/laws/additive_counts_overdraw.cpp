@@ -1,0 +1,174 @@
+// Additive blending counts overdraw: where every triangle adds one, the sum at a sample is the
+// number of triangles that cover it.
+//
+// Why. The picture's only channel is an attribute that is 1 at all vertices, in float32, cleared to
+// 0, and no depth test hides anything. Each fragment adds exactly 1 (a flat attribute is a copy; a
+// smooth one is 1 where the contract keeps constants), and sums of ones are exact up to 2^24. So
+// what is lost between threads, tiles and batches, or drawn twice, shows as a number, however
+// triangles overlap. How many are right the oracle says, triangle by triangle:
+//
+//   required there  <=  sum  <=  required or permitted there
+//
+// Samples: all; those without any triangle keep their 0. Whether the attribute is flat or smooth
+// comes from the case's numbers. Judged of backends that draw pictures.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/picture_cases.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+using records::Verdict;
+
+/// Sums of ones are exact up to here.
+constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
+
+/// What may be drawn at a sample.
+struct Overdraw {
+  std::uint32_t required = 0;
+  std::uint32_t permitted = 0;
+  std::uint32_t last = 0;  ///< of the triangles that are
+};
+
+/// The case with the one attribute.
+cases::Case counting_case(const cases::Case& c, bool is_flat) {
+  cases::Case counting = c;
+  counting.depth_test = cases::DepthTest::none;
+  counting.attributes = {{"one",
+                          is_flat ? cases::Interpolation::flat : cases::Interpolation::smooth,
+                          cases::Location::sample}};
+  counting.attribute_values.assign(c.positions.size(), 1.0F);
+  return counting;
+}
+
+cases::Pipeline counting_pipeline() {
+  cases::Pipeline pipeline;
+  pipeline.depth_function = cases::DepthFunction::always;
+  pipeline.blend = cases::Blend::additive;
+  return pipeline;
+}
+
+class OverdrawCheck {
+ public:
+  OverdrawCheck(const cases::Case& c, const cases::Contract& contract,
+                const cases::Picture& picture)
+      : case_(&c), scene_(c, contract), picture_(&picture), overdraw_(picture.depth.size()) {}
+
+  Check run() {
+    check_.judgement.errors[AttributeKind::coverage];
+    for (std::uint32_t t = 0; t < case_->triangles.size(); ++t) add(t);
+    for (std::size_t at = 0; at < overdraw_.size(); ++at) compare(at);
+    add_state_labels(*case_, triangles_, labels_);
+    check_.labels.assign(labels_.begin(), labels_.end());
+    return std::move(check_);
+  }
+
+ private:
+  void add(std::uint32_t triangle) {
+    const oracle::TriangleTruth truth(scene_, triangle);
+    const oracle::Pixels pixels = truth.pixels();
+    const int samples = case_->framebuffer.samples;
+    for (int y = pixels.y0; y < pixels.y1; ++y) {
+      for (int x = pixels.x0; x < pixels.x1; ++x) {
+        for (int s = 0; s < samples; ++s) {
+          const records::SampleVerdict decision = truth.judge(x, y, s);
+          if (decision.verdict == Verdict::forbidden) continue;
+          const int at = (y * case_->framebuffer.width + x) * samples + s;
+          see(triangle, decision, overdraw_[static_cast<std::size_t>(at)]);
+        }
+      }
+    }
+  }
+
+  void see(std::uint32_t triangle, const records::SampleVerdict& decision, Overdraw& overdraw) {
+    const bool is_required = decision.verdict == Verdict::required;
+    ++(is_required ? check_.judgement.counts.required : check_.judgement.counts.permitted);
+    ++(is_required ? overdraw.required : overdraw.permitted);
+    overdraw.last = triangle;
+    triangles_.insert(triangle);
+    if (!is_required) labels_.emplace("permitted");
+    if (decision.reason == records::Reason::tie) labels_.emplace("tie");
+  }
+
+  void compare(std::size_t at) {
+    const Overdraw& overdraw = overdraw_[at];
+    const float sum = picture_->color[at];
+    const auto least = static_cast<float>(overdraw.required);
+    const float most = static_cast<float>(overdraw.required + overdraw.permitted);
+    if (most > 1) labels_.emplace("overdraw");
+    if (most > 3) labels_.emplace("much overdraw");
+    FragmentClass found = FragmentClass::correct;
+    if (!std::isfinite(sum)) {
+      found = std::isnan(sum) ? FragmentClass::not_a_number : FragmentClass::infinite;
+    } else if (sum < least || sum > most) {
+      found = sum < least ? FragmentClass::missing : FragmentClass::extra;
+    } else if (std::trunc(sum) != sum) {
+      found = FragmentClass::beyond_bound;
+    }
+    ++check_.judgement.errors[AttributeKind::coverage].classes[found];
+    if (found != FragmentClass::correct) report(at, found, sum);
+  }
+
+  void report(std::size_t at, FragmentClass found, float sum) {
+    const Overdraw& overdraw = overdraw_[at];
+    const auto samples = static_cast<std::size_t>(case_->framebuffer.samples);
+    const auto width = static_cast<std::size_t>(case_->framebuffer.width);
+    FragmentPlace place;
+    place.triangle = overdraw.last;
+    place.x = static_cast<std::uint32_t>(at / samples % width);
+    place.y = static_cast<std::uint32_t>(at / samples / width);
+    place.sample = static_cast<std::uint32_t>(at % samples);
+    records::Violation violation = violation_at(
+        place, found,
+        fmt::format("{} required, {} permitted", overdraw.required, overdraw.permitted),
+        fmt::format("triangle {} is the last that may be drawn there", overdraw.last));
+    if (overdraw.required + overdraw.permitted == 0) {
+      violation.note = "no triangle may be drawn there";
+    }
+    violation.actual = value_text(sum);
+    note(check_, violation);
+  }
+
+  const cases::Case* case_;
+  oracle::SceneTruth scene_;
+  const cases::Picture* picture_;
+  std::vector<Overdraw> overdraw_;  ///< [y][x][sample]
+  std::set<std::uint32_t> triangles_;
+  std::set<std::string> labels_;
+  Check check_;
+};
+
+bool draws_pictures(const backends::Backend& backend) { return backend.draws_pictures(); }
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  Check none;
+  none.is_applicable = backend.draws_pictures() && clip->triangles.size() <= kMostTriangles;
+  if (!none.is_applicable) return none;
+  const bool keeps_constants = backend.contract(*clip).keeps_constants;
+  const bool is_flat = !keeps_constants || fingerprint(*clip) % 2 == 0;
+  const cases::Case counting = counting_case(*clip, is_flat);
+  const Result<cases::Picture> picture = draw_picture(counting, backend, counting_pipeline());
+  if (!picture) return tl::unexpected(picture.error());
+  return OverdrawCheck(counting, backend.contract(counting), *picture).run();
+}
+
+const LawRegistration kRegistration({"additive blending counts overdraw", &overlapping_case, &check,
+                                     &draws_pictures});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,312 @@
+// Complementary clip distances share what is drawn: a triangle cut by a user clip distance d, and
+// the same cut by −d, are together exactly what is drawn without either, and nothing is in both.
+//
+// Why. A sample is inside iff f = Σ e_i d_i > 0, and −d makes −f of it; a zero is decided by f's
+// own normal, which −d turns round (RULES §2). So each sample that is drawn without d is drawn with
+// just one of the two, with these exceptions, where it is drawn with both:
+//
+//   f ≡ 0                    the distance says nothing: inside with either
+//   D3D: f = 0 at a sample   f >= 0 is inside
+//
+// Which samples these are, the oracle says: those that it requires of both. All other distances of
+// the case, and all else, stay as they are. Each triangle as if drawn alone: a depth test in the
+// case is left out.
+//
+// Samples: those that the contract decides in all three drawings. Of a snapped triangle the cut
+// makes vertices that are snapped too, and near these the oracle permits either (RULES §3); it
+// permits either on f = 0 under a contract that names no tie rule.
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/generator.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+using records::Reason;
+using records::SampleVerdict;
+using records::Verdict;
+
+/// The case without its clip distance `index`.
+cases::Case without_distance(const cases::Case& c, std::size_t index) {
+  cases::Case changed = c;
+  --changed.clip_distance_count;
+  changed.clip_distances.clear();
+  for (std::size_t v = 0; v < c.positions.size(); ++v) {
+    for (std::size_t d = 0; d < c.clip_distance_count; ++d) {
+      if (d != index) changed.clip_distances.push_back(c.clip_distances_of(v)[d]);
+    }
+  }
+  return changed;
+}
+
+/// The case with the opposite of its clip distance `index`.
+cases::Case with_opposite(const cases::Case& c, std::size_t index) {
+  cases::Case changed = c;
+  for (std::size_t v = 0; v < c.positions.size(); ++v) {
+    float& distance = changed.clip_distances[v * c.clip_distance_count + index];
+    distance = -distance;
+  }
+  return changed;
+}
+
+/// One of the three drawings, and the truth of the triangle that is asked about.
+class Drawing {
+ public:
+  static Result<std::unique_ptr<Drawing>> make(const cases::Case& c, backends::Backend& backend) {
+    const Result<cases::Framebuffer> drawn = draw(c, backend);
+    if (!drawn) return tl::unexpected(drawn.error());
+    return std::unique_ptr<Drawing>(new Drawing(c, backend.contract(c), *drawn));
+  }
+
+  const std::vector<FragmentPlace>& places() const { return places_; }
+
+  bool has(const FragmentPlace& place) const {
+    return std::binary_search(places_.begin(), places_.end(), place);
+  }
+
+  const oracle::TriangleTruth& truth_of(std::uint32_t triangle) {
+    if (!truth_ || triangle_ != triangle) {
+      truth_ = std::make_unique<oracle::TriangleTruth>(scene_, triangle);
+      triangle_ = triangle;
+    }
+    return *truth_;
+  }
+
+  SampleVerdict judge(const FragmentPlace& place) {
+    return truth_of(place.triangle)
+        .judge(static_cast<int>(place.x), static_cast<int>(place.y),
+               static_cast<int>(place.sample));
+  }
+
+ private:
+  Drawing(const cases::Case& c, const cases::Contract& contract, const cases::Framebuffer& drawn)
+      : scene_(c, contract) {
+    // What is not of the case, or comes twice, is a matter of coverage.
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      if (is_of_case(c, place_of(drawn, i))) places_.push_back(place_of(drawn, i));
+    }
+    std::sort(places_.begin(), places_.end());
+    places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+  }
+
+  oracle::SceneTruth scene_;
+  std::vector<FragmentPlace> places_;  ///< ascending
+  std::unique_ptr<oracle::TriangleTruth> truth_;
+  std::uint32_t triangle_ = 0;
+};
+
+class SharingCheck {
+ public:
+  SharingCheck(const cases::Case& c, Check& check) : case_(&c), check_(&check) {}
+
+  void run(std::size_t distance, Drawing& whole, Drawing& kept, Drawing& rest) {
+    distance_ = distance;
+    std::vector<FragmentPlace> parts;
+    std::set_union(kept.places().begin(), kept.places().end(), rest.places().begin(),
+                   rest.places().end(), std::back_inserter(parts));
+    std::vector<FragmentPlace> all;
+    std::set_union(parts.begin(), parts.end(), whole.places().begin(), whole.places().end(),
+                   std::back_inserter(all));
+    for (const FragmentPlace& place : all) see(place, whole, kept, rest);
+    // A plane between a triangle's samples: both parts drew something of it.
+    std::vector<std::uint32_t> shared;
+    std::set_intersection(of_kept_.begin(), of_kept_.end(), of_rest_.begin(), of_rest_.end(),
+                          std::back_inserter(shared));
+    if (!shared.empty()) labels_.emplace("shared triangle");
+    of_kept_.clear();
+    of_rest_.clear();
+  }
+
+  void finish() {
+    add_state_labels(*case_, triangles_, labels_);
+    check_->labels.assign(labels_.begin(), labels_.end());
+  }
+
+ private:
+  void see(const FragmentPlace& place, Drawing& whole, Drawing& kept, Drawing& rest) {
+    const SampleVerdict of_whole = whole.judge(place);
+    const SampleVerdict of_kept = kept.judge(place);
+    const SampleVerdict of_rest = rest.judge(place);
+    for (const SampleVerdict& decision : {of_whole, of_kept, of_rest}) {
+      if (decision.verdict != Verdict::permitted) continue;
+      ++check_->judgement.counts.permitted;
+      labels_.emplace("permitted");
+      return;
+    }
+    const bool is_zero = of_whole.reason != Reason::tie &&
+                         (of_kept.reason == Reason::tie || of_rest.reason == Reason::tie);
+    if (is_zero) labels_.emplace("zero at a sample");
+    const bool is_in_both =
+        of_kept.verdict == Verdict::required && of_rest.verdict == Verdict::required;
+    if (is_in_both) labels_.emplace("drawn with both");
+
+    const bool by_kept = kept.has(place);
+    const bool by_rest = rest.has(place);
+    if (by_kept) of_kept_.insert(place.triangle);
+    if (by_rest) of_rest_.insert(place.triangle);
+    if (!whole.has(place)) {
+      report(place, FragmentClass::extra, "forbidden: it is not drawn without the distance",
+             by_kept ? "drawn with it" : "drawn with its opposite", whole);
+      return;
+    }
+    ++check_->judgement.counts.required;
+    triangles_.insert(place.triangle);
+    if (is_in_both && by_kept != by_rest) {
+      report(place, FragmentClass::missing, "required: with the distance and with its opposite",
+             by_kept ? "drawn with the distance only" : "drawn with its opposite only", kept);
+    } else if (!by_kept && !by_rest) {
+      report(place, FragmentClass::missing, "required: with the distance or with its opposite",
+             "drawn with neither, and without the distance", kept);
+    } else if (by_kept && by_rest && !is_in_both) {
+      report(place, FragmentClass::extra, "forbidden: with more than one of the two",
+             "drawn with the distance and with its opposite", kept);
+    } else {
+      ++check_->judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+    }
+  }
+
+  void report(const FragmentPlace& place, FragmentClass fragment_class, const std::string& exact,
+              const std::string& what, Drawing& nearest) {
+    ++check_->judgement.errors[AttributeKind::coverage].classes[fragment_class];
+    records::Violation violation = violation_at(
+        place, fragment_class, exact, "clip distance " + std::to_string(distance_) + ": " + what);
+    violation.distance = nearest.truth_of(place.triangle)
+                             .distance(static_cast<int>(place.x), static_cast<int>(place.y),
+                                       static_cast<int>(place.sample));
+    note(*check_, violation);
+  }
+
+  const cases::Case* case_;
+  Check* check_;
+  std::size_t distance_ = 0;
+  std::set<std::uint32_t> of_kept_;  ///< triangles that drew a decided sample
+  std::set<std::uint32_t> of_rest_;
+  std::set<std::uint32_t> triangles_;
+  std::set<std::string> labels_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  clip->depth_test = cases::DepthTest::none;
+  Check check;
+  check.is_applicable = clip->clip_distance_count > 0;
+  if (!check.is_applicable) return check;
+  check.judgement.errors[AttributeKind::coverage];
+
+  SharingCheck sharing(*clip, check);
+  for (std::size_t d = 0; d < clip->clip_distance_count; ++d) {
+    const auto whole = Drawing::make(without_distance(*clip, d), backend);
+    if (!whole) return tl::unexpected(whole.error());
+    const auto kept = Drawing::make(*clip, backend);
+    if (!kept) return tl::unexpected(kept.error());
+    const auto rest = Drawing::make(with_opposite(*clip, d), backend);
+    if (!rest) return tl::unexpected(rest.error());
+    sharing.run(d, **whole, **kept, **rest);
+  }
+  sharing.finish();
+  return check;
+}
+
+// --- the law's own cases: distances whose zeros run through what is drawn -----------------------
+
+void set_distance(cases::Case& c, std::uint32_t vertex, std::size_t index, double value) {
+  c.clip_distances[vertex * c.clip_distance_count + index] = to_float(value);
+}
+
+/// The distance a (u − u0) + b (v − v0) of window positions, (u0, v0) a sample and a, b whole: as
+/// Σ e_i (u_i w_i) = u and Σ e_i w_i = 1, a vertex has w times that. Exact wherever its position
+/// is, so that the zeros run exactly through samples, and the same for all triangles.
+void set_line_through_sample(Draw& draw, cases::Case& c, std::size_t index) {
+  const WindowPoint sample = visible_sample(draw, c);
+  const int a = draw.between(-3, 3);
+  const int b = a == 0 ? 1 : draw.between(-3, 3);
+  const double turn = c.rules == cases::Rules::d3d ? -1 : 1;
+  const cases::Viewport& to = c.viewport;
+  for (std::uint32_t v = 0; v < c.positions.size(); ++v) {
+    const cases::ClipVertex& p = c.positions[v];
+    const double w = double{p.w};
+    const double u =
+        double{p.x} * double{to.width} / 2 + w * (double{to.x} + double{to.width} / 2 - sample.u);
+    const double y = double{p.y} * double{to.height} / 2 * turn +
+                     w * (double{to.y} + double{to.height} / 2 - sample.v);
+    set_distance(c, v, index, a * u + b * y);
+  }
+}
+
+/// A distance at every triangle's first vertex and its opposite at the second; the third's is
+/// anything, or zero: the plane passes through that vertex then.
+void set_opposites(Draw& draw, cases::Case& c, std::size_t index) {
+  for (const cases::Triangle& triangle : c.triangles) {
+    const float distance = draw.uniform(-1, 1);
+    const float third = draw.one_in(2) ? 0.0F : draw.uniform(-1, 1);
+    set_distance(c, triangle[0], index, double{distance});
+    set_distance(c, triangle[1], index, -double{distance});
+    set_distance(c, triangle[2], index, double{third});
+  }
+}
+
+/// Zeros at all vertices but some: planes along edges and through vertices, and no plane at all.
+void set_zeros(Draw& draw, cases::Case& c, std::size_t index) {
+  const int one_in = draw.pick(std::array{2, 3, 64});
+  for (std::uint32_t v = 0; v < c.positions.size(); ++v) {
+    const float distance = draw.one_in(one_in) ? draw.uniform(-1, 1) : 0.0F;
+    set_distance(c, v, index, double{distance});
+  }
+}
+
+void set_any(Draw& draw, cases::Case& c, std::size_t index) {
+  for (std::uint32_t v = 0; v < c.positions.size(); ++v) {
+    const float distance = draw.spread(-8, 2);
+    set_distance(c, v, index, double{distance});
+  }
+}
+
+Generated generate(Draw& draw) {
+  Generated made;
+  if (draw.one_in(2)) {
+    made = generate_any(draw);
+  } else {
+    made.stratum = "on-grid";
+    made.source = find_generator(made.stratum)->make(draw);
+  }
+  cases::Case& c = made.source;
+  c.clip_distance_count = draw.one_in(4) ? 2 : 1;
+  add_clip_distances(draw, c);
+  for (std::size_t d = 0; d < c.clip_distance_count; ++d) {
+    switch (draw.between(0, 5)) {
+      case 0:
+        set_opposites(draw, c, d);
+        break;
+      case 1:
+        set_zeros(draw, c, d);
+        break;
+      case 2:
+        set_any(draw, c, d);
+        break;
+      default:
+        set_line_through_sample(draw, c, d);
+    }
+  }
+  return made;
+}
+
+const LawRegistration kRegistration({"complementary clip distances share what is drawn", &generate,
+                                     &check});
+
+}  // namespace
+}  // namespace rastercheck::properties

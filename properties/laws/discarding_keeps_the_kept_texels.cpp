@@ -1,0 +1,242 @@
+// Discarding draws what keeping the kept texels draws: with Texturing::discard_below the picture is
+// the one that those fragments leave whose texel's alpha is not less, and no other ones: neither
+// colour nor depth.
+//
+// Why. Seed 004 draws transparency so: where a texel's alpha is 0, neither the pixel nor its depth
+// is written, and what lies behind shows. Which texel a fragment has is exact ("texels are those of
+// the exact coordinates"), and so is whether k/255 is less than the limit; what fragments leave is
+// in properties/picture_model.h. Depths are those of what the backend itself draws.
+//
+// The texture, nearest filtering, its wraps, the limit, whether depths are written, blend and
+// format are chosen by the case's numbers; the depth test is `less`. The coordinates are the first
+// two attributes.
+//
+// Samples: some of those with fragments, of which every one has one exact value of both
+// coordinates. Depths and colours are held to the bit. Judged of backends that draw pictures.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "oracle/texture_truth.h"
+#include "oracle/transform.h"
+#include "properties/internal/picture_cases.h"
+#include "properties/internal/textured_cases.h"
+#include "properties/judged_law.h"
+#include "properties/picture_model.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using oracle::TextureTruth;
+using records::AttributeKind;
+using records::FragmentClass;
+
+/// At most so many samples of a case are judged.
+constexpr std::size_t kMostSamples = 48;
+constexpr std::size_t kChannels = 4;
+
+cases::Pipeline pipeline_of(const cases::Case& c) {
+  Choices choices(fingerprint(c));
+  cases::Pipeline pipeline;
+  pipeline.depth_function = cases::DepthFunction::less;
+  pipeline.writes_depth = choices.below(4) != 0;
+  pipeline.blend = choices.pick(
+      std::array{cases::Blend::off, cases::Blend::off, cases::Blend::over, cases::Blend::additive});
+  pipeline.format = choices.below(2) == 0 ? cases::ColorFormat::rgba8 : cases::ColorFormat::float32;
+  // Some alpha of a texel's, or near the ends.
+  const auto byte = static_cast<float>(choices.below(256));
+  const float limit = choices.pick(std::array{byte / 255, byte / 255, 0.5F, 0x1p-20F, 1.0F});
+  pipeline.texturing = texturing_of(choices, &noise_byte);
+  pipeline.texturing->discard_below = limit;
+  return pipeline;
+}
+
+/// What may be seen of a sample: the fragments there, in the order of submission.
+using FragmentsAt = std::map<std::size_t, std::vector<std::size_t>>;
+
+bool is_same(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+class DiscardCheck {
+ public:
+  DiscardCheck(const cases::Case& c, const cases::Contract& contract,
+               const cases::Pipeline& pipeline, const cases::Framebuffer& fragments,
+               const cases::Picture& picture)
+      : case_(&c),
+        seen_(c, contract),
+        pipeline_(&pipeline),
+        truth_(*pipeline.texturing),
+        fragments_(&fragments),
+        picture_(&picture) {
+    kept_.attribute_count = kChannels;
+  }
+
+  Check run() {
+    check_.judgement.errors[AttributeKind::coverage];
+    std::vector<std::size_t> judged;
+    for (const auto& [at, fragments] : some_samples()) {
+      if (keep(fragments)) judged.push_back(at);
+    }
+    compare(judged);
+    add_state_labels(*case_, triangles_, labels_);
+    check_.labels.assign(labels_.begin(), labels_.end());
+    return std::move(check_);
+  }
+
+ private:
+  std::size_t index_of(const FragmentPlace& place) const {
+    const auto samples = static_cast<std::size_t>(picture_->size.samples);
+    const auto width = static_cast<std::size_t>(picture_->size.width);
+    return (place.y * width + place.x) * samples + place.sample;
+  }
+
+  /// Samples with most fragments are the likeliest: those that are left have one of each stretch.
+  FragmentsAt some_samples() const {
+    FragmentsAt all;
+    for (std::size_t i = 0; i < fragments_->size(); ++i) {
+      const FragmentPlace place = place_of(*fragments_, i);
+      if (is_of_case(*case_, place)) all[index_of(place)].push_back(i);
+    }
+    if (all.size() <= kMostSamples) return all;
+    FragmentsAt some;
+    std::size_t k = 0;
+    for (const auto& [at, fragments] : all) {
+      const bool is_next = some.size() * all.size() <= k * kMostSamples;
+      if (is_next) some.emplace(at, fragments);
+      ++k;
+    }
+    return some;
+  }
+
+  /// Keeps those of a sample that pass; whether it is certain which do.
+  bool keep(const std::vector<std::size_t>& fragments) {
+    std::vector<TextureTruth::Color> colors;
+    for (const std::size_t i : fragments) {
+      const FragmentPlace place = place_of(*fragments_, i);
+      const oracle::TriangleTruth& truth = seen_.truth(place.triangle);
+      const bool is_required = truth
+                                   .judge(static_cast<int>(place.x), static_cast<int>(place.y),
+                                          static_cast<int>(place.sample))
+                                   .verdict != records::Verdict::forbidden;
+      const auto s = is_required ? exact_value(truth, 0, place) : std::nullopt;
+      const auto t = is_required ? exact_value(truth, 1, place) : std::nullopt;
+      if (!s || !t) {
+        labels_.emplace("no one coordinate");
+        return false;
+      }
+      colors.push_back(truth_.nearest(*s, *t));
+    }
+    for (std::size_t k = 0; k < fragments.size(); ++k) {
+      triangles_.insert(fragments_->triangle[fragments[k]]);
+      const float alpha = static_cast<float>(colors[k].back()) / 255;
+      const float limit = *pipeline_->texturing->discard_below;
+      labels_.emplace(alpha < limit ? "discarded" : "kept");
+      if (alpha == limit) labels_.emplace("exactly the limit");
+      if (alpha >= limit) add_kept(fragments[k], colors[k]);
+    }
+    if (fragments.size() > 1) labels_.emplace("overdraw");
+    return true;
+  }
+
+  void add_kept(std::size_t i, const TextureTruth::Color& color) {
+    kept_.triangle.push_back(fragments_->triangle[i]);
+    kept_.x.push_back(fragments_->x[i]);
+    kept_.y.push_back(fragments_->y[i]);
+    kept_.sample.push_back(fragments_->sample[i]);
+    kept_.depth.push_back(fragments_->depth[i]);
+    for (const std::uint8_t byte : color) {
+      kept_.attributes.push_back(static_cast<float>(byte) / 255);
+    }
+  }
+
+  void compare(const std::vector<std::size_t>& judged) {
+    cases::Case colored = *case_;  // the model's channels are attributes
+    colored.attributes.assign(kChannels, {});
+    cases::Pipeline untextured = *pipeline_;
+    untextured.texturing.reset();
+    const cases::Picture expected = picture_of(colored, kept_, untextured);
+    for (const std::size_t at : judged) {
+      ++check_.judgement.counts.required;
+      ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+      compare_number(at, std::nullopt, expected.depth[at], picture_->depth[at]);
+      for (std::uint32_t channel = 0; channel < kChannels; ++channel) {
+        const std::size_t index = at * kChannels + channel;
+        compare_number(at, channel, expected.color[index], picture_->color[index]);
+      }
+    }
+  }
+
+  void compare_number(std::size_t at, std::optional<std::uint32_t> channel, float expected,
+                      float actual) {
+    const AttributeKind kind = channel
+                                   ? records::kind_of(case_->attributes[*channel % 2].interpolation)
+                                   : AttributeKind::depth;
+    FragmentClass found = FragmentClass::correct;
+    if (!is_same(expected, actual)) {
+      found = std::isnan(actual)   ? FragmentClass::not_a_number
+              : std::isinf(actual) ? FragmentClass::infinite
+                                   : FragmentClass::beyond_bound;
+    }
+    ++check_.judgement.errors[kind].classes[found];
+    if (found == FragmentClass::correct) return;
+    const cases::Texturing& texturing = *pipeline_->texturing;
+    const std::string what = channel ? fmt::format("channel {}", *channel) : "the depth";
+    records::Violation violation = violation_at(
+        place_at(*picture_, at), found, value_text(expected),
+        fmt::format("{} with a {}×{} texture, alpha below {} discarded", what,
+                    texturing.texture.width, texturing.texture.height, *texturing.discard_below));
+    violation.kind = kind;
+    if (channel) violation.attribute = *channel % 2;
+    violation.actual = value_text(actual);
+    note(check_, violation);
+  }
+
+  const cases::Case* case_;
+  SeenTriangles seen_;
+  const cases::Pipeline* pipeline_;
+  TextureTruth truth_;
+  const cases::Framebuffer* fragments_;
+  const cases::Picture* picture_;
+  cases::Framebuffer kept_;
+  std::set<std::uint32_t> triangles_;
+  std::set<std::string> labels_;
+  Check check_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  Check none;
+  none.is_applicable = backend.draws_pictures() && clip->attributes.size() >= 2;
+  if (!none.is_applicable) return none;
+  clip->depth_test = cases::DepthTest::none;
+  const cases::Pipeline pipeline = pipeline_of(*clip);
+  const Result<cases::Framebuffer> fragments = draw(*clip, backend);
+  if (!fragments) return tl::unexpected(fragments.error());
+  const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
+  if (!picture) return tl::unexpected(picture.error());
+  return DiscardCheck(*clip, backend.contract(*clip), pipeline, *fragments, *picture).run();
+}
+
+/// Triangles over triangles, some of which show others through their texels.
+Generated generate(Draw& draw) {
+  Generated made = overlapping_case(draw);
+  set_coordinates(draw, made.source);
+  return made;
+}
+
+const LawRegistration kRegistration({"discarding draws what keeping the kept texels draws",
+                                     &generate, &check, &draws_pictures});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,205 @@
+// Filtered colours stay within the bound: what bilinear and trilinear filtering give is no farther
+// from the colour of exact arithmetic than the contract says (cases::TextureBounds), and a number.
+//
+// Why. The exact colour is a polynomial of the exact coordinates within a square of texels, and
+// continuous from one to the next (oracle/texture_truth.h); with a colour's steps from texel to
+// texel at most 1, an error of a coordinate is one of W or H times as much, at most. The level of
+// detail is that of exact screen derivatives, each as far off as the contract says: an enclosure,
+// and with it a range of colours, to which the bound is added.
+//
+// The texture's size and its wraps, and which of the two filters, are chosen by the case's numbers;
+// texels are noise, much of it black and white. The coordinates are the first two attributes.
+//
+// Samples: as of "texels are those of the exact coordinates"; for trilinear filtering derivatives
+// have one exact value too. Judged of backends that draw pictures and promise a bound.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "oracle/texture_truth.h"
+#include "oracle/transform.h"
+#include "properties/internal/textured_cases.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Filter;
+using oracle::Rational;
+using oracle::TextureTruth;
+using records::AttributeKind;
+using records::FragmentClass;
+
+/// At most so many samples of a case are judged.
+constexpr std::size_t kMostSamples = 48;
+
+cases::Pipeline pipeline_of(const cases::Case& c) {
+  Choices choices(fingerprint(c));
+  cases::Pipeline pipeline;
+  pipeline.depth_function = cases::DepthFunction::always;
+  pipeline.texturing = texturing_of(choices, &noise_byte);
+  pipeline.texturing->filter = choices.pick(std::array{Filter::bilinear, Filter::trilinear});
+  return pipeline;
+}
+
+/// max|r| of the case's vertices.
+Rational greatest(const cases::Case& c, std::size_t attribute) {
+  float most = 0;
+  for (std::size_t v = 0; v < c.positions.size(); ++v) {
+    most = std::max(most, std::abs(c.attributes_of(v)[attribute]));
+  }
+  return Rational(double{most});
+}
+
+/// Where a fragment is in the texture.
+struct Coordinates {
+  Rational s;
+  Rational t;
+};
+
+class FilterCheck {
+ public:
+  FilterCheck(const cases::Case& c, const cases::Contract& contract,
+              const cases::Texturing& texturing, const cases::Picture& picture)
+      : case_(&c),
+        bounds_(*contract.texture_bounds),
+        seen_(c, contract),
+        texturing_(&texturing),
+        truth_(texturing),
+        picture_(&picture),
+        greatest_{greatest(c, 0), greatest(c, 1)} {}
+
+  Check run() {
+    check_.judgement.errors[AttributeKind::coverage];
+    labels_.emplace(texturing_->filter == Filter::bilinear ? "bilinear" : "trilinear");
+    for (const std::size_t at : some_drawn_samples(*picture_, kMostSamples)) check_sample(at);
+    add_state_labels(*case_, triangles_, labels_);
+    check_.labels.assign(labels_.begin(), labels_.end());
+    return std::move(check_);
+  }
+
+ private:
+  void check_sample(std::size_t at) {
+    FragmentPlace place = place_at(*picture_, at);
+    const auto triangle = seen_.at(static_cast<int>(place.x), static_cast<int>(place.y),
+                                   static_cast<int>(place.sample));
+    if (!triangle) return;
+    place.triangle = *triangle;
+    const oracle::TriangleTruth& truth = seen_.truth(*triangle);
+    const auto s = exact_value(truth, 0, place);
+    const auto t = exact_value(truth, 1, place);
+    if (!s || !t) {
+      labels_.emplace("no one coordinate");
+      return;
+    }
+    const auto filtered = filter({*s, *t}, truth, place);
+    if (!filtered) {
+      labels_.emplace("no one derivative");
+      return;
+    }
+    ++check_.judgement.counts.required;
+    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+    triangles_.insert(*triangle);
+    for (std::uint32_t channel = 0; channel < filtered->size(); ++channel) {
+      const float actual = picture_->color[at * filtered->size() + channel];
+      compare(place, channel, (*filtered)[channel], actual, {*s, *t});
+    }
+  }
+
+  std::optional<TextureTruth::Filtered> filter(const Coordinates& at,
+                                               const oracle::TriangleTruth& truth,
+                                               const FragmentPlace& place) {
+    if (texturing_->filter == Filter::bilinear) {
+      return truth_.bilinear(at.s, at.t, greatest_, bounds_);
+    }
+    const auto slopes = [&](std::size_t attribute) {
+      return truth.scaled_derivatives(attribute, static_cast<int>(place.x),
+                                      static_cast<int>(place.y), static_cast<int>(place.sample));
+    };
+    const auto s = slopes(0);
+    const auto t = slopes(1);
+    if (!s || !t) return std::nullopt;
+    const records::Enclosure level = truth_.level_of_detail(*s, *t, bounds_);
+    add_level_labels(level);
+    return truth_.trilinear(at.s, at.t, level, greatest_, bounds_);
+  }
+
+  void add_level_labels(const records::Enclosure& level) {
+    const auto last = static_cast<double>(truth_.level_count() - 1);
+    if (level.hi <= 0 || last == 0) {
+      labels_.emplace("level 0");
+    } else if (level.lo >= last) {
+      labels_.emplace("last level");
+    } else {
+      labels_.emplace("between levels");
+    }
+  }
+
+  void compare(const FragmentPlace& place, std::uint32_t channel,
+               const oracle::FilteredChannel& filtered, float actual, const Coordinates& at) {
+    const AttributeKind kind = records::kind_of(case_->attributes[channel % 2].interpolation);
+    FragmentClass found = FragmentClass::correct;
+    if (std::isnan(actual)) {
+      found = FragmentClass::not_a_number;
+    } else if (std::isinf(actual)) {
+      found = FragmentClass::infinite;
+    } else if (const Rational color(double{actual});
+               color < filtered.allowed.lo || color > filtered.allowed.hi) {
+      found = FragmentClass::beyond_bound;
+    }
+    ++check_.judgement.errors[kind].classes[found];
+    if (found == FragmentClass::correct) return;
+    records::Violation violation = violation_at(
+        place, found, oracle::to_string(filtered.exact),
+        fmt::format("channel {} of a {}×{} texture, {}, at s = {}, t = {}; allowed is {} to {}",
+                    channel, texturing_->texture.width, texturing_->texture.height,
+                    texturing_->filter == Filter::bilinear ? "bilinear" : "trilinear",
+                    at.s.to_string(), at.t.to_string(), filtered.allowed.lo.enclosure().lo,
+                    filtered.allowed.hi.enclosure().hi));
+    violation.kind = kind;
+    violation.attribute = channel % 2;
+    violation.actual = value_text(actual);
+    note(check_, violation);
+  }
+
+  const cases::Case* case_;
+  cases::TextureBounds bounds_;
+  SeenTriangles seen_;
+  const cases::Texturing* texturing_;
+  TextureTruth truth_;
+  const cases::Picture* picture_;
+  oracle::CoordinateSizes greatest_;
+  std::set<std::uint32_t> triangles_;
+  std::set<std::string> labels_;
+  Check check_;
+};
+
+bool is_promised(const backends::Backend& backend) {
+  return backend.draws_pictures() && backend.contract({}).texture_bounds.has_value();
+}
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  Check none;
+  none.is_applicable = is_promised(backend) && clip->attributes.size() >= 2;
+  if (!none.is_applicable) return none;
+  const cases::Pipeline pipeline = pipeline_of(*clip);
+  const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
+  if (!picture) return tl::unexpected(picture.error());
+  return FilterCheck(*clip, backend.contract(*clip), *pipeline.texturing, *picture).run();
+}
+
+const LawRegistration kRegistration({"filtered colours stay within the bound", &textured_case,
+                                     &check, &is_promised});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,210 @@
+// Distinct depths are drawn in any order: a depth test `less` keeps the nearest fragment of each
+// sample, whichever came first. The case's triangles drawn in the reverse order leave the same
+// fragments, bit for bit, wherever the depths of the two that they leave differ.
+//
+// Why. `less` replaces what is at a sample by what is nearer. A triangle's fragments do not depend
+// on what was drawn before (OpenGL, "Invariance": fragments do not change with the framebuffer's
+// contents), so the two orders have the same ones to choose from. Let a be left by one order and b
+// by the other. If a's depth were below b's, the second order would not have left b. So the depths
+// are equal, or a and b are the same fragment.
+//
+// Samples: all. Where the two depths are equal, which of the two triangles is left is a matter of
+// order and left alone here; so is what has no number for a depth. Cases without a depth test get
+// one. A third drawing without it says how many fragments there were to choose from, for the labels
+// alone.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+
+/// y, x, sample.
+using Sample = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
+
+Sample sample_of(const FragmentPlace& place) { return {place.y, place.x, place.sample}; }
+
+/// The fragment that is left at each sample.
+std::map<Sample, std::size_t> by_sample(const cases::Framebuffer& drawn) {
+  std::map<Sample, std::size_t> left;
+  for (std::size_t i = 0; i < drawn.size(); ++i) left.emplace(sample_of(place_of(drawn, i)), i);
+  return left;
+}
+
+class OrderCheck {
+ public:
+  OrderCheck(const cases::Case& c, const cases::Framebuffer& forward,
+             const cases::Framebuffer& backward)
+      : case_(&c), forward_(&forward), backward_(&backward) {
+    check_.judgement.errors[AttributeKind::coverage];
+  }
+
+  Check run() {
+    const std::map<Sample, std::size_t> first = by_sample(*forward_);
+    const std::map<Sample, std::size_t> second = by_sample(*backward_);
+    for (const auto& [sample, i] : first) {
+      const auto other = second.find(sample);
+      if (other == second.end()) {
+        report(violation_at(place_of(*forward_, i), FragmentClass::missing,
+                            "required: something is left there in submission order",
+                            "nothing is left there in the reverse order"));
+      } else {
+        compare(i, other->second);
+      }
+    }
+    for (const auto& [sample, i] : second) {
+      if (first.contains(sample)) continue;
+      report(violation_at(place_of(*backward_, i), FragmentClass::extra,
+                          "forbidden: nothing is left there in submission order",
+                          "left in the reverse order"));
+    }
+    return std::move(check_);
+  }
+
+  /// What there was to choose from.
+  void add_labels(const cases::Framebuffer& all, Check& check) const {
+    std::map<Sample, std::pair<float, int>> depths;  // the least, and how many
+    std::set<std::string> labels;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const float depth = all.depth[i];
+      const auto [at, is_first] =
+          depths.try_emplace(sample_of(place_of(all, i)), std::pair{depth, 1});
+      if (is_first) continue;
+      labels.emplace(depth == at->second.first ? "equal depths" : "distinct depths");
+      at->second.first = std::min(at->second.first, depth);
+      if (++at->second.second == 3) labels.emplace("three and more");
+    }
+    add_state_labels(*case_, triangles_, labels);
+    check.labels.assign(labels.begin(), labels.end());
+  }
+
+ private:
+  void compare(std::size_t i, std::size_t j) {
+    const FragmentPlace place = place_of(*forward_, i);
+    const FragmentPlace other = place_of(*backward_, j);
+    const float depth = forward_->depth[i];
+    const float other_depth = backward_->depth[j];
+    ++check_.judgement.counts.required;
+    if (is_of_case(*case_, place)) triangles_.insert(place.triangle);
+    if (place.triangle == other.triangle) {
+      const auto difference =
+          find_difference(*case_, *forward_, i, *backward_, j,
+                          "the triangles drawn in the reverse order; before, it was the other");
+      if (difference) return report(*difference);
+    } else if (depth < other_depth || other_depth < depth) {
+      return report(wrong_triangle(place, depth, other, other_depth));
+    }
+    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+  }
+
+  /// Of the two that were left, the farther one is wrong.
+  static records::Violation wrong_triangle(const FragmentPlace& place, float depth,
+                                           const FragmentPlace& other, float other_depth) {
+    const bool is_first_wrong = other_depth < depth;
+    const FragmentPlace& nearer = is_first_wrong ? other : place;
+    records::Violation violation = violation_at(
+        is_first_wrong ? place : other, FragmentClass::wrong_triangle,
+        "forbidden: triangle " + std::to_string(nearer.triangle) + " is nearer", "drawn in ");
+    violation.note += is_first_wrong ? "submission order" : "the reverse order";
+    violation.note += ", at depth " + value_text(is_first_wrong ? depth : other_depth) +
+                      "; the other order leaves triangle " + std::to_string(nearer.triangle) +
+                      " at " + value_text(is_first_wrong ? other_depth : depth);
+    return violation;
+  }
+
+  void report(const records::Violation& violation) {
+    ++check_.judgement.errors[violation.kind].classes[violation.fragment_class];
+    note(check_, violation);
+  }
+
+  const cases::Case* case_;
+  const cases::Framebuffer* forward_;
+  const cases::Framebuffer* backward_;
+  std::set<std::uint32_t> triangles_;
+  Check check_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  Check none;
+  none.is_applicable = clip->triangles.size() > 1;
+  if (!none.is_applicable) return none;
+  clip->depth_test = cases::DepthTest::none;
+  const Result<cases::Framebuffer> all = draw(*clip, backend);
+  if (!all) return tl::unexpected(all.error());
+  clip->depth_test = cases::DepthTest::less;
+  const Result<cases::Framebuffer> forward = draw(*clip, backend);
+  if (!forward) return tl::unexpected(forward.error());
+  cases::Case reversed = *clip;
+  std::reverse(reversed.triangles.begin(), reversed.triangles.end());
+  Result<cases::Framebuffer> backward = draw(reversed, backend);
+  if (!backward) return tl::unexpected(backward.error());
+  const auto count = static_cast<std::uint32_t>(clip->triangles.size());
+  for (std::uint32_t& triangle : backward->triangle) {
+    if (triangle < count) triangle = count - 1 - triangle;
+  }
+  OrderCheck order(*clip, *forward, *backward);
+  Check check = order.run();
+  order.add_labels(*all, check);
+  return check;
+}
+
+// --- the law's own cases: triangles that meet each other ----------------------------------------
+
+/// Appends a vertex where another is, with its values, and with another depth.
+std::uint32_t add_at_depth(Draw& draw, cases::Case& c, std::uint32_t vertex) {
+  cases::ClipVertex p = c.positions[vertex];
+  // In eighths as often as not: equal depths, and planes that meet at samples.
+  const int eighths = draw.between(1, 7);
+  const float free = random_depth(draw, c);
+  p.z = to_float(double{p.w} * (draw.one_in(2) ? eighths / 8.0 : double{free}));
+  const auto append = [vertex](std::vector<float>& values, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) values.push_back(values[vertex * count + i]);
+  };
+  append(c.attribute_values, c.attributes.size());
+  append(c.clip_distances, c.clip_distance_count);
+  return add_vertex(c, p);
+}
+
+/// Adds triangles of the vertices there are, moved in depth: over those there are, or between them.
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  cases::Case& c = made.source;
+  c.depth_test = cases::DepthTest::less;
+  if (!draw.one_in(4)) c.cull = cases::Cull::none;
+  const int vertices = static_cast<int>(c.positions.size());
+  const int before = static_cast<int>(c.triangles.size());
+  const int more = draw.between(1, 4);
+  for (int i = 0; i < more; ++i) {
+    const int like = draw.between(0, before - 1);
+    cases::Triangle triangle = c.triangles[static_cast<std::size_t>(like)];
+    const int changed = draw.between(0, 2);
+    const int other = draw.between(0, vertices - 1);
+    if (draw.one_in(2))
+      triangle[static_cast<std::size_t>(changed)] = static_cast<std::uint32_t>(other);
+    for (std::uint32_t& vertex : triangle) vertex = add_at_depth(draw, c, vertex);
+    c.triangles.push_back(triangle);
+  }
+  return made;
+}
+
+const LawRegistration kRegistration({"distinct depths are drawn in any order", &generate, &check});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,216 @@
+// Strips and fans are their triangles: what is drawn of a strip, fan or list of indices is what the
+// triangles are drawn that the API makes of them, in its order of vertices. A wrong winding shows
+// where one side is culled, a wrong provoking vertex in flat attributes, a wrong triangle anywhere.
+//
+// The rules, of the vertices v_0, v_1, … since the last restart (Vulkan 1.3, Triangle Strips and
+// Triangle Fans; Direct3D 9 the same; OpenGL 4.6, table of provoking vertices, last convention):
+//
+//   strip  Vulkan, D3D  (v_i, v_{i + 1 + i mod 2}, v_{i + 2 − i mod 2})
+//          OpenGL       (v_i, v_{i + 1}, v_{i + 2}), the first two swapped where i is odd
+//   fan    Vulkan, D3D  (v_{i + 1}, v_{i + 2}, v_0)
+//          OpenGL       (v_0, v_{i + 1}, v_{i + 2})
+//
+// Which topology is drawn, and of which indices, is a function of the vertices' positions: all
+// vertices in turn, now and then one once more, or a restart. The triangles of the case have no
+// say; those of generated cases are what the rules make of the indices.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Topology;
+
+/// Vertices of a case that are drawn, so that a mesh does not take hours.
+constexpr std::size_t kMostVertices = 48;
+
+struct Indexed {
+  Topology topology = Topology::strip;
+  std::vector<std::uint32_t> indices;
+};
+
+const char* word(Topology topology) {
+  switch (topology) {
+    case Topology::triangles:
+      return "list";
+    case Topology::strip:
+      return "strip";
+    case Topology::fan:
+      break;
+  }
+  return "fan";
+}
+
+/// Numbers that follow from the positions alone (64-bit FNV-1a of their bits, then its steps).
+class Choices {
+ public:
+  explicit Choices(const cases::Case& c) {
+    for (const cases::ClipVertex& p : c.positions) {
+      for (const float coordinate : {p.x, p.y, p.z, p.w}) {
+        take(std::bit_cast<std::uint32_t>(coordinate));
+      }
+    }
+  }
+  bool one_in(std::uint64_t n) {
+    take(1);
+    return (state_ >> 32) % n == 0;
+  }
+
+ private:
+  void take(std::uint64_t bits) { state_ = (state_ ^ bits) * 0x100000001b3U; }
+  std::uint64_t state_ = 0xcbf29ce484222325U;
+};
+
+Indexed indices_of(const cases::Case& c) {
+  Choices choices(c);
+  Indexed chosen;
+  if (choices.one_in(5)) {
+    chosen.topology = Topology::triangles;
+  } else if (choices.one_in(2)) {
+    chosen.topology = Topology::fan;
+  }
+  const auto count = static_cast<std::uint32_t>(std::min(c.positions.size(), kMostVertices));
+  for (std::uint32_t vertex = 0; vertex < count; ++vertex) {
+    if (choices.one_in(9)) chosen.indices.push_back(cases::kRestart);
+    chosen.indices.push_back(vertex);
+    if (choices.one_in(9)) chosen.indices.push_back(vertex);
+  }
+  return chosen;
+}
+
+cases::Triangle triangle_of_rules(cases::Rules rules, Topology topology, std::size_t i,
+                                  const std::vector<std::uint32_t>& v) {
+  const bool is_odd = i % 2 == 1;
+  switch (topology) {
+    case Topology::triangles:
+      return {v[3 * i], v[3 * i + 1], v[3 * i + 2]};
+    case Topology::strip: {
+      if (rules == cases::Rules::opengl) {
+        return is_odd ? cases::Triangle{v[i + 1], v[i], v[i + 2]}
+                      : cases::Triangle{v[i], v[i + 1], v[i + 2]};
+      }
+      const std::size_t parity = is_odd ? 1 : 0;
+      return {v[i], v[i + 1 + parity], v[i + 2 - parity]};
+    }
+    case Topology::fan:
+      break;
+  }
+  if (rules == cases::Rules::opengl) return {v[0], v[i + 1], v[i + 2]};
+  return {v[i + 1], v[i + 2], v[0]};
+}
+
+std::vector<cases::Triangle> triangles_of(cases::Rules rules, const Indexed& indexed) {
+  std::vector<cases::Triangle> all;
+  std::vector<std::uint32_t> run;
+  const auto end_run = [&] {
+    const std::size_t count = indexed.topology == Topology::triangles
+                                  ? run.size() / 3
+                                  : std::max<std::size_t>(run.size(), 2) - 2;
+    for (std::size_t i = 0; i < count; ++i) {
+      all.push_back(triangle_of_rules(rules, indexed.topology, i, run));
+    }
+    run.clear();
+  };
+  for (const std::uint32_t index : indexed.indices) {
+    if (index == cases::kRestart) {
+      end_run();
+    } else {
+      run.push_back(index);
+    }
+  }
+  end_run();
+  return all;
+}
+
+void add_notes(const cases::Case& expanded, Topology topology, Check& judged) {
+  for (records::Violation& violation : judged.violations) {
+    violation.note += violation.note.empty() ? "" : "; ";
+    violation.note += fmt::format("a {}", word(topology));
+    if (violation.triangle >= expanded.triangles.size()) continue;
+    const auto& [a, b, c] = expanded.triangles[violation.triangle];
+    violation.note +=
+        fmt::format(", its triangle {} of vertices {}, {}, {}", violation.triangle, a, b, c);
+  }
+}
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
+  Result<cases::Case> expanded = oracle::to_clip_case(c, "");
+  if (!expanded) return tl::unexpected(expanded.error());
+  const Indexed indexed = indices_of(*expanded);
+  expanded->triangles = triangles_of(c.rules, indexed);
+  if (!backend.assembles() || expanded->triangles.empty()) {
+    Check not_applicable;
+    not_applicable.is_applicable = false;
+    return not_applicable;
+  }
+  const Result<cases::Framebuffer> drawn =
+      draw_assembled(*expanded, indexed.topology, indexed.indices, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  Check judged = judge_drawn(*expanded, backend.contract(*expanded), *drawn, {}, options);
+  add_notes(*expanded, indexed.topology, judged);
+  judged.labels.emplace_back(word(indexed.topology));
+  if (std::find(indexed.indices.begin(), indexed.indices.end(), cases::kRestart) !=
+      indexed.indices.end()) {
+    judged.labels.emplace_back("restart");
+  }
+  if (expanded->cull != cases::Cull::none) judged.labels.emplace_back("culled");
+  std::sort(judged.labels.begin(), judged.labels.end());
+  return judged;
+}
+
+bool is_promised(const backends::Backend& backend) { return backend.assembles(); }
+
+/// A flat attribute that names its vertex, and a smooth one.
+void add_telling_attributes(Draw& draw, cases::Case& c) {
+  c.attributes.push_back({"vertex", cases::Interpolation::flat, cases::Location::sample});
+  c.attributes.push_back({"shade", cases::Interpolation::smooth, cases::Location::sample});
+  add_attribute_values(draw, c);
+  const std::size_t count = c.attributes.size();
+  for (std::size_t v = 0; v < c.positions.size(); ++v) {
+    c.attribute_values[v * count + count - 2] = static_cast<float>(v);
+    c.attribute_values[v * count + count - 1] = draw.uniform(-1, 1);
+  }
+}
+
+void add_random_vertex(Draw& draw, cases::Case& c) {
+  const WindowPoint p = point_about(draw, c);
+  const float depth = random_depth(draw, c);
+  const float w = draw.one_in(3) ? 1.0F : draw.uniform(0.125F, 4);
+  add_vertex(c, at_window(c, p, depth, draw.one_in(24) ? -w : w));
+}
+
+Generated generate(Draw& draw) {
+  StateRequest request;
+  request.least_side = 16;
+  request.most_side = 40;
+  cases::Case c = random_state(draw, request);
+  const int vertices = draw.between(3, 5 + draw.size() / 12);
+  for (int i = 0; i < vertices; ++i) add_random_vertex(draw, c);
+  // Restarts may have left none.
+  while (triangles_of(c.rules, indices_of(c)).empty()) add_random_vertex(draw, c);
+  const Indexed indexed = indices_of(c);
+  c.triangles = triangles_of(c.rules, indexed);
+  add_telling_attributes(draw, c);
+  add_clip_distances(draw, c);
+  const char* const rules = c.rules == cases::Rules::opengl   ? "opengl"
+                            : c.rules == cases::Rules::vulkan ? "vulkan"
+                                                              : "d3d";
+  return {std::move(c), fmt::format("{} of {}", word(indexed.topology), rules)};
+}
+
+const LawRegistration kRegistration({"strips and fans are their triangles", &generate, &check,
+                                     &is_promised});
+
+}  // namespace
+}  // namespace rastercheck::properties

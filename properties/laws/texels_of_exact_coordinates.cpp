@@ -1,0 +1,183 @@
+// Texels are those of the exact coordinates: a nearest texel is the one that s and t are in as
+// rational numbers, and its colour is k/255 to the bit.
+//
+// Why. RULES §4 give a fragment one s and one t; ⌊s W⌋, wrapped, is a whole number with nothing to
+// round. A coordinate that was rounded first is on the wrong side of a texel's border now and then,
+// by a whole texel: seams of tiles, and what seed 004's `(int)` does below 0. Every texel's colour
+// names it, so that a violation tells which one was taken.
+//
+// The texture's size, its wraps and the picture's format are chosen by the case's numbers; the
+// coordinates are its first two attributes. Nothing is tested or blended: what is drawn last is
+// seen.
+//
+// Samples: some of those drawn, where the last triangle is required and has one exact value of both
+// coordinates. So not noperspective ones with some w <= 0, nor centroids whose place is open, nor
+// any that the contract leaves in a range. Judged of backends that draw pictures.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "oracle/texture_truth.h"
+#include "oracle/transform.h"
+#include "properties/internal/textured_cases.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using oracle::TextureTruth;
+using records::AttributeKind;
+using records::FragmentClass;
+
+/// At most so many samples of a case are judged.
+constexpr std::size_t kMostSamples = 96;
+
+constexpr std::array<std::string_view, 3> kWrapWords{"repeat", "clamp", "mirror"};
+
+/// Red names the column, green the row; no byte is 0.
+std::uint8_t naming_byte(int i, int j, std::size_t channel) {
+  switch (channel) {
+    case 0:
+      return static_cast<std::uint8_t>(4 * i + 3);
+    case 1:
+      return static_cast<std::uint8_t>(4 * j + 3);
+    case 2:
+      return static_cast<std::uint8_t>(255 - (7 * i + 13 * j) % 255);
+    default:
+      return static_cast<std::uint8_t>(255 - (i ^ j));
+  }
+}
+
+cases::Pipeline pipeline_of(const cases::Case& c) {
+  Choices choices(fingerprint(c));
+  cases::Pipeline pipeline;
+  pipeline.depth_function = cases::DepthFunction::always;
+  pipeline.format = choices.below(3) == 0 ? cases::ColorFormat::rgba8 : cases::ColorFormat::float32;
+  pipeline.texturing = texturing_of(choices, &naming_byte);
+  return pipeline;
+}
+
+std::string text_of(const TextureTruth::Color& color) {
+  return fmt::format("texel ({}, {})", (color[0] - 3) / 4, (color[1] - 3) / 4);
+}
+
+class TexelCheck {
+ public:
+  TexelCheck(const cases::Case& c, const cases::Contract& contract,
+             const cases::Texturing& texturing, const cases::Picture& picture)
+      : case_(&c),
+        seen_(c, contract),
+        texturing_(&texturing),
+        truth_(texturing),
+        picture_(&picture) {}
+
+  Check run() {
+    check_.judgement.errors[AttributeKind::coverage];
+    for (const std::size_t at : some_drawn_samples(*picture_, kMostSamples)) check_sample(at);
+    add_state_labels(*case_, triangles_, labels_);
+    check_.labels.assign(labels_.begin(), labels_.end());
+    return std::move(check_);
+  }
+
+ private:
+  void check_sample(std::size_t at) {
+    FragmentPlace place = place_at(*picture_, at);
+    const auto triangle = seen_.at(static_cast<int>(place.x), static_cast<int>(place.y),
+                                   static_cast<int>(place.sample));
+    if (!triangle) return;
+    place.triangle = *triangle;
+    const oracle::TriangleTruth& truth = seen_.truth(*triangle);
+    const auto s = exact_value(truth, 0, place);
+    const auto t = exact_value(truth, 1, place);
+    if (!s || !t) {
+      labels_.emplace("no one coordinate");
+      return;
+    }
+    ++check_.judgement.counts.required;
+    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+    triangles_.insert(*triangle);
+    add_labels(*s, texturing_->texture.width, texturing_->wrap_s);
+    add_labels(*t, texturing_->texture.height, texturing_->wrap_t);
+    compare(at, place, *s, *t);
+  }
+
+  void add_labels(const oracle::Rational& coordinate, int size, cases::Wrap wrap) {
+    const oracle::TexelIndex index = oracle::texel_index(coordinate, size, wrap);
+    if (index.is_on_border) labels_.emplace("texel border");
+    if (index.is_beyond) labels_.emplace("beyond 0 to 1");
+    labels_.emplace(kWrapWords[static_cast<std::size_t>(wrap)]);
+  }
+
+  void compare(std::size_t at, const FragmentPlace& place, const oracle::Rational& s,
+               const oracle::Rational& t) {
+    const TextureTruth::Color color = truth_.nearest(s, t);
+    for (std::uint32_t channel = 0; channel < color.size(); ++channel) {
+      const float actual = picture_->color[at * color.size() + channel];
+      const float expected = static_cast<float>(color[channel]) / 255;
+      const AttributeKind kind = records::kind_of(case_->attributes[channel % 2].interpolation);
+      FragmentClass found = FragmentClass::correct;
+      if (std::isnan(actual)) {
+        found = FragmentClass::not_a_number;
+      } else if (std::isinf(actual)) {
+        found = FragmentClass::infinite;
+      } else if (std::bit_cast<std::uint32_t>(actual) != std::bit_cast<std::uint32_t>(expected)) {
+        found = FragmentClass::beyond_bound;
+      }
+      ++check_.judgement.errors[kind].classes[found];
+      if (found == FragmentClass::correct) continue;
+      report(place, channel, found, kind, color, s, t, actual);
+      return;  // one texel, one violation
+    }
+  }
+
+  void report(const FragmentPlace& place, std::uint32_t channel, FragmentClass found,
+              AttributeKind kind, const TextureTruth::Color& color, const oracle::Rational& s,
+              const oracle::Rational& t, float actual) {
+    records::Violation violation =
+        violation_at(place, found, text_of(color),
+                     fmt::format("channel {} of a {}×{} texture, {} and {}, at s = {}, t = {}",
+                                 channel, texturing_->texture.width, texturing_->texture.height,
+                                 kWrapWords[static_cast<std::size_t>(texturing_->wrap_s)],
+                                 kWrapWords[static_cast<std::size_t>(texturing_->wrap_t)],
+                                 s.to_string(), t.to_string()));
+    violation.kind = kind;
+    violation.attribute = channel % 2;
+    violation.actual = fmt::format("{}, {} of 255", value_text(actual), actual * 255);
+    note(check_, violation);
+  }
+
+  const cases::Case* case_;
+  SeenTriangles seen_;
+  const cases::Texturing* texturing_;
+  TextureTruth truth_;
+  const cases::Picture* picture_;
+  std::set<std::uint32_t> triangles_;
+  std::set<std::string> labels_;
+  Check check_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  Check none;
+  none.is_applicable = backend.draws_pictures() && clip->attributes.size() >= 2;
+  if (!none.is_applicable) return none;
+  const cases::Pipeline pipeline = pipeline_of(*clip);
+  const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
+  if (!picture) return tl::unexpected(picture.error());
+  return TexelCheck(*clip, backend.contract(*clip), *pipeline.texturing, *picture).run();
+}
+
+const LawRegistration kRegistration({"texels are those of the exact coordinates", &textured_case,
+                                     &check, &draws_pictures});
+
+}  // namespace
+}  // namespace rastercheck::properties
