@@ -19,15 +19,21 @@ def run(name, time, **more):
             "time_unit": "ms", **more}
 
 
-def table_of(runs, *options):
-    """The cells of the table's rows, below its head."""
+def tables_of(runs, *options):
+    """The cells of each table's rows, below its head."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder, "result.json")
         file.write_text(json.dumps({"benchmarks": runs}), encoding="utf-8")
         text = subprocess.run([SOURCE / "scripts/bench-table", file, *options], check=True,
                               capture_output=True, text=True).stdout
-    return [[cell.strip() for cell in line.strip("|").split("|")]
-            for line in text.splitlines()[2:]]
+    return [[[cell.strip() for cell in line.strip("|").split("|")]
+             for line in table.splitlines()[2:]] for table in text.split("\n\n")]
+
+
+def table_of(runs, *options):
+    """The cells of the one table's rows."""
+    table, = tables_of(runs, *options)
+    return table
 
 
 class BenchTable(unittest.TestCase):
@@ -51,6 +57,23 @@ class BenchTable(unittest.TestCase):
                 run("llvmpipe-samples:4/threads:1/width:512/bunny", 24)]
         self.assertEqual([row[:4] for row in table_of(runs)], [
             ["bunny, samples:4", "8", "24", "3.00"], ["bunny, snapped:8", "4", "2", "0.50"]])
+
+    def test_shaded_frames_have_a_table_of_their_own(self):
+        shaded = [run("draw-textured-bilinear/threads:1/bunny", 10),
+                  run("draw-textured-bilinear/threads:2/bunny", 5),
+                  run("llvmpipe-textured-bilinear/threads:1/width:default/bunny", 40),
+                  run("llvmpipe-textured-bilinear/threads:1/width:512/bunny", 30),
+                  run("llvmpipe-textured-bilinear/threads:2/width:default/bunny", 20),
+                  run("llvmpipe-textured-bilinear-float32/threads:1/width:default/bunny", 60),
+                  run("llvmpipe-blended-over/threads:1/width:default/fill", 7)]
+        rows = [["blended-over", "fill", "–", "7", "–", "–", "–", "–"],
+                ["textured-bilinear", "bunny", "10", "30", "3.00", "5", "20", "4.00"],
+                ["textured-bilinear-float32", "bunny", "–", "60", "–", "–", "–", "–"]]
+        self.assertEqual(table_of(shaded), rows)
+        plain = [run("draw/threads:1/bunny", 20), run("draw-float32/threads:1/bunny", 25)]
+        first, second = tables_of(plain + shaded)
+        self.assertEqual([row[:2] for row in first], [["bunny", "20"], ["bunny, float32", "25"]])
+        self.assertEqual(second, rows)
 
     def test_leaves_out_what_was_skipped(self):
         runs = [run("draw/threads:1/bunny", 0, error_occurred=True), run("fill", 1)]

@@ -24,6 +24,7 @@
 #include <utility>
 
 #include "tests/bench/frame_scenes.h"
+#include "tests/bench/frame_timing.h"
 #include "tests/bench/llvmpipe.h"
 #include "tests/bench/machine_limits.h"
 #include "tests/bench/summary.h"
@@ -73,24 +74,6 @@ const Result<Summary>& summary_of(const std::string& name, int samples) {
   return drawn.emplace(std::pair{name, samples}, std::move(summary)).first->second;
 }
 
-double drawn_area(const std::string& name) {
-  static std::map<std::string, double> areas;
-  const auto [area, is_new] = areas.try_emplace(name);
-  if (is_new) area->second = drawn_area(*frame_scene(name));
-  return area->second;
-}
-
-void set_rates(benchmark::State& bench, const std::string& name) {
-  const auto rate = [&bench](double count) {
-    return benchmark::Counter(count * static_cast<double>(bench.iterations()),
-                              benchmark::Counter::kIsRate);
-  };
-  bench.counters["triangles_per_second"] =
-      rate(static_cast<double>(frame_scene(name)->triangles.size()));
-  // Hidden ones too: all of them in fill_32_layers are shaded.
-  bench.counters["pixels_per_second"] = rate(drawn_area(name));
-}
-
 bool has_more_than_avx2() {
   // Highway's targets for one processor are bits, the better the lower.
   return (hwy::SupportedTargets() & HWY_AVX2) != 0 &&
@@ -122,7 +105,7 @@ void draw(benchmark::State& bench, const std::string& name, const Mode& mode, un
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   set_rates(bench, name);
   if (has_limit) {
-    bench.counters["fraction_of_limit"] = least_fill_seconds(limits, drawn_area(name)) *
+    bench.counters["fraction_of_limit"] = least_fill_seconds(limits, scene_area(name)) *
                                           static_cast<double>(bench.iterations()) / taken.count();
   }
 }
@@ -137,13 +120,7 @@ void draw_by_llvmpipe(benchmark::State& bench, const std::string& name, const Pe
   if (const Result<void> ready = peer.take(name, target, *summary); !ready) {
     return bench.SkipWithError(("no llvmpipe: " + to_string(ready.error())).c_str());
   }
-  for (auto _ : bench) {
-    const Result<double> seconds = peer.draw();
-    if (!seconds) return bench.SkipWithError(to_string(seconds.error()).c_str());
-    bench.SetIterationTime(*seconds);
-  }
-  bench.SetLabel(peer.renderer());
-  set_rates(bench, name);
+  time_frames_of(peer, bench, name);
 }
 
 void add(const std::string& name, const Mode& mode) {

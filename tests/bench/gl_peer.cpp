@@ -3,22 +3,31 @@
 // takes a line and answers with one, "ok …" or "error …"; the first answer comes unasked.
 //
 //   (started)     ok RENDERER
-//   scene NAME COLOR SAMPLES   ok    the scene is built, uploaded and drawn to warm up; COLOR is
-//                                    rgba32f or rgba8
+//   scene NAME COLOR SAMPLES [KIND]
+//                 ok                 the scene is built, uploaded and drawn to warm up; COLOR is
+//                                    rgba32f or rgba8; KIND is how (draw_kinds.h), by default
+//                                    attributes as colours where depth is less
 //   draw COUNT    ok SECONDS         that many frames, each finished before the next
 //   summary       ok COVERED RED GREEN DEPTH    of the last frame (summary.h)
+//   probes        ok PROBES          of the last frame, one sample per pixel (probes.h)
 
 #include <chrono>
 #include <iostream>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "backends/gl/context.h"
 #include "backends/gl/draw.h"
 #include "backends/gl/target.h"
+#include "backends/gl/texture.h"
+#include "tests/bench/draw_kinds.h"
 #include "tests/bench/frame_scenes.h"
+#include "tests/bench/probes.h"
 #include "tests/bench/summary.h"
+#include "tests/bench/texture_scenes.h"
 
 namespace rastercheck::bench {
 namespace {
@@ -31,11 +40,7 @@ tl::unexpected<Error> failure(const std::string& reason) {
 
 class GlPeer {
  public:
-  static Result<GlPeer> create(const gl::Context& context) {
-    Result<gl::Program> program = gl::Program::build(context);
-    if (!program) return tl::unexpected(program.error());
-    return GlPeer(context, *std::move(program));
-  }
+  explicit GlPeer(const gl::Context& context) : context_(&context) {}
 
   /// What comes after "ok ".
   Result<std::string> answer(const std::string& line) {
@@ -45,9 +50,10 @@ class GlPeer {
     if (verb == "scene") {
       std::string name;
       std::string color;
+      std::string kind;
       int samples = 0;
-      words >> name >> color >> samples;
-      return take(name, color, samples).map([] { return std::string(); });
+      words >> name >> color >> samples >> kind;
+      return take(name, color, samples, kind).map([] { return std::string(); });
     }
     if (!mesh_) return failure("no scene yet");
     if (verb == "draw") {
@@ -56,18 +62,26 @@ class GlPeer {
       return draw(count);
     }
     if (verb == "summary") return summary();
+    if (verb == "probes") return probes();
     return failure("not understood: " + line);
   }
 
  private:
-  GlPeer(const gl::Context& context, gl::Program program)
-      : context_(&context), program_(std::move(program)) {}
-
-  Result<void> take(const std::string& name, const std::string& color, int samples) {
+  Result<void> take(const std::string& name, const std::string& color, int samples,
+                    const std::string& kind_name) {
     mesh_.reset();
     target_.reset();
-    const Result<Scene>& scene = frame_scene(name);
+    program_.reset();
+    const DrawKind* const kind = draw_kind(kind_name);
+    if (!kind_name.empty() && kind == nullptr) return failure("no kind of draw: " + kind_name);
+    const Result<Scene>& scene = kind == nullptr ? frame_scene(name) : shaded_scene(name, *kind);
     if (!scene) return tl::unexpected(scene.error());
+    Result<gl::Program> program = (kind == nullptr ? Result<gl::DrawState>{} : state_of(*kind))
+                                      .and_then([&](const gl::DrawState& state) {
+                                        return gl::Program::build(*context_, state);
+                                      });
+    if (!program) return tl::unexpected(program.error());
+    program_ = *std::move(program);
     const auto format = color == "rgba8" ? gl::ColorFormat::rgba8 : gl::ColorFormat::rgba32f;
     Result<gl::Target> target =
         gl::Target::create(*context_, {scene->size.x, scene->size.y, samples, format});
@@ -84,10 +98,38 @@ class GlPeer {
     return draw(2).map([](const std::string& /*seconds*/) {});
   }
 
+  Result<gl::DrawState> state_of(const DrawKind& kind) {
+    gl::DrawState state;
+    state.depth_function = kind.depth_function;
+    state.writes_depth = kind.writes_depth;
+    state.clear_depth = kind.clear_depth;
+    state.blend = kind.blend;
+    state.alpha = kind.alpha;
+    if (!kind.filter) return state;
+    if (!texture_) {
+      Result<gl::Texture> uploaded = upload_texture();
+      if (!uploaded) return tl::unexpected(uploaded.error());
+      texture_ = *std::move(uploaded);
+    }
+    state.texturing = gl::Texturing{
+        .texture = &*texture_, .filter = *kind.filter, .discard_below = kind.discard_below};
+    return state;
+  }
+
+  Result<gl::Texture> upload_texture() const {
+    const Result<rasterizer::Texture>& texture = bench_texture();
+    if (!texture) return tl::unexpected(texture.error());
+    std::vector<gl::TextureLevel> levels;
+    for (std::size_t i = 0; i < texture->level_count(); ++i) {
+      levels.push_back({texture->width(i), texture->height(i), texture->texels(i)});
+    }
+    return gl::Texture::upload(*context_, levels);
+  }
+
   Result<std::string> draw(int count) const {
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < count; ++i) {
-      if (const Result<void> drawn = program_.draw_frame(*mesh_, *target_); !drawn) {
+      if (const Result<void> drawn = program_->draw_frame(*mesh_, *target_); !drawn) {
         return tl::unexpected(drawn.error());
       }
     }
@@ -103,6 +145,14 @@ class GlPeer {
     return text(s.covered, s.red, s.green, s.depth);
   }
 
+  Result<std::string> probes() const {
+    const Result<gl::Picture> picture = target_->read();
+    if (!picture) return tl::unexpected(picture.error());
+    if (picture->shape.samples != 1) return failure("probes are of one sample per pixel");
+    return to_word(take_probes({picture->shape.width, picture->shape.height}, picture->depth,
+                               [&](std::size_t pixel) { return picture->color[pixel]; }));
+  }
+
   /// Numbers with all their digits.
   template <typename... Numbers>
   static std::string text(Numbers... numbers) {
@@ -113,7 +163,8 @@ class GlPeer {
   }
 
   const gl::Context* context_;
-  gl::Program program_;
+  std::optional<gl::Texture> texture_;
+  std::optional<gl::Program> program_;
   std::optional<gl::Target> target_;
   std::optional<gl::Mesh> mesh_;
 };
@@ -132,10 +183,9 @@ int serve() {
     say(tl::unexpected(context.error()));
     return 0;
   }
-  Result<GlPeer> peer = GlPeer::create(*context);
-  say(peer.map([&](const GlPeer& /*made*/) { return context->renderer(); }));
-  if (!peer) return 0;
-  for (std::string line; std::getline(std::cin, line);) say(peer->answer(line));
+  say(context->renderer());
+  GlPeer peer(*context);
+  for (std::string line; std::getline(std::cin, line);) say(peer.answer(line));
   return 0;
 }
 

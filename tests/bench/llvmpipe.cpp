@@ -27,17 +27,37 @@ Llvmpipe::Llvmpipe(const std::vector<std::string>& settings) {
 
 Result<void> Llvmpipe::take(const std::string& scene, const PeerTarget& target,
                             const Summary& expected) {
+  return take(scene, target, "summary", [&](const std::string& answer) {
+    Summary its;
+    std::istringstream(answer) >> its.covered >> its.red >> its.green >> its.depth;
+    return show_the_same(its, expected) ? std::string() : answer;
+  });
+}
+
+Result<void> Llvmpipe::take(const std::string& scene, const PeerTarget& target,
+                            const ExpectedProbes& expected) {
+  return take(scene, target, "probes", [&](const std::string& answer) {
+    const double share = share_apart(from_word(answer), expected.probes, expected.tolerance);
+    return share <= expected.share_apart
+               ? std::string()
+               : fmt::format("{:.2g} of its pixels are off by more than {}/255", share,
+                             expected.tolerance);
+  });
+}
+
+Result<void> Llvmpipe::take(const std::string& scene, const PeerTarget& target,
+                            const char* question,
+                            const std::function<std::string(const std::string& answer)>& check) {
   if (!process_) return tl::unexpected(problem_);
-  const std::string request = fmt::format("scene {} {} {}", scene, target.color, target.samples);
+  std::string request = fmt::format("scene {} {} {}", scene, target.color, target.samples);
+  if (!target.kind.empty()) request += " " + target.kind;
   if (taken_ == request) return {};
   taken_.clear();
-  const Result<std::string> summary = process_->ask(request).and_then(
-      [&](const std::string& /*ok*/) { return process_->ask("summary"); });
-  if (!summary) return tl::unexpected(summary.error());
-  Summary its;
-  std::istringstream(*summary) >> its.covered >> its.red >> its.green >> its.depth;
-  if (!show_the_same(its, expected)) {
-    return tl::unexpected(Error{"", "", "its picture of " + scene + " is another: " + *summary});
+  const Result<std::string> answer = process_->ask(request).and_then(
+      [&](const std::string& /*ok*/) { return process_->ask(question); });
+  if (!answer) return tl::unexpected(answer.error());
+  if (const std::string other = check(*answer); !other.empty()) {
+    return tl::unexpected(Error{"", "", "its picture of " + scene + " is another: " + other});
   }
   taken_ = request;
   return {};

@@ -3,12 +3,14 @@
 // Mesa's llvmpipe, the fastest software driver there is to compare with, through OpenGL: a process
 // for each configuration, as it reads its settings from the environment once.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "cases/error.h"
 #include "tests/bench/peer_process.h"
+#include "tests/bench/probes.h"
 #include "tests/bench/summary.h"
 
 namespace rastercheck::bench {
@@ -17,6 +19,14 @@ namespace rastercheck::bench {
 struct PeerTarget {
   std::string color = "rgba32f";  ///< or "rgba8"
   int samples = 1;
+  std::string kind = {};  ///< how (draw_kinds.h); empty: attributes as colours where depth is less
+};
+
+/// Pixels of a shaded picture, and how far another's may be from them.
+struct ExpectedProbes {
+  Probes probes;
+  int tolerance = 0;       ///< in 1/255
+  double share_apart = 0;  ///< of pixels that may be further away
 };
 
 class Llvmpipe {
@@ -28,11 +38,17 @@ class Llvmpipe {
 
   /// Makes it ready to draw this scene; an error where its picture is another than the `expected`.
   Result<void> take(const std::string& scene, const PeerTarget& target, const Summary& expected);
+  Result<void> take(const std::string& scene, const PeerTarget& target,
+                    const ExpectedProbes& expected);
 
   /// Seconds for one frame.
   Result<double> draw();
 
  private:
+  /// `check`: nothing where its answer to `question` is as expected, else what is not.
+  Result<void> take(const std::string& scene, const PeerTarget& target, const char* question,
+                    const std::function<std::string(const std::string& answer)>& check);
+
   std::unique_ptr<PeerProcess> process_;
   Error problem_;
   std::string renderer_;
