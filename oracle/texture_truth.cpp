@@ -209,7 +209,9 @@ TextureTruth::Filtered TextureTruth::trilinear(const Rational& s, const Rational
     }
   };
   // Linear from level to level, so that the extremes are at the ends or at whole levels.
-  for (double whole = std::floor(least) + 1; whole < most; ++whole) take_in(whole);
+  for (int whole = static_cast<int>(std::floor(least)) + 1; whole < most; ++whole) {
+    take_in(static_cast<double>(whole));
+  }
   if (most > least) take_in(most);
   const Field bound = sampling.bound(sizes, bounds, bounds.trilinear);
   Filtered filtered;

@@ -50,7 +50,10 @@ Result<Texture> Texture::upload(const Context& /*context*/, std::span<const Text
     glTextureSubImage2D(name, static_cast<GLint>(i), 0, 0, levels[i].width, levels[i].height,
                         GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV, levels[i].texels.data());
   }
-  return check("uploading a texture").map([&] { return Texture(std::move(impl)); });
+  if (const Result<void> uploaded = check("uploading a texture"); !uploaded) {
+    return tl::unexpected(uploaded.error());
+  }
+  return Texture(std::move(impl));
 }
 
 }  // namespace rastercheck::backends::gl
