@@ -181,10 +181,9 @@ double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, con
   const bool is_affine = line.kind == ValueLine::Kind::affine;
   ExactSum denominator = combine(e, is_affine ? triangle.w : std::array<double, 3>{1, 1, 1});
   if (denominator.sign() <= 0) return of_copy();
+  const ExactSum numerator = combine(e, line.numerators);
   ExactSum rest;
-  for (const double component : combine(e, line.numerators).components()) {
-    rest.add_product(component, scale);
-  }
+  for (const double component : numerator.components()) rest.add_product(component, scale);
   // Whole quotients, each of what the one before left, until that is less than one.
   double floor = 0;
   for (;;) {
