@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -127,8 +128,7 @@ TEST(APicture, ShowsEveryPartOfThePipeline) {
 TEST(APicture, ShowsArithmeticThatIsNearlyRight) {
   PictureBackend backend;
   backend.picture_damage = [](const Case&, Picture& picture) {
-    for (float& color : picture.color)
-      color = static_cast<float>(static_cast<int>(color * 255)) / 255;
+    for (float& color : picture.color) color = std::trunc(color * 255) / 255;
   };
   EXPECT_GT(broken(kPicture, backend), 20);
 }
