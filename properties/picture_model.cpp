@@ -105,8 +105,7 @@ class Model {
     double sum = held_[first * channels_ + channel];
     for (std::size_t i = 1; i < count; ++i) sum += held_[(first + i) * channels_ + channel];
     const double quotient = sum / static_cast<double>(count);
-    return is_rgba8() ? nearest_whole(quotient)
-                       : static_cast<double>(static_cast<float>(quotient));
+    return is_rgba8() ? nearest_whole(quotient) : static_cast<double>(static_cast<float>(quotient));
   }
 
   float shown(double held) const {

@@ -173,9 +173,9 @@ TEST(FilteredColours, ShowAnotherFilter) {
 
 // Bytes of framebuffers are far off what a filter may be.
 TEST(FilteredColours, ShowRoundingToBytes) {
-  EXPECT_GT(broken_by(kFiltered,
-                      [](Pipeline& pipeline) { pipeline.format = cases::ColorFormat::rgba8; }),
-            25);
+  EXPECT_GT(
+      broken_by(kFiltered, [](Pipeline& pipeline) { pipeline.format = cases::ColorFormat::rgba8; }),
+      25);
 }
 
 // More than a few units of 2^-24 is too much where coordinates are small.
