@@ -87,6 +87,7 @@ std::string to_json(const Case& c) {
   if (c.depth_clamp) add("depth_clamp", "true");
 
   std::vector<std::string> attributes;
+  attributes.reserve(c.attributes.size());
   for (const Attribute& a : c.attributes) {
     attributes.push_back(fmt::format(R"({{"name": {}, "interpolation": {}, "location": {}}})",
                                      json_string(a.name), word(a.interpolation), word(a.location)));
@@ -99,9 +100,11 @@ std::string to_json(const Case& c) {
   }
 
   std::vector<std::string> vertices;
+  vertices.reserve(c.positions.size());
   for (std::size_t i = 0; i < c.positions.size(); ++i) vertices.push_back(vertex_text(c, i));
   add("vertices", lines(vertices));
   std::vector<std::string> triangles;
+  triangles.reserve(c.triangles.size());
   for (const Triangle& t : c.triangles) {
     triangles.push_back(fmt::format("[{}, {}, {}]", t[0], t[1], t[2]));
   }

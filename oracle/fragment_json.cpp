@@ -29,6 +29,7 @@ std::string to_json(const std::optional<Derivatives>& derivatives) {
 /// The members of a fragment's object, without its braces.
 std::string members(const Fragment& f) {
   std::vector<std::string> attributes;
+  attributes.reserve(f.attributes.size());
   for (const auto& value : f.attributes) attributes.push_back(oracle::to_json(value));
   return fmt::format(
       R"("triangle": {}, "x": {}, "y": {}, "sample": {}, "verdict": "{}", "reason": "{}", )"

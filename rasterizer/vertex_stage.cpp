@@ -115,8 +115,8 @@ glm::vec3 unit_image(const Matrix3& matrix, const glm::vec3& n) {
     m[r] = (matrix[r][0] * double{n.x} + matrix[r][1] * double{n.y}) + matrix[r][2] * double{n.z};
   }
   const double squares = (m[0] * m[0] + m[1] * m[1]) + m[2] * m[2];
-  // False of NaN as well. Something that is not finite comes into two components at least.
-  if (!(squares > 0 && squares <= std::numeric_limits<double>::max())) return {0, 0, 0};
+  // Something that is not finite comes into two components at least.
+  if (squares == 0 || !std::isfinite(squares)) return {0, 0, 0};
   const double length = std::sqrt(squares);
   return {static_cast<float>(m[0] / length), static_cast<float>(m[1] / length),
           static_cast<float>(m[2] / length)};

@@ -16,7 +16,7 @@ namespace {
 std::optional<unsigned> thread_count(std::string_view text) {
   unsigned count = 0;
   const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, count);
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), count);
   if (error != std::errc() || rest != end || count < 1 || count > 256) return std::nullopt;
   return count;
 }

@@ -46,10 +46,12 @@ Result<std::vector<cases::ClipVertex>> transformed(const cases::Case& c) {
                                      [](const cases::ClipVertex& p) { return p.w == 1; });
   if (is_affine) {
     std::vector<glm::vec3> positions;
+    positions.reserve(c.positions.size());
     for (const cases::ClipVertex& p : c.positions) positions.emplace_back(p.x, p.y, p.z);
     error = ras::transform(camera, positions, clip);
   } else {
     std::vector<glm::vec4> positions;
+    positions.reserve(c.positions.size());
     for (const cases::ClipVertex& p : c.positions) positions.emplace_back(p.x, p.y, p.z, p.w);
     error = ras::transform(camera, positions, clip);
   }

@@ -17,7 +17,7 @@ DepthFilter::DepthFilter(const TriangleSetup& triangle, const TriangleFilter& co
   constexpr double kLeast = 0x1p-300;
   constexpr double kMost = 0x1p300;
   const double determinant = near_double(map->determinant());
-  if (!(determinant > kLeast && determinant < kMost)) return;
+  if (determinant <= kLeast || determinant >= kMost) return;
   line_ = filter_line(map->combine({scene.depth_numerator(triangle.indices[0]),
                                     scene.depth_numerator(triangle.indices[1]),
                                     scene.depth_numerator(triangle.indices[2])}),

@@ -192,7 +192,7 @@ bool ValueCascade::set_filter(Subject& subject) const {
     // As for the edges' coefficients (triangle_filter.cpp), of degree three in place of two.
     constexpr double kLeast = 0x1p-900;
     constexpr double kMost = 0x1p900;
-    if (!(determinant > kLeast && determinant < kMost)) return false;
+    if (determinant <= kLeast || determinant >= kMost) return false;
     filter.determinant = determinant;
     filter.determinant_error = kNearDoubleError * determinant;
   }

@@ -6,8 +6,8 @@
 namespace rastercheck::oracle {
 namespace {
 
-const Fraction& least(const Fraction& a, const Fraction& b) { return compare(b, a) < 0 ? b : a; }
-const Fraction& greatest(const Fraction& a, const Fraction& b) { return compare(a, b) < 0 ? b : a; }
+Fraction least(const Fraction& a, const Fraction& b) { return compare(b, a) < 0 ? b : a; }
+Fraction greatest(const Fraction& a, const Fraction& b) { return compare(a, b) < 0 ? b : a; }
 
 Fraction whole(const Ring& value) { return {value, Ring(1)}; }
 

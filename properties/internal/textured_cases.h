@@ -11,6 +11,7 @@
 
 #include "cases/picture.h"
 #include "oracle/triangle_truth.h"
+#include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/law.h"
 
@@ -22,25 +23,6 @@ void set_coordinates(Draw& draw, cases::Case& c);
 
 /// A case by one of all generators, of corners on grids more often than of others.
 Generated textured_case(Draw& draw);
-
-/// Takes numbers off a hash, one after the other.
-class Choices {
- public:
-  explicit Choices(std::uint64_t hash) : rest_(hash) {}
-
-  std::size_t below(std::size_t count) {
-    const auto chosen = static_cast<std::size_t>(rest_ % count);
-    rest_ /= count;
-    return chosen;
-  }
-  template <typename T, std::size_t N>
-  const T& pick(const std::array<T, N>& all) {
-    return all[below(N)];
-  }
-
- private:
-  std::uint64_t rest_;
-};
 
 /// The channel of a texel at column i of row j.
 using TexelBytes = std::uint8_t (*)(int i, int j, std::size_t channel);

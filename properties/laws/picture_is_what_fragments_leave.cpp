@@ -27,6 +27,7 @@
 #include <utility>
 
 #include "oracle/transform.h"
+#include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/picture_cases.h"
 #include "properties/judged_law.h"
@@ -44,25 +45,6 @@ constexpr std::array<std::string_view, 8> kFunctionWords{"always",    "never",  
                                                          "equal",     "less or equal",   "greater",
                                                          "not equal", "greater or equal"};
 constexpr std::array<std::string_view, 3> kBlendWords{"off", "over", "additive"};
-
-/// Takes numbers off a hash, one after the other.
-class Choices {
- public:
-  explicit Choices(std::uint64_t hash) : rest_(hash) {}
-
-  std::size_t below(std::size_t count) {
-    const auto chosen = static_cast<std::size_t>(rest_ % count);
-    rest_ /= count;
-    return chosen;
-  }
-  template <typename T, std::size_t N>
-  const T& pick(const std::array<T, N>& all) {
-    return all[below(N)];
-  }
-
- private:
-  std::uint64_t rest_;
-};
 
 /// The window depth of a vertex, about: of a plane of equal depth often just the one that is drawn.
 float depth_of(const cases::Case& c, const cases::ClipVertex& p) {

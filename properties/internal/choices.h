@@ -1,0 +1,31 @@
+#pragma once
+
+// Choices that depend on a case alone: a law that has to choose takes them off a hash of it
+// (drawn_fragments.h), so that a saved case is checked in the same way again.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace rastercheck::properties {
+
+/// Takes numbers off a hash, one after the other.
+class Choices {
+ public:
+  explicit Choices(std::uint64_t hash) : rest_(hash) {}
+
+  std::size_t below(std::size_t count) {
+    const auto chosen = static_cast<std::size_t>(rest_ % count);
+    rest_ /= count;
+    return chosen;
+  }
+  template <typename T, std::size_t N>
+  const T& pick(const std::array<T, N>& all) {
+    return all[below(N)];
+  }
+
+ private:
+  std::uint64_t rest_;
+};
+
+}  // namespace rastercheck::properties
