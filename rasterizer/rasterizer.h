@@ -124,7 +124,7 @@ struct Rectangle {
 /// What stays the same for a draw.
 struct State {
   Convention convention = Convention::vulkan;
-  Viewport viewport;
+  Viewport viewport = {};
   /// The pixels that may be drawn; by default all.
   Rectangle scissor{{0, 0}, {kMaxSize, kMaxSize}};
   Cull cull = Cull::none;
@@ -133,22 +133,22 @@ struct State {
   DepthTest depth_test = DepthTest::always;
   bool depth_write = true;  ///< whether what is kept leaves its depth
   Blend blend = Blend::off;
-  std::optional<Snapping> snapping;  ///< nothing: the triangle of the clip positions, exactly
+  std::optional<Snapping> snapping = {};  ///< nothing: the triangle of the clip positions, exactly
   Basis basis = Basis::ideal;
   Precision precision = Precision::float64;
   bool depth_clamp = false;
   /// Whether fragments carry their attributes' screen derivatives. draw_fragments alone asks.
   bool derivatives = false;
-  std::vector<Qualifier> attributes;    ///< one for each float attribute of a vertex
-  std::size_t clip_distance_count = 0;  ///< user clip distances of a vertex
+  std::vector<Qualifier> attributes = {};  ///< one for each float attribute of a vertex
+  std::size_t clip_distance_count = 0;     ///< user clip distances of a vertex
 };
 
 /// Indexed triangles. The spans must outlive the draw.
 struct Mesh {
-  std::span<const glm::vec4> positions;   ///< [vertex], clip space
-  std::span<const float> attributes;      ///< [vertex][attribute]
-  std::span<const float> clip_distances;  ///< [vertex][distance]
-  std::span<const glm::uvec3> triangles;  ///< vertex indices, in submission order
+  std::span<const glm::vec4> positions = {};   ///< [vertex], clip space
+  std::span<const float> attributes = {};      ///< [vertex][attribute]
+  std::span<const float> clip_distances = {};  ///< [vertex][distance]
+  std::span<const glm::uvec3> triangles = {};  ///< vertex indices, in submission order
 };
 
 /// Width and height in pixels, samples per pixel (1, 2, 4, 8 or 16, the standard patterns).
@@ -228,12 +228,12 @@ struct Framebuffer {
   using Values = std::vector<float, CacheLineAllocator<float>>;
   using Bytes = std::vector<std::uint8_t, CacheLineAllocator<std::uint8_t>>;
 
-  TargetSize size;
+  TargetSize size = {};
   std::size_t attribute_count = 0;
   ColorFormat format = ColorFormat::float32;
-  Values depth;       ///< [y][x][sample]
-  Values attributes;  ///< [y][x][sample][attribute]; of float32
-  Bytes bytes;        ///< of rgba8: [y][x][sample][4]
+  Values depth = {};       ///< [y][x][sample]
+  Values attributes = {};  ///< [y][x][sample][attribute]; of float32
+  Bytes bytes = {};        ///< of rgba8: [y][x][sample][4]
 };
 
 /// `error` set: nothing was drawn. Otherwise `counts` says what was left out.

@@ -8,14 +8,18 @@
 
 namespace rastercheck::rasterizer {
 
+void round_values(const FragmentBatch& in, std::size_t attribute, float* out) {
+  round_lanes(in.values[attribute], in.lanes, out);
+}
+
 void AttributesShader::operator()(const FragmentBatch& in, ShadedBatch& out) const {
-  for (std::size_t i = 0; i < count; ++i) round_lanes(in.values[i], in.lanes, out.color[i]);
+  for (std::size_t i = 0; i < count; ++i) round_values(in, i, out.color[i]);
 }
 
 void GouraudShader::operator()(const FragmentBatch& in, ShadedBatch& out) const {
   assert(in.values.size() >= 3);
   const std::size_t count = std::min<std::size_t>(in.values.size(), 4);
-  for (std::size_t i = 0; i < count; ++i) round_lanes(in.values[i], in.lanes, out.color[i]);
+  for (std::size_t i = 0; i < count; ++i) round_values(in, i, out.color[i]);
   if (count == 3) std::fill_n(out.color[3], in.lanes, 1.0F);
 }
 

@@ -18,7 +18,6 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 
 #include "rasterizer/rasterizer.h"
@@ -82,8 +81,12 @@ struct ShadedBatch {
 };
 
 /// `outputs()`: the channels that it fills in, as many as the framebuffer has. It may be called on
-/// several threads at once. `uses_derivatives()`, where there is one, says whether it wants
-/// along_u and along_v.
+/// several threads at once, in any order. `uses_derivatives()`, where there is one, says whether it
+/// wants along_u and along_v.
+///
+/// `discards()`, where there is one, says whether it ever discards; whoever has none may. Of one
+/// that says false only what is seen in the end is shaded, unless it is blended, and discarding has
+/// no effect.
 template <typename Shader>
 concept FragmentShader = requires(const Shader& shader, const FragmentBatch& in, ShadedBatch& out) {
   shader(in, out);
@@ -96,6 +99,7 @@ struct ShaderView {
   void (*shade)(const void* shader, const FragmentBatch& in, ShadedBatch& out) = nullptr;
   std::size_t outputs = 0;
   bool uses_derivatives = false;
+  bool discards = true;
 };
 
 template <FragmentShader Shader>
@@ -109,6 +113,7 @@ ShaderView view_of(const Shader& shader) {
   if constexpr (requires { shader.uses_derivatives(); }) {
     view.uses_derivatives = shader.uses_derivatives();
   }
+  if constexpr (requires { shader.discards(); }) view.discards = shader.discards();
   return view;
 }
 
@@ -132,10 +137,14 @@ DrawResult clear_and_draw(const State& state, const Mesh& mesh, const Shader& sh
   return clear_and_draw_by(view_of(shader), state, mesh, size, depth, framebuffer, threads);
 }
 
+/// An attribute of all lanes, each rounded once: out[lane], aligned to 64 bytes.
+void round_values(const FragmentBatch& in, std::size_t attribute, float* out);
+
 /// The attributes as they are, each rounded once.
 struct AttributesShader {
   std::size_t count = 0;
   std::size_t outputs() const { return count; }
+  bool discards() const { return false; }
   void operator()(const FragmentBatch& in, ShadedBatch& out) const;
 };
 
@@ -143,6 +152,7 @@ struct AttributesShader {
 /// three.
 struct GouraudShader {
   std::size_t outputs() const { return 4; }
+  bool discards() const { return false; }
   void operator()(const FragmentBatch& in, ShadedBatch& out) const;
 };
 

@@ -93,10 +93,11 @@ struct TexturedShader {
   Sampler sampler;
   std::size_t s = 0;
   std::size_t t = 1;
-  std::optional<float> discard_below;
+  std::optional<float> discard_below = {};
 
   std::size_t outputs() const { return 4; }
   bool uses_derivatives() const { return sampler.filter == Filter::trilinear; }
+  bool discards() const { return discard_below.has_value(); }
   void operator()(const FragmentBatch& in, ShadedBatch& out) const;
 };
 

@@ -12,15 +12,13 @@
 // After foreach_target.h, as Highway wants it.
 #include <hwy/highway.h>
 
-#include "rasterizer/internal/tile_spans-inl.h"
+#include "rasterizer/internal/cells-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr std::size_t kWidth = FragmentBatch::kCellWidth;
 
 /// Columns begin … end − 1, both within a tile.
 inline Mask ColumnsFrom(std::int32_t begin, std::int32_t end) {
@@ -69,47 +67,6 @@ Mask FindCells(const KernelSetting& setting, const double* numbers, DepthTest te
   return (first_left_out | first_left_out << 1) & of_part;
 }
 
-/// Whether a fragment of a depth is kept where another is.
-HWY_INLINE hn::Mask<Halves> Passes(DepthTest test, hn::Vec<Halves> depth, hn::Vec<Halves> old) {
-  const Halves floats;
-  switch (test) {
-    case DepthTest::never:
-      return hn::FirstN(floats, 0);
-    case DepthTest::less:
-      return hn::Lt(depth, old);
-    case DepthTest::equal:
-      return hn::Eq(depth, old);
-    case DepthTest::less_or_equal:
-      return hn::Le(depth, old);
-    case DepthTest::greater:
-      return hn::Gt(depth, old);
-    case DepthTest::not_equal:
-      return hn::Ne(depth, old);
-    case DepthTest::greater_or_equal:
-      return hn::Ge(depth, old);
-    case DepthTest::always:
-      break;
-  }
-  return hn::FirstN(floats, hn::Lanes(floats));
-}
-
-/// Lanes of a cell from `lane` on, as its bits have them.
-HWY_INLINE hn::Mask<Halves> LanesOf(std::uint16_t bits, std::size_t lane) {
-  alignas(8) std::array<std::uint8_t, 8> bytes{};
-  bytes[0] = static_cast<std::uint8_t>(bits >> lane & ((1U << hn::Lanes(Halves())) - 1));
-  return hn::LoadMaskBits(Halves(), bytes.data());
-}
-HWY_INLINE std::uint16_t BitsAt(hn::Mask<Halves> lanes, std::size_t lane) {
-  alignas(8) std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(Halves(), lanes, bytes.data());
-  return static_cast<std::uint16_t>(bytes[0] << lane);
-}
-
-/// Where a cell's lanes from `lane` on are in a tile's arrays.
-HWY_INLINE std::size_t PlaceOf(std::size_t column, std::size_t row, std::size_t lane) {
-  return (row + lane / kWidth) * kTileSize + column + lane % kWidth;
-}
-
 /// Evaluates cells of a triangle, with `kAttributes` attributes, all of them smooth, or as many and
 /// as the setting says where it is 0.
 template <std::size_t kAttributes, bool kDerives>
@@ -118,28 +75,38 @@ class Evaluator {
   HWY_INLINE Evaluator(const KernelSetting& setting, const double* numbers, const TileArea& area)
       : setting_(setting),
         numbers_(numbers),
-        area_(area),
+        u_(area.u),
+        v_(area.v),
+        depths_(area.depth),
         depth_(PlaneAt(numbers, Numbers::kDepth)),
         sum_{numbers[Numbers::kA + Numbers::kDenominator],
              numbers[Numbers::kB + Numbers::kDenominator],
-             numbers[Numbers::kC + Numbers::kDenominator]} {}
+             numbers[Numbers::kC + Numbers::kDenominator]} {
+    for (std::size_t a = 0; a < kAttributes; ++a) planes_[a] = PlaneOfAttribute(a);
+  }
+
+  /// The depths of a cell's lanes from `lane` on.
+  HWY_INLINE hn::Vec<Halves> DepthAt(const TileCell& cell, std::size_t lane) const {
+    const Doubles d;
+    const auto value = hn::Min(hn::Max(At(depth_, cell, lane), hn::Set(d, setting_.depth_least)),
+                               hn::Set(d, setting_.depth_greatest));
+    return hn::DemoteTo(Halves(), value);
+  }
 
   /// The depths of a cell's lanes; returns those that may pass the test.
   HWY_INLINE std::uint16_t PutDepths(DepthTest test, const TileCell& cell, float* depths) const {
-    const Doubles d;
     const Halves floats;
     const bool tests = lets_fall(test) || lets_rise(test);
     std::uint16_t passing = 0;
-    for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; lane += hn::Lanes(d)) {
-      const auto value = hn::Min(hn::Max(At(depth_, cell, lane), hn::Set(d, setting_.depth_least)),
-                                 hn::Set(d, setting_.depth_greatest));
-      const auto depth = hn::DemoteTo(floats, value);
+    for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; lane += hn::Lanes(floats)) {
+      const auto depth = DepthAt(cell, lane);
       hn::StoreU(depth, floats, depths + lane);
       if (!tests) continue;
       const auto column = static_cast<std::size_t>(cell.column);
       const auto row = static_cast<std::size_t>(cell.row);
-      const auto old = hn::LoadU(floats, area_.depth + PlaceOf(column, row, lane));
-      passing = static_cast<std::uint16_t>(passing | BitsAt(Passes(test, depth, old), lane));
+      const auto old = hn::LoadU(floats, depths_ + PlaceOf(column, row, lane));
+      passing =
+          static_cast<std::uint16_t>(passing | BitsAt(Passes(floats, test, depth, old), lane));
     }
     return tests ? passing : std::uint16_t{0xffff};
   }
@@ -160,10 +127,14 @@ class Evaluator {
   }
 
  private:
+  HWY_INLINE PlaneOf PlaneOfAttribute(std::size_t a) const {
+    return PlaneAt(numbers_, Numbers::kValues + 3 * a);
+  }
+
   HWY_INLINE Vector At(const PlaneOf& plane, const TileCell& cell, std::size_t lane) const {
     const Doubles d;
-    const auto u = hn::LoadU(d, area_.u + cell.column + lane % kWidth);
-    const double v = area_.v[cell.row + static_cast<int>(lane / kWidth)];
+    const auto u = hn::LoadU(d, u_ + cell.column + lane % kWidth);
+    const double v = v_[cell.row + static_cast<int>(lane / kWidth)];
     const double row = plane.b * v + plane.c;
     return hn::Add(hn::Mul(hn::Set(d, plane.a), u), hn::Set(d, row));
   }
@@ -172,7 +143,7 @@ class Evaluator {
                            Vector reciprocal, const CellBatch& batch) const {
     const Doubles d;
     const auto interpolation = kAttributes > 0 ? Interpolation::smooth : setting_.interpolation[a];
-    const PlaneOf plane = PlaneAt(numbers_, Numbers::kValues + 3 * a);
+    const PlaneOf plane = kAttributes > 0 ? planes_[a] : PlaneOfAttribute(a);
     const bool is_flat = interpolation == Interpolation::flat;
     auto value = is_flat ? hn::Set(d, plane.c) : At(plane, cell, lane);
     if (interpolation == Interpolation::smooth) value = hn::Mul(value, reciprocal);
@@ -192,39 +163,62 @@ class Evaluator {
 
   const KernelSetting& setting_;
   const double* const numbers_;
-  const TileArea& area_;
+  const double* const u_;  ///< of columns
+  const double* const v_;  ///< of rows
+  const float* const depths_;
   const PlaneOf depth_;
   const PlaneOf sum_;
+  PlaneOf planes_[std::max<std::size_t>(kAttributes, 1)];  ///< of attributes
 };
 
+HWY_INLINE FragmentBatch::Cell PlaceIn(const CellSource& source, std::uint32_t triangle,
+                                       const TileCell& cell, std::uint16_t covered) {
+  return {triangle, covered, static_cast<std::uint16_t>(source.left + cell.column),
+          static_cast<std::uint16_t>(source.top + cell.row), source.sample};
+}
+
 template <std::size_t kAttributes, bool kDerives>
-std::size_t EvaluateCellsBy(const KernelSetting& setting, const double* numbers, DepthTest test,
-                            const TileArea& area, const CellSource& source,
+std::size_t EvaluateCellsBy(const KernelSetting& setting, const double* numbers,
+                            const Merging& merging, const TileArea& area, const CellSource& source,
                             std::span<const TileCell> cells, CellBatch& batch) {
+  const bool has_depths = needs_depths(merging);
   const Evaluator<kAttributes, kDerives> evaluator(setting, numbers, area);
   std::size_t done = 0;
   for (; done < cells.size() && !batch.is_full(); ++done) {
     const TileCell& cell = cells[done];
     const std::size_t first = batch.count * FragmentBatch::kCellLanes;
-    const std::uint16_t passing = evaluator.PutDepths(test, cell, batch.depth + first);
-    const auto covered = static_cast<std::uint16_t>(cell.covered & passing);
+    std::uint16_t covered = cell.covered;
+    if (has_depths) covered &= evaluator.PutDepths(merging.test, cell, batch.depth + first);
     if (covered == 0) continue;
     evaluator.PutValues(cell, first, batch);
-    batch.cells[batch.count++] = {source.triangle, covered,
-                                  static_cast<std::uint16_t>(source.left + cell.column),
-                                  static_cast<std::uint16_t>(source.top + cell.row), source.sample};
+    batch.cells[batch.count++] = PlaceIn(source, source.triangle, cell, covered);
   }
   return done;
 }
 
-std::size_t EvaluateCells(const KernelSetting& setting, const double* numbers, DepthTest test,
-                          const TileArea& area, const CellSource& source,
-                          std::span<const TileCell> cells, CellBatch& batch) {
+template <std::size_t kAttributes, bool kDerives>
+std::size_t EvaluateMarkedBy(const KernelSetting& setting,
+                             std::span<const MarkedTriangle> triangles, const TileArea& area,
+                             const CellSource& source, std::span<const MarkedCells::Cell> cells,
+                             CellBatch& batch) {
+  std::size_t done = 0;
+  for (; done < cells.size() && !batch.is_full(); ++done) {
+    const TileCell& cell = cells[done].cell;
+    const MarkedTriangle& of = triangles[cells[done].mark - 1];
+    const Evaluator<kAttributes, kDerives> evaluator(setting, of.numbers, area);
+    evaluator.PutValues(cell, batch.count * FragmentBatch::kCellLanes, batch);
+    batch.cells[batch.count++] = PlaceIn(source, of.triangle, cell, cell.covered);
+  }
+  return done;
+}
+
+/// work(attributes, derives), constants as Evaluator has them.
+template <class Work>
+HWY_INLINE std::size_t ByKind(const KernelSetting& setting, const CellBatch& batch,
+                              const Work& work) {
   const auto by = [&](auto attributes) HWY_ATTR {
-    constexpr std::size_t kAttributes = decltype(attributes)::value;
-    const auto evaluate = batch.has_derivatives() ? EvaluateCellsBy<kAttributes, true>
-                                                  : EvaluateCellsBy<kAttributes, false>;
-    return evaluate(setting, numbers, test, area, source, cells, batch);
+    return batch.has_derivatives() ? work(attributes, std::true_type())
+                                   : work(attributes, std::false_type());
   };
   if (!setting.all_smooth) return by(std::integral_constant<std::size_t, 0>());
   if (setting.attributes == 2) return by(std::integral_constant<std::size_t, 2>());
@@ -232,181 +226,92 @@ std::size_t EvaluateCells(const KernelSetting& setting, const double* numbers, D
   return by(std::integral_constant<std::size_t, 0>());
 }
 
-using Ints = hn::Rebind<std::int32_t, Doubles>;
-using Words = hn::Rebind<std::uint32_t, Doubles>;
-using Word = hn::Vec<Words>;
-
-/// Held to [0, 1], NaN as 0.
-template <class D>
-HWY_INLINE hn::Vec<D> Held(D d, hn::Vec<D> value) {
-  const auto one = hn::Set(d, 1.0F);
-  const auto positive = hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value);
-  return hn::IfThenElse(hn::Gt(positive, one), one, positive);
+std::size_t EvaluateCells(const KernelSetting& setting, const double* numbers,
+                          const Merging& merging, const TileArea& area, const CellSource& source,
+                          std::span<const TileCell> cells, CellBatch& batch) {
+  return ByKind(setting, batch, [&](auto attributes, auto derives) HWY_ATTR {
+    return EvaluateCellsBy<decltype(attributes)::value, decltype(derives)::value>(
+        setting, numbers, merging, area, source, cells, batch);
+  });
 }
 
-/// The words of a cell's colours, whose lanes are those from `first` on of the batch: bytes nearest
-/// to 255 s, ties to even.
-HWY_INLINE void PutWords(const CellBatch& batch, std::size_t first, std::uint32_t* out) {
-  const hn::CappedTag<float, FragmentBatch::kCellLanes> d;
-  const hn::RebindToSigned<decltype(d)> ints;
-  const hn::RebindToUnsigned<decltype(d)> words;
-  const auto half = hn::Set(d, 0.5F);
-  for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; lane += hn::Lanes(d)) {
-    auto word = hn::Zero(words);
-    for (int k = 3; k >= 0; --k) {
-      const float* const color = batch.color[static_cast<std::size_t>(k)] + first + lane;
-      const auto held = Held(d, hn::LoadU(d, color));
-      const auto product = hn::Mul(held, hn::Set(d, 255.0F));
-      auto nearest = hn::Round(product);
-      // Rounding keeps order, so that only a product rounded to the middle between two bytes may
-      // have gone to the wrong one: there 256 s − s says on which side 255 s is, as nothing is lost
-      // of numbers so close.
-      const auto is_middle = hn::Eq(hn::Abs(hn::Sub(product, nearest)), half);
-      if (!hn::AllFalse(d, is_middle)) {
-        const auto rest = hn::Sub(hn::Sub(hn::Mul(held, hn::Set(d, 256.0F)), product), held);
-        const auto up = hn::And(is_middle, hn::Gt(rest, hn::Zero(d)));
-        const auto down = hn::And(is_middle, hn::Lt(rest, hn::Zero(d)));
-        nearest = hn::IfThenElse(up, hn::Add(product, half), nearest);
-        nearest = hn::IfThenElse(down, hn::Sub(product, half), nearest);
-      }
-      word = hn::Or(hn::ShiftLeft<8>(word), hn::BitCast(words, hn::ConvertTo(ints, nearest)));
-    }
-    hn::StoreU(word, words, out + lane);
-  }
+std::size_t EvaluateMarked(const KernelSetting& setting, std::span<const MarkedTriangle> triangles,
+                           const TileArea& area, const CellSource& source,
+                           std::span<const MarkedCells::Cell> cells, CellBatch& batch) {
+  return ByKind(setting, batch, [&](auto attributes, auto derives) HWY_ATTR {
+    return EvaluateMarkedBy<decltype(attributes)::value, decltype(derives)::value>(
+        setting, triangles, area, source, cells, batch);
+  });
 }
 
-/// A byte of words as a number.
-template <int kByte>
-HWY_INLINE Vector ByteOf(Word word) {
-  const Words words;
-  const auto byte = hn::And(hn::ShiftRight<8 * kByte>(word), hn::Set(words, 255));
-  return hn::PromoteTo(Doubles(), hn::BitCast(Ints(), byte));
-}
+using Marks = hn::Rebind<std::uint32_t, Halves>;
 
-/// What blending makes of a channel, `color` and `old` in the same units.
-template <Blend kBlend, bool kIsAlpha>
-HWY_INLINE Vector Blended(Vector alpha, Vector color, Vector old) {
-  const Doubles d;
-  if (kBlend == Blend::additive) return hn::Add(color, old);
-  const auto rest = hn::Mul(hn::Sub(hn::Set(d, 1.0), alpha), old);
-  return hn::Add(kIsAlpha ? color : hn::Mul(alpha, color), rest);
-}
-
-/// Byte k of a blended word, in its place.
-template <Blend kBlend, int kByte>
-HWY_INLINE Word BlendedByte(const CellBatch& batch, std::size_t from, Vector alpha, Word old) {
-  const Doubles d;
+bool MarkCells(const KernelSetting& setting, const double* numbers, const Merging& merging,
+               const TileArea& area, std::span<const TileCell> cells, std::uint32_t mark,
+               std::uint32_t* marks) {
   const Halves floats;
-  const auto held = Held(floats, hn::LoadU(floats, batch.color[kByte] + from));
-  const auto color = hn::Mul(hn::PromoteTo(d, held), hn::Set(d, 255.0));  // exact
-  const auto value = Blended<kBlend, kByte == 3>(alpha, color, ByteOf<kByte>(old));
-  const auto nearest = hn::Round(hn::Min(value, hn::Set(d, 255.0)));
-  const auto byte = hn::BitCast(Words(), hn::DemoteTo(Ints(), nearest));
-  return hn::ShiftLeft<8 * kByte>(byte);
-}
-
-/// Puts the kept lanes of a cell, `from` on of the batch, where they go; `words`: PutWords of them,
-/// where nothing is blended.
-template <Blend kBlend>
-HWY_INLINE void PutBytes(const CellBatch& batch, std::size_t from, hn::Mask<Halves> kept,
-                         const std::uint32_t* words, float* out) {
-  const Doubles d;
-  const Halves floats;
-  const Words tag;
-  auto word = hn::Zero(tag);
-  if constexpr (kBlend == Blend::off) {
-    word = hn::LoadU(tag, words);
-  } else {
-    const auto old = hn::BitCast(tag, hn::LoadU(floats, out));
-    auto alpha = hn::Zero(d);
-    if (kBlend == Blend::over) {
-      alpha = hn::PromoteTo(d, Held(floats, hn::LoadU(floats, batch.color[3] + from)));
-    }
-    const auto low = hn::Or(BlendedByte<kBlend, 0>(batch, from, alpha, old),
-                            BlendedByte<kBlend, 1>(batch, from, alpha, old));
-    const auto high = hn::Or(BlendedByte<kBlend, 2>(batch, from, alpha, old),
-                             BlendedByte<kBlend, 3>(batch, from, alpha, old));
-    word = hn::Or(low, high);
-  }
-  PutWhere(kept, hn::BitCast(floats, word), out);
-}
-
-/// The same of floats.
-template <Blend kBlend>
-HWY_INLINE void PutFloats(const CellBatch& batch, std::size_t from, hn::Mask<Halves> kept,
-                          std::span<float* const> arrays, std::size_t place) {
-  const Doubles d;
-  const Halves floats;
-  const auto color_of = [&](std::size_t k)
-                            HWY_ATTR { return hn::LoadU(floats, batch.color[k] + from); };
-  auto alpha = hn::Zero(d);
-  if (kBlend == Blend::over) alpha = hn::PromoteTo(d, color_of(3));
-  for (std::size_t k = 0; k < arrays.size(); ++k) {
-    float* const out = arrays[k] + place;
-    auto result = color_of(k);
-    if constexpr (kBlend != Blend::off) {
-      const auto color = hn::PromoteTo(d, result);
-      const auto old = hn::PromoteTo(d, hn::LoadU(floats, out));
-      const auto value = k == 3 ? Blended<kBlend, true>(alpha, color, old)
-                                : Blended<kBlend, false>(alpha, color, old);
-      result = hn::DemoteTo(floats, value);
-    }
-    PutWhere(kept, result, out);
-  }
-}
-
-/// Merges a cell, whose lanes are those from `first` on of the batch.
-template <Blend kBlend, bool kWords>
-HWY_INLINE void MergeCell(const Merging& merging, const CellBatch& batch, std::size_t first,
-                          std::uint16_t bits, std::size_t column, std::size_t row,
-                          const TileArea& area) {
-  const Halves floats;
-  alignas(64) std::array<std::uint32_t, FragmentBatch::kCellLanes> words;
-  if (kWords && kBlend == Blend::off) PutWords(batch, first, words.data());
-  for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; lane += hn::Lanes(floats)) {
-    const std::size_t from = first + lane;
-    const std::size_t place = PlaceOf(column, row, lane);
-    const auto depth = hn::LoadU(floats, batch.depth + from);
-    const auto old_depth = hn::LoadU(floats, area.depth + place);
-    const auto kept = hn::And(LanesOf(bits, lane), Passes(merging.test, depth, old_depth));
-    if (hn::AllFalse(floats, kept)) continue;
-    if (merging.writes_depth) PutWhere(kept, depth, area.depth + place);
-    if constexpr (kWords) {
-      PutBytes<kBlend>(batch, from, kept, words.data() + lane, area.attributes[0] + place);
-    } else {
-      PutFloats<kBlend>(batch, from, kept, area.attributes, place);
+  const Evaluator<0, false> evaluator(setting, numbers, area);
+  const Marks tag;
+  const auto marked = hn::Set(tag, mark);
+  auto any = hn::FirstN(floats, 0);
+  for (const TileCell& cell : cells) {
+    const auto column = static_cast<std::size_t>(cell.column);
+    const auto row = static_cast<std::size_t>(cell.row);
+    for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; lane += hn::Lanes(floats)) {
+      const auto covered = LanesOf(floats, cell.covered, lane);
+      const std::size_t place = PlaceOf(column, row, lane);
+      const auto depth = evaluator.DepthAt(cell, lane);
+      const auto old = hn::LoadU(floats, area.depth + place);
+      const auto seen = hn::And(covered, Passes(floats, merging.test, depth, old));
+      any = hn::Or(any, seen);
+      if (merging.writes_depth) PutWhere(floats, seen, depth, area.depth + place);
+      PutWhere(tag, hn::RebindMask(tag, seen), marked, marks + place);
     }
   }
+  return !hn::AllFalse(floats, any);
 }
 
-template <Blend kBlend, bool kWords>
-void MergeCellsBy(const Merging& merging, const CellBatch& batch, int left, int top,
-                  std::span<const TileArea> areas) {
-  for (std::size_t i = 0; i < batch.count; ++i) {
-    const FragmentBatch::Cell& cell = batch.cells[i];
-    const auto bits = static_cast<std::uint16_t>(cell.covered & ~batch.discarded[i]);
-    if (bits == 0) continue;
-    MergeCell<kBlend, kWords>(merging, batch, i * FragmentBatch::kCellLanes, bits,
-                              static_cast<std::size_t>(cell.x - left),
-                              static_cast<std::size_t>(cell.y - top), areas[cell.sample]);
+/// The marks of a cell's columns in one row.
+HWY_INLINE std::uint64_t BitsOfMark(const std::uint32_t* marks, std::uint32_t mark) {
+  const Marks d;
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < kWidth; i += hn::Lanes(d)) {
+    alignas(8) std::array<std::uint8_t, 8> bytes{};
+    hn::StoreMaskBits(d, hn::Eq(hn::LoadU(d, marks + i), hn::Set(d, mark)), bytes.data());
+    bits |= std::uint64_t{bytes[0]} << i;
   }
+  return bits;
 }
 
-void MergeCells(const Merging& merging, const CellBatch& batch, int left, int top,
-                std::span<const TileArea> areas) {
-  const auto by = [&](auto blend) HWY_ATTR {
-    constexpr Blend kBlend = decltype(blend)::value;
-    const auto merge = merging.has_words ? MergeCellsBy<kBlend, true> : MergeCellsBy<kBlend, false>;
-    merge(merging, batch, left, top, areas);
-  };
-  switch (merging.blend) {
-    case Blend::off:
-      return by(std::integral_constant<Blend, Blend::off>());
-    case Blend::over:
-      return by(std::integral_constant<Blend, Blend::over>());
-    case Blend::additive:
-      return by(std::integral_constant<Blend, Blend::additive>());
+/// Columns of a row with a mark.
+HWY_INLINE Mask ColumnsMarked(const std::uint32_t* marks) {
+  Mask unmarked = 0;
+  for (std::size_t i = 0; i < kTileSize; i += kWidth) unmarked |= BitsOfMark(marks + i, 0) << i;
+  return ~unmarked;
+}
+
+void TakeMarked(int row, std::uint32_t* marks, MarkedCells& cells) {
+  constexpr int kLast = kTileSize - static_cast<int>(kWidth);
+  std::uint32_t* const first = marks + static_cast<std::size_t>(row) * kTileSize;
+  std::uint32_t* const second = first + kTileSize;
+  Mask of_first = ColumnsMarked(first);
+  Mask of_second = ColumnsMarked(second);
+  cells.count = 0;
+  while ((of_first | of_second) != 0) {
+    const int begin = std::countr_zero(of_first | of_second);
+    const int column = std::min(begin & ~1, kLast);
+    const std::uint32_t mark = (of_first >> begin & 1) != 0 ? first[begin] : second[begin];
+    const auto here = [&](Mask& columns, const std::uint32_t* of_row) HWY_ATTR {
+      const Mask found = BitsOfMark(of_row + column, mark) << column & columns;
+      columns &= ~found;
+      return static_cast<unsigned>(found >> column);
+    };
+    const unsigned upper = here(of_first, first);
+    const unsigned lower = here(of_second, second);
+    const auto covered = static_cast<std::uint16_t>(upper | lower << kWidth);
+    cells.cells[cells.count++] = {{column, row, covered}, mark};
   }
+  if (cells.count != 0) std::fill(first, second + kTileSize, 0);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -418,7 +323,9 @@ namespace rastercheck::rasterizer {
 
 HWY_EXPORT(FindCells);
 HWY_EXPORT(EvaluateCells);
-HWY_EXPORT(MergeCells);
+HWY_EXPORT(EvaluateMarked);
+HWY_EXPORT(MarkCells);
+HWY_EXPORT(TakeMarked);
 
 void TileCells::add_rows(int row, Mask of_first, Mask of_second) {
   constexpr int kCellWidth = static_cast<int>(FragmentBatch::kCellWidth);
@@ -439,15 +346,26 @@ Mask find_cells(const KernelSetting& setting, const double* numbers, DepthTest t
   return HWY_DYNAMIC_DISPATCH(FindCells)(setting, numbers, test, area, part, cells);
 }
 
-std::size_t evaluate_cells(const KernelSetting& setting, const double* numbers, DepthTest test,
-                           const TileArea& area, const CellSource& source,
+std::size_t evaluate_cells(const KernelSetting& setting, const double* numbers,
+                           const Merging& merging, const TileArea& area, const CellSource& source,
                            std::span<const TileCell> cells, CellBatch& batch) {
-  return HWY_DYNAMIC_DISPATCH(EvaluateCells)(setting, numbers, test, area, source, cells, batch);
+  return HWY_DYNAMIC_DISPATCH(EvaluateCells)(setting, numbers, merging, area, source, cells, batch);
 }
 
-void merge_cells(const Merging& merging, const CellBatch& batch, int left, int top,
-                 std::span<const TileArea> areas) {
-  HWY_DYNAMIC_DISPATCH(MergeCells)(merging, batch, left, top, areas);
+bool mark_cells(const KernelSetting& setting, const double* numbers, const Merging& merging,
+                const TileArea& area, std::span<const TileCell> cells, std::uint32_t mark,
+                std::uint32_t* marks) {
+  return HWY_DYNAMIC_DISPATCH(MarkCells)(setting, numbers, merging, area, cells, mark, marks);
+}
+
+void take_marked(int row, std::uint32_t* marks, MarkedCells& cells) {
+  HWY_DYNAMIC_DISPATCH(TakeMarked)(row, marks, cells);
+}
+
+std::size_t evaluate_marked(const KernelSetting& setting, std::span<const MarkedTriangle> triangles,
+                            const TileArea& area, const CellSource& source,
+                            std::span<const MarkedCells::Cell> cells, CellBatch& batch) {
+  return HWY_DYNAMIC_DISPATCH(EvaluateMarked)(setting, triangles, area, source, cells, batch);
 }
 
 }  // namespace rastercheck::rasterizer

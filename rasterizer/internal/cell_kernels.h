@@ -1,8 +1,8 @@
 #pragma once
 
 // Shading by cells on the widest vectors that the processor has: which cells of a tile a triangle
-// touches, their depths and values, and merging shaded ones into the tile. All targets compute the
-// same bits, and depths and values are those of tile_kernels.h before they are rounded.
+// touches, in which of them it is seen, their depths and values. All targets compute the same bits,
+// and depths and values are those of tile_kernels.h before they are rounded.
 
 #include <array>
 #include <cstddef>
@@ -12,6 +12,7 @@
 #include "rasterizer/internal/cell_batch.h"
 #include "rasterizer/internal/kernel_setting.h"
 #include "rasterizer/internal/masks.h"
+#include "rasterizer/internal/merge_kernels.h"
 #include "rasterizer/internal/tile_kernels.h"
 #include "rasterizer/rasterizer.h"
 
@@ -62,22 +63,49 @@ struct CellSource {
   int top = 0;
 };
 
-/// Adds cells to a batch until it is full, with depths and values; those of which no fragment can
-/// pass the depth test any more are passed over. Returns how many are done.
-std::size_t evaluate_cells(const KernelSetting& setting, const double* numbers, DepthTest test,
-                           const TileArea& area, const CellSource& source,
+/// Adds cells to a batch until it is full, with values, and depths where merging needs_depths;
+/// those of which no fragment can pass the depth test any more are passed over. Returns how many
+/// are done.
+std::size_t evaluate_cells(const KernelSetting& setting, const double* numbers,
+                           const Merging& merging, const TileArea& area, const CellSource& source,
                            std::span<const TileCell> cells, CellBatch& batch);
 
-/// How colours go into a tile.
-struct Merging {
-  DepthTest test = DepthTest::always;
-  bool writes_depth = true;
-  Blend blend = Blend::off;
-  bool has_words = false;  ///< of rgba8: the bits of the tile's only numbers
+// Where colours neither depend on what is there nor are thrown away, only the triangle that is seen
+// at a sample in the end has to be shaded there: triangles first leave their depths and marks.
+
+/// A triangle that leaves marks i + 1, where it is number i of a tile's.
+struct MarkedTriangle {
+  const double* numbers = nullptr;
+  std::uint32_t triangle = 0;
 };
 
-/// Merges what a batch's cells leave into a tile, in their order; areas[sample].
-void merge_cells(const Merging& merging, const CellBatch& batch, int left, int top,
-                 std::span<const TileArea> areas);
+/// Puts depths, if they are written, and `mark` into a tile where fragments of these cells pass the
+/// depth test; `marks` as TileArea::depth. Returns whether any does.
+bool mark_cells(const KernelSetting& setting, const double* numbers, const Merging& merging,
+                const TileArea& area, std::span<const TileCell> cells, std::uint32_t mark,
+                std::uint32_t* marks);
+
+/// Cells of two rows, each of one mark.
+struct MarkedCells {
+  struct Cell {
+    TileCell cell;
+    std::uint32_t mark = 0;
+  };
+  static constexpr std::size_t kMost = std::size_t{2} * kTileSize;
+  std::size_t count = 0;
+  std::array<Cell, kMost> cells;
+
+  std::span<const Cell> all() const { return {cells.data(), count}; }
+};
+
+/// The cells of the rows `row`, which is even, and row + 1 whose marks are not 0, which they are
+/// afterwards.
+void take_marked(int row, std::uint32_t* marks, MarkedCells& cells);
+
+/// Adds marked cells to a batch until it is full, with values; `source.triangle` has no say.
+/// Returns how many are done.
+std::size_t evaluate_marked(const KernelSetting& setting, std::span<const MarkedTriangle> triangles,
+                            const TileArea& area, const CellSource& source,
+                            std::span<const MarkedCells::Cell> cells, CellBatch& batch);
 
 }  // namespace rastercheck::rasterizer

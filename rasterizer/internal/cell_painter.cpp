@@ -28,12 +28,24 @@ CellPainter::CellPainter(const DrawSetting& setting, const PaintSetting& paint, 
       paint_(paint),
       lanes_(make_lane_drawing(setting, mesh, paint.shader.uses_derivatives)),
       cells_(std::make_unique<TileCells>()),
-      batch_(setting.state.attributes.size(), paint.shader.outputs, paint.shader.uses_derivatives) {
+      batch_(setting.state.attributes.size(), paint.shader.outputs, paint.shader.uses_derivatives),
+      marks_all_(paint.merging.blend == Blend::off && !paint.shader.discards) {
+  if (marks_all_) marks_.resize(setting.pattern.size() * kTileSize * kTileSize);
 }
 
 void CellPainter::begin(Tile& tile, std::span<const TileArea> areas) {
   tile_ = &tile;
   areas_ = areas;
+  marked_.clear();
+}
+
+void CellPainter::end() {
+  if (!marked_.empty()) {
+    for (std::size_t s = 0; s < areas_.size(); ++s) {
+      for (int row = 0; row < kTileSize; row += 2) draw_marked(s, row);
+    }
+  }
+  flush(marks_all_ ? merging_of_marked() : paint_.merging);
 }
 
 void CellPainter::draw(const KernelSetting& kernel, const double* numbers, std::uint32_t triangle,
@@ -43,14 +55,52 @@ void CellPainter::draw(const KernelSetting& kernel, const double* numbers, std::
     const TileArea& area = areas_[s];
     cells_->count = 0;
     const Mask left_out = find_cells(kernel, numbers, test, area, part, *cells_);
-    const CellSource source{triangle, static_cast<std::uint16_t>(s), tile_->columns().begin,
-                            tile_->rows().begin};
-    for (std::span<const TileCell> rest = cells_->all(); !rest.empty();) {
-      rest = rest.subspan(evaluate_cells(kernel, numbers, test, area, source, rest, batch_));
-      if (batch_.is_full()) flush();
+    if (marks_all_) {
+      mark(kernel, numbers, triangle, s);
+    } else {
+      const CellSource source = source_of(triangle, s);
+      for (std::span<const TileCell> rest = cells_->all(); !rest.empty();) {
+        rest = rest.subspan(
+            evaluate_cells(kernel, numbers, paint_.merging, area, source, rest, batch_));
+        if (batch_.is_full()) flush(paint_.merging);
+      }
     }
     draw_rows(triangle, s, left_out);
   }
+}
+
+void CellPainter::mark(const KernelSetting& kernel, const double* numbers, std::uint32_t triangle,
+                       std::size_t sample) {
+  if (cells_->count == 0) return;
+  kernel_ = &kernel;
+  const auto next = static_cast<std::uint32_t>(marked_.size() + 1);
+  if (mark_cells(kernel, numbers, paint_.merging, areas_[sample], cells_->all(), next,
+                 marks_of(sample))) {
+    marked_.push_back({numbers, triangle});
+  }
+}
+
+void CellPainter::draw_marked(std::size_t sample, int row) {
+  take_marked(row, marks_of(sample), marked_cells_);
+  const CellSource source = source_of(0, sample);
+  for (std::span<const MarkedCells::Cell> rest = marked_cells_.all(); !rest.empty();) {
+    rest = rest.subspan(evaluate_marked(*kernel_, marked_, areas_[sample], source, rest, batch_));
+    if (batch_.is_full()) flush(merging_of_marked());
+  }
+}
+
+std::uint32_t* CellPainter::marks_of(std::size_t sample) {
+  return marks_.data() + sample * kTileSize * kTileSize;
+}
+
+CellSource CellPainter::source_of(std::uint32_t triangle, std::size_t sample) const {
+  return {triangle, static_cast<std::uint16_t>(sample), tile_->columns().begin,
+          tile_->rows().begin};
+}
+
+/// Their depths have passed the test, and are in the tile.
+Merging CellPainter::merging_of_marked() const {
+  return {DepthTest::always, false, Blend::off, paint_.merging.has_words};
 }
 
 void CellPainter::draw_lanes(std::uint32_t triangle, Mask rows) {
@@ -66,6 +116,11 @@ void CellPainter::draw_rows(std::uint32_t triangle, std::size_t sample, Mask row
 /// The wanted ones of two rows, the first of which is even.
 void CellPainter::draw_two_rows(std::uint32_t triangle, std::size_t sample, int row, Mask rows) {
   if (!lanes_->begin(triangle)) return;
+  if (marks_all_) {  // what came before goes first
+    if (!marked_.empty()) draw_marked(sample, row);
+    flush(merging_of_marked());
+    lanes_->begin(triangle);  // a shader may have asked for another
+  }
   const auto cover = [&](int of_tile) {
     const int y = tile_->rows().begin + of_tile;
     const bool is_wanted = (rows >> of_tile & 1) != 0 && y < tile_->rows().end;
@@ -82,6 +137,7 @@ void CellPainter::draw_two_rows(std::uint32_t triangle, std::size_t sample, int 
                                                        << FragmentBatch::kCellWidth;
     add_lanes(triangle, sample, cell, static_cast<std::uint16_t>(at_vertex));
   }
+  if (marks_all_) flush(paint_.merging);
 }
 
 void CellPainter::add_lanes(std::uint32_t triangle, std::size_t sample, const TileCell& cell,
@@ -101,10 +157,10 @@ void CellPainter::add_lanes(std::uint32_t triangle, std::size_t sample, const Ti
   batch_.cells[batch_.count++] = {triangle, cell.covered, static_cast<std::uint16_t>(left),
                                   static_cast<std::uint16_t>(top),
                                   static_cast<std::uint16_t>(sample)};
-  if (batch_.is_full()) flush();
+  if (batch_.is_full()) flush(paint_.merging);
 }
 
-void CellPainter::flush() {
+void CellPainter::flush(const Merging& merging) {
   if (batch_.count == 0) return;
   batch_.discarded.fill(0);
   FragmentBatch in;
@@ -117,7 +173,8 @@ void CellPainter::flush() {
   in.exact = this;
   ShadedBatch out{batch_.color, std::span(batch_.discarded).first(batch_.count)};
   paint_.shader.shade(paint_.shader.shader, in, out);
-  merge_cells(paint_.merging, batch_, tile_->columns().begin, tile_->rows().begin, areas_);
+  if (!paint_.shader.discards) batch_.discarded.fill(0);
+  merge_cells(merging, batch_, tile_->columns().begin, tile_->rows().begin, areas_);
   batch_.count = 0;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 // Draws triangles into a tile by a shader: finds the cells that they touch, fills a batch with them
-// and, whenever it is full, has it shaded and merges it into the tile. Each thread has one.
+// and, whenever it is full, has it shaded and merges it into the tile. Where only what is seen in
+// the end has to be shaded, triangles leave marks first, and the cells are those of marks. Each
+// thread has one.
 
 #include <array>
 #include <cstddef>
@@ -15,6 +17,7 @@
 #include "rasterizer/internal/draw_setting.h"
 #include "rasterizer/internal/kernel_setting.h"
 #include "rasterizer/internal/lane_drawing.h"
+#include "rasterizer/internal/merge_kernels.h"
 #include "rasterizer/internal/tile.h"
 #include "rasterizer/shading.h"
 
@@ -43,22 +46,34 @@ class CellPainter : public ExactAttributes {
   /// A triangle in these rows of the tile, whatever it is.
   void draw_lanes(std::uint32_t triangle, Mask rows);
   /// Finishes what was drawn.
-  void end() { flush(); }
+  void end();
 
   double floor(std::size_t attribute, std::size_t lane, double scale, double period) override;
 
  private:
+  void mark(const KernelSetting& kernel, const double* numbers, std::uint32_t triangle,
+            std::size_t sample);
+  /// Draws what is marked in two rows, the first of which is even.
+  void draw_marked(std::size_t sample, int row);
+  std::uint32_t* marks_of(std::size_t sample);
+  Merging merging_of_marked() const;
+  CellSource source_of(std::uint32_t triangle, std::size_t sample) const;
   void draw_rows(std::uint32_t triangle, std::size_t sample, Mask rows);
   void draw_two_rows(std::uint32_t triangle, std::size_t sample, int row, Mask rows);
   void add_lanes(std::uint32_t triangle, std::size_t sample, const TileCell& cell,
                  std::uint16_t at_vertex);
-  void flush();
+  void flush(const Merging& merging);
 
   const DrawSetting& setting_;
   const PaintSetting& paint_;
   std::unique_ptr<LaneDrawing> lanes_;
   std::unique_ptr<TileCells> cells_;
   CellBatch batch_;
+  bool marks_all_;                         ///< that have numbers
+  const KernelSetting* kernel_ = nullptr;  ///< of those that are marked
+  std::vector<MarkedTriangle> marked_;
+  std::vector<std::uint32_t> marks_;  ///< [sample][row][column]
+  MarkedCells marked_cells_;
   Tile* tile_ = nullptr;
   std::span<const TileArea> areas_;
 };

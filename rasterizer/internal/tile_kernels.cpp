@@ -166,7 +166,7 @@ class Shader {
       if (is_all) {
         hn::StoreU(values, floats, out + at);
       } else {
-        PutWhere(mask, values, out + at);
+        PutWhere(Halves(), mask, values, out + at);
       }
     };
     put(depth, depth_);

@@ -1,6 +1,7 @@
 // How a triangle lies to a part of a tile: beside it, over all of it, or in spans of its rows.
 // Included once for each SIMD target, as Highway has it.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -163,12 +164,12 @@ constexpr bool kStoresMasked = false;
 #endif
 
 /// Replaces what `lanes` says.
-HWY_INLINE void PutWhere(hn::Mask<Halves> lanes, hn::Vec<Halves> value, float* out) {
-  const Halves floats;
+template <class D>
+HWY_INLINE void PutWhere(D d, hn::Mask<D> lanes, hn::Vec<D> value, hn::TFromD<D>* out) {
   if (kStoresMasked) {
-    hn::BlendedStore(value, lanes, floats, out);
+    hn::BlendedStore(value, lanes, d, out);
   } else {
-    hn::StoreU(hn::IfThenElse(lanes, value, hn::LoadU(floats, out)), floats, out);
+    hn::StoreU(hn::IfThenElse(lanes, value, hn::LoadU(d, out)), d, out);
   }
 }
 

@@ -33,10 +33,10 @@ struct ColorShader {
   float alpha = 1;
 
   std::size_t outputs() const { return 4; }
+  bool discards() const { return false; }
   void operator()(const rasterizer::FragmentBatch& in, rasterizer::ShadedBatch& out) const {
     for (std::size_t channel = 0; channel < 2; ++channel) {
-      std::transform(in.values[channel], in.values[channel] + in.lanes, out.color[channel],
-                     [](double value) { return static_cast<float>(value); });
+      rasterizer::round_values(in, channel, out.color[channel]);
     }
     std::fill_n(out.color[2], in.lanes, 0.0F);
     std::fill_n(out.color[3], in.lanes, alpha);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "rasterizer/shading.h"
+#include "rasterizer/texture.h"
 #include "tests/rasterizer/exact.h"
 #include "tests/rasterizer/failing_allocator.h"
 #include "tests/rasterizer/kept_frame.h"
@@ -81,6 +83,102 @@ TEST_P(ShadeOnTarget, LeavesWhatFragmentsLeaveOfAnyDraw) {
     set_output(random, draw.state);
     expect_kept(draw.state, draw.mesh.mesh(), draw.size);
     if (HasFatalFailure()) return;
+  }
+}
+
+/// Colours at and next to where rounding to bytes goes one way or the other.
+float hard_color(Random& random) {
+  const auto byte = static_cast<float>(random.between(0, 255));
+  const float middle = (byte + 0.5F) / 255;
+  const float infinity = std::numeric_limits<float>::infinity();
+  return random.pick({0.0F, -0.0F, 1.0F, 0.5F, 0.5F, 0.25F, std::nextafter(0.5F, 0.0F),
+                      std::nextafter(0.5F, 1.0F), byte / 255, byte / 256, middle,
+                      std::nextafter(middle, 0.0F), std::nextafter(middle, 1.0F), -1.0F, 2.0F,
+                      infinity, -infinity, std::numeric_limits<float>::quiet_NaN(),
+                      std::numeric_limits<float>::denorm_min()});
+}
+
+// Kills: bytes rounded twice, or halves up; sums of bytes that are not held to 255; float32 trusted
+// where it does not tell two bytes apart.
+TEST_P(ShadeOnTarget, RoundsHardColorsToTheNearestByte) {
+  const OnTarget on_target(GetParam());
+  Random random(13);
+  for (const Blend blend : {Blend::off, Blend::additive, Blend::over}) {
+    State state = small_state(64, 64);
+    state.blend = blend;
+    state.depth_test = DepthTest::always;
+    state.attributes.resize(4, {Interpolation::flat});
+    for (int i = 0; i < 10; ++i) {
+      SmallMesh mesh = flat_triangles(random, state, 150);
+      for (float& value : mesh.attributes) value = hard_color(random);
+      expect_kept(state, mesh.mesh(), {64, 64, 1}, ColorFormat::rgba8);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+/// Says nothing of whether it discards.
+struct SilentShader {
+  TexturedShader shader;
+  std::size_t outputs() const { return shader.outputs(); }
+  bool uses_derivatives() const { return shader.uses_derivatives(); }
+  void operator()(const FragmentBatch& in, ShadedBatch& out) const { shader(in, out); }
+};
+
+// Kills: of several triangles at a sample another shaded than the one seen; marks of one sample, or
+// one tile, taken for another's; derivatives of another triangle.
+TEST_P(ShadeOnTarget, ShadingOnlyWhatIsSeenChangesNothing) {
+  const OnTarget on_target(GetParam());
+  Random random(14);
+  std::vector<std::uint8_t> texels(std::size_t{32} * 32 * 4);
+  for (std::uint8_t& byte : texels) byte = static_cast<std::uint8_t>(random.between(0, 255));
+  Texture texture;
+  ASSERT_EQ(Texture::make(32, 32, texels, texture), std::nullopt);
+  for (int i = 0; i < 40; ++i) {
+    SCOPED_TRACE(i);
+    const TargetSize size{random.pick({63, 64, 100}), random.pick({64, 65}), random.pick({1, 4})};
+    State state = small_state(size.width, size.height);
+    state.attributes.resize(2);
+    set_output(random, state);
+    state.blend = Blend::off;
+    const SmallMesh mesh = flat_triangles(random, state, 30);
+    const Filter filter = random.pick({Filter::nearest, Filter::trilinear});
+    const TexturedShader shader{.texture = &texture, .sampler = {.filter = filter}};
+    Framebuffer seen;
+    Framebuffer all;
+    seen.format = all.format = random.pick({ColorFormat::rgba8, ColorFormat::float32});
+    const float depth = random.pick({0.5F, 0.6F});
+    ASSERT_FALSE(clear_and_draw(state, mesh.mesh(), shader, size, depth, seen).error);
+    ASSERT_FALSE(clear_and_draw(state, mesh.mesh(), SilentShader{shader}, size, depth, all).error);
+    expect_equal(seen, all);
+    if (HasFatalFailure()) return;
+  }
+}
+
+/// Discards everything, though it says that it never does.
+struct WrongShader {
+  bool says_so = false;
+  std::size_t outputs() const { return 1; }
+  bool discards() const { return says_so; }
+  void operator()(const FragmentBatch& in, ShadedBatch& out) const {
+    std::fill_n(out.color[0], in.lanes, 1.0F);
+    for (std::size_t lane = 0; lane < in.lanes; ++lane) out.discard(lane);
+  }
+};
+
+TEST(Shade, DiscardingByAShaderThatDoesNotHasNoEffect) {
+  State state = small_state(8, 8);
+  state.attributes.clear();
+  const SmallMesh mesh = rectangle(state, {0, 0}, {8, 8});
+  for (const Blend blend : {Blend::off, Blend::additive}) {
+    state.blend = blend;
+    for (const bool says_so : {false, true}) {
+      Framebuffer drawn;
+      ASSERT_FALSE(
+          clear_and_draw(state, mesh.mesh(), WrongShader{says_so}, {8, 8, 1}, 1, drawn).error);
+      EXPECT_EQ(drawn.attributes[9], says_so ? 0.0F : 1.0F);
+      EXPECT_EQ(drawn.depth[9], says_so ? 1.0F : 0.0F);
+    }
   }
 }
 

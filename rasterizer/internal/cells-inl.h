@@ -1,0 +1,74 @@
+// Lanes of cells, and depth tests of them. Included once for each SIMD target, as Highway has it.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#if defined(RASTERCHECK_CELLS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERCHECK_CELLS_INL_H_
+#undef RASTERCHECK_CELLS_INL_H_
+#else
+#define RASTERCHECK_CELLS_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "rasterizer/internal/tile_spans-inl.h"
+#include "rasterizer/shading.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rastercheck::rasterizer {
+namespace HWY_NAMESPACE {
+
+constexpr std::size_t kWidth = FragmentBatch::kCellWidth;
+
+/// Whether a fragment of a depth is kept where another is.
+template <class D>
+HWY_INLINE hn::Mask<D> Passes(D d, DepthTest test, hn::Vec<D> depth, hn::Vec<D> old) {
+  switch (test) {
+    case DepthTest::never:
+      return hn::FirstN(d, 0);
+    case DepthTest::less:
+      return hn::Lt(depth, old);
+    case DepthTest::equal:
+      return hn::Eq(depth, old);
+    case DepthTest::less_or_equal:
+      return hn::Le(depth, old);
+    case DepthTest::greater:
+      return hn::Gt(depth, old);
+    case DepthTest::not_equal:
+      return hn::Ne(depth, old);
+    case DepthTest::greater_or_equal:
+      return hn::Ge(depth, old);
+    case DepthTest::always:
+      break;
+  }
+  return hn::FirstN(d, hn::Lanes(d));
+}
+
+/// Lanes of a cell from `lane` on, as its bits have them.
+template <class D>
+HWY_INLINE hn::Mask<D> LanesOf(D d, std::uint16_t bits, std::size_t lane) {
+  const auto here = static_cast<std::uint64_t>(bits) >> lane;
+  const std::uint64_t wanted = here & ((std::uint64_t{1} << hn::Lanes(d)) - 1);
+  alignas(8) std::array<std::uint8_t, 8> bytes{};
+  bytes[0] = static_cast<std::uint8_t>(wanted);
+  bytes[1] = static_cast<std::uint8_t>(wanted >> 8);
+  return hn::LoadMaskBits(d, bytes.data());
+}
+HWY_INLINE std::uint16_t BitsAt(hn::Mask<Halves> lanes, std::size_t lane) {
+  alignas(8) std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(Halves(), lanes, bytes.data());
+  return static_cast<std::uint16_t>(bytes[0] << lane);
+}
+
+/// Where a cell's lanes from `lane` on are in a tile's arrays.
+HWY_INLINE std::size_t PlaceOf(std::size_t column, std::size_t row, std::size_t lane) {
+  return (row + lane / kWidth) * kTileSize + column + lane % kWidth;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rastercheck::rasterizer
+HWY_AFTER_NAMESPACE();
+
+#endif  // RASTERCHECK_CELLS_INL_H_

@@ -1,0 +1,379 @@
+// Compiled once for each SIMD target; the best that the processor has is chosen at run time.
+
+#include "rasterizer/internal/merge_kernels.h"
+
+#include <array>
+#include <type_traits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rasterizer/internal/merge_kernels.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h, as Highway wants it.
+#include <hwy/highway.h>
+
+#include "rasterizer/internal/cells-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rastercheck::rasterizer {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Ints = hn::Rebind<std::int32_t, Doubles>;
+using Words = hn::Rebind<std::uint32_t, Doubles>;
+using Word = hn::Vec<Words>;
+
+/// Held to [0, 1], NaN as 0.
+template <class D>
+HWY_INLINE hn::Vec<D> Held(D d, hn::Vec<D> value) {
+  const auto one = hn::Set(d, 1.0F);
+  const auto positive = hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value);
+  return hn::IfThenElse(hn::Gt(positive, one), one, positive);
+}
+
+using Texels = hn::RebindToUnsigned<Floats>;
+
+/// The nearest whole number of x as the last bits of what comes out, the rest being kSumOfRests'.
+constexpr float kOnes = 0x1.8p23F;
+
+/// 255 s as kOnes has it, s in [0, 1]: nearest, ties to even.
+HWY_INLINE hn::Vec<Floats> NearestByte(hn::Vec<Floats> held) {
+  const Floats d;
+  const auto most = hn::Set(d, 255.0F);
+  const auto ones = hn::Set(d, kOnes);
+#if HWY_NATIVE_FMA
+  return hn::MulAdd(held, most, ones);  // rounded once
+#else
+  const auto half = hn::Set(d, 0.5F);
+  const auto product = hn::Mul(held, most);
+  auto nearest = hn::Round(product);
+  // Rounding keeps order, so that only a product rounded to the middle between two bytes may have
+  // gone to the wrong one: there 256 s − s says on which side 255 s is, as nothing is lost of
+  // numbers so close.
+  const auto is_middle = hn::Eq(hn::Abs(hn::Sub(product, nearest)), half);
+  if (!hn::AllFalse(d, is_middle)) {
+    const auto rest = hn::Sub(hn::Sub(hn::Mul(held, hn::Set(d, 256.0F)), product), held);
+    const auto up = hn::And(is_middle, hn::Gt(rest, hn::Zero(d)));
+    const auto down = hn::And(is_middle, hn::Lt(rest, hn::Zero(d)));
+    nearest = hn::IfThenElse(up, hn::Add(product, half), nearest);
+    nearest = hn::IfThenElse(down, hn::Sub(product, half), nearest);
+  }
+  return hn::Add(nearest, ones);  // exact
+#endif
+}
+
+/// The word of four bytes as kOnes has them.
+HWY_INLINE hn::Vec<Texels> WordOf(hn::Vec<Floats> red, hn::Vec<Floats> green, hn::Vec<Floats> blue,
+                                  hn::Vec<Floats> alpha) {
+  const Texels d;
+  // The bits of kOnes, added up in the four places.
+  constexpr std::uint32_t kOnesBits = 0x4b400000;
+  constexpr std::uint32_t kRest =
+      kOnesBits + (kOnesBits << 8) + (kOnesBits << 16) + (kOnesBits << 24);
+  const auto low = hn::Add(hn::BitCast(d, red), hn::ShiftLeft<8>(hn::BitCast(d, green)));
+  const auto high = hn::Add(hn::BitCast(d, blue), hn::ShiftLeft<8>(hn::BitCast(d, alpha)));
+  return hn::Sub(hn::Add(low, hn::ShiftLeft<16>(high)), hn::Set(d, kRest));
+}
+
+/// A vector of a cell's colours, held to [0, 1].
+struct HeldColor {
+  hn::Vec<Floats> channel[4];
+};
+
+HWY_INLINE HeldColor HeldAt(const CellBatch& batch, std::size_t at) {
+  const Floats d;
+  const auto held = [&](std::size_t k)
+                        HWY_ATTR { return Held(d, hn::Load(d, batch.color[k] + at)); };
+  return {{held(0), held(1), held(2), held(3)}};
+}
+
+HWY_INLINE hn::Vec<Texels> WordsOf(const HeldColor& color) {
+  return WordOf(NearestByte(color.channel[0]), NearestByte(color.channel[1]),
+                NearestByte(color.channel[2]), NearestByte(color.channel[3]));
+}
+
+/// 1 in the byte of a channel where it is 1/2.
+template <int kByte>
+HWY_INLINE hn::Vec<Texels> HalvesOf(hn::Vec<Floats> held) {
+  const Floats d;
+  const Texels tag;
+  const auto is_half = hn::RebindMask(tag, hn::Eq(held, hn::Set(d, 0.5F)));
+  return hn::IfThenElseZero(is_half, hn::Set(tag, std::uint32_t{1} << 8 * kByte));
+}
+
+/// The sums of words' bytes, at most 255.
+HWY_INLINE hn::Vec<Texels> SumOfBytes(hn::Vec<Texels> a, hn::Vec<Texels> b) {
+  const Texels d;
+#if HWY_TARGET == HWY_SCALAR
+  const auto every_other = hn::Set(d, std::uint32_t{0x00ff00ff});
+  const auto carries = hn::Set(d, std::uint32_t{0x01000100});
+  const auto sum = [&](hn::Vec<Texels> x, hn::Vec<Texels> y) HWY_ATTR {
+    const auto of_both = hn::Add(hn::And(x, every_other), hn::And(y, every_other));
+    const auto carried = hn::And(of_both, carries);
+    return hn::And(hn::Or(of_both, hn::Sub(carried, hn::ShiftRight<8>(carried))), every_other);
+  };
+  const auto high = sum(hn::ShiftRight<8>(a), hn::ShiftRight<8>(b));
+  return hn::Or(sum(a, b), hn::ShiftLeft<8>(high));
+#else
+  const hn::Repartition<std::uint8_t, Texels> bytes;
+  return hn::BitCast(d, hn::SaturatedAdd(hn::BitCast(bytes, a), hn::BitCast(bytes, b)));
+#endif
+}
+
+/// min(255, 255 s + d), ties to even. 255 s is halfway between bytes for s = 1/2 alone, as 255 has
+/// to divide 510 s: there 128 is one too much beside an odd d. Anywhere else the sum's nearest byte
+/// is that of 255 s, and d.
+HWY_INLINE hn::Vec<Texels> AddedWords(const HeldColor& color, hn::Vec<Texels> old) {
+  const auto low = hn::Or(HalvesOf<0>(color.channel[0]), HalvesOf<1>(color.channel[1]));
+  const auto high = hn::Or(HalvesOf<2>(color.channel[2]), HalvesOf<3>(color.channel[3]));
+  return SumOfBytes(hn::Sub(WordsOf(color), hn::And(hn::Or(low, high), old)), old);
+}
+
+/// Bytes of s over d as float32 has them, and the lanes of which it does not tell one.
+struct NearlyOver {
+  hn::Vec<Texels> words;
+  hn::Mask<Floats> is_open;
+};
+
+/// d + a (c − d), with c = 255 s, or 255 for alpha; kOnes is added. |c|, |d| and the sum are at
+/// most 255, so that each of four roundings (of c, the difference, the product, the sum) is at most
+/// 2^-17: together 2^-15. In double, as it has to be, three roundings are below 2^-44. Farther than
+/// 2^-14 from the middle between two bytes both are nearest to the same.
+///
+/// Where a and s are whole 256ths no rounding does anything, here or in double.
+template <int kByte>
+HWY_INLINE hn::Vec<Floats> NearlyOverByte(const HeldColor& color, hn::Vec<Texels> old,
+                                          hn::Mask<Floats>& is_open) {
+  const Floats d;
+  const hn::RebindToSigned<Floats> ints;
+  const auto ones = hn::Set(d, kOnes);
+  const auto byte = hn::And(hn::ShiftRight<8 * kByte>(old), hn::Set(Texels(), 255));
+  const auto under = hn::ConvertTo(d, hn::BitCast(ints, byte));
+  const auto s = color.channel[kByte];
+  const auto most = hn::Set(d, 255.0F);
+  const auto over = kByte == 3 ? most : hn::Mul(s, most);
+  const auto value = hn::Add(under, hn::Mul(color.channel[3], hn::Sub(over, under)));
+  const auto nearest = hn::Add(value, ones);
+  const auto away = hn::Abs(hn::Sub(value, hn::Sub(nearest, ones)));
+  const auto is_near = hn::Gt(away, hn::Set(d, 0.5F - 0x1p-14F));
+  if (!hn::AllFalse(d, is_near)) {
+    const auto parts = hn::Set(d, 256.0F);
+    const auto is_whole = [&](hn::Vec<Floats> x) HWY_ATTR {
+      return hn::Eq(hn::Round(hn::Mul(x, parts)), hn::Mul(x, parts));
+    };
+    const auto is_exact = hn::And(is_whole(s), is_whole(color.channel[3]));
+    is_open = hn::Or(is_open, hn::AndNot(is_exact, is_near));
+  }
+  return nearest;
+}
+
+HWY_INLINE NearlyOver NearlyOverWords(const HeldColor& color, hn::Vec<Texels> old) {
+  auto is_open = hn::FirstN(Floats(), 0);
+  const auto red = NearlyOverByte<0>(color, old, is_open);
+  const auto green = NearlyOverByte<1>(color, old, is_open);
+  const auto blue = NearlyOverByte<2>(color, old, is_open);
+  const auto alpha = NearlyOverByte<3>(color, old, is_open);
+  return {WordOf(red, green, blue, alpha), is_open};
+}
+
+/// A byte of words as a number.
+template <int kByte>
+HWY_INLINE Vector ByteOf(Word word) {
+  const Words words;
+  const auto byte = hn::And(hn::ShiftRight<8 * kByte>(word), hn::Set(words, 255));
+  return hn::PromoteTo(Doubles(), hn::BitCast(Ints(), byte));
+}
+
+/// What blending makes of a channel, `color` and `old` in the same units.
+template <Blend kBlend, bool kIsAlpha>
+HWY_INLINE Vector Blended(Vector alpha, Vector color, Vector old) {
+  const Doubles d;
+  if (kBlend == Blend::additive) return hn::Add(color, old);
+  const auto rest = hn::Mul(hn::Sub(hn::Set(d, 1.0), alpha), old);
+  return hn::Add(kIsAlpha ? color : hn::Mul(alpha, color), rest);
+}
+
+/// Byte k of s over d, in its place.
+template <int kByte>
+HWY_INLINE Word OverByte(const CellBatch& batch, std::size_t at, Vector alpha, Word old) {
+  const Doubles d;
+  const Halves floats;
+  const auto held = Held(floats, hn::LoadU(floats, batch.color[kByte] + at));
+  const auto color = hn::Mul(hn::PromoteTo(d, held), hn::Set(d, 255.0));  // exact
+  const auto value = Blended<Blend::over, kByte == 3>(alpha, color, ByteOf<kByte>(old));
+  const auto nearest = hn::Round(hn::Min(value, hn::Set(d, 255.0)));
+  const auto byte = hn::BitCast(Words(), hn::DemoteTo(Ints(), nearest));
+  return hn::ShiftLeft<8 * kByte>(byte);
+}
+
+/// Words of s over d, of the lanes from `at` on of the batch. Nearly never needed: not inlined.
+HWY_NOINLINE hn::Vec<Texels> OverWords(const CellBatch& batch, std::size_t at,
+                                       const std::uint32_t* old) {
+  const Halves floats;
+  const Words tag;
+  const Texels all;
+  alignas(64) std::array<std::uint32_t, FragmentBatch::kCellLanes> words;
+  for (std::size_t lane = 0; lane < hn::Lanes(all); lane += hn::Lanes(tag)) {
+    const std::size_t from = at + lane;
+    const auto alpha =
+        hn::PromoteTo(Doubles(), Held(floats, hn::LoadU(floats, batch.color[3] + from)));
+    const auto under = hn::LoadU(tag, old + lane);
+    const auto low =
+        hn::Or(OverByte<0>(batch, from, alpha, under), OverByte<1>(batch, from, alpha, under));
+    const auto high =
+        hn::Or(OverByte<2>(batch, from, alpha, under), OverByte<3>(batch, from, alpha, under));
+    hn::StoreU(hn::Or(low, high), tag, words.data() + lane);
+  }
+  return hn::Load(all, words.data());
+}
+
+/// Puts the kept lanes of a cell, `from` on of the batch, where they go.
+template <Blend kBlend>
+HWY_INLINE void PutFloats(const CellBatch& batch, std::size_t from, hn::Mask<Halves> kept,
+                          std::span<float* const> arrays, std::size_t place) {
+  const Doubles d;
+  const Halves floats;
+  const auto color_of = [&](std::size_t k)
+                            HWY_ATTR { return hn::LoadU(floats, batch.color[k] + from); };
+  auto alpha = hn::Zero(d);
+  if (kBlend == Blend::over) alpha = hn::PromoteTo(d, color_of(3));
+  for (std::size_t k = 0; k < arrays.size(); ++k) {
+    float* const out = arrays[k] + place;
+    auto result = color_of(k);
+    if constexpr (kBlend != Blend::off) {
+      const auto color = hn::PromoteTo(d, result);
+      const auto old = hn::PromoteTo(d, hn::LoadU(floats, out));
+      const auto value = k == 3 ? Blended<kBlend, true>(alpha, color, old)
+                                : Blended<kBlend, false>(alpha, color, old);
+      result = hn::DemoteTo(floats, value);
+    }
+    PutWhere(floats, kept, result, out);
+  }
+}
+
+// A vector of a cell in a tile's array: a row of it, a part of one, or both.
+#if HWY_TARGET <= HWY_AVX3
+HWY_INLINE hn::Vec<Floats> LoadPart(const float* from, std::size_t place) {
+  const Floats d;
+  const hn::Half<Floats> half;
+  return hn::Combine(d, hn::LoadU(half, from + place + kTileSize), hn::LoadU(half, from + place));
+}
+HWY_INLINE void StorePart(hn::Vec<Floats> value, float* out, std::size_t place) {
+  const hn::Half<Floats> half;
+  hn::StoreU(hn::LowerHalf(half, value), half, out + place);
+  hn::StoreU(hn::UpperHalf(half, value), half, out + place + kTileSize);
+}
+#else
+static_assert(hn::MaxLanes(Floats()) <= kWidth);
+HWY_INLINE hn::Vec<Floats> LoadPart(const float* from, std::size_t place) {
+  return hn::LoadU(Floats(), from + place);
+}
+HWY_INLINE void StorePart(hn::Vec<Floats> value, float* out, std::size_t place) {
+  hn::StoreU(value, Floats(), out + place);
+}
+#endif
+
+/// The words that a vector of the batch's lanes, those from `at` on, leaves where `old` are.
+template <Blend kBlend>
+HWY_INLINE hn::Vec<Texels> MergedWords(const CellBatch& batch, std::size_t at,
+                                       hn::Vec<Texels> old) {
+  const HeldColor color = HeldAt(batch, at);
+  if (kBlend == Blend::off) return WordsOf(color);
+  if (kBlend == Blend::additive) return AddedWords(color, old);
+  const NearlyOver near = NearlyOverWords(color, old);
+  if (hn::AllFalse(Floats(), near.is_open)) return near.words;
+  alignas(64) std::array<std::uint32_t, FragmentBatch::kCellLanes> under;
+  hn::Store(old, Texels(), under.data());
+  return OverWords(batch, at, under.data());
+}
+
+/// Merges a cell, whose lanes are those from `first` on of the batch, into a tile of words.
+template <Blend kBlend>
+HWY_INLINE void MergeWords(const Merging& merging, const CellBatch& batch, std::size_t first,
+                           std::uint16_t bits, std::size_t column, std::size_t row,
+                           const TileArea& area) {
+  const Floats d;
+  const Texels tag;
+  const bool has_depths = needs_depths(merging);
+  for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; lane += hn::Lanes(d)) {
+    const std::size_t place = PlaceOf(column, row, lane);
+    auto kept = LanesOf(d, bits, lane);
+    if (has_depths) {
+      const auto depth = hn::Load(d, batch.depth + first + lane);
+      const auto old = LoadPart(area.depth, place);
+      kept = hn::And(kept, Passes(d, merging.test, depth, old));
+      if (merging.writes_depth) StorePart(hn::IfThenElse(kept, depth, old), area.depth, place);
+    }
+    if (hn::AllFalse(d, kept)) continue;
+    const auto old = LoadPart(area.attributes[0], place);
+    const auto words = MergedWords<kBlend>(batch, first + lane, hn::BitCast(tag, old));
+    StorePart(hn::IfThenElse(kept, hn::BitCast(d, words), old), area.attributes[0], place);
+  }
+}
+
+/// The same into a tile of floats.
+template <Blend kBlend>
+HWY_INLINE void MergeFloats(const Merging& merging, const CellBatch& batch, std::size_t first,
+                            std::uint16_t bits, std::size_t column, std::size_t row,
+                            const TileArea& area) {
+  const Halves floats;
+  for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; lane += hn::Lanes(floats)) {
+    const std::size_t from = first + lane;
+    const std::size_t place = PlaceOf(column, row, lane);
+    const auto depth = hn::LoadU(floats, batch.depth + from);
+    const auto old_depth = hn::LoadU(floats, area.depth + place);
+    const auto kept =
+        hn::And(LanesOf(floats, bits, lane), Passes(floats, merging.test, depth, old_depth));
+    if (hn::AllFalse(floats, kept)) continue;
+    if (merging.writes_depth) PutWhere(floats, kept, depth, area.depth + place);
+    PutFloats<kBlend>(batch, from, kept, area.attributes, place);
+  }
+}
+
+template <Blend kBlend, bool kWords>
+void MergeCellsBy(const Merging& merging, const CellBatch& batch, int left, int top,
+                  std::span<const TileArea> areas) {
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    const FragmentBatch::Cell& cell = batch.cells[i];
+    const auto bits = static_cast<std::uint16_t>(cell.covered & ~batch.discarded[i]);
+    if (bits == 0) continue;
+    const auto merge = kWords ? MergeWords<kBlend> : MergeFloats<kBlend>;
+    merge(merging, batch, i * FragmentBatch::kCellLanes, bits,
+          static_cast<std::size_t>(cell.x - left), static_cast<std::size_t>(cell.y - top),
+          areas[cell.sample]);
+  }
+}
+
+void MergeCells(const Merging& merging, const CellBatch& batch, int left, int top,
+                std::span<const TileArea> areas) {
+  const auto by = [&](auto blend) HWY_ATTR {
+    constexpr Blend kBlend = decltype(blend)::value;
+    const auto merge = merging.has_words ? MergeCellsBy<kBlend, true> : MergeCellsBy<kBlend, false>;
+    merge(merging, batch, left, top, areas);
+  };
+  switch (merging.blend) {
+    case Blend::off:
+      return by(std::integral_constant<Blend, Blend::off>());
+    case Blend::over:
+      return by(std::integral_constant<Blend, Blend::over>());
+    case Blend::additive:
+      return by(std::integral_constant<Blend, Blend::additive>());
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rastercheck::rasterizer
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rastercheck::rasterizer {
+
+HWY_EXPORT(MergeCells);
+
+void merge_cells(const Merging& merging, const CellBatch& batch, int left, int top,
+                 std::span<const TileArea> areas) {
+  HWY_DYNAMIC_DISPATCH(MergeCells)(merging, batch, left, top, areas);
+}
+
+}  // namespace rastercheck::rasterizer
+#endif  // HWY_ONCE
