@@ -14,7 +14,7 @@ namespace {
 /// Before a record's numbers: this, columns and rows.
 struct RecordHead {
   std::uint32_t triangle = 0;
-  std::uint32_t has_numbers = 0;
+  Bins::Kind kind = Bins::Kind::whole;
 };
 constexpr std::size_t kRecordHead = 3;
 
@@ -54,27 +54,39 @@ std::size_t bytes_of(const std::vector<T>& values) {
 
 }  // namespace
 
-double* Bins::add(const BinnedTriangle& binned) {
+double* Bins::add(std::uint32_t triangle, const PixelBox& box, Kind kind, std::size_t count) {
   const std::size_t at = records.size();
-  records.resize(at + record_size);
+  starts.push_back(at);
+  records.resize(at + kRecordHead + count);
   double* const record = records.data() + at;
-  record[0] = std::bit_cast<double>(RecordHead{binned.triangle, binned.numbers != nullptr});
-  record[1] = std::bit_cast<double>(binned.box.columns);
-  record[2] = std::bit_cast<double>(binned.box.rows);
+  record[0] = std::bit_cast<double>(RecordHead{triangle, kind});
+  record[1] = std::bit_cast<double>(box.columns);
+  record[2] = std::bit_cast<double>(box.rows);
   return record + kRecordHead;
 }
 
-BinnedTriangle Bins::binned(std::size_t index) const {
-  const double* const at = record(index);
+PixelBox Bins::box(std::size_t index) const {
+  const double* const at = records.data() + starts[index];
+  return {std::bit_cast<PixelRange>(at[1]), std::bit_cast<PixelRange>(at[2])};
+}
+
+BinnedTriangle Bins::binned(std::size_t index, std::size_t samples) const {
+  const double* const at = records.data() + starts[index];
   const auto head = std::bit_cast<RecordHead>(at[0]);
-  return {head.triangle,
-          head.has_numbers != 0 ? at + kRecordHead : nullptr,
-          {std::bit_cast<PixelRange>(at[1]), std::bit_cast<PixelRange>(at[2])}};
+  BinnedTriangle binned;
+  binned.triangle = head.triangle;
+  binned.box = box(index);
+  if (head.kind == Kind::numbered) binned.numbers = at + kRecordHead;
+  if (head.kind == Kind::covered) {
+    binned.covered = at + kRecordHead;
+    binned.planes = binned.covered + samples;
+  }
+  return binned;
 }
 
 std::size_t Bins::memory() const {
   return bytes_of(fragments.ends) + bytes_of(words) + bytes_of(triangles.ends) + bytes_of(by_tile) +
-         bytes_of(records);
+         bytes_of(records) + bytes_of(starts);
 }
 
 Binning::Binning(const DrawSetting& setting, const KernelSetting* kernel, const Mesh& mesh,
@@ -93,8 +105,7 @@ void Binning::sort(std::size_t first, std::size_t last, TileDrawing& drawing, Bi
   bins.first = static_cast<std::uint32_t>(first);
   bins.counts = {};
   bins.records.clear();
-  bins.record_size =
-      kRecordHead + (kernel_ == nullptr ? 0 : TriangleNumbers::count(kernel_->attributes));
+  bins.starts.clear();
   fragments_.size = 0;
   if (kernel_ != nullptr) {
     for (std::size_t t = first; t < last; t += kGroup) {
@@ -113,6 +124,7 @@ void Binning::take_group(std::uint32_t first, std::size_t count, TileDrawing& dr
   fill_group(first, count);
   set_up_group(*kernel_, *input_, count, first - bins.first, *output_, fragments_);
   const std::size_t count_of_numbers = TriangleNumbers::count(kernel_->attributes);
+  const std::size_t count_of_planes = TrianglePlanes::count(kernel_->attributes);
   for (std::size_t lane = 0; lane < count; ++lane) {
     const auto triangle = first + static_cast<std::uint32_t>(lane);
     switch (output_->fate[lane]) {
@@ -126,9 +138,21 @@ void Binning::take_group(std::uint32_t first, std::size_t count, TileDrawing& dr
         break;
       case LaneFate::numbered: {
         double* const numbers =
-            bins.add({triangle, output_->numbers[0].data(), output_->box[lane]});
+            bins.add(triangle, output_->box[lane], Bins::Kind::numbered, count_of_numbers);
         for (std::size_t i = 0; i < count_of_numbers; ++i) {
           numbers[i] = output_->numbers[i][lane];
+        }
+        break;
+      }
+      case LaneFate::covered: {
+        double* const covered = bins.add(triangle, output_->box[lane], Bins::Kind::covered,
+                                         kernel_->samples + count_of_planes);
+        for (std::size_t s = 0; s < kernel_->samples; ++s) {
+          covered[s] = std::bit_cast<double>(output_->covered[s][lane]);
+        }
+        double* const planes = covered + kernel_->samples;
+        for (std::size_t i = 0; i < count_of_planes; ++i) {
+          planes[i] = output_->numbers[TriangleNumbers::kPlanes + i][lane];
         }
         break;
       }
@@ -171,7 +195,7 @@ void Binning::take_whole(std::uint32_t triangle, TileDrawing& drawing, Bins& bin
   PixelBox box;
   const Fate fate = drawing.locate(triangle, box);
   count(fate, bins.counts);
-  if (fate == Fate::drawn) bins.add({triangle, nullptr, box});
+  if (fate == Fate::drawn) bins.add(triangle, box, Bins::Kind::whole, 0);
 }
 
 void Binning::sort_fragments(Bins& bins) const {
@@ -206,11 +230,11 @@ void Binning::sort_triangles(Bins& bins) const {
   std::vector<std::uint32_t>& ends = bins.triangles.ends;
   ends.assign(tiles_, 0);
   for (std::size_t i = 0; i < bins.record_count(); ++i) {
-    for_each_tile(bins.binned(i).box, tile_columns_, [&ends](std::size_t tile) { ++ends[tile]; });
+    for_each_tile(bins.box(i), tile_columns_, [&ends](std::size_t tile) { ++ends[tile]; });
   }
   bins.by_tile.resize(begins_from_counts(ends));
   for (std::size_t i = 0; i < bins.record_count(); ++i) {
-    for_each_tile(bins.binned(i).box, tile_columns_, [&](std::size_t tile) {
+    for_each_tile(bins.box(i), tile_columns_, [&](std::size_t tile) {
       bins.by_tile[ends[tile]++] = static_cast<std::uint32_t>(i);
     });
   }

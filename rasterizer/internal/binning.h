@@ -1,8 +1,8 @@
 #pragma once
 
 // Sorting triangles into the tiles of a framebuffer that they touch, a chunk of them at a time:
-// small ones as fragments, others as numbers to be drawn by or, where nothing else will do, as what
-// they are (group_kernels.h).
+// small ones as fragments or, to be shaded, as what they cover; others as numbers to be drawn by
+// or, where nothing else will do, as what they are (group_kernels.h).
 
 #include <cstddef>
 #include <cstdint>
@@ -28,9 +28,11 @@ struct TileLists {
 
 /// A triangle that is drawn tile by tile.
 struct BinnedTriangle {
-  std::uint32_t triangle = 0;       ///< in the mesh
-  const double* numbers = nullptr;  ///< TriangleNumbers to be drawn by; or none: by drawing.h
+  std::uint32_t triangle = 0;  ///< in the mesh
   PixelBox box;
+  const double* numbers = nullptr;  ///< TriangleNumbers to be drawn by; or
+  const double* covered = nullptr;  ///< [sample] what it covers of its box, as bits of doubles,
+  const double* planes = nullptr;   ///< and TrianglePlanes; or none of them: by drawing.h
 };
 
 /// A chunk, by tile, each tile's in submission order.
@@ -40,17 +42,23 @@ struct Bins {
   std::vector<std::uint32_t> words;  ///< of fragments: key, depth, attributes; or longer
   TileLists triangles;
   std::vector<std::uint32_t> by_tile;  ///< which record
-  /// In submission order, record_size for each: what a BinnedTriangle says, as bits, then its
-  /// numbers. Side by side, as a tile's triangles lie anywhere in memory.
+  /// Records, in submission order: what a BinnedTriangle says, as bits, and what it points to. Side
+  /// by side, as a tile's triangles lie anywhere in memory.
   std::vector<double> records;
-  std::size_t record_size = 0;
+  std::vector<std::size_t> starts;  ///< of each record
   DrawCounts counts;
 
-  std::size_t record_count() const { return records.size() / record_size; }
-  /// Adds a record; its numbers are to be filled in.
-  double* add(const BinnedTriangle& binned);
-  const double* record(std::size_t index) const { return records.data() + index * record_size; }
-  BinnedTriangle binned(std::size_t index) const;
+  std::size_t record_count() const { return starts.size(); }
+  /// How a triangle is drawn: by drawing.h, by numbers, or by what it covers.
+  enum class Kind : std::uint32_t { whole, numbered, covered };
+  /// Adds a record with so many numbers, which are to be filled in.
+  double* add(std::uint32_t triangle, const PixelBox& box, Kind kind, std::size_t count);
+  std::span<const double> record(std::size_t index) const {
+    const std::size_t end = index + 1 < starts.size() ? starts[index + 1] : records.size();
+    return std::span(records).subspan(starts[index], end - starts[index]);
+  }
+  BinnedTriangle binned(std::size_t index, std::size_t samples) const;
+  PixelBox box(std::size_t index) const;
   /// In bytes.
   std::size_t memory() const;
 };

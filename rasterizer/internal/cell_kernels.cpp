@@ -72,16 +72,14 @@ Mask FindCells(const KernelSetting& setting, const double* numbers, DepthTest te
 template <std::size_t kAttributes, bool kDerives>
 class Evaluator {
  public:
-  HWY_INLINE Evaluator(const KernelSetting& setting, const double* numbers, const TileArea& area)
+  HWY_INLINE Evaluator(const KernelSetting& setting, const double* planes, const TileArea& area)
       : setting_(setting),
-        numbers_(numbers),
+        planes_of_(planes),
         u_(area.u),
         v_(area.v),
         depths_(area.depth),
-        depth_(PlaneAt(numbers, Numbers::kDepth)),
-        sum_{numbers[Numbers::kA + Numbers::kDenominator],
-             numbers[Numbers::kB + Numbers::kDenominator],
-             numbers[Numbers::kC + Numbers::kDenominator]} {
+        depth_(PlaneAt(planes, TrianglePlanes::kDepth)),
+        sum_(PlaneAt(planes, TrianglePlanes::kSum)) {
     for (std::size_t a = 0; a < kAttributes; ++a) planes_[a] = PlaneOfAttribute(a);
   }
 
@@ -128,7 +126,7 @@ class Evaluator {
 
  private:
   HWY_INLINE PlaneOf PlaneOfAttribute(std::size_t a) const {
-    return PlaneAt(numbers_, Numbers::kValues + 3 * a);
+    return PlaneAt(planes_of_, TrianglePlanes::kValues + 3 * a);
   }
 
   HWY_INLINE Vector At(const PlaneOf& plane, const TileCell& cell, std::size_t lane) const {
@@ -162,7 +160,7 @@ class Evaluator {
   }
 
   const KernelSetting& setting_;
-  const double* const numbers_;
+  const double* const planes_of_;
   const double* const u_;  ///< of columns
   const double* const v_;  ///< of rows
   const float* const depths_;
@@ -178,11 +176,11 @@ HWY_INLINE FragmentBatch::Cell PlaceIn(const CellSource& source, std::uint32_t t
 }
 
 template <std::size_t kAttributes, bool kDerives>
-std::size_t EvaluateCellsBy(const KernelSetting& setting, const double* numbers,
+std::size_t EvaluateCellsBy(const KernelSetting& setting, const double* planes,
                             const Merging& merging, const TileArea& area, const CellSource& source,
                             std::span<const TileCell> cells, CellBatch& batch) {
   const bool has_depths = needs_depths(merging);
-  const Evaluator<kAttributes, kDerives> evaluator(setting, numbers, area);
+  const Evaluator<kAttributes, kDerives> evaluator(setting, planes, area);
   std::size_t done = 0;
   for (; done < cells.size() && !batch.is_full(); ++done) {
     const TileCell& cell = cells[done];
@@ -205,7 +203,7 @@ std::size_t EvaluateMarkedBy(const KernelSetting& setting,
   for (; done < cells.size() && !batch.is_full(); ++done) {
     const TileCell& cell = cells[done].cell;
     const MarkedTriangle& of = triangles[cells[done].mark - 1];
-    const Evaluator<kAttributes, kDerives> evaluator(setting, of.numbers, area);
+    const Evaluator<kAttributes, kDerives> evaluator(setting, of.planes, area);
     evaluator.PutValues(cell, batch.count * FragmentBatch::kCellLanes, batch);
     batch.cells[batch.count++] = PlaceIn(source, of.triangle, cell, cell.covered);
   }
@@ -226,12 +224,12 @@ HWY_INLINE std::size_t ByKind(const KernelSetting& setting, const CellBatch& bat
   return by(std::integral_constant<std::size_t, 0>());
 }
 
-std::size_t EvaluateCells(const KernelSetting& setting, const double* numbers,
+std::size_t EvaluateCells(const KernelSetting& setting, const double* planes,
                           const Merging& merging, const TileArea& area, const CellSource& source,
                           std::span<const TileCell> cells, CellBatch& batch) {
   return ByKind(setting, batch, [&](auto attributes, auto derives) HWY_ATTR {
     return EvaluateCellsBy<decltype(attributes)::value, decltype(derives)::value>(
-        setting, numbers, merging, area, source, cells, batch);
+        setting, planes, merging, area, source, cells, batch);
   });
 }
 
@@ -246,11 +244,11 @@ std::size_t EvaluateMarked(const KernelSetting& setting, std::span<const MarkedT
 
 using Marks = hn::Rebind<std::uint32_t, Halves>;
 
-bool MarkCells(const KernelSetting& setting, const double* numbers, const Merging& merging,
+bool MarkCells(const KernelSetting& setting, const double* planes, const Merging& merging,
                const TileArea& area, std::span<const TileCell> cells, std::uint32_t mark,
                std::uint32_t* marks) {
   const Halves floats;
-  const Evaluator<0, false> evaluator(setting, numbers, area);
+  const Evaluator<0, false> evaluator(setting, planes, area);
   const Marks tag;
   const auto marked = hn::Set(tag, mark);
   auto any = hn::FirstN(floats, 0);
@@ -346,16 +344,16 @@ Mask find_cells(const KernelSetting& setting, const double* numbers, DepthTest t
   return HWY_DYNAMIC_DISPATCH(FindCells)(setting, numbers, test, area, part, cells);
 }
 
-std::size_t evaluate_cells(const KernelSetting& setting, const double* numbers,
+std::size_t evaluate_cells(const KernelSetting& setting, const double* planes,
                            const Merging& merging, const TileArea& area, const CellSource& source,
                            std::span<const TileCell> cells, CellBatch& batch) {
-  return HWY_DYNAMIC_DISPATCH(EvaluateCells)(setting, numbers, merging, area, source, cells, batch);
+  return HWY_DYNAMIC_DISPATCH(EvaluateCells)(setting, planes, merging, area, source, cells, batch);
 }
 
-bool mark_cells(const KernelSetting& setting, const double* numbers, const Merging& merging,
+bool mark_cells(const KernelSetting& setting, const double* planes, const Merging& merging,
                 const TileArea& area, std::span<const TileCell> cells, std::uint32_t mark,
                 std::uint32_t* marks) {
-  return HWY_DYNAMIC_DISPATCH(MarkCells)(setting, numbers, merging, area, cells, mark, marks);
+  return HWY_DYNAMIC_DISPATCH(MarkCells)(setting, planes, merging, area, cells, mark, marks);
 }
 
 void take_marked(int row, std::uint32_t* marks, MarkedCells& cells) {

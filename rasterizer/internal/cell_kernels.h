@@ -66,7 +66,7 @@ struct CellSource {
 /// Adds cells to a batch until it is full, with values, and depths where merging needs_depths;
 /// those of which no fragment can pass the depth test any more are passed over. Returns how many
 /// are done.
-std::size_t evaluate_cells(const KernelSetting& setting, const double* numbers,
+std::size_t evaluate_cells(const KernelSetting& setting, const double* planes,
                            const Merging& merging, const TileArea& area, const CellSource& source,
                            std::span<const TileCell> cells, CellBatch& batch);
 
@@ -75,13 +75,13 @@ std::size_t evaluate_cells(const KernelSetting& setting, const double* numbers,
 
 /// A triangle that leaves marks i + 1, where it is number i of a tile's.
 struct MarkedTriangle {
-  const double* numbers = nullptr;
+  const double* planes = nullptr;
   std::uint32_t triangle = 0;
 };
 
 /// Puts depths, if they are written, and `mark` into a tile where fragments of these cells pass the
 /// depth test; `marks` as TileArea::depth. Returns whether any does.
-bool mark_cells(const KernelSetting& setting, const double* numbers, const Merging& merging,
+bool mark_cells(const KernelSetting& setting, const double* planes, const Merging& merging,
                 const TileArea& area, std::span<const TileCell> cells, std::uint32_t mark,
                 std::uint32_t* marks);
 

@@ -1,6 +1,7 @@
 #include "rasterizer/internal/cell_painter.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace rastercheck::rasterizer {
@@ -55,28 +56,49 @@ void CellPainter::draw(const KernelSetting& kernel, const double* numbers, std::
     const TileArea& area = areas_[s];
     cells_->count = 0;
     const Mask left_out = find_cells(kernel, numbers, test, area, part, *cells_);
-    if (marks_all_) {
-      mark(kernel, numbers, triangle, s);
-    } else {
-      const CellSource source = source_of(triangle, s);
-      for (std::span<const TileCell> rest = cells_->all(); !rest.empty();) {
-        rest = rest.subspan(
-            evaluate_cells(kernel, numbers, paint_.merging, area, source, rest, batch_));
-        if (batch_.is_full()) flush(paint_.merging);
-      }
-    }
+    draw_cells(kernel, numbers + TriangleNumbers::kPlanes, triangle, s);
     draw_rows(triangle, s, left_out);
   }
 }
 
-void CellPainter::mark(const KernelSetting& kernel, const double* numbers, std::uint32_t triangle,
+void CellPainter::draw_covered(const KernelSetting& kernel, const BinnedTriangle& binned) {
+  const int left = binned.box.columns.begin - tile_->columns().begin;
+  const int top = binned.box.rows.begin - tile_->rows().begin;
+  const int end = std::min(binned.box.rows.end - tile_->rows().begin, kTileSize);
+  for (std::size_t s = 0; s < kernel.samples; ++s) {
+    const auto covered = std::bit_cast<Mask>(binned.covered[s]);
+    const auto of_row = [&](int row) -> Mask {
+      if (row < top || row >= top + kSmallBox) return 0;
+      const Mask columns = covered >> kSmallBox * (row - top) & 0xff;
+      return left < 0 ? columns >> -left : columns << left;
+    };
+    cells_->count = 0;
+    for (int row = std::max(top, 0) & ~1; row < end; row += 2) {
+      cells_->add_rows(row, of_row(row), of_row(row + 1));
+    }
+    draw_cells(kernel, binned.planes, binned.triangle, s);
+  }
+}
+
+void CellPainter::draw_cells(const KernelSetting& kernel, const double* planes,
+                             std::uint32_t triangle, std::size_t sample) {
+  if (marks_all_) return mark(kernel, planes, triangle, sample);
+  const CellSource source = source_of(triangle, sample);
+  for (std::span<const TileCell> rest = cells_->all(); !rest.empty();) {
+    rest = rest.subspan(
+        evaluate_cells(kernel, planes, paint_.merging, areas_[sample], source, rest, batch_));
+    if (batch_.is_full()) flush(paint_.merging);
+  }
+}
+
+void CellPainter::mark(const KernelSetting& kernel, const double* planes, std::uint32_t triangle,
                        std::size_t sample) {
   if (cells_->count == 0) return;
   kernel_ = &kernel;
   const auto next = static_cast<std::uint32_t>(marked_.size() + 1);
-  if (mark_cells(kernel, numbers, paint_.merging, areas_[sample], cells_->all(), next,
+  if (mark_cells(kernel, planes, paint_.merging, areas_[sample], cells_->all(), next,
                  marks_of(sample))) {
-    marked_.push_back({numbers, triangle});
+    marked_.push_back({planes, triangle});
   }
 }
 

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "rasterizer/internal/binning.h"
 #include "rasterizer/internal/cell_batch.h"
 #include "rasterizer/internal/cell_kernels.h"
 #include "rasterizer/internal/draw_setting.h"
@@ -43,6 +44,8 @@ class CellPainter : public ExactAttributes {
   /// A triangle with numbers, in that part of the tile.
   void draw(const KernelSetting& kernel, const double* numbers, std::uint32_t triangle,
             const TilePart& part);
+  /// A small triangle of which is known what it covers; all of it that lies in the tile.
+  void draw_covered(const KernelSetting& kernel, const BinnedTriangle& binned);
   /// A triangle in these rows of the tile, whatever it is.
   void draw_lanes(std::uint32_t triangle, Mask rows);
   /// Finishes what was drawn.
@@ -51,7 +54,10 @@ class CellPainter : public ExactAttributes {
   double floor(std::size_t attribute, std::size_t lane, double scale, double period) override;
 
  private:
-  void mark(const KernelSetting& kernel, const double* numbers, std::uint32_t triangle,
+  /// The cells at hand.
+  void draw_cells(const KernelSetting& kernel, const double* planes, std::uint32_t triangle,
+                  std::size_t sample);
+  void mark(const KernelSetting& kernel, const double* planes, std::uint32_t triangle,
             std::size_t sample);
   /// Draws what is marked in two rows, the first of which is even.
   void draw_marked(std::size_t sample, int row);

@@ -90,7 +90,7 @@ class FrameDrawing {
         tiles_(columns_ * static_cast<std::size_t>(tiles_across(framebuffer.size.height))),
         kernel_(kernel_setting(setting_, static_cast<int>(columns_))) {
     if (shader != nullptr) paint_ = paint_setting(*shader, state, mesh, framebuffer.format);
-    if (kernel_) kernel_->numbers_all = paint_.has_value();
+    if (kernel_) kernel_->makes_cells = paint_.has_value();
     chunk_ = std::max(kLeastChunk, tiles_);
     chunks_ = (mesh.triangles.size() + chunk_ - 1) / chunk_;
     const std::size_t busy = std::min(workers, std::max(tiles_, chunks_));
@@ -138,7 +138,7 @@ class FrameDrawing {
     std::unique_ptr<CellPainter> painter;  ///< with a shader
     Binning binning;
     DrawnTile tile;
-    std::vector<const double*> records;  ///< of the tile
+    std::vector<std::span<const double>> records;  ///< of the tile
     std::size_t next_record = 0;
   };
 
@@ -198,14 +198,13 @@ class FrameDrawing {
       }
     }
   }
-  static void fetch_ahead(std::size_t record_size, Worker& worker) {
+  static void fetch_ahead(Worker& worker) {
     constexpr std::size_t kAhead = 6;
     const std::size_t at = worker.next_record++ + kAhead;
     if (at >= worker.records.size()) return;
     constexpr std::size_t kLine = 64 / sizeof(double);
-    for (std::size_t i = 0; i < record_size; i += kLine) {
-      __builtin_prefetch(worker.records[at] + i);
-    }
+    const std::span<const double> record = worker.records[at];
+    for (std::size_t i = 0; i < record.size(); i += kLine) __builtin_prefetch(&record[i]);
   }
 
   /// What of a chunk is in a tile: fragments and triangles, in the order of their triangles.
@@ -219,8 +218,8 @@ class FrameDrawing {
                     worker.tile.area(0));
     };
     for (std::size_t i = first_triangle; i < last_triangle; ++i) {
-      fetch_ahead(bins.record_size, worker);
-      const BinnedTriangle binned = bins.binned(bins.by_tile[i]);
+      fetch_ahead(worker);
+      const BinnedTriangle binned = bins.binned(bins.by_tile[i], setting_.pattern.size());
       const std::size_t begin = fragment;
       while (fragment < last_fragment &&
              triangle_of(bins.words[fragment * size]) < binned.triangle - bins.first) {
@@ -234,6 +233,10 @@ class FrameDrawing {
 
   void draw_triangle(const BinnedTriangle& binned, Worker& worker) {
     Tile& tile = worker.tile.tile();
+    if (binned.covered != nullptr) {
+      worker.painter->draw_covered(*kernel_, binned);
+      return worker.tile.count_triangle();
+    }
     if (binned.numbers == nullptr) {
       if (worker.painter) return worker.painter->draw_lanes(binned.triangle, ~Mask{0});
       return worker.drawing->draw(binned.triangle, tile, ~Mask{0});

@@ -127,6 +127,7 @@ HWY_INLINE Lanes PutNumbers(const KernelSetting& setting, const GroupInput& inpu
     least = hn::Mul(hn::Set(d, kSmoothCertainty), hn::Add(hn::Add(band[0], band[1]), band[2]));
     least = hn::IfThenZeroElse(has_one_w, least);
   }
+  if (setting.makes_cells) PutPlane(part, Numbers::kPlanes + TrianglePlanes::kSum, denominator);
   PutHalfPlane(part, Numbers::kDenominator, denominator, least,
                hn::Set(d, -std::numeric_limits<double>::infinity()));
   Lanes copied = Never();
@@ -181,6 +182,25 @@ void for_each_run(std::uint32_t bits, std::uint32_t borders, const Visit& visit)
   }
 }
 
+/// What small triangles cover, for those lanes that are to become cells: what covers nothing is
+/// hidden. Those with a sample at a vertex are drawn by numbers, as values there are the vertex's.
+HWY_INLINE void PutCovers(const KernelSetting& setting, const Part& part, const SmallCover& cover,
+                          std::uint32_t small_bits) {
+  GroupOutput& output = *part.output;
+  for_each_bit(small_bits, [&](int bit) {
+    const auto lane = static_cast<std::size_t>(bit);
+    std::uint64_t any = 0;
+    std::uint64_t at_vertex = 0;
+    for (std::size_t s = 0; s < setting.samples; ++s) {
+      output.covered[s][part.from + lane] = cover.covered[s][lane];
+      any |= cover.covered[s][lane];
+      at_vertex |= cover.at_vertex[s][lane];
+    }
+    if (any == 0) return;
+    output.fate[part.from + lane] = at_vertex != 0 ? LaneFate::numbered : LaneFate::covered;
+  });
+}
+
 /// Numbers and fates of the lanes of a part, of which `live` are triangles; and the fragments of
 /// the small ones.
 void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part& part, Lanes live,
@@ -214,12 +234,14 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
   const auto widths = hn::Sub(columns.end, columns.begin);
   const auto heights = hn::Sub(rows.end, rows.begin);
   const auto most = hn::Set(d, kSmallBox);
-  Lanes is_small =
+  const Lanes is_small =
       All(hn::Le(widths, most), hn::Le(heights, most), hn::And(outline.in_front, outline.is_whole));
-  if (setting.numbers_all) is_small = Never();
   const std::uint32_t small_of_all = BitsOf(is_small);
   const bool all_are_small = (kept_bits & ~small_of_all) == 0;
-  const std::uint32_t trusted = BitsOf(PutNumbers(setting, input, part, p, outline, all_are_small));
+  // Of what becomes cells, some small ones may have to be drawn by their numbers yet.
+  const bool may_be_numbered = !all_are_small || setting.makes_cells;
+  const std::uint32_t trusted =
+      BitsOf(PutNumbers(setting, input, part, p, outline, !may_be_numbered));
   left_bits |= kept_bits & ~trusted;
   kept_bits &= trusted;
   std::uint32_t small_bits = kept_bits & small_of_all;
@@ -228,7 +250,7 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
   };
   const SmallBoxes boxes{columns, rows, greatest_of(widths), greatest_of(heights)};
   PutBoxes(part, columns, rows);
-  const std::uint32_t large_bits = kept_bits & ~small_bits;
+  std::uint32_t large_bits = kept_bits & ~small_bits;
   // Where the last ones had ties, these will.
   const bool needs_limits = !setting.snaps && (large_bits != 0 || output.had_ties);
   bool is_exact = needs_limits ? SetExactLimits(setting, part, p) : setting.snaps;
@@ -238,7 +260,7 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
     const std::uint32_t uncovered =
         CoverSmall(setting, p, part, boxes, small_bits, is_exact, cover);
     output.had_ties = cover.ties != 0;
-    left_bits |= uncovered;
+    (setting.makes_cells ? large_bits : left_bits) |= uncovered;
     small_bits &= ~uncovered;
   }
   for_each_bit(left_bits, [&](int bit) {
@@ -247,6 +269,7 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
   for_each_bit(large_bits, [&](int bit) {
     output.fate[part.from + static_cast<std::size_t>(bit)] = LaneFate::numbered;
   });
+  if (setting.makes_cells) return PutCovers(setting, part, cover, small_bits);
   for_each_run(small_bits, left_bits | large_bits, [&](std::uint32_t run) {
     AppendFragments(setting, input, part, cover, run, first, fragments);
   });

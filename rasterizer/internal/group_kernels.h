@@ -36,14 +36,17 @@ enum class LaneFate : std::uint8_t {
   not_finite,  ///< it has a position that is not
   degenerate,  ///< two of its corners are the same but for z
   numbered,    ///< its numbers are to draw it by (tile_kernels.h)
+  covered,     ///< it is small: what it covers, and its planes, are to shade it by
   left,        ///< to drawing.cpp
 };
 
 struct GroupOutput {
   std::array<LaneFate, kGroup> fate;
   bool had_ties = false;  ///< a hint from one group to the next
-  /// Of what is numbered: the pixels that it may touch.
+  /// Of what is numbered or covered: the pixels that it may touch.
   std::array<PixelBox, kGroup> box;
+  /// [sample][lane], of what is covered: bit 8 y + x is the sample of the pixel (x, y) of its box.
+  alignas(64) std::array<std::array<std::uint64_t, kGroup>, DrawBounds::kMaxSamples> covered;
   /// [TriangleNumbers][lane]
   alignas(64) std::array<std::array<double, kGroup>, TriangleNumbers::kMost> numbers;
 };

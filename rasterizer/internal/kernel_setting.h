@@ -66,22 +66,31 @@ struct KernelSetting {
   bool has_affine = false;
   bool all_smooth = false;
   bool is_plain = false;  ///< all attributes are smooth, of which there are some; depth is tested
-  /// Whether small triangles are drawn by numbers as well, not as fragments.
-  bool numbers_all = false;
+  /// Whether small triangles are to become what they cover, not fragments (LaneFate::covered).
+  bool makes_cells = false;
 };
 
 /// Nothing where the kernels do not draw what the state asks for. `tile_columns`: tiles in a row of
 /// the framebuffer.
 std::optional<KernelSetting> kernel_setting(const DrawSetting& setting, int tile_columns);
 
-/// The numbers of a triangle, by place. Planes are a, b, c (plane.h).
+/// What depth and values of a triangle come from, by place. Planes are a, b, c (plane.h).
+struct TrianglePlanes {
+  static constexpr std::size_t kSum = 0;  ///< Σ E_i; 1 where no value is divided
+  static constexpr std::size_t kDepth = 3;
+  static constexpr std::size_t kValues = 6;  ///< of each attribute
+
+  static constexpr std::size_t count(std::size_t attributes) { return kValues + 3 * attributes; }
+};
+
+/// The numbers of a triangle, by place.
 struct TriangleNumbers {
   /// A triangle's samples are those within six half-planes: of its edges, of the depth planes that
   /// cut it (clip_functionals.h), and of the denominator where double is enough for that.
   static constexpr std::size_t kHalfPlanes = 6;
   static constexpr std::size_t kNear = 3;
   static constexpr std::size_t kFar = 4;
-  static constexpr std::size_t kDenominator = 5;  ///< Σ E_i; 1 where no value is divided
+  static constexpr std::size_t kDenominator = 5;  ///< TrianglePlanes::kSum
   static constexpr std::size_t kA = 0;            ///< of each
   static constexpr std::size_t kB = 6;
   static constexpr std::size_t kC = 12;  ///< times T
@@ -90,11 +99,14 @@ struct TriangleNumbers {
   static constexpr std::size_t kSure = 18;
   /// A sample is surely beyond unless it is above this.
   static constexpr std::size_t kPossible = 24;
-  static constexpr std::size_t kDepth = 30;   ///< plane
-  static constexpr std::size_t kValues = 33;  ///< plane of each attribute
-  static constexpr std::size_t kMost = kValues + 3 * kMaxAttributes;
+  static constexpr std::size_t kPlanes = 30;  ///< TrianglePlanes; with makes_cells kSum as well
+  static constexpr std::size_t kDepth = kPlanes + TrianglePlanes::kDepth;
+  static constexpr std::size_t kValues = kPlanes + TrianglePlanes::kValues;
 
-  static constexpr std::size_t count(std::size_t attributes) { return kValues + 3 * attributes; }
+  static constexpr std::size_t count(std::size_t attributes) {
+    return kPlanes + TrianglePlanes::count(attributes);
+  }
+  static constexpr std::size_t kMost = kPlanes + TrianglePlanes::kValues + 3 * kMaxAttributes;
 };
 
 }  // namespace rastercheck::rasterizer

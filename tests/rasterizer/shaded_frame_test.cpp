@@ -31,15 +31,30 @@ void set_output(Random& random, State& state) {
   if (state.blend == Blend::over && state.attributes.size() != 4) state.blend = Blend::additive;
 }
 
+/// A multiple of 1/256 between whole numbers.
+float between(Random& random, int low, int high) {
+  return static_cast<float>(random.between(256 * low, 256 * high)) / 256;
+}
+
 /// Triangles whose depths often are the same, with values in and around [0, 1].
 SmallMesh flat_triangles(Random& random, const State& state, int count) {
   SmallMesh mesh;
+  int extent = 0;
+  glm::vec2 corner(0, 0);
   for (int i = 0; i < 3 * count; ++i) {
     const float depth = random.pick({0.25F, 0.5F, 0.5F, 0.75F});
-    mesh.positions.push_back(at(state, random.real(-20, 160), random.real(-20, 160),
-                                random.pick({1.0F, 1.0F, 0.5F, 3.0F}), depth));
+    if (i % 3 == 0) {
+      // Small ones as well, some of them over tiles' corners, or with corners at samples.
+      extent = random.pick({180, 180, 9, 3});
+      corner = {between(random, -5, 130), between(random, -5, 130)};
+      if (random.one_in(3)) corner = {60, 61};
+      if (extent > 9) corner = {-20, -20};
+    }
+    glm::vec2 p = corner + glm::vec2(between(random, 0, extent), between(random, 0, extent));
+    if (random.one_in(3)) p = {std::floor(p.x) + 0.5F, std::floor(p.y) + 0.5F};
+    mesh.positions.push_back(at(state, p.x, p.y, random.pick({1.0F, 1.0F, 0.5F, 3.0F}), depth));
     for (std::size_t a = 0; a < state.attributes.size(); ++a) {
-      mesh.attributes.push_back(random.one_in(4) ? random.real(-2, 2) : random.real(0, 1));
+      mesh.attributes.push_back(random.one_in(4) ? random.real(-2, 2) : between(random, 0, 1));
     }
     if (i % 3 == 0) {
       const auto first = static_cast<std::uint32_t>(i);
@@ -68,7 +83,7 @@ TEST_P(ShadeOnTarget, LeavesWhatFragmentsLeaveByEveryFunction) {
     set_output(random, state);
     const bool has_bytes = state.attributes.size() == 4 && random.one_in(2);
     const auto format = has_bytes ? ColorFormat::rgba8 : ColorFormat::float32;
-    expect_kept(state, flat_triangles(random, state, 20).mesh(), size, format);
+    expect_kept(state, flat_triangles(random, state, 40).mesh(), size, format);
     if (HasFatalFailure()) return;
   }
 }
