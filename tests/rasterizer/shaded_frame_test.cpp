@@ -54,7 +54,7 @@ SmallMesh flat_triangles(Random& random, const State& state, int count) {
     if (random.one_in(3)) p = {std::floor(p.x) + 0.5F, std::floor(p.y) + 0.5F};
     mesh.positions.push_back(at(state, p.x, p.y, random.pick({1.0F, 1.0F, 0.5F, 3.0F}), depth));
     for (std::size_t a = 0; a < state.attributes.size(); ++a) {
-      mesh.attributes.push_back(random.one_in(4) ? random.real(-2, 2) : between(random, 0, 1));
+      mesh.attributes.push_back(random.one_in(4) ? random.real(-70, 2) : between(random, 0, 1));
     }
     if (i % 3 == 0) {
       const auto first = static_cast<std::uint32_t>(i);
@@ -74,8 +74,8 @@ TEST_P(ShadeOnTarget, LeavesWhatFragmentsLeaveByEveryFunction) {
   Random random(11);
   for (int i = 0; i < 60; ++i) {
     SCOPED_TRACE(i);
-    const TargetSize size{random.pick({1, 63, 64, 100, 129}), random.pick({2, 64, 65, 100}),
-                          random.pick({1, 1, 2, 4})};
+    const TargetSize size{random.pick({1, 63, 64, 64, 64, 100, 129}),
+                          random.pick({2, 64, 64, 64, 65, 100}), random.pick({1, 1, 2, 4})};
     State state =
         small_state(size.width, size.height,
                     random.pick({Convention::opengl, Convention::vulkan, Convention::d3d}));
@@ -99,6 +99,27 @@ TEST_P(ShadeOnTarget, LeavesWhatFragmentsLeaveOfAnyDraw) {
     expect_kept(draw.state, draw.mesh.mesh(), draw.size);
     if (HasFatalFailure()) return;
   }
+}
+
+// Kills: values of planes where a sample is at a vertex of a small triangle, whose values are its.
+TEST_P(ShadeOnTarget, SamplesAtCornersHaveTheValuesOfVertices) {
+  const OnTarget on_target(GetParam());
+  Random random(15);
+  State state = small_state(64, 64);
+  state.attributes.resize(2);
+  state.depth_test = DepthTest::always;
+  SmallMesh mesh;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    const glm::vec2 first(random.between(0, 56), random.between(0, 56));
+    for (int corner = 0; corner < 3; ++corner) {
+      mesh.positions.push_back(at(state, first.x + static_cast<float>(random.between(0, 7)) + 0.5F,
+                                  first.y + static_cast<float>(random.between(0, 7)) + 0.5F,
+                                  random.pick({1.0F, 0.5F, 0.7F, 3.0F})));
+      for (int a = 0; a < 2; ++a) mesh.attributes.push_back(random.real(-70, 2));
+    }
+    mesh.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+  }
+  expect_kept(state, mesh.mesh(), {64, 64, 1});
 }
 
 /// Colours at and next to where rounding to bytes goes one way or the other.
