@@ -77,6 +77,13 @@ class Backend {
   virtual Result<std::vector<cases::ClipVertex>> transform(const cases::Case& /*c*/) {
     return tl::unexpected(Error{"", "", "this backend has no vertex stage"});
   }
+
+  /// The unit normals in world space that its vertex stage makes of normals in object space of any
+  /// length, one for each; zero where the image is zero (cases::Contract::normal_bound).
+  virtual Result<std::vector<cases::Normal>> transform_normals(
+      const cases::Matrix4& /*model*/, std::span<const cases::Normal> /*normals*/) {
+    return tl::unexpected(Error{"", "", "this backend does not transform normals"});
+  }
 };
 
 /// A backend that could be asked for, and whether it can run here.

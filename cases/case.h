@@ -85,6 +85,9 @@ struct ClipVertex {
   bool operator==(const ClipVertex&) const = default;
 };
 
+/// x, y and z of a normal.
+using Normal = std::array<float, 3>;
+
 /// A 4×4 matrix, row-major, that multiplies column vectors from the left.
 using Matrix4 = std::array<float, 16>;
 inline constexpr Matrix4 kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};

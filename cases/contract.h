@@ -69,6 +69,9 @@ struct TextureBounds {
   bool operator==(const TextureBounds&) const = default;
 };
 
+/// From one pixel to the next 1/w may fall to a share of this and differences still mean something.
+inline constexpr float kMostQuadHorizon = 0x1p16F;
+
 struct Contract {
   Coverage coverage;
   Basis basis = Basis::ideal;
@@ -108,6 +111,24 @@ struct Contract {
   /// with P, V, M the camera's matrices, p the position and |·| of each number of them. Nothing:
   /// it has no vertex stage, or promises nothing of it.
   std::optional<float> transform_bound;
+  /// How far the unit normals of its vertex stage may be off. The image of a normal n is m = C n,
+  /// with C the cofactors of the model's upper left 3×3 part, times the sign of its determinant (+
+  /// of 0); for each component i
+  ///
+  ///   |f_i − m_i / ‖m‖| <= normal_bound · 2^-53 · ‖|C| |n|‖ / ‖m‖ + 4 · 2^-53 + ulp(f_i) / 2
+  ///
+  /// and f = 0 where m = 0. Nothing: none are promised.
+  std::optional<float> normal_bound;
+  /// How far differences across quads (cases::Shading) may be off. With r the value at the fragment
+  /// and r' at its neighbour, each that of the triangle's own map there, drawn or not,
+  ///
+  ///   |f − (r_odd − r_even)| <= quad_share (M + g M') + ulp(f) / 2
+  ///
+  /// where M = max(max|r_i|, |r|), M' alike of r', and g = max(1, 1/w at the fragment / 1/w at its
+  /// neighbour), 1 of noperspective values: towards the horizon r/w loses digits. Of neighbours
+  /// with 1/w <= 0 or g > kMostQuadHorizon, and of centroids of several samples, which need not
+  /// have a place beyond the triangle, nothing is promised. Nothing: none are promised at all.
+  std::optional<float> quad_share;
   /// Of filtered textures. Nothing: it has none, or promises nothing of them.
   std::optional<TextureBounds> texture_bounds;
   bool operator==(const Contract&) const = default;

@@ -48,7 +48,18 @@ struct Texture {
   std::vector<std::uint8_t> texels;  ///< [t][s][4]
 };
 
-/// What colours are made of: the attributes as they are, or a texture at the first two.
+/// What colours are made of.
+enum class Shading {
+  attributes,     ///< one channel each, as they are
+  vertex_colors,  ///< the first three or four: red, green, blue and alpha, 1 where there are three
+  /// Differences of attributes across quads of 2×2 pixels, from the even column to the odd one, or
+  /// from the even row: r(x_odd) − r(x_even) of the fragment's own triangle and sample, drawn there
+  /// or not.
+  differences_along_x,
+  differences_along_y
+};
+
+/// A texture at the first two attributes.
 struct Texturing {
   Texture texture;
   Wrap wrap_s = Wrap::repeat;
@@ -64,13 +75,14 @@ struct Pipeline {
   float clear_depth = 1;  ///< colours are cleared to 0
   Blend blend = Blend::off;
   ColorFormat format = ColorFormat::float32;
-  std::optional<Texturing> texturing;
-  bool resolves = false;  ///< whether the picture is the mean of the samples
+  Shading shading = Shading::attributes;
+  std::optional<Texturing> texturing;  ///< in place of the shading
+  bool resolves = false;               ///< whether the picture is the mean of the samples
 };
 
 struct Picture {
   FramebufferSize size;      ///< one sample where it was resolved
-  std::size_t channels = 0;  ///< the case's attributes, or four of a texture
+  std::size_t channels = 0;  ///< the case's attributes, or four of a colour
   std::vector<float> color;  ///< [y][x][sample][channel]; a byte k as the float next to k/255
   std::vector<float> depth;  ///< [y][x][sample]
 };

@@ -63,7 +63,8 @@ bool is_well_formed(const cases::Picture& picture, const cases::Case& c,
   const std::size_t samples = static_cast<std::size_t>(size.width) *
                               static_cast<std::size_t>(size.height) *
                               static_cast<std::size_t>(size.samples);
-  const std::size_t channels = pipeline.texturing ? 4 : c.attributes.size();
+  const bool has_four = pipeline.texturing || pipeline.shading == cases::Shading::vertex_colors;
+  const std::size_t channels = has_four ? 4 : c.attributes.size();
   return picture.size == size && picture.channels == channels && picture.depth.size() == samples &&
          picture.color.size() == samples * picture.channels;
 }
@@ -112,6 +113,19 @@ Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends:
         Error{"", "", "the backend's clip positions are not one for each vertex"});
   }
   return positions;
+}
+
+Result<std::vector<cases::Normal>> transform_normals(const cases::Matrix4& model,
+                                                     std::span<const cases::Normal> normals,
+                                                     backends::Backend& backend) {
+  const FloatingPointModes modes;
+  Result<std::vector<cases::Normal>> world = backend.transform_normals(model, normals);
+  if (modes.have_changed()) return tl::unexpected(left_other_modes());
+  if (world && world->size() != normals.size()) {
+    return tl::unexpected(
+        Error{"", "", "the backend's normals are not one for each that it was handed"});
+  }
+  return world;
 }
 
 Result<cases::Picture> draw_picture(const cases::Case& c, backends::Backend& backend,

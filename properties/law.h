@@ -84,6 +84,11 @@ Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology 
 /// The clip positions that a backend makes of a case with a camera, watched in the same way.
 Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends::Backend& backend);
 
+/// The unit normals that a backend makes of normals, watched in the same way.
+Result<std::vector<cases::Normal>> transform_normals(const cases::Matrix4& model,
+                                                     std::span<const cases::Normal> normals,
+                                                     backends::Backend& backend);
+
 /// The picture that a case leaves, handed over and held to the same as by draw().
 Result<cases::Picture> draw_picture(const cases::Case& c, backends::Backend& backend,
                                     const cases::Pipeline& pipeline);

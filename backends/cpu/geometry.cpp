@@ -62,6 +62,21 @@ Result<std::vector<cases::ClipVertex>> transformed(const cases::Case& c) {
   return result;
 }
 
+Result<std::vector<cases::Normal>> transformed_normals(const cases::Matrix4& model,
+                                                       std::span<const cases::Normal> normals) {
+  std::vector<glm::vec3> of_object;
+  of_object.reserve(normals.size());
+  for (const auto& [x, y, z] : normals) of_object.emplace_back(x, y, z);
+  std::vector<glm::vec3> world;
+  if (const auto error = ras::transform_normals(matrix(model), of_object, world)) {
+    return tl::unexpected(refused(*error));
+  }
+  std::vector<cases::Normal> result;
+  result.reserve(world.size());
+  for (const glm::vec3& n : world) result.push_back({n.x, n.y, n.z});
+  return result;
+}
+
 Result<cases::Case> assembled(const cases::Case& c, cases::Topology topology,
                               std::span<const std::uint32_t> indices) {
   static_assert(cases::kRestart == ras::kRestart);

@@ -1,5 +1,6 @@
 #include "backends/cpu/picture.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -87,6 +88,44 @@ struct CaseMesh {
   std::vector<glm::uvec3> triangles;
 };
 
+/// Differences of attributes from a quad's even column to its odd one, or from row to row, each
+/// rounded to float32 once.
+struct QuadDifferences {
+  std::size_t count = 0;
+  std::size_t neighbor = 1;  ///< the bit of a lane's number that tells the two apart
+
+  std::size_t outputs() const { return count; }
+  void operator()(const ras::FragmentBatch& in, ras::ShadedBatch& out) const {
+    for (std::size_t a = 0; a < count; ++a) {
+      for (std::size_t lane = 0; lane < in.lanes; ++lane) {
+        const double* const values = in.values[a];
+        out.color[a][lane] = static_cast<float>(values[lane | neighbor] - values[lane & ~neighbor]);
+      }
+    }
+  }
+};
+
+ras::DrawResult draw_untextured(const cases::Case& c, const cases::Pipeline& pipeline,
+                                const ras::State& state, const ras::Mesh& mesh, unsigned threads,
+                                ras::Framebuffer& framebuffer) {
+  const ras::TargetSize size = target_size(c);
+  const float depth = pipeline.clear_depth;
+  const auto draw_by = [&](const auto& shader) {
+    return clear_and_draw(state, mesh, shader, size, depth, framebuffer, threads);
+  };
+  switch (pipeline.shading) {
+    case cases::Shading::vertex_colors:
+      return draw_by(ras::GouraudShader());
+    case cases::Shading::differences_along_x:
+      return draw_by(QuadDifferences{c.attributes.size(), 1});
+    case cases::Shading::differences_along_y:
+      return draw_by(QuadDifferences{c.attributes.size(), ras::FragmentBatch::kCellWidth});
+    case cases::Shading::attributes:
+      break;
+  }
+  return clear_and_draw(state, mesh, size, depth, framebuffer, threads);
+}
+
 std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline& pipeline,
                                     unsigned threads, ras::Framebuffer& framebuffer) {
   ras::State state = state_of(c, ras::Precision::float64);
@@ -98,8 +137,10 @@ std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline&
   const CaseMesh memory(c);
   const ras::Mesh mesh{memory.positions, c.attribute_values, c.clip_distances, memory.triangles};
   if (!pipeline.texturing) {
-    return clear_and_draw(state, mesh, target_size(c), pipeline.clear_depth, framebuffer, threads)
-        .error;
+    if (pipeline.shading == cases::Shading::vertex_colors && c.attributes.size() < 3) {
+      return ras::Error::attribute_count;
+    }
+    return draw_untextured(c, pipeline, state, mesh, threads, framebuffer).error;
   }
   if (c.attributes.size() < 2) return ras::Error::attribute_count;
   const cases::Texturing& texturing = *pipeline.texturing;

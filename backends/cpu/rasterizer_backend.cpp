@@ -129,14 +129,17 @@ cases::TextureBounds texture_bounds() {
   return bounds;
 }
 
+/// Of what a shader sees of attributes in a quad, derived in rasterizer/internal/certificates.h.
+float quad_share() { return 0x1p-29F; }
+
 /// What the production rasterizer promises: the mathematical triangle, or, where the case asks for
 /// snapping, that of the vertices on such a grid, exactly rounded; and values within 0.51 scale ULP
 /// (the bound derived in rasterizer/internal/certificates.h is 0.5 + 2^-7), attributes in float32
 /// within the bounds derived in rasterizer/internal/float_kernels.h. Constants come back as they
 /// are, and so do the values of vertices (rasterizer/internal/exact_values.h).
 /// Screen derivatives, in either precision, are within 0.51 of their unit
-/// (rasterizer/internal/derivatives.h: 0.5 + 2^-7 + 2^-22). Clip positions are within the bound of
-/// rasterizer/vertex_stage.h.
+/// (rasterizer/internal/derivatives.h: 0.5 + 2^-7 + 2^-22). Clip positions and normals
+/// are within the bounds of rasterizer/vertex_stage.h.
 cases::Contract production_contract(const cases::Case& c, ras::Precision precision) {
   cases::Contract contract;
   contract.tie_rule = c.fill_rule;
@@ -158,6 +161,8 @@ cases::Contract production_contract(const cases::Case& c, ras::Precision precisi
   contract.keeps_vertex_values = true;
   contract.derivative_bound = kBound;
   contract.transform_bound = ras::kTransformBound;
+  contract.normal_bound = ras::kNormalBound;
+  contract.quad_share = quad_share();
   contract.texture_bounds = texture_bounds();
   return contract;
 }
@@ -430,6 +435,11 @@ class RasterizerBackend : public Backend {
   bool transforms() const override { return options_.method.empty(); }
   Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override {
     return transforms() ? transformed(c) : Backend::transform(c);
+  }
+  Result<std::vector<cases::Normal>> transform_normals(
+      const cases::Matrix4& model, std::span<const cases::Normal> normals) override {
+    if (!transforms()) return Backend::transform_normals(model, normals);
+    return transformed_normals(model, normals);
   }
 
  private:

@@ -44,6 +44,10 @@ class MutantBackend : public backends::Backend {
   Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override {
     return backend_->transform(c);
   }
+  Result<std::vector<cases::Normal>> transform_normals(
+      const cases::Matrix4& model, std::span<const cases::Normal> normals) override {
+    return backend_->transform_normals(model, normals);
+  }
 
  private:
   Library library_;
