@@ -70,6 +70,16 @@ struct JudgedDerivative {
   std::optional<records::Enclosure> error;  ///< signed; nothing of an infinity and of NaN
 };
 
+enum class WindowAxis { x, y };
+
+/// The difference r(odd) − r(even) between the two pixels of an even-aligned 2×2 quad that lie side
+/// by side, as a fragment of either has it (cases::Contract::quad_share).
+struct QuadDifference {
+  Rational exact;
+  Rational allowed;                 ///< quad_share (M + g M'); 0 of a flat attribute
+  bool is_next_to_horizon = false;  ///< g > cases::kMostQuadHorizon: nothing is promised
+};
+
 /// How errors are amplified at a fragment (RULES §5); nothing where the divisor is 0. A smooth
 /// attribute's terms are n_i = r_i, a noperspective one's n_i = r_i w_i.
 struct Conditioning {
@@ -139,6 +149,12 @@ class TriangleTruth {
   /// that holds (x, y), in its row and in its column; helper pixels extrapolate.
   std::optional<Derivatives> quad_differences(std::size_t attribute, int x, int y,
                                               int sample) const;
+
+  /// The difference along an axis for the fragment at (x, y), and how far it may be off. Nothing
+  /// where either value is undefined (1/w <= 0 there), of centroids of several samples, and where
+  /// the contract leaves several placements.
+  std::optional<QuadDifference> quad_difference(std::size_t attribute, WindowAxis axis, int x,
+                                                int y, int sample, float quad_share) const;
 
   /// log2 of the larger of the two lengths of the screen derivatives of texture position
   /// (s · width, t · height), certified; −infinity where both are zero.

@@ -211,7 +211,7 @@ TEST(Cpu, TransformsByItsVertexStage) {
     ++with_camera;
     ASSERT_EQ(clip->size(), c.positions.size());
     for (const oracle::JudgedPosition& position : oracle::judge_transform(c, *clip, bound)) {
-      for (const oracle::JudgedCoordinate& one : position) {
+      for (const oracle::JudgedNumber& one : position) {
         EXPECT_EQ(one.fragment_class, records::FragmentClass::correct) << c.name;
       }
     }

@@ -178,6 +178,48 @@ TEST(QuadDifferences, ExtrapolateToHelperPixels) {
   EXPECT_EQ(truth->quad_differences(0, 2, 0, 0)->du.to_string(), "1/4");
 }
 
+// r = u/(8 − u) is 5/11 in column 2 and 7/9 in column 3; 1/w is (8 − u)/8, and max|r_i| = 1.
+TEST(QuadDifference, HasABoundByTheTwoValues) {
+  const Truth truth(corner(2, {{{0}, {1}, {0}}}));
+  const auto at = [&truth](int x, int y, WindowAxis axis) {
+    return truth->quad_difference(0, axis, x, y, 0, 0.5F).value();
+  };
+  EXPECT_EQ(at(2, 0, WindowAxis::x).exact.to_string(), "32/99");
+  EXPECT_EQ(at(3, 0, WindowAxis::x).exact, at(2, 0, WindowAxis::x).exact);
+  EXPECT_EQ(at(2, 0, WindowAxis::y).exact, Rational(0));
+  // M = M' = 1, and g is 11/9 from column 2, less than 1 from column 3.
+  EXPECT_EQ(at(2, 0, WindowAxis::x).allowed.to_string(), "10/9");
+  EXPECT_EQ(at(3, 0, WindowAxis::x).allowed, Rational(1));
+  EXPECT_FALSE(at(2, 0, WindowAxis::x).is_next_to_horizon);
+}
+
+TEST(QuadDifference, EndsAtTheHorizon) {
+  const Truth behind(corner(-1, {{{0}, {1}, {0}}}));  // 1/w = 1 − u/2
+  EXPECT_TRUE(behind->quad_difference(0, WindowAxis::x, 0, 0, 0, 1));
+  EXPECT_FALSE(behind->quad_difference(0, WindowAxis::x, 2, 0, 0, 1));
+  EXPECT_TRUE(behind->quad_difference(0, WindowAxis::y, 0, 0, 0, 1));
+  // A little more than 3/5: 1/w is about 1 − u · 2/3, and at column 1 little more than 0.
+  const Truth next(corner(-0.6F, {{{0}, {1}, {0}}}));
+  EXPECT_TRUE(next->quad_difference(0, WindowAxis::x, 0, 0, 0, 1).value().is_next_to_horizon);
+  EXPECT_FALSE(next->quad_difference(0, WindowAxis::x, 1, 0, 0, 1).value().is_next_to_horizon);
+}
+
+TEST(QuadDifference, SaysNothingOfCentroidsOfSeveralSamples) {
+  EXPECT_FALSE(
+      Truth(with_centroid(cases::Rules::d3d, 4))->quad_difference(0, WindowAxis::x, 0, 0, 0, 1));
+  EXPECT_TRUE(
+      Truth(with_centroid(cases::Rules::vulkan, 1))->quad_difference(0, WindowAxis::x, 0, 0, 0, 1));
+}
+
+TEST(QuadDifference, OfAFlatAttributeIsZero) {
+  auto c = corner(-1, {{{0}, {1}, {0}}});
+  c.attributes[0].interpolation = cases::Interpolation::flat;
+  const auto difference = Truth(c)->quad_difference(0, WindowAxis::x, 2, 0, 0, 1);
+  ASSERT_TRUE(difference);
+  EXPECT_EQ(difference->exact, Rational(0));
+  EXPECT_EQ(difference->allowed, Rational(0));
+}
+
 TEST(LevelOfDetail, CountsTexelsPerPixelInPowersOfTwo) {
   // s = u/4 over 16 texels is 4 texels per pixel; t is constant.
   const Truth truth(corner(1, {{{0, 5}, {1, 5}, {0, 5}}}));
