@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "rasterizer/internal/determinant.h"
+#include "rasterizer/internal/exact_sum.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -83,12 +84,13 @@ std::optional<Error> transform_any(const Camera& camera, std::span<const Positio
 using Vector = std::array<double, 3>;
 using Matrix3 = std::array<Vector, 3>;  ///< [row][column]
 
-/// The cofactors of the upper left 3×3 part, with the sign of its determinant.
-Matrix3 signed_cofactors(const glm::mat4& model) {
-  const auto a = [&model](std::size_t row, std::size_t column) {
-    return double{
-        model[static_cast<glm::length_t>(column % 3)][static_cast<glm::length_t>(row % 3)]};
-  };
+/// Of the upper left 3×3 part, indices that go round.
+double element(const glm::mat4& model, std::size_t row, std::size_t column) {
+  return double{model[static_cast<glm::length_t>(column % 3)][static_cast<glm::length_t>(row % 3)]};
+}
+
+/// The sign of the determinant of the upper left 3×3 part; nothing where that is not finite.
+std::optional<int> orientation(const glm::mat4& model) {
   const auto column = [&model](glm::length_t c) {
     return glm::vec4(model[c].x, model[c].y, 0, model[c].z);
   };
@@ -97,7 +99,15 @@ Matrix3 signed_cofactors(const glm::mat4& model) {
     is_finite = is_finite && std::isfinite(model[c].x) && std::isfinite(model[c].y) &&
                 std::isfinite(model[c].z);
   }
-  const bool is_mirrored = is_finite && determinant_sign(column(0), column(1), column(2)) < 0;
+  if (!is_finite) return std::nullopt;
+  return determinant_sign(column(0), column(1), column(2));
+}
+
+/// The cofactors of the upper left 3×3 part, or what is opposite them.
+Matrix3 cofactors(const glm::mat4& model, bool is_mirrored) {
+  const auto a = [&model](std::size_t row, std::size_t column) {
+    return element(model, row, column);
+  };
   Matrix3 result{};
   for (std::size_t r = 0; r < 3; ++r) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -109,11 +119,34 @@ Matrix3 signed_cofactors(const glm::mat4& model) {
   return result;
 }
 
-glm::vec3 unit_image(const Matrix3& matrix, const glm::vec3& n) {
+Vector image(const Matrix3& matrix, const glm::vec3& n) {
   Vector m{};
   for (std::size_t r = 0; r < 3; ++r) {
     m[r] = (matrix[r][0] * double{n.x} + matrix[r][1] * double{n.y}) + matrix[r][2] * double{n.z};
   }
+  return m;
+}
+
+/// C n, summed without rounding; all is finite.
+Vector exact_image(const glm::mat4& model, const glm::vec3& n) {
+  const auto a = [&model](std::size_t row, std::size_t column) {
+    return element(model, row, column);
+  };
+  Vector m{};
+  for (std::size_t r = 0; r < 3; ++r) {
+    ExactSum sum;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double of_normal{n[static_cast<glm::length_t>(c)]};
+      // Products of two floats are exact.
+      sum.add_product(a(r + 1, c + 1) * a(r + 2, c + 2), of_normal);
+      sum.add_product(-(a(r + 1, c + 2) * a(r + 2, c + 1)), of_normal);
+    }
+    m[r] = sum.nearest();
+  }
+  return m;
+}
+
+glm::vec3 unit(const Vector& m) {
   const double squares = (m[0] * m[0] + m[1] * m[1]) + m[2] * m[2];
   // Something that is not finite comes into two components at least.
   if (squares == 0 || !std::isfinite(squares)) return {0, 0, 0};
@@ -138,9 +171,15 @@ std::optional<Error> transform_normals(const glm::mat4& model, std::span<const g
                                        std::vector<glm::vec3>& world) {
   const std::size_t first = world.size();
   if (const auto error = append_room(world, normals.size())) return error;
-  const Matrix3 matrix = signed_cofactors(model);
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    world[first + i] = unit_image(matrix, normals[i]);
+  const std::optional<int> sign = orientation(model);
+  const Matrix3 matrix = cofactors(model, sign && *sign < 0);
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const glm::vec3& n = normals[i];
+    const bool is_finite = std::isfinite(n.x) && std::isfinite(n.y) && std::isfinite(n.z);
+    // Of a singular model sums may be exactly zero, of which rounding must not leave a direction.
+    const bool is_summed_exactly = sign == 0 && is_finite;
+    world[first + i] = unit(is_summed_exactly ? exact_image(model, n) : image(matrix, n));
+  }
   return std::nullopt;
 }
 

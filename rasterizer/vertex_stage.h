@@ -34,8 +34,9 @@
 //   |f_i − n'_i| <= kNormalBound · 2^-53 · K + 4 · 2^-53 + ulp(f_i) / 2,   K = ‖|C| |n|‖ / ‖C n‖.
 //
 // K is 1 where nothing cancels, as for rotations and scales along the axes of a normal along an
-// axis, and at most √3 cond(A) always. Squares are multiples of 2^-894 and at most 2^780: neither
-// subnormal nor infinite.
+// axis, and at most √3 cond(A) always. Where det A = 0 m may be zero, K infinite and what roundings
+// leave of m a direction of no meaning: there it is summed without rounding. Squares are multiples
+// of 2^-894 and at most 2^780: neither subnormal nor infinite.
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>

@@ -21,8 +21,9 @@ bool is_exact(const EdgeFunction& edge, const SampleFrame& frame) {
   const int grain =
       std::min({lowest_bit(edge.a.value) + frame.u.grain, lowest_bit(edge.b.value) + frame.v.grain,
                 lowest_bit(edge.c.value) + lowest_bit(frame.t)});
-  // S was rounded; a factor of two is more than enough for that.
-  return 2 * edge.greatest < std::ldexp(1.0, std::min(grain + 53, 1000));
+  // S was rounded, and a helper lane, a pixel beyond the draw, has terms up to 3 S
+  // (certificates.h).
+  return 4 * edge.greatest < std::ldexp(1.0, std::min(grain + 53, 1000));
 }
 
 void add_products(ExactSum& sum, const Coefficient& coefficient, const ExactCoordinate& at) {
