@@ -12,6 +12,11 @@ namespace {
 constexpr double kMostByte = 255;
 constexpr std::size_t kAlpha = 3;
 
+std::size_t channels_of(const cases::Case& c, const cases::Pipeline& pipeline) {
+  const bool has_colors = pipeline.shading == cases::Shading::vertex_colors;
+  return has_colors ? kAlpha + 1 : c.attributes.size();
+}
+
 /// Whole numbers nearest to x >= 0, ties to even; far below 2^52.
 double nearest_whole(double x) {
   const double below = std::floor(x);
@@ -26,7 +31,7 @@ double clamped(double value) { return value > 0 ? std::min(value, 1.0) : 0.0; }
 class Model {
  public:
   Model(const cases::Case& c, const cases::Pipeline& pipeline)
-      : pipeline_(&pipeline), size_(c.framebuffer), channels_(c.attributes.size()) {
+      : pipeline_(&pipeline), size_(c.framebuffer), channels_(channels_of(c, pipeline)) {
     const std::size_t samples = static_cast<std::size_t>(size_.width) *
                                 static_cast<std::size_t>(size_.height) *
                                 static_cast<std::size_t>(size_.samples);
@@ -34,6 +39,8 @@ class Model {
     held_.assign(samples * channels_, 0.0);
     assert(pipeline.blend != cases::Blend::over || channels_ == kAlpha + 1);
     assert(!pipeline.texturing);
+    assert(pipeline.shading == cases::Shading::attributes ||
+           (pipeline.shading == cases::Shading::vertex_colors && c.attributes.size() >= kAlpha));
   }
 
   void draw(const cases::Framebuffer& fragments, std::size_t i) {
@@ -77,11 +84,15 @@ class Model {
     return is_rgba8() ? kMostByte * incoming(color) : incoming(color);
   }
 
-  void blend(std::span<const float> color, std::size_t at) {
-    const double alpha = pipeline_->blend == cases::Blend::over ? incoming(color[kAlpha]) : 0;
+  /// Three colours have alpha 1.
+  void blend(std::span<const float> attributes, std::size_t at) {
+    const auto color = [attributes](std::size_t channel) {
+      return channel < attributes.size() ? attributes[channel] : 1.0F;
+    };
+    const double alpha = pipeline_->blend == cases::Blend::over ? incoming(color(kAlpha)) : 0;
     for (std::size_t channel = 0; channel < channels_; ++channel) {
       double& held = held_[at * channels_ + channel];
-      held = stored(blended(channel, alpha, in_units(color[channel]), held));
+      held = stored(blended(channel, alpha, in_units(color(channel)), held));
     }
   }
 

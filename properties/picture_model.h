@@ -25,7 +25,8 @@
 // order of their indices, and divided by their number; floats are rounded to a float, bytes are
 // added as whole numbers and the mean rounded to one, ties to even. The depth is that of sample 0.
 //
-// Textures are not modelled.
+// Colours are the attributes, or, as vertex colours, the first four of them; of three the fourth is
+// 1. Textures and differences are not modelled.
 
 #include "cases/case.h"
 #include "cases/framebuffer.h"
@@ -37,8 +38,9 @@ namespace rastercheck::properties {
 bool passes(cases::DepthFunction function, float depth, float present);
 
 /// The picture that a case's fragments leave: each triangle's as if drawn alone, in any order of
-/// their own, as submission order is that of triangles. The pipeline has no texture; the case has
-/// four attributes if it blends `over`. Fragments of no pixel or sample are left out.
+/// their own, as submission order is that of triangles. The pipeline has no texture and shows
+/// no differences; the case has three attributes at least if these are vertex colours, else four if
+/// it blends `over`. Fragments of no pixel or sample are left out.
 cases::Picture picture_of(const cases::Case& c, const cases::Framebuffer& fragments,
                           const cases::Pipeline& pipeline);
 

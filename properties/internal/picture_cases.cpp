@@ -82,6 +82,8 @@ float color(Draw& draw, std::size_t channel) {
 void set_colors(Draw& draw, cases::Case& c) {
   c.attributes.clear();
   c.attribute_values.clear();
+  // As most are: they have kernels of their own.
+  const bool are_ordinary = draw.one_in(2);
   for (const char* name : {"red", "green", "blue", "alpha"}) {
     const auto interpolation =
         draw.pick(std::array{Interpolation::smooth, Interpolation::smooth,
@@ -89,7 +91,9 @@ void set_colors(Draw& draw, cases::Case& c) {
     const auto location = draw.pick(std::array{Location::sample, Location::sample, Location::sample,
                                                Location::center, Location::centroid});
     c.attributes.push_back({name, interpolation, location});
+    if (are_ordinary) c.attributes.back() = {name, Interpolation::smooth, Location::sample};
   }
+  if (draw.one_in(4)) c.attributes.pop_back();
   for (std::size_t v = 0; v < c.positions.size(); ++v) {
     for (std::size_t channel = 0; channel < c.attributes.size(); ++channel) {
       c.attribute_values.push_back(color(draw, channel));

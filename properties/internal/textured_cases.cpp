@@ -200,6 +200,18 @@ std::optional<oracle::Rational> exact_value(const oracle::TriangleTruth& truth,
   return range->lo;
 }
 
+std::vector<std::size_t> some_of(const std::vector<std::size_t>& all, std::size_t most) {
+  if (all.size() <= most) return all;
+  std::vector<std::size_t> some;
+  for (std::size_t k = 0; k < most; ++k) {
+    // One of each of as many stretches, not always the same sample of a pixel.
+    const std::size_t begin = k * all.size() / most;
+    const std::size_t end = (k + 1) * all.size() / most;
+    some.push_back(all[begin + k % (end - begin)]);
+  }
+  return some;
+}
+
 std::vector<std::size_t> some_drawn_samples(const cases::Picture& picture, std::size_t most) {
   std::vector<std::size_t> drawn;
   for (std::size_t at = 0; at < picture.depth.size(); ++at) {
@@ -207,15 +219,7 @@ std::vector<std::size_t> some_drawn_samples(const cases::Picture& picture, std::
     const auto end = first + static_cast<std::ptrdiff_t>(picture.channels);
     if (std::any_of(first, end, [](float color) { return color != 0; })) drawn.push_back(at);
   }
-  if (drawn.size() <= most) return drawn;
-  std::vector<std::size_t> some;
-  for (std::size_t k = 0; k < most; ++k) {
-    // One of each of as many stretches, not always the same sample of a pixel.
-    const std::size_t begin = k * drawn.size() / most;
-    const std::size_t end = (k + 1) * drawn.size() / most;
-    some.push_back(drawn[begin + k % (end - begin)]);
-  }
-  return some;
+  return some_of(drawn, most);
 }
 
 FragmentPlace place_at(const cases::Picture& picture, std::size_t at) {

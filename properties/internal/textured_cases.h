@@ -52,6 +52,9 @@ class SeenTriangles {
 std::optional<oracle::Rational> exact_value(const oracle::TriangleTruth& truth,
                                             std::size_t attribute, const FragmentPlace& place);
 
+/// At most `most` of these, evenly spread.
+std::vector<std::size_t> some_of(const std::vector<std::size_t>& all, std::size_t most);
+
 /// At most `most` of the samples of a picture that have been drawn, evenly spread: all channels of
 /// those that have not are 0. Indices count as cases::Picture does.
 std::vector<std::size_t> some_drawn_samples(const cases::Picture& picture, std::size_t most);

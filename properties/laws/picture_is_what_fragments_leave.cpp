@@ -9,8 +9,9 @@
 // test.
 //
 // The pipeline is chosen by the case's numbers: one of the eight depth functions, whether depths
-// are written, what they are cleared to, a blend (`over` only of four attributes), a format, and
-// whether the samples are resolved. Attributes are the channels.
+// are written, what they are cleared to, a blend (`over` only of four channels), a format, and
+// whether the samples are resolved. Attributes are the channels, or, as vertex colours, the first
+// three or four of them are: Gouraud's shading.
 //
 // Samples: all, those without a fragment too. NaNs are alike, whatever their bits. Judged of
 // backends that draw pictures.
@@ -81,9 +82,14 @@ cases::Pipeline pipeline_of(const cases::Case& c) {
   pipeline.writes_depth = choices.below(4) != 0;
   pipeline.clear_depth = clear_depth(c, pipeline.depth_function, choices);
   pipeline.blend = choices.pick(std::array{Blend::off, Blend::over, Blend::over, Blend::additive});
-  if (pipeline.blend == Blend::over && c.attributes.size() != 4) pipeline.blend = Blend::additive;
+  if (c.attributes.size() >= 3 && choices.below(2) != 0) {
+    pipeline.shading = cases::Shading::vertex_colors;
+  }
+  const bool has_four =
+      pipeline.shading == cases::Shading::vertex_colors || c.attributes.size() == 4;
+  if (pipeline.blend == Blend::over && !has_four) pipeline.blend = Blend::additive;
   const bool wants_bytes = choices.below(2) != 0;
-  const bool is_rgba8 = wants_bytes && c.attributes.size() == 4;
+  const bool is_rgba8 = wants_bytes && has_four;
   pipeline.format = is_rgba8 ? cases::ColorFormat::rgba8 : cases::ColorFormat::float32;
   pipeline.resolves = choices.below(3) == 0;
   return pipeline;
@@ -94,9 +100,10 @@ std::string_view word_of(const cases::Pipeline& pipeline) {
 }
 
 std::string text_of(const cases::Pipeline& pipeline) {
-  return fmt::format("depth {}{}, cleared to {}, blend {}, {}{}", word_of(pipeline),
-                     pipeline.writes_depth ? "" : " and not written", pipeline.clear_depth,
-                     kBlendWords[static_cast<std::size_t>(pipeline.blend)],
+  return fmt::format("{}depth {}{}, cleared to {}, blend {}, {}{}",
+                     pipeline.shading == cases::Shading::vertex_colors ? "vertex colours, " : "",
+                     word_of(pipeline), pipeline.writes_depth ? "" : " and not written",
+                     pipeline.clear_depth, kBlendWords[static_cast<std::size_t>(pipeline.blend)],
                      pipeline.format == cases::ColorFormat::rgba8 ? "rgba8" : "float32",
                      pipeline.resolves ? ", resolved" : "");
 }
@@ -107,6 +114,9 @@ std::vector<std::string> labels_of(const cases::Case& c, const cases::Pipeline& 
   labels.insert("depth " + std::string(word_of(pipeline)));
   labels.insert("blend " + std::string(kBlendWords[static_cast<std::size_t>(pipeline.blend)]));
   if (!pipeline.writes_depth) labels.emplace("depth not written");
+  if (pipeline.shading == cases::Shading::vertex_colors) {
+    labels.emplace(c.attributes.size() == 3 ? "vertex colours without alpha" : "vertex colours");
+  }
   if (pipeline.format == cases::ColorFormat::rgba8) labels.emplace("rgba8");
   if (pipeline.resolves && c.framebuffer.samples > 1) labels.emplace("resolved");
   if (most > 1) labels.emplace("overdraw");
@@ -173,8 +183,10 @@ class PictureCheck {
   }
 
   void compare(std::size_t at, std::optional<std::uint32_t> channel, float expected, float actual) {
-    const AttributeKind kind = channel ? records::kind_of(case_->attributes[*channel].interpolation)
-                                       : AttributeKind::depth;
+    // The alpha of three colours is no attribute.
+    const bool is_attribute = channel && *channel < case_->attributes.size();
+    AttributeKind kind = channel ? AttributeKind::flat : AttributeKind::depth;
+    if (is_attribute) kind = records::kind_of(case_->attributes[*channel].interpolation);
     const FragmentClass found = class_of(actual, expected);
     ++check_.judgement.errors[kind].classes[found];
     if (found == FragmentClass::correct) return;
@@ -188,7 +200,7 @@ class PictureCheck {
     violation.x = static_cast<std::uint32_t>(at / samples % width);
     violation.y = static_cast<std::uint32_t>(at / samples / width);
     violation.sample = static_cast<std::uint32_t>(at % samples);
-    violation.attribute = channel;
+    if (is_attribute) violation.attribute = channel;
     violation.exact = value_text(expected);
     violation.actual = value_text(actual);
     violation.note = fmt::format("{} fragments there; {}", triangles.size(), text_of(*pipeline_));

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "oracle/transform.h"
+#include "properties/internal/camera_matrices.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
@@ -60,7 +61,7 @@ Check judge(const cases::Case& c, const std::vector<cases::ClipVertex>& computed
     ++found.judgement.counts.required;
     add_labels(judged[vertex], computed[vertex], labels);
     for (std::size_t k = 0; k < 4; ++k) {
-      const oracle::JudgedCoordinate& one = judged[vertex][k];
+      const oracle::JudgedNumber& one = judged[vertex][k];
       ++classes[one.fragment_class];
       if (one.fragment_class == FragmentClass::correct) continue;
       records::Violation violation;
@@ -97,26 +98,6 @@ bool is_promised(const backends::Backend& backend) {
 
 // The cases. Numbers have up to 24 bits, so that hardly a sum is exact.
 
-Matrix4 translation(float x, float y, float z) {
-  return {1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z, 0, 0, 0, 1};
-}
-
-/// A turn about the axis `axis` by the angle whose half has tangent t: (1 − t²) / (1 + t²) and
-/// 2 t / (1 + t²) in place of cosine and sine.
-Matrix4 rotation(std::size_t axis, float t) {
-  const double square = double{t} * double{t};
-  const auto cosine = static_cast<float>((1 - square) / (1 + square));
-  const auto sine = static_cast<float>(2 * double{t} / (1 + square));
-  const std::size_t a = (axis + 1) % 3;
-  const std::size_t b = (axis + 2) % 3;
-  Matrix4 matrix = cases::kIdentity;
-  matrix[a * 4 + a] = cosine;
-  matrix[a * 4 + b] = -sine;
-  matrix[b * 4 + a] = sine;
-  matrix[b * 4 + b] = cosine;
-  return matrix;
-}
-
 /// A perspective like those of users: near and far planes, half sides of the near one.
 Matrix4 perspective(Draw& draw) {
   const double near = double{draw.uniform(0.01F, 1)};
@@ -127,15 +108,6 @@ Matrix4 perspective(Draw& draw) {
   matrix[10] = static_cast<float>(far / (near - far));
   matrix[11] = static_cast<float>(near * far / (near - far));
   matrix[14] = -1;
-  return matrix;
-}
-
-/// Any matrix, its numbers about 2^exponent.
-Matrix4 any_matrix(Draw& draw, int exponent) {
-  Matrix4 matrix{};
-  for (float& number : matrix) {
-    number = draw.one_in(8) ? 0.0F : draw.spread(std::max(exponent - 3, -149), exponent);
-  }
   return matrix;
 }
 

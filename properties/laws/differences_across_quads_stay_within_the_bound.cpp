@@ -1,0 +1,219 @@
+// Differences across quads stay within the bound: from the even to the odd one of two pixels side
+// by side in a 2×2 quad, every attribute of a fragment of either changes by what the triangle's own
+// map says, to within the contract's bound (cases::Contract::quad_share), and by a number.
+//
+// Why. APIs shade quads so that a shader may ask for dFdx: where a fragment's neighbour is beyond
+// the triangle's edge, or beyond the framebuffer, the scissor or the viewport, there is a helper in
+// its place, and its value is that of the same map N/D there. So the difference is exact but for
+// what the two values are off by. A helper that takes another triangle's value, or is held to the
+// edge, makes a seam of wrong derivatives along every outline.
+//
+// The law says nothing of a neighbour behind the eye's horizon, where the map has its pole and
+// RULES §4 leave values undefined, nor of one just before it ("next to the horizon": 1/w there is
+// less than 2^-16 of the fragment's), where what is left of 1/w is mostly rounding; nor of
+// centroids of several samples, as a helper's pixel need not have any, of noperspective values with
+// some w <= 0, and where the contract leaves several placements.
+//
+// Along x or y, as the case's numbers choose. Nothing is tested or blended: what is drawn last is
+// seen. Samples: some of those that were drawn, half of them beside one that was not, where the
+// last triangle is required. Judged of backends that draw pictures and promise a bound.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "oracle/judged_number.h"
+#include "oracle/transform.h"
+#include "properties/generator.h"
+#include "properties/internal/textured_cases.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using oracle::WindowAxis;
+using records::AttributeKind;
+using records::FragmentClass;
+
+/// At most so many samples of a case are judged that have a drawn neighbour, and as many others.
+constexpr std::size_t kMostSamples = 32;
+
+constexpr float kNotDrawn = std::numeric_limits<float>::infinity();
+
+cases::Pipeline pipeline_of(WindowAxis axis) {
+  cases::Pipeline pipeline;
+  pipeline.depth_function = cases::DepthFunction::always;
+  pipeline.clear_depth = kNotDrawn;
+  pipeline.shading = axis == WindowAxis::x ? cases::Shading::differences_along_x
+                                           : cases::Shading::differences_along_y;
+  return pipeline;
+}
+
+class DifferencesCheck {
+ public:
+  DifferencesCheck(const cases::Case& c, const cases::Contract& contract, WindowAxis axis,
+                   const cases::Picture& picture)
+      : case_(&c),
+        axis_(axis),
+        quad_share_(*contract.quad_share),
+        seen_(c, contract),
+        picture_(&picture) {}
+
+  Check run() {
+    check_.judgement.errors[AttributeKind::coverage];
+    labels_.emplace(axis_ == WindowAxis::x ? "along x" : "along y");
+    std::vector<std::size_t> beside_drawn;
+    std::vector<std::size_t> beside_others;
+    for (std::size_t at = 0; at < picture_->depth.size(); ++at) {
+      if (picture_->depth[at] == kNotDrawn) continue;
+      (is_drawn(neighbor(place_at(*picture_, at))) ? beside_drawn : beside_others).push_back(at);
+    }
+    for (const std::size_t at : some_of(beside_others, kMostSamples)) check_sample(at);
+    for (const std::size_t at : some_of(beside_drawn, kMostSamples)) check_sample(at);
+    add_state_labels(*case_, triangles_, labels_);
+    check_.labels.assign(labels_.begin(), labels_.end());
+    return std::move(check_);
+  }
+
+ private:
+  FragmentPlace neighbor(const FragmentPlace& place) const {
+    FragmentPlace other = place;
+    (axis_ == WindowAxis::x ? other.x : other.y) ^= 1U;
+    return other;
+  }
+
+  bool is_in_framebuffer(const FragmentPlace& place) const {
+    return std::cmp_less(place.x, picture_->size.width) &&
+           std::cmp_less(place.y, picture_->size.height);
+  }
+
+  bool is_drawn(const FragmentPlace& place) const {
+    if (!is_in_framebuffer(place)) return false;
+    const std::size_t pixel =
+        std::size_t{place.y} * static_cast<std::size_t>(picture_->size.width) + place.x;
+    const std::size_t at = pixel * static_cast<std::size_t>(picture_->size.samples) + place.sample;
+    return picture_->depth[at] != kNotDrawn;
+  }
+
+  void check_sample(std::size_t at) {
+    FragmentPlace place = place_at(*picture_, at);
+    const auto triangle = seen_.at(static_cast<int>(place.x), static_cast<int>(place.y),
+                                   static_cast<int>(place.sample));
+    if (!triangle) return;
+    place.triangle = *triangle;
+    ++check_.judgement.counts.required;
+    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+    triangles_.insert(*triangle);
+    add_place_labels(place);
+    const std::size_t count = case_->attributes.size();
+    for (std::uint32_t a = 0; a < count; ++a) {
+      check_difference(place, a, picture_->color[at * count + a]);
+    }
+  }
+
+  void add_place_labels(const FragmentPlace& place) {
+    const FragmentPlace other = neighbor(place);
+    if (!is_in_framebuffer(other)) {
+      labels_.emplace("beyond the framebuffer");
+    } else if (seen_.truth(place.triangle)
+                   .judge(static_cast<int>(other.x), static_cast<int>(other.y),
+                          static_cast<int>(other.sample))
+                   .verdict == records::Verdict::forbidden) {
+      labels_.emplace("beyond the triangle");
+    }
+  }
+
+  void check_difference(const FragmentPlace& place, std::uint32_t attribute, float computed) {
+    const oracle::TriangleTruth& truth = seen_.truth(place.triangle);
+    const auto difference =
+        truth.is_value_free(attribute)
+            ? std::nullopt
+            : truth.quad_difference(attribute, axis_, static_cast<int>(place.x),
+                                    static_cast<int>(place.y), static_cast<int>(place.sample),
+                                    quad_share_);
+    if (!difference) {
+      labels_.emplace("no one difference");
+      return;
+    }
+    if (difference->is_next_to_horizon) {
+      labels_.emplace("next to the horizon");
+      return;
+    }
+    const oracle::JudgedNumber judged =
+        oracle::judge_number(difference->exact, difference->allowed, computed);
+    const AttributeKind kind = records::kind_of(case_->attributes[attribute].interpolation);
+    ++check_.judgement.errors[kind].classes[judged.fragment_class];
+    if (judged.is_cancelled) labels_.emplace("cancellation");
+    if (judged.fragment_class == FragmentClass::correct) return;
+    records::Violation violation =
+        violation_at(place, judged.fragment_class, judged.exact.to_string(),
+                     fmt::format("the difference along window {} in its quad, errors in its ulp",
+                                 axis_ == WindowAxis::x ? "x" : "y"));
+    violation.kind = kind;
+    violation.attribute = attribute;
+    violation.actual = value_text(computed);
+    violation.error = judged.error;
+    violation.bound = judged.bound;
+    note(check_, violation);
+  }
+
+  const cases::Case* case_;
+  WindowAxis axis_;
+  float quad_share_;
+  SeenTriangles seen_;
+  const cases::Picture* picture_;
+  std::set<std::uint32_t> triangles_;
+  std::set<std::string> labels_;
+  Check check_;
+};
+
+bool is_promised(const backends::Backend& backend) {
+  return backend.draws_pictures() && backend.contract({}).quad_share.has_value();
+}
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  Check none;
+  none.is_applicable = is_promised(backend) && !clip->attributes.empty();
+  if (!none.is_applicable) return none;
+  clip->depth_test = cases::DepthTest::none;
+  Choices choices(fingerprint(*clip));
+  const WindowAxis axis = choices.below(2) == 0 ? WindowAxis::x : WindowAxis::y;
+  const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline_of(axis));
+  if (!picture) return tl::unexpected(picture.error());
+  return DifferencesCheck(*clip, backend.contract(*clip), axis, *picture).run();
+}
+
+/// Any case with an attribute at least, often clipped to a few pixels, beyond which helpers lie.
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  cases::Case& c = made.source;
+  c.depth_test = cases::DepthTest::none;
+  if (c.attributes.empty()) {
+    c.attributes.push_back({"a0", cases::Interpolation::smooth, cases::Location::sample});
+    for (std::size_t v = 0; v < c.positions.size(); ++v) {
+      c.attribute_values.push_back(draw.spread(-8, 8));
+    }
+  }
+  if (draw.one_in(4)) {
+    const int x = draw.between(0, c.framebuffer.width - 1);
+    const int y = draw.between(0, c.framebuffer.height - 1);
+    const int width = draw.between(1, 5);
+    const int height = draw.between(1, 5);
+    c.scissor = cases::Scissor{x, y, width, height};
+  }
+  return made;
+}
+
+const LawRegistration kRegistration({"differences across quads stay within the bound", &generate,
+                                     &check, &is_promised});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,216 @@
+// Normals stay within their bound: each component of the unit normal that a backend makes of a
+// normal and a model is no farther from the exact one than its contract says
+// (cases::Contract::normal_bound), and a normal whose image is zero becomes zero.
+//
+// Why. A plane's normal is what is perpendicular to its tangents: under a model A these become A t,
+// and (C n) · (A t) = det A (n · t) with C the cofactors of A, so that C n is perpendicular to them
+// for any A; with the sign of det A it also stays on the side that it was on. A n is not: it leans
+// wherever axes are scaled differently. Cofactors are products of two numbers, nothing is divided,
+// and what cancels is all that may cost digits: the bound is in parts of ‖|C| |n|‖ / ‖C n‖.
+//
+// The normals of a case are x, y and z of its positions, of any length. Judged are all of cases
+// with a camera, by squares of exact numbers.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/camera_matrices.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Matrix4;
+using cases::Normal;
+using records::AttributeKind;
+using records::FragmentClass;
+
+std::vector<Normal> normals_of(const cases::Case& c) {
+  std::vector<Normal> normals;
+  normals.reserve(c.positions.size());
+  for (const cases::ClipVertex& p : c.positions) normals.push_back({p.x, p.y, p.z});
+  return normals;
+}
+
+void add_labels(const oracle::JudgedNormal& judged, std::set<std::string>& labels) {
+  if (!judged.has_direction) labels.emplace("no direction");
+  if (judged.is_mirrored) labels.emplace("mirrored");
+  if (judged.is_singular) labels.emplace("singular");
+  if (judged.has_direction && judged.is_cancelled) labels.emplace("cancellation");
+}
+
+Check judge(const cases::Case& c, const std::vector<Normal>& computed, float bound) {
+  const std::vector<oracle::JudgedNormal> judged =
+      oracle::judge_normals(c.camera->model, normals_of(c), computed, bound);
+  Check found;
+  std::set<std::string> labels;
+  auto& classes = found.judgement.errors[AttributeKind::coverage].classes;
+  for (std::uint32_t vertex = 0; vertex < judged.size(); ++vertex) {
+    ++found.judgement.counts.required;
+    add_labels(judged[vertex], labels);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const oracle::JudgedComponent& one = judged[vertex].components[i];
+      ++classes[one.fragment_class];
+      if (one.fragment_class == FragmentClass::correct) continue;
+      records::Violation violation;
+      violation.fragment_class = one.fragment_class;
+      violation.exact = records::to_decimal(one.exact, 17);
+      violation.actual = value_text(computed[vertex][i]);
+      violation.note =
+          fmt::format("{} of the unit normal that ({}, {}, {}), position {}, becomes", "xyz"[i],
+                      c.positions[vertex].x, c.positions[vertex].y, c.positions[vertex].z, vertex);
+      note(found, violation);
+    }
+  }
+  found.labels.assign(labels.begin(), labels.end());
+  return found;
+}
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const std::optional<float> bound = backend.contract(c).normal_bound;
+  if (!c.camera || !backend.transforms() || !bound) {
+    Check not_applicable;
+    not_applicable.is_applicable = false;
+    return not_applicable;
+  }
+  const auto computed = transform_normals(c.camera->model, normals_of(c), backend);
+  if (!computed) return tl::unexpected(computed.error());
+  return judge(c, *computed, *bound);
+}
+
+bool is_promised(const backends::Backend& backend) {
+  return backend.transforms() && backend.contract({}).normal_bound.has_value();
+}
+
+// The cases.
+
+float& at(Matrix4& model, std::size_t row, std::size_t column) { return model[4 * row + column]; }
+
+void make_rotated(Draw& draw, Matrix4& model) {
+  const int axis = draw.between(0, 2);
+  model = rotation(static_cast<std::size_t>(axis), draw.uniform(-1, 1));
+  const float far = draw.spread(0, 30);  // which normals know nothing of
+  for (std::size_t row = 0; row < 3; ++row) at(model, row, 3) = far;
+}
+
+/// Axes scaled each by another factor, now and then a sheared or a mirrored one.
+void make_scaled(Draw& draw, Matrix4& model) {
+  const bool is_mirrored = draw.one_in(2);
+  for (std::size_t i = 0; i < 3; ++i) at(model, i, i) = std::fabs(draw.spread(-12, 12));
+  if (is_mirrored) at(model, 1, 1) = -at(model, 1, 1);
+  if (draw.one_in(2)) at(model, 0, 1) = draw.uniform(-1, 1);
+  if (draw.one_in(2)) at(model, 2, 0) = draw.uniform(-1, 1);
+}
+
+void make_any(Draw& draw, Matrix4& model) {
+  const int exponent = draw.between(-40, 40);
+  model = any_matrix(draw, exponent);
+}
+
+/// Numbers as large, and as small, as a float32 can be.
+void make_extreme(Draw& draw, Matrix4& model) {
+  const int least = draw.pick(std::array{-149, -149, -126, 100});
+  for (float& number : model) number = draw.spread(least, draw.one_in(2) ? least + 20 : 127);
+}
+
+/// A row is the sum of the others, all whole numbers: exactly, or but for a float.
+void make_nearly_singular(Draw& draw, Matrix4& model) {
+  const int bits = draw.between(3, 22);
+  const int most = 1 << bits;
+  for (std::size_t column = 0; column < 3; ++column) {
+    const int first = draw.between(-most, most);
+    const int second = draw.between(-most, most);
+    at(model, 0, column) = static_cast<float>(first);
+    at(model, 1, column) = static_cast<float>(second);
+    at(model, 2, column) = static_cast<float>(first + second);
+  }
+  if (draw.one_in(3)) return;
+  float& moved = at(model, 2, 0);
+  moved = nudged(draw, moved);
+}
+
+/// Everything pressed into a plane, as planar shadows are: two of its tangents are rows.
+void make_flat(Draw& draw, Matrix4& model) {
+  const int exponent = draw.between(-4, 4);
+  model = any_matrix(draw, exponent);
+  const int row = draw.between(0, 2);
+  for (std::size_t column = 0; column < 3; ++column) {
+    at(model, static_cast<std::size_t>(row), column) = 0;
+  }
+}
+
+/// A normal of any length, one along an axis, one of the model's rows or none at all.
+cases::ClipVertex random_normal(Draw& draw, const Matrix4& model) {
+  cases::ClipVertex n;
+  const int middle = draw.pick(std::array{0, 0, 0, 0, -140, 120});
+  const int least = std::max(middle - 6, -149);
+  switch (draw.between(0, 7)) {
+    case 0:
+      n.x = draw.spread(least, middle);
+      return n;
+    case 1:
+      n.z = draw.spread(least, middle);
+      return n;
+    case 2:
+    case 3: {
+      const auto row = static_cast<std::size_t>(draw.between(0, 2));
+      return {model[4 * row], model[4 * row + 1], model[4 * row + 2], 1};
+    }
+    case 4:
+      if (draw.one_in(2)) return n;
+      break;
+    default:
+      break;
+  }
+  n.x = draw.spread(least, middle);
+  n.y = draw.spread(least, middle);
+  n.z = draw.spread(least, middle);
+  return n;
+}
+
+Generated generate(Draw& draw) {
+  struct Sort {
+    const char* name;
+    void (*make)(Draw&, Matrix4&);
+  };
+  constexpr std::array<Sort, 6> kSorts{{{"rotated", &make_rotated},
+                                        {"scaled", &make_scaled},
+                                        {"any matrix", &make_any},
+                                        {"extreme", &make_extreme},
+                                        {"nearly singular", &make_nearly_singular},
+                                        {"flat", &make_flat}}};
+  Generated made;
+  StateRequest request;
+  request.has_clip_distances = false;
+  cases::Case& c = made.source;
+  c = random_state(draw, request);
+  c.camera.emplace();
+  const Sort& sort = draw.pick(kSorts);
+  sort.make(draw, c.camera->model);
+  const int triangles = draw.between(1, 3);
+  for (int i = 0; i < triangles; ++i) {
+    const cases::ClipVertex first = random_normal(draw, c.camera->model);
+    const cases::ClipVertex second = random_normal(draw, c.camera->model);
+    const cases::ClipVertex third = random_normal(draw, c.camera->model);
+    add_triangle(c, first, second, third);
+  }
+  add_attribute_values(draw, c);
+  made.stratum = sort.name;
+  return made;
+}
+
+const LawRegistration kRegistration({"normals stay within their bound", &generate, &check,
+                                     &is_promised});
+
+}  // namespace
+}  // namespace rastercheck::properties
