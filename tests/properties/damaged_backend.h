@@ -22,6 +22,7 @@ namespace rastercheck::properties {
 
 using Damage = std::function<void(const cases::Case&, cases::Framebuffer&)>;
 using TransformDamage = std::function<void(const cases::Case&, std::vector<cases::ClipVertex>&)>;
+using NormalDamage = std::function<void(const cases::Matrix4&, std::vector<cases::Normal>&)>;
 /// Goes wrong with what is to be assembled.
 using AssemblyDamage =
     std::function<void(const cases::Case&, cases::Topology&, std::vector<std::uint32_t>& indices)>;
@@ -61,6 +62,13 @@ class DamagedBackend : public backends::Backend {
     return positions;
   }
 
+  Result<std::vector<cases::Normal>> transform_normals(
+      const cases::Matrix4& model, std::span<const cases::Normal> normals) override {
+    auto world = inner_->transform_normals(model, normals);
+    if (world && normal_damage) normal_damage(model, *world);
+    return world;
+  }
+
   bool assembles() const override { return inner_->assembles(); }
   Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
                                             std::span<const std::uint32_t> indices) override {
@@ -74,6 +82,7 @@ class DamagedBackend : public backends::Backend {
   std::optional<cases::Contract> promised;
   TraceDamage trace_damage;
   TransformDamage transform_damage;
+  NormalDamage normal_damage;
   AssemblyDamage assembly_damage;
 
  private:

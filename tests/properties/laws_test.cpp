@@ -37,6 +37,7 @@ constexpr std::string_view kTraced = "the traced value is the drawn value";
 constexpr std::string_view kDerivatives = "screen derivatives stay within the bound";
 constexpr std::string_view kStrips = "strips and fans are their triangles";
 constexpr std::string_view kVertexStage = "the vertex stage stays within its bound";
+constexpr std::string_view kNormals = "normals stay within their bound";
 constexpr std::string_view kClipDistances = "complementary clip distances share what is drawn";
 constexpr std::string_view kScissors = "scissors that part the window part what is drawn";
 constexpr std::string_view kQuarterTurn = "a quarter turn turns the picture";
@@ -44,13 +45,14 @@ constexpr std::string_view kDepthOrder = "distinct depths are drawn in any order
 constexpr std::string_view kPicture = "a picture is what its fragments leave";
 constexpr std::string_view kOverdraw = "additive blending counts overdraw";
 
+constexpr std::string_view kDifferences = "differences across quads stay within the bound";
 constexpr std::string_view kTexels = "texels are those of the exact coordinates";
 constexpr std::string_view kFiltered = "filtered colours stay within the bound";
 constexpr std::string_view kDiscard = "discarding draws what keeping the kept texels draws";
 
 bool is_of_pictures(std::string_view law) {
   return law == kPicture || law == kOverdraw || law == kTexels || law == kFiltered ||
-         law == kDiscard;
+         law == kDiscard || law == kDifferences;
 }
 
 /// The square with a clip distance that is positive everywhere, so that each law on fragments has
@@ -71,9 +73,10 @@ TEST(Laws, AreKnownByTheirNames) {
   for (const Law& law : laws()) names.push_back(law.name);
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
   for (const std::string_view name :
-       {kCoverage, kValues, kSharedEdge, kOrder, kConstants, kVertexValues, kTraced, kDerivatives,
-        kStrips, kVertexStage, kClipDistances, kScissors, kQuarterTurn, kDepthOrder, kPicture,
-        kOverdraw, kTexels, kFiltered, kDiscard}) {
+       {kCoverage,    kValues,      kSharedEdge, kOrder,       kConstants,     kVertexValues,
+        kTraced,      kDerivatives, kStrips,     kVertexStage, kClipDistances, kScissors,
+        kQuarterTurn, kDepthOrder,  kPicture,    kOverdraw,    kTexels,        kFiltered,
+        kDiscard,     kNormals,     kDifferences}) {
     ASSERT_NE(find_law(name), nullptr) << name;
     EXPECT_EQ(find_law(name)->name, name);
   }
@@ -100,12 +103,13 @@ TEST(Laws, MakeCasesThatComeBackFromTheirFilesAndNameTheirStratum) {
 
 /// Samples that a hundred cases of a law ask about, at least.
 std::uint64_t least_required(std::string_view law) {
-  if (law == kVertexValues) return 100;                  // one of a fan of triangles
-  if (law == kTraced) return 500;                        // eight of a triangle
-  if (law == kDerivatives) return 2500;                  // 64 of a case
-  if (law == kVertexStage) return 500;                   // three to nine vertices of a case
-  if (law == kTexels) return 2500;                       // at most 96 of a case
-  if (law == kFiltered || law == kDiscard) return 1500;  // at most 48
+  if (law == kVertexValues) return 100;                    // one of a fan of triangles
+  if (law == kTraced) return 500;                          // eight of a triangle
+  if (law == kDerivatives) return 2500;                    // 64 of a case
+  if (law == kVertexStage || law == kNormals) return 500;  // three to nine vertices of a case
+  if (law == kDifferences) return 1500;                    // at most 64
+  if (law == kTexels) return 2500;                         // at most 96 of a case
+  if (law == kFiltered || law == kDiscard) return 1500;    // at most 48
   return 5000;
 }
 
@@ -170,9 +174,9 @@ TEST(Laws, SayNothingOfWhatIsNotPromised) {
       EXPECT_FALSE(law.check(c, *method, {i}).value().is_applicable) << law.name << i;
     }
   }
-  EXPECT_THAT(not_promised,
-              testing::ElementsAre(kPicture, kOverdraw, kDiscard, kFiltered, kDerivatives, kStrips,
-                                   kTexels, kTraced, kVertexStage, kVertexValues));
+  EXPECT_THAT(not_promised, testing::ElementsAre(kPicture, kOverdraw, kDifferences, kDiscard,
+                                                 kFiltered, kNormals, kDerivatives, kStrips,
+                                                 kTexels, kTraced, kVertexStage, kVertexValues));
 }
 
 TEST(Laws, PassOnWhatABackendCannotDraw) {
@@ -188,6 +192,10 @@ TEST(Laws, PassOnWhatABackendCannotDraw) {
     }
     Result<std::vector<cases::ClipVertex>> transform(const Case& c) override {
       return tl::unexpected(draw(c).error());
+    }
+    Result<std::vector<cases::Normal>> transform_normals(
+        const cases::Matrix4& /*model*/, std::span<const cases::Normal> /*normals*/) override {
+      return tl::unexpected(draw({}).error());
     }
   };
   Case c = kept_square();

@@ -70,12 +70,13 @@ TEST(PictureLaws, HoldOfTheModelAndMeetWhatTheyAreAbout) {
       EXPECT_THAT(labels, testing::IsSupersetOf({"clipped", "much overdraw", "overdraw",
                                                  "permitted", "several samples", "w <= 0"}));
     } else {
-      EXPECT_THAT(labels,
-                  testing::IsSupersetOf(
-                      {"blend additive", "blend off", "blend over", "depth always", "depth equal",
-                       "depth greater", "depth greater or equal", "depth less",
-                       "depth less or equal", "depth never", "depth not equal", "depth not written",
-                       "overdraw", "resolved", "several samples", "rgba8"}));
+      EXPECT_THAT(
+          labels,
+          testing::IsSupersetOf(
+              {"blend additive", "blend off", "blend over", "depth always", "depth equal",
+               "depth greater", "depth greater or equal", "depth less", "depth less or equal",
+               "depth never", "depth not equal", "depth not written", "overdraw", "resolved",
+               "several samples", "rgba8", "vertex colours", "vertex colours without alpha"}));
     }
   }
 }
@@ -122,6 +123,34 @@ TEST(APicture, ShowsEveryPartOfThePipeline) {
   EXPECT_GT(broken_by([](Pipeline& pipeline) { pipeline.writes_depth = true; }), 5);
   EXPECT_GT(broken_by([](Pipeline& pipeline) { pipeline.clear_depth = 1; }), 10);
   EXPECT_GT(broken_by([](Pipeline& pipeline) { pipeline.blend = cases::Blend::off; }), 20);
+}
+
+// Attributes are the channels where these are not vertex colours, so that of four both are alike.
+TEST(APicture, ShowsVertexColoursThatAreWrong) {
+  const auto broken_by = [](const std::function<void(Picture&)>& damage) {
+    PictureBackend backend;
+    bool are_colors = false;
+    backend.pipeline_damage = [&are_colors](Pipeline& pipeline) {
+      are_colors = pipeline.shading == cases::Shading::vertex_colors;
+    };
+    backend.picture_damage = [&](const Case&, Picture& picture) {
+      if (are_colors) damage(picture);
+    };
+    return broken(kPicture, backend);
+  };
+  EXPECT_EQ(broken_by([](Picture&) {}), 0);
+  EXPECT_GT(broken_by([](Picture& picture) {
+              for (std::size_t i = 0; i < picture.color.size(); i += 4) {
+                std::swap(picture.color[i], picture.color[i + 2]);
+              }
+            }),
+            20);
+  EXPECT_GT(broken_by([](Picture& picture) {
+              for (std::size_t i = 3; i < picture.color.size(); i += 4) {
+                if (picture.color[i] == 1) picture.color[i] = 0;
+              }
+            }),
+            5);
 }
 
 // Alpha that is not clamped, and bytes that are rounded down.

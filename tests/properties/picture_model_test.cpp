@@ -168,5 +168,27 @@ TEST(PictureModel, LeavesOutWhatIsNowhere) {
   EXPECT_THAT(picture_of(pixel(1), drawn, always(Blend::off)).color, ElementsAre(0));
 }
 
+TEST(PictureModel, TakesVertexColoursForTheFirstFourAttributes) {
+  Pipeline pipeline = always(Blend::over);
+  pipeline.shading = cases::Shading::vertex_colors;
+  cases::Framebuffer five;
+  add(five, 0, 0.5F, {0.5F, 1, 0.25F, 0.5F, 8});
+  const cases::Picture picture = picture_of(pixel(5), five, pipeline);
+  EXPECT_EQ(picture.channels, 4U);
+  EXPECT_THAT(picture.color, ElementsAre(0.25F, 0.5F, 0.125F, 0.5F));
+}
+
+TEST(PictureModel, GivesThreeVertexColoursAnAlphaOfOne) {
+  for (const ColorFormat format : {ColorFormat::float32, ColorFormat::rgba8}) {
+    for (const Blend blend : {Blend::off, Blend::over, Blend::additive}) {
+      Pipeline pipeline = always(blend, format);
+      pipeline.shading = cases::Shading::vertex_colors;
+      cases::Framebuffer three;
+      add(three, 0, 0.5F, {0, 1, 0.2F});
+      EXPECT_THAT(picture_of(pixel(3), three, pipeline).color, ElementsAre(0, 1, 0.2F, 1));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rastercheck::properties
