@@ -15,8 +15,8 @@
 // some w <= 0, and where the contract leaves several placements.
 //
 // Along x or y, as the case's numbers choose. Nothing is tested or blended: what is drawn last is
-// seen. Samples: some of those that were drawn, half of them beside one that was not, where the
-// last triangle is required. Judged of backends that draw pictures and promise a bound.
+// seen. Samples: some of those that were drawn, up to half of them beside one that was not, where
+// the last triangle is required. Judged of backends that draw pictures and promise a bound.
 
 #include <fmt/format.h>
 
@@ -40,8 +40,8 @@ using oracle::WindowAxis;
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// At most so many samples of a case are judged that have a drawn neighbour, and as many others.
-constexpr std::size_t kMostSamples = 32;
+/// At most so many samples of a case are judged.
+constexpr std::size_t kMostSamples = 64;
 
 constexpr float kNotDrawn = std::numeric_limits<float>::infinity();
 
@@ -73,8 +73,11 @@ class DifferencesCheck {
       if (picture_->depth[at] == kNotDrawn) continue;
       (is_drawn(neighbor(place_at(*picture_, at))) ? beside_drawn : beside_others).push_back(at);
     }
-    for (const std::size_t at : some_of(beside_others, kMostSamples)) check_sample(at);
-    for (const std::size_t at : some_of(beside_drawn, kMostSamples)) check_sample(at);
+    const auto chosen = some_of(beside_others, kMostSamples / 2);
+    for (const std::size_t at : chosen) check_sample(at);
+    for (const std::size_t at : some_of(beside_drawn, kMostSamples - chosen.size())) {
+      check_sample(at);
+    }
     add_state_labels(*case_, triangles_, labels_);
     check_.labels.assign(labels_.begin(), labels_.end());
     return std::move(check_);

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "tests/oracle/small_case.h"
 
@@ -138,7 +138,7 @@ TEST(JudgedTransform, TakesPositionsWithoutACameraForTheExactOnes) {
 /// One normal of a model, judged.
 JudgedNormal judged_normal(const cases::Matrix4& model, const cases::Normal& normal,
                            const cases::Normal& computed, float bound) {
-  return judge_normals(model, std::array{normal}, std::array{computed}, bound).front();
+  return judge_normals(model, std::span(&normal, 1), std::span(&computed, 1), bound).front();
 }
 
 // C = diag(6, 3, 2), so that (1, 2, 3) becomes (6, 6, 6).

@@ -74,10 +74,10 @@ TEST(NormalsBound, LeavesTheBoundAndNoMore) {
 TEST(NormalsBound, FindsNormalsThatLean) {
   Case c = stretched();
   c.positions[0] = {1, 0, 1, 1};
-  const float root = std::sqrt(17.0F);
+  const auto of_root = [](double x) { return static_cast<float>(x / std::sqrt(17.0)); };
   EXPECT_EQ(checked(c, {}).violation_count, 0U);
-  EXPECT_EQ(with(c, {1 / root, 0, 4 / root}).violation_count, 0U);
-  EXPECT_EQ(with(c, {4 / root, 0, 1 / root}).violation_count, 2U);
+  EXPECT_EQ(with(c, {of_root(1), 0, of_root(4)}).violation_count, 0U);
+  EXPECT_EQ(with(c, {of_root(4), 0, of_root(1)}).violation_count, 2U);
 }
 
 TEST(NormalsBound, FindsMirroredNormalsThatFaceInwards) {

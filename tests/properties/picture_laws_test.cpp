@@ -95,7 +95,7 @@ TEST(APicture, IsCheckedToTheBit) {
   EXPECT_EQ(depth.triangle, 0U);
   EXPECT_EQ(depth.x, 1U);
   EXPECT_EQ(depth.y, 1U);
-  EXPECT_THAT(depth.note, HasSubstr("1 fragments there; depth "));
+  EXPECT_THAT(depth.note, HasSubstr("1 fragments there; vertex colours, depth "));
   EXPECT_EQ(check.violations[1].fragment_class, FragmentClass::not_a_number);
   EXPECT_EQ(check.violations[1].attribute, 1U);
   EXPECT_EQ(check.violations[1].x, 2U);
