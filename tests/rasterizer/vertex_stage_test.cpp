@@ -344,6 +344,18 @@ TEST(Normals, AreZeroWhereThereIsNoDirection) {
   EXPECT_EQ(normal_of(flat, {1, 1, 5}), glm::vec3(0, 0, 1));
 }
 
+// Kills: what rounding leaves of a sum that is zero taken for a direction. Everything is pressed
+// into the plane of two rows, and a normal along one of them has no image.
+TEST(Normals, OfASingularModelAreZeroOrExact) {
+  const glm::mat4 flat(glm::vec4(0.1F, 0.7F, 0, 0), glm::vec4(0.2F, 0.5F, 0, 0),
+                       glm::vec4(0.3F, 0.9F, 0, 0), glm::vec4(0, 0, 0, 1));
+  EXPECT_EQ(normal_of(flat, {0.1F, 0.2F, 0.3F}), glm::vec3(0));
+  EXPECT_EQ(normal_of(flat, {0.7F, 0.5F, 0.9F}), glm::vec3(0));
+  // C's last row is (0.03, 0.12, −0.09): its last term decides.
+  EXPECT_EQ(normal_of(flat, {0.1F, 0.2F, 0.30000004F}), glm::vec3(0, 0, -1));
+  EXPECT_EQ(normal_of(flat, {0.1F, 0.20000002F, 0.3F}), glm::vec3(0, 0, 1));
+}
+
 TEST(Normals, OfTheLeastAndTheLargestAreUnit) {
   for (const float size : {0x1p-149F, std::numeric_limits<float>::max()}) {
     glm::mat4 model(0);
