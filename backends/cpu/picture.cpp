@@ -93,8 +93,10 @@ struct CaseMesh {
 struct QuadDifferences {
   std::size_t count = 0;
   std::size_t neighbor = 1;  ///< the bit of a lane's number that tells the two apart
+  bool may_discard = false;  ///< as far as the rasterizer knows
 
   std::size_t outputs() const { return count; }
+  bool discards() const { return may_discard; }
   void operator()(const ras::FragmentBatch& in, ras::ShadedBatch& out) const {
     for (std::size_t a = 0; a < count; ++a) {
       for (std::size_t lane = 0; lane < in.lanes; ++lane) {
@@ -117,9 +119,11 @@ ras::DrawResult draw_untextured(const cases::Case& c, const cases::Pipeline& pip
     case cases::Shading::vertex_colors:
       return draw_by(ras::GouraudShader());
     case cases::Shading::differences_along_x:
-      return draw_by(QuadDifferences{c.attributes.size(), 1});
+      return draw_by(QuadDifferences{c.attributes.size(), 1, false});
     case cases::Shading::differences_along_y:
-      return draw_by(QuadDifferences{c.attributes.size(), ras::FragmentBatch::kCellWidth});
+      // What never discards is shaded in another way, so that one axis each shows the quads of
+      // both.
+      return draw_by(QuadDifferences{c.attributes.size(), ras::FragmentBatch::kCellWidth, true});
     case cases::Shading::attributes:
       break;
   }
