@@ -38,7 +38,7 @@ class ExactAttributes {
 /// Samples that are shaded at once: cells of 8×2 pixels, each of one triangle and one sample index.
 /// A cell begins at an even column and an even row, so that it is four quads of 2×2 pixels. Lanes
 /// that are not covered are helpers: their values are those of the triangle's plane beyond it, so
-/// that differences within a quad can be had; some number where 1/w <= 0.
+/// that differences within a quad can be had; anything where 1/w <= 0, or next to that.
 ///
 /// Lane l is in cell l / 16, at the pixel (x + l % 8, y + l / 8 % 2) of it; its neighbours in its
 /// quad are l ^ 1 along x and l ^ 8 along y.
