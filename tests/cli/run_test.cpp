@@ -178,8 +178,8 @@ TEST_F(Run, WithoutASeedNamesTheOneItTook) {
 }
 
 TEST_F(Run, TakesABackendOnceHoweverOftenItIsNamed) {
-  const Outcome outcome = run_damaged(
-      {"--backend", "damaged", "--backend", "cpu", "--backend", "damaged", "--cases", "3"});
+  const Outcome outcome = run_damaged({"--backend", "damaged", "--backend", "cpu", "--backend",
+                                       "damaged", "--cases", "3", "--property", kCoverage});
   EXPECT_EQ(outcome.code, 1) << outcome;
   EXPECT_EQ(run_json().at("backends"), (json{"damaged", "cpu"}));
   run_damaged({"--backend", "damaged", "--cases", "3", "--json", "--property", kCoverage});
