@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace rastercheck::rasterizer {
 
 PaintSetting paint_setting(const ShaderView& shader, const State& state, const Mesh& mesh,
-                           ColorFormat format) {
+                           const Framebuffer& framebuffer) {
   PaintSetting paint{
       shader,
-      {state.depth_test, state.depth_write, state.blend, format == ColorFormat::rgba8},
+      {state.depth_test, state.depth_write, state.blend, framebuffer.format == ColorFormat::rgba8},
       std::vector<double>(state.attributes.size())};
   const std::size_t count = paint.errors.size();
   for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
@@ -18,9 +19,14 @@ PaintSetting paint_setting(const ShaderView& shader, const State& state, const M
     double& most = paint.errors[i % count];
     if (std::isfinite(size)) most = std::max(most, size);
   }
-  // certificates.h: less than 2^-31 of the greatest value, and of the value itself, which is beyond
-  // that at centres alone, where it is within 2^-32 of itself.
-  for (double& error : paint.errors) error *= 0x1p-31;
+  for (std::size_t a = 0; a < count; ++a) {
+    // certificates.h: less than 2^-31 of the greatest value, or of the value itself, which may be
+    // far beyond that outside of triangles.
+    const bool is_within =
+        framebuffer.size.samples == 1 || state.attributes[a].location == Location::sample;
+    paint.errors[a] =
+        is_within ? 0x1p-31 * paint.errors[a] : std::numeric_limits<double>::infinity();
+  }
   return paint;
 }
 

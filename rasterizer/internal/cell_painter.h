@@ -33,7 +33,7 @@ struct PaintSetting {
 
 /// For checked arguments.
 PaintSetting paint_setting(const ShaderView& shader, const State& state, const Mesh& mesh,
-                           ColorFormat format);
+                           const Framebuffer& framebuffer);
 
 class CellPainter : public ExactAttributes {
  public:

@@ -89,7 +89,7 @@ class FrameDrawing {
         columns_(static_cast<std::size_t>(tiles_across(framebuffer.size.width))),
         tiles_(columns_ * static_cast<std::size_t>(tiles_across(framebuffer.size.height))),
         kernel_(kernel_setting(setting_, static_cast<int>(columns_))) {
-    if (shader != nullptr) paint_ = paint_setting(*shader, state, mesh, framebuffer.format);
+    if (shader != nullptr) paint_ = paint_setting(*shader, state, mesh, framebuffer);
     if (kernel_) kernel_->makes_cells = paint_.has_value();
     chunk_ = std::max(kLeastChunk, tiles_);
     chunks_ = (mesh.triangles.size() + chunk_ - 1) / chunk_;

@@ -327,6 +327,60 @@ TEST(Shade, FloorsAreExact) {
   EXPECT_GT(differ, 0U);  // or there would be nothing to show
 }
 
+/// Whole parts by double where the errors leave no doubt, or else by exact arithmetic, and whether
+/// they are those of exact arithmetic.
+struct CertainFloorPainter {
+  std::size_t outputs() const { return 2; }
+  void operator()(const FragmentBatch& in, ShadedBatch& out) const {
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (std::size_t lane = 0; lane < in.lanes; ++lane) {
+      const auto bit = lane % FragmentBatch::kCellLanes;
+      const std::uint32_t covered = in.cells[lane / FragmentBatch::kCellLanes].covered;
+      out.color[0][lane] = out.color[1][lane] = 1;
+      if ((covered >> bit & 1) == 0) continue;
+      const double value = in.values[0][lane];
+      const double exact = in.exact->floor(0, lane, 1, infinity);
+      const bool is_certain = std::abs(value - std::round(value)) > in.errors[0];
+      out.color[0][lane] = is_certain && std::floor(value) != exact ? 0.0F : 1.0F;
+      out.color[1][lane] = std::floor(value) != exact ? 0.0F : 1.0F;
+    }
+  }
+};
+
+// Triangles less than 2^-23 pixels high about a row of samples, 3/8 of a pixel beside the centres:
+// values there are 2^21 times those of vertices, and so are their errors. Whole numbers all, by
+// weights that no double holds.
+TEST(Shade, ErrorsHoldAtCentersBeyondTheTriangle) {
+  State state = small_state(64, 64);
+  state.attributes = {{Interpolation::noperspective, Location::center}};
+  Random random(5);
+  std::size_t drawn = 0;
+  std::size_t differ = 0;
+  for (int i = 0; i < 100; ++i) {
+    SmallMesh mesh;
+    for (const int side : {-1, 0, 1}) {
+      const float w = random.pick({1.0F, 2.0F, 4.0F});
+      const float y = 0x1p-8F + 0x1p-31F * static_cast<float>(side * random.between(1, 3));
+      const float x = side == 1 ? random.real(-45, -30) : static_cast<float>(2 * side + 1) * 0.9F;
+      mesh.positions.emplace_back(x * w, y * w, 0.0F, w);
+      mesh.attributes.push_back(y * 0x1p28F - 0x1p20F);
+    }
+    mesh.triangles = {{0, 1, 2}};
+    Framebuffer framebuffer;
+    ASSERT_FALSE(
+        clear_and_draw(state, mesh.mesh(), CertainFloorPainter(), {64, 64, 4}, 1, framebuffer)
+            .error);
+    for (std::size_t place = 0; place < framebuffer.depth.size(); ++place) {
+      if (framebuffer.depth[place] == 1) continue;
+      ++drawn;
+      EXPECT_EQ(framebuffer.attributes[2 * place], 1);
+      if (framebuffer.attributes[2 * place + 1] == 0) ++differ;
+    }
+  }
+  EXPECT_GT(drawn, 100U);
+  EXPECT_GT(differ, 0U);  // or there would be nothing to show
+}
+
 TEST(Shade, RefusesWhatItCannotDo) {
   State state = small_state(4, 4);
   state.attributes.resize(3);
