@@ -89,6 +89,17 @@ ras::State state_of(const cases::Case& c, ras::Precision precision) {
   return s;
 }
 
+CaseMesh::CaseMesh(const cases::Case& c) : case_(c) {
+  positions_.reserve(c.positions.size());
+  for (const cases::ClipVertex& p : c.positions) positions_.emplace_back(p.x, p.y, p.z, p.w);
+  triangles_.reserve(c.triangles.size());
+  for (const cases::Triangle& t : c.triangles) triangles_.emplace_back(t[0], t[1], t[2]);
+}
+
+ras::Mesh CaseMesh::mesh() const {
+  return {positions_, case_.attribute_values, case_.clip_distances, triangles_};
+}
+
 ras::TargetSize target_size(const cases::Case& c) {
   return {c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples};
 }

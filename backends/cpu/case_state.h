@@ -2,6 +2,10 @@
 
 // A case in the rasterizer's words.
 
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
 #include "cases/case.h"
 #include "cases/error.h"
 #include "rasterizer/rasterizer.h"
@@ -15,6 +19,18 @@ int subpixel_bits(const cases::Snapping& snapping);
 
 /// All but the depth test.
 rasterizer::State state_of(const cases::Case& c, rasterizer::Precision precision);
+
+/// A case's triangles, for as long as the case is there.
+class CaseMesh {
+ public:
+  explicit CaseMesh(const cases::Case& c);
+  rasterizer::Mesh mesh() const;
+
+ private:
+  const cases::Case& case_;
+  std::vector<glm::vec4> positions_;
+  std::vector<glm::uvec3> triangles_;
+};
 
 rasterizer::TargetSize target_size(const cases::Case& c);
 

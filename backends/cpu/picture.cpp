@@ -2,8 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -76,18 +74,6 @@ ras::Filter filter(cases::Filter filter) {
   return ras::Filter::trilinear;
 }
 
-/// A case's triangles with memory of their own.
-struct CaseMesh {
-  explicit CaseMesh(const cases::Case& c) {
-    positions.reserve(c.positions.size());
-    for (const cases::ClipVertex& p : c.positions) positions.emplace_back(p.x, p.y, p.z, p.w);
-    triangles.reserve(c.triangles.size());
-    for (const cases::Triangle& t : c.triangles) triangles.emplace_back(t[0], t[1], t[2]);
-  }
-  std::vector<glm::vec4> positions;
-  std::vector<glm::uvec3> triangles;
-};
-
 /// Differences of attributes from a quad's even column to its odd one, or from row to row, each
 /// rounded to float32 once.
 struct QuadDifferences {
@@ -139,7 +125,7 @@ std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline&
   framebuffer.format = pipeline.format == cases::ColorFormat::rgba8 ? ras::ColorFormat::rgba8
                                                                     : ras::ColorFormat::float32;
   const CaseMesh memory(c);
-  const ras::Mesh mesh{memory.positions, c.attribute_values, c.clip_distances, memory.triangles};
+  const ras::Mesh mesh = memory.mesh();
   if (!pipeline.texturing) {
     if (pipeline.shading == cases::Shading::vertex_colors && c.attributes.size() < 3) {
       return ras::Error::attribute_count;

@@ -169,16 +169,10 @@ cases::Contract production_contract(const cases::Case& c, ras::Precision precisi
 
 Result<cases::Framebuffer> draw_with_rasterizer(const cases::Case& c, std::string_view method,
                                                 ras::Precision precision) {
-  std::vector<glm::vec4> positions;
-  positions.reserve(c.positions.size());
-  for (const cases::ClipVertex& p : c.positions) positions.emplace_back(p.x, p.y, p.z, p.w);
-  std::vector<glm::uvec3> triangles;
-  triangles.reserve(c.triangles.size());
-  for (const cases::Triangle& t : c.triangles) triangles.emplace_back(t[0], t[1], t[2]);
-
   ras::State s = state_of(c, precision);
   s.derivatives = method.empty();  // the textbook methods have none
-  const ras::Mesh mesh{positions, c.attribute_values, c.clip_distances, triangles};
+  const CaseMesh memory(c);
+  const ras::Mesh mesh = memory.mesh();
   const ras::TargetSize size = target_size(c);
   ras::Fragments fragments;
   const ras::DrawResult drawn = method.empty()
