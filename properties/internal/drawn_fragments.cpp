@@ -16,17 +16,6 @@ using records::AttributeKind;
 using records::FragmentClass;
 using records::Violation;
 
-bool is_same(float a, float b) {
-  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
-  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
-}
-
-FragmentClass class_of(float actual, float expected) {
-  if (std::isnan(actual)) return FragmentClass::not_a_number;
-  if (std::isinf(actual)) return FragmentClass::infinite;
-  return actual == expected ? FragmentClass::wrong_sign_of_zero : FragmentClass::beyond_bound;
-}
-
 Violation value_violation(const FragmentPlace& place, AttributeKind kind, float expected,
                           float actual, const std::string& note) {
   Violation violation;
@@ -73,6 +62,22 @@ FragmentMap fragments_by_place(const cases::Framebuffer& drawn) {
   FragmentMap by_place;
   for (std::size_t i = 0; i < drawn.size(); ++i) by_place.try_emplace(place_of(drawn, i), i);
   return by_place;
+}
+
+bool is_same(float a, float b) {
+  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+FragmentClass class_of_wrong(float actual, FragmentClass of_number) {
+  if (std::isnan(actual)) return FragmentClass::not_a_number;
+  return std::isinf(actual) ? FragmentClass::infinite : of_number;
+}
+
+FragmentClass class_of(float actual, float expected) {
+  if (is_same(actual, expected)) return FragmentClass::correct;
+  return class_of_wrong(
+      actual, actual == expected ? FragmentClass::wrong_sign_of_zero : FragmentClass::beyond_bound);
 }
 
 Violation violation_at(const FragmentPlace& place, FragmentClass fragment_class,

@@ -38,6 +38,15 @@ FragmentMap fragments_by_place(const cases::Framebuffer& drawn);
 records::Violation violation_at(const FragmentPlace& place, records::FragmentClass fragment_class,
                                 const std::string& exact, const std::string& note);
 
+/// Whether two values are the same bits; NaNs are alike.
+bool is_same(float a, float b);
+
+/// What a wrong value is: no number, infinite, or else a number that is wrong in this way.
+records::FragmentClass class_of_wrong(float actual, records::FragmentClass of_number);
+
+/// What a value is that should be `expected`.
+records::FragmentClass class_of(float actual, float expected);
+
 /// The first value, depth or attribute, of a fragment that differs from the one expected in any
 /// bit, as a violation at the fragment's place; nothing where none does. Derivatives are values
 /// too, where both drawings have them. NaNs are alike.

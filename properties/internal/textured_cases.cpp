@@ -182,10 +182,14 @@ const oracle::TriangleTruth& SeenTriangles::truth(std::uint32_t triangle) {
   return *truth;
 }
 
-std::optional<std::uint32_t> SeenTriangles::at(int x, int y, int sample) {
-  for (auto triangle = static_cast<std::uint32_t>(truths_.size()); triangle-- > 0;) {
-    const Verdict verdict = truth(triangle).judge(x, y, sample).verdict;
-    if (verdict == Verdict::required) return triangle;
+std::optional<FragmentPlace> SeenTriangles::find(const cases::Picture& picture, std::size_t at) {
+  FragmentPlace place = place_at(picture, at);
+  for (place.triangle = static_cast<std::uint32_t>(truths_.size()); place.triangle-- > 0;) {
+    const Verdict verdict = truth(place.triangle)
+                                .judge(static_cast<int>(place.x), static_cast<int>(place.y),
+                                       static_cast<int>(place.sample))
+                                .verdict;
+    if (verdict == Verdict::required) return place;
     if (verdict == Verdict::permitted) break;
   }
   return std::nullopt;

@@ -38,8 +38,9 @@ class SeenTriangles {
  public:
   SeenTriangles(const cases::Case& c, const cases::Contract& contract);
 
-  /// The triangle; nothing where none is required, or one after it is permitted.
-  std::optional<std::uint32_t> at(int x, int y, int sample);
+  /// What is seen at a sample of the picture, by its index; nothing where no triangle is required,
+  /// or one after it is permitted.
+  std::optional<FragmentPlace> find(const cases::Picture& picture, std::size_t at);
   const oracle::TriangleTruth& truth(std::uint32_t triangle);
   const oracle::SceneTruth& scene() const { return scene_; }
 

@@ -28,6 +28,7 @@
 #include "oracle/transform.h"
 #include "oracle/ulp.h"
 #include "properties/generator.h"
+#include "properties/internal/drawn_fragments.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {
@@ -90,17 +91,14 @@ Constants constants_of(const cases::Case& c, const cases::Contract& contract, st
 
 FragmentClass class_of(float actual, float expected) {
   if (is_same_float(actual, expected)) return FragmentClass::correct;
-  if (std::isnan(actual)) return FragmentClass::not_a_number;
-  if (std::isinf(actual)) return FragmentClass::infinite;
-  if (actual == expected) return FragmentClass::wrong_sign_of_zero;
-  return FragmentClass::beyond_bound;
+  return class_of_wrong(
+      actual, actual == expected ? FragmentClass::wrong_sign_of_zero : FragmentClass::beyond_bound);
 }
 
 /// Both zeros are the same depth.
 FragmentClass class_of_depth(float actual, float first) {
-  if (std::isnan(actual)) return FragmentClass::not_a_number;
-  if (std::isinf(actual)) return FragmentClass::infinite;
-  return actual == first ? FragmentClass::correct : FragmentClass::beyond_bound;
+  return class_of_wrong(actual,
+                        actual == first ? FragmentClass::correct : FragmentClass::beyond_bound);
 }
 
 /// One triangle with its constants, and the depth its first fragment had.

@@ -104,18 +104,15 @@ class DifferencesCheck {
   }
 
   void check_sample(std::size_t at) {
-    FragmentPlace place = place_at(*picture_, at);
-    const auto triangle = seen_.at(static_cast<int>(place.x), static_cast<int>(place.y),
-                                   static_cast<int>(place.sample));
-    if (!triangle) return;
-    place.triangle = *triangle;
+    const auto place = seen_.find(*picture_, at);
+    if (!place) return;
     ++check_.judgement.counts.required;
     ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
-    triangles_.insert(*triangle);
-    add_place_labels(place);
+    triangles_.insert(place->triangle);
+    add_place_labels(*place);
     const std::size_t count = case_->attributes.size();
     for (std::uint32_t a = 0; a < count; ++a) {
-      check_difference(place, a, picture_->color[at * count + a]);
+      check_difference(*place, a, picture_->color[at * count + a]);
     }
   }
 

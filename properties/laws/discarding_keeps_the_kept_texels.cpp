@@ -18,8 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -61,10 +59,6 @@ cases::Pipeline pipeline_of(const cases::Case& c) {
 
 /// What may be seen of a sample: the fragments there, in the order of submission.
 using FragmentsAt = std::map<std::size_t, std::vector<std::size_t>>;
-
-bool is_same(float a, float b) {
-  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
-}
 
 class DiscardCheck {
  public:
@@ -180,12 +174,9 @@ class DiscardCheck {
     const AttributeKind kind = channel
                                    ? records::kind_of(case_->attributes[*channel % 2].interpolation)
                                    : AttributeKind::depth;
-    FragmentClass found = FragmentClass::correct;
-    if (!is_same(expected, actual)) {
-      found = std::isnan(actual)   ? FragmentClass::not_a_number
-              : std::isinf(actual) ? FragmentClass::infinite
-                                   : FragmentClass::beyond_bound;
-    }
+    const FragmentClass found = is_same(expected, actual)
+                                    ? FragmentClass::correct
+                                    : class_of_wrong(actual, FragmentClass::beyond_bound);
     ++check_.judgement.errors[kind].classes[found];
     if (found == FragmentClass::correct) return;
     const cases::Texturing& texturing = *pipeline_->texturing;

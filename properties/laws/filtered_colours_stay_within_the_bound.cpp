@@ -64,6 +64,12 @@ struct Coordinates {
   Rational t;
 };
 
+bool is_within(const oracle::ValueRange& allowed, float color) {
+  if (!std::isfinite(color)) return false;
+  const Rational exact(double{color});
+  return allowed.lo <= exact && exact <= allowed.hi;
+}
+
 class FilterCheck {
  public:
   FilterCheck(const cases::Case& c, const cases::Contract& contract,
@@ -87,29 +93,26 @@ class FilterCheck {
 
  private:
   void check_sample(std::size_t at) {
-    FragmentPlace place = place_at(*picture_, at);
-    const auto triangle = seen_.at(static_cast<int>(place.x), static_cast<int>(place.y),
-                                   static_cast<int>(place.sample));
-    if (!triangle) return;
-    place.triangle = *triangle;
-    const oracle::TriangleTruth& truth = seen_.truth(*triangle);
-    const auto s = exact_value(truth, 0, place);
-    const auto t = exact_value(truth, 1, place);
+    const auto place = seen_.find(*picture_, at);
+    if (!place) return;
+    const oracle::TriangleTruth& truth = seen_.truth(place->triangle);
+    const auto s = exact_value(truth, 0, *place);
+    const auto t = exact_value(truth, 1, *place);
     if (!s || !t) {
       labels_.emplace("no one coordinate");
       return;
     }
-    const auto filtered = filter({*s, *t}, truth, place);
+    const auto filtered = filter({*s, *t}, truth, *place);
     if (!filtered) {
       labels_.emplace("no one derivative");
       return;
     }
     ++check_.judgement.counts.required;
     ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
-    triangles_.insert(*triangle);
+    triangles_.insert(place->triangle);
     for (std::uint32_t channel = 0; channel < filtered->size(); ++channel) {
       const float actual = picture_->color[at * filtered->size() + channel];
-      compare(place, channel, (*filtered)[channel], actual, {*s, *t});
+      compare(*place, channel, (*filtered)[channel], actual, {*s, *t});
     }
   }
 
@@ -145,15 +148,9 @@ class FilterCheck {
   void compare(const FragmentPlace& place, std::uint32_t channel,
                const oracle::FilteredChannel& filtered, float actual, const Coordinates& at) {
     const AttributeKind kind = records::kind_of(case_->attributes[channel % 2].interpolation);
-    FragmentClass found = FragmentClass::correct;
-    if (std::isnan(actual)) {
-      found = FragmentClass::not_a_number;
-    } else if (std::isinf(actual)) {
-      found = FragmentClass::infinite;
-    } else if (const Rational color(double{actual});
-               color < filtered.allowed.lo || color > filtered.allowed.hi) {
-      found = FragmentClass::beyond_bound;
-    }
+    const FragmentClass found = is_within(filtered.allowed, actual)
+                                    ? FragmentClass::correct
+                                    : class_of_wrong(actual, FragmentClass::beyond_bound);
     ++check_.judgement.errors[kind].classes[found];
     if (found == FragmentClass::correct) return;
     records::Violation violation = violation_at(

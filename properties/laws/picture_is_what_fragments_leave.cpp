@@ -20,8 +20,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -122,18 +120,6 @@ std::vector<std::string> labels_of(const cases::Case& c, const cases::Pipeline& 
   if (most > 1) labels.emplace("overdraw");
   add_state_labels(c, drawn, labels);
   return {labels.begin(), labels.end()};
-}
-
-bool is_same(float a, float b) {
-  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
-  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
-}
-
-FragmentClass class_of(float actual, float expected) {
-  if (is_same(actual, expected)) return FragmentClass::correct;
-  if (std::isnan(actual)) return FragmentClass::not_a_number;
-  if (std::isinf(actual)) return FragmentClass::infinite;
-  return actual == expected ? FragmentClass::wrong_sign_of_zero : FragmentClass::beyond_bound;
 }
 
 class PictureCheck {

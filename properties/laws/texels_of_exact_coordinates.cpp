@@ -17,8 +17,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <bit>
-#include <cmath>
 #include <set>
 #include <string>
 #include <string_view>
@@ -88,24 +86,21 @@ class TexelCheck {
 
  private:
   void check_sample(std::size_t at) {
-    FragmentPlace place = place_at(*picture_, at);
-    const auto triangle = seen_.at(static_cast<int>(place.x), static_cast<int>(place.y),
-                                   static_cast<int>(place.sample));
-    if (!triangle) return;
-    place.triangle = *triangle;
-    const oracle::TriangleTruth& truth = seen_.truth(*triangle);
-    const auto s = exact_value(truth, 0, place);
-    const auto t = exact_value(truth, 1, place);
+    const auto place = seen_.find(*picture_, at);
+    if (!place) return;
+    const oracle::TriangleTruth& truth = seen_.truth(place->triangle);
+    const auto s = exact_value(truth, 0, *place);
+    const auto t = exact_value(truth, 1, *place);
     if (!s || !t) {
       labels_.emplace("no one coordinate");
       return;
     }
     ++check_.judgement.counts.required;
     ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
-    triangles_.insert(*triangle);
+    triangles_.insert(place->triangle);
     add_labels(*s, texturing_->texture.width, texturing_->wrap_s);
     add_labels(*t, texturing_->texture.height, texturing_->wrap_t);
-    compare(at, place, *s, *t);
+    compare(at, *place, *s, *t);
   }
 
   void add_labels(const oracle::Rational& coordinate, int size, cases::Wrap wrap) {
@@ -122,14 +117,9 @@ class TexelCheck {
       const float actual = picture_->color[at * color.size() + channel];
       const float expected = static_cast<float>(color[channel]) / 255;
       const AttributeKind kind = records::kind_of(case_->attributes[channel % 2].interpolation);
-      FragmentClass found = FragmentClass::correct;
-      if (std::isnan(actual)) {
-        found = FragmentClass::not_a_number;
-      } else if (std::isinf(actual)) {
-        found = FragmentClass::infinite;
-      } else if (std::bit_cast<std::uint32_t>(actual) != std::bit_cast<std::uint32_t>(expected)) {
-        found = FragmentClass::beyond_bound;
-      }
+      const FragmentClass found = is_same(actual, expected)
+                                      ? FragmentClass::correct
+                                      : class_of_wrong(actual, FragmentClass::beyond_bound);
       ++check_.judgement.errors[kind].classes[found];
       if (found == FragmentClass::correct) continue;
       report(place, channel, found, kind, color, s, t, actual);

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -25,6 +24,7 @@
 #include "cases/sample_pattern.h"
 #include "oracle/transform.h"
 #include "oracle/ulp.h"
+#include "properties/internal/drawn_fragments.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
@@ -62,8 +62,7 @@ bool stays_in_place(const cases::Contract& contract, const cases::SamplePosition
 
 FragmentClass class_of(float actual, float expected) {
   if (actual == expected) return FragmentClass::correct;
-  if (std::isnan(actual)) return FragmentClass::not_a_number;
-  return std::isinf(actual) ? FragmentClass::infinite : FragmentClass::beyond_bound;
+  return class_of_wrong(actual, FragmentClass::beyond_bound);
 }
 
 class VertexCheck {
