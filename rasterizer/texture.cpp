@@ -133,6 +133,21 @@ void find_exact_texels(const FragmentBatch& in, std::size_t attribute, const Tex
   }
 }
 
+/// The lanes of quads with a covered one.
+LaneMask seen_quads(const FragmentBatch& in) {
+  LaneMask lanes{};
+  for (std::size_t i = 0; i < in.lanes / FragmentBatch::kCellLanes; ++i) {
+    const unsigned covered = in.cells[i].covered;
+    const unsigned columns = covered | covered >> FragmentBatch::kCellWidth;
+    const unsigned quads = (columns | columns >> 1) & 0x55;
+    const std::uint64_t of_row = 3 * quads;
+    const std::uint64_t of_cell = of_row | of_row << FragmentBatch::kCellWidth;
+    const std::size_t first = i * FragmentBatch::kCellLanes;
+    lanes[first / 64] |= of_cell << first % 64;
+  }
+  return lanes;
+}
+
 /// Level 0.
 TexelLevels first_level(const Texture& texture, const std::array<TextureAxis, 2>& axes) {
   TexelLevels level;
@@ -163,7 +178,8 @@ void sample_nearest(const Texture& texture, const FragmentBatch& in,
   alignas(64) LaneArray<std::int32_t> rows;
   find_exact_texels(in, attributes[0], axes[0], columns.data());
   find_exact_texels(in, attributes[1], axes[1], rows.data());
-  fetch_texels(first_level(texture, axes), columns.data(), rows.data(), in.lanes, color);
+  fetch_texels(first_level(texture, axes), columns.data(), rows.data(), seen_quads(in), in.lanes,
+               color);
 }
 
 void sample_bilinear(const Texture& texture, const FragmentBatch& in,
@@ -171,7 +187,7 @@ void sample_bilinear(const Texture& texture, const FragmentBatch& in,
   Squares squares;
   find_neighbors(axes[0], in.lanes, squares.columns);
   find_neighbors(axes[1], in.lanes, squares.rows);
-  blend_level(first_level(texture, axes), squares, in.lanes, color);
+  blend_level(first_level(texture, axes), squares, seen_quads(in), in.lanes, color);
 }
 
 void sample_trilinear(const Texture& texture, const FragmentBatch& in,
@@ -191,7 +207,7 @@ void sample_trilinear(const Texture& texture, const FragmentBatch& in,
     find_neighbors(axes[1], in.lanes, factor, levels.shrink.data(), of_level.rows);
     factor /= 2;
   }
-  blend_levels(all_levels(texture, axes), levels, squares, in.lanes, color);
+  blend_levels(all_levels(texture, axes), levels, squares, seen_quads(in), in.lanes, color);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #define HWY_TARGET_INCLUDE "rasterizer/internal/texture_kernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, as Highway wants it.
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -33,6 +34,15 @@ HWY_INLINE void AddBits(D d, hn::Mask<D> mask, std::size_t lane, LaneMask& lanes
   hn::StoreMaskBits(d, mask, bytes.data());
   const std::uint64_t bits = bytes[0] | static_cast<std::uint64_t>(bytes[1]) << 8;
   lanes[lane / 64] |= bits << lane % 64;
+}
+
+/// Which lanes from `lane` on are in a mask.
+HWY_INLINE hn::Mask<Integers> LanesOf(const LaneMask& lanes, std::size_t lane) {
+  const std::uint64_t bits = lanes[lane / 64] >> lane % 64;
+  alignas(8) std::array<std::uint8_t, 8> bytes{};
+  bytes[0] = static_cast<std::uint8_t>(bits);
+  bytes[1] = static_cast<std::uint8_t>(bits >> 8);
+  return hn::LoadMaskBits(Integers(), bytes.data());
 }
 
 /// In [0, 1], whatever s is.
@@ -244,14 +254,26 @@ HWY_INLINE void StoreChannel(hn::Vec<Texels> texels, std::size_t lane, ColorArra
   hn::Store(Scaled(ChannelOf<kChannel>(texels)), Floats(), color[kChannel] + lane);
 }
 
+/// Texels are far away: begins to fetch those that will be wanted first of all. One for each two
+/// lanes of a row, as those of its neighbour are mostly in the same cache line.
+HWY_INLINE void FetchAhead(const std::uint32_t* texels, const LaneArray<std::int32_t>& at,
+                           std::size_t lanes) {
+  for (std::size_t i = 0; i < lanes; i += 2) hwy::Prefetch(texels + at[i]);
+}
+
 void FetchTexels(const TexelLevels& texture, const std::int32_t* columns, const std::int32_t* rows,
-                 std::size_t lanes, ColorArrays color) {
+                 const LaneMask& wanted, std::size_t lanes, ColorArrays color) {
   const Integers integers;
   const auto width = hn::Set(integers, texture.width);
+  alignas(64) LaneArray<std::int32_t> at;
   for (std::size_t i = 0; i < lanes; i += hn::Lanes(integers)) {
     const auto row = hn::Mul(hn::Load(integers, rows + i), width);
-    const auto at = hn::Add(hn::Load(integers, columns + i), row);
-    const auto texel = hn::GatherIndex(Texels(), texture.texels, at);
+    const auto place = hn::Add(hn::Load(integers, columns + i), row);
+    hn::Store(hn::IfThenElseZero(LanesOf(wanted, i), place), integers, at.data() + i);
+  }
+  FetchAhead(texture.texels, at, lanes);
+  for (std::size_t i = 0; i < lanes; i += hn::Lanes(integers)) {
+    const auto texel = hn::GatherIndex(Texels(), texture.texels, hn::Load(integers, at.data() + i));
     StoreChannel<0>(texel, i, color);
     StoreChannel<1>(texel, i, color);
     StoreChannel<2>(texel, i, color);
@@ -316,32 +338,63 @@ struct LevelLanes {
   hn::Vec<Integers> first;
 };
 
-HWY_INLINE SquareTexels SquareAt(const TexelLevels& texture, const LevelLanes& level,
-                                 const Squares& squares, std::size_t lane) {
-  const Floats floats;
-  const Texels tag;
+/// Where the texels of squares are: the left ones of both rows, and how far from them the right
+/// ones.
+struct SquarePlaces {
+  alignas(64) LaneArray<std::int32_t> low;
+  alignas(64) LaneArray<std::int32_t> high;
+  alignas(64) LaneArray<std::int32_t> step;
+};
+
+HWY_INLINE void PutPlaces(const TexelLevels& texture, const LevelLanes& level,
+                          const Squares& squares, const LaneMask& wanted, std::size_t lane,
+                          SquarePlaces& places) {
+  const Integers d;
   const Sides columns = SidesAt(squares.columns, lane, level.width, texture.repeats_columns);
   const Sides rows = SidesAt(squares.rows, lane, level.height, texture.repeats_rows);
   const auto low = hn::Add(hn::Mul(rows.low, level.width), level.first);
   const auto high = hn::Add(hn::Mul(rows.high, level.width), level.first);
+  const auto is_wanted = LanesOf(wanted, lane);
+  const auto put = [&](hn::Vec<Integers> place, LaneArray<std::int32_t>& out) HWY_ATTR {
+    hn::Store(hn::IfThenElseZero(is_wanted, place), d, out.data() + lane);
+  };
+  put(hn::Add(low, columns.low), places.low);
+  put(hn::Add(high, columns.low), places.high);
+  // The first texel has one beside it, unless there is no other.
+  const auto of_unwanted = hn::Set(d, texture.width > 1 || texture.height > 1 ? 1 : 0);
+  const auto step = hn::Sub(columns.high, columns.low);
+  hn::Store(hn::IfThenElse(is_wanted, step, of_unwanted), d, places.step.data() + lane);
+}
+
+HWY_INLINE void FetchAhead(const std::uint32_t* texels, const SquarePlaces& places,
+                           std::size_t lanes) {
+  FetchAhead(texels, places.low, lanes);
+  FetchAhead(texels, places.high, lanes);
+}
+
+HWY_INLINE SquareTexels SquareAt(const std::uint32_t* texels, const SquarePlaces& places,
+                                 const Squares& squares, std::size_t lane) {
+  const Floats floats;
+  const Integers integers;
+  const Texels tag;
+  const auto low = hn::Load(integers, places.low.data() + lane);
+  const auto high = hn::Load(integers, places.high.data() + lane);
+  const auto step = hn::Load(integers, places.step.data() + lane);
   SquareTexels square;
   square.along_row = hn::Load(floats, squares.columns.fraction.data() + lane);
   square.along_column = hn::Load(floats, squares.rows.fraction.data() + lane);
 #if HWY_TARGET <= HWY_AVX2
-  const Integers integers;
   // Half as many fetches, unless a square is on an edge.
-  const auto step = hn::Sub(columns.high, columns.low);
   if (hn::AllTrue(integers, hn::Eq(step, hn::Set(integers, 1)))) {
-    square.low = AdjacentPairs(texture.texels, hn::Add(low, columns.low));
-    square.high = AdjacentPairs(texture.texels, hn::Add(high, columns.low));
+    square.low = AdjacentPairs(texels, low);
+    square.high = AdjacentPairs(texels, high);
     return square;
   }
 #endif
-  const auto texels = texture.texels;
-  square.low = {hn::GatherIndex(tag, texels, hn::Add(low, columns.low)),
-                hn::GatherIndex(tag, texels, hn::Add(low, columns.high))};
-  square.high = {hn::GatherIndex(tag, texels, hn::Add(high, columns.low)),
-                 hn::GatherIndex(tag, texels, hn::Add(high, columns.high))};
+  square.low = {hn::GatherIndex(tag, texels, low),
+                hn::GatherIndex(tag, texels, hn::Add(low, step))};
+  square.high = {hn::GatherIndex(tag, texels, high),
+                 hn::GatherIndex(tag, texels, hn::Add(high, step))};
   return square;
 }
 
@@ -359,13 +412,18 @@ HWY_INLINE void StoreBilinear(const SquareTexels& square, std::size_t lane, Colo
   hn::Store(Scaled(Bilinear<kChannel>(square)), Floats(), color[kChannel] + lane);
 }
 
-void BlendLevel(const TexelLevels& texture, const Squares& squares, std::size_t lanes,
-                ColorArrays color) {
+void BlendLevel(const TexelLevels& texture, const Squares& squares, const LaneMask& wanted,
+                std::size_t lanes, ColorArrays color) {
   const Integers integers;
   const LevelLanes level{hn::Set(integers, texture.width), hn::Set(integers, texture.height),
                          hn::Zero(integers)};
+  SquarePlaces places;
   for (std::size_t i = 0; i < lanes; i += hn::Lanes(integers)) {
-    const SquareTexels square = SquareAt(texture, level, squares, i);
+    PutPlaces(texture, level, squares, wanted, i, places);
+  }
+  FetchAhead(texture.texels, places, lanes);
+  for (std::size_t i = 0; i < lanes; i += hn::Lanes(integers)) {
+    const SquareTexels square = SquareAt(texture.texels, places, squares, i);
     StoreBilinear<0>(square, i, color);
     StoreBilinear<1>(square, i, color);
     StoreBilinear<2>(square, i, color);
@@ -391,15 +449,22 @@ HWY_INLINE LevelLanes LevelsAt(const TexelLevels& texture, hn::Vec<Integers> lev
 }
 
 void BlendLevels(const TexelLevels& texture, const LevelsOfDetail& levels,
-                 const std::array<Squares, 2>& squares, std::size_t lanes, ColorArrays color) {
+                 const std::array<Squares, 2>& squares, const LaneMask& wanted, std::size_t lanes,
+                 ColorArrays color) {
   const Integers integers;
+  std::array<SquarePlaces, 2> places;
   for (std::size_t i = 0; i < lanes; i += hn::Lanes(integers)) {
     const auto level = hn::Load(integers, levels.level.data() + i);
     const auto after = hn::Add(level, hn::Set(integers, 1));
     const LevelLanes near = LevelsAt(texture, level, texture.first, level);
     const LevelLanes far = LevelsAt(texture, level, texture.next, after);
-    const SquareTexels here = SquareAt(texture, near, squares[0], i);
-    const SquareTexels next = SquareAt(texture, far, squares[1], i);
+    PutPlaces(texture, near, squares[0], wanted, i, places[0]);
+    PutPlaces(texture, far, squares[1], wanted, i, places[1]);
+  }
+  for (const SquarePlaces& of_level : places) FetchAhead(texture.texels, of_level, lanes);
+  for (std::size_t i = 0; i < lanes; i += hn::Lanes(integers)) {
+    const SquareTexels here = SquareAt(texture.texels, places[0], squares[0], i);
+    const SquareTexels next = SquareAt(texture.texels, places[1], squares[1], i);
     const auto fraction = hn::Load(Floats(), levels.fraction.data() + i);
     StoreTrilinear<0>(here, next, fraction, i, color);
     StoreTrilinear<1>(here, next, fraction, i, color);
@@ -468,18 +533,19 @@ bool find_levels(const CoordinateSlopes& slopes, double width, double height, in
 }
 
 void fetch_texels(const TexelLevels& texture, const std::int32_t* columns, const std::int32_t* rows,
-                  std::size_t lanes, ColorArrays color) {
-  HWY_DYNAMIC_DISPATCH(FetchTexels)(texture, columns, rows, lanes, color);
+                  const LaneMask& wanted, std::size_t lanes, ColorArrays color) {
+  HWY_DYNAMIC_DISPATCH(FetchTexels)(texture, columns, rows, wanted, lanes, color);
 }
 
-void blend_level(const TexelLevels& texture, const Squares& squares, std::size_t lanes,
-                 ColorArrays color) {
-  HWY_DYNAMIC_DISPATCH(BlendLevel)(texture, squares, lanes, color);
+void blend_level(const TexelLevels& texture, const Squares& squares, const LaneMask& wanted,
+                 std::size_t lanes, ColorArrays color) {
+  HWY_DYNAMIC_DISPATCH(BlendLevel)(texture, squares, wanted, lanes, color);
 }
 
 void blend_levels(const TexelLevels& texture, const LevelsOfDetail& levels,
-                  const std::array<Squares, 2>& squares, std::size_t lanes, ColorArrays color) {
-  HWY_DYNAMIC_DISPATCH(BlendLevels)(texture, levels, squares, lanes, color);
+                  const std::array<Squares, 2>& squares, const LaneMask& wanted, std::size_t lanes,
+                  ColorArrays color) {
+  HWY_DYNAMIC_DISPATCH(BlendLevels)(texture, levels, squares, wanted, lanes, color);
 }
 
 void round_lanes(const double* in, std::size_t lanes, float* out) {

@@ -101,17 +101,20 @@ struct Squares {
 
 using ColorArrays = std::span<float* const, 4>;
 
+// Of lanes that are not wanted no texel is fetched but the first.
+
 /// Colours k/255 of texels, correctly rounded: v/255 = q (1 + 2^-16 + 2^-32 + …) with
 /// q = v (2^-8 + 2^-16), exact for whole v, and q (2^-16 + 2^-32) is added to it. What that lacks,
 /// 2^-47, is too little to matter (tests/rasterizer/texture_test.cpp goes through all k).
 void fetch_texels(const TexelLevels& texture, const std::int32_t* columns, const std::int32_t* rows,
-                  std::size_t lanes, ColorArrays color);
+                  const LaneMask& wanted, std::size_t lanes, ColorArrays color);
 
 /// Bilinear in level 0, and trilinear in two. Bounds are derived in texture.h.
-void blend_level(const TexelLevels& texture, const Squares& squares, std::size_t lanes,
-                 ColorArrays color);
+void blend_level(const TexelLevels& texture, const Squares& squares, const LaneMask& wanted,
+                 std::size_t lanes, ColorArrays color);
 void blend_levels(const TexelLevels& texture, const LevelsOfDetail& levels,
-                  const std::array<Squares, 2>& squares, std::size_t lanes, ColorArrays color);
+                  const std::array<Squares, 2>& squares, const LaneMask& wanted, std::size_t lanes,
+                  ColorArrays color);
 
 /// Each rounded once.
 void round_lanes(const double* in, std::size_t lanes, float* out);

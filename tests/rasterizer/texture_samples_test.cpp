@@ -237,6 +237,53 @@ TEST(Samples, AreWithinTheirBoundWhenTrilinear) {
   }
 }
 
+/// Whether a lane is in a quad with a covered one.
+bool is_in_seen_quad(const KnownBatch& known, std::size_t lane) {
+  const std::uint32_t covered = known.cells[lane / FragmentBatch::kCellLanes].covered;
+  for (const std::size_t other : {lane, lane ^ 1, lane ^ 8, lane ^ 9}) {
+    if ((covered >> other % FragmentBatch::kCellLanes & 1) != 0) return true;
+  }
+  return false;
+}
+
+void randomize_coverage(Random& random, KnownBatch& known) {
+  for (FragmentBatch::Cell& cell : known.cells) {
+    cell.covered = 0xffff;
+    for (int i = random.between(0, 5); i > 0; --i) {
+      cell.covered &= static_cast<std::uint16_t>(random.between(0, 0xffff));
+    }
+  }
+}
+
+// Kills: lanes of other quads taken for those that are wanted; texels beyond the last.
+TEST(Samples, OfQuadsAreThoseOfAllLanes) {
+  Random random(7);
+  std::size_t unseen = 0;
+  for (const auto& [width, height] : kSizes) {
+    const Texture texture = random_texture(random, width, height);
+    for (int i = 0; i < 30; ++i) {
+      KnownBatch known = random_coordinates(random, texture);
+      randomize_slopes(random, known);
+      const auto wrap = [&] { return kWraps[static_cast<std::size_t>(random.between(0, 2))]; };
+      const Sampler sampler{wrap(), wrap(), random.pick({Filter::bilinear, Filter::trilinear})};
+      ShadedLanes all;
+      sample(texture, sampler, known.batch(), 0, 1, all.colors());
+      randomize_coverage(random, known);
+      ShadedLanes out;
+      sample(texture, sampler, known.batch(), 0, 1, out.colors());
+      for (std::size_t lane = 0; lane < KnownBatch::kLanes; ++lane) {
+        const bool is_seen = is_in_seen_quad(known, lane);
+        if (!is_seen) ++unseen;
+        for (std::size_t channel = 0; channel < 4; ++channel) {
+          const float color = out(channel, lane);
+          ASSERT_TRUE(is_seen ? color == all(channel, lane) : color >= 0 && color <= 1);
+        }
+      }
+    }
+  }
+  EXPECT_GT(unseen, 1000U);
+}
+
 // Kills: products fused with sums on processors that can.
 TEST(Samples, AreTheSameOnAllTargets) {
   Random random(6);
@@ -245,6 +292,7 @@ TEST(Samples, AreTheSameOnAllTargets) {
     for (int i = 0; i < 9; ++i) {
       KnownBatch known = random_coordinates(random, texture);
       randomize_slopes(random, known);
+      if (i % 2 == 0) randomize_coverage(random, known);
       for (KnownBatch::Line& line : known.lines) {
         for (std::size_t lane = 0; lane < KnownBatch::kLanes; ++lane) {
           if (random.one_in(9)) line.along_v[lane] = random.pick({kNaN, kInfinity, 0.0});
