@@ -26,9 +26,8 @@ using Word = hn::Vec<Words>;
 /// Held to [0, 1], NaN as 0.
 template <class D>
 HWY_INLINE hn::Vec<D> Held(D d, hn::Vec<D> value) {
-  const auto one = hn::Set(d, 1.0F);
   const auto positive = hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value);
-  return hn::IfThenElse(hn::Gt(positive, one), one, positive);
+  return hn::Min(positive, hn::Set(d, 1.0F));
 }
 
 using Texels = hn::RebindToUnsigned<Floats>;
@@ -135,45 +134,59 @@ struct NearlyOver {
   hn::Mask<Floats> is_open;
 };
 
-/// d + a (c − d), with c = 255 s, or 255 for alpha; kOnes is added. |c|, |d| and the sum are at
-/// most 255, so that each of four roundings (of c, the difference, the product, the sum) is at most
-/// 2^-17: together 2^-15. In double, as it has to be, three roundings are below 2^-44. Farther than
-/// 2^-14 from the middle between two bytes both are nearest to the same.
-///
-/// Where a and s are whole 256ths no rounding does anything, here or in double.
+/// A channel of them: kOnes is added.
+struct NearlyOverChannel {
+  hn::Vec<Floats> nearest;
+  hn::Vec<Floats> away;  ///< how far the nearest byte is from the value
+};
+
+/// d + a (c − d), with c = 255 s, or 255 for alpha. |c|, |d| and the sum are at most 255, so that
+/// each of at most four roundings (of c, the difference, the product, the sum) is at most 2^-17:
+/// together 2^-15. In double, as it has to be, three roundings are below 2^-44. Farther than 2^-14
+/// from the middle between two bytes both are nearest to the same, whichever roundings a fused
+/// operation leaves out.
 template <int kByte>
-HWY_INLINE hn::Vec<Floats> NearlyOverByte(const HeldColor& color, hn::Vec<Texels> old,
-                                          hn::Mask<Floats>& is_open) {
+HWY_INLINE NearlyOverChannel NearlyOverByte(const HeldColor& color, hn::Vec<Texels> old) {
   const Floats d;
   const hn::RebindToSigned<Floats> ints;
   const auto ones = hn::Set(d, kOnes);
   const auto byte = hn::And(hn::ShiftRight<8 * kByte>(old), hn::Set(Texels(), 255));
   const auto under = hn::ConvertTo(d, hn::BitCast(ints, byte));
-  const auto s = color.channel[kByte];
   const auto most = hn::Set(d, 255.0F);
-  const auto over = kByte == 3 ? most : hn::Mul(s, most);
-  const auto value = hn::Add(under, hn::Mul(color.channel[3], hn::Sub(over, under)));
+  const auto more =
+      kByte == 3 ? hn::Sub(most, under) : hn::MulSub(color.channel[kByte], most, under);
+  const auto value = hn::MulAdd(color.channel[3], more, under);
   const auto nearest = hn::Add(value, ones);
-  const auto away = hn::Abs(hn::Sub(value, hn::Sub(nearest, ones)));
+  return {nearest, hn::Abs(hn::Sub(value, hn::Sub(nearest, ones)))};
+}
+
+/// Whether a channel's byte is open. Where it and alpha are whole 256ths it is not: no rounding
+/// does anything then, here or in double.
+HWY_INLINE hn::Mask<Floats> IsOpen(hn::Vec<Floats> away, hn::Vec<Floats> s, hn::Vec<Floats> alpha) {
+  const Floats d;
+  const auto parts = hn::Set(d, 256.0F);
+  const auto is_whole = [&](hn::Vec<Floats> x) HWY_ATTR {
+    return hn::Eq(hn::Round(hn::Mul(x, parts)), hn::Mul(x, parts));
+  };
   const auto is_near = hn::Gt(away, hn::Set(d, 0.5F - 0x1p-14F));
-  if (!hn::AllFalse(d, is_near)) {
-    const auto parts = hn::Set(d, 256.0F);
-    const auto is_whole = [&](hn::Vec<Floats> x) HWY_ATTR {
-      return hn::Eq(hn::Round(hn::Mul(x, parts)), hn::Mul(x, parts));
-    };
-    const auto is_exact = hn::And(is_whole(s), is_whole(color.channel[3]));
-    is_open = hn::Or(is_open, hn::AndNot(is_exact, is_near));
-  }
-  return nearest;
+  return hn::AndNot(hn::And(is_whole(s), is_whole(alpha)), is_near);
 }
 
 HWY_INLINE NearlyOver NearlyOverWords(const HeldColor& color, hn::Vec<Texels> old) {
-  auto is_open = hn::FirstN(Floats(), 0);
-  const auto red = NearlyOverByte<0>(color, old, is_open);
-  const auto green = NearlyOverByte<1>(color, old, is_open);
-  const auto blue = NearlyOverByte<2>(color, old, is_open);
-  const auto alpha = NearlyOverByte<3>(color, old, is_open);
-  return {WordOf(red, green, blue, alpha), is_open};
+  const Floats d;
+  const NearlyOverChannel red = NearlyOverByte<0>(color, old);
+  const NearlyOverChannel green = NearlyOverByte<1>(color, old);
+  const NearlyOverChannel blue = NearlyOverByte<2>(color, old);
+  const NearlyOverChannel alpha = NearlyOverByte<3>(color, old);
+  const auto words = WordOf(red.nearest, green.nearest, blue.nearest, alpha.nearest);
+  const auto most = hn::Max(hn::Max(red.away, green.away), hn::Max(blue.away, alpha.away));
+  auto is_open = hn::Gt(most, hn::Set(d, 0.5F - 0x1p-14F));
+  if (!hn::AllFalse(d, is_open)) {
+    const auto& of = color.channel;
+    is_open = hn::Or(hn::Or(IsOpen(red.away, of[0], of[3]), IsOpen(green.away, of[1], of[3])),
+                     hn::Or(IsOpen(blue.away, of[2], of[3]), IsOpen(alpha.away, of[3], of[3])));
+  }
+  return {words, is_open};
 }
 
 /// A byte of words as a number.
