@@ -150,7 +150,8 @@ HWY_INLINE NearlyOverChannel NearlyOverByte(const HeldColor& color, hn::Vec<Texe
   const Floats d;
   const hn::RebindToSigned<Floats> ints;
   const auto ones = hn::Set(d, kOnes);
-  const auto byte = hn::And(hn::ShiftRight<8 * kByte>(old), hn::Set(Texels(), 255));
+  auto byte = hn::ShiftRight<8 * kByte>(old);
+  if (kByte != 3) byte = hn::And(byte, hn::Set(Texels(), 255));
   const auto under = hn::ConvertTo(d, hn::BitCast(ints, byte));
   const auto most = hn::Set(d, 255.0F);
   const auto more =
@@ -160,16 +161,14 @@ HWY_INLINE NearlyOverChannel NearlyOverByte(const HeldColor& color, hn::Vec<Texe
   return {nearest, hn::Abs(hn::Sub(value, hn::Sub(nearest, ones)))};
 }
 
-/// Whether a channel's byte is open. Where it and alpha are whole 256ths it is not: no rounding
-/// does anything then, here or in double.
-HWY_INLINE hn::Mask<Floats> IsOpen(hn::Vec<Floats> away, hn::Vec<Floats> s, hn::Vec<Floats> alpha) {
+HWY_INLINE hn::Mask<Floats> IsNearMiddle(hn::Vec<Floats> away) {
+  return hn::Gt(away, hn::Set(Floats(), 0.5F - 0x1p-14F));
+}
+
+HWY_INLINE hn::Mask<Floats> IsWhole256th(hn::Vec<Floats> x) {
   const Floats d;
-  const auto parts = hn::Set(d, 256.0F);
-  const auto is_whole = [&](hn::Vec<Floats> x) HWY_ATTR {
-    return hn::Eq(hn::Round(hn::Mul(x, parts)), hn::Mul(x, parts));
-  };
-  const auto is_near = hn::Gt(away, hn::Set(d, 0.5F - 0x1p-14F));
-  return hn::AndNot(hn::And(is_whole(s), is_whole(alpha)), is_near);
+  const auto parts = hn::Mul(x, hn::Set(d, 256.0F));
+  return hn::Eq(hn::Round(parts), parts);
 }
 
 HWY_INLINE NearlyOver NearlyOverWords(const HeldColor& color, hn::Vec<Texels> old) {
@@ -179,12 +178,20 @@ HWY_INLINE NearlyOver NearlyOverWords(const HeldColor& color, hn::Vec<Texels> ol
   const NearlyOverChannel blue = NearlyOverByte<2>(color, old);
   const NearlyOverChannel alpha = NearlyOverByte<3>(color, old);
   const auto words = WordOf(red.nearest, green.nearest, blue.nearest, alpha.nearest);
-  const auto most = hn::Max(hn::Max(red.away, green.away), hn::Max(blue.away, alpha.away));
-  auto is_open = hn::Gt(most, hn::Set(d, 0.5F - 0x1p-14F));
-  if (!hn::AllFalse(d, is_open)) {
-    const auto& of = color.channel;
-    is_open = hn::Or(hn::Or(IsOpen(red.away, of[0], of[3]), IsOpen(green.away, of[1], of[3])),
-                     hn::Or(IsOpen(blue.away, of[2], of[3]), IsOpen(alpha.away, of[3], of[3])));
+  // Where alpha and s are whole 256ths no rounding does anything, here or in double. A constant
+  // alpha, 1/2 say, is next to the middle all the time, colours nearly never.
+  auto is_open = IsNearMiddle(alpha.away);
+  if (!hn::AllFalse(d, is_open)) is_open = hn::AndNot(IsWhole256th(color.channel[3]), is_open);
+  const auto most = hn::Max(hn::Max(red.away, green.away), blue.away);
+  if (!hn::AllFalse(d, IsNearMiddle(most))) {
+    const auto is_whole = IsWhole256th(color.channel[3]);
+    const auto add = [&](hn::Vec<Floats> s, hn::Vec<Floats> away) HWY_ATTR {
+      const auto is_exact = hn::And(is_whole, IsWhole256th(s));
+      is_open = hn::Or(is_open, hn::AndNot(is_exact, IsNearMiddle(away)));
+    };
+    add(color.channel[0], red.away);
+    add(color.channel[1], green.away);
+    add(color.channel[2], blue.away);
   }
   return {words, is_open};
 }
