@@ -64,10 +64,11 @@ struct FragmentBatch {
   /// ∂r/∂u and ∂r/∂v per pixel of the window, [attribute][lane]; with `uses_derivatives` alone.
   std::span<const double* const> along_u;
   std::span<const double* const> along_v;
-  /// [attribute]: no value of a covered lane is off by more. Infinite where it is of a place that
-  /// may lie beyond the triangle: with several samples, unless the location is Location::sample.
-  /// There a value is off by less than 2^-31 of the greatest of vertices, or of itself.
+  /// [attribute]: no value of a covered lane is off by more than this and more than kErrorShare of
+  /// itself, which is the greater only beyond the triangle that it comes from: at Location::center
+  /// with several samples, and with Basis::ideal where snapping moves an edge over a sample.
   std::span<const double> errors;
+  static constexpr double kErrorShare = 0x1p-31;
   ExactAttributes* exact = nullptr;  ///< never nullptr where a shader is called
 };
 

@@ -139,7 +139,7 @@ LaneMask seen_quads(const FragmentBatch& in) {
   for (std::size_t i = 0; i < in.lanes / FragmentBatch::kCellLanes; ++i) {
     const unsigned covered = in.cells[i].covered;
     const unsigned columns = covered | covered >> FragmentBatch::kCellWidth;
-    const unsigned quads = (columns | columns >> 1) & 0x55;
+    const std::uint64_t quads = (columns | columns >> 1) & 0x55;
     const std::uint64_t of_row = 3 * quads;
     const std::uint64_t of_cell = of_row | of_row << FragmentBatch::kCellWidth;
     const std::size_t first = i * FragmentBatch::kCellLanes;

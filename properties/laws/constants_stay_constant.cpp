@@ -89,7 +89,7 @@ Constants constants_of(const cases::Case& c, const cases::Contract& contract, st
   return constants;
 }
 
-FragmentClass class_of(float actual, float expected) {
+FragmentClass class_of_constant(float actual, float expected) {
   if (is_same_float(actual, expected)) return FragmentClass::correct;
   return class_of_wrong(
       actual, actual == expected ? FragmentClass::wrong_sign_of_zero : FragmentClass::beyond_bound);
@@ -97,8 +97,8 @@ FragmentClass class_of(float actual, float expected) {
 
 /// Both zeros are the same depth.
 FragmentClass class_of_depth(float actual, float first) {
-  return class_of_wrong(actual,
-                        actual == first ? FragmentClass::correct : FragmentClass::beyond_bound);
+  if (actual == first && std::isfinite(actual)) return FragmentClass::correct;
+  return class_of_wrong(actual, FragmentClass::beyond_bound);
 }
 
 /// One triangle with its constants, and the depth its first fragment had.
@@ -206,7 +206,7 @@ class ConstantsCheck {
     const AttributeKind kind = declared.interpolation == cases::Interpolation::smooth
                                    ? AttributeKind::smooth
                                    : AttributeKind::noperspective;
-    const FragmentClass found = class_of(actual, expected);
+    const FragmentClass found = class_of_constant(actual, expected);
     ++check_.judgement.errors[kind].classes[found];
     if (found == FragmentClass::correct) return;
     const Rational exact{double{expected}};

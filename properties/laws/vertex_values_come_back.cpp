@@ -60,7 +60,7 @@ bool stays_in_place(const cases::Contract& contract, const cases::SamplePosition
   return is_grid_point && contract.is_on_grid && contract.coverage->position_error == 0;
 }
 
-FragmentClass class_of(float actual, float expected) {
+FragmentClass class_of_vertex_value(float actual, float expected) {
   if (actual == expected) return FragmentClass::correct;
   return class_of_wrong(actual, FragmentClass::beyond_bound);
 }
@@ -147,7 +147,7 @@ class VertexCheck {
     const float expected = case_->attributes_of(triangle[vertex])[attribute];
     add_value_labels(triangle, attribute, expected);
     const AttributeKind kind = records::kind_of(case_->attributes[attribute].interpolation);
-    const FragmentClass found = class_of(actual, expected);
+    const FragmentClass found = class_of_vertex_value(actual, expected);
     ++check_.judgement.errors[kind].classes[found];
     if (found == FragmentClass::correct) return;
     const Rational exact{double{expected}};

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 namespace rastercheck::rasterizer {
 
@@ -19,14 +18,7 @@ PaintSetting paint_setting(const ShaderView& shader, const State& state, const M
     double& most = paint.errors[i % count];
     if (std::isfinite(size)) most = std::max(most, size);
   }
-  for (std::size_t a = 0; a < count; ++a) {
-    // certificates.h: less than 2^-31 of the greatest value, or of the value itself, which may be
-    // far beyond that outside of triangles.
-    const bool is_within =
-        framebuffer.size.samples == 1 || state.attributes[a].location == Location::sample;
-    paint.errors[a] =
-        is_within ? 0x1p-31 * paint.errors[a] : std::numeric_limits<double>::infinity();
-  }
+  for (double& error : paint.errors) error *= FragmentBatch::kErrorShare;  // certificates.h
   return paint;
 }
 

@@ -142,7 +142,7 @@ struct NearlyOverChannel {
 
 /// d + a (c − d), with c = 255 s, or 255 for alpha. |c|, |d| and the sum are at most 255, so that
 /// each of at most four roundings (of c, the difference, the product, the sum) is at most 2^-17:
-/// together 2^-15. In double, as it has to be, three roundings are below 2^-44. Farther than 2^-14
+/// together 2^-15. In double, as it has to be, four roundings are below 2^-44. Farther than 2^-14
 /// from the middle between two bytes both are nearest to the same, whichever roundings a fused
 /// operation leaves out.
 template <int kByte>

@@ -2,8 +2,6 @@
 
 #include "rasterizer/internal/texture_kernels.h"
 
-#include <limits>
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/internal/texture_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -61,33 +59,42 @@ HWY_INLINE Vector Wrapped(Vector s) {
   return kWrap == Wrap::clamp ? hn::Min(c, one) : c;
 }
 
+/// What c · size may be off by (find_texels).
+HWY_INLINE Vector MarginOf(Vector s, double error, double size) {
+  const Doubles d;
+  const auto own = hn::Mul(hn::Abs(s), hn::Set(d, FragmentBatch::kErrorShare));
+  const auto e = hn::Max(own, hn::Set(d, error));
+  return hn::Mul(hn::Add(e, hn::Set(d, 0x1p-51)), hn::Set(d, size));
+}
+
 template <Wrap kWrap>
 HWY_INLINE LaneMask FindTexelsAlong(const TextureAxis& axis, double error, std::size_t lanes,
                                     std::int32_t* at) {
   const Doubles d;
   const HalfIntegers integers;
   const double texels = axis.size;
-  const double margin = texels * (error + 0x1p-51);
-  // Not (margin < 1/4): an error may be no number.
-  const bool is_open = !(margin < 0.25);
-  const double infinity = std::numeric_limits<double>::infinity();
-  const auto within = hn::Set(d, axis.size == 1 ? -1 : is_open ? infinity : margin);
-  const auto least = hn::Set(d, is_open ? 0.0 : 1.0);
-  const auto greatest = hn::Set(d, is_open ? texels : texels - 1);
+  const auto quarter = hn::Set(d, 0.25);
+  const auto one = hn::Set(d, 1.0);
   const auto size = hn::Set(d, texels);
+  const auto before_last = hn::Set(d, texels - 1);
   const auto last = hn::Set(integers, axis.size - 1);
   LaneMask open{};
   for (std::size_t i = 0; i < lanes; i += hn::Lanes(d)) {
-    const auto p = hn::Mul(Wrapped<kWrap>(hn::Load(d, axis.values + i)), size);
-    const auto nearest = hn::Round(p);
-    auto is_near = hn::Le(hn::Abs(hn::Sub(p, nearest)), within);
-    if (kWrap != Wrap::repeat) {
-      const auto is_border = hn::And(hn::Ge(nearest, least), hn::Le(nearest, greatest));
-      is_near = hn::And(is_near, is_border);
-    }
-    if (!hn::AllFalse(d, is_near)) AddBits(d, is_near, i, open);
+    const auto s = hn::Load(d, axis.values + i);
+    const auto p = hn::Mul(Wrapped<kWrap>(s), size);
     // Towards 0, which is down.
     hn::Store(hn::Min(hn::DemoteTo(integers, p), last), integers, at + i);
+    if (axis.size == 1) continue;
+    const auto margin = MarginOf(s, error, texels);
+    const auto nearest = hn::Round(p);
+    auto is_certain = hn::Gt(hn::Abs(hn::Sub(p, nearest)), margin);
+    if (kWrap != Wrap::repeat) {
+      const auto is_edge = hn::Or(hn::Lt(nearest, one), hn::Gt(nearest, before_last));
+      is_certain = hn::Or(is_certain, is_edge);
+    }
+    // What is no number is not certain.
+    is_certain = hn::And(is_certain, hn::Lt(margin, quarter));
+    if (!hn::AllTrue(d, is_certain)) AddBits(d, hn::Not(is_certain), i, open);
   }
   return open;
 }

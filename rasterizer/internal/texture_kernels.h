@@ -35,13 +35,13 @@ template <typename T>
 using LaneArray = std::array<T, FragmentBatch::kLanes>;
 
 /// The texels that the coordinates are in. Returns the lanes for which double does not tell which:
-/// coordinates may be off by `error`.
+/// a coordinate s may be off by e, `error` or kErrorShare |s|, whichever is more.
 ///
-/// c is off by error + 2^-53 and c · size, at most `size`, by half a unit more: at most
-/// size (error + 2^-52). The texel is certain where c · size is farther than that from the nearest
+/// c is off by e + 2^-53 and c · size, at most `size`, by half a unit more: at most
+/// size (e + 2^-52). The texel is certain where c · size is farther than that from the nearest
 /// whole number, or where on both sides of that is the same texel: at 0 and `size` unless repeated.
-/// The margin is computed with 2^-51, as its own two roundings are below 2^-52 of it; where it is
-/// 1/4 or more all lanes are left open.
+/// The margin is computed with 2^-51, as its own two roundings are below 2^-52 of it; lanes where
+/// it is 1/4 or more are left open.
 LaneMask find_texels(const TextureAxis& axis, double error, std::size_t lanes, std::int32_t* at);
 
 /// Between the centres of which texels coordinates are: x = c · size − 1/2 as low = ⌊x⌋, which is
@@ -101,7 +101,8 @@ struct Squares {
 
 using ColorArrays = std::span<float* const, 4>;
 
-// Of lanes that are not wanted no texel is fetched but the first.
+// Of lanes that are not wanted no texels are fetched but the first two of the texture, if it has
+// two.
 
 /// Colours k/255 of texels, correctly rounded: v/255 = q (1 + 2^-16 + 2^-32 + …) with
 /// q = v (2^-8 + 2^-16), exact for whole v, and q (2^-16 + 2^-32) is added to it. What that lacks,

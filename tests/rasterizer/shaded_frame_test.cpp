@@ -327,58 +327,80 @@ TEST(Shade, FloorsAreExact) {
   EXPECT_GT(differ, 0U);  // or there would be nothing to show
 }
 
-/// Whole parts by double where the errors leave no doubt, or else by exact arithmetic, and whether
-/// they are those of exact arithmetic.
-struct CertainFloorPainter {
-  std::size_t outputs() const { return 2; }
+/// The column of a texture's texel, 0 or 1, that is nearest, by exact arithmetic and by double.
+struct ColumnPainter {
+  const Texture* texture = nullptr;
+
+  std::size_t outputs() const { return 4; }
   void operator()(const FragmentBatch& in, ShadedBatch& out) const {
-    const double infinity = std::numeric_limits<double>::infinity();
+    sample(*texture, {Wrap::repeat, Wrap::repeat, Filter::nearest}, in, 0, 0, out.color.first<4>());
     for (std::size_t lane = 0; lane < in.lanes; ++lane) {
       const auto bit = lane % FragmentBatch::kCellLanes;
       const std::uint32_t covered = in.cells[lane / FragmentBatch::kCellLanes].covered;
-      out.color[0][lane] = out.color[1][lane] = 1;
       if ((covered >> bit & 1) == 0) continue;
-      const double value = in.values[0][lane];
-      const double exact = in.exact->floor(0, lane, 1, infinity);
-      const bool is_certain = std::abs(value - std::round(value)) > in.errors[0];
-      out.color[0][lane] = is_certain && std::floor(value) != exact ? 0.0F : 1.0F;
-      out.color[1][lane] = std::floor(value) != exact ? 0.0F : 1.0F;
+      out.color[1][lane] = static_cast<float>(std::fmod(in.exact->floor(0, lane, 2, 2), 2));
+      out.color[2][lane] = static_cast<float>(std::fmod(std::floor(2 * in.values[0][lane]), 2));
     }
   }
 };
 
-// Triangles less than 2^-23 pixels high about a row of samples, 3/8 of a pixel beside the centres:
-// values there are 2^21 times those of vertices, and so are their errors. Whole numbers all, by
-// weights that no double holds.
-TEST(Shade, ErrorsHoldAtCentersBeyondTheTriangle) {
-  State state = small_state(64, 64);
-  state.attributes = {{Interpolation::noperspective, Location::center}};
+/// A triangle six units high about a clip y, with values that are 0 there and 3/8 more with every
+/// unit, by weights that no double holds.
+SmallMesh flat_triangle(Random& random, float y, float unit) {
+  SmallMesh mesh;
+  for (const int side : {-1, 0, 1}) {
+    const float w = random.pick({1.0F, 2.0F, 4.0F});
+    const auto units = static_cast<float>(side * random.between(1, 3));
+    const float x = side == 1 ? random.real(-45, -30) : static_cast<float>(2 * side + 1) * 0.9F;
+    mesh.positions.emplace_back(x * w, (y + unit * units) * w, 0.0F, w);
+    mesh.attributes.push_back(3 * units / 8);
+  }
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+/// Draws such triangles whose covered samples are evaluated far beyond them, on borders of texels.
+void expect_exact_columns(const State& state, float y, float unit, int samples) {
+  const std::array<std::uint8_t, 8> texels{0, 0, 0, 255, 255, 0, 0, 255};
+  Texture texture;
+  ASSERT_FALSE(Texture::make(2, 1, texels, texture));
   Random random(5);
   std::size_t drawn = 0;
   std::size_t differ = 0;
   for (int i = 0; i < 100; ++i) {
-    SmallMesh mesh;
-    for (const int side : {-1, 0, 1}) {
-      const float w = random.pick({1.0F, 2.0F, 4.0F});
-      const float y = 0x1p-8F + 0x1p-31F * static_cast<float>(side * random.between(1, 3));
-      const float x = side == 1 ? random.real(-45, -30) : static_cast<float>(2 * side + 1) * 0.9F;
-      mesh.positions.emplace_back(x * w, y * w, 0.0F, w);
-      mesh.attributes.push_back(y * 0x1p28F - 0x1p20F);
-    }
-    mesh.triangles = {{0, 1, 2}};
+    const SmallMesh mesh = flat_triangle(random, y, unit);
     Framebuffer framebuffer;
-    ASSERT_FALSE(
-        clear_and_draw(state, mesh.mesh(), CertainFloorPainter(), {64, 64, 4}, 1, framebuffer)
-            .error);
+    ASSERT_FALSE(clear_and_draw(state, mesh.mesh(), ColumnPainter{&texture}, {64, 64, samples}, 1,
+                                framebuffer)
+                     .error);
     for (std::size_t place = 0; place < framebuffer.depth.size(); ++place) {
       if (framebuffer.depth[place] == 1) continue;
       ++drawn;
-      EXPECT_EQ(framebuffer.attributes[2 * place], 1);
-      if (framebuffer.attributes[2 * place + 1] == 0) ++differ;
+      const float* const columns = &framebuffer.attributes[4 * place];
+      EXPECT_EQ(columns[0], columns[1]);
+      if (columns[2] != columns[1]) ++differ;
     }
   }
   EXPECT_GT(drawn, 100U);
   EXPECT_GT(differ, 0U);  // or there would be nothing to show
+}
+
+// About a row of samples, 3/8 of a pixel beside the centres: values there are 2^23 times those of
+// vertices, and so are their errors. Kills: errors of a share of the vertices' values alone.
+TEST(Shade, TexelsAtCentersBeyondTheTriangleAreExact) {
+  State state = small_state(64, 64);
+  state.attributes = {{Interpolation::noperspective, Location::center}};
+  expect_exact_columns(state, 0x1p-8F, 0x1p-31F, 4);
+}
+
+// Between two rows of a grid of 1/16 pixel, the centres on one of them: 2^21 times.
+TEST(Shade, TexelsBeyondTheTriangleThatIsSnappedAreExact) {
+  State state = small_state(64, 64);
+  state.attributes = {{Interpolation::noperspective}};
+  state.snapping = Snapping{4};
+  state.basis = Basis::ideal;
+  state.viewport.origin.y = 0.5F;
+  expect_exact_columns(state, 0x1p-10F, 0x1p-33F, 1);
 }
 
 TEST(Shade, RefusesWhatItCannotDo) {
