@@ -2,6 +2,8 @@
 
 #include "rasterizer/internal/texture_kernels.h"
 
+#include <limits>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/internal/texture_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -73,6 +75,8 @@ HWY_INLINE LaneMask FindTexelsAlong(const TextureAxis& axis, double error, std::
   const Doubles d;
   const HalfIntegers integers;
   const double texels = axis.size;
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double most = error < infinity ? error : infinity;  // it may be no number
   const auto quarter = hn::Set(d, 0.25);
   const auto one = hn::Set(d, 1.0);
   const auto size = hn::Set(d, texels);
@@ -85,7 +89,7 @@ HWY_INLINE LaneMask FindTexelsAlong(const TextureAxis& axis, double error, std::
     // Towards 0, which is down.
     hn::Store(hn::Min(hn::DemoteTo(integers, p), last), integers, at + i);
     if (axis.size == 1) continue;
-    const auto margin = MarginOf(s, error, texels);
+    const auto margin = MarginOf(s, most, texels);
     const auto nearest = hn::Round(p);
     auto is_certain = hn::Gt(hn::Abs(hn::Sub(p, nearest)), margin);
     if (kWrap != Wrap::repeat) {
