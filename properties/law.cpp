@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "properties/generator.h"
 
@@ -27,6 +28,15 @@ const Law* find_law(std::string_view name) {
   const auto found = std::find_if(registry().begin(), registry().end(),
                                   [name](const Law& law) { return law.name == name; });
   return found == registry().end() ? nullptr : &*found;
+}
+
+std::uint64_t least_reached(const Cover& cover, std::uint64_t checked) {
+  // Chernoff: of a binomial with mean μ, P(X <= μ − t) <= exp(−t² / 2μ), which is 10^-6 where
+  // t² = 2 μ ln 10^6.
+  constexpr double kTwiceLnOfMillion = 27.631021115928547;
+  const double mean = static_cast<double>(checked) * cover.percent / 100;
+  const double least = mean - std::sqrt(kTwiceLnOfMillion * mean);
+  return least > 0 ? static_cast<std::uint64_t>(std::ceil(least)) : 0;
 }
 
 bool is_promised(const Law& law, const backends::Backend& backend) {

@@ -3,7 +3,12 @@
 // Laws: what has to hold of every case, stated as a sentence. A file in properties/laws/ defines
 // one and registers it:
 //
-//   const LawRegistration kRegistration({"constants stay constant", &generate, &check});
+//   const LawRegistration kRegistration({.name = "constants stay constant",
+//                                        .reason = "Σ c e_i / Σ e_i is c.",
+//                                        .exceptions = "flat attributes, which are copies",
+//                                        .generate = &generate,
+//                                        .check = &check,
+//                                        .covers = {cover(5, "clipped")}});
 //
 // docs/adding-a-law.md walks through it. A law is checked on a Case alone, wherever it comes from:
 // its generator, the corpus, or a saved counterexample.
@@ -46,18 +51,37 @@ struct CheckOptions {
   std::uint64_t case_index = 0;  ///< for the records
 };
 
+/// A label that the law's own cases have to reach, or it has not tested what it claims to.
+struct Cover {
+  int percent = 0;  ///< of the cases checked, at least
+  std::string_view label;
+};
+
+constexpr Cover cover(int percent, std::string_view label) { return {percent, label}; }
+
 struct Law {
   /// The sentence; also the name that cases, records and --property know it by.
   std::string_view name;
-  Generated (*generate)(Draw& draw);
+  /// Why it holds, for readers of docs/properties.md; the file's opening comment has the proof.
+  std::string_view reason;
+  /// What it says nothing of: cases, samples, attributes, backends.
+  std::string_view exceptions;
+  Generated (*generate)(Draw& draw) = nullptr;
   /// Draws the case, perhaps changed ones too, and says what is wrong. Fails where the backend
   /// cannot draw it.
   Result<Check> (*check)(const cases::Case& c, backends::Backend& backend,
-                         const CheckOptions& options);
+                         const CheckOptions& options) = nullptr;
   /// Whether a backend promises at all what the law is about; nullptr: every backend does. Where it
   /// does not, the law says nothing of any case, and that is no fault of a run.
   bool (*is_promised)(const backends::Backend& backend) = nullptr;
+  /// What its random cases have to reach.
+  std::vector<Cover> covers = {};
 };
+
+/// The least number of `checked` cases that have to reach a label: the chance that independent
+/// cases which reach it with the probability that its Cover states are fewer is below 10^-6. Never
+/// more than that share of them; 0 of few cases.
+std::uint64_t least_reached(const Cover& cover, std::uint64_t checked);
 
 /// Whether the law has something to say of a backend.
 bool is_promised(const Law& law, const backends::Backend& backend);

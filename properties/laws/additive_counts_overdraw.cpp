@@ -167,8 +167,15 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   return OverdrawCheck(counting, backend.contract(counting), *picture).run();
 }
 
-const LawRegistration kRegistration({"additive blending counts overdraw", &overlapping_case, &check,
-                                     &draws_pictures});
+const LawRegistration kRegistration(
+    {.name = "additive blending counts overdraw",
+     .reason = "Each fragment adds exactly 1 to a float that was cleared to 0, and sums of ones "
+               "are exact.",
+     .exceptions = "samples where the contract leaves open which triangles cover them: the sum may "
+                   "lie between; backends that draw no pictures",
+     .generate = &overlapping_case,
+     .check = &check,
+     .is_promised = &draws_pictures});
 
 }  // namespace
 }  // namespace rastercheck::properties

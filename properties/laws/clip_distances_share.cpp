@@ -305,8 +305,14 @@ Generated generate(Draw& draw) {
   return made;
 }
 
-const LawRegistration kRegistration({"complementary clip distances share what is drawn", &generate,
-                                     &check});
+const LawRegistration kRegistration(
+    {.name = "complementary clip distances share what is drawn",
+     .reason = "f = Σ e_i d_i is positive, negative or a zero that its own normal decides, and −d "
+               "turns all three round.",
+     .exceptions = "distances that are zero everywhere, zeros under D3D, which are inside of both, "
+                   "and samples that a contract leaves open in one of the three drawings",
+     .generate = &generate,
+     .check = &check});
 
 }  // namespace
 }  // namespace rastercheck::properties

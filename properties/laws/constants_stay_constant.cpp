@@ -322,7 +322,13 @@ Generated generate(Draw& draw) {
   return made;
 }
 
-const LawRegistration kRegistration({"constants stay constant", &generate, &check});
+const LawRegistration kRegistration(
+    {.name = "constants stay constant",
+     .reason = "Σ c e_i / Σ e_i is c, and a bound below 3/4 scale ULP leaves no other float.",
+     .exceptions = "values whose bound is wider than that, unless the contract promises to keep "
+                   "constants; flat attributes, which are copies",
+     .generate = &generate,
+     .check = &check});
 
 }  // namespace
 }  // namespace rastercheck::properties

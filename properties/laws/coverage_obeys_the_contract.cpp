@@ -9,7 +9,13 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   return check_judged(c, backend, {.judges_values = false, .counts_coverage = true}, options);
 }
 
-const LawRegistration kRegistration({"coverage obeys the contract", &generate_any, &check});
+const LawRegistration kRegistration(
+    {.name = "coverage obeys the contract",
+     .reason = "A sample is inside iff all edge functions and clip functionals say so, and zeros "
+               "go by the fill rule (RULES §2).",
+     .exceptions = "samples that the contract permits either way",
+     .generate = &generate_any,
+     .check = &check});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -151,8 +151,14 @@ bool is_promised(const backends::Backend& backend) {
   return backend.contract({}).derivative_bound.has_value();
 }
 
-const LawRegistration kRegistration({"screen derivatives stay within the bound", &generate, &check,
-                                     &is_promised});
+const LawRegistration kRegistration(
+    {.name = "screen derivatives stay within the bound",
+     .reason = "∂r/∂u = (N_u − r D_u)/D is as exact as the value is (RULES §4).",
+     .exceptions = "noperspective values with some w <= 0, centroids whose place is open, values "
+                   "that the contract leaves in a range; backends that promise no derivatives",
+     .generate = &generate,
+     .check = &check,
+     .is_promised = &is_promised});
 
 }  // namespace
 }  // namespace rastercheck::properties

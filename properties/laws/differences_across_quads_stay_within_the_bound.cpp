@@ -212,8 +212,15 @@ Generated generate(Draw& draw) {
   return made;
 }
 
-const LawRegistration kRegistration({"differences across quads stay within the bound", &generate,
-                                     &check, &is_promised});
+const LawRegistration kRegistration(
+    {.name = "differences across quads stay within the bound",
+     .reason = "A helper pixel's value is that of the same map N/D, so that the difference is off "
+               "by what the two values are.",
+     .exceptions = "neighbours at or behind the horizon, centroids of several samples, "
+                   "noperspective values with some w <= 0; backends that promise none",
+     .generate = &generate,
+     .check = &check,
+     .is_promised = &is_promised});
 
 }  // namespace
 }  // namespace rastercheck::properties

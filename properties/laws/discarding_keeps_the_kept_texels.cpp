@@ -226,8 +226,15 @@ Generated generate(Draw& draw) {
   return made;
 }
 
-const LawRegistration kRegistration({"discarding draws what keeping the kept texels draws",
-                                     &generate, &check, &draws_pictures});
+const LawRegistration kRegistration(
+    {.name = "discarding draws what keeping the kept texels draws",
+     .reason = "A discarded fragment leaves neither colour nor depth, and which texel a fragment "
+               "has is exact.",
+     .exceptions = "fragments whose coordinates the contract leaves in a range; backends that draw "
+                   "no pictures",
+     .generate = &generate,
+     .check = &check,
+     .is_promised = &draws_pictures});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -195,8 +195,15 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   return FilterCheck(*clip, backend.contract(*clip), *pipeline.texturing, *picture).run();
 }
 
-const LawRegistration kRegistration({"filtered colours stay within the bound", &textured_case,
-                                     &check, &is_promised});
+const LawRegistration kRegistration(
+    {.name = "filtered colours stay within the bound",
+     .reason =
+         "The exact colour is a continuous polynomial of exact coordinates, whose steps are known.",
+     .exceptions = "samples whose coordinates or level of detail have no single exact value; "
+                   "backends that promise no bound of textures",
+     .generate = &textured_case,
+     .check = &check,
+     .is_promised = &is_promised});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -209,8 +209,14 @@ Generated generate(Draw& draw) {
   return made;
 }
 
-const LawRegistration kRegistration({"normals stay within their bound", &generate, &check,
-                                     &is_promised});
+const LawRegistration kRegistration(
+    {.name = "normals stay within their bound",
+     .reason = "C n, with C the cofactors of the model, is perpendicular to what A makes of the "
+               "tangents, and needs no division.",
+     .exceptions = "cases without a camera; backends that transform no normals",
+     .generate = &generate,
+     .check = &check,
+     .is_promised = &is_promised});
 
 }  // namespace
 }  // namespace rastercheck::properties

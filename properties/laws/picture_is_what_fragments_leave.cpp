@@ -220,8 +220,14 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   return PictureCheck(*clip, pipeline, *fragments, *picture).run();
 }
 
-const LawRegistration kRegistration({"a picture is what its fragments leave", &overlapping_case,
-                                     &check, &draws_pictures});
+const LawRegistration kRegistration(
+    {.name = "a picture is what its fragments leave",
+     .reason = "Depth tests compare floats, and blending and formats are IEEE arithmetic with "
+               "every rounding named.",
+     .exceptions = "backends that draw no pictures",
+     .generate = &overlapping_case,
+     .check = &check,
+     .is_promised = &draws_pictures});
 
 }  // namespace
 }  // namespace rastercheck::properties

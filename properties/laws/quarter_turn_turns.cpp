@@ -218,7 +218,14 @@ Generated generate(Draw& draw) {
   return made;
 }
 
-const LawRegistration kRegistration({"a quarter turn turns the picture", &generate, &check});
+const LawRegistration kRegistration(
+    {.name = "a quarter turn turns the picture",
+     .reason = "Clip positions and viewport that are turned by 90° multiply M by a matrix of "
+               "determinant 1.",
+     .exceptions = "ties, snapping whose rounding does not turn, patterns of samples that do not, "
+                   "cases whose turned viewport is no float32",
+     .generate = &generate,
+     .check = &check});
 
 }  // namespace
 }  // namespace rastercheck::properties

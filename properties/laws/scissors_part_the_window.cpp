@@ -174,8 +174,12 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   return all.finish();
 }
 
-const LawRegistration kRegistration({"scissors that part the window part what is drawn",
-                                     &generate_any, &check});
+const LawRegistration kRegistration(
+    {.name = "scissors that part the window part what is drawn",
+     .reason = "A scissor is a test of pixels that nothing else of a fragment depends on.",
+     .exceptions = "nothing: every case has something to say",
+     .generate = &generate_any,
+     .check = &check});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -395,7 +395,14 @@ Generated generate(Draw& draw) {
   return made;
 }
 
-const LawRegistration kRegistration({"a shared edge covers each sample once", &generate, &check});
+const LawRegistration kRegistration(
+    {.name = "a shared edge covers each sample once",
+     .reason = "The two sides of an edge are the same numbers with opposite signs, and a zero is "
+               "inside of one of them (RULES §2).",
+     .exceptions =
+         "pairs that form no convex quadrilateral however they are placed, and clipped ones",
+     .generate = &generate,
+     .check = &check});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -209,8 +209,13 @@ Generated generate(Draw& draw) {
   return {std::move(c), fmt::format("{} of {}", word(indexed.topology), rules)};
 }
 
-const LawRegistration kRegistration({"strips and fans are their triangles", &generate, &check,
-                                     &is_promised});
+const LawRegistration kRegistration(
+    {.name = "strips and fans are their triangles",
+     .reason = "The APIs say which vertices, in which order, each triangle of a strip or fan has.",
+     .exceptions = "backends that assemble none",
+     .generate = &generate,
+     .check = &check,
+     .is_promised = &is_promised});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -166,8 +166,14 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   return TexelCheck(*clip, backend.contract(*clip), *pipeline.texturing, *picture).run();
 }
 
-const LawRegistration kRegistration({"texels are those of the exact coordinates", &textured_case,
-                                     &check, &draws_pictures});
+const LawRegistration kRegistration(
+    {.name = "texels are those of the exact coordinates",
+     .reason = "A fragment has one s and one t, and ⌊s W⌋ is a whole number with nothing to round.",
+     .exceptions =
+         "samples whose coordinates have no single exact value; backends that draw no pictures",
+     .generate = &textured_case,
+     .check = &check,
+     .is_promised = &draws_pictures});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -261,8 +261,13 @@ Generated generate(Draw& draw) {
   return made;
 }
 
-const LawRegistration kRegistration({"the traced value is the drawn value", &generate, &check,
-                                     &is_promised});
+const LawRegistration kRegistration(
+    {.name = "the traced value is the drawn value",
+     .reason = "A trace says how the drawn value came about, so that its parts are the drawn ones.",
+     .exceptions = "backends that do not trace",
+     .generate = &generate,
+     .check = &check,
+     .is_promised = &is_promised});
 
 }  // namespace
 }  // namespace rastercheck::properties

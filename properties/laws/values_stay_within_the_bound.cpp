@@ -11,7 +11,14 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   return check_judged(c, backend, {.judges_values = true, .counts_coverage = false}, options);
 }
 
-const LawRegistration kRegistration({"values stay within the bound", &generate_any, &check});
+const LawRegistration kRegistration(
+    {.name = "values stay within the bound",
+     .reason = "r = N/D and z/w are exact rationals, and the contract says how far a float may be "
+               "off (RULES §3, §5).",
+     .exceptions = "samples drawn wrongly, which are coverage's business; values that the rules "
+                   "leave free or undefined",
+     .generate = &generate_any,
+     .check = &check});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -44,8 +44,13 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   return both;
 }
 
-const LawRegistration kRegistration({"vertex order changes nothing beyond the bound", &generate_any,
-                                     &check});
+const LawRegistration kRegistration(
+    {.name = "vertex order changes nothing beyond the bound",
+     .reason = "Rotating vertices permutes the edge functions and changes no sum of them.",
+     .exceptions =
+         "flat attributes, which follow the provoking vertex: all vertices are given the same",
+     .generate = &generate_any,
+     .check = &check});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -233,8 +233,14 @@ Generated generate(Draw& draw) {
   return made;
 }
 
-const LawRegistration kRegistration({"the vertex stage stays within its bound", &generate, &check,
-                                     &is_promised});
+const LawRegistration kRegistration(
+    {.name = "the vertex stage stays within its bound",
+     .reason = "clip = projection · view · model · position is a sum of products; only what "
+               "cancels may cost digits.",
+     .exceptions = "cases without a camera; backends without a vertex stage",
+     .generate = &generate,
+     .check = &check,
+     .is_promised = &is_promised});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -393,8 +393,14 @@ Generated generate(Draw& draw) {
   return {std::move(canvas.source), fmt::format("{}, {}", shape.name, coverage)};
 }
 
-const LawRegistration kRegistration({"values at vertices come back", &generate, &check,
-                                     &is_promised});
+const LawRegistration kRegistration(
+    {.name = "values at vertices come back",
+     .reason = "At a vertex two of the E_i are 0, and r_i E_i / E_i is r_i.",
+     .exceptions = "vertices that are not exactly at a sample, attributes at centres and "
+                   "centroids; backends that do not promise it",
+     .generate = &generate,
+     .check = &check,
+     .is_promised = &is_promised});
 
 }  // namespace
 }  // namespace rastercheck::properties

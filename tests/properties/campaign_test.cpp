@@ -37,7 +37,11 @@ Result<Check> check_with_fault(const cases::Case& /*c*/, backends::Backend& /*ba
   return check;
 }
 
-const LawRegistration kRegistration({kFaultyLaw, &generate_square, &check_with_fault});
+const LawRegistration kRegistration({.name = kFaultyLaw,
+                                     .reason = "a test",
+                                     .exceptions = "nothing",
+                                     .generate = &generate_square,
+                                     .check = &check_with_fault});
 
 // --- Tasks ---------------------------------------------------------------------------------------
 

@@ -1,0 +1,103 @@
+// Every law holds of every kind of `cpu`: one test each, of the cases that a campaign of the same
+// seed checks. As with RapidCheck's own tests the environment's RC_PARAMS says how many, and of
+// which seed.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cctype>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "cases/case_writer.h"
+#include "properties/campaign.h"
+#include "properties/law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+constexpr std::array<const char*, 3> kBackends{"cpu", "cpu:precision=float32",
+                                               "cpu:output=framebuffer,threads=3"};
+
+/// A law's index, as the laws are there before the tests are named; and the backend's.
+using LawAndBackend = std::tuple<std::size_t, std::size_t>;
+
+class LawTest : public testing::TestWithParam<LawAndBackend> {
+ protected:
+  void SetUp() override {
+    const auto read = with_environment({});
+    ASSERT_TRUE(read) << to_string(read.error());
+    parameters_ = *read;
+  }
+
+  /// Checks case `index`; false where that is the end of it.
+  bool check_case(const Law& law, backends::Backend& backend, std::uint64_t index) {
+    Draw draw(parameters_.seed, law.name, index);
+    if (draw.size() > parameters_.max_size) return true;
+    const Generated made = law.generate(draw);
+    const Check check = check_or_note(law, made.source, backend, {index});
+    if (!check.is_applicable) {
+      ++discarded_;
+      return discarded_ <= parameters_.max_discard_ratio * parameters_.max_success;
+    }
+    ++checked_;
+    for (const std::string& label : check.labels) ++labels_[label];
+    if (check.judgement.errors.contains(records::AttributeKind::coverage)) {
+      correct_ += check.judgement.errors.at(records::AttributeKind::coverage)
+                      .classes[records::FragmentClass::correct];
+    }
+    EXPECT_FALSE(check.fault.has_value()) << *check.fault;
+    EXPECT_EQ(check.violation_count, 0U)
+        << verdict_of(check) << ": " << check.violations.front().note << "\ncase " << index
+        << " of seed " << parameters_.seed << ", " << made.stratum << ":\n"
+        << cases::to_json(made.source);
+    return !HasFailure() && checked_ < parameters_.max_success;
+  }
+
+  CheckParameters parameters_;
+  std::uint64_t checked_ = 0;
+  std::uint64_t discarded_ = 0;
+  std::uint64_t correct_ = 0;
+  std::map<std::string, std::uint64_t> labels_;
+};
+
+TEST_P(LawTest, Holds) {
+  const Law& law = laws()[std::get<0>(GetParam())];
+  const std::string specification = kBackends[std::get<1>(GetParam())];
+  const auto backend = backends::make_backend(specification);
+  ASSERT_TRUE(backend) << to_string(backend.error());
+  if (!is_promised(law, **backend)) GTEST_SKIP() << specification << " does not promise it";
+  for (std::uint64_t index = 0; check_case(law, **backend, index); ++index) {
+  }
+  if (HasFailure()) return;
+  EXPECT_GT(checked_, 0U) << "not checked: no case that it says anything of";
+  EXPECT_GT(correct_, 0U) << "not checked: nothing drawn rightly in any case";
+  for (const Cover& cover : law.covers) {
+    EXPECT_GE(labels_[std::string(cover.label)], least_reached(cover, checked_))
+        << "'" << cover.label << "', of " << checked_ << " cases";
+  }
+}
+
+/// GoogleTest takes letters, digits and underscores.
+std::string test_name(const testing::TestParamInfo<LawAndBackend>& test) {
+  std::string name(laws()[std::get<0>(test.param)].name);
+  name += "_of_";
+  name += kBackends[std::get<1>(test.param)];
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return name;
+}
+
+// Registered where all laws have registered themselves: GoogleTest asks for the parameters when
+// main() runs.
+INSTANTIATE_TEST_SUITE_P(All, LawTest,
+                         testing::Combine(testing::Range<std::size_t>(0, laws().size()),
+                                          testing::Range<std::size_t>(0, kBackends.size())),
+                         test_name);
+
+}  // namespace
+}  // namespace rastercheck::properties
