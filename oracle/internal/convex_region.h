@@ -2,8 +2,12 @@
 
 // A convex polygon in window space, for values that the rules leave open within a region: centroid
 // sampling (any point of pixel ∩ triangle) and vertices moved by snapping after clipping.
+//
+// Sides are lines and corners the points where two of them meet, in homogeneous coordinates:
+// nothing is divided, and a corner is of degree two in the lines' coefficients however many cuts
+// led to it. Most questions are which side of a line a corner is on; doubles answer nearly all.
 
-#include <optional>
+#include <cstddef>
 #include <vector>
 
 #include "oracle/internal/number.h"
@@ -15,19 +19,35 @@ namespace rastercheck::oracle {
 class ConvexRegion {
  public:
   /// The closed rectangle [lo.u, hi.u] × [lo.v, hi.v].
-  ConvexRegion(const FieldPoint& lo, const FieldPoint& hi);
+  ConvexRegion(const Point& lo, const Point& hi);
 
   /// Keeps what lies in the closed half-plane line >= 0 (Sutherland & Hodgman 1974; exact here, so
   /// that shared vertices need no care).
-  void clip(const Line& line) { clip_above(line, Field(0)); }
+  void clip(const Line& line);
   /// Keeps what lies in the closed half-plane line >= least.
-  void clip_above(const Line& line, const Field& least);
+  void clip_above(const Line& line, const Ring& least) { clip({line.a, line.b, line.c - least}); }
 
-  bool is_empty() const { return vertices_.empty(); }
-  const std::vector<FieldPoint>& vertices() const { return vertices_; }
+  /// Whether the line is zero somewhere in it.
+  bool meets(const Line& line) const;
+
+  bool is_empty() const { return corners_.empty(); }
+  std::size_t size() const { return corners_.size(); }
+  const HomogeneousPoint& vertex(std::size_t i) const { return corners_[i].point; }
 
  private:
-  std::vector<FieldPoint> vertices_;
+  struct Corner {
+    HomogeneousPoint point;
+    std::size_t side = 0;  ///< of `sides_`, from here to the next corner
+    double near_u = 0;     ///< where is_near: u and v, each within 2^-49 of itself
+    double near_v = 0;
+    bool is_near = false;
+  };
+
+  static Corner make_corner(HomogeneousPoint point, std::size_t side);
+  static int side_of(const Line& line, const Corner& corner);
+
+  std::vector<Line> sides_;
+  std::vector<Corner> corners_;
 };
 
 }  // namespace rastercheck::oracle

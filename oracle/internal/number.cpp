@@ -172,11 +172,4 @@ records::Enclosure enclose_log2(const Field& value) {
           Rounded(value, MPFR_RNDU).log2().to_double()};
 }
 
-std::optional<FieldRange> hull(const std::optional<FieldRange>& a,
-                               const std::optional<FieldRange>& b) {
-  if (!a) return b;
-  if (!b) return a;
-  return FieldRange{std::min(a->lo, b->lo), std::max(a->hi, b->hi)};
-}
-
 }  // namespace rastercheck::oracle

@@ -74,8 +74,4 @@ struct FieldRange {
   Field hi;
 };
 
-/// The smallest range that holds both; either may be missing.
-std::optional<FieldRange> hull(const std::optional<FieldRange>& a,
-                               const std::optional<FieldRange>& b);
-
 }  // namespace rastercheck::oracle

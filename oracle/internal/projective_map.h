@@ -11,6 +11,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "oracle/internal/number.h"
 
@@ -22,10 +23,16 @@ struct Point {
   Ring v;
 };
 
-/// A window position in pixels that need not be dyadic, such as a polygon's corner.
-struct FieldPoint {
-  Field u;
-  Field v;
+/// The window position (u/t, v/t) in pixels, t > 0: one that need not be dyadic, such as a
+/// polygon's corner.
+struct HomogeneousPoint {
+  HomogeneousPoint() = default;
+  HomogeneousPoint(Ring u_, Ring v_, Ring t_)
+      : u(std::move(u_)), v(std::move(v_)), t(std::move(t_)) {}
+
+  Ring u;
+  Ring v;
+  Ring t;
 };
 
 /// The affine functional a·u + b·v + c of window positions in pixels.
@@ -35,7 +42,8 @@ struct Line {
   Ring c;
 
   Ring at(const Point& p) const { return a * p.u + b * p.v + c; }
-  Field at(const FieldPoint& p) const { return Field(a) * p.u + Field(b) * p.v + Field(c); }
+  /// t times the value there.
+  Ring at(const HomogeneousPoint& p) const { return a * p.u + b * p.v + c * p.t; }
   bool is_constant() const { return sign_of(a) == 0 && sign_of(b) == 0; }
 };
 

@@ -18,7 +18,8 @@ inline const Field& to_field(const Rational& rational) { return rational.number(
 
 inline std::optional<ValueRange> to_public(const std::optional<OpenValue>& value) {
   if (!value) return std::nullopt;
-  return ValueRange{to_rational(value->range.lo), to_rational(value->range.hi), value->is_open};
+  return ValueRange{to_rational(value->range.lo.value()), to_rational(value->range.hi.value()),
+                    value->is_open};
 }
 
 }  // namespace rastercheck::oracle

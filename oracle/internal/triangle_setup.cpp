@@ -87,10 +87,9 @@ const std::vector<ClipFunctional>& TriangleSetup::clip_functionals() const {
 /// A point whose square of half-width `reach` lies inside every side is inside whatever the corners
 /// become, and they still run round it the same way.
 bool TriangleSetup::is_deeper_than_reach() const {
-  const Field band = exact_field(scene->contract().guard_band);
-  ConvexRegion core({-band, -band}, {band, band});
+  ConvexRegion core = guard_band_of(*scene);
   const auto clip_inwards = [this, &core](const Line& line) {
-    core.clip_above(line, Field(band_of(line, reach)));
+    core.clip_above(line, band_of(line, reach));
   };
   for (std::size_t i = 0; i < 3; ++i) clip_inwards(ideal.edge(i));
   for (const ClipFunctional& functional : clip_functionals()) {
@@ -178,15 +177,16 @@ const ProjectiveMap* TriangleSetup::value_map() const {
   return basis == cases::Basis::snapped && corner_count() == 1 ? &corner(0) : nullptr;
 }
 
-std::vector<FieldPoint> TriangleSetup::corners_beside(std::size_t edge) const {
-  const Field band = exact_field(scene->contract().guard_band);
-  const ConvexRegion polygon = clipped_to_triangle(ConvexRegion({-band, -band}, {band, band}));
-  std::vector<FieldPoint> corners = polygon.vertices();
-  for (const std::size_t end : {(edge + 1) % 3, (edge + 2) % 3}) {
-    const RingVector3& column = columns[end];
-    const Field u = quotient(column[0], column[2]);
-    const Field v = quotient(column[1], column[2]);
-    std::erase_if(corners, [&](const FieldPoint& p) { return p.u == u && p.v == v; });
+std::vector<HomogeneousPoint> TriangleSetup::corners_beside(std::size_t edge) const {
+  const ConvexRegion polygon = clipped_to_triangle(guard_band_of(*scene));
+  std::vector<HomogeneousPoint> corners;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const HomogeneousPoint& p = polygon.vertex(i);
+    const auto is_at = [&p](const RingVector3& column) {
+      return p.u * column[2] == column[0] * p.t && p.v * column[2] == column[1] * p.t;
+    };
+    if (is_at(columns[(edge + 1) % 3]) || is_at(columns[(edge + 2) % 3])) continue;
+    corners.push_back(p);
   }
   return corners;
 }
@@ -199,16 +199,17 @@ const std::vector<TriangleSetup::SnappedEdge>& TriangleSetup::snapped_edge(std::
   const SnappedVertex& from = *snapped[(edge + 1) % 3];
   const SnappedVertex& to = *snapped[(edge + 2) % 3];
   const bool corners_only = from.placements() * to.placements() > kMostPlacements;
-  const std::vector<FieldPoint> others = corners_beside(edge);
+  const std::vector<HomogeneousPoint> others = corners_beside(edge);
   for (const RingVector3& a : placed_columns(from, bits, corners_only)) {
     for (const RingVector3& b : placed_columns(to, bits, corners_only)) {
       RingVector3 row = a.cross(b);
       if (ideal.orientation() < 0) row = -row;
       const Line line{row[0], row[1], row[2]};
-      const Field band(band_of(line, reach));
-      const bool is_turned = sign_of(row.dot(columns[edge])) <= 0 ||
-                             std::any_of(others.begin(), others.end(),
-                                         [&](const FieldPoint& p) { return line.at(p) <= band; });
+      const Ring band = band_of(line, reach);
+      const bool is_turned =
+          sign_of(row.dot(columns[edge])) <= 0 ||
+          std::any_of(others.begin(), others.end(),
+                      [&](const HomogeneousPoint& p) { return line.at(p) <= band * p.t; });
       all->push_back({line, is_turned});
     }
   }
@@ -230,16 +231,6 @@ bool TriangleSetup::has_certain_orientation() const {
     if (corner(k).orientation() != ideal.orientation()) return false;
   }
   return true;
-}
-
-bool TriangleSetup::holds_box_around(const Point& p) const {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (ideal.edge(i).at(p) < edge_bands[i]) return false;
-  }
-  return std::all_of(clip_functionals().begin(), clip_functionals().end(),
-                     [this, &p](const ClipFunctional& functional) {
-                       return functional.line.at(p) >= band_of(functional.line, reach);
-                     });
 }
 
 const std::vector<ProjectiveMap>* TriangleSetup::placements() const {
@@ -291,13 +282,20 @@ PixelBox TriangleSetup::pixels() const {
 
 ConvexRegion TriangleSetup::clipped_to_triangle(ConvexRegion region) const {
   for (std::size_t i = 0; i < 3; ++i) region.clip(ideal.edge(i));
-  for (const ClipFunctional& functional : clip_functionals()) region.clip(functional.line);
+  // One that is negative at no vertex is so nowhere in the triangle.
+  for (const ClipFunctional& functional : clip_functionals()) {
+    if (functional.is_violated) region.clip(functional.line);
+  }
   return region;
 }
 
 ConvexRegion box_around(const Point& p, const Ring& reach) {
-  return {FieldPoint{Field(p.u - reach), Field(p.v - reach)},
-          FieldPoint{Field(p.u + reach), Field(p.v + reach)}};
+  return {Point{p.u - reach, p.v - reach}, Point{p.u + reach, p.v + reach}};
+}
+
+ConvexRegion guard_band_of(const Scene& scene) {
+  const Ring band = exact_ring(scene.contract().guard_band);
+  return {Point{-band, -band}, Point{band, band}};
 }
 
 Ring band_of(const Line& line, const Ring& reach) {

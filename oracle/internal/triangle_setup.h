@@ -92,10 +92,6 @@ struct TriangleSetup {
   /// all placements turn the same way.
   bool has_certain_orientation() const;
 
-  /// The square of half-width `reach` around p lies in the closed triangle and inside all its clip
-  /// functionals.
-  bool holds_box_around(const Point& p) const;
-
   /// The least and the greatest of the exact vertex positions along an axis (0: u, 1: v), in
   /// pixels, widened by `reach`. Only where all w > 0.
   FieldRange extent(Eigen::Index axis) const;
@@ -137,11 +133,13 @@ struct TriangleSetup {
   mutable std::array<std::optional<std::vector<SnappedEdge>>, 3> snapped_edges_;
 
   /// The corners of the clipped triangle within the guard band, without the ends of an edge.
-  std::vector<FieldPoint> corners_beside(std::size_t edge) const;
+  std::vector<HomogeneousPoint> corners_beside(std::size_t edge) const;
 };
 
 /// The closed square of half-width `reach` around a point.
 ConvexRegion box_around(const Point& p, const Ring& reach);
+/// The closed square in which a contract leaves vertices unclipped.
+ConvexRegion guard_band_of(const Scene& scene);
 
 /// How much a line changes where a point moves by `reach` along both axes.
 Ring band_of(const Line& line, const Ring& reach);

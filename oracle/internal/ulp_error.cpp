@@ -42,12 +42,15 @@ std::optional<records::Enclosure> quick_quotient(const Ring& n, const Ring& d) {
 
 }  // namespace
 
-Fraction to_fraction(const Field& value) {
-  // CGAL 5.5's Mpzf takes no integer 0, and loses the sign of others.
-  if (sign_of(value) == 0) return {};
-  const Ring size(magnitude(value).numerator());
-  return {sign_of(value) < 0 ? -size : size, Ring(value.denominator())};
+std::optional<FractionRange> hull(const std::optional<FractionRange>& a,
+                                  const std::optional<FractionRange>& b) {
+  if (!a || !b) return a ? a : b;
+  return FractionRange{least(a->lo, b->lo), greatest(a->hi, b->hi)};
 }
+
+Fraction least(const Fraction& a, const Fraction& b) { return compare(b, a) < 0 ? b : a; }
+
+Fraction greatest(const Fraction& a, const Fraction& b) { return compare(a, b) < 0 ? b : a; }
 
 int compare(const Ring& computed, const Fraction& exact) {
   return sign_of(computed * exact.denominator - exact.numerator);

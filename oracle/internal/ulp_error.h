@@ -22,13 +22,23 @@ struct Fraction {
   Field value() const { return quotient(numerator, denominator); }
 };
 
-/// A field value as a ratio of ring elements.
-Fraction to_fraction(const Field& value);
+/// A closed interval of exact values.
+struct FractionRange {
+  Fraction lo;
+  Fraction hi;
+};
+
+/// The smallest range that holds both; either may be missing.
+std::optional<FractionRange> hull(const std::optional<FractionRange>& a,
+                                  const std::optional<FractionRange>& b);
 
 /// The sign of computed − exact.
 int compare(const Ring& computed, const Fraction& exact);
 /// The sign of a − b.
 int compare(const Fraction& a, const Fraction& b);
+/// The smaller, and the larger of two; of equal ones the first.
+Fraction least(const Fraction& a, const Fraction& b);
+Fraction greatest(const Fraction& a, const Fraction& b);
 
 /// Certified doubles around n/d, a few units in the last place apart.
 records::Enclosure enclose(const Fraction& value);

@@ -6,9 +6,6 @@
 namespace rastercheck::oracle {
 namespace {
 
-Fraction least(const Fraction& a, const Fraction& b) { return compare(b, a) < 0 ? b : a; }
-Fraction greatest(const Fraction& a, const Fraction& b) { return compare(a, b) < 0 ? b : a; }
-
 Fraction whole(const Ring& value) { return {value, Ring(1)}; }
 
 /// The least and the greatest of some readings. Their doubles tell most apart.
@@ -98,19 +95,14 @@ ValueErrors::Subject ValueErrors::attribute_subject(std::size_t attribute) const
   return subject;
 }
 
-ValueErrors::Reading ValueErrors::reading_on(const ProjectiveMap& map, const Quantity& quantity) {
-  return {map.combine(quantity.numerators),
-          quantity.is_perspective ? map.inverse_w() : Line{Ring(0), Ring(0), map.determinant()}};
-}
-
-const ValueErrors::Reading& ValueErrors::ideal(const Subject& subject) const {
-  if (!subject.ideal) subject.ideal = reading_on(triangle_->ideal, subject.quantity);
+const Reading& ValueErrors::ideal(const Subject& subject) const {
+  if (!subject.ideal) subject.ideal = subject.quantity.on(triangle_->ideal);
   return *subject.ideal;
 }
 
-const ValueErrors::Reading& ValueErrors::corner(const Subject& subject, std::size_t index) const {
+const Reading& ValueErrors::corner(const Subject& subject, std::size_t index) const {
   std::optional<Reading>& reading = subject.corners[index];
-  if (!reading) reading = reading_on(triangle_->corner(index), subject.quantity);
+  if (!reading) reading = subject.quantity.on(triangle_->corner(index));
   return *reading;
 }
 
@@ -145,11 +137,6 @@ UlpError ValueErrors::beyond(const Subject& subject, Fraction lo, Fraction hi,
     return {computed, clamped(subject, std::move(lo)), subject.scale};
   }
   return {};
-}
-
-bool ValueErrors::has_readings_at(const Point& p, Place place) const {
-  return values_->single_map() != nullptr || triangle_->shape == Shape::placed ||
-         (place == Place::sample && triangle_->holds_box_around(p));
 }
 
 std::optional<UlpError> ValueErrors::single_excess(const Subject& subject, const Point& p,
@@ -211,16 +198,24 @@ std::optional<UlpError> ValueErrors::placed_excess(const Subject& subject, const
   return beyond(subject, std::move(lo), std::move(hi), computed);
 }
 
-UlpError ValueErrors::cut_excess(const Subject& subject, const Point& p,
-                                 const Ring& computed) const {
-  Hull hull;
-  for (const int du : {-1, 1}) {
-    for (const int dv : {-1, 1}) {
-      hull.add(ideal(subject).at(
-          {p.u + Ring(du) * triangle_->reach, p.v + Ring(dv) * triangle_->reach}));
-    }
+/// Whether a computed value is surely one of those that the rules leave open: one that the exact
+/// triangle has in the region where it may be evaluated. Else who asks has to look at the range.
+bool ValueErrors::is_attained(const Subject& subject, const cases::Attribute& declared, int x,
+                              int y, const Point& p, const Ring& computed) const {
+  const Scene& scene = *triangle_->scene;
+  if (subject.is_clamped && (computed < scene.least_depth() || computed > scene.greatest_depth())) {
+    return false;
   }
-  return beyond(subject, hull.lo(), hull.hi(), computed);
+  if (declared.location == cases::Location::centroid) {
+    // Of a triangle that is placed, centroids at samples beyond the horizon are undefined.
+    const bool is_anywhere =
+        !scene.conventions().centroid_is_a_sample && triangle_->shape != Shape::placed;
+    return is_anywhere && values_->centroid_region(x, y).attains(ideal(subject), computed);
+  }
+  const bool is_sample =
+      declared.location == cases::Location::sample || scene.source().framebuffer.samples == 1;
+  return is_sample && triangle_->shape == Shape::cut && values_->single_map() == nullptr &&
+         values_->cut_region(p).attains(ideal(subject), computed);
 }
 
 /// Against the one triangle that the contract's basis names, else the exact one; where clipping
@@ -256,28 +251,24 @@ std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, 
       (scene.source().framebuffer.samples > 1 || values_->single_map() != nullptr);
   const Point p = at_center ? Scene::center_point(x, y) : scene.sample_point(x, y, sample);
   const Place place = at_center ? Place::center : Place::sample;
-  if (declared.location != cases::Location::centroid && has_readings_at(p, place)) {
-    std::optional<UlpError> error;
-    if (values_->single_map() != nullptr) {
-      error = single_excess(subject, p, place, computed);
-    } else if (triangle_->shape == Shape::placed) {
-      error = placed_excess(subject, p, place, computed);
-    } else {
-      error = cut_excess(subject, p, computed);
-    }
+  const bool is_centroid = declared.location == cases::Location::centroid;
+  const bool is_single = values_->single_map() != nullptr;
+  if (!is_centroid && (is_single || triangle_->shape == Shape::placed)) {
+    const std::optional<UlpError> error = is_single ? single_excess(subject, p, place, computed)
+                                                    : placed_excess(subject, p, place, computed);
     if (!error) return std::nullopt;
     return ValueError{*error, ideal_error(subject, p, computed)};
   }
+  const auto ideal_there = [&]() -> std::optional<UlpError> {
+    if (is_centroid) return std::nullopt;
+    return ideal_error(subject, p, computed);
+  };
+  if (is_attained(subject, declared, x, y, p, computed)) return ValueError{{}, ideal_there()};
 
   const std::optional<OpenValue> open =
       attribute ? values_->attribute(*attribute, x, y, sample) : values_->depth(x, y, sample);
   if (!open) return std::nullopt;
-  ValueError errors{
-      beyond(subject, to_fraction(open->range.lo), to_fraction(open->range.hi), computed), {}};
-  if (declared.location != cases::Location::centroid) {
-    errors.ideal = ideal_error(subject, p, computed);
-  }
-  return errors;
+  return ValueError{beyond(subject, open->range.lo, open->range.hi, computed), ideal_there()};
 }
 
 std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const Point& p) {
@@ -289,14 +280,13 @@ std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const Point& p
         std::min({triangle.columns[0][2], triangle.columns[1][2], triangle.columns[2][2]});
     return quotient(map.determinant(), least_w * here);
   }
-  const Field band = exact_field(triangle.scene->contract().guard_band);
-  const ConvexRegion drawn =
-      triangle.clipped_to_triangle(ConvexRegion({-band, -band}, {band, band}));
-  Field greatest_here(here);
-  for (const FieldPoint& corner : drawn.vertices()) {
-    greatest_here = std::max(greatest_here, map.inverse_w().at(corner));
+  const ConvexRegion drawn = triangle.clipped_to_triangle(guard_band_of(*triangle.scene));
+  Fraction most = whole(here);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const HomogeneousPoint& corner = drawn.vertex(i);
+    most = greatest(most, {map.inverse_w().at(corner), corner.t});
   }
-  return greatest_here / Field(here);
+  return quotient(most.numerator, most.denominator * here);
 }
 
 }  // namespace rastercheck::oracle

@@ -43,39 +43,31 @@ class ValueErrors {
                                const Ring& computed) const;
 
  private:
-  /// A value's readings are quotients of two functionals of window positions; those of a map are
-  /// made when first asked for.
-  struct Reading {
-    Line numerator;
-    Line denominator;
-    Fraction at(const Point& p) const { return {numerator.at(p), denominator.at(p)}; }
-  };
   struct Subject {
     Quantity quantity;
     ScaleExponent scale;
     /// The least and the greatest value at a vertex; of depth only where all w > 0.
     Fraction least_end;
     Fraction greatest_end;
-    bool is_clamped = false;  ///< depth that the rules clamp
-    mutable std::optional<Reading> ideal;
+    bool is_clamped = false;               ///< depth that the rules clamp
+    mutable std::optional<Reading> ideal;  ///< made when first asked for, as the corners are
     mutable std::vector<std::optional<Reading>> corners;
   };
   enum class Place { sample, center };
 
   Subject depth_subject() const;
   Subject attribute_subject(std::size_t attribute) const;
-  static Reading reading_on(const ProjectiveMap& map, const Quantity& quantity);
   const Reading& ideal(const Subject& subject) const;
   const Reading& corner(const Subject& subject, std::size_t index) const;
   Fraction clamped(const Subject& subject, Fraction value) const;
   int compare_clamped(const Subject& subject, const Ring& computed, const Fraction& value) const;
 
-  bool has_readings_at(const Point& p, Place place) const;
   std::optional<UlpError> single_excess(const Subject& subject, const Point& p, Place place,
                                         const Ring& computed) const;
   std::optional<UlpError> placed_excess(const Subject& subject, const Point& p, Place place,
                                         const Ring& computed) const;
-  UlpError cut_excess(const Subject& subject, const Point& p, const Ring& computed) const;
+  bool is_attained(const Subject& subject, const cases::Attribute& declared, int x, int y,
+                   const Point& p, const Ring& computed) const;
   UlpError beyond(const Subject& subject, Fraction lo, Fraction hi, const Ring& computed) const;
   std::optional<UlpError> ideal_error(const Subject& subject, const Point& p,
                                       const Ring& computed) const;

@@ -9,55 +9,61 @@ namespace {
 
 using records::Verdict;
 
-FieldRange single(const Field& value) { return {value, value}; }
+FractionRange single(const Fraction& value) { return {value, value}; }
 
-std::optional<FieldRange> single(const std::optional<Field>& value) {
+Fraction whole(const Ring& value) { return {value, Ring(1)}; }
+
+std::optional<FractionRange> single(const std::optional<Fraction>& value) {
   if (!value) return std::nullopt;
   return single(*value);
 }
 
 /// The values a quantity takes on a region: it is a ratio of affine functionals whose denominator
 /// keeps its sign there, so its extremes are at corners.
-std::optional<FieldRange> range_over(const Quantity& quantity, const ProjectiveMap& map,
-                                     const ConvexRegion& region) {
-  std::optional<FieldRange> range;
-  for (const FieldPoint& corner : region.vertices()) {
-    range = hull(range, single(quantity.at(map, corner)));
+std::optional<FractionRange> range_over(const Quantity& quantity,
+                                        const TriangleValues::Region& region) {
+  if (region.map->orientation() == 0) return std::nullopt;
+  const Reading reading = quantity.on(*region.map);
+  std::optional<FractionRange> range;
+  for (std::size_t i = 0; i < region.points.size(); ++i) {
+    const Fraction value = reading.at(region.points.vertex(i));
+    if (sign_of(value.denominator) > 0) range = hull(range, single(value));
   }
   return range;
 }
 
-FieldRange end_range(const std::array<Field, 3>& ends) {
-  return {std::min({ends[0], ends[1], ends[2]}), std::max({ends[0], ends[1], ends[2]})};
+FractionRange end_range(const std::array<Fraction, 3>& ends) {
+  return {least(least(ends[0], ends[1]), ends[2]), greatest(greatest(ends[0], ends[1]), ends[2])};
 }
 
-FieldRange intersection(const FieldRange& a, const FieldRange& b) {
-  return {std::max(a.lo, b.lo), std::min(a.hi, b.hi)};
+FractionRange intersection(const FractionRange& a, const FractionRange& b) {
+  return {greatest(a.lo, b.lo), least(a.hi, b.hi)};
 }
 
 bool has_positive_inverse_w(const ProjectiveMap& map, const Point& p) {
   return sign_of(map.inverse_w().at(p)) > 0;
 }
 
-template <typename AnyPoint>
-std::optional<Field> evaluate(const Quantity& quantity, const ProjectiveMap& map,
-                              const AnyPoint& p) {
+/// The value on a map at a point; nothing where there is none (Quantity::at).
+std::optional<Fraction> evaluate(const Quantity& quantity, const ProjectiveMap& map,
+                                 const Point& p) {
   if (map.orientation() == 0) return std::nullopt;
-  const auto numerator = map.combine(quantity.numerators).at(p);
-  if (!quantity.is_perspective) return Field(numerator) / Field(map.determinant());
-  const auto denominator = map.inverse_w().at(p);
-  if (sign_of(denominator) <= 0) return std::nullopt;
-  return Field(numerator) / Field(denominator);
+  Fraction value = quantity.on(map).at(p);
+  if (sign_of(value.denominator) <= 0) return std::nullopt;
+  return value;
 }
 
 }  // namespace
 
-std::optional<Field> Quantity::at(const ProjectiveMap& map, const Point& p) const {
-  return evaluate(*this, map, p);
+Reading Quantity::on(const ProjectiveMap& map) const {
+  return {map.combine(numerators),
+          is_perspective ? map.inverse_w() : Line{Ring(0), Ring(0), map.determinant()}};
 }
 
-std::optional<Field> Quantity::at(const ProjectiveMap& map, const FieldPoint& p) const {
-  return evaluate(*this, map, p);
+std::optional<Field> Quantity::at(const ProjectiveMap& map, const Point& p) const {
+  const std::optional<Fraction> value = evaluate(*this, map, p);
+  if (!value) return std::nullopt;
+  return value->value();
 }
 
 TriangleValues::TriangleValues(const TriangleSetup& triangle) : triangle_(&triangle) {
@@ -65,7 +71,7 @@ TriangleValues::TriangleValues(const TriangleSetup& triangle) : triangle_(&trian
     depth_.numerators[i] = triangle.scene->depth_numerator(triangle.indices[i]);
     // The depth at a vertex; read only where all w > 0.
     if (!triangle.has_nonpositive_w) {
-      depth_ends_[i] = quotient(depth_.numerators[i], triangle.columns[i][2]);
+      depth_ends_[i] = Fraction{depth_.numerators[i], triangle.columns[i][2]};
     }
   }
 }
@@ -108,13 +114,13 @@ Point TriangleValues::location(std::size_t attribute, int x, int y, int sample) 
              : scene.sample_point(x, y, sample);
 }
 
-std::optional<FieldRange> TriangleValues::value_at(const Quantity& quantity, const Ends& ends,
-                                                   const Point& p, Place place) const {
+std::optional<FractionRange> TriangleValues::value_at(const Quantity& quantity, const Ends& ends,
+                                                      const Point& p, Place place) const {
   if (const ProjectiveMap* map = single_map()) {
     // Where the centre lies behind the eye's horizon nothing is defined there, not even an affine
     // value (RULES §4).
     if (place == Place::center && !has_positive_inverse_w(*map, p)) return std::nullopt;
-    return single(quantity.at(*map, p));
+    return single(evaluate(quantity, *map, p));
   }
   // The only sample's place is the centre: it is covered, so it is a mean of the vertices.
   if (triangle_->scene->source().framebuffer.samples == 1) place = Place::sample;
@@ -125,8 +131,9 @@ std::optional<FieldRange> TriangleValues::value_at(const Quantity& quantity, con
 /// Every vertex coordinate enters a value as a linear fraction, so the value is monotone in each
 /// (RULES §3) and its range over the boxes of the placements is taken at their corners, unless a
 /// pole lies between.
-std::optional<FieldRange> TriangleValues::placed_value(const Quantity& quantity, const Ends& ends,
-                                                       const Point& p, Place place) const {
+std::optional<FractionRange> TriangleValues::placed_value(const Quantity& quantity,
+                                                          const Ends& ends, const Point& p,
+                                                          Place place) const {
   const std::size_t corners = triangle_->corner_count();
   const int orientation = triangle_->corner(0).orientation();
   bool has_pole = orientation == 0;
@@ -134,13 +141,13 @@ std::optional<FieldRange> TriangleValues::placed_value(const Quantity& quantity,
     const ProjectiveMap& map = triangle_->corner(k);
     has_pole = map.orientation() != orientation || !has_positive_inverse_w(map, p);
   }
-  std::optional<FieldRange> range;
+  std::optional<FractionRange> range;
   if (has_pole) {
     if (place == Place::center) return std::nullopt;
     range = end_range(ends);
   } else {
     for (std::size_t k = 0; k < corners; ++k) {
-      range = hull(range, single(quantity.at(triangle_->corner(k), p)));
+      range = hull(range, single(evaluate(quantity, triangle_->corner(k), p)));
     }
     // Inside a triangle a value is a mean of its vertices' values.
     if (place == Place::sample) range = intersection(*range, end_range(ends));
@@ -148,7 +155,7 @@ std::optional<FieldRange> TriangleValues::placed_value(const Quantity& quantity,
   if (triangle_->scene->contract().basis == cases::Basis::unspecified) {
     const ProjectiveMap& ideal = triangle_->ideal;
     if (place == Place::sample || has_positive_inverse_w(ideal, p)) {
-      range = hull(range, single(quantity.at(ideal, p)));
+      range = hull(range, single(evaluate(quantity, ideal, p)));
     }
   }
   return range;
@@ -159,30 +166,44 @@ std::optional<FieldRange> TriangleValues::placed_value(const Quantity& quantity,
 /// polygon within `reach` of p. Values that are affine in window space (n/w and 1/w) are carried
 /// with the corners, so the moved polygon has at p the value that the exact one has at q. The
 /// argument needs a mean, so a centre that may lie outside has no value.
-std::optional<FieldRange> TriangleValues::cut_value(const Quantity& quantity, const Point& p,
-                                                    Place place) const {
+std::optional<FractionRange> TriangleValues::cut_value(const Quantity& quantity, const Point& p,
+                                                       Place place) const {
   if (place == Place::center && decide_point(*triangle_, p).verdict != Verdict::required) {
     return std::nullopt;
   }
-  std::optional<FieldRange> range = range_over(
-      quantity, triangle_->ideal, triangle_->clipped_to_triangle(box_around(p, triangle_->reach)));
+  std::optional<FractionRange> range = range_over(quantity, cut_region(p));
   if (triangle_->scene->contract().basis == cases::Basis::unspecified &&
       (place == Place::sample || has_positive_inverse_w(triangle_->ideal, p))) {
-    range = hull(range, single(quantity.at(triangle_->ideal, p)));
+    range = hull(range, single(evaluate(quantity, triangle_->ideal, p)));
   }
   return range;
 }
 
+const TriangleValues::Region& TriangleValues::cut_region(const Point& p) const {
+  if (!last_cut_ || last_cut_->p.u != p.u || last_cut_->p.v != p.v) {
+    last_cut_ = {
+        p, {&triangle_->ideal, triangle_->clipped_to_triangle(box_around(p, triangle_->reach))}};
+  }
+  return last_cut_->region;
+}
+
+/// computed = N/D, D > 0, where computed D − N is zero.
+bool TriangleValues::Region::attains(const Reading& reading, const Ring& computed) const {
+  const auto& [n, d] = reading;
+  return map->orientation() != 0 &&
+         points.meets({computed * d.a - n.a, computed * d.b - n.b, computed * d.c - n.c});
+}
+
 std::optional<OpenValue> TriangleValues::depth(int x, int y, int sample) const {
   const Scene& scene = *triangle_->scene;
-  std::optional<FieldRange> range =
+  std::optional<FractionRange> range =
       value_at(depth_, depth_ends_, scene.sample_point(x, y, sample), Place::sample);
   if (!range) return std::nullopt;
   if (scene.clamps_depth()) {
-    const Field least(scene.least_depth());
-    const Field greatest(scene.greatest_depth());
-    range->lo = std::clamp(range->lo, least, greatest);
-    range->hi = std::clamp(range->hi, least, greatest);
+    const Fraction nearest = whole(scene.least_depth());
+    const Fraction farthest = whole(scene.greatest_depth());
+    range->lo = least(greatest(range->lo, nearest), farthest);
+    range->hi = least(greatest(range->hi, nearest), farthest);
   }
   return OpenValue{*range, scene.contract().is_unspecified() || single_map() == nullptr};
 }
@@ -194,23 +215,24 @@ std::optional<OpenValue> TriangleValues::attribute(std::size_t index, int x, int
   const bool always_open = scene.contract().is_unspecified();
   const std::array<Ring, 3> values = vertex_values(index);
   if (declared.interpolation == cases::Interpolation::flat) {
-    return OpenValue{single(Field(values[scene.conventions().provoking_vertex])), always_open};
+    return OpenValue{single(whole(values[scene.conventions().provoking_vertex])), always_open};
   }
 
   const Quantity q = quantity(index);
-  const Ends ends{Field(values[0]), Field(values[1]), Field(values[2])};
+  const Ends ends{whole(values[0]), whole(values[1]), whole(values[2])};
   if (declared.location == cases::Location::centroid) {
     if (scene.conventions().centroid_is_a_sample) {
       std::optional<OpenValue> value = centroid_sample(q, ends, x, y);
       if (value) value->is_open = value->is_open || always_open;
       return value;
     }
-    const std::optional<FieldRange> range = centroid_region(q, x, y);
+    const std::optional<FractionRange> range = centroid_range(q, x, y);
     if (!range) return std::nullopt;
     return OpenValue{*range, true};
   }
   const Place place = declared.location == cases::Location::center ? Place::center : Place::sample;
-  const std::optional<FieldRange> range = value_at(q, ends, location(index, x, y, sample), place);
+  const std::optional<FractionRange> range =
+      value_at(q, ends, location(index, x, y, sample), place);
   if (!range) return std::nullopt;
   return OpenValue{*range, always_open || single_map() == nullptr};
 }
@@ -234,7 +256,7 @@ std::optional<OpenValue> TriangleValues::centroid_sample(const Quantity& quantit
   }
   if (all_sure) firsts.clear();
 
-  std::optional<FieldRange> range;
+  std::optional<FractionRange> range;
   for (const int s : firsts) {
     const auto value = value_at(quantity, ends, scene.sample_point(x, y, s), Place::sample);
     if (!value) return std::nullopt;
@@ -253,27 +275,35 @@ std::optional<OpenValue> TriangleValues::centroid_sample(const Quantity& quantit
 }
 
 /// OpenGL and Vulkan: any point of the pixel that lies in the clipped triangle.
-std::optional<FieldRange> TriangleValues::centroid_region(const Quantity& quantity, int x,
-                                                          int y) const {
+const TriangleValues::Region& TriangleValues::centroid_region(int x, int y) const {
+  if (last_centroid_ && last_centroid_->x == x && last_centroid_->y == y) {
+    return last_centroid_->region;
+  }
   const Scene& scene = *triangle_->scene;
-  const Field zero(0);
   const ProjectiveMap* map = single_map();
-  const Field spread = map == nullptr ? Field(triangle_->reach) : zero;
-  ConvexRegion region(FieldPoint{Field(x) - spread, Field(y) - spread},
-                      FieldPoint{Field(x + 1) + spread, Field(y + 1) + spread});
+  const Ring spread = map == nullptr ? triangle_->reach : Ring(0);
+  ConvexRegion points(Point{Ring(x) - spread, Ring(y) - spread},
+                      Point{Ring(x + 1) + spread, Ring(y + 1) + spread});
   if (map == nullptr || map == &triangle_->ideal) {
-    region = triangle_->clipped_to_triangle(std::move(region));
+    points = triangle_->clipped_to_triangle(std::move(points));
   } else {
-    for (std::size_t i = 0; i < 3; ++i) region.clip(map->edge(i));
+    for (std::size_t i = 0; i < 3; ++i) points.clip(map->edge(i));
   }
   if (map != nullptr) {
-    region.clip({Ring(1), Ring(0), -scene.viewport_lo().u});
-    region.clip({Ring(-1), Ring(0), scene.viewport_hi().u});
-    region.clip({Ring(0), Ring(1), -scene.viewport_lo().v});
-    region.clip({Ring(0), Ring(-1), scene.viewport_hi().v});
+    points.clip({Ring(1), Ring(0), -scene.viewport_lo().u});
+    points.clip({Ring(-1), Ring(0), scene.viewport_hi().u});
+    points.clip({Ring(0), Ring(1), -scene.viewport_lo().v});
+    points.clip({Ring(0), Ring(-1), scene.viewport_hi().v});
   }
-  std::optional<FieldRange> range =
-      range_over(quantity, map == nullptr ? triangle_->ideal : *map, region);
+  last_centroid_ = {x, y, {map == nullptr ? &triangle_->ideal : map, std::move(points)}};
+  return last_centroid_->region;
+}
+
+std::optional<FractionRange> TriangleValues::centroid_range(const Quantity& quantity, int x,
+                                                            int y) const {
+  const Scene& scene = *triangle_->scene;
+  const ProjectiveMap* map = single_map();
+  std::optional<FractionRange> range = range_over(quantity, centroid_region(x, y));
   if (triangle_->shape == Shape::exact) return range;
 
   // What is drawn need not lie in the exact triangle: an implementation may take a covered sample.
@@ -283,7 +313,8 @@ std::optional<FieldRange> TriangleValues::centroid_region(const Quantity& quanti
   const ProjectiveMap& drawn = map == nullptr ? triangle_->ideal : *map;
   for (int s = 0; s < scene.source().framebuffer.samples; ++s) {
     if (decide(*triangle_, x, y, s).verdict == Verdict::forbidden) continue;
-    const std::optional<FieldRange> there = single(quantity.at(drawn, scene.sample_point(x, y, s)));
+    const std::optional<FractionRange> there =
+        single(evaluate(quantity, drawn, scene.sample_point(x, y, s)));
     // A sample that only snapping covers may lie behind the eye's horizon: undefined, as it is
     // under `sample`.
     if (!there && map != nullptr) return std::nullopt;

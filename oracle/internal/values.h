@@ -7,8 +7,21 @@
 #include <vector>
 
 #include "oracle/internal/triangle_setup.h"
+#include "oracle/internal/ulp_error.h"
 
 namespace rastercheck::oracle {
+
+/// A value as a function of the window position: the ratio of two functionals.
+struct Reading {
+  Line numerator;
+  Line denominator;
+
+  /// The denominator may be <= 0: then there is no value.
+  template <typename AnyPoint>
+  Fraction at(const AnyPoint& p) const {
+    return {numerator.at(p), denominator.at(p)};
+  }
+};
 
 /// A value with three per-vertex numbers n_i: Σ E_i n_i over Σ E_i where it is perspective (smooth
 /// attributes, n = r), over |det M| where it is affine in window space (noperspective, n = r w;
@@ -20,14 +33,16 @@ struct Quantity {
   /// The value on a map at a point; nothing where a perspective value has no D > 0 there, or where
   /// the map has no orientation.
   std::optional<Field> at(const ProjectiveMap& map, const Point& p) const;
-  std::optional<Field> at(const ProjectiveMap& map, const FieldPoint& p) const;
+
+  /// The value on a map that has an orientation.
+  Reading on(const ProjectiveMap& map) const;
 };
 
 /// A value as the rules leave it. `is_open`: the rules leave it open by their kind (unspecified
 /// snapping or basis, centroid, a cut triangle), so that it is shown as a range even where both
 /// ends are equal.
 struct OpenValue {
-  FieldRange range;
+  FractionRange range;
   bool is_open = false;
 };
 
@@ -54,22 +69,51 @@ class TriangleValues {
   /// The map that the contract's basis evaluates; nothing where it leaves several.
   const ProjectiveMap* single_map() const;
 
+  /// A region on which a map has 1/w > 0, and some or all values that a quantity has there.
+  struct Region {
+    const ProjectiveMap* map = nullptr;
+    ConvexRegion points;
+
+    /// Whether the quantity is `computed` somewhere in it.
+    bool attains(const Reading& reading, const Ring& computed) const;
+  };
+  /// Where rules that name no place for centroids (OpenGL, Vulkan) let an attribute be evaluated:
+  /// in a pixel. A triangle that is snapped may be evaluated elsewhere, too. The map has an
+  /// orientation.
+  const Region& centroid_region(int x, int y) const;
+  /// Shape cut: where the exact triangle has the values that the moved one may have at p.
+  const Region& cut_region(const Point& p) const;
+
  private:
   enum class Place { sample, center };
-  using Ends = std::array<Field, 3>;
+  using Ends = std::array<Fraction, 3>;
 
-  std::optional<FieldRange> value_at(const Quantity& quantity, const Ends& ends, const Point& p,
-                                     Place place) const;
-  std::optional<FieldRange> placed_value(const Quantity& quantity, const Ends& ends, const Point& p,
+  std::optional<FractionRange> value_at(const Quantity& quantity, const Ends& ends, const Point& p,
+                                        Place place) const;
+  std::optional<FractionRange> placed_value(const Quantity& quantity, const Ends& ends,
+                                            const Point& p, Place place) const;
+  std::optional<FractionRange> cut_value(const Quantity& quantity, const Point& p,
                                          Place place) const;
-  std::optional<FieldRange> cut_value(const Quantity& quantity, const Point& p, Place place) const;
   std::optional<OpenValue> centroid_sample(const Quantity& quantity, const Ends& ends, int x,
                                            int y) const;
-  std::optional<FieldRange> centroid_region(const Quantity& quantity, int x, int y) const;
+  std::optional<FractionRange> centroid_range(const Quantity& quantity, int x, int y) const;
 
   const TriangleSetup* triangle_;
   Quantity depth_;
   Ends depth_ends_;
+
+  /// The regions that were asked for last: several samples and attributes ask for the same.
+  struct CentroidRegion {
+    int x;
+    int y;
+    Region region;
+  };
+  struct CutRegion {
+    Point p;
+    Region region;
+  };
+  mutable std::optional<CentroidRegion> last_centroid_;
+  mutable std::optional<CutRegion> last_cut_;
 };
 
 }  // namespace rastercheck::oracle

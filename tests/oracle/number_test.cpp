@@ -90,14 +90,5 @@ TEST(Enclosure, OfALogarithmIsExactForPowersOfTwo) {
   EXPECT_NEAR(third.lo, -1.584962500721156, 0x1p-51);
 }
 
-TEST(Hull, TakesWhatIsThere) {
-  const FieldRange a{Field(1), Field(2)};
-  const FieldRange b{Field(0), Field(1)};
-  EXPECT_FALSE(hull(std::nullopt, std::nullopt));
-  EXPECT_EQ(hull(a, std::nullopt)->hi, Field(2));
-  EXPECT_EQ(hull(a, b)->lo, Field(0));
-  EXPECT_EQ(hull(a, b)->hi, Field(2));
-}
-
 }  // namespace
 }  // namespace rastercheck::oracle

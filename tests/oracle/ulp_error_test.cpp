@@ -22,9 +22,16 @@ TEST(Fractions, CompareWithoutDividing) {
   EXPECT_EQ(compare(ring(-0.5), Fraction{ring(-3), ring(6)}), 0);
 }
 
-TEST(Fractions, OfAFieldValueAreThatValue) {
-  EXPECT_EQ(to_fraction(Field(-84, 5)).value(), Field(-84, 5));
-  EXPECT_EQ(to_fraction(Field(0)).value(), Field(0));
+TEST(Fractions, HaveAHullOfThoseThatAreThere) {
+  const FractionRange thirds{{ring(1), ring(3)}, {ring(2), ring(3)}};
+  const FractionRange halves{{ring(-1), ring(2)}, {ring(1), ring(2)}};
+  const auto both = hull(thirds, halves);
+  ASSERT_TRUE(both.has_value());
+  EXPECT_EQ(both->lo.value(), Field(-1, 2));
+  EXPECT_EQ(both->hi.value(), Field(2, 3));
+  EXPECT_EQ(hull(thirds, std::nullopt)->lo.value(), Field(1, 3));
+  EXPECT_EQ(hull(std::nullopt, halves)->hi.value(), Field(1, 2));
+  EXPECT_FALSE(hull(std::nullopt, std::nullopt).has_value());
 }
 
 TEST(Fractions, EncloseThemselves) {

@@ -27,7 +27,9 @@ cases::Contract random_contract() {
 /// The computed values that try a range hardest: its ends rounded, their neighbours, and others.
 std::vector<float> values_near(const OpenValue& open) {
   std::vector<float> values{0.0F};
-  for (const Field& end : {open.range.lo, open.range.hi, (open.range.lo + open.range.hi) / 2}) {
+  const Field lo = open.range.lo.value();
+  const Field hi = open.range.hi.value();
+  for (const Field& end : {lo, hi, Field((lo + hi) / 2)}) {
     const float rounded = nearest_float(end);
     if (!std::isfinite(rounded)) continue;
     values.push_back(rounded);
@@ -40,8 +42,8 @@ std::vector<float> values_near(const OpenValue& open) {
 Field excess_by_definition(const Ring& computed, const OpenValue& open, const Ring& magnitude) {
   const ScaleExponent scale = scale_exponent(magnitude);
   const Field f(computed);
-  if (f > open.range.hi) return UlpError(computed, to_fraction(open.range.hi), scale).value();
-  if (f < open.range.lo) return UlpError(computed, to_fraction(open.range.lo), scale).value();
+  if (f > open.range.hi.value()) return UlpError(computed, open.range.hi, scale).value();
+  if (f < open.range.lo.value()) return UlpError(computed, open.range.lo, scale).value();
   return 0;
 }
 
