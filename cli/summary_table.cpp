@@ -75,6 +75,8 @@ std::string summary_table(std::span<const records::LawSummary> rows, bool quiet)
 std::string summary_json(const records::Run& run, std::span<const records::LawSummary> rows) {
   nlohmann::ordered_json json{{"seed", run.seed}, {"laws", nlohmann::ordered_json::array()}};
   for (const records::LawSummary& row : rows) {
+    nlohmann::ordered_json unreached = nlohmann::ordered_json::array();
+    for (const records::UnreachedLabel& label : row.unreached) unreached.push_back(label.label);
     json["laws"].push_back({{"law", row.law},
                             {"backend", row.backend},
                             {"checked", row.cases.checked},
@@ -90,6 +92,8 @@ std::string summary_json(const records::Run& run, std::span<const records::LawSu
                             {"ideal_error", sizes_json(row.ideal)},
                             {"beyond_contract", sizes_json(row.excess)},
                             {"precision", precision_json(row.precision)},
+                            {"labels", row.labels},
+                            {"unreached", unreached},
                             {"verdict", to_string(row.verdict)}});
   }
   return json.dump();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <tuple>
+#include <utility>
 
 #include "cases/case_reader.h"
 #include "cases/json.h"
@@ -58,6 +59,21 @@ cases::Case with_one_triangle(const cases::Case& c, std::size_t triangle) {
   return one;
 }
 
+/// How many random cases of a law were checked, and of these how many reached each label. Nobody
+/// says what a corpus or a scene is to reach.
+std::pair<std::uint64_t, std::map<std::string, std::uint64_t>> random_labels(
+    const records::RecordSet& records, const std::string& law, const std::string& backend) {
+  std::uint64_t checked = 0;
+  std::map<std::string, std::uint64_t> labels;
+  for (const auto& [key, record] : records) {
+    const bool is_random = key.stratum != kCorpusStratum && !key.stratum.starts_with(kSceneStratum);
+    if (key.law != law || key.backend != backend || !is_random) continue;
+    checked += record.cases.checked;
+    for (const auto& [label, cases] : record.labels) labels[label] += cases;
+  }
+  return {checked, std::move(labels)};
+}
+
 }  // namespace
 
 std::string verdict_of(const Check& check) {
@@ -91,6 +107,30 @@ std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_si
   add(true, corpus_size);
   add(false, options.cases_per_law);
   return tasks;
+}
+
+std::vector<records::UnreachedLabel> unreached_labels(const CampaignOptions& options,
+                                                      const records::RecordSet& records) {
+  std::vector<records::UnreachedLabel> unreached;
+  for (const std::string& name : options.laws) {
+    const Law* law = find_law(name);
+    if (law == nullptr) continue;
+    for (const std::string& backend : options.backends) {
+      const auto [checked, labels] = random_labels(records, name, backend);
+      for (const Cover& cover : law->covers) {
+        const std::string label(cover.label);
+        const std::uint64_t least = least_reached(cover, checked);
+        const auto found = labels.find(label);
+        const std::uint64_t reached = found == labels.end() ? 0 : found->second;
+        if (reached >= least) continue;
+        unreached.push_back({name, backend, label, reached, least, checked});
+      }
+    }
+  }
+  std::sort(unreached.begin(), unreached.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.law, a.backend, a.label) < std::tie(b.law, b.backend, b.label);
+  });
+  return unreached;
 }
 
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,

@@ -19,6 +19,7 @@
 #include "properties/law.h"
 #include "records/counterexample.h"
 #include "records/record.h"
+#include "records/run.h"
 
 namespace rastercheck::properties {
 
@@ -58,6 +59,13 @@ std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_si
 
 /// The stratum of the corpus in records.
 inline constexpr std::string_view kCorpusStratum = "corpus";
+/// The stratum of a scene: this and its name.
+inline constexpr std::string_view kSceneStratum = "scene ";
+
+/// The labels that random cases of the laws did not reach often enough (least_reached), by law,
+/// backend and label. What a backend does not promise need not have been reached.
+std::vector<records::UnreachedLabel> unreached_labels(const CampaignOptions& options,
+                                                      const records::RecordSet& records);
 
 /// Runs tasks, one after the other; keeps the backends it has made.
 class TaskRunner {

@@ -138,7 +138,7 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
   if (!clip) return tl::unexpected(clip.error());
   SceneFindings result;
   result.source = *std::move(clip);
-  NumberedCase numbered{result.source, "scene " + scene.name, 0};
+  NumberedCase numbered{result.source, std::string(kSceneStratum) + scene.name, 0};
   numbered.source.name = numbered.stratum;
 
   const oracle::SceneTruth truth(result.source, backend.contract(result.source));

@@ -24,6 +24,12 @@ std::string file_word(std::string_view text) {
 
 }  // namespace
 
+std::string unreached_sentence(const UnreachedLabel& label) {
+  return fmt::format("Not reached: {} on {}: '{}' in {} of {} cases, where at least {} had to.",
+                     label.law, label.backend, label.label, label.reached, label.checked,
+                     label.least);
+}
+
 std::string file_of(const Counterexample& counterexample) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
   const std::string& name = counterexample.source.name;

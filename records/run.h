@@ -22,6 +22,18 @@ struct Picture {
   bool operator==(const Picture&) const = default;
 };
 
+/// A label that a law's random cases had to reach, and did too seldom: the law has not tested what
+/// it claims to.
+struct UnreachedLabel {
+  std::string law;
+  std::string backend;
+  std::string label;
+  std::uint64_t reached = 0;  ///< cases
+  std::uint64_t least = 0;    ///< cases that had to, of those checked
+  std::uint64_t checked = 0;
+  bool operator==(const UnreachedLabel&) const = default;
+};
+
 struct Run {
   std::uint64_t seed = 0;
   std::uint64_t cases_per_law = 0;
@@ -31,11 +43,16 @@ struct Run {
   RecordSet records;
   /// Ordered by (law, backend, index).
   std::vector<Counterexample> counterexamples;
+  /// Ordered by (law, backend, label).
+  std::vector<UnreachedLabel> unreached;
   std::vector<Picture> pictures;
   /// All that depends on machine or time: version, compiler, jobs, date, seconds…
   std::map<std::string, std::string> environment;
   bool operator==(const Run&) const = default;
 };
+
+/// "Not reached: LAW on BACKEND: 'tie' in 2 of 1000 cases, where at least 13 had to."
+std::string unreached_sentence(const UnreachedLabel& label);
 
 /// The file that a counterexample is saved as, within the run's folder:
 /// "counterexamples/LAW-BACKEND-NAME-INDEX.json", with what is neither letter nor digit made '-',

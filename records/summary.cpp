@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -113,7 +114,13 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
   }
   conclude(row.ideal);
   conclude(row.excess);
+  std::copy_if(
+      run.unreached.begin(), run.unreached.end(), std::back_inserter(row.unreached),
+      [&](const UnreachedLabel& label) { return label.law == law && label.backend == backend; });
   row.verdict = verdict_of(row.cases, correct_fragments);
+  if (row.verdict == LawVerdict::held && !row.unreached.empty()) {
+    row.verdict = LawVerdict::not_checked;
+  }
   return row;
 }
 

@@ -16,7 +16,9 @@ namespace rastercheck::records {
 enum class LawVerdict {
   held,
   violated,
-  not_checked,  ///< no case that the law says anything of, or nothing drawn rightly in any
+  /// no case that the law says anything of, or nothing drawn rightly in any, or not what it claims
+  /// to test
+  not_checked,
 };
 
 /// "held", "violated", "not checked".
@@ -66,6 +68,7 @@ struct LawSummary {
   std::vector<Precision> precision;
   Levels levels;  ///< of the oracle, by what each decided
   std::map<std::string, std::uint64_t> labels;
+  std::vector<UnreachedLabel> unreached;
   LawVerdict verdict = LawVerdict::not_checked;
 };
 

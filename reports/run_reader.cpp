@@ -27,7 +27,7 @@ void check_header(const JsonNode& root) {
     root["version"].refuse("version must be 1");
   }
   root.expect_object({"format", "version", "seed", "cases_per_law", "backends", "laws", "scene",
-                      "records", "counterexamples", "pictures", "environment"});
+                      "records", "counterexamples", "unreached", "pictures", "environment"});
 }
 
 std::vector<std::string> read_texts(const JsonNode& node) {
@@ -50,6 +50,18 @@ records::Picture read_picture(const JsonNode& node) {
   return picture;
 }
 
+records::UnreachedLabel read_unreached(const JsonNode& node) {
+  node.expect_object({"law", "backend", "label", "reached", "least", "checked"});
+  records::UnreachedLabel label;
+  label.law = node["law"].text();
+  label.backend = node["backend"].text();
+  label.label = node["label"].text();
+  label.reached = node["reached"].count();
+  label.least = node["least"].count();
+  label.checked = node["checked"].count();
+  return label;
+}
+
 records::Run read_document(const JsonNode& root) {
   records::Run run;
   check_header(root);
@@ -62,6 +74,10 @@ records::Run read_document(const JsonNode& root) {
   for (const JsonNode& node : root["counterexamples"].elements()) {
     if (root.failed()) return run;
     run.counterexamples.push_back(records::counterexample_from_json(node));
+  }
+  for (const JsonNode& node : root["unreached"].elements()) {
+    if (root.failed()) return run;
+    run.unreached.push_back(read_unreached(node));
   }
   for (const JsonNode& node : root["pictures"].elements()) {
     if (root.failed()) return run;

@@ -23,6 +23,7 @@ using nlohmann::ordered_json;
 struct Kind {
   std::string_view name;
   std::vector<ordered_json> (*rows)();
+  std::size_t columns = 4;  ///< of a table, at most; JSON has all
 };
 
 std::vector<ordered_json> backend_rows() {
@@ -38,7 +39,16 @@ std::vector<ordered_json> backend_rows() {
 
 std::vector<ordered_json> property_rows() {
   std::vector<ordered_json> rows;
-  for (const properties::Law& law : properties::laws()) rows.push_back({{"name", law.name}});
+  for (const properties::Law& law : properties::laws()) {
+    ordered_json labels = ordered_json::object();
+    for (const properties::Cover& cover : law.covers) {
+      labels[std::string(cover.label)] = cover.percent;
+    }
+    rows.push_back({{"name", law.name},
+                    {"reason", law.reason},
+                    {"not of", law.exceptions},
+                    {"labels", std::move(labels)}});
+  }
   return rows;
 }
 
@@ -83,7 +93,7 @@ std::vector<ordered_json> pattern_rows() {
 }
 
 constexpr std::array<Kind, 6> kKinds{{{"backends", &backend_rows},
-                                      {"properties", &property_rows},
+                                      {"properties", &property_rows, 1},
                                       {"generators", &generator_rows},
                                       {"methods", &method_rows},
                                       {"rules", &rules_rows},
@@ -96,12 +106,15 @@ std::string cell(const ordered_json& value) {
 void print_table(const Kind& kind, bool quiet) {
   std::vector<std::vector<std::string>> cells;
   for (const ordered_json& row : kind.rows()) {
-    if (cells.empty() && !quiet) {
-      cells.emplace_back();
-      for (const auto& member : row.items()) cells.back().push_back(member.key());
+    std::vector<std::string> names;
+    std::vector<std::string> values;
+    for (const auto& member : row.items()) {
+      if (names.size() == kind.columns) break;
+      names.push_back(member.key());
+      values.push_back(cell(member.value()));
     }
-    cells.emplace_back();
-    for (const auto& member : row.items()) cells.back().push_back(cell(member.value()));
+    if (cells.empty() && !quiet) cells.push_back(std::move(names));
+    cells.push_back(std::move(values));
   }
   if (!quiet) fmt::print("{}:{}\n", kind.name, cells.empty() ? " none in this version" : "");
   fmt::print("{}", table(cells));

@@ -132,6 +132,10 @@ Result<properties::Findings> judge_scenes(const cases::Case& scene, unsigned job
   return all;
 }
 
+properties::CampaignOptions campaign_of(const records::Run& run) {
+  return {run.seed, run.cases_per_law, run.backends, run.laws};
+}
+
 /// The campaign and the scene, side by side where there are processes for it.
 Result<properties::Findings> find(const Options& options, const std::string& corpus_directory,
                                   std::vector<cases::Case> corpus,
@@ -140,8 +144,7 @@ Result<properties::Findings> find(const Options& options, const std::string& cor
   const properties::Progress progress = [&bar](std::uint64_t done, std::uint64_t all) {
     bar.show(done, all);
   };
-  const std::vector<properties::Task> tasks =
-      properties::tasks_of({run.seed, run.cases_per_law, run.backends, run.laws}, corpus.size());
+  const std::vector<properties::Task> tasks = properties::tasks_of(campaign_of(run), corpus.size());
 
   Result<properties::Findings> campaign;
   Result<properties::Findings> of_scene;
@@ -208,6 +211,9 @@ void print_results(const Options& options, const records::Run& run,
     return;
   }
   fmt::print("{}", summary_table(rows, options.quiet));
+  for (const records::UnreachedLabel& label : run.unreached) {
+    fmt::print("{}\n", records::unreached_sentence(label));
+  }
   if (options.quiet) return;
   records::Counts counts;
   records::Levels levels;
@@ -280,6 +286,7 @@ ExitCode run_campaign(const Options& options) {
   if (found->fault) return fail_internally({"the oracle", "", *found->fault});
   run.records = std::move(found->records);
   run.counterexamples = std::move(found->counterexamples);
+  run.unreached = properties::unreached_labels(campaign_of(run), run.records);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.environment = environment(options, seconds.count());
 

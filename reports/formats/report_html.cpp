@@ -98,6 +98,14 @@ std::string facts_of(const Run& run, const LawSummary& total) {
          definition("to do it again", "<code>" + html(run_command(run)) + "</code>") + "</dl>\n";
 }
 
+std::string unreached_of(const Run& run) {
+  std::string text;
+  for (const records::UnreachedLabel& label : run.unreached) {
+    text += fmt::format("<p>{}</p>\n", html(records::unreached_sentence(label)));
+  }
+  return text;
+}
+
 std::string first_screen(const Run& run, const std::vector<LawSummary>& rows) {
   const LawSummary total = totals(rows);
   const std::string_view style = total.verdict == LawVerdict::held       ? "held"
@@ -106,7 +114,7 @@ std::string first_screen(const Run& run, const std::vector<LawSummary>& rows) {
   return fmt::format(
              "<header>\n<p class=\"name\">RasterCheck</p>\n<h1 class=\"{}\">{}</h1>\n</header>\n",
              style, html(verdict_sentence(rows))) +
-         table_of(rows) +
+         table_of(rows) + unreached_of(run) +
          fmt::format("<p class=\"unit\">{}</p>\n<p class=\"unit\">{}</p>\n", html(kUnitSentence),
                      html(kExcessSentence)) +
          facts_of(run, total);

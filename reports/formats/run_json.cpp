@@ -11,6 +11,8 @@
 //     "scene": "bunny",
 //     "records": […],           records/record_json.h
 //     "counterexamples": […],   records/counterexample_json.h
+//     "unreached": [{"law": "…", "backend": "cpu", "label": "tie", "reached": 2, "least": 13,
+//                    "checked": 1000}],
 //     "pictures": [{"name": "…", "caption": "…", "width": 640, "height": 480, "png": "base64…"}],
 //     "environment": {"version": "0.1.0", …}
 //   }
@@ -52,11 +54,18 @@ json json_of(const records::Picture& picture) {
           {"png", to_base64(picture.png)}};
 }
 
+json json_of(const records::UnreachedLabel& label) {
+  return {{"law", label.law},         {"backend", label.backend}, {"label", label.label},
+          {"reached", label.reached}, {"least", label.least},     {"checked", label.checked}};
+}
+
 std::string write(const records::Run& run) {
   json counterexamples = json::array();
   for (const records::Counterexample& counterexample : run.counterexamples) {
     counterexamples.push_back(records::counterexample_to_json(counterexample));
   }
+  json unreached = json::array();
+  for (const records::UnreachedLabel& label : run.unreached) unreached.push_back(json_of(label));
   json pictures = json::array();
   for (const records::Picture& picture : run.pictures) pictures.push_back(json_of(picture));
 
@@ -73,6 +82,7 @@ std::string write(const records::Run& run) {
   add("scene", text_of(run.scene));
   add("records", lines_of(records::records_to_json(run.records)));
   add("counterexamples", lines_of(counterexamples));
+  add("unreached", lines_of(unreached));
   add("pictures", lines_of(pictures));
   add("environment", text_of(run.environment));
   return text + "\n}\n";

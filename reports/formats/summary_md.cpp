@@ -124,6 +124,10 @@ std::string write(const Run& run) {
   const std::vector<LawSummary> rows = records::summarize(run);
   std::string text = fmt::format("# RasterCheck\n\n**{}**\n\n", verdict_sentence(rows));
   text += table_of(rows);
+  if (!run.unreached.empty()) text += "\n";
+  for (const records::UnreachedLabel& label : run.unreached) {
+    text += fmt::format("- {}\n", markdown(records::unreached_sentence(label)));
+  }
   text += fmt::format("\n{}\n\n{}\n\n", kUnitSentence, kExcessSentence);
   text += counts_of(totals(rows)) + levels_of(totals(rows));
   text += "\n## Do it again\n\n" + command_block(run_command(run));
