@@ -1,0 +1,255 @@
+// A mirror mirrors the picture: what is drawn of a case whose clip positions, viewport and scissor
+// are mirrored is, mirrored back, right for the case as it was.
+//
+//   left and right   (u, v) → (W − u, v)        up and down   (u, v) → (u, H − v)
+//
+// with W × H the framebuffer's size; or both, as the case's numbers choose.
+//
+// Why. With u = x0 + w/2 + x/w w/2 the viewport at W − x0 − w and the clip position (−x, y, z, w)
+// give just the mirrored window position, exactly; v alike, where Vulkan also has the viewport of
+// height −h that begins at H − y0. M is multiplied by a matrix of determinant −1, and so are the
+// edge functions: after the multiplication by sign det M (RULES §2) they are what they were, and
+// with them clip functionals and values. Only facing turns round: one mirror makes
+// counter-clockwise clockwise, so front faces are said to turn the other way, or the vertices come
+// in the other order; the provoking vertex stays where it was.
+//
+// What does not go along:
+//
+//   ties         A_i changes its sign where left and right are mirrored: no rule is the other one's
+//                mirror image, and the contract that judges names none. Where just up and down are,
+//                B_i does, and top-left is bottom-left: the case is drawn by the other rule
+//   the sides    of a viewport, one of which has its border inside: cases with a sample exactly on
+//                one that is mirrored are left out
+//   snapping     u = n + 1/2 grid units becomes W 2^b − n − 1/2: rounding to even goes along where
+//                W 2^b is even, rounding half up does not
+//   the pattern  of several samples. Of two and of four it is its own image in both mirrors, with
+//                other indices: such cases get both. Of eight and of sixteen it is not
+//   centroids    of D3D are at the first covered sample: of several they are moved to the sample
+//   guard band   around the window's origin, which is W or H away: judged as narrower by that
+//
+// Cases whose mirrored viewport is no float32 are left out: W − x0 − w is exact or not taken.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/changed_picture.h"
+#include "properties/internal/choices.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/exact_sum.h"
+#include "properties/internal/window_symmetry.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using oracle::WindowAxis;
+
+/// How a case is mirrored.
+struct Mirror {
+  bool is_in_x = false;
+  bool is_in_y = false;
+  bool swaps_vertices = false;       ///< rather than what a front face is
+  bool has_negative_height = false;  ///< up and down by the viewport, not by clip y
+  std::vector<std::uint8_t> samples;
+
+  bool turns_faces() const { return is_in_x != is_in_y; }
+};
+
+/// Nothing where the pattern of samples has no such image.
+std::optional<Mirror> mirror_of(const cases::Case& c) {
+  Choices choices(fingerprint(c));
+  Mirror mirror;
+  const std::size_t axes = c.framebuffer.samples == 1 ? choices.below(5) : 4;
+  mirror.is_in_x = axes <= 1 || axes == 4;
+  mirror.is_in_y = axes >= 2;
+  mirror.swaps_vertices = choices.below(2) == 0;
+  mirror.has_negative_height = c.rules == cases::Rules::vulkan && choices.below(2) == 0;
+  const auto samples =
+      c.framebuffer.samples == 1
+          ? std::vector<std::uint8_t>{0}
+          : carried_samples(c.framebuffer.samples, [](const cases::SamplePosition& position) {
+              return cases::SamplePosition{16 - position.x, 16 - position.y};
+            });
+  if (!samples) return std::nullopt;
+  mirror.samples = *samples;
+  return mirror;
+}
+
+/// Where a mirrored side of the viewport begins; nothing where that is no float32, or where a
+/// sample lies exactly on one of its borders.
+std::optional<float> mirrored_begin(WindowAxis axis, const Side& side, float size,
+                                    const cases::FramebufferSize& framebuffer) {
+  if (is_at_samples(axis, side.begin, framebuffer) || is_at_samples(axis, side.end, framebuffer)) {
+    return std::nullopt;
+  }
+  const int pixels = axis == WindowAxis::x ? framebuffer.width : framebuffer.height;
+  // A size that is kept begins where the other end was, be it negative or not.
+  const auto begin = exact_sum(pixels, -(size > 0 ? side.end : side.begin));
+  if (!begin || !is_float(*begin)) return std::nullopt;
+  return static_cast<float>(*begin);
+}
+
+bool mirror_viewport(const cases::Case& c, const Mirror& mirror, cases::Case& changed) {
+  const std::optional<Side> across = side_of(c.viewport.x, c.viewport.width);
+  const std::optional<Side> down = side_of(c.viewport.y, c.viewport.height);
+  if (!across || !down) return false;
+  if (mirror.is_in_x) {
+    const auto x = mirrored_begin(WindowAxis::x, *across, c.viewport.width, c.framebuffer);
+    if (!x) return false;
+    changed.viewport.x = *x;
+    for (cases::ClipVertex& p : changed.positions) p.x = -p.x;
+  }
+  if (!mirror.is_in_y) return true;
+  const auto y = mirrored_begin(WindowAxis::y, *down, c.viewport.height, c.framebuffer);
+  if (!y) return false;
+  if (mirror.has_negative_height) {
+    const auto other = exact_sum(c.framebuffer.height, -double{c.viewport.y});
+    if (!other || !is_float(*other)) return false;
+    changed.viewport.y = static_cast<float>(*other);
+    changed.viewport.height = -c.viewport.height;
+  } else {
+    changed.viewport.y = *y;
+    for (cases::ClipVertex& p : changed.positions) p.y = -p.y;
+  }
+  return true;
+}
+
+/// Makes faces that the mirror turns round face as they did.
+void turn_faces_back(const Mirror& mirror, cases::Case& changed) {
+  if (!mirror.swaps_vertices) {
+    changed.front_face =
+        changed.front_face == cases::FrontFace::ccw ? cases::FrontFace::cw : cases::FrontFace::ccw;
+    return;
+  }
+  for (auto& [first, second, third] : changed.triangles) {
+    if (changed.rules == cases::Rules::opengl) {
+      std::swap(first, second);
+    } else {
+      std::swap(second, third);
+    }
+  }
+}
+
+/// Top-left is bottom-left upside down; of no other mirror image there is a rule.
+cases::TieRule mirrored(cases::TieRule rule, const Mirror& mirror) {
+  using cases::TieRule;
+  if (mirror.is_in_x || rule == TieRule::unspecified) return TieRule::unspecified;
+  return rule == TieRule::top_left ? TieRule::bottom_left : TieRule::top_left;
+}
+
+PixelSpan mirrored(const PixelSpan& span, int pixels) {
+  return {pixels - span.last, pixels - span.first};
+}
+
+std::optional<cases::Case> mirrored_case(const cases::Case& c, const Mirror& mirror) {
+  cases::Case changed = c;
+  if (!mirror_viewport(c, mirror, changed)) return std::nullopt;
+  if (mirror.turns_faces()) turn_faces_back(mirror, changed);
+  if (!mirror.is_in_x) changed.fill_rule = mirrored(c.fill_rule, mirror);
+  if (c.scissor) {
+    PixelSpan columns = scissor_columns(c);
+    PixelSpan rows = scissor_rows(c);
+    if (mirror.is_in_x) columns = mirrored(columns, c.framebuffer.width);
+    if (mirror.is_in_y) rows = mirrored(rows, c.framebuffer.height);
+    changed.scissor = cases::Scissor{columns.first, rows.first, columns.last - columns.first,
+                                     rows.last - rows.first};
+  }
+  return changed;
+}
+
+/// What was drawn of the mirrored case, in the places that it has in the case as it was. A fragment
+/// of no pixel gets one that the case does not have either.
+cases::Framebuffer mirrored_back(const cases::Case& c, const cases::Framebuffer& drawn,
+                                 const Mirror& mirror) {
+  const auto back = [](std::uint16_t at, int pixels) {
+    constexpr std::uint16_t kNowhere = std::numeric_limits<std::uint16_t>::max();
+    return std::cmp_less(at, pixels) ? static_cast<std::uint16_t>(pixels - 1 - at) : kNowhere;
+  };
+  cases::Framebuffer result = drawn;
+  result.derivatives.clear();
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (mirror.is_in_x) result.x[i] = back(drawn.x[i], c.framebuffer.width);
+    if (mirror.is_in_y) result.y[i] = back(drawn.y[i], c.framebuffer.height);
+    result.sample[i] = carried_back(mirror.samples, drawn.sample[i]);
+  }
+  return result;
+}
+
+/// What the backend promises of the mirrored case, of the case as it was; nothing where its
+/// rounding does not go along.
+std::optional<cases::Contract> mirrored_back(const cases::Case& c, const cases::Contract& contract,
+                                             const Mirror& mirror) {
+  cases::Contract result = contract;
+  result.tie_rule = mirrored(contract.tie_rule, mirror);
+  if (!contract.coverage) return result;
+  const cases::Snapping& grid = *contract.coverage;
+  const int width = mirror.is_in_x ? c.framebuffer.width : 0;
+  const int height = mirror.is_in_y ? c.framebuffer.height : 0;
+  if (grid.rounding == cases::Rounding::half_up) return std::nullopt;
+  if (!keeps_even_points(grid, width) || !keeps_even_points(grid, height)) return std::nullopt;
+  return with_origin_away(result, std::max(width, height));
+}
+
+std::string_view name_of(const Mirror& mirror) {
+  if (mirror.is_in_x && mirror.is_in_y) return "both mirrored";
+  return mirror.is_in_x ? "left and right mirrored" : "up and down mirrored";
+}
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
+  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  if (clip->framebuffer.samples > 1) move_centroids_to_samples(*clip);
+  const std::optional<Mirror> mirror = mirror_of(*clip);
+  if (!mirror) return not_applicable();
+  const std::optional<cases::Case> changed = mirrored_case(*clip, *mirror);
+  if (!changed) return not_applicable();
+  const auto contract = mirrored_back(*clip, backend.contract(*changed), *mirror);
+  if (!contract) return not_applicable();
+
+  const Result<cases::Framebuffer> before = draw(*clip, backend);
+  if (!before) return tl::unexpected(before.error());
+  const Result<cases::Framebuffer> drawn = draw(*changed, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  Check check =
+      judge_changed(*clip, *contract, *before, mirrored_back(*clip, *drawn, *mirror), options);
+  add_to_notes(check, "drawn with " + std::string(name_of(*mirror)));
+  check.labels.emplace_back(name_of(*mirror));
+  if (clip->cull != cases::Cull::none && mirror->turns_faces()) {
+    check.labels.emplace_back("faces turned round");
+  }
+  return check;
+}
+
+/// Cases with one, two or four samples; more of them cull faces than those of all generators.
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  cases::Case& c = made.source;
+  if (c.framebuffer.samples > 4) c.framebuffer.samples = draw.one_in(2) ? 2 : 4;
+  shorten_viewport(c);
+  if (c.cull == cases::Cull::none && draw.one_in(4)) {
+    c.cull = draw.pick(std::array{cases::Cull::back, cases::Cull::front});
+  }
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "a mirror mirrors the picture",
+     .reason = "Mirrored clip positions and viewports change the sign of det M and of all edge "
+               "functions, which their product does not show.",
+     .exceptions =
+         "ties where left and right are mirrored, snapping whose rounding is not, patterns "
+         "of eight and sixteen samples, cases whose mirrored viewport is no float32",
+     .generate = &generate,
+     .check = &check,
+     .covers = {cover(10, "left and right mirrored"), cover(10, "up and down mirrored"),
+                cover(10, "both mirrored"), cover(5, "faces turned round"), cover(5, "snapped")}});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,163 @@
+// A power of two changes no bit: all clip coordinates of a triangle's vertices multiplied by the
+// same 2^k give the same fragments, bit for bit.
+//
+// Why. A clip position is homogeneous: (X, Y, w) and its multiple are the same point of the window.
+// M becomes 2^k M and E_i = sign(det M) adj(M) (u, v, 1) becomes 4^k E_i: signs, ties, facing and
+// the ratios that values are made of stay, and clip functionals, homogeneous in e, as well
+// (RULES §1, §2). User clip distances scale or stay, both of which are the same cut.
+//
+// That is what is exact; bits follow as rounding commutes with powers of two: +, −, ×, / and
+// comparisons of numbers that are 2^a and 2^b times as large give the same digits, as long as
+// nothing is beyond the exponents. What does not is a constant that some coordinate is held against
+// — the least w that is divided by, an area below which a triangle is thrown away — and a sum of
+// numbers of different degree. No part of a contract depends on the size of a coordinate, so that
+// no backend has a reason for either.
+//
+// Coordinates: k is such that every one stays a finite float32 of the same digits, normal if it
+// was. It comes from the case's numbers, for each triangle another one. Triangles get vertices of
+// their own for that, also in the drawing they are held against. A case whose every triangle fills
+// the whole range of float32 is left out.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "oracle/transform.h"
+#include "properties/internal/choices.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/same_drawing.h"
+#include "properties/internal/window_symmetry.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+/// Exponents of normal float32.
+constexpr int kLeastExponent = -126;
+constexpr int kMostExponent = 127;
+/// Of the factors: most are this far from 1 at most.
+constexpr int kMostUsual = 8;
+
+/// The case with three vertices for each triangle, in order.
+cases::Case with_own_vertices(const cases::Case& c) {
+  cases::Case own = c;
+  own.positions.clear();
+  own.attribute_values.clear();
+  own.clip_distances.clear();
+  std::uint32_t next = 0;
+  for (cases::Triangle& triangle : own.triangles) {
+    for (std::uint32_t& vertex : triangle) {
+      own.positions.push_back(c.positions[vertex]);
+      const auto values = c.attributes_of(vertex);
+      own.attribute_values.insert(own.attribute_values.end(), values.begin(), values.end());
+      const auto distances = c.clip_distances_of(vertex);
+      own.clip_distances.insert(own.clip_distances.end(), distances.begin(), distances.end());
+      vertex = next++;
+    }
+  }
+  return own;
+}
+
+/// least <= k <= most.
+struct Exponents {
+  int least = kLeastExponent - kMostExponent;
+  int most = kMostExponent - kLeastExponent;
+
+  /// Leaves those k by which `number` times 2^k keeps its digits.
+  void take(float number) {
+    if (number == 0) return;
+    const int exponent = std::ilogb(number);
+    least = std::max(least, exponent < kLeastExponent ? 0 : kLeastExponent - exponent);
+    most = std::min(most, kMostExponent - exponent);
+  }
+};
+
+Exponents exponents_of(const cases::Case& c, const cases::Triangle& triangle, bool has_distances) {
+  Exponents all;
+  for (const std::uint32_t vertex : triangle) {
+    const cases::ClipVertex& p = c.positions[vertex];
+    for (const float coordinate : {p.x, p.y, p.z, p.w}) all.take(coordinate);
+    if (!has_distances) continue;
+    for (const float distance : c.clip_distances_of(vertex)) all.take(distance);
+  }
+  return all;
+}
+
+/// One of these that is not 0, a small one more often; 0 where there is no other.
+int exponent_of(Choices& choices, Exponents all) {
+  if (choices.below(4) > 0) {
+    all.least = std::max(all.least, -kMostUsual);
+    all.most = std::min(all.most, kMostUsual);
+  }
+  if (all.least >= all.most) return 0;
+  const auto chosen =
+      static_cast<int>(choices.below(static_cast<std::size_t>(all.most - all.least)));
+  return all.least + chosen < 0 ? all.least + chosen : all.least + chosen + 1;
+}
+
+float scaled(float number, int exponent) { return std::ldexp(number, exponent); }
+
+/// A case of own vertices, scaled, and what was done to it.
+struct Scaled {
+  cases::Case source;
+  std::set<std::string> labels;
+  bool is_changed = false;
+};
+
+Scaled scaled_case(const cases::Case& own) {
+  const std::uint64_t hash = fingerprint(own);
+  const bool has_distances = own.clip_distance_count > 0 && hash % 2 == 0;
+  Scaled result{own, {}, false};
+  cases::Case& c = result.source;
+  for (std::uint32_t t = 0; t < c.triangles.size(); ++t) {
+    // Another one for each triangle.
+    Choices choices(hash / 2 + t * std::uint64_t{0x9e3779b97f4a7c15});
+    const int k = exponent_of(choices, exponents_of(c, c.triangles[t], has_distances));
+    if (k == 0) continue;
+    result.is_changed = true;
+    result.labels.emplace(k > 0 ? "larger" : "smaller");
+    if (std::abs(k) > kMostUsual) result.labels.emplace("far");
+    if (has_distances) result.labels.emplace("scaled clip distances");
+    for (const std::uint32_t vertex : c.triangles[t]) {
+      cases::ClipVertex& p = c.positions[vertex];
+      p = {scaled(p.x, k), scaled(p.y, k), scaled(p.z, k), scaled(p.w, k)};
+      if (!has_distances) continue;
+      for (std::size_t d = 0; d < c.clip_distance_count; ++d) {
+        float& distance = c.clip_distances[vertex * c.clip_distance_count + d];
+        distance = scaled(distance, k);
+      }
+    }
+  }
+  return result;
+}
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const cases::Case own = with_own_vertices(*clip);
+  const Scaled changed = scaled_case(own);
+  if (!changed.is_changed) return not_applicable();
+  const Result<cases::Framebuffer> before = draw(own, backend);
+  if (!before) return tl::unexpected(before.error());
+  const Result<cases::Framebuffer> drawn = draw(changed.source, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  Check check = compare_drawings(own, *before, *drawn, "all coordinates times a power of two");
+  check.labels.insert(check.labels.end(), changed.labels.begin(), changed.labels.end());
+  return check;
+}
+
+const LawRegistration kRegistration(
+    {.name = "a power of two changes no bit",
+     .reason = "Clip positions are homogeneous, and rounding commutes with powers of two.",
+     .exceptions = "triangles whose coordinates fill the whole range of float32",
+     .generate = &generate_any,
+     .check = &check,
+     .covers = {cover(20, "larger"), cover(20, "smaller"), cover(10, "far"), cover(5, "clipped"),
+                cover(5, "w <= 0")}});
+
+}  // namespace
+}  // namespace rastercheck::properties

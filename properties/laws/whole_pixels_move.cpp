@@ -1,0 +1,162 @@
+// Whole pixels move the picture: what is drawn of a case whose viewport and scissor are moved by
+// (du, dv) whole pixels is, moved back, right for the case as it was.
+//
+// Why. With u = x0 + W/2 + x/w W/2 and v = y0 + h/2 ± y/w h/2 (RULES §1) a viewport at
+// (x0 + du, y0 + dv) moves every window position by (du, dv), exactly. M is multiplied by a matrix
+// of determinant 1, and samples lie at the same places of every pixel: so at a sample that is moved
+// as well edge functions, their normals, clip functionals, 1/w and values are the same. Ties go to
+// the same triangles.
+//
+//   snapping     a grid has all whole pixels on it. v = n + 1/2 grid units moves to another such;
+//                the even one of its neighbours stays the same one where dv 2^b is even: with
+//                b = 0 the case is moved by even numbers of pixels
+//   guard band   around the window's origin, which the picture moves away from: it is judged as
+//                narrower by the greater of |du| and |dv|
+//   the window   grows by what the picture moves up; to the other sides a part of it leaves the
+//                window. A scissor takes that from the case as it was as well, and from the moved
+//                one what comes in; no fragment depends on it
+//
+// How far comes from the case's numbers: some pixels, odd ones too, or beyond the blocks and tiles
+// that a rasterizer divides its window into. Cases whose moved viewport is no float32 are left out.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/changed_picture.h"
+#include "properties/internal/choices.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/exact_sum.h"
+#include "properties/internal/window_symmetry.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+/// Pixels.
+struct Move {
+  int du = 0;
+  int dv = 0;
+};
+
+/// Along a side of `size` pixels: up, or down by half of it at most.
+int steps_along(Choices& choices, int size) {
+  constexpr std::array kUp{0, 1, 2, 3, 4, 5, 7, 8, 11, 16};
+  if (choices.below(3) > 0) return choices.pick(kUp);
+  return -1 - static_cast<int>(choices.below(static_cast<std::size_t>(size / 2)));
+}
+
+Move move_of(const cases::Case& c) {
+  Choices choices(fingerprint(c));
+  Move move;
+  move.du = steps_along(choices, std::max(c.framebuffer.width, 2));
+  move.dv = steps_along(choices, std::max(c.framebuffer.height, 2));
+  if (choices.below(4) == 0 && c.framebuffer.samples == 1) {
+    constexpr std::array kFar{63, 64, 65, 96, 127};
+    (choices.below(2) == 0 ? move.du : move.dv) = choices.pick(kFar);
+  }
+  if (move.du == 0 && move.dv == 0) move.du = 1;
+  const bool is_even = !c.coverage || (keeps_even_points(*c.coverage, move.du) &&
+                                       keeps_even_points(*c.coverage, move.dv));
+  if (is_even) return move;
+  return {2 * (move.du / 2), 2 * (move.dv / 2)};
+}
+
+/// The pixels of `span` that are still within the window after a move; where these are none, none.
+PixelSpan staying(const PixelSpan& span, int by) {
+  return {std::min(std::max(span.first, -by), span.last), span.last};
+}
+
+cases::Scissor rectangle(const PixelSpan& columns, const PixelSpan& rows) {
+  return {columns.first, rows.first, columns.last - columns.first, rows.last - rows.first};
+}
+
+/// A case without what the move takes out of the window, and the moved one.
+struct Moved {
+  cases::Case before;
+  cases::Case after;
+};
+
+std::optional<Moved> moved_by(const cases::Case& c, const Move& move) {
+  const auto x = exact_sum(double{c.viewport.x}, move.du);
+  const auto y = exact_sum(double{c.viewport.y}, move.dv);
+  if (!x || !y || !is_float(*x) || !is_float(*y)) return std::nullopt;
+  Moved both{c, c};
+  both.before.scissor =
+      rectangle(staying(scissor_columns(c), move.du), staying(scissor_rows(c), move.dv));
+  both.after.viewport.x = static_cast<float>(*x);
+  both.after.viewport.y = static_cast<float>(*y);
+  both.after.framebuffer.width += std::max(move.du, 0);
+  both.after.framebuffer.height += std::max(move.dv, 0);
+  if (both.after.framebuffer.width > cases::kMaxSize ||
+      both.after.framebuffer.height > cases::kMaxSize) {
+    return std::nullopt;
+  }
+  // Of an empty one the corner may be beyond the window.
+  cases::Scissor& scissor = both.after.scissor.emplace(*both.before.scissor);
+  scissor.x += move.du;
+  scissor.y += move.dv;
+  return both;
+}
+
+/// Where a moved pixel was; a place that no case has where that is none.
+std::uint16_t moved_back(std::uint16_t at, int by) {
+  constexpr std::uint16_t kNowhere = std::numeric_limits<std::uint16_t>::max();
+  const int was = int{at} - by;
+  return was >= 0 ? static_cast<std::uint16_t>(was) : kNowhere;
+}
+
+std::string note_of(const Move& move) {
+  return "drawn " + std::to_string(move.du) + " columns and " + std::to_string(move.dv) +
+         " rows farther";
+}
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const Move move = move_of(*clip);
+  const std::optional<Moved> moved = moved_by(*clip, move);
+  if (!moved) return not_applicable();
+  const cases::Contract contract = backend.contract(moved->after);
+  if (contract.coverage && !(keeps_even_points(*contract.coverage, move.du) &&
+                             keeps_even_points(*contract.coverage, move.dv))) {
+    return not_applicable();
+  }
+
+  const Result<cases::Framebuffer> before = draw(moved->before, backend);
+  if (!before) return tl::unexpected(before.error());
+  Result<cases::Framebuffer> drawn = draw(moved->after, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  for (std::uint16_t& x : drawn->x) x = moved_back(x, move.du);
+  for (std::uint16_t& y : drawn->y) y = moved_back(y, move.dv);
+  Check check = judge_changed(
+      moved->before, with_origin_away(contract, std::max(std::abs(move.du), std::abs(move.dv))),
+      *before, *drawn, options);
+  add_to_notes(check, note_of(move));
+  if (move.du < 0 || move.dv < 0) check.labels.emplace_back("partly out of the window");
+  if (move.du % 2 != 0 || move.dv % 2 != 0) check.labels.emplace_back("odd");
+  if (move.du > 16 || move.dv > 16) check.labels.emplace_back("far");
+  return check;
+}
+
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  shorten_viewport(made.source);
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "whole pixels move the picture",
+     .reason = "A viewport at (x0 + du, y0 + dv) adds (du, dv) to every window position, and the "
+               "samples of all pixels lie alike.",
+     .exceptions = "cases whose moved viewport is no float32; what leaves the window",
+     .generate = &generate,
+     .check = &check,
+     .covers = {cover(20, "partly out of the window"), cover(5, "far"), cover(5, "snapped")}});
+
+}  // namespace
+}  // namespace rastercheck::properties
