@@ -1,0 +1,258 @@
+// A roll by a quarter turns the picture: a camera that is rolled by 90° about the direction that it
+// looks in — R P in place of the projection P — shows, in the turned viewport, the turned picture.
+//
+// Why. R takes the clip position (x, y, z, w) to (∓y, ±x, z, w): its rows are rows of the identity
+// but for signs, so that R P is P with two rows exchanged and signs changed, without any rounding.
+// Clip positions R P V M p are then the turned ones of P V M p (RULES §1), and
+// (u, v) → (H − v, u) is what becomes of the picture (internal/quarter_turn.h).
+//
+// Two things follow, and are asked.
+//
+//   The vertex stage  of the rolled camera, turned back, is within the bound of the contract of the
+//                     exact positions of the camera as it was: each sum of products is the same one
+//                     but for its sign, and so is (|P| |V| |M| |p|)_k that it is measured by. What
+//                     is good for projections with numbers on the diagonal only shows here.
+//   The picture       of these clip positions, turned back, is right for them turned back: the same
+//                     coverage, values and facing, as det M stays.
+//
+// A backend without a vertex stage is handed clip positions that are rounded once. What does not
+// turn with the picture, and cases that are left out, are those of "a quarter turn turns the
+// picture"; cases without a camera, and those with clip positions beyond float32, as well.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/camera_matrices.h"
+#include "properties/internal/changed_picture.h"
+#include "properties/internal/quarter_turn.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/window_position.h"
+#include "properties/internal/window_symmetry.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Matrix4;
+using records::FragmentClass;
+
+/// R P.
+Matrix4 rolled(const Matrix4& projection, const QuarterTurn& turn) {
+  Matrix4 result = projection;
+  for (std::size_t column = 0; column < 4; ++column) {
+    const float of_x = projection[column];
+    const float of_y = projection[4 + column];
+    result[column] = turn.negates_y ? -of_y : of_y;
+    result[4 + column] = turn.negates_x ? -of_x : of_x;
+  }
+  return result;
+}
+
+/// The clip positions that a backend makes of a camera case, or those that it is handed.
+Result<std::vector<cases::ClipVertex>> positions_of(const cases::Case& c,
+                                                    backends::Backend& backend) {
+  if (backend.transforms()) return transform(c, backend);
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  return clip->positions;
+}
+
+/// Holds positions of the rolled camera, turned back, against the camera as it was.
+void judge_positions(const cases::Case& c, const std::vector<cases::ClipVertex>& positions,
+                     float bound, Check& check) {
+  const auto judged = oracle::judge_transform(c, positions, bound);
+  for (std::size_t vertex = 0; vertex < judged.size(); ++vertex) {
+    const cases::ClipVertex& p = positions[vertex];
+    const std::array<float, 4> f{p.x, p.y, p.z, p.w};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const oracle::JudgedNumber& one = judged[vertex][k];
+      if (one.fragment_class == FragmentClass::correct) continue;
+      records::Violation violation;
+      violation.fragment_class = one.fragment_class;
+      violation.exact = one.exact.to_string();
+      violation.actual = value_text(f[k]);
+      violation.error = one.error;
+      violation.bound = one.bound;
+      violation.note = fmt::format("clip {} of vertex {}, of the rolled camera and turned back",
+                                   "xyzw"[k], vertex);
+      note(check, violation);
+    }
+  }
+}
+
+bool is_finite(const cases::ClipVertex& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
+}
+
+/// Draws the clip positions of the rolled camera, and holds that, turned back, against what is
+/// drawn of them turned back.
+Result<Check> check_picture(const cases::Case& upright, const cases::Case& rolled_clip,
+                            const QuarterTurn& turn, backends::Backend& backend,
+                            const CheckOptions& options) {
+  const auto contract = turned_back(upright, backend.contract(rolled_clip));
+  if (!contract) return not_applicable();
+  const Result<cases::Framebuffer> before = draw(upright, backend);
+  if (!before) return tl::unexpected(before.error());
+  const Result<cases::Framebuffer> drawn = draw(rolled_clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  Check check =
+      judge_changed(upright, *contract, *before, turned_back(upright, *drawn, turn), options);
+  for (records::Violation& violation : check.violations) {
+    violation.note += violation.note.empty() ? "" : "; ";
+    violation.note += turned_note(upright, violation);
+  }
+  return check;
+}
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
+  if (!c.camera) return not_applicable();
+  cases::Case source = c;
+  move_centroids_to_samples(source);
+  const std::optional<QuarterTurn> turn = quarter_turn_of(source);
+  if (!turn) return not_applicable();
+  cases::Case changed = turned_window(source, *turn);
+  changed.camera->projection = rolled(source.camera->projection, *turn);
+  Result<std::vector<cases::ClipVertex>> positions = positions_of(changed, backend);
+  if (!positions) return tl::unexpected(positions.error());
+
+  changed.camera.reset();
+  changed.positions = *positions;
+  cases::Case upright = source;
+  upright.camera.reset();
+  for (cases::ClipVertex& p : *positions) p = turned_back(p, *turn);
+  upright.positions = *positions;
+  Check check;
+  if (std::all_of(positions->begin(), positions->end(), &is_finite)) {
+    Result<Check> of_picture = check_picture(upright, changed, *turn, backend, options);
+    if (!of_picture || !of_picture->is_applicable) return of_picture;
+    check = *std::move(of_picture);
+  }
+  const std::optional<float> bound = backend.contract(source).transform_bound;
+  if (backend.transforms() && bound) {
+    judge_positions(source, *positions, *bound, check);
+    check.labels.emplace_back("vertex stage");
+  }
+  return check;
+}
+
+// --- the law's own cases: cameras that look at triangles ----------------------------------------
+
+/// A projection of near and far planes, f_x and f_y its scales; without shift.
+struct Lens {
+  double near = 0;
+  double far = 0;
+  double scale_x = 0;
+  double scale_y = 0;
+};
+
+Lens random_lens(Draw& draw) {
+  Lens lens;
+  lens.near = double{draw.uniform(0.05F, 1)};
+  lens.far = double{draw.uniform(20, 200)};
+  lens.scale_x = double{draw.uniform(0.5F, 3)};
+  lens.scale_y = double{draw.uniform(0.5F, 3)};
+  return lens;
+}
+
+Matrix4 projection_of(const Lens& lens, cases::Rules rules) {
+  const double depth = lens.near - lens.far;
+  Matrix4 matrix{};
+  matrix[0] = static_cast<float>(lens.scale_x);
+  matrix[5] = static_cast<float>(lens.scale_y);
+  if (rules == cases::Rules::opengl) {
+    matrix[10] = static_cast<float>((lens.far + lens.near) / depth);
+    matrix[11] = static_cast<float>(2 * lens.far * lens.near / depth);
+  } else {
+    matrix[10] = static_cast<float>(lens.far / depth);
+    matrix[11] = static_cast<float>(lens.far * lens.near / depth);
+  }
+  matrix[14] = -1;
+  return matrix;
+}
+
+using Point = std::array<double, 3>;
+
+/// What a turn and a shift take to `p`, nearly: matrices are turns but for rounding.
+Point before_motion(const Matrix4& matrix, const Point& p) {
+  Point result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      result[i] += double{matrix[k * 4 + i]} * (p[k] - double{matrix[k * 4 + 3]});
+    }
+  }
+  return result;
+}
+
+/// A turn about an axis, then a shift.
+Matrix4 random_motion(Draw& draw, float farthest) {
+  const int axis = draw.between(0, 2);
+  Matrix4 matrix = rotation(static_cast<std::size_t>(axis), draw.uniform(-1, 1));
+  for (std::size_t i = 0; i < 3; ++i) matrix[i * 4 + 3] = draw.uniform(-farthest, farthest);
+  return matrix;
+}
+
+/// A point that the camera sees at `ndc`, `distance` in front of it; behind it where that is
+/// negative.
+Point eye_point(const Lens& lens, const std::array<double, 2>& ndc, double distance) {
+  return {ndc[0] * distance / lens.scale_x, ndc[1] * distance / lens.scale_y, -distance};
+}
+
+void add_triangles(Draw& draw, const Lens& lens, cases::Case& c) {
+  const cases::Camera& camera = *c.camera;
+  const int triangles = draw.between(1, 1 + draw.size() / 30);
+  for (int i = 0; i < 3 * triangles; ++i) {
+    const double x = double{draw.uniform(-1.25F, 1.25F)};
+    const double y = double{draw.uniform(-1.25F, 1.25F)};
+    double distance = lens.near + double{draw.unit()} * 8;
+    if (draw.one_in(12)) distance = lens.near / 2;
+    if (draw.one_in(12)) distance = -distance;
+    const Point seen = eye_point(lens, {x, y}, distance);
+    const Point p = before_motion(camera.model, before_motion(camera.view, seen));
+    add_vertex(c, {to_float(p[0]), to_float(p[1]), to_float(p[2]), 1});
+  }
+  for (int i = 0; i < triangles; ++i) {
+    const auto first = static_cast<std::uint32_t>(3 * i);
+    c.triangles.push_back({first, first + 1, first + 2});
+  }
+}
+
+Generated generate(Draw& draw) {
+  Generated made;
+  made.stratum = "cameras";
+  StateRequest request;
+  request.least_side = 16;
+  cases::Case& c = made.source;
+  c = random_state(draw, request);
+  const bool is_turning = c.framebuffer.samples == 1 || c.framebuffer.samples == 4;
+  if (!is_turning) c.framebuffer.samples = draw.one_in(2) ? 1 : 4;
+  shorten_viewport(c);
+  cases::Camera& camera = c.camera.emplace();
+  camera.model = random_motion(draw, 2);
+  camera.view = random_motion(draw, 10);
+  const Lens lens = random_lens(draw);
+  camera.projection = projection_of(lens, c.rules);
+  add_triangles(draw, lens, c);
+  add_attribute_values(draw, c);
+  add_clip_distances(draw, c);
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "a roll by a quarter turns the picture",
+     .reason = "R P is the projection P with two rows exchanged and signs changed: clip positions "
+               "are turned by 90°.",
+     .exceptions = "cases without a camera; what does not turn, as with a quarter turn",
+     .generate = &generate,
+     .check = &check,
+     .covers = {cover(20, "clipped"), cover(5, "w <= 0"), cover(5, "several samples"),
+                cover(5, "snapped")}});
+
+}  // namespace
+}  // namespace rastercheck::properties

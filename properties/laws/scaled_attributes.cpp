@@ -1,0 +1,399 @@
+// A scaled and moved attribute is scaled and moved: where the vertices have α r_i + β in place of
+// r_i, fragments have α f + β in place of f, as far as both are allowed to be off; where β is 0, to
+// the bit. α is ± a power of two.
+//
+// Why. r = Σ r_i e_i / Σ e_i is a mean with weights that know nothing of r (RULES §1), so that
+// Σ (α r_i + β) e_i / Σ e_i = α r + β; a noperspective mean alike, and flat values are copies. Nor
+// do coverage and depth know anything of attributes: both are the same to the bit.
+//
+// How far. With U the unit of scale ULP (RULES §5), b the bound of the contract, and primes for the
+// drawing of α r_i + β, f is within b U of a value r that the contract leaves open, lo <= r <= hi,
+// and f' within b U' of α r' + β for another such r'. So, exactly,
+//
+//   |f' − (α f + β)| <= b U' + |α| b U + |α| (hi − lo)
+//
+// Under a contract that names one triangle lo and hi are the same, and r of a covered sample is
+// between the r_i: U = ulp(max|r_i|). Elsewhere, and where b grows towards the horizon, the oracle
+// is asked, of some fragments. All of it is decided by exact sums.
+//
+// With β = 0: rounding commutes with powers of two and with the sign, whatever the weights are and
+// however the mean is formed, as long as nothing is beyond the exponents. Judged so are attributes
+// with 0 or 2^-40 <= |r_i| <= 2^40 and values of more than 2^-100; zeros of either sign are alike.
+//
+// α and β come from the case's numbers, for each attribute others: such that all α r_i + β are
+// float32 without rounding; β is 0 where that takes it, and an attribute stays as it is where no α
+// does. Not judged: values that the rules leave free, or leave undefined.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "oracle/transform.h"
+#include "properties/internal/choices.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/exact_sum.h"
+#include "properties/internal/textured_cases.h"
+#include "properties/internal/window_symmetry.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+
+/// Of r_i that are scaled to the bit, and of f.
+constexpr double kLeastOfBits = 0x1p-40;
+constexpr double kMostOfBits = 0x1p40;
+constexpr double kLeastValueOfBits = 0x1p-100;
+/// Beyond this a value within the bound may be infinite.
+constexpr double kMostMoved = 0x1p126;
+/// The oracle's ranges take far longer than sums.
+constexpr std::size_t kMostAsked = 16;
+
+/// α r + β.
+struct Affine {
+  double alpha = 1;
+  double beta = 0;
+
+  bool is_identity() const { return alpha == 1 && beta == 0; }
+  /// Where that is exact.
+  std::optional<float> of(float r) const {
+    const auto sum = exact_sum(alpha * double{r}, beta);
+    if (!sum || !is_float(*sum)) return std::nullopt;
+    return static_cast<float>(*sum);
+  }
+};
+
+bool is_exact(const cases::Case& c, std::size_t attribute, const Affine& map) {
+  for (std::size_t v = 0; v < c.positions.size(); ++v) {
+    if (!map.of(c.attributes_of(v)[attribute])) return false;
+  }
+  return true;
+}
+
+Affine map_of(const cases::Case& c, std::size_t attribute, Choices& choices) {
+  constexpr std::array kAlphas{-4.0, -2.0, -1.0, -0.5, -0.0625, 0.125, 0.5, 2.0, 4.0, 16.0};
+  Affine map;
+  map.alpha = choices.pick(kAlphas);
+  if (choices.below(3) > 0) map.beta = (static_cast<double>(choices.below(257)) - 128) / 4;
+  if (is_exact(c, attribute, map)) return map;
+  map.beta = 0;
+  return is_exact(c, attribute, map) ? map : Affine{};
+}
+
+std::vector<Affine> maps_of(const cases::Case& c) {
+  Choices choices(fingerprint(c));
+  std::vector<Affine> maps;
+  // Few numbers of a hash are many attributes': each has a part of its own.
+  for (std::size_t a = 0; a < c.attributes.size(); ++a) {
+    if (a % 4 == 0) choices = Choices(fingerprint(c) + a);
+    maps.push_back(map_of(c, a, choices));
+  }
+  return maps;
+}
+
+cases::Case changed_case(const cases::Case& c, const std::vector<Affine>& maps) {
+  cases::Case changed = c;
+  const std::size_t count = c.attributes.size();
+  for (std::size_t i = 0; i < changed.attribute_values.size(); ++i) {
+    float& value = changed.attribute_values[i];
+    value = maps[i % count].of(value).value_or(value);
+  }
+  return changed;
+}
+
+/// ulp(x) of float32 (RULES §5).
+double ulp_of(double x) {
+  constexpr int kLeastExponent = std::numeric_limits<float>::min_exponent - 1;
+  constexpr int kMantissaBits = std::numeric_limits<float>::digits - 1;
+  const int exponent = x == 0 ? kLeastExponent : std::max(std::ilogb(x), kLeastExponent);
+  return std::ldexp(1.0, exponent - kMantissaBits);
+}
+
+/// What a value may be: lo <= r <= hi, and off by `bound` units.
+struct Allowed {
+  double lo = 0;
+  double hi = 0;
+  double bound = 0;
+  bool is_open = false;  ///< else lo and hi are two doubles around one r, if anything
+};
+
+class AffinityCheck {
+ public:
+  AffinityCheck(const cases::Case& c, const cases::Contract& contract, std::vector<Affine> maps,
+                const cases::Framebuffer& before, const cases::Framebuffer& drawn)
+      : scene_(c, contract),
+        maps_(std::move(maps)),
+        before_(&before),
+        drawn_(&drawn),
+        places_(fragments_by_place(before)) {
+    check_.judgement.errors[AttributeKind::coverage];
+  }
+
+  Check run() {
+    std::set<FragmentPlace> seen;
+    std::vector<std::size_t> same;
+    for (std::size_t i = 0; i < drawn_->size(); ++i) {
+      const FragmentPlace place = place_of(*drawn_, i);
+      if (!places_.contains(place) || !seen.insert(place).second) {
+        report(violation_at(place, FragmentClass::extra, "forbidden: it was not drawn", kNote));
+      } else if (is_of_case(scene_.source(), place)) {
+        same.push_back(i);
+        triangles_.insert(place.triangle);
+      }
+    }
+    for (const auto& [place, index] : places_) {
+      if (seen.contains(place)) continue;
+      report(violation_at(place, FragmentClass::missing, "required: it was drawn", kNote));
+    }
+    check_.judgement.counts.required = before_->size();
+    for (const std::size_t i : same) compare(i);
+    for (const std::size_t i : some_of(same, kMostAsked)) ask(i);
+    add_state_labels(scene_.source(), triangles_, labels_);
+    check_.labels.assign(labels_.begin(), labels_.end());
+    return std::move(check_);
+  }
+
+ private:
+  static constexpr const char* kNote = "with other attribute values";
+
+  const cases::Case& source() const { return scene_.source(); }
+  const cases::Triangle& triangle_at(const FragmentPlace& place) const {
+    return source().triangles[place.triangle];
+  }
+
+  /// max |r_i| of the triangle, moved or not.
+  double magnitude(const FragmentPlace& place, std::size_t a, const Affine& map) const {
+    double most = 0;
+    for (const std::uint32_t v : triangle_at(place)) {
+      const double r = source().attributes_of(v)[a];
+      most = std::max(most, std::abs(map.alpha * r + map.beta));
+    }
+    return most;
+  }
+
+  bool is_free(const FragmentPlace& place, std::size_t a) const {
+    if (source().attributes[a].interpolation != cases::Interpolation::noperspective) return false;
+    return std::any_of(triangle_at(place).begin(), triangle_at(place).end(),
+                       [&](std::uint32_t v) { return source().positions[v].w <= 0; });
+  }
+
+  bool has_bits(const FragmentPlace& place, std::size_t a) const {
+    return std::all_of(triangle_at(place).begin(), triangle_at(place).end(), [&](std::uint32_t v) {
+      const double r = std::abs(double{source().attributes_of(v)[a]});
+      return r == 0 || (r >= kLeastOfBits && r <= kMostOfBits);
+    });
+  }
+
+  /// Whether one triangle is named, one point of it, and a bound that is the same everywhere.
+  bool is_simple(std::size_t a) const {
+    const cases::Contract& contract = scene_.contract();
+    const bool is_at_sample = source().attributes[a].location == cases::Location::sample ||
+                              source().framebuffer.samples == 1;
+    return !contract.coverage && contract.basis == cases::Basis::ideal && is_at_sample &&
+           bound_of(a).per_horizon == 0;
+  }
+
+  const cases::ValueBound& bound_of(std::size_t a) const {
+    const bool is_smooth = source().attributes[a].interpolation == cases::Interpolation::smooth;
+    const cases::ValueBounds& bounds = scene_.contract().bounds;
+    return is_smooth ? bounds.smooth : bounds.noperspective;
+  }
+
+  /// All that needs no oracle.
+  void compare(std::size_t i) {
+    const FragmentPlace place = place_of(*drawn_, i);
+    const std::size_t was = places_.at(place);
+    bool is_right = true;
+    if (!is_same(before_->depth[was], drawn_->depth[i])) {
+      is_right = false;
+      report_value(place, AttributeKind::depth, before_->depth[was], drawn_->depth[i], kNote);
+    }
+    for (std::uint32_t a = 0; a < maps_.size(); ++a) {
+      const Affine& map = maps_[a];
+      const float f = before_->attributes_of(was)[a];
+      const float actual = drawn_->attributes_of(i)[a];
+      if (source().attributes[a].interpolation == cases::Interpolation::flat) {
+        const auto expected = static_cast<float>(map.alpha * double{f} + map.beta);
+        is_right = expect_same(place, a, expected, actual, "flat") && is_right;
+      } else if (map.is_identity() || is_free(place, a) || !std::isfinite(f)) {
+        continue;
+      } else if (map.beta == 0 && has_bits(place, a)) {
+        const double expected = map.alpha * double{f};
+        if (f != 0 && std::abs(expected) < kLeastValueOfBits) continue;
+        if (expected == 0 && actual == 0) continue;
+        is_right =
+            expect_same(place, a, static_cast<float>(expected), actual, "scaled") && is_right;
+      } else if (is_simple(a)) {
+        const double r = magnitude(place, a, {});
+        is_right =
+            expect_within(place, a, f, actual, {0, 0, double{bound_of(a).constant}, false}, r) &&
+            is_right;
+      }
+    }
+    if (is_right)
+      ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+  }
+
+  /// What the oracle has to say.
+  void ask(std::size_t i) {
+    const FragmentPlace place = place_of(*drawn_, i);
+    for (std::uint32_t a = 0; a < maps_.size(); ++a) {
+      const bool is_flat = source().attributes[a].interpolation == cases::Interpolation::flat;
+      const float f = before_->attributes_of(places_.at(place))[a];
+      if (is_flat || is_simple(a) || is_free(place, a) || maps_[a].is_identity()) continue;
+      if (!std::isfinite(f) || (maps_[a].beta == 0 && has_bits(place, a))) continue;
+      const auto x = static_cast<int>(place.x);
+      const auto y = static_cast<int>(place.y);
+      const auto s = static_cast<int>(place.sample);
+      const oracle::TriangleTruth& truth = truth_of(place.triangle);
+      if (truth.judge(x, y, s).verdict == records::Verdict::forbidden) continue;
+      const auto range = truth.attribute(a, x, y, s);
+      const auto bound = truth.value_bound(a, x, y, s);
+      if (!range || !bound) continue;
+      const double lo = range->lo.enclosure().lo;
+      const double hi = range->hi.enclosure().hi;
+      const double most = std::max({magnitude(place, a, {}), std::abs(lo), std::abs(hi)});
+      expect_within(place, a, f, drawn_->attributes_of(i)[a],
+                    {lo, hi, bound->enclosure().hi, range->is_open}, most);
+    }
+  }
+
+  const oracle::TriangleTruth& truth_of(std::uint32_t triangle) {
+    if (!truth_ || triangle_ != triangle) {
+      truth_ = std::make_unique<oracle::TriangleTruth>(scene_, triangle);
+      triangle_ = triangle;
+    }
+    return *truth_;
+  }
+
+  bool expect_same(const FragmentPlace& place, std::uint32_t a, float expected, float actual,
+                   const char* label) {
+    labels_.emplace(label);
+    if (is_same(expected, actual)) return true;
+    const AttributeKind kind = records::kind_of(source().attributes[a].interpolation);
+    report_value(place, kind, expected, actual, note_of(maps_[a]), a);
+    return false;
+  }
+
+  /// |f' − (α f + β)| <= b U' + |α| (b U + hi − lo), where |r| <= most.
+  bool expect_within(const FragmentPlace& place, std::uint32_t a, float f, float actual,
+                     const Allowed& allowed, double most) {
+    const Affine& map = maps_[a];
+    const double alpha = std::abs(map.alpha);
+    // Between the vertices' values the moved ones are between the moved vertices'.
+    const double most_of_vertices = magnitude(place, a, map);
+    const double most_moved = most > magnitude(place, a, {})
+                                  ? std::max(most_of_vertices, alpha * most + std::abs(map.beta))
+                                  : most_of_vertices;
+    if (most_moved >= kMostMoved) return true;
+    labels_.emplace(map.beta == 0 ? "scaled" : "scaled and moved");
+    if (allowed.is_open) labels_.emplace("open value");
+    const double unit_moved = ulp_of(most_moved);
+    const auto is_beyond = [&](double sign) {
+      const std::array terms{
+          sign * double{actual},       -sign * map.alpha * double{f},         -sign * map.beta,
+          -allowed.bound * unit_moved, -allowed.bound * alpha * ulp_of(most), -alpha * allowed.hi,
+          alpha * allowed.lo};
+      return sign_of_sum(terms) > 0;
+    };
+    if (std::isfinite(actual) && !is_beyond(1) && !is_beyond(-1)) return true;
+    const AttributeKind kind = records::kind_of(source().attributes[a].interpolation);
+    const auto expected = static_cast<float>(map.alpha * double{f} + map.beta);
+    report_value(place, kind, expected, actual,
+                 note_of(map) + ", within the bounds of both drawings", a);
+    return false;
+  }
+
+  static std::string note_of(const Affine& map) {
+    return fmt::format("{} r + {}, of the value r as it was", map.alpha, map.beta);
+  }
+
+  void report_value(const FragmentPlace& place, AttributeKind kind, float expected, float actual,
+                    const std::string& note, std::optional<std::uint32_t> attribute = {}) {
+    const FragmentClass found = class_of(actual, expected);
+    records::Violation violation = violation_at(place, found, value_text(expected), note);
+    violation.kind = kind;
+    violation.attribute = attribute;
+    violation.actual = value_text(actual);
+    report(violation);
+  }
+
+  void report(const records::Violation& violation) {
+    ++check_.judgement.errors[violation.kind].classes[violation.fragment_class];
+    note(check_, violation);
+  }
+
+  oracle::SceneTruth scene_;
+  std::vector<Affine> maps_;  ///< [attribute]
+  const cases::Framebuffer* before_;
+  const cases::Framebuffer* drawn_;
+  FragmentMap places_;
+  Check check_;
+  std::set<std::string> labels_;
+  std::set<std::uint32_t> triangles_;
+  std::unique_ptr<oracle::TriangleTruth> truth_;
+  std::uint32_t triangle_ = 0;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  std::vector<Affine> maps = maps_of(*clip);
+  const bool is_changed =
+      std::any_of(maps.begin(), maps.end(), [](const Affine& map) { return !map.is_identity(); });
+  if (!is_changed) return not_applicable();
+  const cases::Case changed = changed_case(*clip, maps);
+  // Both drawings are held to one promise.
+  const cases::Contract contract = backend.contract(*clip);
+  if (backend.contract(changed) != contract) return not_applicable();
+  const Result<cases::Framebuffer> before = draw(*clip, backend);
+  if (!before) return tl::unexpected(before.error());
+  const Result<cases::Framebuffer> drawn = draw(changed, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  return AffinityCheck(*clip, contract, std::move(maps), *before, *drawn).run();
+}
+
+/// Every case has an attribute; most of them have values of few bits, which can be moved.
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  cases::Case& c = made.source;
+  if (c.attributes.empty()) {
+    c.attributes.emplace_back();
+    c.attributes.back().name = "a0";
+    c.attribute_values.assign(c.positions.size(), 0);
+  }
+  const std::size_t count = c.attributes.size();
+  for (std::size_t a = 0; a < count; ++a) {
+    if (a > 0 && draw.one_in(4)) continue;
+    const int most = draw.pick(std::array{1, 16, 1024});
+    for (std::size_t v = 0; v < c.positions.size(); ++v) {
+      const int sixteenths = draw.between(-most, most);
+      c.attribute_values[v * count + a] = static_cast<float>(sixteenths) / 16;
+    }
+  }
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "a scaled and moved attribute is scaled and moved",
+     .reason = "The weights of a mean know nothing of the attribute.",
+     .exceptions = "attributes whose values cannot be scaled without rounding, values that the "
+                   "rules leave free or undefined",
+     .generate = &generate,
+     .check = &check,
+     .covers = {cover(20, "scaled"), cover(25, "scaled and moved"), cover(5, "flat")}});
+
+}  // namespace
+}  // namespace rastercheck::properties
