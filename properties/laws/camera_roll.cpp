@@ -251,8 +251,8 @@ const LawRegistration kRegistration(
      .exceptions = "cases without a camera; what does not turn, as with a quarter turn",
      .generate = &generate,
      .check = &check,
-     .covers = {cover(20, "clipped"), cover(5, "w <= 0"), cover(5, "several samples"),
-                cover(5, "snapped")}});
+     .covers = {cover(20, "clipped"), cover(10, "w <= 0"), cover(10, "several samples"),
+                cover(10, "snapped")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

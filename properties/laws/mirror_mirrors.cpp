@@ -249,7 +249,8 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .covers = {cover(10, "left and right mirrored"), cover(10, "up and down mirrored"),
-                cover(10, "both mirrored"), cover(5, "faces turned round"), cover(5, "snapped")}});
+                cover(20, "both mirrored"), cover(7, "faces turned round"), cover(10, "snapped"),
+                cover(8, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -393,7 +393,7 @@ const LawRegistration kRegistration(
                    "rules leave free or undefined",
      .generate = &generate,
      .check = &check,
-     .covers = {cover(20, "scaled"), cover(25, "scaled and moved"), cover(5, "flat")}});
+     .covers = {cover(15, "scaled"), cover(25, "scaled and moved"), cover(5, "flat")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -156,7 +156,8 @@ const LawRegistration kRegistration(
      .exceptions = "cases whose moved viewport is no float32; what leaves the window",
      .generate = &generate,
      .check = &check,
-     .covers = {cover(20, "partly out of the window"), cover(5, "far"), cover(5, "snapped")}});
+     .covers = {cover(25, "partly out of the window"), cover(30, "odd"), cover(7, "far"),
+                cover(10, "snapped")}});
 
 }  // namespace
 }  // namespace rastercheck::properties
