@@ -41,6 +41,7 @@ namespace rastercheck::properties {
 namespace {
 
 using cases::Matrix4;
+using records::AttributeKind;
 using records::FragmentClass;
 
 /// R P.
@@ -74,6 +75,7 @@ void judge_positions(const cases::Case& c, const std::vector<cases::ClipVertex>&
     for (std::size_t k = 0; k < 4; ++k) {
       const oracle::JudgedNumber& one = judged[vertex][k];
       if (one.fragment_class == FragmentClass::correct) continue;
+      ++check.judgement.errors[AttributeKind::coverage].classes[one.fragment_class];
       records::Violation violation;
       violation.fragment_class = one.fragment_class;
       violation.exact = one.exact.to_string();

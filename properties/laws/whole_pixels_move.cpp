@@ -55,8 +55,8 @@ Move move_of(const cases::Case& c) {
   Move move;
   move.du = steps_along(choices, std::max(c.framebuffer.width, 2));
   move.dv = steps_along(choices, std::max(c.framebuffer.height, 2));
-  if (choices.below(4) == 0 && c.framebuffer.samples == 1) {
-    constexpr std::array kFar{63, 64, 65, 96, 127};
+  if (choices.below(3) == 0 && c.framebuffer.samples == 1) {
+    constexpr std::array kFar{64, 65, 127, 256, 257, 300};
     (choices.below(2) == 0 ? move.du : move.dv) = choices.pick(kFar);
   }
   if (move.du == 0 && move.dv == 0) move.du = 1;
