@@ -139,7 +139,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   const std::optional<float> bound = backend.contract(source).transform_bound;
   if (backend.transforms() && bound) {
     judge_positions(source, *positions, *bound, check);
-    check.labels.emplace_back("vertex stage");
+    add_label(check, "vertex stage");
   }
   return check;
 }
@@ -206,15 +206,28 @@ Point eye_point(const Lens& lens, const std::array<double, 2>& ndc, double dista
   return {ndc[0] * distance / lens.scale_x, ndc[1] * distance / lens.scale_y, -distance};
 }
 
-void add_triangles(Draw& draw, const Lens& lens, cases::Case& c) {
+/// How far in front of the eye a vertex is.
+using Distance = double (*)(Draw& draw, const Lens& lens);
+
+double in_front(Draw& draw, const Lens& lens) { return lens.near + 8 * double{draw.unit()}; }
+
+/// Beyond the near plane, one in three.
+double about_near_plane(Draw& draw, const Lens& lens) {
+  return draw.one_in(3) ? lens.near / 2 : in_front(draw, lens);
+}
+
+/// Behind the eye, one in three.
+double about_eye(Draw& draw, const Lens& lens) {
+  return draw.one_in(3) ? -in_front(draw, lens) : in_front(draw, lens);
+}
+
+void add_triangles(Draw& draw, const Lens& lens, Distance distance_of, cases::Case& c) {
   const cases::Camera& camera = *c.camera;
   const int triangles = draw.between(1, 1 + draw.size() / 30);
   for (int i = 0; i < 3 * triangles; ++i) {
     const double x = double{draw.uniform(-1.25F, 1.25F)};
     const double y = double{draw.uniform(-1.25F, 1.25F)};
-    double distance = lens.near + double{draw.unit()} * 8;
-    if (draw.one_in(12)) distance = lens.near / 2;
-    if (draw.one_in(12)) distance = -distance;
+    const double distance = distance_of(draw, lens);
     const Point seen = eye_point(lens, {x, y}, distance);
     const Point p = before_motion(camera.model, before_motion(camera.view, seen));
     add_vertex(c, {to_float(p[0]), to_float(p[1]), to_float(p[2]), 1});
@@ -226,8 +239,17 @@ void add_triangles(Draw& draw, const Lens& lens, cases::Case& c) {
 }
 
 Generated generate(Draw& draw) {
+  struct Sort {
+    const char* name;
+    Distance distance_of;
+  };
+  constexpr std::array<Sort, 4> kSorts{{{"in front of the camera", &in_front},
+                                        {"in front of the camera", &in_front},
+                                        {"through the near plane", &about_near_plane},
+                                        {"through the eye's plane", &about_eye}}};
   Generated made;
-  made.stratum = "cameras";
+  const Sort& sort = draw.pick(kSorts);
+  made.stratum = sort.name;
   StateRequest request;
   request.least_side = 16;
   cases::Case& c = made.source;
@@ -240,7 +262,7 @@ Generated generate(Draw& draw) {
   camera.view = random_motion(draw, 10);
   const Lens lens = random_lens(draw);
   camera.projection = projection_of(lens, c.rules);
-  add_triangles(draw, lens, c);
+  add_triangles(draw, lens, sort.distance_of, c);
   add_attribute_values(draw, c);
   add_clip_distances(draw, c);
   return made;

@@ -220,9 +220,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   Check check =
       judge_changed(*clip, *contract, *before, mirrored_back(*clip, *drawn, *mirror), options);
   add_to_notes(check, "drawn with " + std::string(name_of(*mirror)));
-  check.labels.emplace_back(name_of(*mirror));
+  add_label(check, name_of(*mirror));
   if (clip->cull != cases::Cull::none && mirror->turns_faces()) {
-    check.labels.emplace_back("faces turned round");
+    add_label(check, "faces turned round");
   }
   return check;
 }

@@ -26,6 +26,7 @@
 #include <string>
 
 #include "oracle/transform.h"
+#include "properties/internal/changed_picture.h"
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/same_drawing.h"
@@ -148,7 +149,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   const Result<cases::Framebuffer> drawn = draw(changed.source, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check check = compare_drawings(own, *before, *drawn, "all coordinates times a power of two");
-  check.labels.insert(check.labels.end(), changed.labels.begin(), changed.labels.end());
+  for (const std::string& label : changed.labels) add_label(check, label);
   return check;
 }
 

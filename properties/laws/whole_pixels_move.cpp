@@ -137,9 +137,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
       moved->before, with_origin_away(contract, std::max(std::abs(move.du), std::abs(move.dv))),
       *before, *drawn, options);
   add_to_notes(check, note_of(move));
-  if (move.du < 0 || move.dv < 0) check.labels.emplace_back("partly out of the window");
-  if (move.du % 2 != 0 || move.dv % 2 != 0) check.labels.emplace_back("odd");
-  if (move.du > 16 || move.dv > 16) check.labels.emplace_back("far");
+  if (move.du < 0 || move.dv < 0) add_label(check, "partly out of the window");
+  if (move.du % 2 != 0 || move.dv % 2 != 0) add_label(check, "odd");
+  if (move.du > 16 || move.dv > 16) add_label(check, "far");
   return check;
 }
 
