@@ -275,7 +275,7 @@ const LawRegistration kRegistration(
      .exceptions = "cases without a camera; what does not turn, as with a quarter turn",
      .generate = &generate,
      .check = &check,
-     .covers = {cover(20, "clipped"), cover(10, "w <= 0"), cover(10, "several samples"),
+     .covers = {cover(12, "clipped"), cover(6, "w <= 0"), cover(10, "several samples"),
                 cover(10, "snapped")}});
 
 }  // namespace
