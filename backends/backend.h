@@ -57,6 +57,22 @@ class Backend {
     return tl::unexpected(Error{"", "", "this backend does not draw pictures"});
   }
 
+  /// Whether it draws over pictures that are there, and refuses what is no valid case (cases::Case)
+  /// in every way of drawing. Triangles of vertices that are not finite, and all of a viewport
+  /// without area, may draw nothing instead.
+  virtual bool draws_over() const { return false; }
+
+  /// The same as draw_picture(), but into a picture that is there, of the case's size and not
+  /// resolved, which is not cleared. Where it fails the picture is what it was.
+  virtual Result<void> draw_over(const cases::Case& /*c*/, const cases::Pipeline& /*pipeline*/,
+                                 cases::Picture& /*picture*/) {
+    return tl::unexpected(Error{"", "", "this backend does not draw over pictures"});
+  }
+
+  /// Specifications of backends that promise to draw the same bits as this one, fragments and
+  /// pictures, derivatives aside where either has none. Empty: none does.
+  virtual std::vector<std::string> same_as() const { return {}; }
+
   /// Whether it makes triangles of strips and fans.
   virtual bool assembles() const { return false; }
 

@@ -1,13 +1,17 @@
 // The backend `cpu`: this project's rasterizer.
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "backends/backend.h"
 #include "backends/cpu/rasterizer_backend.h"
+#include "rasterizer/simd.h"
 
 namespace rastercheck::backends {
 namespace {
@@ -21,10 +25,42 @@ std::optional<unsigned> thread_count(std::string_view text) {
   return count;
 }
 
+/// Names of targets, "avx2, ssse3"; of those only that can run here, if asked for.
+std::string simd_names(bool only_supported) {
+  std::string names;
+  for (const rasterizer::SimdTarget& target : rasterizer::simd_targets()) {
+    if (only_supported && !target.is_supported) continue;
+    names += (names.empty() ? "" : ", ") + target.name;
+  }
+  return names;
+}
+
+/// Why a target cannot be drawn with; empty where it can.
+std::string unavailable_because(const rasterizer::SimdTarget& target) {
+  if (target.is_supported) return "";
+  return (target.is_compiled ? "this machine has no " : "the kernels are not compiled for ") +
+         target.name + "; there are: " + simd_names(true);
+}
+
+/// Why the target of that name cannot be drawn with; empty where it can, or there is none.
+std::string unavailable_because(std::string_view simd) {
+  for (const rasterizer::SimdTarget& target : rasterizer::simd_targets()) {
+    if (target.name == simd) return unavailable_because(target);
+  }
+  return "";
+}
+
+bool is_simd(std::string_view name) {
+  const std::vector<rasterizer::SimdTarget> all = rasterizer::simd_targets();
+  return std::any_of(all.begin(), all.end(),
+                     [name](const rasterizer::SimdTarget& target) { return target.name == name; });
+}
+
 /// Whether there is such an option.
 bool set(std::string_view option, RasterizerOptions& options) {
   using rasterizer::Precision;
   constexpr std::string_view kThreads = "threads=";
+  constexpr std::string_view kSimd = "simd=";
   if (option == "precision=float64" || option == "precision=float32") {
     const bool is_double = option.ends_with("64");
     options.precision = is_double ? Precision::float64 : Precision::float32;
@@ -34,6 +70,9 @@ bool set(std::string_view option, RasterizerOptions& options) {
     const std::optional<unsigned> count = thread_count(option.substr(kThreads.size()));
     if (count) options.threads = *count;
     return count.has_value();
+  } else if (option.starts_with(kSimd)) {
+    options.simd = option.substr(kSimd.size());
+    return is_simd(options.simd);
   } else {
     return false;
   }
@@ -49,7 +88,11 @@ Result<std::unique_ptr<Backend>> make(const std::string& text) {
         "cpu:" + text, "",
         "cpu has no option '" + option +
             "'; there are: precision=float64 (the default), precision=float32, output=fragments "
-            "(the default), output=framebuffer, threads=N (1 to 256)"});
+            "(the default), output=framebuffer, threads=N (1 to 256), simd=TARGET (" +
+            simd_names(false) + ")"});
+  }
+  if (const std::string reason = unavailable_because(options.simd); !reason.empty()) {
+    return tl::unexpected(Error{"cpu:simd=" + options.simd, "", reason});
   }
   if (options.threads > 1 && options.output == Output::fragments) {
     return tl::unexpected(Error{"cpu:" + text, "",
@@ -60,9 +103,15 @@ Result<std::unique_ptr<Backend>> make(const std::string& text) {
 }
 
 std::vector<Listing> list() {
-  return {{"cpu", "this project's rasterizer", ""},
-          {"cpu:precision=float32", "the same, with attributes computed in float32", ""},
-          {"cpu:output=framebuffer", "the same, drawn tile by tile into a framebuffer", ""}};
+  std::vector<Listing> all{
+      {"cpu", "this project's rasterizer", ""},
+      {"cpu:precision=float32", "the same, with attributes computed in float32", ""},
+      {"cpu:output=framebuffer", "the same, drawn tile by tile into a framebuffer", ""}};
+  for (const rasterizer::SimdTarget& target : rasterizer::simd_targets()) {
+    all.push_back({"cpu:simd=" + target.name, "the same, with vectors of " + target.name,
+                   unavailable_because(target)});
+  }
+  return all;
 }
 
 const BackendRegistration kRegistration({"cpu", &make, &list});

@@ -93,45 +93,56 @@ struct QuadDifferences {
   }
 };
 
-ras::DrawResult draw_untextured(const cases::Case& c, const cases::Pipeline& pipeline,
-                                const ras::State& state, const ras::Mesh& mesh, unsigned threads,
-                                ras::Framebuffer& framebuffer) {
-  const ras::TargetSize size = target_size(c);
-  const float depth = pipeline.clear_depth;
-  const auto draw_by = [&](const auto& shader) {
-    return clear_and_draw(state, mesh, shader, size, depth, framebuffer, threads);
-  };
-  switch (pipeline.shading) {
+/// A draw into a framebuffer, which is cleared first or not.
+struct FrameDraw {
+  const cases::Case& source;
+  const ras::State& state;
+  const ras::Mesh& mesh;
+  std::optional<float> clear_depth;
+  ras::Framebuffer& framebuffer;
+  unsigned threads;
+
+  template <typename... Shader>  // one or none
+  std::optional<ras::Error> by(const Shader&... shader) const {
+    if (!clear_depth) return draw(state, mesh, shader..., framebuffer, threads).error;
+    const ras::TargetSize size = target_size(source);
+    return clear_and_draw(state, mesh, shader..., size, *clear_depth, framebuffer, threads).error;
+  }
+};
+
+std::optional<ras::Error> draw_untextured(const FrameDraw& draw, cases::Shading shading) {
+  const std::size_t attributes = draw.source.attributes.size();
+  switch (shading) {
     case cases::Shading::vertex_colors:
-      return draw_by(ras::GouraudShader());
+      if (attributes < 3) return ras::Error::attribute_count;
+      return draw.by(ras::GouraudShader());
     case cases::Shading::differences_along_x:
-      return draw_by(QuadDifferences{c.attributes.size(), 1, false});
+      return draw.by(QuadDifferences{attributes, 1, false});
     case cases::Shading::differences_along_y:
       // What never discards is shaded in another way, so that one axis each shows the quads of
       // both.
-      return draw_by(QuadDifferences{c.attributes.size(), ras::FragmentBatch::kCellWidth, true});
+      return draw.by(QuadDifferences{attributes, ras::FragmentBatch::kCellWidth, true});
     case cases::Shading::attributes:
       break;
   }
-  return clear_and_draw(state, mesh, size, depth, framebuffer, threads);
+  return draw.by();
+}
+
+ras::ColorFormat format(cases::ColorFormat format) {
+  return format == cases::ColorFormat::rgba8 ? ras::ColorFormat::rgba8 : ras::ColorFormat::float32;
 }
 
 std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline& pipeline,
-                                    unsigned threads, ras::Framebuffer& framebuffer) {
+                                    std::optional<float> clear_depth, unsigned threads,
+                                    ras::Framebuffer& framebuffer) {
   ras::State state = state_of(c, ras::Precision::float64);
   state.depth_test = depth_test(pipeline.depth_function);
   state.depth_write = pipeline.writes_depth;
   state.blend = blend(pipeline.blend);
-  framebuffer.format = pipeline.format == cases::ColorFormat::rgba8 ? ras::ColorFormat::rgba8
-                                                                    : ras::ColorFormat::float32;
   const CaseMesh memory(c);
   const ras::Mesh mesh = memory.mesh();
-  if (!pipeline.texturing) {
-    if (pipeline.shading == cases::Shading::vertex_colors && c.attributes.size() < 3) {
-      return ras::Error::attribute_count;
-    }
-    return draw_untextured(c, pipeline, state, mesh, threads, framebuffer).error;
-  }
+  const FrameDraw draw{c, state, mesh, clear_depth, framebuffer, threads};
+  if (!pipeline.texturing) return draw_untextured(draw, pipeline.shading);
   if (c.attributes.size() < 2) return ras::Error::attribute_count;
   const cases::Texturing& texturing = *pipeline.texturing;
   ras::Texture texture;
@@ -142,9 +153,39 @@ std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline&
   shader.texture = &texture;
   shader.sampler = {wrap(texturing.wrap_s), wrap(texturing.wrap_t), filter(texturing.filter)};
   shader.discard_below = texturing.discard_below;
-  return clear_and_draw(state, mesh, shader, target_size(c), pipeline.clear_depth, framebuffer,
-                        threads)
-      .error;
+  return draw.by(shader);
+}
+
+/// A framebuffer that holds a picture.
+ras::Framebuffer framebuffer_of(const cases::Picture& picture, cases::ColorFormat color_format) {
+  ras::Framebuffer framebuffer;
+  framebuffer.size = {picture.size.width, picture.size.height, picture.size.samples};
+  framebuffer.attribute_count = picture.channels;
+  framebuffer.format = format(color_format);
+  framebuffer.depth.assign(picture.depth.begin(), picture.depth.end());
+  if (framebuffer.format == ras::ColorFormat::float32) {
+    framebuffer.attributes.assign(picture.color.begin(), picture.color.end());
+  } else {
+    // The float next to k/255, times 255, is off by far less than a half.
+    for (const float color : picture.color) {
+      framebuffer.bytes.push_back(static_cast<std::uint8_t>(color * 255 + 0.5F));
+    }
+  }
+  return framebuffer;
+}
+
+/// The numbers that a framebuffer holds.
+void take(const ras::Framebuffer& framebuffer, cases::Picture& picture) {
+  picture.depth.assign(framebuffer.depth.begin(), framebuffer.depth.end());
+  picture.color.assign(framebuffer.attributes.begin(), framebuffer.attributes.end());
+  for (const std::uint8_t byte : framebuffer.bytes) {
+    picture.color.push_back(static_cast<float>(byte) / 255);
+  }
+}
+
+std::size_t sample_count(const cases::FramebufferSize& size) {
+  return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) *
+         static_cast<std::size_t>(size.samples);
 }
 
 }  // namespace
@@ -152,7 +193,8 @@ std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline&
 Result<cases::Picture> draw_picture(const cases::Case& c, const cases::Pipeline& pipeline,
                                     unsigned threads) {
   ras::Framebuffer framebuffer;
-  if (const auto error = draw_into(c, pipeline, threads, framebuffer)) {
+  framebuffer.format = format(pipeline.format);
+  if (const auto error = draw_into(c, pipeline, pipeline.clear_depth, threads, framebuffer)) {
     return tl::unexpected(refused(*error));
   }
   if (pipeline.resolves) {
@@ -164,12 +206,24 @@ Result<cases::Picture> draw_picture(const cases::Case& c, const cases::Pipeline&
   cases::Picture picture;
   picture.size = {size.width, size.height, size.samples};
   picture.channels = framebuffer.attribute_count;
-  picture.depth.assign(framebuffer.depth.begin(), framebuffer.depth.end());
-  picture.color.assign(framebuffer.attributes.begin(), framebuffer.attributes.end());
-  for (const std::uint8_t byte : framebuffer.bytes) {
-    picture.color.push_back(static_cast<float>(byte) / 255);
-  }
+  take(framebuffer, picture);
   return picture;
+}
+
+Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline, unsigned threads,
+                       cases::Picture& picture) {
+  // What is wrong with a size is the rasterizer's to say, but that it is another one that happens
+  // to have as many samples.
+  const bool is_other =
+      c.framebuffer != picture.size && sample_count(c.framebuffer) == picture.depth.size();
+  if (pipeline.resolves || is_other) return tl::unexpected(refused(ras::Error::target_size));
+  ras::Framebuffer framebuffer = framebuffer_of(picture, pipeline.format);
+  framebuffer.size = target_size(c);
+  const auto error = draw_into(c, pipeline, std::nullopt, threads, framebuffer);
+  // Whatever was said: a draw that was refused shows whether it has left the picture alone.
+  take(framebuffer, picture);
+  if (error) return tl::unexpected(refused(*error));
+  return {};
 }
 
 }  // namespace rastercheck::backends

@@ -11,4 +11,8 @@ namespace rastercheck::backends {
 Result<cases::Picture> draw_picture(const cases::Case& c, const cases::Pipeline& pipeline,
                                     unsigned threads);
 
+/// Into a picture that is there, of the case's size, with the pipeline's channels and format.
+Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline, unsigned threads,
+                       cases::Picture& picture);
+
 }  // namespace rastercheck::backends

@@ -6,15 +6,18 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "backends/cpu/case_state.h"
 #include "backends/cpu/geometry.h"
 #include "backends/cpu/picture.h"
 #include "rasterizer/methods/method.h"
 #include "rasterizer/rasterizer.h"
+#include "rasterizer/simd.h"
 #include "rasterizer/trace.h"
 #include "rasterizer/vertex_stage.h"
 
@@ -185,6 +188,22 @@ Result<cases::Framebuffer> draw_with_rasterizer(const cases::Case& c, std::strin
   return framebuffer(fragments, indices, c.attributes.size());
 }
 
+/// What the rasterizer would refuse of a case's arrays: they are read before it sees them.
+std::optional<ras::Error> check_arrays(const cases::Case& c) {
+  const std::size_t vertices = c.positions.size();
+  if (c.attribute_values.size() != vertices * c.attributes.size()) {
+    return ras::Error::attribute_values;
+  }
+  if (c.clip_distances.size() != vertices * c.clip_distance_count) {
+    return ras::Error::clip_distance_values;
+  }
+  const bool has_all =
+      std::all_of(c.triangles.begin(), c.triangles.end(), [&](const cases::Triangle& triangle) {
+        return *std::max_element(triangle.begin(), triangle.end()) < vertices;
+      });
+  return has_all ? std::nullopt : std::optional(ras::Error::index);
+}
+
 /// Triangles of a case as the rasterizer takes them, with vertices of their own.
 class UnsharedTriangles {
  public:
@@ -225,6 +244,7 @@ class FramebufferDrawing {
 
   Result<cases::Framebuffer> draw() {
     const std::size_t count = case_.triangles.size();
+    if (!is_done(check_arrays(case_))) return tl::unexpected(*error_);
     if (!clear(framebuffer_, case_.attributes.size())) return tl::unexpected(*error_);
     if (case_.depth_test == cases::DepthTest::less) {
       if (count > kMostIndices) {
@@ -304,6 +324,26 @@ class FramebufferDrawing {
   cases::Framebuffer result_;
   std::optional<Error> error_;
 };
+
+/// What draws the same bits as these options do: framebuffers hold what is computed in double.
+std::vector<std::string> variants(const RasterizerOptions& options) {
+  const bool is_double =
+      options.precision == ras::Precision::float64 || options.output == Output::framebuffer;
+  std::vector<std::string> ways{"cpu:output=framebuffer", "cpu"};
+  if (!is_double) ways = {"cpu:precision=float32"};
+  std::vector<std::string> all = ways;
+  if (is_double) {
+    all.emplace_back("cpu:output=framebuffer,threads=2");
+    all.emplace_back("cpu:output=framebuffer,threads=3");
+  }
+  for (const std::string& way : ways) {
+    const std::string with = way + (way.find(':') == std::string::npos ? ":" : ",") + "simd=";
+    for (const ras::SimdTarget& target : ras::simd_targets()) {
+      if (target.is_supported) all.push_back(with + target.name);
+    }
+  }
+  return all;
+}
 
 std::string numbered(const char* name, std::size_t index) { return name + std::to_string(index); }
 
@@ -385,6 +425,7 @@ class RasterizerBackend : public Backend {
     return contract;
   }
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
+    const ras::OnSimdTarget target(options_.simd);
     if (options_.output == Output::framebuffer) {
       return FramebufferDrawing(c, options_.precision, options_.threads).draw();
     }
@@ -397,13 +438,25 @@ class RasterizerBackend : public Backend {
   Result<cases::Picture> draw_picture(const cases::Case& c,
                                       const cases::Pipeline& pipeline) override {
     if (!draws_pictures()) return Backend::draw_picture(c, pipeline);
+    const ras::OnSimdTarget target(options_.simd);
     return backends::draw_picture(c, pipeline, options_.threads);
+  }
+  bool draws_over() const override { return draws_pictures(); }
+  Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
+                         cases::Picture& picture) override {
+    if (!draws_over()) return Backend::draw_over(c, pipeline, picture);
+    const ras::OnSimdTarget target(options_.simd);
+    return backends::draw_over(c, pipeline, options_.threads, picture);
+  }
+  std::vector<std::string> same_as() const override {
+    return options_.method.empty() ? variants(options_) : std::vector<std::string>();
   }
   bool traces() const override { return options_.method.empty(); }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                     const records::SampleAddress& at) override {
     if (!options_.method.empty()) return Backend::trace(c, at);
     if (at.triangle >= c.triangles.size()) return tl::unexpected(refused(ras::Error::index));
+    if (const auto error = check_arrays(c)) return tl::unexpected(refused(*error));
     if (std::cmp_greater_equal(at.x, c.framebuffer.width) ||
         std::cmp_greater_equal(at.y, c.framebuffer.height) ||
         std::cmp_greater_equal(at.sample, c.framebuffer.samples)) {

@@ -22,6 +22,9 @@ struct RasterizerOptions {
   rasterizer::Precision precision = rasterizer::Precision::float64;
   Output output = Output::fragments;
   unsigned threads = 1;  ///< that draw into the framebuffer
+  /// The kind of vectors to draw with, one that is supported here (rasterizer/simd.h); empty: the
+  /// best that there is.
+  std::string simd = {};
 };
 
 std::unique_ptr<Backend> make_rasterizer_backend(const RasterizerOptions& options);

@@ -18,12 +18,12 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "oracle/transform.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/random_state.h"
+#include "properties/internal/sample_place.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
@@ -32,18 +32,6 @@ namespace {
 
 using records::AttributeKind;
 using records::FragmentClass;
-
-/// y, x, sample.
-using Sample = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
-
-Sample sample_of(const FragmentPlace& place) { return {place.y, place.x, place.sample}; }
-
-/// The fragment that is left at each sample.
-std::map<Sample, std::size_t> by_sample(const cases::Framebuffer& drawn) {
-  std::map<Sample, std::size_t> left;
-  for (std::size_t i = 0; i < drawn.size(); ++i) left.emplace(sample_of(place_of(drawn, i)), i);
-  return left;
-}
 
 class OrderCheck {
  public:
@@ -54,8 +42,8 @@ class OrderCheck {
   }
 
   Check run() {
-    const std::map<Sample, std::size_t> first = by_sample(*forward_);
-    const std::map<Sample, std::size_t> second = by_sample(*backward_);
+    const std::map<SamplePlace, std::size_t> first = fragments_by_sample(*forward_);
+    const std::map<SamplePlace, std::size_t> second = fragments_by_sample(*backward_);
     for (const auto& [sample, i] : first) {
       const auto other = second.find(sample);
       if (other == second.end()) {
@@ -77,7 +65,7 @@ class OrderCheck {
 
   /// What there was to choose from.
   void add_labels(const cases::Framebuffer& all, Check& check) const {
-    std::map<Sample, std::pair<float, int>> depths;  // the least, and how many
+    std::map<SamplePlace, std::pair<float, int>> depths;  // the least, and how many
     std::set<std::string> labels;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const float depth = all.depth[i];

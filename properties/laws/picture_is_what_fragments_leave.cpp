@@ -19,98 +19,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "oracle/transform.h"
-#include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/picture_cases.h"
+#include "properties/internal/pipelines.h"
 #include "properties/judged_law.h"
 #include "properties/picture_model.h"
 
 namespace rastercheck::properties {
 namespace {
 
-using cases::Blend;
-using cases::DepthFunction;
 using records::AttributeKind;
 using records::FragmentClass;
-
-constexpr std::array<std::string_view, 8> kFunctionWords{"always",    "never",           "less",
-                                                         "equal",     "less or equal",   "greater",
-                                                         "not equal", "greater or equal"};
-constexpr std::array<std::string_view, 3> kBlendWords{"off", "over", "additive"};
-
-/// The window depth of a vertex, about: of a plane of equal depth often just the one that is drawn.
-float depth_of(const cases::Case& c, const cases::ClipVertex& p) {
-  if (!(p.w > 0)) return 0.5F;
-  const double depth = double{p.z} / double{p.w};
-  const double share = c.rules == cases::Rules::opengl ? (depth + 1) / 2 : depth;
-  const double n = double{c.viewport.min_depth};
-  const double f = double{c.viewport.max_depth};
-  return static_cast<float>(std::clamp(n + (f - n) * share, 0.0, 1.0));
-}
-
-/// What depths are cleared to: most often something that lets what is drawn pass.
-float clear_depth(const cases::Case& c, DepthFunction function, Choices& choices) {
-  switch (function) {
-    case DepthFunction::less:
-    case DepthFunction::less_or_equal:
-      return choices.pick(std::array{1.0F, 1.0F, 1.0F, 0.5F});
-    case DepthFunction::greater:
-    case DepthFunction::greater_or_equal:
-      return choices.pick(std::array{0.0F, 0.0F, 0.0F, 0.5F});
-    case DepthFunction::equal:
-    case DepthFunction::not_equal:
-      if (c.triangles.empty()) return 0.5F;
-      return depth_of(c, c.positions[c.triangles[choices.below(c.triangles.size())][0]]);
-    default:
-      return choices.pick(std::array{0.25F, 0.5F, 0.75F, 1.0F});
-  }
-}
-
-cases::Pipeline pipeline_of(const cases::Case& c) {
-  Choices choices(fingerprint(c));
-  cases::Pipeline pipeline;
-  pipeline.depth_function = static_cast<DepthFunction>(choices.below(kFunctionWords.size()));
-  pipeline.writes_depth = choices.below(4) != 0;
-  pipeline.clear_depth = clear_depth(c, pipeline.depth_function, choices);
-  pipeline.blend = choices.pick(std::array{Blend::off, Blend::over, Blend::over, Blend::additive});
-  if (c.attributes.size() >= 3 && choices.below(2) != 0) {
-    pipeline.shading = cases::Shading::vertex_colors;
-  }
-  const bool has_four =
-      pipeline.shading == cases::Shading::vertex_colors || c.attributes.size() == 4;
-  if (pipeline.blend == Blend::over && !has_four) pipeline.blend = Blend::additive;
-  const bool wants_bytes = choices.below(2) != 0;
-  const bool is_rgba8 = wants_bytes && has_four;
-  pipeline.format = is_rgba8 ? cases::ColorFormat::rgba8 : cases::ColorFormat::float32;
-  pipeline.resolves = choices.below(3) == 0;
-  return pipeline;
-}
-
-std::string_view word_of(const cases::Pipeline& pipeline) {
-  return kFunctionWords[static_cast<std::size_t>(pipeline.depth_function)];
-}
-
-std::string text_of(const cases::Pipeline& pipeline) {
-  return fmt::format("{}depth {}{}, cleared to {}, blend {}, {}{}",
-                     pipeline.shading == cases::Shading::vertex_colors ? "vertex colours, " : "",
-                     word_of(pipeline), pipeline.writes_depth ? "" : " and not written",
-                     pipeline.clear_depth, kBlendWords[static_cast<std::size_t>(pipeline.blend)],
-                     pipeline.format == cases::ColorFormat::rgba8 ? "rgba8" : "float32",
-                     pipeline.resolves ? ", resolved" : "");
-}
 
 std::vector<std::string> labels_of(const cases::Case& c, const cases::Pipeline& pipeline,
                                    const std::set<std::uint32_t>& drawn, std::size_t most) {
   std::set<std::string> labels;
-  labels.insert("depth " + std::string(word_of(pipeline)));
-  labels.insert("blend " + std::string(kBlendWords[static_cast<std::size_t>(pipeline.blend)]));
+  labels.insert("depth " + std::string(word_of(pipeline.depth_function)));
+  labels.insert("blend " + std::string(word_of(pipeline.blend)));
   if (!pipeline.writes_depth) labels.emplace("depth not written");
   if (pipeline.shading == cases::Shading::vertex_colors) {
     labels.emplace(c.attributes.size() == 3 ? "vertex colours without alpha" : "vertex colours");

@@ -167,8 +167,8 @@ TEST(Cpu, DrawsTheSameOnSeveralThreads) {
 }
 
 TEST(Cpu, SaysWhatItsOptionsAre) {
-  for (const char* bad : {"threads=0", "threads=257", "threads=-1", "threads=2x",
-                          "threads=", "output=framebuffer,threads=0", "simd"}) {
+  for (const char* bad : {"threads=0", "threads=257", "threads=-1", "threads=2x", "threads=",
+                          "output=framebuffer,threads=0", "simd", "simd=", "simd=mmx"}) {
     const auto backend = make_backend(std::string("cpu:") + bad);
     ASSERT_FALSE(backend) << bad;
     EXPECT_NE(to_string(backend.error()).find("cpu has no option"), std::string::npos) << bad;
@@ -179,6 +179,97 @@ TEST(Cpu, SaysWhatItsOptionsAre) {
             "cpu:threads=2: fragments are drawn on one thread; threads=N is for "
             "output=framebuffer");
   EXPECT_TRUE(make_backend("cpu:threads=2,output=framebuffer"));
+}
+
+// Every kind of vectors that this machine has draws what `cpu` draws; others are listed with why
+// not.
+TEST(Cpu, DrawsTheSameOnAllVectors) {
+  std::size_t drawn = 0;
+  int kinds = 0;
+  for (const Listing& listing : list_backends()) {
+    if (!listing.specification.starts_with("cpu:simd=")) continue;
+    const auto made = make_backend(listing.specification);
+    if (!listing.unavailable_because.empty()) {
+      ASSERT_FALSE(made) << listing.specification;
+      EXPECT_EQ(to_string(made.error()),
+                listing.specification + ": " + listing.unavailable_because);
+      continue;
+    }
+    ++kinds;
+    ASSERT_TRUE(made) << listing.specification;
+    for (const cases::Case& c : corpus()) {
+      const cases::Framebuffer expected = make_backend("cpu").value()->draw(c).value();
+      const cases::Framebuffer actual = (*made)->draw(c).value();
+      EXPECT_EQ(actual.triangle, expected.triangle) << c.name << listing.specification;
+      EXPECT_EQ(actual.x, expected.x) << c.name << listing.specification;
+      EXPECT_EQ(actual.depth, expected.depth) << c.name << listing.specification;
+      EXPECT_EQ(actual.attributes, expected.attributes) << c.name << listing.specification;
+      drawn += actual.size();
+    }
+  }
+  EXPECT_GT(kinds, 0);
+  EXPECT_GT(drawn, 500U);
+}
+
+TEST(Cpu, NamesBackendsThatDrawTheSame) {
+  for (const char* specification :
+       {"cpu", "cpu:precision=float32", "cpu:output=framebuffer,threads=2"}) {
+    const auto all = make_backend(specification).value()->same_as();
+    EXPECT_GT(all.size(), 1U);
+    const bool is_float = std::string(specification).ends_with("float32");
+    for (const std::string& same : all) {
+      EXPECT_TRUE(make_backend(same)) << same;
+      EXPECT_EQ(same.find("float32") != std::string::npos, is_float) << same;
+    }
+  }
+  EXPECT_TRUE(make_backend("method:rational-linear").value()->same_as().empty());
+}
+
+// Kills: a case's arrays read before anything is checked.
+TEST(Cpu, RefusesIndicesAndArraysThatDoNotFit) {
+  const cases::Case good =
+      cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
+  for (const char* specification : {"cpu", "cpu:output=framebuffer"}) {
+    const auto backend = make_backend(specification).value();
+    cases::Case c = good;
+    c.triangles[0][1] = 0xffffffff;
+    EXPECT_FALSE(backend->draw(c)) << specification;
+    EXPECT_FALSE(backend->trace(c, {0, 1, 1, 0})) << specification;
+    c = good;
+    c.attributes.emplace_back();
+    EXPECT_FALSE(backend->draw(c)) << specification;
+    c = good;
+    c.clip_distance_count = 2;
+    EXPECT_FALSE(backend->draw(c)) << specification;
+  }
+}
+
+TEST(Cpu, DrawsOverAPictureWhatAddsToIt) {
+  const cases::Case c =
+      cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
+  const auto backend = make_backend("cpu").value();
+  ASSERT_TRUE(backend->draws_over());
+  cases::Pipeline pipeline;
+  pipeline.depth_function = cases::DepthFunction::always;
+  pipeline.blend = cases::Blend::additive;
+  const cases::Picture once = backend->draw_picture(c, pipeline).value();
+  cases::Picture twice = once;
+  ASSERT_TRUE(backend->draw_over(c, pipeline, twice));
+  ASSERT_EQ(twice.color.size(), once.color.size());
+  float most = 0;
+  for (std::size_t i = 0; i < once.color.size(); ++i) {
+    EXPECT_NEAR(twice.color[i], 2 * once.color[i], std::abs(once.color[i]) * 1e-6);
+    most = std::max(most, std::abs(once.color[i]));
+  }
+  EXPECT_GT(most, 0);
+  EXPECT_EQ(twice.depth, once.depth);
+  // As many samples, but another size.
+  cases::Picture other = once;
+  other.size = {16, 4, 1};
+  EXPECT_FALSE(backend->draw_over(c, pipeline, other));
+  pipeline.resolves = true;
+  EXPECT_FALSE(backend->draw_over(c, pipeline, twice));
+  EXPECT_FALSE(make_backend("method:rational-linear").value()->draw_over(c, pipeline, twice));
 }
 
 TEST(Cpu, PromisesConstantsAndVertexValuesAndTheMethodsDoNot) {

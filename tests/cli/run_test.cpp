@@ -359,6 +359,14 @@ TEST_F(Run, TellsABackendThatCannotRunHereFromNone) {
   EXPECT_EQ(run_damaged({"--backend", "cpu", "--backend", "damaged:absent"}).code, 4);
 }
 
+TEST_F(Run, HasNoVectorsThatNobodyCompiledFor) {
+  const Outcome outcome = run({"--backend", "cpu:simd=scalar,precision=float32", "--cases", "1"});
+  EXPECT_TRUE(is_failure(outcome, 4)) << outcome;
+  EXPECT_THAT(outcome.err, HasSubstr("cpu:simd=scalar: the kernels are not compiled for scalar; "
+                                     "there are: "));
+  EXPECT_TRUE(is_failure(run({"--backend", "cpu:simd=mmx"}), 2));
+}
+
 // Kills: 4 where 2 applies as well.
 TEST_F(Run, PutsWrongUsageBeforeWhatCannotRun) {
   EXPECT_TRUE(is_failure(run_damaged({"--backend", "damaged:absent", "--backend", "gpu"}), 2));

@@ -35,6 +35,12 @@ class MutantBackend : public backends::Backend {
                                       const cases::Pipeline& pipeline) override {
     return backend_->draw_picture(c, pipeline);
   }
+  bool draws_over() const override { return backend_->draws_over(); }
+  Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
+                         cases::Picture& picture) override {
+    return backend_->draw_over(c, pipeline, picture);
+  }
+  std::vector<std::string> same_as() const override { return backend_->same_as(); }
   bool assembles() const override { return backend_->assembles(); }
   Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
                                             std::span<const std::uint32_t> indices) override {

@@ -26,6 +26,8 @@ using NormalDamage = std::function<void(const cases::Matrix4&, std::vector<cases
 /// Goes wrong with what is to be assembled.
 using AssemblyDamage =
     std::function<void(const cases::Case&, cases::Topology&, std::vector<std::uint32_t>& indices)>;
+/// Goes wrong with what was drawn over a picture, and with what is said of it.
+using OverDamage = std::function<void(const cases::Case&, Result<void>& drawn, cases::Picture&)>;
 using TraceDamage =
     std::function<void(const records::SampleAddress&, std::optional<records::SampleTrace>&)>;
 
@@ -54,6 +56,16 @@ class DamagedBackend : public backends::Backend {
     if (traced && trace_damage) trace_damage(at, *traced);
     return traced;
   }
+
+  bool draws_over() const override { return inner_->draws_over(); }
+  Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
+                         cases::Picture& picture) override {
+    Result<void> drawn = inner_->draw_over(c, pipeline, picture);
+    if (over_damage) over_damage(c, drawn, picture);
+    return drawn;
+  }
+
+  std::vector<std::string> same_as() const override { return same_as_these; }
 
   bool transforms() const override { return inner_->transforms(); }
   Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override {
@@ -84,6 +96,8 @@ class DamagedBackend : public backends::Backend {
   TransformDamage transform_damage;
   NormalDamage normal_damage;
   AssemblyDamage assembly_damage;
+  OverDamage over_damage;
+  std::vector<std::string> same_as_these;
 
  private:
   std::unique_ptr<backends::Backend> inner_;

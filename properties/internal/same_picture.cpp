@@ -1,0 +1,62 @@
+#include "properties/internal/same_picture.h"
+
+#include <cstdint>
+#include <optional>
+
+#include "properties/internal/drawn_fragments.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+
+using records::AttributeKind;
+
+records::Violation picture_violation(const cases::Case& c, const cases::Picture& picture,
+                                     std::size_t at, std::optional<std::uint32_t> channel,
+                                     float expected, const std::string& note) {
+  const float actual =
+      channel ? picture.color[at * picture.channels + *channel] : picture.depth[at];
+  const auto samples = static_cast<std::size_t>(picture.size.samples);
+  const auto width = static_cast<std::size_t>(picture.size.width);
+  // Colours of a texture, and alpha that is added, are no attributes.
+  const bool is_attribute = channel && *channel < c.attributes.size();
+  AttributeKind kind = channel ? AttributeKind::flat : AttributeKind::depth;
+  if (is_attribute) kind = records::kind_of(c.attributes[*channel].interpolation);
+  records::Violation violation;
+  violation.fragment_class = class_of(actual, expected);
+  violation.kind = kind;
+  violation.x = static_cast<std::uint32_t>(at / samples % width);
+  violation.y = static_cast<std::uint32_t>(at / samples / width);
+  violation.sample = static_cast<std::uint32_t>(at % samples);
+  if (is_attribute) violation.attribute = channel;
+  violation.exact = value_text(expected);
+  violation.actual = value_text(actual);
+  violation.note = note;
+  return violation;
+}
+
+Check compare_pictures(const cases::Case& c, const cases::Picture& expected,
+                       const cases::Picture& drawn, const std::string& note) {
+  Check check;
+  std::uint64_t correct = 0;
+  const auto compare = [&](std::size_t at, std::optional<std::uint32_t> channel, float before,
+                           float now) {
+    if (is_same(before, now)) {
+      ++correct;
+      return;
+    }
+    const records::Violation violation = picture_violation(c, drawn, at, channel, before, note);
+    ++check.judgement.errors[violation.kind].classes[violation.fragment_class];
+    properties::note(check, violation);
+  };
+  for (std::size_t at = 0; at < expected.depth.size(); ++at) {
+    compare(at, std::nullopt, expected.depth[at], drawn.depth[at]);
+    for (std::uint32_t channel = 0; channel < expected.channels; ++channel) {
+      const std::size_t index = at * expected.channels + channel;
+      compare(at, channel, expected.color[index], drawn.color[index]);
+    }
+  }
+  check.judgement.errors[AttributeKind::depth].classes[records::FragmentClass::correct] += correct;
+  return check;
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,252 @@
+// Bad input is refused and the target untouched: a case that is made bad in one way is answered
+// with an error by every way of drawing it, and a picture that it was to be drawn over stays what
+// it was, to the bit.
+//
+// Why. A backend that draws over pictures promises both (Backend::draws_over), as the rasterizer's
+// interface does: arguments are checked before anything is drawn. A case is bad where what it
+// promises does not hold (cases::Case):
+//
+//   mesh     an index beyond the vertices; values or clip distances too few or too many; more
+//            attributes or clip distances of a vertex than there may be
+//   state    a viewport with a number that is not finite, or a depth outside [0, 1]; a scissor of
+//            negative size
+//   target   no pixels, or too many, along a side; samples per pixel that there is no pattern of
+//   empty    a vertex of each triangle that is not finite, a viewport of width or height 0
+//
+// Of the last kind all that is asked for is that nothing comes of it: an error, or a drawing of
+// nothing, as a triangle that is not finite may be left out and one without area covers nothing.
+// Attribute values and clip distances that are not finite are no part of this: they are drawn with
+// as they are.
+//
+// In which way, and where, comes from the case's numbers; the case itself is valid, so that it can
+// be saved. The picture is that of the valid case, drawn by adding colours, without a depth test:
+// whatever is drawn over it once more shows. Looked at are all samples. Under a sanitizer the law
+// also says that no array is read where it has nothing.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/choices.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/picture_cases.h"
+#include "properties/internal/same_picture.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr std::array<float, 3> kNotFinite{kNaN, kInfinity, -kInfinity};
+
+void spoil_index(cases::Case& c, Choices& choices) {
+  const auto count = static_cast<std::uint32_t>(c.positions.size());
+  cases::Triangle& triangle = c.triangles[choices.below(c.triangles.size())];
+  triangle[choices.below(3)] =
+      choices.pick(std::array{count, count + 1, count + 1000, 0x80000000U, 0xffffffffU});
+}
+
+void spoil_values(cases::Case& c, Choices& choices) {
+  if (c.attribute_values.empty() || choices.below(4) == 0) {
+    c.attribute_values.push_back(0);
+  } else if (choices.below(3) == 0) {
+    c.attribute_values.clear();
+  } else {
+    c.attribute_values.pop_back();
+  }
+}
+
+void spoil_distances(cases::Case& c, Choices& choices) {
+  if (c.clip_distances.empty() || choices.below(2) == 0) {
+    c.clip_distances.push_back(1);
+  } else {
+    c.clip_distances.pop_back();
+  }
+}
+
+void spoil_counts(cases::Case& c, Choices& choices) {
+  if (choices.below(2) == 0) {
+    c.attributes.resize(cases::kMaxAttributes + 1);
+    c.attribute_values.assign(c.positions.size() * c.attributes.size(), 1);
+  } else {
+    c.clip_distance_count = cases::kMaxClipDistances + 1;
+    c.clip_distances.assign(c.positions.size() * c.clip_distance_count, 1);
+  }
+}
+
+void spoil_viewport(cases::Case& c, Choices& choices) {
+  cases::Viewport& v = c.viewport;
+  *choices.pick(std::array{&v.x, &v.y, &v.width, &v.height}) = choices.pick(kNotFinite);
+}
+
+void spoil_depth_range(cases::Case& c, Choices& choices) {
+  constexpr float kLeast = std::numeric_limits<float>::denorm_min();
+  constexpr float kBeyondOne = 1 + std::numeric_limits<float>::epsilon();
+  float& depth = *choices.pick(std::array{&c.viewport.min_depth, &c.viewport.max_depth});
+  depth = choices.pick(std::array{kNaN, kInfinity, -0.25F, -kLeast, 1.5F, kBeyondOne});
+}
+
+void spoil_scissor(cases::Case& c, Choices& choices) {
+  cases::Scissor scissor{0, 0, c.framebuffer.width, c.framebuffer.height};
+  int& size = *choices.pick(std::array{&scissor.width, &scissor.height});
+  size = choices.pick(std::array{-1, -2, -size, std::numeric_limits<int>::min()});
+  c.scissor = scissor;
+}
+
+void spoil_samples(cases::Case& c, Choices& choices) {
+  c.framebuffer.samples =
+      choices.pick(std::array{0, 3, 5, 6, 32, -1, std::numeric_limits<int>::min()});
+}
+
+void spoil_size(cases::Case& c, Choices& choices) {
+  int& size = *choices.pick(std::array{&c.framebuffer.width, &c.framebuffer.height});
+  size = choices.pick(std::array{0, -1, cases::kMaxSize + 1, std::numeric_limits<int>::min(),
+                                 std::numeric_limits<int>::max()});
+}
+
+void spoil_positions(cases::Case& c, Choices& choices) {
+  const std::size_t corner = choices.below(3);
+  const std::size_t coordinate = choices.below(4);
+  const float number = choices.pick(kNotFinite);
+  for (const cases::Triangle& triangle : c.triangles) {
+    cases::ClipVertex& p = c.positions[triangle[corner]];
+    *std::array{&p.x, &p.y, &p.z, &p.w}[coordinate] = number;
+  }
+}
+
+void empty_viewport(cases::Case& c, Choices& choices) {
+  float& size = *choices.pick(std::array{&c.viewport.width, &c.viewport.height});
+  size = choices.pick(std::array{0.0F, -0.0F});
+}
+
+/// A way to make a case bad.
+struct Fault {
+  std::string_view what;
+  std::string_view label;
+  bool may_draw_nothing;  ///< in place of an error
+  void (*make)(cases::Case& c, Choices& choices);
+};
+
+constexpr std::array<Fault, 11> kFaults{
+    {{"an index beyond the vertices", "mesh", false, &spoil_index},
+     {"attribute values that are not one for each vertex and attribute", "mesh", false,
+      &spoil_values},
+     {"clip distances that are not one for each vertex and distance", "mesh", false,
+      &spoil_distances},
+     {"too many attributes or clip distances of a vertex", "mesh", false, &spoil_counts},
+     {"a viewport that is not finite", "state", false, &spoil_viewport},
+     {"a depth range beyond [0, 1]", "state", false, &spoil_depth_range},
+     {"a scissor of negative size", "state", false, &spoil_scissor},
+     {"samples per pixel without a pattern", "target", false, &spoil_samples},
+     {"no pixels, or too many, along a side", "target", false, &spoil_size},
+     {"vertices that are not finite", "empty", true, &spoil_positions},
+     {"a viewport without area", "empty", true, &empty_viewport}}};
+
+/// Adds colours, whatever the depth.
+cases::Pipeline adding_pipeline(const cases::Case& c) {
+  cases::Pipeline pipeline;
+  pipeline.depth_function = cases::DepthFunction::always;
+  pipeline.blend = cases::Blend::additive;
+  pipeline.clear_depth = 0.625F;
+  const bool has_bytes = c.attributes.size() == 4 && fingerprint(c) % 2 == 0;
+  if (has_bytes) pipeline.format = cases::ColorFormat::rgba8;
+  return pipeline;
+}
+
+class RefusalCheck {
+ public:
+  RefusalCheck(const cases::Case& c, const Fault& fault) : case_(&c), fault_(&fault) {
+    check_.judgement.errors[AttributeKind::coverage];
+    check_.labels = {std::string(fault.label)};
+  }
+
+  /// `count` is what was drawn where it was not refused.
+  void see(bool is_refused, std::size_t count, std::string_view how) {
+    ++check_.judgement.counts.required;
+    auto& classes = check_.judgement.errors[AttributeKind::coverage].classes;
+    if (is_refused || (fault_->may_draw_nothing && count == 0)) {
+      ++classes[FragmentClass::correct];
+      return;
+    }
+    ++classes[FragmentClass::extra];
+    records::Violation violation = violation_at(
+        {}, FragmentClass::extra, "refused: " + std::string(fault_->what), std::string(how));
+    violation.actual =
+        fault_->may_draw_nothing ? std::to_string(count) + " fragments" : "not refused";
+    note(check_, violation);
+  }
+
+  void see_target(const cases::Picture& before, const cases::Picture& after, bool is_refused) {
+    const std::string note = "the target was written, by a case with " + std::string(fault_->what) +
+                             (is_refused ? ", which was refused" : ", which was not refused");
+    if (before.size == after.size && before.channels == after.channels &&
+        before.depth.size() == after.depth.size() && before.color.size() == after.color.size()) {
+      return merge(check_, compare_pictures(*case_, before, after, note));
+    }
+    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::extra];
+    records::Violation violation =
+        violation_at({}, FragmentClass::extra, "a target of the same size", note);
+    violation.actual = "one of another size";
+    properties::note(check_, violation);
+  }
+
+  Check finish() { return std::move(check_); }
+
+ private:
+  const cases::Case* case_;
+  const Fault* fault_;
+  Check check_;
+};
+
+bool draws_over(const backends::Backend& backend) { return backend.draws_over(); }
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  clip->depth_test = cases::DepthTest::none;
+  Check none;
+  none.is_applicable = backend.draws_over() && !clip->triangles.empty();
+  if (!none.is_applicable) return none;
+  const cases::Pipeline pipeline = adding_pipeline(*clip);
+  const Result<cases::Picture> before = draw_picture(*clip, backend, pipeline);
+  if (!before) return tl::unexpected(before.error());
+
+  Choices choices(fingerprint(*clip));
+  const Fault& fault = choices.pick(kFaults);
+  cases::Case bad = *clip;
+  fault.make(bad, choices);
+  RefusalCheck refusal(*clip, fault);
+  // Not by properties::draw(), which takes cases to be valid.
+  const Result<cases::Framebuffer> drawn = backend.draw(bad);
+  refusal.see(!drawn, drawn ? drawn->size() : 0, "drawn as fragments");
+  const Result<cases::Picture> picture = backend.draw_picture(bad, pipeline);
+  refusal.see(!picture, 0, "drawn as a picture");
+  cases::Picture target = *before;
+  const Result<void> over = backend.draw_over(bad, pipeline, target);
+  refusal.see(!over, 0, "drawn over a picture");
+  refusal.see_target(*before, target, !over);
+  return refusal.finish();
+}
+
+const LawRegistration kRegistration(
+    {.name = "bad input is refused and the target untouched",
+     .reason = "Arguments are checked before anything is drawn.",
+     .exceptions = "backends that do not draw over pictures; what is bad of single triangles may "
+                   "draw nothing instead of being refused",
+     .generate = &overlapping_case,
+     .check = &check,
+     .is_promised = &draws_over,
+     .covers = {cover(15, "mesh"), cover(10, "state"), cover(8, "target"), cover(8, "empty")}});
+
+}  // namespace
+}  // namespace rastercheck::properties

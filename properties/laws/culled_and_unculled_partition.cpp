@@ -1,0 +1,159 @@
+// Culled and unculled partition: what culling of back faces leaves and what culling of front faces
+// leaves are together what is drawn without culling, bit for bit, and no triangle is in both. With
+// the other orientation for front faces the two change places, and without culling nothing changes.
+//
+// Why. A triangle's facing is the sign of its determinant, of the positions that the basis names,
+// against the orientation of front faces: one sign for the whole triangle, whatever of it is seen,
+// clipped or behind the eye (RULES §1). So each triangle that has an area is drawn by just one of
+// the two, and one without covers nothing. Culling decides whether it is drawn and nothing else: a
+// fragment's place and values do not depend on it. Whichever facing a contract leaves open, it is
+// one and the same for all drawings of a triangle.
+//
+// Samples: all, of every triangle, values and derivatives too. A depth test would let the
+// triangles that are left decide what is seen: it is taken away.
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "oracle/transform.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/same_drawing.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+
+cases::FrontFace turned_round(cases::FrontFace face) {
+  return face == cases::FrontFace::ccw ? cases::FrontFace::cw : cases::FrontFace::ccw;
+}
+
+/// What is drawn with culling, and with front faces as they are or turned round.
+class Drawings {
+ public:
+  Drawings(const cases::Case& c, backends::Backend& backend) : case_(c), backend_(&backend) {
+    case_.depth_test = cases::DepthTest::none;
+  }
+
+  Result<cases::Framebuffer> draw_with(cases::Cull cull, bool is_turned_round) const {
+    cases::Case changed = case_;
+    changed.cull = cull;
+    if (is_turned_round) changed.front_face = turned_round(changed.front_face);
+    return draw(changed, *backend_);
+  }
+  const cases::Case& source() const { return case_; }
+
+ private:
+  cases::Case case_;
+  backends::Backend* backend_;
+};
+
+void append(cases::Framebuffer& to, const cases::Framebuffer& from) {
+  const auto add = [](auto& all, const auto& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  add(to.triangle, from.triangle);
+  add(to.x, from.x);
+  add(to.y, from.y);
+  add(to.sample, from.sample);
+  add(to.depth, from.depth);
+  add(to.attributes, from.attributes);
+  add(to.derivatives, from.derivatives);
+}
+
+/// Triangles that both drawings have fragments of, one violation each.
+void find_shared(const cases::Framebuffer& of_fronts, const cases::Framebuffer& of_backs,
+                 Check& check) {
+  const std::set<std::uint32_t> fronts(of_fronts.triangle.begin(), of_fronts.triangle.end());
+  std::set<std::uint32_t> reported;
+  for (std::size_t i = 0; i < of_backs.size(); ++i) {
+    const FragmentPlace place = place_of(of_backs, i);
+    if (!fronts.contains(place.triangle) || !reported.insert(place.triangle).second) continue;
+    ++check.judgement.errors[AttributeKind::coverage].classes[FragmentClass::extra];
+    note(check, violation_at(place, FragmentClass::extra,
+                             "forbidden: culling back faces leaves some of this triangle too",
+                             "drawn with front faces culled"));
+  }
+}
+
+void add_labels(const cases::Framebuffer& of_fronts, const cases::Framebuffer& of_backs,
+                Check& check) {
+  std::set<std::string> labels(check.labels.begin(), check.labels.end());
+  if (of_fronts.size() > 0) labels.emplace("front faces");
+  if (of_backs.size() > 0) labels.emplace("back faces");
+  if (of_fronts.size() > 0 && of_backs.size() > 0) labels.emplace("both");
+  check.labels.assign(labels.begin(), labels.end());
+}
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  using cases::Cull;
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const Drawings drawings(*clip, backend);
+  const cases::Case& source = drawings.source();
+  const Result<cases::Framebuffer> all = drawings.draw_with(Cull::none, false);
+  if (!all) return tl::unexpected(all.error());
+  const Result<cases::Framebuffer> fronts = drawings.draw_with(Cull::back, false);
+  if (!fronts) return tl::unexpected(fronts.error());
+  const Result<cases::Framebuffer> backs = drawings.draw_with(Cull::front, false);
+  if (!backs) return tl::unexpected(backs.error());
+  cases::Framebuffer both = *fronts;
+  append(both, *backs);
+  Check check = compare_drawings(source, *all, both,
+                                 "back faces culled and front faces culled, put together");
+  find_shared(*fronts, *backs, check);
+  add_labels(*fronts, *backs, check);
+
+  struct Turned {
+    Cull cull;
+    const cases::Framebuffer* expected;
+    const char* note;
+  };
+  for (const Turned& turned :
+       {Turned{Cull::none, &*all, "front faces turned round, without culling"},
+        Turned{Cull::front, &*fronts, "front faces turned round and culled"},
+        Turned{Cull::back, &*backs, "front faces turned round, back faces culled"}}) {
+    const Result<cases::Framebuffer> drawn = drawings.draw_with(turned.cull, true);
+    if (!drawn) return tl::unexpected(drawn.error());
+    merge(check, compare_drawings(source, *turned.expected, *drawn, turned.note));
+  }
+  return check;
+}
+
+/// Cases of triangles of both orientations.
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  cases::Case& c = made.source;
+  const std::size_t count = c.triangles.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const cases::Triangle turned{c.triangles[i][1], c.triangles[i][0], c.triangles[i][2]};
+    switch (draw.between(0, 3)) {
+      case 0:
+        c.triangles[i] = turned;
+        break;
+      case 1:  // drawn from both sides
+        if (count <= 8) c.triangles.push_back(turned);
+        break;
+      default:
+        break;
+    }
+  }
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "culled and unculled partition",
+     .reason = "A triangle with an area has one facing, and culling decides of nothing but "
+               "whether it is drawn.",
+     .exceptions = "nothing but depth tests, which are taken away",
+     .generate = &generate,
+     .check = &check,
+     .covers = {cover(20, "both"), cover(30, "front faces"), cover(30, "back faces"),
+                cover(10, "clipped"), cover(5, "w <= 0")}});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,210 @@
+// The nearest fragment wins: with a depth test `less`, what is left at each sample is, of the
+// fragments that the same case draws there without one, that of the least depth, of equal ones the
+// first drawn; bit for bit.
+//
+// Why. `less` replaces what is at a sample by what is nearer, and by nothing else: after all
+// triangles, in submission order, the least depth is left, and of equal ones the first, as no later
+// one is less than it. A triangle's fragments do not depend on what was drawn before (OpenGL,
+// "Invariance": fragments do not change with the framebuffer's contents), nor on whether there is a
+// test, so a drawing of the same triangles without one says which fragments there are to choose
+// from. Nothing has to be known of what is right about them.
+//
+// Samples: all, but for those at which some depth is no number, which is neither nearer nor
+// farther. What is the same depth is said by the floats that the backend itself drew: -0 and 0 are
+// equal.
+
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/picture_cases.h"
+#include "properties/internal/sample_place.h"
+#include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+
+/// What a drawing without a depth test has at a sample.
+struct Candidates {
+  std::size_t first = 0;    ///< fragment, in submission order
+  std::size_t nearest = 0;  ///< fragment; the first of equals
+  int count = 0;
+  bool is_tied = false;  ///< whether another is as near
+  bool has_nan = false;  ///< whether some depth is no number
+};
+
+class NearestCheck {
+ public:
+  NearestCheck(const cases::Case& c, const cases::Framebuffer& all) : case_(&c), all_(&all) {
+    check_.judgement.errors[AttributeKind::coverage];
+    for (std::size_t i = 0; i < all.size(); ++i) add(i);
+  }
+
+  Check run(const cases::Framebuffer& tested) {
+    std::set<SamplePlace> seen;
+    for (std::size_t i = 0; i < tested.size(); ++i) {
+      const FragmentPlace place = place_of(tested, i);
+      const auto found = candidates_.find(sample_of(place));
+      if (!seen.insert(sample_of(place)).second) {
+        report(violation_at(place, FragmentClass::extra, "forbidden: more than one is left", ""));
+      } else if (found == candidates_.end()) {
+        report(violation_at(place, FragmentClass::extra,
+                            "forbidden: nothing is drawn there without a depth test", ""));
+      } else if (!found->second.has_nan) {
+        compare(found->second, tested, i);
+      }
+    }
+    for (const auto& [sample, candidates] : candidates_) {
+      if (seen.contains(sample) || candidates.has_nan) continue;
+      report(violation_at(place_of(*all_, candidates.nearest), FragmentClass::missing,
+                          "required: it is the nearest there", "nothing is left there"));
+    }
+    check_.judgement.counts.required = candidates_.size();
+    add_labels();
+    return std::move(check_);
+  }
+
+ private:
+  void add(std::size_t i) {
+    const float depth = all_->depth[i];
+    const auto [entry, is_first] =
+        candidates_.try_emplace(sample_of(place_of(*all_, i)), Candidates{i, i});
+    Candidates& there = entry->second;
+    ++there.count;
+    there.has_nan = there.has_nan || std::isnan(depth);
+    if (is_first) return;
+    const float least = all_->depth[there.nearest];
+    if (depth < least) there.nearest = i;
+    if (depth <= least) there.is_tied = depth == least;
+  }
+
+  void compare(const Candidates& there, const cases::Framebuffer& tested, std::size_t i) {
+    const FragmentPlace place = place_of(tested, i);
+    const FragmentPlace nearest = place_of(*all_, there.nearest);
+    if (place.triangle != nearest.triangle) {
+      const std::string why = there.is_tied ? " is as near, and drawn first" : " is nearer";
+      return report(violation_at(place, FragmentClass::wrong_triangle,
+                                 "forbidden: triangle " + std::to_string(nearest.triangle) + why,
+                                 "at depth " + value_text(tested.depth[i]) + ", the nearest of " +
+                                     std::to_string(there.count) + " at " +
+                                     value_text(all_->depth[there.nearest])));
+    }
+    const auto difference =
+        find_difference(*case_, *all_, there.nearest, tested, i,
+                        "with a depth test `less`; without one, it was the other");
+    if (difference) return report(*difference);
+    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+  }
+
+  void add_labels() {
+    std::set<std::string> labels;
+    std::set<std::uint32_t> triangles;
+    for (const auto& [sample, there] : candidates_) {
+      const FragmentPlace nearest = place_of(*all_, there.nearest);
+      if (is_of_case(*case_, nearest)) triangles.insert(nearest.triangle);
+      if (there.count > 1) labels.emplace("overdraw");
+      if (there.count > 2) labels.emplace("three and more");
+      if (there.is_tied) labels.emplace("equal nearest");
+      if (there.nearest != there.first) labels.emplace("farther drawn first");
+    }
+    add_state_labels(*case_, triangles, labels);
+    check_.labels.assign(labels.begin(), labels.end());
+  }
+
+  void report(const records::Violation& violation) {
+    ++check_.judgement.errors[violation.kind].classes[violation.fragment_class];
+    note(check_, violation);
+  }
+
+  const cases::Case* case_;
+  const cases::Framebuffer* all_;
+  std::map<SamplePlace, Candidates> candidates_;
+  Check check_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  clip->depth_test = cases::DepthTest::none;
+  const Result<cases::Framebuffer> all = draw(*clip, backend);
+  if (!all) return tl::unexpected(all.error());
+  clip->depth_test = cases::DepthTest::less;
+  const Result<cases::Framebuffer> tested = draw(*clip, backend);
+  if (!tested) return tl::unexpected(tested.error());
+  return NearestCheck(*clip, *all).run(*tested);
+}
+
+// --- the law's own cases: triangles drawn once more, as they are or moved in depth --------------
+
+/// Appends a triangle's vertices, with their values, and a triangle of them.
+void repeat_triangle(cases::Case& c, const cases::Triangle& triangle) {
+  const auto first = static_cast<std::uint32_t>(c.positions.size());
+  const auto append = [](std::vector<float>& values, std::size_t count, std::size_t vertex) {
+    for (std::size_t i = 0; i < count; ++i) values.push_back(values[vertex * count + i]);
+  };
+  for (const std::uint32_t vertex : triangle) {
+    append(c.attribute_values, c.attributes.size(), vertex);
+    append(c.clip_distances, c.clip_distance_count, vertex);
+    add_vertex(c, cases::ClipVertex(c.positions[vertex]));
+  }
+  c.triangles.push_back({first, first + 1, first + 2});
+}
+
+Generated generate(Draw& draw) {
+  Generated made = overlapping_case(draw);
+  cases::Case& c = made.source;
+  c.depth_test = cases::DepthTest::less;
+  const int more = draw.between(0, 2);
+  for (int i = 0; i < more; ++i) {
+    const int like = draw.between(0, static_cast<int>(c.triangles.size()) - 1);
+    const cases::Triangle triangle = c.triangles[static_cast<std::size_t>(like)];
+    repeat_triangle(c, triangle);
+    // Turned, moved nearer or farther as a whole, tilted, or just as it was.
+    const std::size_t last = c.positions.size() - 3;
+    switch (draw.between(0, 3)) {
+      case 0:
+        c.triangles.back() = {c.triangles.back()[1], c.triangles.back()[2], c.triangles.back()[0]};
+        break;
+      case 1: {
+        const int sixteenths = draw.between(-4, 4);
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+          cases::ClipVertex& p = c.positions[last + corner];
+          p.z = to_float(double{p.z} + double{p.w} * sixteenths / 16);
+        }
+        break;
+      }
+      case 2: {
+        cases::ClipVertex& p = c.positions[last];
+        const float depth = random_depth(draw, c);
+        p.z = to_float(double{depth} * double{p.w});
+        break;
+      }
+      default:
+        break;
+    }
+  }
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "the nearest fragment wins",
+     .reason = "`less` replaces what is at a sample by what is nearer, and by nothing else, and "
+               "fragments do not depend on the test.",
+     .exceptions = "samples at which a depth is no number",
+     .generate = &generate,
+     .check = &check,
+     .covers = {cover(30, "overdraw"), cover(20, "equal nearest"), cover(20, "farther drawn first"),
+                cover(20, "three and more"), cover(5, "clipped"), cover(5, "several samples")}});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,344 @@
+// Nothing is written outside viewport and scissor: there is no fragment whose sample lies outside
+// the viewport or whose pixel lies outside the scissor, and a picture keeps there, to the bit, what
+// it was cleared to.
+//
+// Why. Clipping in x and y is the viewport itself (RULES §2): of the points between x0 and x0 + W
+// (W of either sign) those are inside with
+//
+//   min(x0, x0 + W) <= u < max(x0, x0 + W)
+//
+// and on the far border, which OpenGL and Vulkan leave open, nothing is asked for; v alike. That
+// depends neither on the contract's coverage nor on any grid: the borders are not snapped. u is a
+// multiple of 1/16 below 2^15 and exact in double. The sum x0 + W of two floats need not be: the
+// rounded one decides where it is not u itself, as rounding keeps order, and where it is, the sign
+// of what the rounding left out. The scissor has x <= i < x + width of pixels, in whole numbers; it
+// may reach beyond the framebuffer or have no area.
+//
+// Samples: all those outside, whether anything is near them or not; what is right inside is for
+// other laws. The picture, of backends that draw some, is drawn without a depth test, so that
+// whatever reaches a sample is written. What it is cleared to comes from the case's numbers.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cases/sample_pattern.h"
+#include "oracle/transform.h"
+#include "properties/internal/choices.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/same_picture.h"
+#include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+
+/// The sign of from + size − at; two-sum: what the rounding left out is exact.
+int side_of_end(float from, float size, double at) {
+  const double a{from};
+  const double b{size};
+  const double end = a + b;
+  if (end != at) return end > at ? 1 : -1;
+  const double of_b = end - a;
+  const double left_out = (a - (end - of_b)) + (b - of_b);
+  return left_out == 0 ? 0 : (left_out > 0 ? 1 : -1);
+}
+
+enum class Side { inside, far_border, outside };
+
+Side side_of(float from, float size, double at) {
+  const int end = side_of_end(from, size, at);
+  const double begin{from};
+  if (size >= 0) {
+    if (at < begin || end < 0) return Side::outside;
+    return end == 0 ? Side::far_border : Side::inside;
+  }
+  if (end > 0 || at > begin) return Side::outside;
+  return at == begin ? Side::far_border : Side::inside;
+}
+
+/// Which samples of a framebuffer may be drawn.
+class Window {
+ public:
+  explicit Window(const cases::Case& c)
+      : scissor_(c.scissor), far_is_outside_(c.rules == cases::Rules::d3d) {
+    const auto pattern = cases::standard_pattern(c.framebuffer.samples);
+    samples_ = pattern.size();
+    for (int x = 0; x < c.framebuffer.width; ++x) {
+      for (const cases::SamplePosition& position : pattern) {
+        columns_.push_back(side_of(c.viewport.x, c.viewport.width, x + position.x / 16.0));
+      }
+    }
+    for (int y = 0; y < c.framebuffer.height; ++y) {
+      for (const cases::SamplePosition& position : pattern) {
+        rows_.push_back(side_of(c.viewport.y, c.viewport.height, y + position.y / 16.0));
+      }
+    }
+  }
+
+  /// Of what a sample is outside, for readers; empty where it may be drawn.
+  std::string_view outside_of(std::size_t x, std::size_t y, std::size_t sample) const {
+    if (scissor_ && !(is_within(x, scissor_->x, scissor_->width) &&
+                      is_within(y, scissor_->y, scissor_->height))) {
+      return "scissor";
+    }
+    const Side column = columns_[x * samples_ + sample];
+    const Side row = rows_[y * samples_ + sample];
+    if (is_outside(column) || is_outside(row)) return "viewport";
+    return "";
+  }
+
+ private:
+  static bool is_within(std::size_t at, int begin, int size) {
+    const auto pixel = static_cast<std::int64_t>(at);
+    return begin <= pixel && pixel < std::int64_t{begin} + size;
+  }
+  bool is_outside(Side side) const {
+    return side == Side::outside || (side == Side::far_border && far_is_outside_);
+  }
+
+  std::optional<cases::Scissor> scissor_;
+  bool far_is_outside_;
+  std::size_t samples_ = 1;
+  std::vector<Side> columns_;  ///< [x][sample]
+  std::vector<Side> rows_;     ///< [y][sample]
+};
+
+class OutsideCheck {
+ public:
+  explicit OutsideCheck(const cases::Case& c) : case_(&c), window_(c) {
+    check_.judgement.errors[AttributeKind::coverage];
+  }
+
+  void see(const cases::Framebuffer& drawn) {
+    std::set<std::uint32_t> triangles;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      const FragmentPlace place = place_of(drawn, i);
+      // Of no pixel or sample at all: outside of everything.
+      const std::string_view what =
+          is_of_case(*case_, place) ? window_.outside_of(place.x, place.y, place.sample) : "target";
+      if (what.empty()) {
+        triangles.insert(place.triangle);
+        ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+      } else {
+        report(violation_at(place, FragmentClass::extra,
+                            "forbidden: outside the " + std::string(what), ""));
+      }
+    }
+    check_.judgement.counts.required = drawn.size();
+    add_labels(triangles);
+  }
+
+  void see(const cases::Picture& picture, float clear_depth) {
+    const auto samples = static_cast<std::size_t>(picture.size.samples);
+    const auto width = static_cast<std::size_t>(picture.size.width);
+    for (std::size_t at = 0; at < picture.depth.size(); ++at) {
+      const std::size_t pixel = at / samples;
+      const std::string_view what = window_.outside_of(pixel % width, pixel / width, at % samples);
+      if (what.empty()) continue;
+      const std::string note =
+          "in a picture, outside the " + std::string(what) + ", where nothing may be written";
+      keep(picture, at, std::nullopt, clear_depth, picture.depth[at], note);
+      for (std::uint32_t channel = 0; channel < picture.channels; ++channel) {
+        keep(picture, at, channel, 0, picture.color[at * picture.channels + channel], note);
+      }
+    }
+  }
+
+  Check finish() { return std::move(check_); }
+
+ private:
+  void keep(const cases::Picture& picture, std::size_t at, std::optional<std::uint32_t> channel,
+            float expected, float actual, const std::string& note) {
+    if (is_same(expected, actual)) return;
+    records::Violation violation = picture_violation(*case_, picture, at, channel, expected, note);
+    violation.fragment_class = FragmentClass::extra;
+    report(violation);
+  }
+
+  void report(const records::Violation& violation) {
+    ++check_.judgement.errors[violation.kind].classes[violation.fragment_class];
+    note(check_, violation);
+  }
+
+  void add_labels(const std::set<std::uint32_t>& triangles) {
+    std::set<std::string> labels;
+    const cases::Viewport& viewport = case_->viewport;
+    const bool is_drawn = !triangles.empty();
+    if (is_drawn) labels.emplace("drawn");
+    if (is_drawn && case_->scissor) labels.emplace("scissor");
+    if (is_drawn && (viewport.width < 0 || viewport.height < 0)) labels.emplace("negative size");
+    if (is_drawn && has_outside("viewport")) labels.emplace("outside the viewport");
+    if (case_->scissor && case_->scissor->width * case_->scissor->height == 0) {
+      labels.emplace("scissor without area");
+    }
+    add_state_labels(*case_, triangles, labels);
+    check_.labels.assign(labels.begin(), labels.end());
+  }
+
+  bool has_outside(std::string_view what) const {
+    const auto width = static_cast<std::size_t>(case_->framebuffer.width);
+    const auto height = static_cast<std::size_t>(case_->framebuffer.height);
+    for (std::size_t y = 0; y < height; ++y) {
+      for (std::size_t x = 0; x < width; ++x) {
+        if (window_.outside_of(x, y, 0) == what) return true;
+      }
+    }
+    return false;
+  }
+
+  const cases::Case* case_;
+  Window window_;
+  Check check_;
+};
+
+cases::Pipeline pipeline_without_test(const cases::Case& c) {
+  Choices choices(fingerprint(c));
+  cases::Pipeline pipeline;
+  pipeline.depth_function = cases::DepthFunction::always;
+  pipeline.clear_depth = choices.pick(std::array{0.0F, 0.5F, 0.625F, 1.0F});
+  if (c.attributes.size() >= 3 && choices.below(2) != 0) {
+    pipeline.shading = cases::Shading::vertex_colors;
+    if (choices.below(2) != 0) pipeline.format = cases::ColorFormat::rgba8;
+  }
+  return pipeline;
+}
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  OutsideCheck all(*clip);
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  all.see(*drawn);
+  if (backend.draws_pictures()) {
+    const cases::Pipeline pipeline = pipeline_without_test(*clip);
+    const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
+    if (!picture) return tl::unexpected(picture.error());
+    all.see(*picture, pipeline.clear_depth);
+  }
+  return all.finish();
+}
+
+// --- the law's own cases: small viewports and scissors, large triangles --------------------------
+
+/// A part of 0…size: from and extent, in units of 1/parts.
+struct Part {
+  float from = 0;
+  float extent = 0;
+};
+
+/// Within the framebuffer, or at most a quarter of its side beyond it, and not empty.
+Part random_part(Draw& draw, int size, int parts) {
+  const int least = -size * parts / 4;
+  const int from = draw.between(least, size * parts * 3 / 4);
+  const int most = size * parts * 5 / 4 - from;
+  const int extent = draw.between(parts, most);
+  return {static_cast<float>(from) / static_cast<float>(parts),
+          static_cast<float>(extent) / static_cast<float>(parts)};
+}
+
+/// Turned round: from the other end, back.
+void turn_round(float& from, float& size) {
+  from += size;
+  size = -size;
+}
+
+void set_viewport(Draw& draw, cases::Case& c) {
+  // Whole pixels, borders on samples, and any fraction.
+  const int parts = draw.pick(std::array{1, 16, 16, 1000});
+  const Part across = random_part(draw, c.framebuffer.width, parts);
+  const Part down = random_part(draw, c.framebuffer.height, parts);
+  c.viewport.x = across.from;
+  c.viewport.y = down.from;
+  c.viewport.width = across.extent;
+  c.viewport.height = down.extent;
+  if (draw.one_in(4)) turn_round(c.viewport.x, c.viewport.width);
+  if (draw.one_in(4)) turn_round(c.viewport.y, c.viewport.height);
+}
+
+void set_scissor(Draw& draw, cases::Case& c) {
+  c.scissor.reset();
+  if (draw.one_in(2)) return;
+  const Part across = random_part(draw, c.framebuffer.width, 1);
+  const Part down = random_part(draw, c.framebuffer.height, 1);
+  cases::Scissor scissor{static_cast<int>(across.from), static_cast<int>(down.from),
+                         static_cast<int>(across.extent), static_cast<int>(down.extent)};
+  switch (draw.between(0, 7)) {
+    case 0:
+    case 1:
+      scissor.width = 0;
+      break;
+    case 2:
+      scissor.height = 0;
+      break;
+    case 3:  // to the end of whole numbers
+      scissor.width = cases::kMaxSize;
+      scissor.height = cases::kMaxSize;
+      break;
+    case 4:
+      scissor.x = c.framebuffer.width;
+      break;
+    default:
+      break;
+  }
+  c.scissor = scissor;
+}
+
+/// Anywhere in the framebuffer, or as far beyond it again on every side.
+cases::ClipVertex random_vertex(Draw& draw, const cases::Case& c) {
+  const auto width = static_cast<float>(c.framebuffer.width);
+  const auto height = static_cast<float>(c.framebuffer.height);
+  WindowPoint p;
+  p.u = double{draw.uniform(-width, 2 * width)};
+  p.v = double{draw.uniform(-height, 2 * height)};
+  const float depth = draw.one_in(8) ? draw.uniform(-2, 2) : random_depth(draw, c);
+  const float w = draw.one_in(2) ? 1.0F : draw.uniform(0.25F, 4);
+  return at_window(c, p, depth, draw.one_in(10) ? -w : w);
+}
+
+Generated generate(Draw& draw) {
+  StateRequest request;
+  request.most_side = 32;
+  Generated made;
+  made.stratum = "windows";
+  cases::Case& c = made.source;
+  c = random_state(draw, request);
+  if (!draw.one_in(4)) c.cull = cases::Cull::none;
+  set_viewport(draw, c);
+  set_scissor(draw, c);
+  const int triangles = draw.between(1, 3 + draw.size() / 25);
+  for (int i = 0; i < triangles; ++i) {
+    const cases::ClipVertex first = random_vertex(draw, c);
+    const cases::ClipVertex second = random_vertex(draw, c);
+    const cases::ClipVertex third = random_vertex(draw, c);
+    add_triangle(c, first, second, third);
+  }
+  add_attribute_values(draw, c);
+  add_clip_distances(draw, c);
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "nothing is written outside viewport and scissor",
+     .reason = "Clipping in x and y is the viewport itself, and the scissor is a test of pixels.",
+     .exceptions = "samples on the viewport's far border under the rules of OpenGL and Vulkan",
+     .generate = &generate,
+     .check = &check,
+     .covers = {cover(30, "drawn"), cover(25, "outside the viewport"), cover(10, "scissor"),
+                cover(10, "negative size"), cover(5, "scissor without area"),
+                cover(5, "several samples"), cover(5, "clipped")}});
+
+}  // namespace
+}  // namespace rastercheck::properties

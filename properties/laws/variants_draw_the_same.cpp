@@ -1,0 +1,127 @@
+// Threads, tiles and SIMD change no bit: the specifications that a backend names as ones that
+// promise the same bits (Backend::same_as) draw the same fragments and pictures as it does.
+//
+// Why. The promise is the backend's own, and this law holds it to it. `cpu` makes it of fragments
+// and framebuffers, of any number of threads, and of all kinds of vectors, as its kernels round
+// products and sums one by one and fuse none, and as a sample is drawn by one thread, in the order
+// of the triangles. Where nothing of the kind is promised the law has nothing to say; no bound of
+// a contract is asked for: two drawings within it may differ.
+//
+// Samples: all. A case is drawn by at most four of the specifications, spread over the list from a
+// place that the case's numbers choose; a picture by each as well, where both draw some, by a
+// pipeline of the case's numbers. Derivatives count where both have them.
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "oracle/transform.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/picture_cases.h"
+#include "properties/internal/pipelines.h"
+#include "properties/internal/same_drawing.h"
+#include "properties/internal/same_picture.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+constexpr std::size_t kMostVariants = 4;
+
+/// At most kMostVariants of them.
+std::vector<std::string> some_of(const std::vector<std::string>& all, const cases::Case& c) {
+  const std::size_t count = std::min(all.size(), kMostVariants);
+  const auto first = static_cast<std::size_t>(fingerprint(c) % all.size());
+  std::vector<std::string> some;
+  for (std::size_t i = 0; i < count; ++i) {
+    some.push_back(all[(first + i * all.size() / count) % all.size()]);
+  }
+  return some;
+}
+
+/// What a case shows of the ways in which backends part their work.
+void add_labels(const cases::Case& c, const cases::Framebuffer& drawn, Check& check) {
+  std::set<std::string> labels(check.labels.begin(), check.labels.end());
+  // More than the tiles and blocks of most rasterizers have.
+  constexpr std::uint16_t kSide = 64;
+  const auto is_beyond = [](std::uint16_t at) { return at >= kSide; };
+  if (std::any_of(drawn.x.begin(), drawn.x.end(), is_beyond) ||
+      std::any_of(drawn.y.begin(), drawn.y.end(), is_beyond)) {
+    labels.emplace("beyond 64 pixels");
+  }
+  if (c.attributes.size() > 2) labels.emplace("three attributes and more");
+  check.labels.assign(labels.begin(), labels.end());
+}
+
+bool is_promised(const backends::Backend& backend) { return !backend.same_as().empty(); }
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const std::vector<std::string> all = backend.same_as();
+  Check check;
+  check.is_applicable = !all.empty();
+  if (!check.is_applicable) return check;
+  const Result<cases::Framebuffer> own = draw(*clip, backend);
+  if (!own) return tl::unexpected(own.error());
+  const cases::Pipeline pipeline = pipeline_of(*clip);
+  std::optional<cases::Picture> picture;
+  if (backend.draws_pictures()) {
+    const Result<cases::Picture> drawn = draw_picture(*clip, backend, pipeline);
+    if (!drawn) return tl::unexpected(drawn.error());
+    picture = *drawn;
+  }
+  for (const std::string& specification : some_of(all, *clip)) {
+    const auto variant = backends::make_backend(specification);
+    if (!variant) return tl::unexpected(variant.error());
+    const Result<cases::Framebuffer> drawn = draw(*clip, **variant);
+    if (!drawn) return tl::unexpected(drawn.error());
+    const std::string note = specification + " draws the other";
+    merge(check, compare_drawings(*clip, *drawn, *own, note));
+    if (!picture || !(*variant)->draws_pictures()) continue;
+    const Result<cases::Picture> other = draw_picture(*clip, **variant, pipeline);
+    if (!other) return tl::unexpected(other.error());
+    merge(check, compare_pictures(*clip, *other, *picture, note + "; " + text_of(pipeline)));
+  }
+  add_labels(*clip, *own, check);
+  return check;
+}
+
+/// More than 64 pixels along a side, all of them the viewport's.
+void lengthen(Draw& draw, cases::Case& c) {
+  const int length = draw.between(65, 140);
+  const int breadth = draw.between(4, 12);
+  const bool is_high = draw.one_in(2);
+  cases::FramebufferSize& size = c.framebuffer;
+  size.width = is_high ? breadth : length;
+  size.height = is_high ? length : breadth;
+  size.samples = std::min(size.samples, 4);
+  c.viewport.x = 0;
+  c.viewport.y = 0;
+  c.viewport.width = static_cast<float>(size.width);
+  c.viewport.height = static_cast<float>(size.height);
+  c.scissor.reset();
+}
+
+Generated generate(Draw& draw) {
+  Generated made = draw.one_in(2) ? generate_any(draw) : overlapping_case(draw);
+  if (draw.one_in(3)) lengthen(draw, made.source);
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "threads, tiles and SIMD change no bit",
+     .reason = "A backend that names others as drawing the same bits is held to its word.",
+     .exceptions = "backends that name none, and derivatives where one of two has none",
+     .generate = &generate,
+     .check = &check,
+     .is_promised = &is_promised,
+     .covers = {cover(40, "drawn"), cover(10, "beyond 64 pixels"), cover(15, "several samples"),
+                cover(20, "three attributes and more"), cover(10, "clipped")}});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,130 @@
+// The law catches a depth test that leaves another fragment than the nearest, or of equal ones a
+// later one, or other values.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "properties/law.h"
+#include "tests/properties/damaged_backend.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Case;
+using cases::Framebuffer;
+using records::FragmentClass;
+using testing::HasSubstr;
+
+constexpr std::string_view kLaw = "the nearest fragment wins";
+
+/// The square's A three times, at these depths.
+Case layers(float first, float second, float third) {
+  Case c = square();
+  c.positions.clear();
+  for (const float depth : {first, second, third}) {
+    c.positions.insert(c.positions.end(),
+                       {{-1, -1, depth, 1}, {1, -1, depth, 1}, {-1, 1, depth, 1}});
+  }
+  c.attribute_values.assign(c.positions.size() * 3, 0);
+  c.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+  return c;
+}
+
+bool is_tested(const Case& c) { return c.depth_test == cases::DepthTest::less; }
+
+/// Triangle `left` is what is left at (1, 1).
+Damage leaving(std::uint32_t left, float depth) {
+  return [=](const Case& c, Framebuffer& drawn) {
+    if (!is_tested(c)) return;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      if (drawn.x[i] != 1 || drawn.y[i] != 1) continue;
+      drawn.triangle[i] = left;
+      drawn.depth[i] = depth;
+    }
+  };
+}
+
+TEST(NearestFragment, Wins) {
+  const Check check = check_of(kLaw, layers(0.5F, 0.25F, 0.75F), {});
+  EXPECT_TRUE(check.is_applicable);
+  EXPECT_EQ(check.violation_count, 0U);
+  EXPECT_EQ(check.judgement.counts.required, 28U);
+  EXPECT_THAT(check.labels, testing::ElementsAre("depth test", "farther drawn first", "overdraw",
+                                                 "three and more"));
+}
+
+TEST(NearestFragment, IsNotTheLastOne) {
+  const Check check = check_of(kLaw, layers(0.5F, 0.25F, 0.75F), leaving(2, 0.75F));
+  ASSERT_EQ(check.violation_count, 1U);
+  const records::Violation& violation = check.violations.front();
+  EXPECT_EQ(violation.fragment_class, FragmentClass::wrong_triangle);
+  EXPECT_EQ(violation.triangle, 2U);
+  EXPECT_EQ(violation.x, 1U);
+  EXPECT_EQ(violation.y, 1U);
+  EXPECT_EQ(violation.exact, "forbidden: triangle 1 is nearer");
+  EXPECT_THAT(violation.note, HasSubstr("the nearest of 3 at 0.25"));
+}
+
+// Where the test is "less or equal".
+TEST(NearestFragment, IsTheFirstOfEqualOnes) {
+  const Case c = layers(0.5F, 0.25F, 0.25F);
+  const Check right = check_of(kLaw, c, {});
+  EXPECT_EQ(right.violation_count, 0U);
+  EXPECT_THAT(right.labels, testing::Contains("equal nearest"));
+  const Check check = check_of(kLaw, c, leaving(2, 0.25F));
+  ASSERT_EQ(check.violation_count, 1U);
+  EXPECT_EQ(check.violations.front().exact, "forbidden: triangle 1 is as near, and drawn first");
+}
+
+// Two that tie behind the nearest are no tie.
+TEST(NearestFragment, IsEqualToNoneThatIsFarther) {
+  const Check check = check_of(kLaw, layers(0.5F, 0.5F, 0.25F), {});
+  EXPECT_THAT(check.labels, testing::Not(testing::Contains("equal nearest")));
+}
+
+TEST(NearestFragment, HasItsOwnValuesToTheBit) {
+  const Check check =
+      check_of(kLaw, layers(0.5F, 0.25F, 0.75F), [](const Case& c, Framebuffer& drawn) {
+        if (!is_tested(c)) return;
+        value(drawn, 1, 2, 3, 0) = std::numeric_limits<float>::denorm_min();
+        const std::size_t at = find(drawn, 1, 2, 2);
+        drawn.depth[at] = std::nextafter(0.25F, 0.0F);
+      });
+  ASSERT_EQ(check.violation_count, 2U);
+  EXPECT_EQ(check.violations[0].kind, records::AttributeKind::depth);
+  EXPECT_EQ(check.violations[1].attribute, 0U);
+  EXPECT_EQ(check.violations[1].y, 3U);
+}
+
+TEST(NearestFragment, IsThereAndAlone) {
+  const Check check =
+      check_of(kLaw, layers(0.5F, 0.25F, 0.75F), [](const Case& c, Framebuffer& drawn) {
+        if (!is_tested(c)) return;
+        drop(drawn, 1, 1, 1);
+        add(drawn, 0, 2, 2);
+        add(drawn, 0, 7, 7);
+      });
+  ASSERT_EQ(check.violation_count, 3U);
+  EXPECT_EQ(check.violations[0].exact, "forbidden: more than one is left");
+  EXPECT_EQ(check.violations[1].exact, "forbidden: nothing is drawn there without a depth test");
+  EXPECT_EQ(check.violations[2].fragment_class, FragmentClass::missing);
+  EXPECT_EQ(check.violations[2].triangle, 1U);
+}
+
+TEST(NearestFragment, LeavesDepthsThatAreNoNumberAlone) {
+  const Check check =
+      check_of(kLaw, layers(0.5F, 0.25F, 0.75F), [](const Case& c, Framebuffer& drawn) {
+        if (is_tested(c)) {
+          drop(drawn, 1, 1, 1);
+        } else {
+          drawn.depth[find(drawn, 0, 1, 1)] = std::numeric_limits<float>::quiet_NaN();
+        }
+      });
+  EXPECT_EQ(check.violation_count, 0U);
+}
+
+}  // namespace
+}  // namespace rastercheck::properties
