@@ -19,9 +19,15 @@ std::string name_of(std::int64_t target) {
   return name;
 }
 
+/// What this processor has. It is asked once: on virtual machines the question takes long.
+std::int64_t supported_targets() {
+  static const std::int64_t supported = HWY_SUPPORTED_TARGETS;
+  return supported;
+}
+
 /// The target of a name that can run here; 0 where there is none.
 std::int64_t find_target(std::string_view name) {
-  const std::int64_t usable = HWY_TARGETS & HWY_SUPPORTED_TARGETS;
+  const std::int64_t usable = HWY_TARGETS & supported_targets();
   for (int bit = 0; bit < kTargetBits; ++bit) {
     const std::int64_t target = std::int64_t{1} << bit;
     if ((usable & target) != 0 && name_of(target) == name) return target;
@@ -51,7 +57,7 @@ std::vector<SimdTarget> simd_targets() {
     std::string name = name_of(target);
     if (name == "unknown") continue;
     const bool is_compiled = (HWY_TARGETS & target) != 0;
-    const bool is_supported = is_compiled && (HWY_SUPPORTED_TARGETS & target) != 0;
+    const bool is_supported = is_compiled && (supported_targets() & target) != 0;
     targets.push_back({std::move(name), is_compiled, is_supported});
   }
   return targets;
@@ -65,7 +71,7 @@ OnSimdTarget::OnSimdTarget(std::string_view name) {
 }
 
 OnSimdTarget::~OnSimdTarget() {
-  if (lock_.owns_lock()) choose(HWY_SUPPORTED_TARGETS);
+  if (lock_.owns_lock()) choose(supported_targets());
 }
 
 }  // namespace rastercheck::rasterizer

@@ -8,6 +8,8 @@
 // After foreach_target.h, as Highway wants it.
 #include <hwy/highway.h>
 
+#include "rasterizer/internal/rounding-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
@@ -73,7 +75,7 @@ std::uint64_t SumWeights(const PlaneRow& plane, double least, int count, BlockWe
 template <class D, class V>
 void StoreRounded([[maybe_unused]] D d, V value, float* out) {
   const hn::Rebind<float, D> floats;
-  hn::StoreU(hn::DemoteTo(floats, value), floats, out);
+  hn::StoreU(RoundToFloats(floats, value), floats, out);
 }
 
 void EvaluateSmooth(const PlaneRow& numerator, int count, const BlockWeights& weights, float* out) {

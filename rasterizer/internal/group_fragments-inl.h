@@ -14,6 +14,7 @@
 
 #include "rasterizer/internal/group_lanes-inl.h"
 #include "rasterizer/internal/masks.h"
+#include "rasterizer/internal/rounding-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
@@ -173,7 +174,7 @@ HWY_INLINE void Shade(const KernelSetting& setting, const Part& part, std::size_
           value = hn::TableLookupLanes(part.Get(number + 2), of_lane);
           break;
       }
-      hn::StoreU(hn::DemoteTo(floats, value), floats, out.attributes[a].data() + at + k);
+      hn::StoreU(RoundToFloats(floats, value), floats, out.attributes[a].data() + at + k);
     }
     // Where it is: no coordinate has more than 14 bits.
     const auto of_half = hn::IndicesFromVec(ints, hn::BitCast(ints, lane));

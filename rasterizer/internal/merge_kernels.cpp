@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "rasterizer/internal/cells-inl.h"
+#include "rasterizer/internal/rounding-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
@@ -265,7 +266,7 @@ HWY_INLINE void PutFloats(const CellBatch& batch, std::size_t from, hn::Mask<Hal
       const auto old = hn::PromoteTo(d, hn::LoadU(floats, out));
       const auto value = k == 3 ? Blended<kBlend, true>(alpha, color, old)
                                 : Blended<kBlend, false>(alpha, color, old);
-      result = hn::DemoteTo(floats, value);
+      result = RoundToFloats(floats, value);
     }
     PutWhere(floats, kept, result, out);
   }

@@ -17,6 +17,7 @@
 // After foreach_target.h, as Highway wants it.
 #include <hwy/highway.h>
 
+#include "rasterizer/internal/rounding-inl.h"
 #include "rasterizer/internal/tile_spans-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -179,7 +180,7 @@ class Shader {
       auto result = hn::Set(d, value_a_[a]);
       if (!IsFlat(a)) result = hn::Add(along.values[a], hn::Set(d, value_rows_[a].at[y]));
       if (IsSmooth(a)) result = hn::Mul(result, reciprocal);
-      put(hn::DemoteTo(floats, result), values_[a]);
+      put(RoundToFloats(floats, result), values_[a]);
     }
   }
 
