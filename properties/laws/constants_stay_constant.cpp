@@ -1,5 +1,5 @@
 // Constants stay constant: an attribute that has the same value at all three vertices has it
-// everywhere, to the bit; and a plane of equal depth is drawn with one depth.
+// everywhere, to the bit.
 //
 // How far that follows from the contract. A bound of b scale ULP, one half of it for the rounding
 // to float32, promises a result before rounding that is off by less than e = b − 1/2. Where e < 1/4
@@ -7,10 +7,6 @@
 // below a power of two, so that the nearest middle between floats is 1/4 ulp from the constant.
 // Where the promise is weaker, as towards the horizon, nothing is judged, unless the contract
 // promises to keep constants, whatever the bound.
-//
-// A plane of equal depth, z_i w_j = z_j w_i, is judged where the contract promises to keep it. The
-// bound alone allows two depths where the exact one lies close to the middle between two floats;
-// two neighbouring fragments that take different ones make a surface fight with itself (RULES §6).
 //
 // Attributes: smooth and noperspective ones, at every location; flat ones are copies anyhow.
 // Samples: those that are required, so that no snapped or clipped outline has a say.
@@ -21,7 +17,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -45,27 +40,10 @@ bool is_same_float(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
-/// What of one triangle the law speaks about.
-struct Constants {
-  std::vector<std::uint32_t> attributes;  ///< indices
-  bool has_equal_depth = false;
-  bool is_empty() const { return attributes.empty() && !has_equal_depth; }
-};
-
 bool is_constant(const cases::Case& c, const cases::Triangle& triangle, std::size_t attribute) {
   const float first = c.attributes_of(triangle[0])[attribute];
   return is_same_float(first, c.attributes_of(triangle[1])[attribute]) &&
          is_same_float(first, c.attributes_of(triangle[2])[attribute]);
-}
-
-/// Whether z/w is exactly the same at all vertices, all of them in front of the eye. Products of
-/// two floats are exact in double.
-bool has_equal_depth(const cases::Case& c, const cases::Triangle& triangle) {
-  const cases::ClipVertex& first = c.positions[triangle[0]];
-  return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t index) {
-    const cases::ClipVertex& p = c.positions[index];
-    return p.w > 0 && double{p.z} * double{first.w} == double{first.z} * double{p.w};
-  });
 }
 
 /// Whether the promise is strong enough anywhere: g >= 1 but for extrapolated centres.
@@ -73,9 +51,11 @@ bool may_be_exact(const cases::ValueBound& bound) {
   return double{bound.constant} + double{bound.per_horizon} < kMostBound;
 }
 
-Constants constants_of(const cases::Case& c, const cases::Contract& contract, std::size_t index) {
+/// Indices of what of one triangle the law speaks about.
+std::vector<std::uint32_t> constants_of(const cases::Case& c, const cases::Contract& contract,
+                                        std::size_t index) {
   const cases::Triangle& triangle = c.triangles[index];
-  Constants constants;
+  std::vector<std::uint32_t> constants;
   for (std::uint32_t a = 0; a < c.attributes.size(); ++a) {
     const cases::Interpolation interpolation = c.attributes[a].interpolation;
     if (interpolation == cases::Interpolation::flat) continue;
@@ -83,9 +63,8 @@ Constants constants_of(const cases::Case& c, const cases::Contract& contract, st
     const cases::ValueBound& bound =
         is_smooth ? contract.bounds.smooth : contract.bounds.noperspective;
     const bool is_kept = contract.keeps_constants || may_be_exact(bound);
-    if (is_kept && is_constant(c, triangle, a)) constants.attributes.push_back(a);
+    if (is_kept && is_constant(c, triangle, a)) constants.push_back(a);
   }
-  constants.has_equal_depth = contract.keeps_equal_depth && has_equal_depth(c, triangle);
   return constants;
 }
 
@@ -95,20 +74,13 @@ FragmentClass class_of_constant(float actual, float expected) {
       actual, actual == expected ? FragmentClass::wrong_sign_of_zero : FragmentClass::beyond_bound);
 }
 
-/// Both zeros are the same depth.
-FragmentClass class_of_depth(float actual, float first) {
-  if (actual == first && std::isfinite(actual)) return FragmentClass::correct;
-  return class_of_wrong(actual, FragmentClass::beyond_bound);
-}
-
-/// One triangle with its constants, and the depth its first fragment had.
+/// One triangle with its constants.
 struct Subject {
   Subject(const oracle::SceneTruth& scene, std::uint32_t triangle)
       : constants(constants_of(scene.source(), scene.contract(), triangle)),
         truth(scene, triangle) {}
-  Constants constants;
+  std::vector<std::uint32_t> constants;
   oracle::TriangleTruth truth;
-  std::optional<float> depth;
 };
 
 /// Where a fragment is.
@@ -126,7 +98,7 @@ class ConstantsCheck {
     const std::size_t triangles = scene.source().triangles.size();
     check_.is_applicable = false;
     for (std::uint32_t t = 0; t < triangles; ++t) {
-      if (!constants_of(scene.source(), scene.contract(), t).is_empty()) {
+      if (!constants_of(scene.source(), scene.contract(), t).empty()) {
         check_.is_applicable = true;
       }
     }
@@ -155,9 +127,6 @@ class ConstantsCheck {
     if (!subject_ || subject_triangle_ != triangle) {
       subject_ = std::make_unique<Subject>(*scene_, triangle);
       subject_triangle_ = triangle;
-      if (const auto seen = depths_.find(triangle); seen != depths_.end()) {
-        subject_->depth = seen->second;
-      }
     }
     return *subject_;
   }
@@ -166,7 +135,7 @@ class ConstantsCheck {
     const Place place{drawn_->triangle[i], drawn_->x[i], drawn_->y[i], drawn_->sample[i]};
     if (!is_of_case(place)) return;
     Subject& subject = subject_of(place.triangle);
-    if (subject.constants.is_empty()) return;
+    if (subject.constants.empty()) return;
     const records::SampleVerdict decision = subject.truth.judge(
         static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.sample));
     if (decision.verdict != records::Verdict::required) return;
@@ -176,10 +145,9 @@ class ConstantsCheck {
     if (decision.reason != records::Reason::inside) {
       labels_.emplace(records::to_string(decision.reason));
     }
-    for (const std::uint32_t a : subject.constants.attributes) {
+    for (const std::uint32_t a : subject.constants) {
       check_attribute(subject, place, a, drawn_->attributes_of(i)[a]);
     }
-    if (subject.constants.has_equal_depth) check_depth(subject, place, drawn_->depth[i]);
   }
 
   void check_attribute(const Subject& subject, const Place& place, std::uint32_t attribute,
@@ -222,25 +190,6 @@ class ConstantsCheck {
     note(check_, violation);
   }
 
-  void check_depth(Subject& subject, const Place& place, float actual) {
-    labels_.emplace("equal depth");
-    if (!subject.depth) {
-      subject.depth = actual;
-      depths_[place.triangle] = actual;
-    }
-    const float first = *subject.depth;
-    const FragmentClass found = class_of_depth(actual, first);
-    ++check_.judgement.errors[AttributeKind::depth].classes[found];
-    if (found == FragmentClass::correct) return;
-    records::Violation violation = violation_at(place, AttributeKind::depth, found, actual);
-    const auto exact = subject.truth.depth(static_cast<int>(place.x), static_cast<int>(place.y),
-                                           static_cast<int>(place.sample));
-    if (exact) violation.exact = exact->lo.to_string();
-    violation.note =
-        "z/w is the same at all vertices, and the first fragment's depth was " + value_text(first);
-    note(check_, violation);
-  }
-
   static records::Violation violation_at(const Place& place, AttributeKind kind,
                                          FragmentClass found, float actual) {
     records::Violation violation;
@@ -259,7 +208,6 @@ class ConstantsCheck {
   Check check_;
   std::set<std::string> labels_;
   std::set<std::uint32_t> triangles_;
-  std::map<std::uint32_t, float> depths_;  ///< of triangles that were seen before
   std::unique_ptr<Subject> subject_;
   std::uint32_t subject_triangle_ = 0;
 };
@@ -293,8 +241,8 @@ float random_constant(Draw& draw) {
   }
 }
 
-/// Gives most attributes one value at all vertices; in a third of the cases all triangles planes of
-/// equal depth, and in another third snapped vertices, which clipping makes more of.
+/// Gives most attributes one value at all vertices; in a third of the cases snapped vertices, which
+/// clipping makes more of.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;
@@ -310,10 +258,6 @@ Generated generate(Draw& draw) {
     for (std::size_t v = 0; v < c.positions.size(); ++v) {
       c.attribute_values[v * count + a] = constant;
     }
-  }
-  if (draw.one_in(3)) {
-    const float depth = draw.pick(std::array{0.0F, 0.25F, 0.5F, 0.75F, 0.625F, 1.0F});
-    for (cases::ClipVertex& p : c.positions) p.z = depth * p.w;
   }
   if (draw.one_in(3)) {
     c.coverage = cases::Snapping{draw.between(4, cases::kMaxSubpixelBits)};

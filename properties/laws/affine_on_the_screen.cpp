@@ -1,0 +1,286 @@
+// 1/w and r/w are affine on the screen: what is not divided by w has no curve, and what is divided
+// is nothing but the quotient of two that have none.
+//
+// Affine (RULES §1, §4). z/w = Σ z_i e_i, and noperspective values where all w_i > 0: the e_i are
+// affine in window coordinates, whatever the w_i. So along a line of pixels the exact f lies on the
+// chord of any two others: with n pixels from a to b,
+//
+//   n f(x) = (b − x) f(a) + (x − a) f(b).
+//
+// Each drawn value is off by at most α, and the right side is a mean: the drawn ones differ by at
+// most 2nα. Chords from end to end: there a curve bends most.
+//
+// Quotient. Of attributes r, q and d, r smooth and q, d noperspective, with q_i = r_i/w_i and d_i =
+// 1/w_i exactly at all three vertices, q is r/w and d is 1/w everywhere: q = r d. Of drawn values
+//
+//   |q' − r'd'| <= |q' − q| + |d| |r' − r| + |r'| |d' − d| <= α_q + (|d'| + α_d) α_r + |r'| α_d.
+//
+// α is the contract's bound in scale ULP of the greatest vertex value, which no value exceeds
+// inside a triangle. Where an inequality fails that way the oracle is asked for the share of the
+// horizon in the bound, and how wide a range the contract leaves open (as of snapped vertices): α
+// grows by as much, since the exact values of any one placement are in these ranges.
+//
+// Rounding here: products of a float and a number below 2^15 are exact in double, and so are those
+// of two floats; the sums are off by three roundings of numbers below 2^2 n m, m the greatest
+// value, less than 2^-49 n m <= 2^-25 n ulp(m). The errors allowed are 2n halves of that ulp at
+// least, so a share of 2^-23 more covers it.
+//
+// Samples: those that are required. Attributes: those at samples, as centres may lie outside, and
+// centroids anywhere. Triangles with snapped vertices have no chords where they are clipped: the
+// pieces lie in planes of their own. Depths where they are not clamped, as D3D's are beyond the
+// plane of snapped vertices too.
+//
+// Its cases: w_i are powers of two, so that r_i = q_i w_i and d_i are floats.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/choices.h"
+#include "properties/internal/fragment_lines.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/value_findings.h"
+#include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Interpolation;
+using cases::Location;
+using Attribute = std::optional<std::uint32_t>;  ///< nothing: the depth
+
+// --- The law -------------------------------------------------------------------------------------
+
+bool all_in_front(const cases::Case& c, const cases::Triangle& triangle) {
+  return std::all_of(triangle.begin(), triangle.end(),
+                     [&](std::uint32_t index) { return c.positions[index].w > 0; });
+}
+
+bool is_at_sample(const cases::Case& c, std::uint32_t attribute) {
+  return c.attributes[attribute].location == Location::sample ||
+         (c.attributes[attribute].location == Location::center && c.framebuffer.samples == 1);
+}
+
+/// Whether attributes 0, 1 and 2 are r, q = r/w and d = 1/w of a triangle. Products of two floats
+/// are exact in double.
+bool has_quotient(const cases::Case& c, const cases::Triangle& triangle) {
+  if (c.attributes.size() < 3 || !all_in_front(c, triangle)) return false;
+  for (std::uint32_t a = 0; a < 3; ++a) {
+    const auto expected = a == 0 ? Interpolation::smooth : Interpolation::noperspective;
+    if (c.attributes[a].interpolation != expected || !is_at_sample(c, a)) return false;
+  }
+  return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t index) {
+    const auto values = c.attributes_of(index);
+    const double w{c.positions[index].w};
+    return double{values[1]} * w == double{values[0]} && double{values[2]} * w == 1;
+  });
+}
+
+class AffineCheck {
+ public:
+  AffineCheck(const cases::Case& c, const cases::Contract& contract,
+              const cases::Framebuffer& drawn, LineDirection direction)
+      : case_(&c), drawn_(&drawn), direction_(direction), findings_(c, contract) {}
+
+  Check run() {
+    check_quotients();
+    for_each_line(*case_, *drawn_, direction_, [this](std::span<const LinePoint> line) {
+      if (line.back().at - line.front().at < 2) return;
+      if (!is_one_plane(drawn_->triangle[line.front().fragment])) return;
+      for (const Attribute& attribute : affine_of(line)) check_chord(line, attribute);
+    });
+    return findings_.finish();
+  }
+
+ private:
+  FragmentPlace place(std::size_t fragment) const { return place_of(*drawn_, fragment); }
+  const cases::Triangle& triangle_of(std::size_t fragment) const {
+    return case_->triangles[drawn_->triangle[fragment]];
+  }
+  float value(std::size_t fragment, const Attribute& attribute) const {
+    return attribute ? drawn_->attributes_of(fragment)[*attribute] : drawn_->depth[fragment];
+  }
+
+  bool is_one_plane(std::uint32_t triangle) {
+    if (asked_triangle_ != triangle) {
+      asked_triangle_ = triangle;
+      is_one_plane_ = findings_.is_one_plane(triangle);
+    }
+    return is_one_plane_;
+  }
+
+  /// The values of a line's triangle that are affine.
+  std::vector<Attribute> affine_of(std::span<const LinePoint> line) const {
+    std::vector<Attribute> affine;
+    const bool is_clamped = case_->depth_clamp || (case_->rules == cases::Rules::d3d &&
+                                                   findings_.contract().coverage.has_value());
+    if (!is_clamped) affine.emplace_back(std::nullopt);
+    if (!all_in_front(*case_, triangle_of(line.front().fragment))) return affine;
+    for (std::uint32_t a = 0; a < case_->attributes.size(); ++a) {
+      const bool is_affine = case_->attributes[a].interpolation == Interpolation::noperspective;
+      if (is_affine && is_at_sample(*case_, a)) affine.emplace_back(a);
+    }
+    return affine;
+  }
+
+  /// How far a value is off, by the contract alone.
+  double allowed(std::size_t fragment, const Attribute& attribute) const {
+    double greatest{std::max(case_->viewport.min_depth, case_->viewport.max_depth)};
+    if (attribute) {
+      greatest = 0;
+      for (const std::uint32_t vertex : triangle_of(fragment)) {
+        greatest = std::max(greatest, std::abs(double{case_->attributes_of(vertex)[*attribute]}));
+      }
+    }
+    return double{findings_.bound_of(attribute).constant} * ulp_of(greatest);
+  }
+
+  /// The same with all that the oracle says; nothing where nothing is promised.
+  std::optional<double> allowed_at_most(std::size_t fragment, const Attribute& attribute) {
+    const auto promise = findings_.promise_of(place(fragment), attribute);
+    if (!promise) return std::nullopt;
+    return promise->bound * promise->unit + (promise->hi - promise->lo);
+  }
+
+  /// Whether a difference is not what errors of these sizes explain.
+  static bool is_beyond(double difference, double errors) {
+    return !(std::abs(difference) <= errors);  // nor is NaN
+  }
+
+  void check_chord(std::span<const LinePoint> line, const Attribute& attribute) {
+    const LinePoint& a = line.front();
+    const LinePoint& b = line.back();
+    const double at_a = number_of(value(a.fragment, attribute));
+    const double at_b = number_of(value(b.fragment, attribute));
+    const double n = b.at - a.at;
+    const double most = allowed(a.fragment, attribute);
+    findings_.label(attribute ? "noperspective" : "depth");
+    if (n >= 8) findings_.label("long line");
+    for (const LinePoint& p : line.subspan(1, line.size() - 2)) {
+      findings_.see(place(p.fragment), attribute);
+      const float actual = value(p.fragment, attribute);
+      const double difference =
+          n * number_of(actual) - ((b.at - p.at) * at_a + (p.at - a.at) * at_b);
+      if (!is_beyond(difference, 2 * n * most)) continue;
+      const auto of_a = allowed_at_most(a.fragment, attribute);
+      const auto of_b = allowed_at_most(b.fragment, attribute);
+      const auto of_p = allowed_at_most(p.fragment, attribute);
+      if (!of_a || !of_b || !of_p) continue;
+      const double errors = (b.at - p.at) * *of_a + (p.at - a.at) * *of_b + n * *of_p;
+      if (!is_beyond(difference, errors * (1 + kRounding))) continue;
+      const double chord = ((b.at - p.at) * at_a + (p.at - a.at) * at_b) / n;
+      findings_.report(place(p.fragment), attribute, actual,
+                       "about " + value_text(static_cast<float>(chord)),
+                       "not on the chord of its " + std::string(to_string(direction_)) + " from " +
+                           std::to_string(a.at) + " to " + std::to_string(b.at));
+    }
+  }
+
+  void check_quotients() {
+    std::optional<std::uint32_t> triangle;
+    bool has_one = false;
+    for (std::size_t i = 0; i < drawn_->size(); ++i) {
+      if (!is_of_case(*case_, place(i))) continue;
+      if (triangle != drawn_->triangle[i]) {
+        triangle = drawn_->triangle[i];
+        has_one = has_quotient(*case_, triangle_of(i));
+      }
+      if (has_one) check_quotient(i);
+    }
+  }
+
+  void check_quotient(std::size_t i) {
+    findings_.see(place(i), 0);
+    findings_.label("quotient");
+    const double r = number_of(value(i, 0));
+    const double q = number_of(value(i, 1));
+    const double d = number_of(value(i, 2));
+    const auto errors = [&](double of_r, double of_q, double of_d) {
+      return of_q + (std::abs(d) + of_d) * of_r + std::abs(r) * of_d;
+    };
+    const double difference = q - r * d;
+    if (!is_beyond(difference, errors(allowed(i, 0), allowed(i, 1), allowed(i, 2)))) return;
+    const auto of_r = allowed_at_most(i, 0);
+    const auto of_q = allowed_at_most(i, 1);
+    const auto of_d = allowed_at_most(i, 2);
+    if (!of_r || !of_q || !of_d) return;
+    if (!is_beyond(difference, errors(*of_r, *of_q, *of_d) * (1 + kRounding))) return;
+    findings_.report(place(i), 0, value(i, 0), "about " + value_text(static_cast<float>(q / d)),
+                     "r/w is " + value_text(value(i, 1)) + " and 1/w " + value_text(value(i, 2)));
+  }
+
+  /// Roundings here, as a share of the errors allowed.
+  static constexpr double kRounding = 0x1p-23;
+
+  const cases::Case* case_;
+  const cases::Framebuffer* drawn_;
+  LineDirection direction_;
+  ValueFindings findings_;
+  std::optional<std::uint32_t> asked_triangle_;
+  bool is_one_plane_ = false;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  constexpr std::array kDirections{LineDirection::row, LineDirection::column,
+                                   LineDirection::falling_diagonal, LineDirection::rising_diagonal};
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const cases::Contract contract = backend.contract(*clip);
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  const LineDirection direction = Choices(fingerprint(*clip)).pick(kDirections);
+  return AffineCheck(*clip, contract, *drawn, direction).run();
+}
+
+// --- Its cases -----------------------------------------------------------------------------------
+
+float power_of_two_weight(Draw& draw, int most) {
+  const int exponent = draw.between(-most, most);
+  return exponent < 0 ? 1.0F / static_cast<float>(1 << -exponent)
+                      : static_cast<float>(1 << exponent);
+}
+
+/// Triangles of weights that are powers of two, with r, r/w and 1/w. A depth plane cuts some.
+Generated generate(Draw& draw) {
+  StateRequest request;
+  request.least_side = 16;
+  Generated made{random_state(draw, request), "powers of two"};
+  cases::Case& c = made.source;
+  c.attributes = {{"r", Interpolation::smooth, Location::sample},
+                  {"r/w", Interpolation::noperspective, Location::sample},
+                  {"1/w", Interpolation::noperspective, Location::sample}};
+  const int most = draw.pick(std::array{1, 3, 10});
+  const bool is_huge = draw.one_in(8);
+  const int triangles = draw.between(1, 2 + draw.size() / 50);
+  for (int i = 0; i < 3 * triangles; ++i) {
+    const WindowPoint p = point_about(draw, c);
+    const bool is_cut = draw.one_in(6);
+    const float depth = is_cut ? draw.uniform(1, 2) : random_depth(draw, c);
+    const float w = power_of_two_weight(draw, most);
+    add_vertex(c, at_window(c, p, depth, w));
+    const float q = is_huge ? draw.spread(90, 110) : draw.spread(-4, 4);
+    c.attribute_values.insert(c.attribute_values.end(), {q * w, q, 1 / w});
+  }
+  for (int i = 0; i < triangles; ++i) {
+    const auto first = static_cast<std::uint32_t>(3 * i);
+    c.triangles.push_back({first, first + 1, first + 2});
+  }
+  add_clip_distances(draw, c);
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "1/w and r/w are affine on the screen",
+     .reason = "The e_i are affine in window coordinates, and r = (r/w) / (1/w).",
+     .exceptions = "noperspective values where some w <= 0; clamped depths; values that are not "
+                   "at samples; chords of snapped triangles that are clipped",
+     .generate = &generate,
+     .check = &check});
+
+}  // namespace
+}  // namespace rastercheck::properties

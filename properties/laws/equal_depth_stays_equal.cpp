@@ -1,0 +1,217 @@
+// Equal depth stays equal: a plane of equal depth is drawn with one depth, by however many
+// triangles of a case.
+//
+// z/w(p) = Σ z_i e_i(p), and Σ w_i e_i(p) = 1: where z_i = k w_i at all vertices, z/w is k
+// everywhere, whatever the w_i, their signs too. That z_i w_j = z_j w_i is decided exactly:
+// products of two floats are exact in double. The bound alone allows two depths where the exact one
+// lies close to the middle between two floats; two neighbouring fragments that take different ones,
+// or two triangles of one plane, make a surface fight with itself (RULES §6). Judged where the
+// contract promises otherwise.
+//
+// Vertices: w ≠ 0, as z/w is to be the same at all three. Samples: those that are required; which
+// they are is asked of the oracle where depths differ.
+//
+// Its cases. Depths that multiply every w exactly, so that few bits are left of w where a depth has
+// several: that changes neither what is seen of a triangle much, nor what is different of its w.
+// One in three lies exactly in the middle between two floats once mapped to the depth range: n + (f
+// − n) z/w = 1/2 + k/2 with k an odd multiple of 2^-24.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "oracle/transform.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/value_findings.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+// --- The law -------------------------------------------------------------------------------------
+
+/// z/w as a fraction with w > 0.
+struct PlaneDepth {
+  double z = 0;
+  double w = 1;
+};
+
+/// Products of two floats are exact in double.
+bool operator<(const PlaneDepth& a, const PlaneDepth& b) { return a.z * b.w < b.z * a.w; }
+bool operator==(const PlaneDepth& a, const PlaneDepth& b) { return a.z * b.w == b.z * a.w; }
+
+PlaneDepth depth_of(const cases::ClipVertex& p) {
+  return p.w < 0 ? PlaneDepth{-double{p.z}, -double{p.w}} : PlaneDepth{double{p.z}, double{p.w}};
+}
+
+/// The depth that all vertices have; nothing where they have several.
+std::optional<PlaneDepth> equal_depth(const cases::Case& c, const cases::Triangle& triangle) {
+  const PlaneDepth first = depth_of(c.positions[triangle[0]]);
+  const bool is_equal = std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t index) {
+    const cases::ClipVertex& p = c.positions[index];
+    return p.w != 0 && depth_of(p) == first;
+  });
+  return is_equal ? std::optional(first) : std::nullopt;
+}
+
+bool has_several_w(const cases::Case& c, const cases::Triangle& triangle) {
+  return c.positions[triangle[0]].w != c.positions[triangle[1]].w ||
+         c.positions[triangle[0]].w != c.positions[triangle[2]].w;
+}
+
+class EqualDepthCheck {
+ public:
+  EqualDepthCheck(const cases::Case& c, const cases::Contract& contract,
+                  const cases::Framebuffer& drawn)
+      : case_(&c), drawn_(&drawn), findings_(c, contract) {}
+
+  Check run() {
+    collect();
+    for (const auto& [depth, fragments] : planes_) check_plane(fragments);
+    return findings_.finish();
+  }
+
+ private:
+  void collect() {
+    std::optional<PlaneDepth> depth;
+    std::optional<std::uint32_t> triangle;
+    std::vector<std::size_t>* fragments = nullptr;
+    for (std::size_t i = 0; i < drawn_->size(); ++i) {
+      const FragmentPlace place = place_of(*drawn_, i);
+      if (!is_of_case(*case_, place)) continue;
+      if (triangle != place.triangle) {
+        triangle = place.triangle;
+        depth = equal_depth(*case_, case_->triangles[*triangle]);
+        fragments = depth ? &planes_[*depth] : nullptr;
+      }
+      if (fragments == nullptr) continue;
+      fragments->push_back(i);
+      findings_.see(place, std::nullopt);
+      if (has_several_w(*case_, case_->triangles[*triangle])) findings_.label("different w");
+      add_middle_label(*depth);
+    }
+  }
+
+  /// Of depths that are sums of few bits, which doubles are exact of.
+  void add_middle_label(const PlaneDepth& depth) {
+    const double share = depth.z / depth.w;
+    const double n{case_->viewport.min_depth};
+    const double f{case_->viewport.max_depth};
+    const bool is_opengl = case_->rules == cases::Rules::opengl;
+    const double mapped = n + (f - n) * (is_opengl ? (share + 1) / 2 : share);
+    const auto nearest = static_cast<float>(mapped);
+    const double off = std::abs(double{nearest} - mapped);
+    if (off == ulp_of(mapped) / 2) findings_.label("middle between floats");
+  }
+
+  /// Both zeros are the same depth.
+  static bool is_same_depth(float a, float b) { return a == b && std::isfinite(a); }
+
+  void check_plane(const std::vector<std::size_t>& fragments) {
+    const float first = drawn_->depth[fragments.front()];
+    const bool is_one = std::all_of(fragments.begin(), fragments.end(), [&](std::size_t i) {
+      return is_same_depth(drawn_->depth[i], first);
+    });
+    if (drawn_->triangle[fragments.front()] != drawn_->triangle[fragments.back()]) {
+      findings_.label("several triangles");
+    }
+    if (!is_one) name_others(fragments);
+  }
+
+  /// The first required fragment's depth is the plane's.
+  void name_others(const std::vector<std::size_t>& fragments) {
+    std::optional<float> expected;
+    for (const std::size_t i : fragments) {
+      const FragmentPlace place = place_of(*drawn_, i);
+      if (!findings_.is_required(place)) continue;
+      const float actual = drawn_->depth[i];
+      if (!expected) expected = actual;
+      if (is_same_depth(actual, *expected)) continue;
+      findings_.report(place, std::nullopt, actual, value_text(*expected),
+                       "z/w is the same at all vertices, and the plane's first depth was " +
+                           value_text(*expected));
+    }
+  }
+
+  const cases::Case* case_;
+  const cases::Framebuffer* drawn_;
+  ValueFindings findings_;
+  std::map<PlaneDepth, std::vector<std::size_t>> planes_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const cases::Contract contract = backend.contract(*clip);
+  if (!contract.keeps_equal_depth) {
+    Check not_applicable;
+    not_applicable.is_applicable = false;
+    return not_applicable;
+  }
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  return EqualDepthCheck(*clip, contract, *drawn).run();
+}
+
+bool is_promised(const backends::Backend& backend) {
+  return backend.contract({}).keeps_equal_depth;
+}
+
+// --- Its cases -----------------------------------------------------------------------------------
+
+/// A number without its lowest 12 of 24 bits.
+float shortened(float value) {
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & 0xfffff000U);
+}
+
+/// z/w of up to 12 bits.
+float random_plane(Draw& draw, cases::Case& c, bool is_middle) {
+  const bool is_opengl = c.rules == cases::Rules::opengl;
+  const int n = draw.between(is_opengl && !is_middle ? -2047 : 0, 2047);
+  if (!is_middle) return static_cast<float>(n) / 2048;
+  c.viewport.min_depth = is_opengl ? 0.0F : 0.5F;
+  c.viewport.max_depth = 1;
+  return static_cast<float>(2 * n + 1) * 0x1p-24F;
+}
+
+/// All planes of a case are of one depth, or of two.
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  cases::Case& c = made.source;
+  const bool is_middle = draw.one_in(3);
+  const float first = random_plane(draw, c, is_middle);
+  const float second = random_plane(draw, c, is_middle);
+  const bool has_two = draw.one_in(4);
+  for (std::size_t i = 0; i < c.positions.size(); ++i) {
+    cases::ClipVertex& p = c.positions[i];
+    p.w = shortened(p.w);
+    if (p.w == 0) p.w = 0x1p-60F;
+    p.z = p.w * (has_two && i >= c.positions.size() / 2 ? second : first);
+  }
+  if (c.clip_distance_count == 0 && draw.one_in(4)) {
+    c.clip_distance_count = 1;
+    add_clip_distances(draw, c);
+  }
+  if (draw.one_in(3)) {
+    c.coverage = cases::Snapping{draw.between(4, cases::kMaxSubpixelBits)};
+    c.basis = draw.pick(std::array{cases::Basis::ideal, cases::Basis::snapped});
+  }
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "equal depth stays equal",
+     .reason = "Σ k w_i e_i is k, as Σ w_i e_i = 1.",
+     .exceptions = "backends that do not promise to keep it; vertices with w = 0, where z/w is "
+                   "nothing",
+     .generate = &generate,
+     .check = &check,
+     .is_promised = &is_promised});
+
+}  // namespace
+}  // namespace rastercheck::properties

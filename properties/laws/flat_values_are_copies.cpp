@@ -1,0 +1,130 @@
+// Flat values are the provoking vertex's, to the bit: of the last vertex under OpenGL's rules, of
+// the first under others (RULES §4), whatever is cut away of the triangle, wherever its vertices
+// are snapped, whichever side is seen.
+//
+// A flat attribute is a copy. Nothing is interpolated, so huge values do not overflow, subnormal
+// ones are not flushed and −0 keeps its sign, and clipping does not change which vertex provokes:
+// not even one that is cut off itself, or lies behind the eye.
+//
+// Samples: all that are drawn, rightly or not; which triangle they are of is known.
+//
+// Its cases: bit patterns that a detour through another number would change.
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/value_findings.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Interpolation;
+
+bool is_copy(float actual, float of_vertex) {
+  return std::bit_cast<std::uint32_t>(actual) == std::bit_cast<std::uint32_t>(of_vertex);
+}
+
+class FlatCheck {
+ public:
+  FlatCheck(const cases::Case& c, const cases::Contract& contract, const cases::Framebuffer& drawn)
+      : case_(&c), drawn_(&drawn), findings_(c, contract) {}
+
+  Check run() {
+    for (std::size_t i = 0; i < drawn_->size(); ++i) {
+      const FragmentPlace place = place_of(*drawn_, i);
+      if (!is_of_case(*case_, place)) continue;
+      for (std::uint32_t a = 0; a < case_->attributes.size(); ++a) {
+        if (case_->attributes[a].interpolation != Interpolation::flat) continue;
+        check_value(place, a, drawn_->attributes_of(i)[a]);
+      }
+    }
+    return findings_.finish();
+  }
+
+ private:
+  void check_value(const FragmentPlace& place, std::uint32_t attribute, float actual) {
+    const bool is_last = case_->rules == cases::Rules::opengl;
+    const std::uint32_t vertex = case_->triangles[place.triangle][is_last ? 2 : 0];
+    const float expected = case_->attributes_of(vertex)[attribute];
+    findings_.see(place, attribute);
+    add_labels(vertex, expected);
+    if (is_copy(actual, expected)) return;
+    findings_.report(place, attribute, actual, value_text(expected),
+                     "the provoking vertex is " + std::to_string(vertex));
+  }
+
+  void add_labels(std::uint32_t vertex, float expected) {
+    if (case_->positions[vertex].w <= 0) findings_.label("provoked from behind the eye");
+    if (case_->cull != cases::Cull::none) findings_.label("culling");
+    if (expected == 0 && std::signbit(expected)) findings_.label("negative zero");
+    if (std::fpclassify(expected) == FP_SUBNORMAL) findings_.label("subnormal");
+  }
+
+  const cases::Case* case_;
+  const cases::Framebuffer* drawn_;
+  ValueFindings findings_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const cases::Contract contract = backend.contract(*clip);
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  return FlatCheck(*clip, contract, *drawn).run();
+}
+
+float telling_value(Draw& draw) {
+  switch (draw.between(0, 5)) {
+    case 0:
+      return -0.0F;
+    case 1:
+      return draw.spread(-149, -127);
+    case 2:
+      return draw.spread(120, 127);
+    case 3: {  // an index beyond 2^24 − 1, as its bits
+      const auto bits = static_cast<std::uint32_t>(draw.bits(24));
+      return std::bit_cast<float>(bits);
+    }
+    default:
+      return draw.spread(-30, 30);
+  }
+}
+
+/// One flat attribute at least, and no vertex with another's value but by chance.
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  cases::Case& c = made.source;
+  if (c.attributes.size() < 2) {
+    c.attributes.resize(2);
+    c.attributes[0].name = "a0";
+    c.attributes[1].name = "a1";
+    c.attribute_values.assign(c.positions.size() * 2, 0);
+  }
+  const std::size_t count = c.attributes.size();
+  for (std::size_t a = 0; a < count; ++a) {
+    const bool is_flat = a == 0 || draw.one_in(2);
+    if (is_flat) c.attributes[a].interpolation = Interpolation::flat;
+    for (std::size_t v = 0; v < c.positions.size(); ++v) {
+      c.attribute_values[v * count + a] = telling_value(draw);
+    }
+  }
+  if (draw.one_in(4)) c.cull = draw.pick(std::array{cases::Cull::back, cases::Cull::front});
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "flat values are the provoking vertex's",
+     .reason = "A flat attribute is a copy: nothing is interpolated, whatever is cut away.",
+     .exceptions = "nothing but cases without flat attributes",
+     .generate = &generate,
+     .check = &check});
+
+}  // namespace
+}  // namespace rastercheck::properties

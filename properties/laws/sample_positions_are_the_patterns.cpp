@@ -1,0 +1,251 @@
+// Sample positions are the pattern's: attributes that are the window position have at sample s of
+// pixel (x, y) the value (x + p_s, y + q_s), (p_s, q_s) that sample's place in the standard pattern
+// (RULES §4), whichever way the API's y points.
+//
+// Where u_i = u, v_i = v are exactly the window positions of a triangle's vertices, all w_i > 0,
+// noperspective values are affine in window coordinates and agree with u and v at three points that
+// are in no line: so everywhere. So are smooth ones where all w_i are the same. A pattern in
+// another order, upside down (as SwiftShader had one) or off by half a pixel (as PPSSPP was) shows
+// in every fragment, which coverage alone only shows at edges.
+//
+// Locations. At the sample that place; at the centre (x + 1/2, y + 1/2), covered or not; a centroid
+// is a point of the pixel. As floats: the numbers are multiples of 2^-4, floats themselves, so that
+// one rounding leaves them as they are, and what the contract's bound has besides it
+// (before_rounding) is what a value may be off, in ulps of the greatest vertex value or its own.
+//
+// Samples: those that are required. Which they are, how far snapping moves vertices and which
+// values the contract leaves open is asked of the oracle, of values that are farther off than the
+// bound.
+//
+// Its cases: vertices at multiples of 1/16 pixel, w powers of two, so that clip positions are
+// exact.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "cases/sample_pattern.h"
+#include "oracle/transform.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/value_findings.h"
+#include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Interpolation;
+using cases::Location;
+
+// --- The law -------------------------------------------------------------------------------------
+
+enum class Axis { x, y };
+
+/// An attribute that is the window position along an axis.
+struct Coordinate {
+  std::uint32_t attribute = 0;
+  Axis axis = Axis::x;
+  double greatest = 0;  ///< of the vertices' values
+};
+
+bool has_one_w(const cases::Case& c, const cases::Triangle& triangle) {
+  return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t index) {
+    return c.positions[index].w == c.positions[triangle[0]].w;
+  });
+}
+
+/// The coordinates among a triangle's attributes: attributes 0 and 1, if any.
+std::vector<Coordinate> coordinates_of(const cases::Case& c, const cases::Triangle& triangle) {
+  if (c.attributes.size() < 2) return {};
+  for (const std::uint32_t index : triangle) {
+    const auto values = c.attributes_of(index);
+    const WindowPoint p{double{values[0]}, double{values[1]}};
+    const bool is_short = std::abs(p.u) < 0x1p20 && std::abs(p.v) < 0x1p20 &&
+                          p.u * 256 == std::floor(p.u * 256) && p.v * 256 == std::floor(p.v * 256);
+    const bool is_in_front = c.positions[index].w > 0;
+    if (!is_short || !is_in_front || !is_exactly_at(c, c.positions[index], p)) return {};
+  }
+  std::vector<Coordinate> coordinates;
+  for (const Axis axis : {Axis::x, Axis::y}) {
+    const std::uint32_t a = axis == Axis::x ? 0 : 1;
+    const Interpolation interpolation = c.attributes[a].interpolation;
+    if (interpolation == Interpolation::flat) continue;
+    if (interpolation == Interpolation::smooth && !has_one_w(c, triangle)) continue;
+    double greatest = 0;
+    for (const std::uint32_t index : triangle) {
+      greatest = std::max(greatest, std::abs(double{c.attributes_of(index)[a]}));
+    }
+    coordinates.push_back({a, axis, greatest});
+  }
+  return coordinates;
+}
+
+/// Numbers from lo to hi.
+struct Range {
+  double lo = 0;
+  double hi = 0;
+};
+
+class PatternCheck {
+ public:
+  PatternCheck(const cases::Case& c, const cases::Contract& contract,
+               const cases::Framebuffer& drawn)
+      : case_(&c),
+        drawn_(&drawn),
+        pattern_(cases::standard_pattern(c.framebuffer.samples)),
+        findings_(c, contract) {}
+
+  Check run() {
+    std::vector<Coordinate> coordinates;
+    std::optional<std::uint32_t> triangle;
+    for (std::size_t i = 0; i < drawn_->size(); ++i) {
+      const FragmentPlace place = place_of(*drawn_, i);
+      if (!is_of_case(*case_, place)) continue;
+      if (triangle != place.triangle) {
+        triangle = place.triangle;
+        coordinates = coordinates_of(*case_, case_->triangles[*triangle]);
+      }
+      for (const Coordinate& coordinate : coordinates) check_value(i, place, coordinate);
+    }
+    return findings_.finish();
+  }
+
+ private:
+  /// Where an attribute is evaluated along an axis.
+  Range expected(const FragmentPlace& place, const Coordinate& coordinate) const {
+    const bool is_x = coordinate.axis == Axis::x;
+    const double pixel = is_x ? place.x : place.y;
+    const cases::SamplePosition& offset = pattern_[place.sample];
+    const double sample = pixel + (is_x ? offset.x : offset.y) / 16.0;
+    switch (case_->attributes[coordinate.attribute].location) {
+      case Location::sample:
+        return {sample, sample};
+      case Location::center:
+        return {pixel + 0.5, pixel + 0.5};
+      case Location::centroid:
+        break;
+    }
+    if (case_->framebuffer.samples == 1 && case_->rules == cases::Rules::d3d) {
+      return {sample, sample};
+    }
+    return {pixel, pixel + 1};
+  }
+
+  void check_value(std::size_t i, const FragmentPlace& place, const Coordinate& coordinate) {
+    findings_.see(place, coordinate.attribute);
+    add_labels(coordinate.attribute);
+    const float actual = drawn_->attributes_of(i)[coordinate.attribute];
+    const Range range = expected(place, coordinate);
+    const double unit = ulp_of(std::max({coordinate.greatest, range.lo, range.hi}));
+    const double bound{findings_.bound_of(coordinate.attribute).constant};
+    if (is_within(actual, range, bound, unit)) return;
+    const auto promise = findings_.promise_of(place, coordinate.attribute);
+    if (!promise) return;
+    const Range open = opened(range, *promise);
+    if (is_within(actual, open, promise->bound, std::max(unit, promise->unit))) return;
+    const std::string at = range.lo == range.hi
+                               ? value_text(static_cast<float>(range.lo))
+                               : "[" + value_text(static_cast<float>(range.lo)) + ", " +
+                                     value_text(static_cast<float>(range.hi)) + "]";
+    findings_.report(place, coordinate.attribute, actual, at,
+                     coordinate.axis == Axis::x ? "not the window x where it is evaluated"
+                                                : "not the window y where it is evaluated");
+  }
+
+  /// What the contract leaves open beyond the place; only where it leaves several numbers open.
+  static Range opened(const Range& range, const Promise& promise) {
+    if (promise.lo == promise.hi) return range;
+    return {std::min(range.lo, promise.lo), std::max(range.hi, promise.hi)};
+  }
+
+  static bool is_within(float actual, const Range& range, double bound, double unit) {
+    return actual >= least_float(range.lo, bound, unit) &&
+           actual <= greatest_float(range.hi, bound, unit);
+  }
+
+  void add_labels(std::uint32_t attribute) {
+    switch (case_->attributes[attribute].location) {
+      case Location::sample:
+        findings_.label("sample");
+        break;
+      case Location::center:
+        findings_.label("center");
+        break;
+      case Location::centroid:
+        findings_.label("centroid");
+    }
+    const bool is_up = (case_->rules == cases::Rules::opengl) == (case_->viewport.height > 0);
+    findings_.label(is_up ? "y up" : "y down");
+  }
+
+  const cases::Case* case_;
+  const cases::Framebuffer* drawn_;
+  std::span<const cases::SamplePosition> pattern_;
+  ValueFindings findings_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const cases::Contract contract = backend.contract(*clip);
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  return PatternCheck(*clip, contract, *drawn).run();
+}
+
+// --- Its cases -----------------------------------------------------------------------------------
+
+/// A point about the window, of few bits.
+WindowPoint short_point(Draw& draw, const cases::Case& c) {
+  const WindowPoint p = point_about(draw, c);
+  const auto sixteenths = [](double at) {
+    return static_cast<double>(static_cast<int>(at * 16)) / 16;
+  };
+  return {sixteenths(p.u), sixteenths(p.v)};
+}
+
+/// Triangles at short points; half of the cases have several samples.
+Generated generate(Draw& draw) {
+  StateRequest request;
+  request.is_on_grid = true;
+  request.least_side = 16;
+  request.most_side = 32;
+  Generated made{random_state(draw, request), "short positions"};
+  cases::Case& c = made.source;
+  if (draw.one_in(2)) c.framebuffer.samples = draw.pick(std::array{2, 4, 8, 16});
+  const auto location = draw.pick(
+      std::array{Location::sample, Location::sample, Location::center, Location::centroid});
+  const bool is_smooth = draw.one_in(4);
+  const auto interpolation = is_smooth ? Interpolation::smooth : Interpolation::noperspective;
+  c.attributes = {{"u", interpolation, location}, {"v", interpolation, location}};
+  const int triangles = draw.between(1, 3);
+  for (int i = 0; i < 3 * triangles; ++i) {
+    const WindowPoint p = short_point(draw, c);
+    const bool is_cut = draw.one_in(8);
+    const float depth = is_cut ? 2.0F : random_depth(draw, c);
+    const float w = is_smooth ? 1.0F : draw.pick(std::array{0.25F, 0.5F, 1.0F, 2.0F, 4.0F, 8.0F});
+    add_vertex(c, at_window(c, p, depth, w));
+    c.attribute_values.insert(c.attribute_values.end(),
+                              {static_cast<float>(p.u), static_cast<float>(p.v)});
+  }
+  for (int i = 0; i < triangles; ++i) {
+    const auto first = static_cast<std::uint32_t>(3 * i);
+    c.triangles.push_back({first, first + 1, first + 2});
+  }
+  add_clip_distances(draw, c);
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "sample positions are the pattern's",
+     .reason = "An affine value that is the window position at three vertices is so everywhere.",
+     .exceptions = "triangles whose first two attributes are not exactly their window positions, "
+                   "all w > 0",
+     .generate = &generate,
+     .check = &check});
+
+}  // namespace
+}  // namespace rastercheck::properties

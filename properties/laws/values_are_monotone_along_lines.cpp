@@ -1,0 +1,245 @@
+// Values are monotone along a line: from sample to sample along a row, a column or a diagonal
+// inside one triangle a smooth value only grows or only falls, and so do noperspective values and
+// depths.
+//
+// Along a line r(t) = (a + b t)/(c + d t), the denominator being 1/w, positive at both ends of a
+// triangle's part of the line and so between: the derivative (b c − a d)/(c + d t)² has one sign.
+// Affine values, and depths held to a range, are monotone anyhow. Whether samples between were
+// drawn does not matter.
+//
+// Of drawn values. A float f that comes of r is round(r + δ), |δ| <= e units of the scale, e what
+// the bound has besides one rounding (before_rounding): off by at most e units and half an ulp of f
+// itself. Where r grows from sample k to sample l
+//
+//   f_k − f_l <= 2 e unit + (ulp(f_k) + ulp(f_l))/2,
+//
+// and e is the whole bound, without the ulps of f, where that is not known of the rounding. Which
+// way r goes follows from the two ends of the line where their floats differ by more than that;
+// where they do not, r goes either way, and all floats are to be as close to those of both ends.
+//
+// Where an inequality fails with the contract's bound alone, the oracle is asked for the horizon's
+// share of it and how wide a range the contract leaves open (as of snapped vertices): the floats
+// may be farther apart by as much, and the ends have to differ by more.
+//
+// Rounding here: differences of two floats in double are off by 2^-53 of the greater, less than
+// 2^-29 units. The errors allowed are a share of 2^-23 larger.
+//
+// Samples: those that are required. Attributes: those at samples, as centres may lie outside, and
+// centroids anywhere. Noperspective ones where all w > 0.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/choices.h"
+#include "properties/internal/fragment_lines.h"
+#include "properties/internal/value_findings.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Interpolation;
+using cases::Location;
+using Attribute = std::optional<std::uint32_t>;  ///< nothing: the depth
+
+bool all_in_front(const cases::Case& c, const cases::Triangle& triangle) {
+  return std::all_of(triangle.begin(), triangle.end(),
+                     [&](std::uint32_t index) { return c.positions[index].w > 0; });
+}
+
+/// Whether along lines of a triangle an attribute is monotone.
+bool is_monotone(const cases::Case& c, const cases::Triangle& triangle, std::uint32_t attribute) {
+  const cases::Attribute& declared = c.attributes[attribute];
+  const bool is_at_sample = declared.location == Location::sample ||
+                            (declared.location == Location::center && c.framebuffer.samples == 1);
+  if (!is_at_sample || declared.interpolation == Interpolation::flat) return false;
+  return declared.interpolation == Interpolation::smooth || all_in_front(c, triangle);
+}
+
+/// How far a float may be from what it comes of.
+struct Error {
+  double bound = 0;  ///< scale ULP
+  double unit = 0;
+  double width = 0;  ///< of what the contract leaves open
+
+  double of(double value) const {
+    const double rounding = bound < 1 ? ulp_of(value) / 2 : 0;
+    return before_rounding(bound) * unit + rounding + width;
+  }
+};
+
+/// Which way values go along a line.
+enum class Way { up, down, either };
+
+class MonotoneCheck {
+ public:
+  MonotoneCheck(const cases::Case& c, const cases::Contract& contract,
+                const cases::Framebuffer& drawn, LineDirection direction)
+      : case_(&c), drawn_(&drawn), direction_(direction), findings_(c, contract) {}
+
+  Check run() {
+    for_each_line(*case_, *drawn_, direction_, [this](std::span<const LinePoint> line) {
+      if (line.size() < 3) return;
+      check_line(line, std::nullopt);
+      const cases::Triangle& triangle = triangle_of(line.front().fragment);
+      for (std::uint32_t a = 0; a < case_->attributes.size(); ++a) {
+        if (is_monotone(*case_, triangle, a)) check_line(line, a);
+      }
+    });
+    return findings_.finish();
+  }
+
+ private:
+  FragmentPlace place(std::size_t fragment) const { return place_of(*drawn_, fragment); }
+  const cases::Triangle& triangle_of(std::size_t fragment) const {
+    return case_->triangles[drawn_->triangle[fragment]];
+  }
+  float value(std::size_t fragment, const Attribute& attribute) const {
+    return attribute ? drawn_->attributes_of(fragment)[*attribute] : drawn_->depth[fragment];
+  }
+
+  /// By the contract alone.
+  Error error_of(std::size_t fragment, const Attribute& attribute) const {
+    double greatest{std::max(case_->viewport.min_depth, case_->viewport.max_depth)};
+    if (attribute) {
+      greatest = 0;
+      for (const std::uint32_t vertex : triangle_of(fragment)) {
+        greatest = std::max(greatest, std::abs(double{case_->attributes_of(vertex)[*attribute]}));
+      }
+    }
+    return {double{findings_.bound_of(attribute).constant}, ulp_of(greatest)};
+  }
+
+  /// With all that the oracle says; nothing where nothing is promised.
+  std::optional<Error> asked_error_of(std::size_t fragment, const Attribute& attribute) {
+    const auto promise = findings_.promise_of(place(fragment), attribute);
+    if (!promise) return std::nullopt;
+    return Error{promise->bound, promise->unit, promise->hi - promise->lo};
+  }
+
+  /// Whether value k is above value l by more than what errors explain. NaN is.
+  static bool is_above(double k, double l, const Error& of_k, const Error& of_l) {
+    return !(k - l <= (of_k.of(k) + of_l.of(l)) * (1 + kRounding));
+  }
+
+  static Way way_of(double first, double last, const Error& of_first, const Error& of_last) {
+    if (first - last > (of_first.of(first) + of_last.of(last)) * (1 + kRounding)) return Way::down;
+    if (last - first > (of_first.of(first) + of_last.of(last)) * (1 + kRounding)) return Way::up;
+    return Way::either;
+  }
+
+  void check_line(std::span<const LinePoint> line, const Attribute& attribute) {
+    const auto number = [&](std::size_t i) {
+      return number_of(value(line[i].fragment, attribute));
+    };
+    const Error error = error_of(line.front().fragment, attribute);
+    const std::size_t end = line.size() - 1;
+    const Way way = way_of(number(0), number(end), error, error);
+    findings_.label(attribute ? "attribute" : "depth");
+    if (attribute && way != Way::either) findings_.label("certain way");
+    if (line.size() >= 16) findings_.label("long line");
+    // What a value is held against: where the way is certain the greatest (least) one before it.
+    std::size_t extreme = 0;
+    for (std::size_t i = 0; i <= end; ++i) {
+      findings_.see(place(line[i].fragment), attribute);
+      const double f = number(i);
+      if (way == Way::up) {
+        if (is_above(number(extreme), f, error, error)) ask(line, attribute, extreme, i, Way::up);
+        if (f > number(extreme)) extreme = i;
+      } else if (way == Way::down) {
+        if (is_above(f, number(extreme), error, error)) ask(line, attribute, extreme, i, Way::down);
+        if (f < number(extreme)) extreme = i;
+      } else {
+        const double lo = std::min(number(0), number(end));
+        const double hi = std::max(number(0), number(end));
+        if (is_above(f, hi, error, error) || is_above(lo, f, error, error)) {
+          ask(line, attribute, 0, i, Way::either);
+        }
+      }
+    }
+  }
+
+  /// Whether what the contract alone does not explain is a violation at l.
+  void ask(std::span<const LinePoint> line, const Attribute& attribute, std::size_t k,
+           std::size_t l, Way way) {
+    const std::size_t a = line.front().fragment;
+    const std::size_t b = line.back().fragment;
+    const auto of_a = asked_error_of(a, attribute);
+    const auto of_b = asked_error_of(b, attribute);
+    const auto of_k = asked_error_of(line[k].fragment, attribute);
+    const auto of_l = asked_error_of(line[l].fragment, attribute);
+    if (!of_a || !of_b || !of_k || !of_l) return;
+    const double at_a = number_of(value(a, attribute));
+    const double at_b = number_of(value(b, attribute));
+    const double at_k = number_of(value(line[k].fragment, attribute));
+    const float actual = value(line[l].fragment, attribute);
+    const double at_l = number_of(actual);
+    bool is_wrong = false;
+    if (way != Way::either && way_of(at_a, at_b, *of_a, *of_b) == way) {
+      is_wrong =
+          way == Way::up ? is_above(at_k, at_l, *of_k, *of_l) : is_above(at_l, at_k, *of_l, *of_k);
+    } else {  // between the ends, whichever way
+      const bool is_above_both =
+          is_above(at_l, at_a, *of_l, *of_a) && is_above(at_l, at_b, *of_l, *of_b);
+      const bool is_below_both =
+          is_above(at_a, at_l, *of_a, *of_l) && is_above(at_b, at_l, *of_b, *of_l);
+      is_wrong = is_above_both || is_below_both;
+    }
+    if (!is_wrong) return;
+    const float expected = value(line[k].fragment, attribute);
+    findings_.report(place(line[l].fragment), attribute, actual,
+                     way == Way::up ? "at least about " + value_text(expected)
+                                    : (way == Way::down ? "at most about " + value_text(expected)
+                                                        : "about " + value_text(expected)),
+                     "turns back on the " + std::string(to_string(direction_)) + " from " +
+                         std::to_string(line.front().at) + " to " + std::to_string(line.back().at));
+  }
+
+  /// Roundings here, as a share of the errors allowed.
+  static constexpr double kRounding = 0x1p-23;
+
+  const cases::Case* case_;
+  const cases::Framebuffer* drawn_;
+  LineDirection direction_;
+  ValueFindings findings_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  constexpr std::array kDirections{LineDirection::row, LineDirection::column,
+                                   LineDirection::falling_diagonal, LineDirection::rising_diagonal};
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const cases::Contract contract = backend.contract(*clip);
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  const LineDirection direction = Choices(fingerprint(*clip)).pick(kDirections);
+  return MonotoneCheck(*clip, contract, *drawn, direction).run();
+}
+
+/// Attributes at samples, so that each says something.
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  for (cases::Attribute& attribute : made.source.attributes) {
+    attribute.location = Location::sample;
+    if (attribute.interpolation == Interpolation::flat) {
+      attribute.interpolation = Interpolation::smooth;
+    }
+  }
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "values are monotone along a line",
+     .reason = "r(t) = (a + b t)/(c + d t) with a positive denominator has no extreme.",
+     .exceptions = "values that are not at samples, flat ones, and noperspective ones where some "
+                   "w <= 0",
+     .generate = &generate,
+     .check = &check});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,224 @@
+// Values stay in the range of their vertices: inside a triangle a smooth value is between the least
+// and the greatest of the three that were put in, and so are noperspective values and depths.
+//
+// r = Σ r_i E_i / Σ E_i with all E_i >= 0 at a sample that is covered: a mean of the r_i, which no
+// mean leaves. So are noperspective values and depths where all w_i > 0: the weights w_i e_i are
+// not negative either, and add up to 1. Depths of what is clipped lie in the depth range besides.
+// One rounding to float32 leaves a range whose ends are floats as little as a mean does, as it is
+// monotone. What a contract's bound has left besides that rounding (before_rounding) may carry a
+// value beyond the range by as much, in ulps of the greatest r_i, and no farther: an attribute from
+// −1000 to 0 has no business at half an ulp of 1000.
+//
+// The ends of depths, n + (f − n) z_i/w_i, are no floats: in double they are off by five roundings
+// of numbers of at most m = max(n, f), one of each operation, by less than 2^-50 m.
+//
+// Attributes: those at samples, and at centroids, which are points of the triangle as well; centres
+// only of one sample, as others may lie outside. Samples: those that are required. Where coverage
+// is snapped and values come from other positions than coverage does, the sample need not lie in
+// the triangle that they are values of. So of a value beyond the range the oracle is asked what the
+// contract leaves open there; the range is made as large as that.
+//
+// Its cases: attributes of two values, so that one whole edge is at an end of the range.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/internal/value_findings.h"
+#include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Interpolation;
+using cases::Location;
+
+// --- The law -------------------------------------------------------------------------------------
+
+/// Numbers from lo to hi, and the floats that are within.
+struct Range {
+  double lo = 0;
+  double hi = 0;
+  double unit = 0;  ///< ulp of the greatest
+};
+
+bool all_in_front(const cases::Case& c, const cases::Triangle& triangle) {
+  return std::all_of(triangle.begin(), triangle.end(),
+                     [&](std::uint32_t index) { return c.positions[index].w > 0; });
+}
+
+Range range_of_attribute(const cases::Case& c, const cases::Triangle& triangle,
+                         std::uint32_t attribute) {
+  const auto value = [&](std::size_t i) { return double{c.attributes_of(triangle[i])[attribute]}; };
+  const auto [lo, hi] = std::minmax({value(0), value(1), value(2)});
+  return {lo, hi, ulp_of(std::max(std::abs(lo), std::abs(hi)))};
+}
+
+/// Of the vertices' depths, as far as they are drawn.
+Range range_of_depth(const cases::Case& c, const cases::Triangle& triangle) {
+  const double n{c.viewport.min_depth};
+  const double f{c.viewport.max_depth};
+  const bool is_opengl = c.rules == cases::Rules::opengl;
+  const auto depth = [&](std::size_t i) {
+    const cases::ClipVertex& p = c.positions[triangle[i]];
+    const double share = std::clamp(double{p.z} / double{p.w}, is_opengl ? -1.0 : 0.0, 1.0);
+    return n + (f - n) * (is_opengl ? (share + 1) / 2 : share);
+  };
+  const auto [lo, hi] = std::minmax({depth(0), depth(1), depth(2)});
+  const double greatest = std::max(n, f);
+  const double off = greatest * 0x1p-50;
+  return {std::max(lo - off, std::min(n, f)), std::min(hi + off, greatest), ulp_of(greatest)};
+}
+
+/// What of one triangle the law speaks about.
+struct Subject {
+  bool has_depth = false;
+  Range depth;
+  std::vector<std::pair<std::uint32_t, Range>> attributes;
+};
+
+Subject subject_of(const cases::Case& c, const cases::Triangle& triangle) {
+  Subject subject;
+  subject.has_depth = all_in_front(c, triangle);
+  if (subject.has_depth) subject.depth = range_of_depth(c, triangle);
+  for (std::uint32_t a = 0; a < c.attributes.size(); ++a) {
+    const cases::Attribute& attribute = c.attributes[a];
+    if (attribute.interpolation == Interpolation::flat) continue;
+    if (attribute.interpolation == Interpolation::noperspective && !subject.has_depth) continue;
+    if (attribute.location == Location::center && c.framebuffer.samples > 1) continue;
+    subject.attributes.emplace_back(a, range_of_attribute(c, triangle, a));
+  }
+  return subject;
+}
+
+class RangeCheck {
+ public:
+  RangeCheck(const cases::Case& c, const cases::Contract& contract, const cases::Framebuffer& drawn)
+      : case_(&c), drawn_(&drawn), findings_(c, contract) {}
+
+  Check run() {
+    Subject subject;
+    std::optional<std::uint32_t> triangle;
+    for (std::size_t i = 0; i < drawn_->size(); ++i) {
+      const FragmentPlace place = place_of(*drawn_, i);
+      if (!is_of_case(*case_, place)) continue;
+      if (triangle != place.triangle) {
+        triangle = place.triangle;
+        subject = subject_of(*case_, case_->triangles[*triangle]);
+      }
+      if (subject.has_depth) {
+        check_value(place, std::nullopt, subject.depth, drawn_->depth[i]);
+      }
+      for (const auto& [attribute, range] : subject.attributes) {
+        check_value(place, attribute, range, drawn_->attributes_of(i)[attribute]);
+      }
+    }
+    return findings_.finish();
+  }
+
+ private:
+  void check_value(const FragmentPlace& place, std::optional<std::uint32_t> attribute,
+                   const Range& range, float actual) {
+    findings_.see(place, attribute);
+    if (attribute) add_labels(*attribute, range, actual);
+    if (actual >= range.lo && actual <= range.hi) return;
+    // The bound's share that depends on the horizon, and what the contract leaves open.
+    const std::optional<Promise> promise = findings_.promise_of(place, attribute);
+    if (!promise) return;
+    const double unit = std::max(range.unit, promise->unit);
+    const float least = least_float(std::min(range.lo, promise->lo), promise->bound, unit);
+    const float greatest = greatest_float(std::max(range.hi, promise->hi), promise->bound, unit);
+    if (actual >= least && actual <= greatest) return;
+    findings_.report(place, attribute, actual,
+                     "[" + value_text(least) + ", " + value_text(greatest) + "]",
+                     attribute ? "beyond the values of all three vertices"
+                               : "beyond the depths of all three vertices");
+  }
+
+  void add_labels(std::uint32_t attribute, const Range& range, float actual) {
+    if (range.lo == range.hi) return;
+    if (actual == range.lo || actual == range.hi) findings_.label("at an end");
+    if (case_->attributes[attribute].interpolation == Interpolation::noperspective) {
+      findings_.label("noperspective");
+    }
+    if (case_->attributes[attribute].location == Location::centroid) findings_.label("centroid");
+  }
+
+  const cases::Case* case_;
+  const cases::Framebuffer* drawn_;
+  ValueFindings findings_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const cases::Contract contract = backend.contract(*clip);
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  return RangeCheck(*clip, contract, *drawn).run();
+}
+
+// --- Its cases -----------------------------------------------------------------------------------
+
+/// The two values of an attribute.
+std::array<float, 2> random_ends(Draw& draw) {
+  switch (draw.between(0, 4)) {
+    case 0:
+      return {0, 1};
+    case 1: {  // an end that is far less than an ulp of the other
+      const float far = draw.spread(8, 40);
+      return {0, far};
+    }
+    case 2: {
+      const float far = draw.spread(20, 40);
+      const float near = draw.spread(-20, 0);
+      return {near, far};
+    }
+    case 3: {  // neighbours
+      const float value = draw.spread(-8, 8);
+      return {value, stepped(value, 1)};
+    }
+    default: {
+      const float first = draw.spread(-8, 8);
+      const float second = draw.spread(-8, 8);
+      return {first, second};
+    }
+  }
+}
+
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  cases::Case& c = made.source;
+  if (c.attributes.empty()) {
+    c.attributes.emplace_back();
+    c.attributes.back().name = "a0";
+    c.attribute_values.assign(c.positions.size(), 0);
+  }
+  const std::size_t count = c.attributes.size();
+  for (std::size_t a = 0; a < count; ++a) {
+    c.attributes[a].interpolation =
+        draw.one_in(3) ? Interpolation::noperspective : Interpolation::smooth;
+    c.attributes[a].location = draw.one_in(3) ? Location::centroid : Location::sample;
+    const std::array<float, 2> ends = random_ends(draw);
+    for (std::size_t v = 0; v < c.positions.size(); ++v) {
+      c.attribute_values[v * count + a] = ends[draw.one_in(2) ? 1 : 0];
+    }
+  }
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "values stay in the range of their vertices",
+     .reason = "Inside a triangle all e_i >= 0, so that values are means of the vertices', and "
+               "rounding is monotone.",
+     .exceptions = "noperspective values and depths where some w <= 0; centres of several samples, "
+                   "which may lie outside; flat attributes",
+     .generate = &generate,
+     .check = &check});
+
+}  // namespace
+}  // namespace rastercheck::properties
