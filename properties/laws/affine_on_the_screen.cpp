@@ -280,7 +280,10 @@ const LawRegistration kRegistration(
      .exceptions = "noperspective values where some w <= 0; clamped depths; values that are not "
                    "at samples; chords of snapped triangles that are clipped",
      .generate = &generate,
-     .check = &check});
+     .check = &check,
+     .covers = {cover(49, "quotient"), cover(39, "noperspective"), cover(31, "depth"),
+                cover(21, "long line"), cover(19, "several samples"), cover(13, "snapped"),
+                cover(26, "clipped")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -211,7 +211,10 @@ const LawRegistration kRegistration(
                    "nothing",
      .generate = &generate,
      .check = &check,
-     .is_promised = &is_promised});
+     .is_promised = &is_promised,
+     .covers = {cover(37, "different w"), cover(15, "middle between floats"),
+                cover(27, "several triangles"), cover(20, "several samples"), cover(27, "snapped"),
+                cover(18, "clipped"), cover(8, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

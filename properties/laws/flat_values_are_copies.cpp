@@ -124,7 +124,10 @@ const LawRegistration kRegistration(
      .reason = "A flat attribute is a copy: nothing is interpolated, whatever is cut away.",
      .exceptions = "nothing but cases without flat attributes",
      .generate = &generate,
-     .check = &check});
+     .check = &check,
+     .covers = {cover(24, "negative zero"), cover(29, "subnormal"), cover(15, "culling"),
+                cover(7, "provoked from behind the eye"), cover(20, "several samples"),
+                cover(16, "snapped"), cover(15, "clipped")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -36,7 +36,9 @@
 #include "oracle/transform.h"
 #include "properties/internal/choices.h"
 #include "properties/internal/fragment_lines.h"
+#include "properties/internal/random_state.h"
 #include "properties/internal/value_findings.h"
+#include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {
@@ -221,15 +223,40 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   return MonotoneCheck(*clip, contract, *drawn, direction).run();
 }
 
+/// A triangle about the middle of the window, so that there are lines; w up to a factor of 64
+/// apart.
+void add_large_triangle(Draw& draw, cases::Case& c) {
+  const WindowPoint middle = visible_middle(c);
+  constexpr std::array<WindowPoint, 3> kDirections{{{1, 0.25}, {-0.75, 1}, {-0.25, -1}}};
+  for (const WindowPoint& direction : kDirections) {
+    const float reach = draw.uniform(4, 24);
+    const float w = draw.one_in(2) ? draw.uniform(0.125F, 1) : draw.uniform(1, 8);
+    const float depth = random_depth(draw, c);
+    const WindowPoint p{middle.u + direction.u * double{reach},
+                        middle.v + direction.v * double{reach}};
+    add_vertex(c, at_window(c, p, depth, w));
+  }
+  const auto first = static_cast<std::uint32_t>(c.positions.size() - 3);
+  c.triangles.push_back({first, first + 1, first + 2});
+}
+
 /// Attributes at samples, so that each says something.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
-  for (cases::Attribute& attribute : made.source.attributes) {
+  cases::Case& c = made.source;
+  add_large_triangle(draw, c);
+  if (c.attributes.empty()) {
+    c.attributes.emplace_back();
+    c.attributes.back().name = "a0";
+  }
+  for (cases::Attribute& attribute : c.attributes) {
     attribute.location = Location::sample;
     if (attribute.interpolation == Interpolation::flat) {
       attribute.interpolation = Interpolation::smooth;
     }
   }
+  add_attribute_values(draw, c);
+  add_clip_distances(draw, c);
   return made;
 }
 
@@ -239,7 +266,9 @@ const LawRegistration kRegistration(
      .exceptions = "values that are not at samples, flat ones, and noperspective ones where some "
                    "w <= 0",
      .generate = &generate,
-     .check = &check});
+     .check = &check,
+     .covers = {cover(46, "certain way"), cover(13, "long line"), cover(18, "several samples"),
+                cover(16, "snapped"), cover(11, "clipped"), cover(6, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

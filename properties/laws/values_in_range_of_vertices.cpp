@@ -218,7 +218,10 @@ const LawRegistration kRegistration(
      .exceptions = "noperspective values and depths where some w <= 0; centres of several samples, "
                    "which may lie outside; flat attributes",
      .generate = &generate,
-     .check = &check});
+     .check = &check,
+     .covers = {cover(20, "at an end"), cover(20, "noperspective"), cover(21, "centroid"),
+                cover(19, "several samples"), cover(16, "snapped"), cover(14, "clipped"),
+                cover(7, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -320,15 +320,6 @@ TEST(ConstantsStayConstant, FindsOneUlpAndTheOtherZero) {
   expect_at(check.violations[1], FragmentClass::wrong_sign_of_zero, AttributeKind::smooth, 1, 6, 6);
 }
 
-TEST(ConstantsStayConstant, FindsTwoDepthsOfOnePlane) {
-  const Check check = check_of(kConstants, square(), [](const Case&, Framebuffer& drawn) {
-    float& depth = drawn.depth[find(drawn, 0, 2, 3)];
-    depth = next_float(depth);
-  });
-  expect_at(only(check), FragmentClass::beyond_bound, AttributeKind::depth, 0, 2, 3);
-  EXPECT_EQ(only(check).exact, "1/4");
-}
-
 TEST(ConstantsStayConstant, JudgesNoOtherAttribute) {
   const Check check = check_of(
       kConstants, square(), [](const Case&, Framebuffer& drawn) { value(drawn, 0, 2, 3, 0) = 77; });
@@ -373,7 +364,6 @@ TEST(ConstantsStayConstant, SaysNothingOfACaseWithoutConstants) {
   Case c = square();
   c.attributes.resize(1);
   c.attribute_values = {0, 8, 0, 8};
-  for (std::size_t i = 0; i < 4; ++i) c.positions[i].z = static_cast<float>(i) / 8;
   EXPECT_FALSE(check_of(kConstants, c, {}).is_applicable);
 }
 
