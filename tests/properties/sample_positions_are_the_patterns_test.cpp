@@ -43,6 +43,7 @@ TEST(SamplePositions, AreThoseOfAllPatternsUnderAllRules) {
            {cases::Location::sample, cases::Location::center, cases::Location::centroid}) {
         Case c = positions(samples, location);
         c.rules = rules;
+        c.fill_rule = cases::default_fill_rule(rules);
         if (rules == cases::Rules::d3d) {  // whose y points down
           for (cases::ClipVertex& p : c.positions) p.y = -p.y;
         }
