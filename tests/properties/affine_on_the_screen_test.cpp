@@ -101,7 +101,7 @@ TEST(Affine, SaysNothingOfSmoothValuesAndClampedDepths) {
 
 TEST(Affine, SaysNothingOfFreeValues) {
   Case c = weighted();
-  c.positions[1].w = -2;  // of both triangles
+  c.positions[1] = {2, -2, -0.0625F, -0.25F};  // of both triangles
   const Check check = checked(c, [](const Case&, Framebuffer& drawn) {
     for (std::size_t i = 0; i < drawn.size(); ++i)
       drawn.attributes[i * 3 + 1] = i % 2 == 0 ? 77 : 0;
