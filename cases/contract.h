@@ -86,8 +86,8 @@ struct Contract {
   /// units per axis. Only where `coverage` is snapped.
   float clip_tolerance = 1;
   ValueBounds bounds;
-  /// Whether triangles of one plane, z/w the same at all vertices, have one depth (RULES §6); the bound
-  /// alone allows two where the exact depth lies near the middle between two floats.
+  /// Whether triangles of one plane, z/w the same at all vertices, have one depth (RULES §6); the
+  /// bound alone allows two where the exact depth lies near the middle between two floats.
   bool keeps_equal_depth = false;
   /// Whether an attribute with the same value at all vertices, to the bit, has it everywhere, to
   /// the bit, whatever its bound.
