@@ -1,5 +1,5 @@
 // The law catches curves in what has none, and quotients that are not that, and leaves smooth
-// values, clamped depths and what is free alone.
+// values and clamped depths alone.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -97,17 +97,6 @@ TEST(Affine, SaysNothingOfSmoothValuesAndClampedDepths) {
   EXPECT_EQ(checked(c, adding(77, 1)).violation_count, 0U);
   c.depth_clamp = true;
   EXPECT_FALSE(checked(c, {}).is_applicable);
-}
-
-TEST(Affine, SaysNothingOfFreeValues) {
-  Case c = weighted();
-  c.positions[1] = {2, -2, -0.0625F, -0.25F};  // of both triangles
-  const Check check = checked(c, [](const Case&, Framebuffer& drawn) {
-    for (std::size_t i = 0; i < drawn.size(); ++i)
-      drawn.attributes[i * 3 + 1] = i % 2 == 0 ? 77 : 0;
-  });
-  EXPECT_TRUE(check.is_applicable);
-  EXPECT_EQ(check.violation_count, 0U);
 }
 
 }  // namespace
