@@ -1,0 +1,245 @@
+// Clipped equals clipless: a triangle that reaches beyond a plane, and the polygon that clipping at
+// that plane leaves of it, draw the same samples with the same values. It holds a rasterizer that
+// clips against itself where there is nothing to clip, and one that needs no clipper alike.
+//
+// Why. A clip plane is one more functional, L = Σ e_i L_i >= 0, of the values L_i that it has at
+// the vertices (RULES §2): what it leaves is the polygon of the vertices with L_i > 0 and of the
+// points p = (L_j p_i − L_i p_j)/(L_j − L_i) of edges that it cuts. Attributes, depths and other
+// distances are linear in clip space too, so that the polygon's triangles have the map of the whole
+// (§1). With L_i among ±1 and ±3 units those points are mixes in quarters, and float32 where the
+// vertices are short: the polygon is exact. Planes are
+//
+//   near, far             L = z (OpenGL: z + w), w − z      which the depth clamp leaves out
+//   a side                L = w ± x, w ± y                  beyond it the viewport draws nothing
+//   a clip distance       L = d
+//   near, through the eye with z a multiple of w less a constant, so that w < 0 where L < 0
+//
+// Values are within the bound of one exact value, so the two drawings' differ by twice the bound at
+// most. What becomes of attributes and depth tests: laws/splitting_a_triangle.cpp.
+//
+// Samples: all but those with L = 0, which belong to the polygon if its edge's direction says so,
+// and to the triangle as its plane has it: depth planes and distances of D3D take zeros inside.
+// Whether it is 0 says the exact value of an attribute that is L at the vertices. What snapping
+// leaves open: internal/parted_triangles.h.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "oracle/transform.h"
+#include "properties/internal/choices.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/parted_triangles.h"
+#include "properties/internal/verdicts.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::ClipVertex;
+using cases::Triangle;
+
+enum class Plane { near, far, left, right, low, high, distance, near_through_eye };
+/// The depth planes and clip distances each as often as two sides.
+constexpr std::array kPlanes{Plane::near,
+                             Plane::near,
+                             Plane::far,
+                             Plane::far,
+                             Plane::left,
+                             Plane::right,
+                             Plane::low,
+                             Plane::high,
+                             Plane::near_through_eye,
+                             Plane::near_through_eye,
+                             Plane::distance,
+                             Plane::distance};
+
+/// L at the vertices, in units, not all of one sign: one vertex beyond the plane, or two.
+using Units = std::array<int, 3>;
+constexpr std::array kUnits{Units{1, 1, -1},  Units{3, 3, -1},  Units{1, 1, -3},  Units{3, 1, -1},
+                            Units{1, -1, -1}, Units{3, -1, -1}, Units{1, -3, -3}, Units{3, -3, -1}};
+
+/// The power of two that L is counted in: half the greatest at or below the numbers that go into it
+/// besides, so that their sums have as few digits (with_short_vertices). Nothing where sums might
+/// leave float32.
+std::optional<double> unit_of(const cases::Case& c, const Triangle& triangle, Plane plane) {
+  double greatest = 0;
+  for (const std::uint32_t vertex : triangle) {
+    const ClipVertex& p = c.positions[vertex];
+    const float magnitude =
+        plane == Plane::near_through_eye ? std::max(std::abs(p.x), std::abs(p.y)) : std::abs(p.w);
+    greatest = std::max(greatest, double{magnitude});
+  }
+  if (greatest >= 0x1p120) return std::nullopt;
+  if (greatest == 0) return 1;
+  return std::ldexp(1.0, std::max(std::ilogb(greatest) - 1, -140));
+}
+
+/// Moves a vertex so that L is `units` there.
+void place(cases::Case& c, std::uint32_t vertex, Plane plane, double unit, int units) {
+  ClipVertex& p = c.positions[vertex];
+  const auto value = static_cast<float>(units * unit);
+  const bool is_opengl = c.rules == cases::Rules::opengl;
+  switch (plane) {
+    case Plane::near:
+      p.z = is_opengl ? value - p.w : value;
+      break;
+    case Plane::far:
+      p.z = p.w - value;
+      break;
+    case Plane::left:
+      p.x = value - p.w;
+      break;
+    case Plane::right:
+      p.x = p.w - value;
+      break;
+    case Plane::low:
+      p.y = value - p.w;
+      break;
+    case Plane::high:
+      p.y = p.w - value;
+      break;
+    case Plane::distance:
+      c.clip_distances[vertex * c.clip_distance_count] = value;
+      break;
+    case Plane::near_through_eye:  // w is half a unit where L = 0
+      p.w = static_cast<float>((units + 0.5) * unit);
+      p.z = is_opengl ? value - p.w : value;
+  }
+}
+
+const char* word_of(Plane plane) {
+  switch (plane) {
+    case Plane::near:
+      return "near plane";
+    case Plane::far:
+      return "far plane";
+    case Plane::distance:
+      return "clip distance";
+    case Plane::near_through_eye:
+      return "through the eye";
+    default:
+      return "side of the viewport";
+  }
+}
+
+/// The corners that are left of a triangle, in its order: those inside, and the points where edges
+/// cross the plane.
+std::vector<std::uint32_t> clipped(cases::Case& c, const Triangle& triangle, const Units& units) {
+  std::vector<std::uint32_t> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    if (units[i] > 0) corners.push_back(triangle[i]);
+    if ((units[i] > 0) == (units[j] > 0)) continue;
+    std::array<int, 3> quarters{};
+    quarters[i] = 4 * -units[j] / (units[i] - units[j]);
+    quarters[j] = 4 - quarters[i];
+    corners.push_back(add_mixed(c, triangle, quarters));
+  }
+  return corners;
+}
+
+struct Clipping {
+  Parted parted;
+  cases::Case with_l;  ///< the whole, its only attribute L in units
+  Plane plane = Plane::near;
+};
+
+Clipping clipping_of(const cases::Case& c) {
+  Choices choices(fingerprint(c));
+  Clipping result;
+  result.plane = choices.pick(kPlanes);
+  cases::Case source = c;
+  if (result.plane == Plane::distance && source.clip_distance_count == 0) {
+    source.clip_distance_count = 1;
+    source.clip_distances.assign(source.positions.size(), 1);
+  }
+  const bool is_of_depth = result.plane == Plane::near || result.plane == Plane::far ||
+                           result.plane == Plane::near_through_eye;
+  if (is_of_depth) source.depth_clamp = false;
+
+  cases::Case& whole = result.parted.whole;
+  whole = with_short_vertices(source);
+  std::vector<Units> units_of;
+  for (const Triangle& triangle : whole.triangles) {
+    Units units = choices.pick(kUnits);
+    std::rotate(units.begin(), units.begin() + static_cast<int>(choices.below(3)), units.end());
+    const std::optional<double> unit = unit_of(whole, triangle, result.plane);
+    if (!unit) units = {1, 1, 1};
+    for (std::size_t i = 0; unit && i < 3; ++i) {
+      place(whole, triangle[i], result.plane, *unit, units[i]);
+    }
+    units_of.push_back(units);
+  }
+
+  cases::Case& parts = result.parted.parts;
+  parts = whole;
+  parts.triangles.clear();
+  for (std::uint32_t t = 0; t < whole.triangles.size(); ++t) {
+    const std::vector<std::uint32_t> corners = clipped(parts, whole.triangles[t], units_of[t]);
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      parts.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+      result.parted.triangle_of.push_back(t);
+    }
+  }
+  result.parted.note = std::string("drawn of what is left at the ") + word_of(result.plane);
+
+  result.with_l = whole;
+  result.with_l.attributes = {{"L", cases::Interpolation::smooth, cases::Location::sample}};
+  result.with_l.attribute_values.clear();
+  for (const Units& units : units_of) {
+    for (const int l : units) result.with_l.attribute_values.push_back(static_cast<float>(l));
+  }
+  return result;
+}
+
+/// Whether L is 0 at a sample that the whole draws.
+bool is_on_plane(Verdicts& with_l, const FragmentPlace& place) {
+  const auto verdict = with_l.judge(place.triangle, place).verdict;
+  if (verdict == records::Verdict::forbidden) return false;
+  const auto l = with_l.truth(place.triangle)
+                     .attribute(0, static_cast<int>(place.x), static_cast<int>(place.y),
+                                static_cast<int>(place.sample));
+  return l && l->lo == oracle::Rational(0);
+}
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  Clipping clipping = clipping_of(*clip);
+  cases::Contract exact;
+  exact.tie_rule = cases::TieRule::unspecified;  // ties of either kind are not forbidden
+  Verdicts with_l(clipping.with_l, exact);
+  bool has_zero = false;
+  clipping.parted.is_exempt = [&](const FragmentPlace& place) {
+    const bool is_zero = is_on_plane(with_l, place);
+    has_zero = has_zero || is_zero;
+    return is_zero;
+  };
+  Result<Check> found = check_parted(clipping.parted, backend);
+  if (!found) return found;
+  const bool is_drawn = found->judgement.counts.required > 0;
+  if (is_drawn) found->labels.emplace_back(word_of(clipping.plane));
+  if (has_zero) found->labels.emplace_back("sample on the plane");
+  return found;
+}
+
+const LawRegistration kRegistration(
+    {.name = "clipped equals clipless",
+     .reason = "A clip plane is one more functional, and the polygon that it leaves has the map of "
+               "the whole.",
+     .exceptions = "samples on the plane; near the outline of snapped triangles, and their values; "
+                   "noperspective and flat attributes, which are made smooth",
+     .generate = &generate_any,
+     .check = &check,
+     .covers = {cover(5, "clip distance"), cover(5, "far plane"), cover(5, "near plane"),
+                cover(12, "side of the viewport"), cover(15, "snapped"),
+                cover(5, "through the eye"), cover(10, "w <= 0")}});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,344 @@
+// What is degenerate covers nothing, and leaves its neighbours as they are: triangles without area
+// are put between those of a case. They draw nothing, and the others draw the same bits as without
+// them.
+//
+// Why. det M = 0 leaves no Q = M^-1, and so no sample: the triangle is a line seen edge-on, or less
+// (RULES §1). And of Σ e_i w_i = 1 follows that where all w_i <= 0 some e_i < 0. What is put in is
+// degenerate without any rounding:
+//
+//   a repeated vertex    an index twice, or three times
+//   a vertex twice       as another one at 2^k p, which appears where p does
+//   opposite vertices    p and −2^k p: the plane of the three holds the eye
+//   collinear vertices   p, q and (i p + j q) / 4, the numbers of p and q being short
+//   collinear samples    centres of pixels, on which ties are asked as well, where they are exact
+//   behind the eye       all w <= 0, and all w = 0
+//   the eye itself       x = y = z = w = 0
+//
+// Each triangle is drawn as if alone, so others have no say in how; a depth test takes the nearest
+// of what is drawn, which is the same.
+//
+// Samples: all, where coverage is exact. Snapping may give an area to what has none: there the
+// oracle says which samples of the degenerate triangles are forbidden; of a repeated vertex, one
+// that is there twice, and collinear points of the grid, which stay so, all. Neighbours: all, to
+// the bit.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "oracle/transform.h"
+#include "properties/internal/choices.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/parted_triangles.h"
+#include "properties/internal/same_drawing.h"
+#include "properties/internal/verdicts.h"
+#include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::ClipVertex;
+using cases::Triangle;
+using records::FragmentClass;
+
+enum class Kind { repeated, twice, opposite, collinear, on_samples, behind, at_infinity, at_eye };
+constexpr std::array kKinds{Kind::repeated,   Kind::twice,  Kind::opposite,    Kind::collinear,
+                            Kind::on_samples, Kind::behind, Kind::at_infinity, Kind::at_eye};
+
+const char* word_of(Kind kind) {
+  switch (kind) {
+    case Kind::repeated:
+      return "repeated vertex";
+    case Kind::twice:
+      return "vertex twice";
+    case Kind::opposite:
+      return "opposite vertices";
+    case Kind::collinear:
+      return "collinear vertices";
+    case Kind::on_samples:
+      return "collinear samples";
+    case Kind::behind:
+      return "behind the eye";
+    case Kind::at_infinity:
+      return "all w = 0";
+    case Kind::at_eye:
+      break;
+  }
+  return "vertex in the eye";
+}
+
+/// Appends a vertex with the attributes and clip distances of another.
+std::uint32_t add_like(cases::Case& c, std::uint32_t like, const ClipVertex& position) {
+  const auto append = [like](std::vector<float>& numbers, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) numbers.push_back(numbers[like * count + i]);
+  };
+  append(c.attribute_values, c.attributes.size());
+  append(c.clip_distances, c.clip_distance_count);
+  return add_vertex(c, position);
+}
+
+/// The position times a power of two of either sign; nothing where that is no float32.
+std::optional<ClipVertex> scaled(const ClipVertex& p, double factor) {
+  const auto times = [factor](float part) { return static_cast<float>(double{part} * factor); };
+  const ClipVertex result{times(p.x), times(p.y), times(p.z), times(p.w)};
+  for (float ClipVertex::*part : {&ClipVertex::x, &ClipVertex::y, &ClipVertex::z, &ClipVertex::w}) {
+    if (double{result.*part} != double{p.*part} * factor) return std::nullopt;
+  }
+  return result;
+}
+
+/// (i p + j q) / 4 of short positions (with_short_vertices), |i|, |j| <= 8.
+std::optional<ClipVertex> combined(const ClipVertex& p, const ClipVertex& q, int i, int j) {
+  ClipVertex result;
+  for (float ClipVertex::*part : {&ClipVertex::x, &ClipVertex::y, &ClipVertex::z, &ClipVertex::w}) {
+    const double sum = (i * double{p.*part} + j * double{q.*part}) / 4;
+    result.*part = to_float(sum);
+    if (double{result.*part} != sum) return std::nullopt;
+  }
+  return result;
+}
+
+/// Makes triangles without area of a case's vertices.
+class Degenerates {
+ public:
+  Degenerates(cases::Case& c, Choices& choices) : case_(&c), choices_(&choices) {}
+
+  /// Appends the vertices that it needs. Nothing where they are not exact.
+  std::optional<Triangle> make(Kind kind) {
+    const Triangle& of = case_->triangles[choices_->below(case_->triangles.size())];
+    const std::size_t first = choices_->below(3);
+    const std::uint32_t a = of[first];
+    const std::uint32_t b = of[(first + 1) % 3];
+    const std::uint32_t c = of[(first + 2) % 3];
+    switch (kind) {
+      case Kind::repeated:
+        return choices_->pick(
+            std::array{Triangle{a, a, b}, Triangle{a, b, a}, Triangle{b, a, a}, Triangle{a, a, a}});
+      case Kind::twice:
+        return with(a, b, scaled(at(a), power()));
+      case Kind::opposite:
+        return with(a, b, scaled(at(a), -power()));
+      case Kind::collinear:
+        return collinear(a, b, c);
+      case Kind::on_samples:
+        return on_samples(a, b);
+      case Kind::behind:
+        return moved_behind({a, b, c}, -1);
+      case Kind::at_infinity:
+        return moved_behind({a, b, c}, 0);
+      case Kind::at_eye:
+        break;
+    }
+    return with(a, b, ClipVertex{0, 0, 0, 0});
+  }
+
+ private:
+  ClipVertex at(std::uint32_t vertex) const { return case_->positions[vertex]; }
+
+  double power() { return std::ldexp(1.0, static_cast<int>(choices_->below(5)) - 2); }
+
+  std::optional<Triangle> with(std::uint32_t a, std::uint32_t b,
+                               const std::optional<ClipVertex>& third) {
+    if (!third) return std::nullopt;
+    const std::uint32_t added = add_like(*case_, a, *third);
+    return choices_->pick(
+        std::array{Triangle{a, b, added}, Triangle{added, a, b}, Triangle{b, added, a}});
+  }
+
+  std::optional<Triangle> collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    using Factors = std::array<int, 2>;
+    const auto [i, j] = choices_->pick(
+        std::array{Factors{2, 2}, Factors{1, 3}, Factors{-4, 8}, Factors{-2, -2}, Factors{3, -1}});
+    std::array<ClipVertex, 3> corners{at(a), at(b), at(c)};
+    shorten_positions(corners);
+    const auto third = combined(corners[0], corners[1], i, j);
+    if (!third) return std::nullopt;
+    const std::uint32_t p = add_like(*case_, a, corners[0]);
+    const std::uint32_t q = add_like(*case_, b, corners[1]);
+    return with(p, q, third);
+  }
+
+  /// Centres of pixels in a line.
+  std::optional<Triangle> on_samples(std::uint32_t a, std::uint32_t b) {
+    const WindowPoint start = visible_middle(*case_);
+    const auto along = static_cast<int>(choices_->below(5));
+    const int across = static_cast<int>(choices_->below(7)) - 3;
+    std::array<std::uint32_t, 3> vertices{};
+    for (int i = 0; i < 3; ++i) {
+      const WindowPoint p{std::floor(start.u) + 0.5 + (i - 1) * along,
+                          std::floor(start.v) + 0.5 + (i - 1) * across};
+      const ClipVertex vertex = at_window(*case_, p, 0.5F, 1);
+      if (!is_exactly_at(*case_, vertex, p)) return std::nullopt;
+      vertices[static_cast<std::size_t>(i)] = add_like(*case_, i == 0 ? a : b, vertex);
+    }
+    return Triangle{vertices[0], vertices[1], vertices[2]};
+  }
+
+  Triangle moved_behind(const Triangle& triangle, float sign) {
+    Triangle result{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      ClipVertex p = at(triangle[i]);
+      p.w = sign * std::abs(p.w);
+      result[i] = add_like(*case_, triangle[i], p);
+    }
+    return result;
+  }
+
+  cases::Case* case_;
+  Choices* choices_;
+};
+
+/// A case with degenerate triangles between its own.
+struct Mixed {
+  cases::Case source;
+  /// [triangle]: what it was in the case; or of what kind it is.
+  std::vector<std::optional<std::uint32_t>> original;
+  std::vector<Kind> kinds;
+  std::set<std::string> labels;
+};
+
+Mixed mixed(const cases::Case& c) {
+  constexpr std::size_t kMost = 6;
+  const std::uint64_t number = fingerprint(c);
+  Mixed result;
+  result.source = c;
+  std::vector<std::pair<Triangle, Kind>> added;
+  for (std::size_t i = 0; i < kMost; ++i) {
+    Choices choices(number + i * 0x9e3779b97f4a7c15U);
+    const Kind kind = choices.pick(kKinds);
+    const auto triangle = Degenerates(result.source, choices).make(kind);
+    if (!triangle) continue;
+    added.emplace_back(*triangle, kind);
+    result.labels.emplace(word_of(kind));
+  }
+  result.source.triangles.clear();
+  const auto put = [&result](const Triangle& triangle, std::optional<std::uint32_t> original,
+                             Kind kind) {
+    result.source.triangles.push_back(triangle);
+    result.original.push_back(original);
+    result.kinds.push_back(kind);
+  };
+  for (std::uint32_t t = 0; t < c.triangles.size(); ++t) {
+    const bool is_last = t + 1 == c.triangles.size();
+    while (!added.empty() && (is_last || (number >> (t % 64) & 1) != 0)) {
+      put(added.back().first, std::nullopt, added.back().second);
+      added.pop_back();
+      if (!is_last) break;
+    }
+    put(c.triangles[t], t, Kind::repeated);
+  }
+  return result;
+}
+
+class DegenerateCheck {
+ public:
+  DegenerateCheck(const Mixed& mixed, const cases::Contract& contract)
+      : mixed_(&mixed), is_exact_(!contract.coverage), verdicts_(mixed.source, contract) {}
+
+  /// Takes the degenerate triangles out of a drawing, and gives the others the numbers they had.
+  cases::Framebuffer without_degenerate(const cases::Framebuffer& drawn) {
+    const std::size_t count = drawn.attribute_count;
+    const auto nowhere = static_cast<std::uint32_t>(mixed_->source.triangles.size());
+    cases::Framebuffer result;
+    result.attribute_count = count;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      const std::uint32_t triangle = drawn.triangle[i];
+      const bool is_known = triangle < mixed_->original.size();
+      if (is_known && !mixed_->original[triangle]) {
+        see(place_of(drawn, i));
+        continue;
+      }
+      result.triangle.push_back(is_known ? *mixed_->original[triangle] : nowhere);
+      result.x.push_back(drawn.x[i]);
+      result.y.push_back(drawn.y[i]);
+      result.sample.push_back(drawn.sample[i]);
+      result.depth.push_back(drawn.depth[i]);
+      const auto values = drawn.attributes_of(i);
+      result.attributes.insert(result.attributes.end(), values.begin(), values.end());
+      if (drawn.derivatives.empty()) continue;
+      const auto derivatives = drawn.derivatives_of(i);
+      result.derivatives.insert(result.derivatives.end(), derivatives.begin(), derivatives.end());
+    }
+    return result;
+  }
+
+  const Check& found() const { return found_; }
+
+ private:
+  void see(const FragmentPlace& place) {
+    const bool is_forbidden =
+        is_exact_ || !is_of_case(mixed_->source, place) ||
+        verdicts_.judge(place.triangle, place).verdict == records::Verdict::forbidden;
+    if (!is_forbidden) {
+      ++found_.judgement.counts.permitted;
+      return;
+    }
+    ++found_.judgement.errors[records::AttributeKind::coverage].classes[FragmentClass::extra];
+    const std::string kind = word_of(mixed_->kinds[place.triangle]);
+    note(found_, violation_at(place, FragmentClass::extra, "forbidden: it has no area",
+                              "a triangle that was added: " + kind));
+  }
+
+  const Mixed* mixed_;
+  bool is_exact_;
+  Verdicts verdicts_;
+  Check found_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  Check none;
+  none.is_applicable = false;
+  if (clip->triangles.empty()) return none;
+  const Mixed with = mixed(*clip);
+  const Result<cases::Framebuffer> before = draw(*clip, backend);
+  if (!before) return tl::unexpected(before.error());
+  const Result<cases::Framebuffer> drawn = draw(with.source, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+
+  const cases::Contract contract = backend.contract(with.source);
+  DegenerateCheck degenerate(with, contract);
+  Check check = compare_drawings(*clip, *before, degenerate.without_degenerate(*drawn),
+                                 "drawn with triangles without area between");
+  merge(check, degenerate.found());
+  std::set<std::string> labels(check.labels.begin(), check.labels.end());
+  labels.insert(with.labels.begin(), with.labels.end());
+  if (contract.coverage) labels.emplace("snapped");
+  if (clip->cull != cases::Cull::none) labels.emplace("culling");
+  check.labels.assign(labels.begin(), labels.end());
+  return check;
+}
+
+/// Culling in half of the cases, which has to know what faces nowhere.
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  const bool is_culled = draw.one_in(2);
+  if (is_culled) {
+    made.source.cull = draw.pick(std::array{cases::Cull::back, cases::Cull::front});
+  }
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "what is degenerate covers nothing",
+     .reason = "Where det M = 0 there is no map to draw by, and where all w <= 0 some e_i < 0.",
+     .exceptions = "samples that snapping may give to a triangle without area",
+     .generate = &generate,
+     .check = &check,
+     .covers = {cover(15, "all w = 0"), cover(15, "behind the eye"), cover(5, "collinear samples"),
+                cover(15, "collinear vertices"), cover(20, "culling"),
+                cover(15, "opposite vertices"), cover(15, "repeated vertex"), cover(15, "snapped"),
+                cover(15, "vertex in the eye"), cover(15, "vertex twice")}});
+
+}  // namespace
+}  // namespace rastercheck::properties

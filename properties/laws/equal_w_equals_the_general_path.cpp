@@ -1,0 +1,324 @@
+// Equal w equals the general path: a triangle whose vertices have the same w, and the same triangle
+// with each vertex scaled by a power of two of its own, draw the same samples with the same values.
+// A rasterizer that spares the division where w is the same everywhere does not differ by more than
+// its bound from what it does elsewhere (RULES §6).
+//
+// Why. A clip position times a factor f_i > 0 appears where it did; e_i becomes e_i / f_i. What is
+// made of products of the two is the same number:
+//
+//   coverage, facing      the signs of e_i stay
+//   z/w = Σ e_i z_i       as z_i becomes f_i z_i; and so near, far and the depth
+//   f   = Σ e_i d_i       a clip distance, given the factor as well
+//   noperspective         Σ r_i w_i e_i
+//
+// Where w is the same everywhere a smooth attribute is Σ r_i e_i / Σ e_i = Σ r_i w_i e_i, as the
+// noperspective one: so it is held against a noperspective one of the scaled triangle. The path
+// that divides is asked by two smooth attributes of the scaled triangle, m with m_i = f_i r_i and n
+// with n_i = f_i: m = Σ r_i e_i / D and n = Σ e_i / D have the quotient r = Σ r_i e_i / Σ e_i.
+//
+// How far values may be apart. Of one exact value, both bounds together (close_drawings.h). For the
+// quotient: with computed m + a, n + b, and r + c of the triangle of equal w,
+//
+//   (m + a) − (r + c)(n + b) = a − r b − c (n + b)     as m = r n
+//   |m' − r' n'| <= A + max|r_i| B + C |n'|             A, B, C the bounds of each
+//
+// where a primed number is the computed one; rounding the left side costs 2^-52 |r' n'| at most.
+//
+// Factors are 2^k, |k| <= 4, and so is w, so that nothing is rounded; attributes are at the sample,
+// where |r| <= max|r_i| (but for exact values of samples that only snapping covers, of which the
+// quotient is left out), and there is no depth test. Samples: all, but those that the contract
+// leaves open and that are drawn by only one. Window positions are the same numbers and so are
+// their roundings to a grid: a contract that names the rounding has them move alike. Of clipped
+// triangles it does not say where the new vertices come to lie; of these, and of any where it names
+// no rounding, values are not compared.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "oracle/transform.h"
+#include "properties/internal/choices.h"
+#include "properties/internal/close_drawings.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/verdicts.h"
+#include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::ClipVertex;
+using cases::Interpolation;
+using records::FragmentClass;
+
+/// The number times a power of two, if that is a float32.
+std::optional<float> scaled(float number, double factor) {
+  const double product = double{number} * factor;
+  const float rounded = to_float(product);
+  if (double{rounded} != product) return std::nullopt;
+  return rounded;
+}
+
+/// One coordinate of a vertex brought to w = 1: where it appeared, if it was in front of the eye.
+/// Short of float32's ends, so that factors leave it exact.
+float at_equal_w(float coordinate, float w) {
+  const double divisor = w > 0 ? double{w} : 1;
+  const double moved = std::clamp(double{coordinate} / divisor, -0x1p100, 0x1p100);
+  return std::abs(moved) < 0x1p-100 ? 0.0F : static_cast<float>(moved);
+}
+
+/// The case with one w, and the same with vertices scaled.
+struct Pair {
+  cases::Case equal;
+  cases::Case general;
+  std::vector<double> factors;  ///< [vertex]
+  /// Attributes of `general`, behind those of `equal`: n, and m of one attribute, if it is exact.
+  std::optional<std::size_t> quotient_of;
+};
+
+/// The attribute whose products with the factors are float32, if any is.
+std::optional<std::size_t> attribute_for_quotient(const Pair& pair) {
+  for (std::size_t a = 0; a < pair.equal.attributes.size(); ++a) {
+    if (pair.equal.attributes[a].interpolation == Interpolation::flat) continue;
+    bool is_exact = true;
+    for (std::size_t v = 0; v < pair.factors.size(); ++v) {
+      is_exact = is_exact && scaled(pair.equal.attributes_of(v)[a], pair.factors[v]).has_value();
+    }
+    if (is_exact) return a;
+  }
+  return std::nullopt;
+}
+
+/// Adds the attributes m and n.
+void add_quotient(Pair& pair) {
+  pair.quotient_of = attribute_for_quotient(pair);
+  if (!pair.quotient_of || pair.equal.attributes.size() + 2 > cases::kMaxAttributes) {
+    pair.quotient_of.reset();
+    return;
+  }
+  cases::Case& general = pair.general;
+  general.attributes.push_back({"m", Interpolation::smooth, cases::Location::sample});
+  general.attributes.push_back({"n", Interpolation::smooth, cases::Location::sample});
+  general.attribute_values.clear();
+  for (std::size_t v = 0; v < pair.factors.size(); ++v) {
+    const auto values = pair.equal.attributes_of(v);
+    general.attribute_values.insert(general.attribute_values.end(), values.begin(), values.end());
+    general.attribute_values.push_back(*scaled(values[*pair.quotient_of], pair.factors[v]));
+    general.attribute_values.push_back(static_cast<float>(pair.factors[v]));
+  }
+}
+
+Pair pair_of(const cases::Case& c) {
+  Pair pair;
+  cases::Case& equal = pair.equal;
+  equal = c;
+  equal.depth_test = cases::DepthTest::none;
+  for (cases::Attribute& attribute : equal.attributes) {
+    attribute.location = cases::Location::sample;
+  }
+  Choices choices(fingerprint(c));
+  const auto w = static_cast<float>(std::ldexp(1.0, static_cast<int>(choices.below(9)) - 4));
+  for (ClipVertex& p : equal.positions) {
+    p = {w * at_equal_w(p.x, p.w), w * at_equal_w(p.y, p.w), w * at_equal_w(p.z, p.w), w};
+  }
+  for (float& distance : equal.clip_distances) distance = at_equal_w(distance, 1);
+
+  pair.general = equal;
+  for (cases::Attribute& attribute : pair.general.attributes) {
+    if (attribute.interpolation == Interpolation::smooth) {
+      attribute.interpolation = Interpolation::noperspective;
+    }
+  }
+  for (std::size_t v = 0; v < equal.positions.size(); ++v) {
+    if (v % 8 == 0) choices = Choices(fingerprint(c) + v);
+    const double factor = std::ldexp(1.0, static_cast<int>(choices.below(9)) - 4);
+    pair.factors.push_back(factor);
+    ClipVertex& p = pair.general.positions[v];
+    p = {static_cast<float>(double{p.x} * factor), static_cast<float>(double{p.y} * factor),
+         static_cast<float>(double{p.z} * factor), static_cast<float>(double{p.w} * factor)};
+    for (std::size_t d = 0; d < equal.clip_distance_count; ++d) {
+      float& distance = pair.general.clip_distances[v * equal.clip_distance_count + d];
+      distance = static_cast<float>(double{distance} * factor);
+    }
+  }
+  add_quotient(pair);
+  return pair;
+}
+
+/// The first attributes of a drawing.
+cases::Framebuffer with_attributes(const cases::Framebuffer& drawn, std::size_t count) {
+  cases::Framebuffer result = drawn;
+  result.derivatives.clear();
+  result.attribute_count = count;
+  result.attributes.clear();
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const auto values = drawn.attributes_of(i).first(count);
+    result.attributes.insert(result.attributes.end(), values.begin(), values.end());
+  }
+  return result;
+}
+
+class PathsCheck {
+ public:
+  PathsCheck(const Pair& pair, backends::Backend& backend)
+      : pair_(&pair),
+        of_equal_(backend.contract(pair.equal)),
+        of_general_(backend.contract(pair.general)),
+        verdicts_(pair.equal, of_equal_),
+        verdicts_of_general_(pair.general, of_general_) {}
+
+  Check run(const cases::Framebuffer& equal, const cases::Framebuffer& general) {
+    constexpr const char* kNote = "drawn with vertices scaled each by another power of two";
+    Closeness closeness;
+    closeness.note = kNote;
+    closeness.is_open = [this](const FragmentPlace& place) { return is_open(place); };
+    closeness.allowed = [this](std::uint32_t triangle, std::optional<std::uint32_t> attribute) {
+      return allowed(triangle, attribute);
+    };
+    closeness.is_undefined = [this](const FragmentPlace& place,
+                                    std::optional<std::uint32_t> attribute) {
+      return verdicts_.is_undefined(place, attribute);
+    };
+    const std::size_t count = pair_->equal.attributes.size();
+    Check check = compare_close(pair_->equal, equal, with_attributes(general, count), closeness);
+    if (pair_->quotient_of) see_quotients(equal, general, check);
+    std::set<std::string> labels(check.labels.begin(), check.labels.end());
+    if (of_equal_.coverage) labels.emplace("snapped");
+    if (has_quotient_) labels.emplace("quotient");
+    check.labels.assign(labels.begin(), labels.end());
+    return check;
+  }
+
+ private:
+  /// Whether the contract places the vertices of both alike, and says what is drawn of them.
+  bool has_values(std::uint32_t triangle) {
+    if (!of_equal_.coverage || of_equal_.basis == cases::Basis::ideal) return true;
+    if (of_equal_.is_unspecified() || of_general_.is_unspecified()) return false;
+    return verdicts_.truth(triangle).has_certain_orientation();
+  }
+
+  bool is_open(const FragmentPlace& place) {
+    return verdicts_.judge(place.triangle, place).verdict == records::Verdict::permitted ||
+           verdicts_of_general_.judge(place.triangle, place).verdict == records::Verdict::permitted;
+  }
+
+  std::optional<Allowance> bound_of(const cases::Case& c, const cases::Contract& contract,
+                                    std::uint32_t triangle, std::optional<std::size_t> attribute) {
+    if (!has_values(triangle)) return std::nullopt;
+    if (!attribute) return depth_allowance(c, contract);
+    return value_allowance(c, contract, c.triangles[triangle], *attribute);
+  }
+
+  std::optional<Allowance> allowed(std::uint32_t triangle, std::optional<std::size_t> attribute) {
+    const auto one = bound_of(pair_->equal, of_equal_, triangle, attribute);
+    const auto other = bound_of(pair_->general, of_general_, triangle, attribute);
+    if (!one || !other) return std::nullopt;
+    return Allowance{one->units + other->units, one->magnitude};
+  }
+
+  void see_quotients(const cases::Framebuffer& equal, const cases::Framebuffer& general,
+                     Check& check) {
+    const FragmentMap places = fragments_by_place(equal);
+    for (std::size_t i = 0; i < general.size(); ++i) {
+      const FragmentPlace place = place_of(general, i);
+      const auto before = places.find(place);
+      if (before == places.end() || !is_of_case(pair_->equal, place)) continue;
+      see_quotient(place, equal.attributes_of(before->second)[*pair_->quotient_of],
+                   general.attributes_of(i), check);
+    }
+  }
+
+  /// The bounds A, B, C of a triangle, and max|r_i|.
+  struct Bounds {
+    double m = 0;
+    double n = 0;
+    double r = 0;
+    double greatest = 0;
+  };
+
+  std::optional<Bounds> bounds_of(std::uint32_t triangle) {
+    if (bounds_ && triangle_ == triangle) return bounds_;
+    triangle_ = triangle;
+    const std::size_t a = *pair_->quotient_of;
+    const std::size_t m = pair_->equal.attributes.size();
+    const auto of_m = bound_of(pair_->general, of_general_, triangle, m);
+    const auto of_n = bound_of(pair_->general, of_general_, triangle, m + 1);
+    const auto of_r = bound_of(pair_->equal, of_equal_, triangle, a);
+    bounds_.reset();
+    const bool is_covered =
+        !of_equal_.coverage || of_equal_.basis == cases::Basis::snapped;  // by what values are of
+    if (!is_covered) return bounds_;
+    if (!of_m || !of_n || !of_r) return bounds_;
+    const auto in_values = [](const Allowance& one) {
+      return one.units * float_ulp(one.magnitude);
+    };
+    bounds_ = {in_values(*of_m), in_values(*of_n), in_values(*of_r), of_r->magnitude};
+    return bounds_;
+  }
+
+  void see_quotient(const FragmentPlace& place, float r, std::span<const float> values,
+                    Check& check) {
+    const std::optional<Bounds> bounds = bounds_of(place.triangle);
+    if (!bounds) return;
+    has_quotient_ = true;
+    const std::size_t m = pair_->equal.attributes.size();
+    const double product = number_of(r) * number_of(values[m + 1]);
+    const double off = std::abs(number_of(values[m]) - product);
+    const double most = bounds->m + bounds->greatest * bounds->n +
+                        bounds->r * std::abs(number_of(values[m + 1])) +
+                        0x1p-50 * std::abs(product);
+    if (off <= most * (1 + 0x1p-50)) return;
+    records::Violation violation =
+        violation_at(place, class_of_wrong(values[m], FragmentClass::beyond_bound),
+                     "the quotient of two smooth attributes, " + value_text(values[m + 1]) + " · " +
+                         value_text(r),
+                     "drawn with vertices scaled each by another power of two");
+    violation.kind = records::AttributeKind::smooth;
+    violation.attribute = static_cast<std::uint32_t>(*pair_->quotient_of);
+    violation.actual = value_text(values[m]);
+    ++check.judgement.errors[violation.kind].classes[violation.fragment_class];
+    note(check, violation);
+  }
+
+  const Pair* pair_;
+  cases::Contract of_equal_;
+  cases::Contract of_general_;
+  Verdicts verdicts_;
+  Verdicts verdicts_of_general_;
+  std::optional<Bounds> bounds_;
+  bool has_quotient_ = false;  ///< some was compared
+  std::uint32_t triangle_ = std::numeric_limits<std::uint32_t>::max();
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  const Pair pair = pair_of(*clip);
+  const Result<cases::Framebuffer> equal = draw(pair.equal, backend);
+  if (!equal) return tl::unexpected(equal.error());
+  const Result<cases::Framebuffer> general = draw(pair.general, backend);
+  if (!general) return tl::unexpected(general.error());
+  return PathsCheck(pair, backend).run(*equal, *general);
+}
+
+const LawRegistration kRegistration(
+    {.name = "equal w equals the general path",
+     .reason = "A vertex times a factor appears where it did, and what is made of products with "
+               "e_i is the same number.",
+     .exceptions = "values of clipped triangles whose vertices are snapped, and of those that a "
+                   "contract places it does not say where",
+     .generate = &generate_any,
+     .check = &check,
+     .covers = {cover(10, "clipped"), cover(20, "quotient"), cover(15, "several samples"),
+                cover(15, "snapped")}});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,407 @@
+// A triangulation of the screen covers each sample once: where triangles with common edges fill an
+// outline that holds the whole viewport, every sample of the viewport is drawn by exactly one of
+// them, wherever their vertices lie: on samples, beyond the screen, with any w > 0. Where one plane
+// cuts all of them, so is every sample on its inner side, and none on the other.
+//
+// Why. Let p be a point of the window, all w > 0 and all triangles of one orientation. Each turns
+// once around p if it covers p and not at all else, and an edge that two triangles run through in
+// opposite directions adds nothing to the sum: so the number of triangles that cover p is the
+// number of times that the outline, the edges that only one triangle has, runs around p. That is
+// the same all over the viewport if no edge of the outline meets it. Here each one has both ends
+// beyond the same side of the viewport, and its turns around the middle are counted by the edges
+// that cross the ray from there to the right: both ends have x > w, and y changes its sign.
+//
+// Ties. Inside is A > 0, or A = 0 and σ B > 0, where E(p) = 0 (RULES §2): that is E > 0 at
+// p + (ε, σ ε²) for small ε, another point, on no edge. So the sentence holds of ties as well, also
+// of a sample at a vertex that any number of triangles share.
+//
+// A plane. A clip distance d_i = ±x_i or ±y_i at all vertices interpolates to x/w or y/w, whatever
+// the triangle: inside is a half of the viewport. z_i = ±x_i or ±y_i likewise, inside being
+// −1 <= z/w <= 1 (OpenGL), all of it, or 0 <= z/w, a half. On the line of a clip distance a sample
+// is drawn at most once, as its own normal decides. Nothing is rounded, and all that is asked of
+// the case is comparisons of its numbers.
+//
+// Snapping moves a vertex for all its triangles alike, but may turn thin ones round, and clipping
+// makes other vertices in each: cases are left out that have either. Where a contract names no tie
+// rule, or keeps no grid so that each edge may be off a little by itself, two triangles side by
+// side still share what is between them, but not three around a vertex: samples are left out that
+// more than two may cover. All others are decided without the oracle, which says what is special
+// of a sample that is not drawn once. Samples on the far border of the viewport may be left out
+// (§2), and are.
+//
+// Culling, a depth test and attributes have no say: they are left out.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cases/sample_pattern.h"
+#include "oracle/transform.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/triangulations.h"
+#include "properties/internal/verdicts.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::ClipVertex;
+using records::FragmentClass;
+using records::Verdict;
+
+/// a + b where that is a double. Two-Sum: what the rounding left out is exact.
+std::optional<double> exact_sum(double a, double b) {
+  const double sum = a + b;
+  const double of_b = sum - a;
+  if ((a - (sum - of_b)) + (b - of_b) != 0) return std::nullopt;
+  return sum;
+}
+
+/// Which half of the viewport is drawn: where s n >= 0, n being x/w or y/w.
+struct HalfPlane {
+  bool is_along_x = false;
+  int sign = 1;
+  bool is_closed = false;  ///< whether samples on its line are certainly drawn
+};
+
+/// Whether a number of each vertex is ±x or ±y.
+template <typename Number>
+std::optional<HalfPlane> half_plane_of(const cases::Case& c, const Number& number) {
+  for (const bool is_along_x : {true, false}) {
+    for (const int sign : {1, -1}) {
+      bool holds = true;
+      for (std::size_t v = 0; v < c.positions.size(); ++v) {
+        const ClipVertex& p = c.positions[v];
+        const float n = is_along_x ? p.x : p.y;
+        holds = holds && number(v) == static_cast<float>(sign) * n;
+      }
+      if (holds) return HalfPlane{is_along_x, sign, false};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The planes that cut all triangles alike; nothing where something else may clip.
+std::optional<std::vector<HalfPlane>> half_planes_of(const cases::Case& c) {
+  std::vector<HalfPlane> planes;
+  const float near = near_depth(c);
+  const bool has_depths = c.depth_clamp || std::all_of(c.positions.begin(), c.positions.end(),
+                                                       [near](const ClipVertex& p) {
+                                                         return p.z >= near * p.w && p.z <= p.w;
+                                                       });
+  if (!has_depths) {
+    auto plane = half_plane_of(c, [&c](std::size_t v) { return c.positions[v].z; });
+    if (!plane) return std::nullopt;
+    plane->is_closed = true;
+    // −1 <= z/w <= 1 is the viewport.
+    if (c.rules != cases::Rules::opengl) planes.push_back(*plane);
+  }
+  for (std::size_t d = 0; d < c.clip_distance_count; ++d) {
+    const auto distance = [&c, d](std::size_t v) { return c.clip_distances_of(v)[d]; };
+    bool keeps_all = true;
+    for (std::size_t v = 0; v < c.positions.size(); ++v) keeps_all = keeps_all && distance(v) > 0;
+    if (keeps_all) continue;
+    const auto plane = half_plane_of(c, distance);
+    if (!plane) return std::nullopt;
+    planes.push_back(*plane);
+  }
+  return planes;
+}
+
+/// What is to be drawn of a sample.
+enum class Times { none, once, at_most_once, any };
+
+/// The viewport and its halves, exact.
+class Screen {
+ public:
+  static std::optional<Screen> of(const cases::Case& c, std::vector<HalfPlane> planes) {
+    Screen screen(c, std::move(planes));
+    const cases::Viewport& v = c.viewport;
+    const std::array begins{double{v.x}, double{v.y}};
+    const std::array sizes{double{v.width}, double{v.height}};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const auto end = exact_sum(begins[axis], sizes[axis]);
+      if (!end || sizes[axis] == 0) return std::nullopt;
+      const auto twice_middle = exact_sum(begins[axis], *end);
+      if (!twice_middle) return std::nullopt;
+      screen.low_[axis] = std::min(begins[axis], *end);
+      screen.high_[axis] = std::max(begins[axis], *end);
+      screen.twice_middle_[axis] = *twice_middle;
+      screen.turn_[axis] = sizes[axis] < 0 ? -1 : 1;
+    }
+    if (c.rules == cases::Rules::d3d) screen.turn_[1] = -screen.turn_[1];
+    return screen;
+  }
+
+  Times times(int x, int y, int sample) const {
+    const cases::SamplePosition& at = pattern_[static_cast<std::size_t>(sample)];
+    const std::array position{x + at.x / 16.0, y + at.y / 16.0};
+    if (!is_in_scissor(x, y)) return Times::none;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (position[axis] < low_[axis] || position[axis] > high_[axis]) return Times::none;
+      if (position[axis] == high_[axis]) return Times::any;
+    }
+    Times result = Times::once;
+    for (const HalfPlane& plane : planes_) {
+      const std::size_t axis = plane.is_along_x ? 0 : 1;
+      const double twice = 2 * position[axis];  // comparing is exact, subtracting need not be
+      const int side = (twice > twice_middle_[axis]) - (twice < twice_middle_[axis]);
+      const int inside = side * turn_[axis] * plane.sign;
+      if (inside < 0) return Times::none;
+      if (inside == 0 && !plane.is_closed) result = Times::at_most_once;
+    }
+    return result;
+  }
+
+ private:
+  Screen(const cases::Case& c, std::vector<HalfPlane> planes)
+      : planes_(std::move(planes)),
+        pattern_(cases::standard_pattern(c.framebuffer.samples)),
+        scissor_(c.scissor) {}
+
+  bool is_in_scissor(int x, int y) const {
+    if (!scissor_) return true;
+    const auto holds = [](std::int64_t begin, std::int64_t size, int at) {
+      return at >= begin && at < begin + size;
+    };
+    return holds(scissor_->x, scissor_->width, x) && holds(scissor_->y, scissor_->height, y);
+  }
+
+  std::vector<HalfPlane> planes_;
+  std::span<const cases::SamplePosition> pattern_;
+  std::optional<cases::Scissor> scissor_;
+  std::array<double, 2> low_{};
+  std::array<double, 2> high_{};
+  std::array<double, 2> twice_middle_{};
+  std::array<int, 2> turn_{};
+};
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// The edges that no other triangle runs through the other way; nothing where one is there twice.
+std::optional<std::vector<Edge>> outline_of(const cases::Case& c) {
+  std::set<Edge> edges;
+  for (const cases::Triangle& triangle : c.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!edges.insert({triangle[i], triangle[(i + 1) % 3]}).second) return std::nullopt;
+    }
+  }
+  std::vector<Edge> outline;
+  for (const auto& [from, to] : edges) {
+    if (!edges.contains({to, from})) outline.emplace_back(from, to);
+  }
+  return outline;
+}
+
+/// Whether the outline runs around the viewport once, no edge meeting it, however its ends are
+/// moved by up to `reach` pixels. An end is beyond a side if its distance from it, in pixels times
+/// w, is more than twice that: far more than the few roundings of a double cost.
+class Outline {
+ public:
+  Outline(const cases::Case& c, double reach) : case_(&c) {
+    margin_x_ = 4 * reach / std::abs(double{c.viewport.width});
+    margin_y_ = 4 * reach / std::abs(double{c.viewport.height});
+  }
+
+  bool runs_around_once(const std::vector<Edge>& edges) const {
+    int turns = 0;
+    for (const auto& [from, to] : edges) {
+      const ClipVertex& p = case_->positions[from];
+      const ClipVertex& q = case_->positions[to];
+      const bool is_right = is_beyond(p.x, p.w, margin_x_) && is_beyond(q.x, q.w, margin_x_);
+      const bool is_beside = is_right ||
+                             (is_beyond(-p.x, p.w, margin_x_) && is_beyond(-q.x, q.w, margin_x_)) ||
+                             (is_beyond(p.y, p.w, margin_y_) && is_beyond(q.y, q.w, margin_y_)) ||
+                             (is_beyond(-p.y, p.w, margin_y_) && is_beyond(-q.y, q.w, margin_y_));
+      if (!is_beside) return false;
+      if (is_right) turns += (q.y > 0 ? 1 : 0) - (p.y > 0 ? 1 : 0);
+    }
+    return turns == 1 || turns == -1;
+  }
+
+ private:
+  /// n/w > 1 + margin. Without a margin exact.
+  static bool is_beyond(float n, float w, double margin) {
+    return double{n} > double{w} && (margin == 0 || double{n} > double{w} * (1 + margin));
+  }
+
+  const cases::Case* case_;
+  double margin_x_ = 0;
+  double margin_y_ = 0;
+};
+
+/// Whether the case is what the law is about, under a contract.
+bool is_triangulation(const cases::Case& c, const cases::Contract& contract, Verdicts& verdicts) {
+  const bool all_in_front = std::all_of(c.positions.begin(), c.positions.end(),
+                                        [](const ClipVertex& p) { return p.w > 0; });
+  const auto edges = outline_of(c);
+  if (!all_in_front || !edges || c.triangles.empty()) return false;
+  const double reach = contract.coverage ? placement_reach(*contract.coverage) : 0;
+  if (!Outline(c, reach).runs_around_once(*edges)) return false;
+  const int orientation = verdicts.truth(0).orientation();
+  for (std::uint32_t t = 0; t < c.triangles.size(); ++t) {
+    const oracle::TriangleTruth& truth = verdicts.truth(t);
+    if (truth.orientation() == 0 || truth.orientation() != orientation) return false;
+    if (contract.coverage && !truth.has_certain_orientation()) return false;
+  }
+  return true;
+}
+
+class CoveredOnce {
+ public:
+  CoveredOnce(const cases::Case& c, const cases::Contract& contract, const Screen& screen,
+              Verdicts& verdicts)
+      : case_(&c), contract_(contract), screen_(&screen), verdicts_(&verdicts) {
+    check_.judgement.errors[records::AttributeKind::coverage];
+  }
+
+  Check run(const cases::Framebuffer& drawn) {
+    const cases::FramebufferSize& size = case_->framebuffer;
+    const auto samples = static_cast<std::size_t>(size.samples);
+    std::vector<std::uint8_t> times(static_cast<std::size_t>(size.width) *
+                                    static_cast<std::size_t>(size.height) * samples);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      const FragmentPlace place = place_of(drawn, i);
+      if (!is_of_case(*case_, place)) {
+        report(place, FragmentClass::extra, "forbidden: no such triangle, pixel or sample");
+        continue;
+      }
+      std::uint8_t& of_sample = times[index_of(place)];
+      of_sample = static_cast<std::uint8_t>(std::min(of_sample + 1, 3));
+      if (of_sample == 2) see(place, 2);
+      triangles_.insert(place.triangle);
+    }
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        for (int s = 0; s < size.samples; ++s) {
+          const FragmentPlace place{0, static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(x),
+                                    static_cast<std::uint32_t>(s)};
+          if (times[index_of(place)] < 2) see(place, times[index_of(place)]);
+        }
+      }
+    }
+    add_state_labels(*case_, triangles_, labels_);
+    check_.labels.assign(labels_.begin(), labels_.end());
+    return std::move(check_);
+  }
+
+ private:
+  std::size_t index_of(const FragmentPlace& place) const {
+    const auto width = static_cast<std::size_t>(case_->framebuffer.width);
+    const auto samples = static_cast<std::size_t>(case_->framebuffer.samples);
+    return (place.y * width + place.x) * samples + place.sample;
+  }
+
+  void see(const FragmentPlace& place, int drawn) {
+    const Times wanted = screen_->times(static_cast<int>(place.x), static_cast<int>(place.y),
+                                        static_cast<int>(place.sample));
+    if (wanted == Times::any) return;
+    if (wanted == Times::once) ++check_.judgement.counts.required;
+    if (wanted == Times::at_most_once) labels_.emplace("sample on the plane");
+    const bool is_right = wanted == Times::once           ? drawn == 1
+                          : wanted == Times::at_most_once ? drawn < 2
+                                                          : drawn == 0;
+    if (is_right) {
+      if (drawn == 1) {
+        ++check_.judgement.errors[records::AttributeKind::coverage].classes[FragmentClass::correct];
+      }
+      return;
+    }
+    if (wanted != Times::none && is_open(place, wanted)) {
+      ++check_.judgement.counts.permitted;
+      return;
+    }
+    if (drawn == 0) {
+      report(first_covering(place), FragmentClass::missing, "required: of one triangle");
+    } else {
+      report(place, FragmentClass::extra,
+             wanted == Times::none ? "forbidden: beyond the plane, or the viewport"
+                                   : "forbidden: of more than one triangle");
+    }
+  }
+
+  /// Whether the contract lets each of three triangles decide by itself.
+  bool is_open(const FragmentPlace& place, Times wanted) {
+    const bool is_strict =
+        contract_.tie_rule != cases::TieRule::unspecified && contract_.is_on_grid;
+    if (is_strict) return false;
+    if (wanted == Times::at_most_once) return true;
+    int possible = 0;
+    for (std::uint32_t t = 0; t < case_->triangles.size(); ++t) {
+      possible += verdicts_->judge(t, place).verdict != Verdict::forbidden ? 1 : 0;
+    }
+    return possible > 2;
+  }
+
+  /// The place with a triangle that may cover it.
+  FragmentPlace first_covering(FragmentPlace place) {
+    for (std::uint32_t t = 0; t < case_->triangles.size(); ++t) {
+      place.triangle = t;
+      if (verdicts_->judge(t, place).verdict != Verdict::forbidden) return place;
+    }
+    place.triangle = 0;
+    return place;
+  }
+
+  void report(const FragmentPlace& place, FragmentClass fragment_class, const std::string& exact) {
+    ++check_.judgement.errors[records::AttributeKind::coverage].classes[fragment_class];
+    note(check_, violation_at(place, fragment_class, exact, "in a triangulation of the screen"));
+  }
+
+  const cases::Case* case_;
+  cases::Contract contract_;
+  const Screen* screen_;
+  Verdicts* verdicts_;
+  Check check_;
+  std::set<std::string> labels_;
+  std::set<std::uint32_t> triangles_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  clip->depth_test = cases::DepthTest::none;
+  clip->cull = cases::Cull::none;
+  clip->attributes.clear();
+  clip->attribute_values.clear();
+  const cases::Contract contract = backend.contract(*clip);
+  Verdicts verdicts(*clip, contract);
+  const auto planes = half_planes_of(*clip);
+  const auto screen = planes ? Screen::of(*clip, *planes) : std::nullopt;
+  if (!screen || !is_triangulation(*clip, contract, verdicts)) {
+    Check none;
+    none.is_applicable = false;
+    return none;
+  }
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  Check found = CoveredOnce(*clip, contract, *screen, verdicts).run(*drawn);
+  if (!planes->empty()) found.labels.emplace_back("half of the screen");
+  if (clip->clip_distance_count > 0) found.labels.emplace_back("clip distances");
+  if (contract.coverage) found.labels.emplace_back("snapped");
+  return found;
+}
+
+const LawRegistration kRegistration(
+    {.name = "a triangulation of the screen covers each sample once",
+     .reason = "Triangles of one orientation cover a point as often as their outline runs around "
+               "it, and a tie is decided as for a point next to it.",
+     .exceptions = "snapped triangles that are clipped or may turn round; where no tie rule is "
+                   "named, samples that more than two may cover; the far border of the viewport",
+     .generate = &triangulated_screen,
+     .check = &check,
+     .covers = {cover(8, "clip distances"), cover(6, "half of the screen"),
+                cover(15, "several samples"), cover(13, "snapped")}});
+
+}  // namespace
+}  // namespace rastercheck::properties
