@@ -5,6 +5,7 @@
 #include <span>
 
 #include "properties/internal/close_drawings.h"
+#include "properties/internal/labels.h"
 #include "properties/internal/verdicts.h"
 #include "properties/internal/window_position.h"
 
@@ -189,7 +190,7 @@ Result<Check> check_parted(const Parted& parted, backends::Backend& backend) {
     return both;
   };
   Check check = compare_close(parted.whole, *whole, *parts, closeness);
-  if (of_parts.coverage) check.labels.emplace_back("snapped");
+  if (of_parts.coverage) add_label(check, "snapped");
   return check;
 }
 

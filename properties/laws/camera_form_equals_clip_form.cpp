@@ -374,6 +374,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
 struct Turn {
   Matrix4 matrix = cases::kIdentity;
   Matrix4 inverse = cases::kIdentity;
+  bool is_sheared = false;
+  bool is_mirrored = false;
 
   /// Puts another one behind it.
   void add(const Matrix4& next, const Matrix4& next_inverse) {
@@ -398,15 +400,18 @@ Turn random_turn(Draw& draw) {
     const int factor = draw.between(-2, 2);
     Matrix4 shear = cases::kIdentity;
     Matrix4 back = cases::kIdentity;
-    const auto place = static_cast<std::size_t>(4 * row + (row + step) % 3);
+    const auto place =
+        static_cast<std::size_t>(4 * row) + static_cast<std::size_t>((row + step) % 3);
     shear[place] = static_cast<float>(factor);
     back[place] = static_cast<float>(-factor);
     turn.add(shear, back);
+    turn.is_sheared = factor != 0;
   }
   if (draw.one_in(4)) {
     Matrix4 mirror = cases::kIdentity;
     mirror[0] = -1;
     turn.add(mirror, mirror);
+    turn.is_mirrored = true;
   }
   const auto x = static_cast<float>(draw.between(-8, 8));
   const auto y = static_cast<float>(draw.between(-8, 8));
@@ -470,7 +475,9 @@ Generated generate(Draw& draw) {
     add_triangle(c, corners[0], corners[1], corners[2]);
   }
   add_attribute_values(draw, c);
-  made.stratum = "whole numbers";
+  made.stratum = "turned";
+  if (model.is_mirrored != view.is_mirrored) made.stratum = "mirrored";
+  if (model.is_sheared || view.is_sheared) made.stratum = "sheared";
   return made;
 }
 

@@ -1,6 +1,6 @@
 // Clipped equals clipless: a triangle that reaches beyond a plane, and the polygon that clipping at
-// that plane leaves of it, draw the same samples with the same values. It holds a rasterizer that
-// clips against itself where there is nothing to clip, and one that needs no clipper alike.
+// that plane leaves of it, draw the same samples with the same values. A rasterizer that clips
+// is held against itself where nothing is left to clip, and so is one that needs no clipper.
 //
 // Why. A clip plane is one more functional, L = Σ e_i L_i >= 0, of the values L_i that it has at
 // the vertices (RULES §2): what it leaves is the polygon of the vertices with L_i > 0 and of the
@@ -34,6 +34,7 @@
 #include "oracle/transform.h"
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
+#include "properties/internal/labels.h"
 #include "properties/internal/parted_triangles.h"
 #include "properties/internal/verdicts.h"
 
@@ -224,8 +225,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   Result<Check> found = check_parted(clipping.parted, backend);
   if (!found) return found;
   const bool is_drawn = found->judgement.counts.required > 0;
-  if (is_drawn) found->labels.emplace_back(word_of(clipping.plane));
-  if (has_zero) found->labels.emplace_back("sample on the plane");
+  if (is_drawn) add_label(*found, word_of(clipping.plane));
+  if (has_zero) add_label(*found, "sample on the plane");
   return found;
 }
 

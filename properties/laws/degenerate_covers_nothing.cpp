@@ -36,6 +36,7 @@
 #include "oracle/transform.h"
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
+#include "properties/internal/labels.h"
 #include "properties/internal/parted_triangles.h"
 #include "properties/internal/same_drawing.h"
 #include "properties/internal/verdicts.h"
@@ -311,11 +312,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   Check check = compare_drawings(*clip, *before, degenerate.without_degenerate(*drawn),
                                  "drawn with triangles without area between");
   merge(check, degenerate.found());
-  std::set<std::string> labels(check.labels.begin(), check.labels.end());
-  labels.insert(with.labels.begin(), with.labels.end());
-  if (contract.coverage) labels.emplace("snapped");
-  if (clip->cull != cases::Cull::none) labels.emplace("culling");
-  check.labels.assign(labels.begin(), labels.end());
+  for (const std::string& label : with.labels) add_label(check, label);
+  if (contract.coverage) add_label(check, "snapped");
+  if (clip->cull != cases::Cull::none) add_label(check, "culling");
   return check;
 }
 

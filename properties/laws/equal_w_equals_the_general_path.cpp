@@ -38,7 +38,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +47,7 @@
 #include "properties/internal/choices.h"
 #include "properties/internal/close_drawings.h"
 #include "properties/internal/drawn_fragments.h"
+#include "properties/internal/labels.h"
 #include "properties/internal/verdicts.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
@@ -189,10 +190,8 @@ class PathsCheck {
     const std::size_t count = pair_->equal.attributes.size();
     Check check = compare_close(pair_->equal, equal, with_attributes(general, count), closeness);
     if (pair_->quotient_of) see_quotients(equal, general, check);
-    std::set<std::string> labels(check.labels.begin(), check.labels.end());
-    if (of_equal_.coverage) labels.emplace("snapped");
-    if (has_quotient_) labels.emplace("quotient");
-    check.labels.assign(labels.begin(), labels.end());
+    if (of_equal_.coverage) add_label(check, "snapped");
+    if (has_quotient_) add_label(check, "quotient");
     return check;
   }
 

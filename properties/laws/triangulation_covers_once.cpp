@@ -46,6 +46,7 @@
 #include "cases/sample_pattern.h"
 #include "oracle/transform.h"
 #include "properties/internal/drawn_fragments.h"
+#include "properties/internal/labels.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/triangulations.h"
 #include "properties/internal/verdicts.h"
@@ -386,9 +387,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   const Result<cases::Framebuffer> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check found = CoveredOnce(*clip, contract, *screen, verdicts).run(*drawn);
-  if (!planes->empty()) found.labels.emplace_back("half of the screen");
-  if (clip->clip_distance_count > 0) found.labels.emplace_back("clip distances");
-  if (contract.coverage) found.labels.emplace_back("snapped");
+  if (!planes->empty()) add_label(found, "half of the screen");
+  if (clip->clip_distance_count > 0) add_label(found, "clip distances");
+  if (contract.coverage) add_label(found, "snapped");
   return found;
 }
 
