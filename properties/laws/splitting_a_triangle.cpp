@@ -106,7 +106,7 @@ const LawRegistration kRegistration(
      .generate = &generate_any,
      .check = &check,
      .covers = {cover(10, "clipped"), cover(15, "several samples"), cover(15, "snapped"),
-                cover(8, "w <= 0")}});
+                cover(7, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties
