@@ -88,7 +88,7 @@ void inset_viewport(Draw& draw, cases::Case& c) {
   const int most_v = c.framebuffer.height / 4;
   const int halves_u = draw.between(1, most_u);
   const int halves_v = draw.between(1, most_v);
-  const float inset_u = static_cast<float>(halves_u) / 2;
+  const float inset_u = static_cast<float>(halves_u) / (c.viewport.width < 0 ? -2.0F : 2.0F);
   const float inset_v = static_cast<float>(halves_v) / (c.viewport.height < 0 ? -2.0F : 2.0F);
   c.viewport.x += inset_u;
   c.viewport.width -= 2 * inset_u;

@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "properties/internal/floats.h"
+
 namespace rastercheck::properties {
 namespace {
 
@@ -43,6 +45,12 @@ void set_wide_size(Draw& draw, cases::FramebufferSize& size) {
   size.height = draw.between(4, most_height);
 }
 
+/// A viewport that mirrors the picture: what it covers stays.
+void turn_width(cases::Viewport& viewport) {
+  viewport.x += viewport.width;
+  viewport.width = -viewport.width;
+}
+
 /// A viewport on the 2^-4 grid with sides that are powers of two.
 void set_grid_viewport(Draw& draw, Case& c) {
   cases::Viewport& viewport = c.viewport;
@@ -57,6 +65,21 @@ void set_grid_viewport(Draw& draw, Case& c) {
   if (draw.one_in(4)) viewport.height /= 2;
 }
 
+/// A viewport many times the framebuffer, with odd or fractional sides, which shows a part of it
+/// far from its origin.
+void set_distant_viewport(Draw& draw, Case& c) {
+  cases::Viewport& viewport = c.viewport;
+  const int width = draw.between(257, cases::kMaxSize);
+  const int height = draw.between(257, cases::kMaxSize);
+  const bool is_fractional = draw.one_in(2);
+  viewport.width = static_cast<float>(width) - (is_fractional ? draw.unit() : 0.0F);
+  viewport.height = static_cast<float>(height) - (is_fractional ? draw.unit() : 0.0F);
+  const float part_x = draw.unit();
+  const float part_y = draw.unit();
+  viewport.x = -part_x * (viewport.width - static_cast<float>(c.framebuffer.width));
+  viewport.y = -part_y * (viewport.height - static_cast<float>(c.framebuffer.height));
+}
+
 /// A viewport that may begin and end anywhere, but leaves something of the framebuffer to draw in.
 void set_free_viewport(Draw& draw, Case& c) {
   const auto width = static_cast<float>(c.framebuffer.width);
@@ -64,6 +87,10 @@ void set_free_viewport(Draw& draw, Case& c) {
   cases::Viewport& viewport = c.viewport;
   viewport.width = width;
   viewport.height = height;
+  if (draw.one_in(32)) {
+    set_distant_viewport(draw, c);
+    return;
+  }
   switch (draw.between(0, 5)) {
     case 0:
     case 1:
@@ -110,6 +137,7 @@ void set_depth_range(Draw& draw, Case& c) {
     n = draw.unit();
     f = draw.unit();
   }
+  if (draw.one_in(16)) f = n;
   if (c.rules == cases::Rules::d3d && n > f) std::swap(n, f);
   c.viewport.min_depth = n;
   c.viewport.max_depth = f;
@@ -130,7 +158,8 @@ void set_scissor(Draw& draw, Case& c) {
 void set_attributes(Draw& draw, Case& c) {
   using cases::Interpolation;
   using cases::Location;
-  const int count = draw.pick(std::array{0, 1, 1, 1, 2, 2, 2, 3});
+  int count = draw.pick(std::array{0, 1, 1, 1, 2, 2, 2, 3});
+  if (draw.one_in(48)) count = draw.between(4, 9);
   for (int a = 0; a < count; ++a) {
     const auto interpolation = draw.pick(
         std::array{Interpolation::smooth, Interpolation::smooth, Interpolation::smooth,
@@ -144,7 +173,18 @@ void set_attributes(Draw& draw, Case& c) {
 }
 
 /// How the values of one attribute are made.
-enum class Values { ordinary, constant, zeros, integers, mixed, huge, tiny, one_stands_out };
+enum class Values {
+  ordinary,
+  constant,
+  close,
+  zeros,
+  integers,
+  mixed,
+  huge,
+  tiny,
+  one_stands_out,
+  any
+};
 
 float random_value(Draw& draw, Values kind) {
   switch (kind) {
@@ -162,6 +202,8 @@ float random_value(Draw& draw, Values kind) {
       return draw.spread(-149, -110);
     case Values::one_stands_out:
       return draw.one_in(3) ? draw.spread(0, 20) : 0.0F;
+    case Values::any:
+      return any_float(draw);
     default:
       return draw.uniform(-1, 1);
   }
@@ -200,6 +242,7 @@ Case random_state(Draw& draw, const StateRequest& request) {
     c.viewport.y += c.viewport.height;
     c.viewport.height = -c.viewport.height;
   }
+  if (draw.one_in(24)) turn_width(c.viewport);
   set_depth_range(draw, c);
 
   if (draw.one_in(6)) c.cull = draw.pick(std::array{cases::Cull::back, cases::Cull::front});
@@ -210,6 +253,10 @@ Case random_state(Draw& draw, const StateRequest& request) {
   set_attributes(draw, c);
   if (request.has_clip_distances && draw.one_in(10)) {
     c.clip_distance_count = draw.one_in(3) ? 2 : 1;
+    if (draw.one_in(6)) {
+      c.clip_distance_count =
+          static_cast<std::size_t>(draw.between(3, static_cast<int>(cases::kMaxClipDistances)));
+    }
   }
   return c;
 }
@@ -221,11 +268,20 @@ void add_attribute_values(Draw& draw, Case& c) {
     const auto kind = draw.pick(std::array{
         Values::ordinary, Values::ordinary, Values::ordinary, Values::ordinary, Values::ordinary,
         Values::constant, Values::zeros, Values::integers, Values::integers, Values::mixed,
-        Values::huge, Values::tiny, Values::one_stands_out});
+        Values::huge, Values::tiny, Values::one_stands_out, Values::close, Values::any});
     const float constant = draw.spread(-4, 4);
     for (std::size_t v = 0; v < c.positions.size(); ++v) {
-      c.attribute_values[v * count + a] =
-          kind == Values::constant ? constant : random_value(draw, kind);
+      float& value = c.attribute_values[v * count + a];
+      switch (kind) {
+        case Values::constant:
+          value = constant;
+          break;
+        case Values::close:
+          value = float_near(draw, constant, 4);
+          break;
+        default:
+          value = random_value(draw, kind);
+      }
     }
   }
 }
@@ -234,7 +290,9 @@ void add_clip_distances(Draw& draw, Case& c) {
   const std::size_t count = c.positions.size() * c.clip_distance_count;
   c.clip_distances.clear();
   for (std::size_t i = 0; i < count; ++i) {
-    switch (draw.between(0, 5)) {
+    // Of many distances each is inside more often, or nothing would be.
+    const int chances = c.clip_distance_count > 2 ? 16 : 6;
+    switch (draw.between(0, chances - 1)) {
       case 0:
         c.clip_distances.push_back(draw.uniform(-1, 0));
         break;

@@ -1,0 +1,120 @@
+// grids: rows and columns of quads. A floor in perspective that runs up to the horizon, its first
+// row behind the eye in some cases; and squares of a fraction of a pixel, turned, one triangle of
+// each the other way round, at weights from 0.1 to 4: what is small, far away and many.
+
+#include <array>
+#include <cstdint>
+
+#include "properties/generator.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/window_position.h"
+
+namespace rastercheck::properties {
+namespace {
+
+/// Two triangles of four vertices in order around a quad; the second one the other way round where
+/// asked.
+void add_quad(cases::Case& c, const std::array<std::uint32_t, 4>& corners, bool is_reversed) {
+  c.triangles.push_back({corners[0], corners[1], corners[2]});
+  const std::uint32_t third = is_reversed ? corners[3] : corners[2];
+  const std::uint32_t last = is_reversed ? corners[2] : corners[3];
+  c.triangles.push_back({corners[0], third, last});
+}
+
+/// The quads between rows of `columns` + 1 vertices that have been added row after row.
+void add_quads(Draw& draw, cases::Case& c, std::uint32_t first, int rows, int columns) {
+  const bool is_reversed = draw.one_in(4);
+  const auto stride = static_cast<std::uint32_t>(columns + 1);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const std::uint32_t at =
+          first + static_cast<std::uint32_t>(row) * stride + static_cast<std::uint32_t>(column);
+      add_quad(c, {at, at + 1, at + stride + 1, at + stride}, is_reversed);
+    }
+  }
+}
+
+/// A floor or a ceiling, seen from one unit above it: clip x and y are those of world coordinates
+/// (X, −1) times the cotangents of half the fields of view, w is the distance. The rows' distances
+/// grow by a factor, so that they approach the horizon, where y/w = 0 if the view is level.
+void add_floor(Draw& draw, cases::Case& c) {
+  const int rows = draw.between(3, 6 + draw.size() / 16);
+  const int columns = draw.between(1, 4);
+  const float cot_x = draw.uniform(0.25F, 2);
+  const float cot_y = draw.one_in(2) ? draw.uniform(0.25F, 2) : -draw.uniform(0.25F, 2);
+  const float pitch = draw.one_in(2) ? 0.0F : draw.uniform(-0.5F, 0.5F);
+  const float roll = draw.one_in(2) ? 0.0F : draw.uniform(-0.5F, 0.5F);
+  const double growth = draw.pick(std::array{1.5, 2.0, 4.0, 16.0});
+  const bool begins_behind = draw.one_in(2);
+  const double width = draw.pick(std::array{0.5, 2.0, 16.0});
+  // z/w from about the near plane at w = 1/8 to the far one at infinity.
+  const double near_w = draw.pick(std::array{0.125, 0.01, 0.5});
+  const double near_z = double{near_depth(c)};
+
+  const auto first = static_cast<std::uint32_t>(c.positions.size());
+  double distance = draw.one_in(2) ? 0.5 : 0.5 + double{draw.unit()};
+  for (int row = 0; row <= rows; ++row) {
+    const double w = row == 0 && begins_behind ? -distance : distance;
+    for (int column = 0; column <= columns; ++column) {
+      const double x = (static_cast<double>(column) - columns / 2.0) * width * 2;
+      const double clip_x = double{cot_x} * x;
+      const double clip_y = double{cot_y} * -1 + double{pitch} * w;
+      // a w + b with z = near_z w at near_w, and z/w → 1.
+      const double z = w - (1 - near_z) * near_w;
+      add_vertex(c, {to_float(clip_x - double{roll} * clip_y),
+                     to_float(clip_y + double{roll} * clip_x), to_float(z), to_float(w)});
+    }
+    distance *= growth;
+  }
+  add_quads(draw, c, first, rows, columns);
+}
+
+/// 4×4 squares about as many neighbouring samples, turned by any angle within 0…90°; the second
+/// triangle of each is reversed.
+void add_squares(Draw& draw, cases::Case& c) {
+  const WindowPoint from = visible_sample(draw, c);
+  const double half_side = draw.pick(std::array{0.15, 0.15, 0.5, 0.75, 2.0});
+  const double spacing = half_side < 1 ? 1 : 2 * half_side;
+  // The angle whose half has tangent t: all of 0…90° for t up to √2 − 1.
+  const double t = draw.one_in(8) ? 0 : double{draw.uniform(0, 0.41421354F)};
+  const double cosine = (1 - t * t) / (1 + t * t);
+  const double sine = 2 * t / (1 + t * t);
+  const float depth = random_depth(draw, c);
+  const bool has_one_weight = draw.one_in(2);
+  const float weight = draw.uniform(0.1F, 4);
+  for (int i = 0; i < 16; ++i) {
+    const double middle_u = from.u + spacing * (i % 4);
+    const double middle_v = from.v + spacing * static_cast<int>(i / 4);
+    std::array<std::uint32_t, 4> corners{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double s = k == 1 || k == 2 ? half_side : -half_side;
+      const double r = k >= 2 ? half_side : -half_side;
+      const WindowPoint p{middle_u + cosine * s - sine * r, middle_v + sine * s + cosine * r};
+      const float w = has_one_weight ? weight : draw.uniform(0.1F, 4);
+      corners[k] = add_vertex(c, at_window(c, p, depth, w));
+    }
+    add_quad(c, corners, true);
+  }
+}
+
+cases::Case make(Draw& draw) {
+  StateRequest request;
+  request.least_side = 16;
+  request.most_side = 40;
+  cases::Case c = random_state(draw, request);
+  if (draw.one_in(2)) {
+    add_floor(draw, c);
+  } else {
+    const int fields = draw.between(1, 2 + draw.size() / 40);
+    for (int i = 0; i < fields; ++i) add_squares(draw, c);
+  }
+  add_attribute_values(draw, c);
+  add_clip_distances(draw, c);
+  return c;
+}
+
+const GeneratorRegistration kRegistration(
+    {"grids", "floors up to the horizon, and 4×4 turned squares of a fraction of a pixel", &make});
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,101 @@
+// guard-band: vertices where numbers of fixed point end: 2^15 pixels from the window's origin, the
+// guard band, and where positions of some bits and their products would need one bit more, a float
+// or a subpixel to either side. What is drawn is near the origin all the same.
+
+#include <array>
+#include <cstdint>
+
+#include "properties/generator.h"
+#include "properties/internal/floats.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/window_position.h"
+
+namespace rastercheck::properties {
+namespace {
+
+/// ± a power of two of pixels, or less a grid unit of 2^-8 pixels, as the largest number of so many
+/// bits is: of 16 and 32 bits with 8 after the point, 16 and 32 without, of what 53 bits and 24
+/// hold, and of half of each, as edges' products are.
+double random_limit(Draw& draw) {
+  const int exponent = draw.pick(std::array{15, 15, 15, 15, 7, 11, 13, 14, 16, 23, 24, 31});
+  const auto power = static_cast<double>(std::uint64_t{1} << exponent);
+  const double less = draw.pick(std::array{0.0, 0.0, 0x1p-8, -0x1p-8, 0x1p-9});
+  return draw.one_in(2) ? power - less : less - power;
+}
+
+/// A float of clip space to either side of where it was, or a few.
+void nudge_coordinate(Draw& draw, float& coordinate) {
+  if (draw.one_in(3)) coordinate = float_near(draw, coordinate, 1);
+}
+
+cases::ClipVertex random_vertex(Draw& draw, const cases::Case& c, bool is_far, float depth) {
+  WindowPoint p = draw.one_in(2) ? visible_sample(draw, c) : point_about(draw, c);
+  if (is_far) {
+    const int axes = draw.between(1, 3);
+    if ((axes & 1) != 0) p.u = random_limit(draw);
+    if ((axes & 2) != 0) p.v = random_limit(draw);
+  }
+  const float w = draw.pick(std::array{1.0F, 1.0F, 0.5F, 4.0F, 3.0F});
+  cases::ClipVertex vertex = at_window(c, p, depth, w);
+  if (is_far) {
+    nudge_coordinate(draw, vertex.x);
+    nudge_coordinate(draw, vertex.y);
+  }
+  return vertex;
+}
+
+/// All corners at one limit, on the four sides about the screen, which the triangle holds.
+void add_surrounding(Draw& draw, cases::Case& c, float depth) {
+  const double limit = random_limit(draw);
+  const double size = limit < 0 ? -limit : limit;
+  const bool is_upright = draw.one_in(2);
+  const double sign = draw.one_in(2) ? 1 : -1;
+  const double side = double{draw.uniform(-1, 1)} * size;
+  constexpr std::array<WindowPoint, 3> kCorners{{{-1, -1}, {1, -1}, {0, 1}}};
+  std::array<cases::ClipVertex, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double across = i == 2 ? side : kCorners[i].u * size;
+    const double along = sign * kCorners[i].v * size;
+    const WindowPoint p = is_upright ? WindowPoint{along, across} : WindowPoint{across, along};
+    corners[i] = at_window(c, p, depth, 1);
+    nudge_coordinate(draw, corners[i].x);
+    nudge_coordinate(draw, corners[i].y);
+  }
+  add_triangle(c, corners[0], corners[1], corners[2]);
+}
+
+cases::Case make(Draw& draw) {
+  StateRequest request;
+  request.is_on_grid = !draw.one_in(3);
+  request.most_side = 24;  // many of these triangles fill the whole of it
+  cases::Case c = random_state(draw, request);
+  if (draw.one_in(2)) {
+    c.coverage = cases::Snapping{8, cases::Rounding::nearest_even, 0};
+    c.basis = draw.pick(std::array{cases::Basis::ideal, cases::Basis::snapped});
+  }
+  const int triangles = draw.between(2, 4 + draw.size() / 25);
+  for (int i = 0; i < triangles; ++i) {
+    const float depth = random_depth(draw, c);
+    if (draw.one_in(4)) {
+      add_surrounding(draw, c, depth);
+      continue;
+    }
+    const int far = draw.between(1, 2);
+    std::array<cases::ClipVertex, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = random_vertex(draw, c, static_cast<int>(k) < far, depth);
+    }
+    const auto first = static_cast<std::size_t>(draw.between(0, 2));
+    add_triangle(c, corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]);
+  }
+  add_attribute_values(draw, c);
+  add_clip_distances(draw, c);
+  return c;
+}
+
+const GeneratorRegistration kRegistration(
+    {"guard-band", "vertices at 2^15 pixels and other ends of fixed point, or a float beside",
+     &make});
+
+}  // namespace
+}  // namespace rastercheck::properties

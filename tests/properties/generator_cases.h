@@ -1,0 +1,72 @@
+#pragma once
+
+// What tests of generators have in common: their cases, and counts of what those reach by the exact
+// oracle.
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+#include "oracle/triangle_truth.h"
+#include "properties/draw.h"
+#include "properties/generator.h"
+
+namespace rastercheck::properties {
+
+/// Case `index` of a generator, of seed 1.
+inline cases::Case make_case(std::string_view generator, std::uint64_t index) {
+  Draw draw(1, generator, index);
+  return find_generator(generator)->make(draw);
+}
+
+/// The contract of the mathematical triangle, whatever the case asks for.
+inline cases::Contract exact_contract(const cases::Case& c) {
+  cases::Contract contract = cases::contract_of(c);
+  contract.coverage.reset();
+  contract.basis = cases::Basis::ideal;
+  return contract;
+}
+
+/// Whether `question` is true of a sample's verdict, of any that the triangle may cover.
+inline bool any_sample(const oracle::SceneTruth& scene, std::size_t triangle,
+                       const std::function<bool(const records::SampleVerdict&)>& question) {
+  const oracle::TriangleTruth truth(scene, triangle);
+  const oracle::Pixels pixels = truth.pixels();
+  for (int y = pixels.y0; y < pixels.y1; ++y) {
+    for (int x = pixels.x0; x < pixels.x1; ++x) {
+      for (int s = 0; s < scene.source().framebuffer.samples; ++s) {
+        if (question(truth.judge(x, y, s))) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Whether the contract requires any sample of a triangle.
+inline bool is_drawn(const oracle::SceneTruth& scene, std::size_t triangle) {
+  return any_sample(scene, triangle, [](const records::SampleVerdict& sample) {
+    return sample.verdict == records::Verdict::required;
+  });
+}
+
+/// Whether a case has a triangle of which `question` is true and of which, exactly drawn, a sample
+/// is required.
+inline bool draws(const cases::Case& c,
+                  const std::function<bool(const cases::Triangle&)>& question) {
+  const oracle::SceneTruth scene(c, exact_contract(c));
+  for (std::size_t t = 0; t < c.triangles.size(); ++t) {
+    if (question(c.triangles[t]) && is_drawn(scene, t)) return true;
+  }
+  return false;
+}
+
+/// How many of a generator's first 200 cases answer yes.
+inline int count_cases(std::string_view generator,
+                       const std::function<bool(const cases::Case&)>& question) {
+  int yes = 0;
+  for (std::uint64_t i = 0; i < 200; ++i) yes += question(make_case(generator, i)) ? 1 : 0;
+  return yes;
+}
+
+}  // namespace rastercheck::properties
