@@ -4,20 +4,17 @@
 // decides of these it decides by luck.
 
 #include <array>
-#include <span>
 #include <utility>
 
 #include "cases/sample_pattern.h"
 #include "properties/generator.h"
+#include "properties/internal/close_triangles.h"
 #include "properties/internal/exact_parts.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
 namespace rastercheck::properties {
 namespace {
-
-using Corners = std::array<cases::ClipVertex, 3>;
-using Distances = std::array<float, 3>;
 
 // --- the viewport ------------------------------------------------------------------------------
 
@@ -83,120 +80,6 @@ float set_level(Draw& draw, cases::Case& c) {
 
 // --- triangles ---------------------------------------------------------------------------------
 
-/// Adds a triangle with any of its vertices first, and its clip distances where the case has any.
-void add(Draw& draw, cases::Case& c, const Corners& corners, const Distances& distances) {
-  const auto first = static_cast<std::size_t>(draw.between(0, 2));
-  const std::size_t second = (first + 1) % 3;
-  const std::size_t third = (first + 2) % 3;
-  add_triangle(c, corners[first], corners[second], corners[third]);
-  if (c.clip_distance_count == 0) return;
-  for (const std::size_t i : {first, second, third}) c.clip_distances.push_back(distances[i]);
-}
-
-/// z of all corners on one plane, which no depth plane cuts where D is not close to 0.
-void set_depths(Draw& draw, const cases::Case& c, Corners& corners) {
-  const float k = draw.uniform(near_depth(c) * 0.75F, 0.75F);
-  for (cases::ClipVertex& p : corners) p.z = to_float(double{k} * double{p.w});
-}
-
-/// The same exactly, where w has up to 23 bits.
-void set_equal_depths(Draw& draw, Corners& corners) {
-  const float k = draw.pick(std::array{0.5F, 0.25F, 0.125F});
-  for (cases::ClipVertex& p : corners) p.z = k * p.w;
-}
-
-/// A tiny number in the place of a 0: a float's breadth there is less than any double shows beside
-/// the others.
-float tiny(Draw& draw) { return draw.spread(-58, -18); }
-
-/// One of the numbers moved by a float, a 0 become tiny, or none: then what was exact stays so.
-void nudge(Draw& draw, std::span<float* const> numbers) {
-  switch (draw.between(0, 5)) {
-    case 0:
-      nudge_smallest(draw, numbers);
-      return;
-    case 1: {
-      const int chosen = draw.between(0, static_cast<int>(numbers.size()) - 1);
-      float& number = *numbers[static_cast<std::size_t>(chosen)];
-      number = stepped(number, draw.one_in(2) ? 1 : -1);
-      return;
-    }
-    case 2:
-    case 3:
-      for (float* number : numbers) {
-        if (*number == 0) *number = tiny(draw);
-      }
-      return;
-    default:
-      return;
-  }
-}
-
-/// What a sample's homogeneous position is multiplied by before it is split: short, so that ends of
-/// about the same size exist, or long.
-double random_factor(Draw& draw) {
-  const int most = draw.pick(std::array{15, 1023, 65535});
-  return static_cast<double>(draw.between(1, most));
-}
-
-/// A triangle with an edge through a sample or next to it. One end's coordinates may be tiny, so
-/// that the edge's coefficients need more than 53 bits, and w may have either sign.
-void add_edge(Draw& draw, cases::Case& c) {
-  const Ray q = ray_through(c, visible_sample(draw, c));
-  Corners corners;
-  for (int attempt = 0; attempt < 16; ++attempt) {
-    const double k = random_factor(draw);
-    const auto x = split_in_two(draw, k * q.x);
-    const auto y = split_in_two(draw, k * q.y);
-    const auto w = split_in_two(draw, k * q.w);
-    if (!x || !y || !w) continue;
-    corners[0] = {(*x)[0], (*y)[0], 0, (*w)[0]};
-    corners[1] = {(*x)[1], (*y)[1], 0, (*w)[1]};
-    break;
-  }
-  const WindowPoint third = point_about(draw, c);
-  const float weight = draw.uniform(0.25F, 512);
-  corners[2] = at_window(c, third, 0, draw.one_in(4) ? -weight : weight);
-  cases::ClipVertex& a = corners[0];
-  cases::ClipVertex& b = corners[1];
-  nudge(draw, std::array{&a.x, &a.y, &a.w, &b.x, &b.y, &b.w});
-  set_depths(draw, c, corners);
-  add(draw, c, corners, {1, 1, 1});
-}
-
-/// A triangle as thin as floats are close, with a sample strictly inside, of weights 1 : 1 : 1: two
-/// corners appear at one point but for ±t in x or in y, and the third is what they leave of the
-/// sample. The values there are means of the corners', which no double shows.
-void add_needle(Draw& draw, cases::Case& c) {
-  const Ray q = ray_through(c, visible_sample(draw, c));
-  const auto k = static_cast<double>(draw.between(1, 15));
-  const bool is_upright = draw.one_in(2);
-  const double along = draw.between(-255, 255) / 256.0;
-  const double weight = draw.between(1, 255) / 256.0;
-  const double m = draw.between(1, 3);
-  const double n = draw.between(1, 3);
-  const float t = tiny(draw);
-  const auto corner = [&](double factor, double aside) {
-    const double there = factor * along * weight;
-    return cases::ClipVertex{to_float(is_upright ? aside : there),
-                             to_float(is_upright ? there : aside), 0, to_float(factor * weight)};
-  };
-  Corners corners{corner(m, double{t}), corner(n, -double{t}), {}};
-  const double there = (m + n) * along * weight;
-  corners[2] = {to_float(k * q.x - (is_upright ? 0 : there)),
-                to_float(k * q.y - (is_upright ? there : 0)), 0,
-                to_float(k * q.w - (m + n) * weight)};
-  if (draw.one_in(2)) {
-    set_equal_depths(draw, corners);
-  } else {
-    for (cases::ClipVertex& p : corners) {
-      const double depth = double{draw.uniform(near_depth(c) / 2, 0.5F)};
-      p.z = to_float(depth * double{p.w});
-    }
-  }
-  add(draw, c, corners, {1, 1, 1});
-}
-
 /// A triangle whose sample of weights 1 : 1 : 1 lies on a clip plane or next to it: the corners'
 /// distances from the plane sum to 0.
 void add_plane(Draw& draw, cases::Case& c) {
@@ -207,7 +90,7 @@ void add_plane(Draw& draw, cases::Case& c) {
   Corners corners;
   Distances distances{1, 1, 1};
   for (int attempt = 0; attempt < 32; ++attempt) {
-    const double k = random_factor(draw);
+    const double k = short_factor(draw);
     const double near_z = c.rules == cases::Rules::opengl ? -k * q.w : 0.0;
     const double z = is_far ? k * q.w : near_z;
     const auto x = split_in_three(draw, k * q.x);
@@ -221,49 +104,12 @@ void add_plane(Draw& draw, cases::Case& c) {
     break;
   }
   if (is_user_plane) {
-    set_depths(draw, c, corners);
-    nudge(draw, std::array{distances.data(), &distances[1], &distances[2]});
+    set_level_depths(draw, c, corners);
+    nudge_any(draw, std::array{distances.data(), &distances[1], &distances[2]});
   } else {
-    nudge(draw, std::array{&corners[0].z, &corners[1].z, &corners[2].z});
+    nudge_any(draw, std::array{&corners[0].z, &corners[1].z, &corners[2].z});
   }
-  add(draw, c, corners, distances);
-}
-
-/// Three corners in one plane with the eye: the third is m a + n b of small whole m and n. With
-/// both negative, all the edges have the same line with the inside on one side of it, and the sign
-/// of a determinant next to 0 says on which: half the screen or the other half, or nothing.
-void add_edge_on(Draw& draw, cases::Case& c) {
-  constexpr int kMost = 1 << 20;
-  const auto number = [&draw](int most) { return static_cast<float>(draw.between(-most, most)); };
-  const int a_w = draw.between(kMost / 8, kMost);
-  const int b_w =
-      draw.one_in(4) ? draw.between(-kMost, -kMost / 8) : draw.between(kMost / 8, kMost);
-  const bool turns_back = !draw.one_in(4);
-  int m = draw.between(1, 4);
-  int n = draw.between(1, 4);
-  if (turns_back || draw.one_in(2)) m = -m;
-  if (turns_back || draw.one_in(2)) n = -n;
-  cases::ClipVertex a{0, 0, 0, static_cast<float>(a_w)};
-  cases::ClipVertex b{0, 0, 0, static_cast<float>(b_w)};
-  const auto third = [m, n](float of_a, float of_b) {
-    return static_cast<float>(m) * of_a + static_cast<float>(n) * of_b;  // of at most 23 bits
-  };
-  a.x = number(a_w);
-  a.y = number(a_w);
-  b.x = number(kMost);
-  b.y = number(kMost);
-  const bool cancels = draw.one_in(2);
-  if (cancels) {  // m a + n b = 0 in x or in y
-    const float common = number(kMost / 8);
-    const bool is_x = draw.one_in(2);
-    (is_x ? a.x : a.y) = static_cast<float>(n) * common;
-    (is_x ? b.x : b.y) = -static_cast<float>(m) * common;
-  }
-  cases::ClipVertex last{third(a.x, b.x), third(a.y, b.y), 0, third(a.w, b.w)};
-  nudge(draw, std::array{&last.x, &last.y, &last.w, &a.x, &b.y});
-  Corners corners{a, b, last};
-  set_equal_depths(draw, corners);
-  add(draw, c, corners, {1, 1, 1});
+  add_with_distances(draw, c, corners, distances);
 }
 
 /// A plane of equal depth, z_i w_j = z_j w_i exactly, of weights that may be 2^±40 apart.
@@ -279,7 +125,7 @@ void add_level(Draw& draw, cases::Case& c, float level) {
     corner = at_window(c, p, 0, is_mixed && draw.one_in(2) ? -w : w);
     corner.z = level * corner.w;
   }
-  add(draw, c, corners, {1, 1, 1});
+  add_with_distances(draw, c, corners, {1, 1, 1});
 }
 
 /// A triangle with a corner exactly at a sample, the others anywhere.
@@ -292,8 +138,8 @@ void add_corner(Draw& draw, cases::Case& c) {
     const float w = draw.spread(-8, 8);
     corners[i] = at_window(c, p, 0, w);
   }
-  set_depths(draw, c, corners);
-  add(draw, c, corners, {1, 1, 1});
+  set_level_depths(draw, c, corners);
+  add_with_distances(draw, c, corners, {1, 1, 1});
 }
 
 /// A triangle that covers a sample of a pixel whose centre lies on the horizon, 1/w = 0, or next to
@@ -322,8 +168,8 @@ void add_horizon(Draw& draw, cases::Case& c) {
   };
   Corners corners{corner(2, -1, k + 2), corner(-1, 1, -k), corner(0, 0, 1)};
   (is_upright ? corners[2].x : corners[2].y) = draw.spread(-48, -16);
-  set_equal_depths(draw, corners);
-  add(draw, c, corners, {1, 1, 1});
+  set_exact_depths(draw, corners);
+  add_with_distances(draw, c, corners, {1, 1, 1});
 }
 
 /// Values whose magnitudes are far apart, so that a weight that is not quite 0 shows.
@@ -340,7 +186,7 @@ void add_any(Draw& draw, cases::Case& c, float level) {
                  Kind::needle, Kind::needle, Kind::needle, Kind::needle, Kind::corner});
   switch (kind) {
     case Kind::edge:
-      add_edge(draw, c);
+      add_close_edge(draw, c);
       return;
     case Kind::plane:
       add_plane(draw, c);

@@ -270,6 +270,46 @@ TEST(Hairline, HasCentresNextToTheHorizon) {
   EXPECT_GT(cases_with, 50);
 }
 
+// --- near-misses ---------------------------------------------------------------------------------
+
+/// How many cases of a generator have a drawn triangle whose determinant a double cannot tell from
+/// 0; and how many a sample as close to an edge as that, of a triangle of which it is not so.
+TEST(NearMisses, AreDrawnByDeterminantsAndEdgesThatADoubleCannotTell) {
+  int thin = 0;
+  int edges = 0;
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const Case c = make("near-misses", i);
+    const auto pattern = cases::standard_pattern(c.framebuffer.samples);
+    const oracle::SceneTruth scene(c, exact_contract(c));
+    bool has_thin = false;
+    bool has_edge = false;
+    for (std::size_t t = 0; t < c.triangles.size(); ++t) {
+      const Corners p = corners_of(c, c.triangles[t]);
+      const RoughWeights whole(p, {p[2].x, p[2].y, p[2].w});
+      const bool is_thin = std::abs(whole.e[2]) <= 0x1p-20 * whole.size[2];
+      const oracle::TriangleTruth truth(scene, t);
+      const oracle::Pixels pixels = truth.pixels();
+      for (int y = pixels.y0; y < pixels.y1; ++y) {
+        for (int x = pixels.x0; x < pixels.x1; ++x) {
+          for (int s = 0; s < c.framebuffer.samples; ++s) {
+            if (truth.judge(x, y, s).verdict != records::Verdict::required) continue;
+            const auto at = pattern[static_cast<std::size_t>(s)];
+            const RoughWeights weights(p, ray_through(c, {x + at.x / 16.0, y + at.y / 16.0}));
+            has_thin = has_thin || is_thin;
+            has_edge = has_edge || (!is_thin && weights.has_close_edge());
+          }
+        }
+      }
+    }
+    thin += has_thin ? 1 : 0;
+    edges += has_edge ? 1 : 0;
+  }
+  RecordProperty("thin", thin);
+  RecordProperty("edges", edges);
+  EXPECT_GT(thin, 100);
+  EXPECT_GT(edges, 17);
+}
+
 // --- snap-ties -----------------------------------------------------------------------------------
 
 /// Window coordinates in grid units, for w > 0: exact where the coordinates are short.
