@@ -70,7 +70,7 @@ OnSimdTarget::OnSimdTarget(std::string_view name) {
   choose(target);
 }
 
-OnSimdTarget::~OnSimdTarget() {
+OnSimdTarget::~OnSimdTarget() noexcept(false) {
   if (lock_.owns_lock()) choose(supported_targets());
 }
 

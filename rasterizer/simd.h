@@ -31,7 +31,7 @@ class OnSimdTarget {
   explicit OnSimdTarget(std::string_view name);
   OnSimdTarget(const OnSimdTarget&) = delete;
   OnSimdTarget& operator=(const OnSimdTarget&) = delete;
-  ~OnSimdTarget();
+  ~OnSimdTarget() noexcept(false);  // Highway does not say that choosing cannot fail
 
  private:
   std::unique_lock<std::mutex> lock_;  ///< held where something was changed

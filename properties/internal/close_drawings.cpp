@@ -120,17 +120,6 @@ class CloseCheck {
 
 }  // namespace
 
-double float_ulp(double x) {
-  constexpr int kLeastExponent = -126;
-  const int exponent = x == 0 ? kLeastExponent : std::max(std::ilogb(x), kLeastExponent);
-  return std::ldexp(1.0, exponent - 23);
-}
-
-double number_of(float value) {
-  if (!std::isinf(value)) return double{value};
-  return value > 0 ? 0x1p128 : -0x1p128;
-}
-
 Allowance depth_allowance(const cases::Case& c, const cases::Contract& contract) {
   const cases::ValueBound& bound = contract.bounds.depth;
   return {double{bound.constant} + double{bound.per_horizon},
@@ -168,7 +157,7 @@ double greatest_difference(const Allowance& both, double f, double g) {
   if (both.units >= 0x1p22) return std::numeric_limits<double>::infinity();
   const double greater = std::max(std::abs(f), std::abs(g));
   const double most = greater / (1 - both.units * 0x1p-23);
-  return both.units * float_ulp(std::max(both.magnitude, most));
+  return both.units * ulp_of(std::max(both.magnitude, most));
 }
 
 Check compare_close(const cases::Case& c, const cases::Framebuffer& expected,

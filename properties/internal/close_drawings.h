@@ -14,15 +14,10 @@
 #include "cases/case.h"
 #include "cases/framebuffer.h"
 #include "properties/internal/drawn_fragments.h"
+#include "properties/internal/float_numbers.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties {
-
-/// ulp(x) of float32 (RULES §5).
-double float_ulp(double x);
-
-/// A value as a number: an infinity stands for 2^128, as it does for the judge.
-double number_of(float value);
 
 /// How far a value may be off, beyond what its contract leaves open: `units` scale ULP (RULES §5)
 /// of vertex values up to `magnitude`.

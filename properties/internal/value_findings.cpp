@@ -17,18 +17,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-double ulp_of(double x) {
-  constexpr int kLeastExponent = -126;
-  constexpr int kFractionBits = 23;
-  const int exponent = x == 0 ? kLeastExponent : std::max(std::ilogb(x), kLeastExponent);
-  return std::ldexp(1.0, exponent - kFractionBits);
-}
-
-double number_of(float value) {
-  constexpr double kBeyondFloat = 0x1p128;
-  return std::isinf(value) ? std::copysign(kBeyondFloat, double{value}) : double{value};
-}
-
 float least_float(double lo, double bound, double unit) {
   return static_cast<float>(std::nextafter(lo - before_rounding(bound) * unit, -kInfinity));
 }

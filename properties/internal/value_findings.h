@@ -15,15 +15,10 @@
 #include "cases/case.h"
 #include "oracle/triangle_truth.h"
 #include "properties/internal/drawn_fragments.h"
+#include "properties/internal/float_numbers.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties {
-
-/// ulp(x) of float32, and its powers of two beyond those of float32 (RULES §5).
-double ulp_of(double x);
-
-/// A computed value as a number: an infinity stands for 2^128 (oracle/judge.h).
-double number_of(float value);
 
 /// The part of a bound, in ULP, that is not the rounding to float32 at the end. A bound below 1 is
 /// that of a closer result rounded once, which takes half an ulp: with two roundings in float32 it

@@ -249,13 +249,14 @@ float power_of_two_weight(Draw& draw, int most) {
 Generated generate(Draw& draw) {
   StateRequest request;
   request.least_side = 16;
-  Generated made{random_state(draw, request), "powers of two"};
+  Generated made{random_state(draw, request), ""};
   cases::Case& c = made.source;
   c.attributes = {{"r", Interpolation::smooth, Location::sample},
                   {"r/w", Interpolation::noperspective, Location::sample},
                   {"1/w", Interpolation::noperspective, Location::sample}};
   const int most = draw.pick(std::array{1, 3, 10});
   const bool is_huge = draw.one_in(8);
+  made.stratum = is_huge ? "huge values" : "weights up to 2^" + std::to_string(most);
   const int triangles = draw.between(1, 2 + draw.size() / 50);
   for (int i = 0; i < 3 * triangles; ++i) {
     const WindowPoint p = point_about(draw, c);

@@ -288,7 +288,7 @@ class RayCheck {
     const double span = is_halved ? (far - near) / 2 : far - near;
     const Allowance depth = depth_allowance(c, contract_);
     hold(place, combined(span, 2, low - number_of(drawn.depth[i])), *seen,
-         depth.units * float_ulp(depth.magnitude) * seen->w, "depth");
+         depth.units * ulp_of(depth.magnitude) * seen->w, "depth");
   }
 
   void hold(const FragmentPlace& place, const Row& row, const Seen& seen, double besides,

@@ -255,9 +255,7 @@ class PathsCheck {
         !of_equal_.coverage || of_equal_.basis == cases::Basis::snapped;  // by what values are of
     if (!is_covered) return bounds_;
     if (!of_m || !of_n || !of_r) return bounds_;
-    const auto in_values = [](const Allowance& one) {
-      return one.units * float_ulp(one.magnitude);
-    };
+    const auto in_values = [](const Allowance& one) { return one.units * ulp_of(one.magnitude); };
     bounds_ = {in_values(*of_m), in_values(*of_n), in_values(*of_r), of_r->magnitude};
     return bounds_;
   }

@@ -28,6 +28,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/names.h"
 #include "cases/sample_pattern.h"
 #include "oracle/transform.h"
 #include "properties/internal/choices.h"
@@ -310,9 +311,9 @@ Generated generate(Draw& draw) {
   StateRequest request;
   request.most_side = 32;
   Generated made;
-  made.stratum = "windows";
   cases::Case& c = made.source;
   c = random_state(draw, request);
+  made.stratum = "windows of " + std::string(cases::name_of(c.rules));
   if (!draw.one_in(4)) c.cull = cases::Cull::none;
   set_viewport(draw, c);
   set_scissor(draw, c);

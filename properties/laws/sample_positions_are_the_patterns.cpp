@@ -27,6 +27,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "cases/names.h"
 #include "cases/sample_pattern.h"
 #include "oracle/transform.h"
 #include "properties/internal/random_state.h"
@@ -215,11 +216,12 @@ Generated generate(Draw& draw) {
   request.is_on_grid = true;
   request.least_side = 8;
   request.most_side = 16;  // there are many samples
-  Generated made{random_state(draw, request), "short positions"};
+  Generated made{random_state(draw, request), ""};
   cases::Case& c = made.source;
   if (draw.one_in(2)) c.framebuffer.samples = draw.pick(std::array{2, 4, 8, 16});
   const auto location = draw.pick(
       std::array{Location::sample, Location::sample, Location::center, Location::centroid});
+  made.stratum = "at the " + std::string(cases::name_of(location));
   const bool is_smooth = draw.one_in(4);
   const auto interpolation = is_smooth ? Interpolation::smooth : Interpolation::noperspective;
   c.attributes = {{"u", interpolation, location}, {"v", interpolation, location}};

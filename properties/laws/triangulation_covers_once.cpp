@@ -46,6 +46,7 @@
 #include "cases/sample_pattern.h"
 #include "oracle/transform.h"
 #include "properties/internal/drawn_fragments.h"
+#include "properties/internal/exact_sum.h"
 #include "properties/internal/labels.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/triangulations.h"
@@ -58,14 +59,6 @@ namespace {
 using cases::ClipVertex;
 using records::FragmentClass;
 using records::Verdict;
-
-/// a + b where that is a double. Two-Sum: what the rounding left out is exact.
-std::optional<double> exact_sum(double a, double b) {
-  const double sum = a + b;
-  const double of_b = sum - a;
-  if ((a - (sum - of_b)) + (b - of_b) != 0) return std::nullopt;
-  return sum;
-}
 
 /// Which half of the viewport is drawn: where s n >= 0, n being x/w or y/w.
 struct HalfPlane {

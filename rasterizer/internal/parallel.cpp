@@ -10,8 +10,11 @@
 #include <system_error>
 #include <vector>
 #else
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include <optional>
 #endif
 
 namespace rastercheck::rasterizer {
@@ -23,6 +26,12 @@ std::size_t worker_count(unsigned threads) {
 void with_workers([[maybe_unused]] std::size_t workers, const std::function<void()>& drive) {
 #ifndef RASTERCHECK_STD_THREADS
   if (workers > 1) {
+    // More than the machine has cores are not there otherwise, and oneTBB says so on standard
+    // error.
+    std::optional<tbb::global_control> allowed;
+    if (workers > worker_count(0)) {
+      allowed.emplace(tbb::global_control::max_allowed_parallelism, workers);
+    }
     tbb::task_arena arena(static_cast<int>(workers));
     arena.execute(drive);
     return;

@@ -25,7 +25,7 @@ namespace rastercheck::mutants {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
-constexpr std::uint64_t kCases = 200;
+constexpr std::uint64_t kCases = 1000;  // of a default campaign
 
 struct Header {
   std::string defect;

@@ -81,6 +81,12 @@ class DamagedBackend : public backends::Backend {
     return world;
   }
 
+  bool draws_pictures() const override { return inner_->draws_pictures(); }
+  Result<cases::Picture> draw_picture(const cases::Case& c,
+                                      const cases::Pipeline& pipeline) override {
+    return inner_->draw_picture(c, pipeline);
+  }
+
   bool assembles() const override { return inner_->assembles(); }
   Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
                                             std::span<const std::uint32_t> indices) override {

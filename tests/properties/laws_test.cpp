@@ -146,6 +146,10 @@ TEST(Laws, PassOnWhatABackendCannotDraw) {
                                        std::span<const std::uint32_t> /*indices*/) override {
       return draw(c);
     }
+    Result<cases::Picture> draw_picture(const Case& c,
+                                        const cases::Pipeline& /*pipeline*/) override {
+      return tl::unexpected(draw(c).error());
+    }
     Result<std::vector<cases::ClipVertex>> transform(const Case& c) override {
       return tl::unexpected(draw(c).error());
     }

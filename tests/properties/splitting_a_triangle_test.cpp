@@ -137,9 +137,9 @@ TEST(ShortVertices, MixExactly) {
 }
 
 TEST(Closeness, IsOfTheGreatestNumbersUlp) {
-  EXPECT_EQ(float_ulp(0), 0x1p-149);
-  EXPECT_EQ(float_ulp(-1.5), 0x1p-23);
-  EXPECT_EQ(float_ulp(0x1p-130), 0x1p-149);
+  EXPECT_EQ(ulp_of(0), 0x1p-149);
+  EXPECT_EQ(ulp_of(-1.5), 0x1p-23);
+  EXPECT_EQ(ulp_of(0x1p-130), 0x1p-149);
   EXPECT_EQ(greatest_difference({1.02, 8}, 3, -2), 1.02 * 0x1p-20);
   // Just below 16 what both are computed of may lie above.
   EXPECT_EQ(greatest_difference({1.02, 8}, 0x1.fffffep3, 0), 1.02 * 0x1p-19);
