@@ -112,12 +112,15 @@ std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_si
 std::vector<records::UnreachedLabel> unreached_labels(const CampaignOptions& options,
                                                       const records::RecordSet& records) {
   std::vector<records::UnreachedLabel> unreached;
-  for (const std::string& name : options.laws) {
-    const Law* law = find_law(name);
-    if (law == nullptr) continue;
-    for (const std::string& backend : options.backends) {
+  for (const std::string& backend : options.backends) {
+    const auto made = backends::make_backend(backend);
+    const bool is_decided = made && draws_what_is_asked_for(**made);
+    for (const std::string& name : options.laws) {
+      const Law* law = find_law(name);
+      if (law == nullptr) continue;
       const auto [checked, labels] = random_labels(records, name, backend);
       for (const Cover& cover : law->covers) {
+        if (cover.is_decided && !is_decided) continue;
         const std::string label(cover.label);
         const std::uint64_t least = least_reached(cover, checked);
         const auto found = labels.find(label);

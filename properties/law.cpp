@@ -39,6 +39,26 @@ std::uint64_t least_reached(const Cover& cover, std::uint64_t checked) {
   return least > 0 ? static_cast<std::uint64_t>(std::ceil(least)) : 0;
 }
 
+bool draws_what_is_asked_for(const backends::Backend& backend) {
+  cases::Case c;
+  for (const cases::Rules rules : {cases::Rules::opengl, cases::Rules::vulkan, cases::Rules::d3d}) {
+    c.rules = rules;
+    c.fill_rule = cases::default_fill_rule(rules);
+    c.basis = cases::default_basis(rules);
+    for (const cases::Coverage& coverage :
+         {cases::Coverage(), cases::Coverage(cases::Snapping())}) {
+      c.coverage = coverage;
+      const cases::Contract promised = backend.contract(c);
+      const cases::Contract asked_for = cases::contract_of(c);
+      if (promised.coverage != asked_for.coverage || promised.tie_rule != asked_for.tie_rule) {
+        return false;
+      }
+      if (coverage && promised.basis != asked_for.basis) return false;
+    }
+  }
+  return true;
+}
+
 bool is_promised(const Law& law, const backends::Backend& backend) {
   return law.is_promised == nullptr || law.is_promised(backend);
 }

@@ -55,9 +55,15 @@ struct CheckOptions {
 struct Cover {
   int percent = 0;  ///< of the cases checked, at least
   std::string_view label;
+  /// Whether it says how something was decided that a contract may leave open: it is asked only of
+  /// backends that draw what the case asks for (draws_what_is_asked_for).
+  bool is_decided = false;
 };
 
-constexpr Cover cover(int percent, std::string_view label) { return {percent, label}; }
+constexpr Cover cover(int percent, std::string_view label) { return {percent, label, false}; }
+constexpr Cover cover_decided(int percent, std::string_view label) {
+  return {percent, label, true};
+}
 
 struct Law {
   /// The sentence; also the name that cases, records and --property know it by.
@@ -82,6 +88,10 @@ struct Law {
 /// cases which reach it with the probability that its Cover states are fewer is below 10^-6. Never
 /// more than that share of them; 0 of few cases.
 std::uint64_t least_reached(const Cover& cover, std::uint64_t checked);
+
+/// Whether a backend promises the coverage, basis and tie rule that a case names: not one that
+/// rounds positions in its own way, or leaves ties open.
+bool draws_what_is_asked_for(const backends::Backend& backend);
 
 /// Whether the law has something to say of a backend.
 bool is_promised(const Law& law, const backends::Backend& backend);

@@ -175,7 +175,9 @@ const LawRegistration kRegistration(
                    "lie between; backends that draw no pictures",
      .generate = &overlapping_case,
      .check = &check,
-     .is_promised = &draws_pictures});
+     .is_promised = &draws_pictures,
+     .covers = {cover(9, "clipped"), cover(5, "much overdraw"), cover(38, "overdraw"),
+                cover(17, "several samples"), cover_decided(5, "tie"), cover(6, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -489,7 +489,7 @@ const LawRegistration kRegistration(
                    "triangles that come from snapped vertices",
      .generate = &generate,
      .check = &check,
-     .covers = {cover(15, "clipped"), cover(14, "several samples"), cover(12, "snapped"),
+     .covers = {cover(15, "clipped"), cover(14, "several samples"), cover_decided(12, "snapped"),
                 cover(15, "w <= 0")}});
 
 }  // namespace

@@ -312,7 +312,9 @@ const LawRegistration kRegistration(
      .exceptions = "distances that are zero everywhere, zeros under D3D, which are inside of both, "
                    "and samples that a contract leaves open in one of the three drawings",
      .generate = &generate,
-     .check = &check});
+     .check = &check,
+     .covers = {cover(38, "clipped"), cover(7, "drawn with both"), cover(16, "several samples"),
+                cover(27, "shared triangle"), cover_decided(5, "zero at a sample")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -15,7 +15,9 @@ const LawRegistration kRegistration(
                "go by the fill rule (RULES §2).",
      .exceptions = "samples that the contract permits either way",
      .generate = &generate_any,
-     .check = &check});
+     .check = &check,
+     .covers = {cover(14, "clipped"), cover(43, "drawn"), cover(6, "extrapolated centre"),
+                cover(18, "several samples"), cover_decided(10, "tie"), cover(8, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -220,7 +220,10 @@ const LawRegistration kRegistration(
                    "noperspective values with some w <= 0; backends that promise none",
      .generate = &generate,
      .check = &check,
-     .is_promised = &is_promised});
+     .is_promised = &is_promised,
+     .covers = {cover(25, "along x"), cover(24, "along y"), cover(35, "beyond the triangle"),
+                cover(26, "cancellation"), cover(11, "clipped"), cover(14, "several samples"),
+                cover(7, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -234,7 +234,9 @@ const LawRegistration kRegistration(
                    "no pictures",
      .generate = &generate,
      .check = &check,
-     .is_promised = &draws_pictures});
+     .is_promised = &draws_pictures,
+     .covers = {cover(5, "clipped"), cover(38, "discarded"), cover(7, "exactly the limit"),
+                cover(38, "kept"), cover(30, "overdraw"), cover(15, "several samples")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

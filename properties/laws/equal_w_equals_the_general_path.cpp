@@ -314,7 +314,7 @@ const LawRegistration kRegistration(
                    "contract places it does not say where",
      .generate = &generate_any,
      .check = &check,
-     .covers = {cover(10, "clipped"), cover(20, "quotient"), cover(15, "several samples"),
+     .covers = {cover(10, "clipped"), cover_decided(20, "quotient"), cover(15, "several samples"),
                 cover(15, "snapped")}});
 
 }  // namespace

@@ -203,7 +203,10 @@ const LawRegistration kRegistration(
                    "backends that promise no bound of textures",
      .generate = &textured_case,
      .check = &check,
-     .is_promised = &is_promised});
+     .is_promised = &is_promised,
+     .covers = {cover(9, "between levels"), cover(25, "bilinear"), cover(8, "clipped"),
+                cover(7, "last level"), cover(6, "level 0"), cover(14, "several samples"),
+                cover(24, "trilinear")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

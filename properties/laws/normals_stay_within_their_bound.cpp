@@ -216,7 +216,8 @@ const LawRegistration kRegistration(
      .exceptions = "cases without a camera; backends that transform no normals",
      .generate = &generate,
      .check = &check,
-     .is_promised = &is_promised});
+     .is_promised = &is_promised,
+     .covers = {cover(14, "mirrored"), cover(22, "no direction"), cover(13, "singular")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -198,7 +198,10 @@ const LawRegistration kRegistration(
                "was drawn before.",
      .exceptions = "samples at which the two orders leave the same depth",
      .generate = &generate,
-     .check = &check});
+     .check = &check,
+     .covers = {cover(13, "clipped"), cover(45, "depth test"), cover(36, "distinct depths"),
+                cover(7, "equal depths"), cover(17, "several samples"), cover(23, "three and more"),
+                cover(9, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

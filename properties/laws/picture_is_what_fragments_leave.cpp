@@ -157,7 +157,27 @@ const LawRegistration kRegistration(
      .exceptions = "backends that draw no pictures",
      .generate = &overlapping_case,
      .check = &check,
-     .is_promised = &draws_pictures});
+     .is_promised = &draws_pictures,
+     .covers = {cover(21, "blend additive"),
+                cover(12, "blend off"),
+                cover(16, "blend over"),
+                cover(8, "clipped"),
+                cover(5, "depth always"),
+                cover(7, "depth equal"),
+                cover(5, "depth greater"),
+                cover(6, "depth greater or equal"),
+                cover(6, "depth less"),
+                cover(5, "depth less or equal"),
+                cover(6, "depth never"),
+                cover(6, "depth not equal"),
+                cover(12, "depth not written"),
+                cover(37, "overdraw"),
+                cover(5, "resolved"),
+                cover(15, "rgba8"),
+                cover(17, "several samples"),
+                cover(12, "vertex colours"),
+                cover(5, "vertex colours without alpha"),
+                cover(6, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -66,7 +66,9 @@ const LawRegistration kRegistration(
      .exceptions = "ties, snapping whose rounding does not turn, patterns of samples that do not, "
                    "cases whose turned viewport is no float32",
      .generate = &generate,
-     .check = &check});
+     .check = &check,
+     .covers = {cover(12, "clipped"), cover(43, "drawn"), cover(12, "several samples"),
+                cover_decided(8, "tie"), cover(7, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -251,7 +251,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .covers = {cover(26, "sample"), cover(12, "center"), cover(11, "centroid"),
-                cover(33, "several samples"), cover(10, "snapped"), cover(16, "clipped"),
+                cover(33, "several samples"), cover(10, "snapped"), cover_decided(16, "clipped"),
                 cover(21, "y up"), cover(28, "y down")}});
 
 }  // namespace

@@ -179,7 +179,9 @@ const LawRegistration kRegistration(
      .reason = "A scissor is a test of pixels that nothing else of a fragment depends on.",
      .exceptions = "nothing: every case has something to say",
      .generate = &generate_any,
-     .check = &check});
+     .check = &check,
+     .covers = {cover(14, "clipped"), cover(37, "parted"), cover(6, "scissor"),
+                cover(18, "several samples"), cover(9, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

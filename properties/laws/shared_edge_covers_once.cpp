@@ -402,7 +402,8 @@ const LawRegistration kRegistration(
      .exceptions =
          "pairs that form no convex quadrilateral however they are placed, and clipped ones",
      .generate = &generate,
-     .check = &check});
+     .check = &check,
+     .covers = {cover(40, "different w"), cover(16, "several samples"), cover_decided(16, "tie")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -215,7 +215,10 @@ const LawRegistration kRegistration(
      .exceptions = "backends that assemble none",
      .generate = &generate,
      .check = &check,
-     .is_promised = &is_promised});
+     .is_promised = &is_promised,
+     .covers = {cover(7, "clipped"), cover(9, "culled"), cover(42, "drawn"), cover(19, "fan"),
+                cover(10, "list"), cover(21, "restart"), cover(16, "several samples"),
+                cover(20, "strip"), cover(6, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -173,7 +173,10 @@ const LawRegistration kRegistration(
          "samples whose coordinates have no single exact value; backends that draw no pictures",
      .generate = &textured_case,
      .check = &check,
-     .is_promised = &draws_pictures});
+     .is_promised = &draws_pictures,
+     .covers = {cover(37, "beyond 0 to 1"), cover(15, "clamp"), cover(10, "clipped"),
+                cover(17, "mirror"), cover(29, "repeat"), cover(14, "several samples"),
+                cover(16, "texel border")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -18,7 +18,9 @@ const LawRegistration kRegistration(
      .exceptions = "samples drawn wrongly, which are coverage's business; values that the rules "
                    "leave free or undefined",
      .generate = &generate_any,
-     .check = &check});
+     .check = &check,
+     .covers = {cover(12, "clipped"), cover(42, "drawn"), cover(5, "extrapolated centre"),
+                cover(15, "several samples"), cover_decided(9, "tie"), cover(8, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

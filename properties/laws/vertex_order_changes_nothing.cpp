@@ -50,7 +50,9 @@ const LawRegistration kRegistration(
      .exceptions =
          "flat attributes, which follow the provoking vertex: all vertices are given the same",
      .generate = &generate_any,
-     .check = &check});
+     .check = &check,
+     .covers = {cover(12, "clipped"), cover(44, "drawn"), cover(5, "extrapolated centre"),
+                cover(15, "several samples"), cover_decided(9, "tie"), cover(8, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -240,7 +240,8 @@ const LawRegistration kRegistration(
      .exceptions = "cases without a camera; backends without a vertex stage",
      .generate = &generate,
      .check = &check,
-     .is_promised = &is_promised});
+     .is_promised = &is_promised,
+     .covers = {cover(5, "cancellation"), cover(6, "subnormal"), cover(41, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

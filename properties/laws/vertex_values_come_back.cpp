@@ -400,7 +400,8 @@ const LawRegistration kRegistration(
                    "centroids; backends that do not promise it",
      .generate = &generate,
      .check = &check,
-     .is_promised = &is_promised});
+     .is_promised = &is_promised,
+     .covers = {}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -281,6 +281,49 @@ TEST(CheckCase, KeepsTheWholeCaseWhereNoTriangleSuffices) {
   EXPECT_EQ(findings.counterexamples[0].violations[0].triangle, 1U);
 }
 
+/// The law's cases: so many of a stratum were checked, and so many reached "tie".
+records::RecordSet ties(const std::string& law, const std::string& stratum, std::uint64_t checked,
+                        std::uint64_t reached) {
+  records::RecordSet records;
+  records::Record& record = records[{law, "cpu", records::AttributeKind::coverage, stratum}];
+  record.cases.checked = checked;
+  for (const Cover& cover : find_law(law)->covers)
+    record.labels[std::string(cover.label)] = checked;
+  record.labels["tie"] = reached;
+  return records;
+}
+
+// Kills: a label that is reached in the corpus or a scene alone, and counts; one that is missing
+// and does not; one asked of a backend that leaves open what it says.
+TEST(UnreachedLabels, AreThoseOfRandomCases) {
+  const std::string law = "coverage obeys the contract";
+  CampaignOptions options;
+  options.laws = {law};
+  EXPECT_TRUE(unreached_labels(options, ties(law, "ordinary", 1000, 500)).empty());
+  EXPECT_TRUE(unreached_labels(options, ties(law, "corpus", 1000, 0)).empty());
+  EXPECT_TRUE(unreached_labels(options, ties(law, "scene bunny", 1000, 0)).empty());
+  records::RecordSet few = ties(law, "ordinary", 1000, 1);
+  records::merge(few, ties(law, "slivers", 1000, 2));
+  records::merge(few, ties(law, "corpus", 1000, 1000));
+  const auto unreached = unreached_labels(options, few);
+  ASSERT_EQ(unreached.size(), 1U);
+  EXPECT_EQ(unreached[0].law, law);
+  EXPECT_EQ(unreached[0].backend, "cpu");
+  EXPECT_EQ(unreached[0].label, "tie");
+  EXPECT_EQ(unreached[0].reached, 3U);
+  EXPECT_EQ(unreached[0].checked, 2000U);
+  EXPECT_GT(unreached[0].least, 3U);
+
+  records::RecordSet of_method;
+  for (auto& [key, record] : few) {
+    records::RecordKey other = key;
+    other.backend = "method:rational-linear";
+    of_method[other] = record;
+  }
+  options.backends = {"method:rational-linear"};
+  EXPECT_TRUE(unreached_labels(options, of_method).empty());
+}
+
 TEST(CheckCase, KeepsTheLowestIndices) {
   DamagedBackend backend(&lose_last_corner);
   Findings findings;

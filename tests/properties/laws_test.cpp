@@ -77,6 +77,27 @@ TEST(Laws, AreKnownByTheirNames) {
   EXPECT_EQ(find_law("a law"), nullptr);
 }
 
+TEST(Laws, AskForNoMoreThanChanceAllows) {
+  EXPECT_EQ(least_reached(cover(10, "tie"), 0), 0U);
+  EXPECT_EQ(least_reached(cover(10, "tie"), 100), 0U);    // 10 − √276
+  EXPECT_EQ(least_reached(cover(10, "tie"), 1000), 48U);  // 100 − √2763 = 47.4…
+  EXPECT_EQ(least_reached(cover(100, "tie"), 1000000), 994744U);
+}
+
+// Kills: a backend that leaves ties or placements open, and has to reach what it leaves open.
+TEST(Laws, KnowWhichBackendsDrawWhatIsAskedFor) {
+  const auto draws = [](const char* specification) {
+    return draws_what_is_asked_for(*backends::make_backend(specification).value());
+  };
+  EXPECT_TRUE(draws("cpu"));
+  EXPECT_TRUE(draws("cpu:precision=float32"));
+  EXPECT_FALSE(draws("method:rational-linear"));
+  DamagedBackend snapped({}, "cpu");
+  snapped.promised = cases::Contract();
+  snapped.promised->coverage = cases::Snapping();
+  EXPECT_FALSE(draws_what_is_asked_for(snapped));
+}
+
 TEST(Laws, MakeCasesThatComeBackFromTheirFilesAndNameTheirStratum) {
   for (const Law& law : laws()) {
     std::set<std::string> strata;

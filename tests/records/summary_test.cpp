@@ -209,6 +209,26 @@ TEST(Summarize, VerdictsAreThreeValued) {
   EXPECT_EQ(summary_of({}).verdict, LawVerdict::not_checked);
 }
 
+// Kills: a law that has not tested what it claims to, taken for one that held.
+TEST(Summarize, TakesUnreachedLabelsForNotChecked) {
+  const auto verdict_with = [](std::uint64_t violations, const std::string& backend) {
+    records::Run run;
+    run.laws = {"law"};
+    run.backends = {"cpu"};
+    Record record;
+    record.cases = {9, 0, violations};
+    record.errors.classes[FragmentClass::correct] = 5;
+    run.records[{"law", "cpu", AttributeKind::coverage, ""}] = record;
+    run.unreached = {{"law", backend, "tie", 1, 4, 9}};
+    return summarize(run).front().verdict;
+  };
+  EXPECT_EQ(verdict_with(0, "cpu"), LawVerdict::not_checked);
+  EXPECT_EQ(verdict_with(1, "cpu"), LawVerdict::violated);
+  EXPECT_EQ(verdict_with(0, "another"), LawVerdict::held);
+  EXPECT_EQ(unreached_sentence({"law", "cpu", "tie", 1, 4, 9}),
+            "Not reached: law on cpu: 'tie' in 1 of 9 cases, where at least 4 had to.");
+}
+
 TEST(VerdictOf, IsThatOfAllRows) {
   LawSummary held;
   held.cases = {3, 0, 0};
