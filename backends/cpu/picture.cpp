@@ -1,5 +1,6 @@
 #include "backends/cpu/picture.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -168,7 +169,7 @@ ras::Framebuffer framebuffer_of(const cases::Picture& picture, cases::ColorForma
   } else {
     // The float next to k/255, times 255, is off by far less than a half.
     for (const float color : picture.color) {
-      framebuffer.bytes.push_back(static_cast<std::uint8_t>(color * 255 + 0.5F));
+      framebuffer.bytes.push_back(static_cast<std::uint8_t>(std::lround(color * 255)));
     }
   }
   return framebuffer;

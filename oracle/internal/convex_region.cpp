@@ -17,9 +17,9 @@ bool is_tame(double near, const Ring& exact) {
 
 /// Where two lines that are not parallel meet: their cross product, or its negative.
 HomogeneousPoint meeting_point(const Line& first, const Line& second) {
-  const HomogeneousPoint p{first.b * second.c - first.c * second.b,
-                           first.c * second.a - first.a * second.c,
-                           first.a * second.b - first.b * second.a};
+  HomogeneousPoint p{first.b * second.c - first.c * second.b,
+                     first.c * second.a - first.a * second.c,
+                     first.a * second.b - first.b * second.a};
   if (sign_of(p.t) < 0) return {-p.u, -p.v, -p.t};
   return p;
 }

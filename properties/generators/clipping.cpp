@@ -46,8 +46,10 @@ float random_weight(Draw& draw) { return draw.one_in(2) ? 1.0F : draw.uniform(0.
 /// Direction `index`, 0…25, of those of components −1, 0 and 1.
 VolumePoint outside_direction(int index) {
   const int number = index < 13 ? index : index + 1;  // 13 is the middle
-  return {static_cast<double>(number % 3 - 1), static_cast<double>(number / 3 % 3 - 1),
-          static_cast<double>(number / 9 - 1)};
+  const int x = number % 3 - 1;
+  const int y = number / 3 % 3 - 1;
+  const int z = number / 9 - 1;
+  return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
 }
 
 /// A triangle with so many of its vertices far outside in one direction, the others inside; it is

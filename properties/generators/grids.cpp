@@ -83,8 +83,10 @@ void add_squares(Draw& draw, cases::Case& c) {
   const bool has_one_weight = draw.one_in(2);
   const float weight = draw.uniform(0.1F, 4);
   for (int i = 0; i < 16; ++i) {
-    const double middle_u = from.u + spacing * (i % 4);
-    const double middle_v = from.v + spacing * static_cast<int>(i / 4);
+    const int column = i % 4;
+    const int row = i / 4;
+    const double middle_u = from.u + spacing * column;
+    const double middle_v = from.v + spacing * row;
     std::array<std::uint32_t, 4> corners{};
     for (std::size_t k = 0; k < 4; ++k) {
       const double s = k == 1 || k == 2 ? half_side : -half_side;

@@ -42,8 +42,9 @@ void add_shifts(Draw& draw, cases::Case& c) {
   WindowPoint sample = visible_sample(draw, c);
   for (int shift = 0; shift < 9; ++shift) {
     if (!is_one_sample) sample = visible_sample(draw, c);
-    const WindowPoint at{sample.u + kSubpixel * (shift % 3 - 1),
-                         sample.v + kSubpixel * static_cast<int>(shift / 3 - 1)};
+    const int right = shift % 3 - 1;
+    const int down = shift / 3 - 1;
+    const WindowPoint at{sample.u + kSubpixel * right, sample.v + kSubpixel * down};
     add_shape(c, shape, at, depth, w);
   }
 }

@@ -21,7 +21,7 @@ Matrix4 to_rows(const glm::mat4& m) {
   Matrix4 rows{};
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
-      rows[static_cast<std::size_t>(4 * row + column)] = m[column][row];
+      rows[static_cast<std::size_t>(row) * 4 + static_cast<std::size_t>(column)] = m[column][row];
     }
   }
   return rows;

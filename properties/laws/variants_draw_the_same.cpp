@@ -36,6 +36,7 @@ std::vector<std::string> some_of(const std::vector<std::string>& all, const case
   const std::size_t count = std::min(all.size(), kMostVariants);
   const auto first = static_cast<std::size_t>(fingerprint(c) % all.size());
   std::vector<std::string> some;
+  some.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     some.push_back(all[(first + i * all.size() / count) % all.size()]);
   }
