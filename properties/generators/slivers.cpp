@@ -87,8 +87,9 @@ void add_needle(Draw& draw, cases::Case& c) {
   const double q_y = sign * side * (2 * (p.v - double{c.viewport.y}) - height) * width;
   const double q_w = sign * width * height;
 
-  // Below 2^13 in multiples of 2^-11, as q is where the viewport's numbers are whole.
-  const auto most = static_cast<int>(q_w * 0x1p11);
+  // Below 2^13 in multiples of 2^-11, as q is where the viewport's numbers are whole; of a viewport
+  // of thousands of pixels the ends are farther apart.
+  const auto most = static_cast<int>(std::min(q_w * 0x1p11, 0x1p30));
   const int n_w = draw.between(most / 8, most - most / 8);
   const int n_x = draw.between(-n_w, n_w);
   const int n_y = draw.between(-n_w, n_w);
