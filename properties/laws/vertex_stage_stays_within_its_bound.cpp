@@ -151,7 +151,10 @@ void make_far_from_origin(Draw& draw, cases::Case& c) {
   camera.model = translation(x, y, z);
   const int axis = draw.between(0, 2);
   const Matrix4 turn = rotation(static_cast<std::size_t>(axis), draw.uniform(-0.25F, 0.25F));
-  camera.view = translation(nudged(draw, -x), nudged(draw, -y), nudged(draw, -z));
+  const float back_x = nudged(draw, -x);
+  const float back_y = nudged(draw, -y);
+  const float back_z = nudged(draw, -z);
+  camera.view = translation(back_x, back_y, back_z);
   if (draw.one_in(2)) std::swap(camera.model, camera.view);
   if (draw.one_in(2)) camera.projection = turn;
   if (draw.one_in(2)) camera.projection = perspective(draw);
