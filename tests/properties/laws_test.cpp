@@ -38,10 +38,6 @@ constexpr std::string_view kDerivatives = "screen derivatives stay within the bo
 constexpr std::string_view kStrips = "strips and fans are their triangles";
 constexpr std::string_view kVertexStage = "the vertex stage stays within its bound";
 constexpr std::string_view kNormals = "normals stay within their bound";
-constexpr std::string_view kClipDistances = "complementary clip distances share what is drawn";
-constexpr std::string_view kScissors = "scissors that part the window part what is drawn";
-constexpr std::string_view kQuarterTurn = "a quarter turn turns the picture";
-constexpr std::string_view kDepthOrder = "distinct depths are drawn in any order";
 constexpr std::string_view kPicture = "a picture is what its fragments leave";
 constexpr std::string_view kOverdraw = "additive blending counts overdraw";
 
