@@ -1,19 +1,9 @@
 #include "oracle/internal/convex_region.h"
 
-#include <cmath>
 #include <utility>
 
 namespace rastercheck::oracle {
 namespace {
-
-/// Whether a double that near_double() made of `exact` is within kNearDoubleError of it, and
-/// products of two such and their sums neither overflow nor get near the subnormal numbers.
-bool is_tame(double near, const Ring& exact) {
-  constexpr double kLeast = 0x1p-480;
-  constexpr double kMost = 0x1p480;
-  const double size = std::abs(near);
-  return near == 0 ? sign_of(exact) == 0 : size > kLeast && size < kMost;
-}
 
 /// Where two lines that are not parallel meet: their cross product, or its negative.
 HomogeneousPoint meeting_point(const Line& first, const Line& second) {
@@ -35,34 +25,13 @@ ConvexRegion::ConvexRegion(const Point& lo, const Point& hi)
                make_corner({hi.u, hi.v, Ring(1)}, 2), make_corner({lo.u, hi.v, Ring(1)}, 3)} {}
 
 ConvexRegion::Corner ConvexRegion::make_corner(HomogeneousPoint point, std::size_t side) {
-  Corner corner;
-  const double u = near_double(point.u);
-  const double v = near_double(point.v);
-  const double t = near_double(point.t);
-  corner.is_near = is_tame(u, point.u) && is_tame(v, point.v) && is_tame(t, point.t);
-  // Two errors of kNearDoubleError = 2^-51 and a rounding: less than 2^-49.
-  corner.near_u = u / t;
-  corner.near_v = v / t;
-  corner.point = std::move(point);
-  corner.side = side;
-  return corner;
+  const NearPoint near = near_point(point);
+  return {std::move(point), side, near};
 }
 
-/// The sign of the line at the corner. In doubles each of the three terms is off by less than
-/// 2^-49 + 2^-51 + 2^-52 of itself, and their sum by two roundings more: by less than 2^-47 of the
-/// sum of their sizes, however the processor rounds.
 int ConvexRegion::side_of(const Line& line, const Corner& corner) {
-  const double a = near_double(line.a);
-  const double b = near_double(line.b);
-  const double c = near_double(line.c);
-  if (corner.is_near && is_tame(a, line.a) && is_tame(b, line.b) && is_tame(c, line.c)) {
-    const double along_u = a * corner.near_u;
-    const double along_v = b * corner.near_v;
-    const double value = along_u + along_v + c;
-    const double sizes = std::abs(along_u) + std::abs(along_v) + std::abs(c);
-    if (std::abs(value) > sizes * 0x1p-47) return value < 0 ? -1 : 1;
-  }
-  return sign_of(line.at(corner.point));
+  const int side = line.certain_side(corner.near);
+  return side != 0 ? side : sign_of(line.at(corner.point));
 }
 
 bool ConvexRegion::meets(const Line& line) const {

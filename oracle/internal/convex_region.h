@@ -38,12 +38,11 @@ class ConvexRegion {
   struct Corner {
     HomogeneousPoint point;
     std::size_t side = 0;  ///< of `sides_`, from here to the next corner
-    double near_u = 0;     ///< where is_near: u and v, each within 2^-49 of itself
-    double near_v = 0;
-    bool is_near = false;
+    NearPoint near;
   };
 
   static Corner make_corner(HomogeneousPoint point, std::size_t side);
+  /// The sign of the line at the corner.
   static int side_of(const Line& line, const Corner& corner);
 
   std::vector<Line> sides_;

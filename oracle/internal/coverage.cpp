@@ -30,7 +30,7 @@ constexpr Membership kOutside{.possible = false, .sure = false};
 /// A boundary's answer for a point. Where the point lies exactly on it, its inward normal (A, B)
 /// decides: inside iff A > 0, or A = 0 and ±B > 0.
 Membership side(const Line& boundary, const Point& p, const Scene& scene) {
-  const int sign = sign_of(boundary.at(p));
+  const int sign = boundary.sign_at(p);
   if (sign > 0) return {};
   if (sign < 0) return kOutside;
   if (scene.contract().tie_rule == cases::TieRule::unspecified) {
@@ -45,7 +45,7 @@ Membership side(const ClipFunctional& functional, const Point& p, const Scene& s
   const Line& line = functional.line;
   if (line.is_constant() && sign_of(line.c) == 0) return {};
   if (functional.zero_is_tie) return side(line, p, scene);
-  const int sign = sign_of(line.at(p));
+  const int sign = line.sign_at(p);
   if (sign < 0) return kOutside;
   return {.tie = sign == 0 && functional.is_user_distance};
 }
@@ -133,15 +133,30 @@ std::vector<Point> box_corners(const TriangleSetup& triangle) {
   return corners;
 }
 
+/// |line(p)| against tolerance · (|A| + |B|), the most that the line changes when it is moved by
+/// the tolerance along both axes: 1 inside, −1 outside, 0 within.
+int side_within(const Line& line, const Ring& tolerance, const Point& p) {
+  const double near_tolerance = near_double(tolerance);
+  if (is_tame(near_tolerance, tolerance)) {
+    const int side = line.certain_side(near_point(p), near_tolerance);
+    if (side != 0) return side;
+  }
+  const Ring value = line.at(p);
+  if (line.is_constant()) return sign_of(value) < 0 ? -1 : 1;
+  const Ring band = band_of(line, tolerance);
+  if (value > band) return 1;
+  return value < -band ? -1 : 0;
+}
+
 /// What the distance from the exact edges settles (TriangleSetup::edge_bands): nearly every sample.
 std::optional<SampleVerdict> decide_by_distance(const TriangleSetup& triangle, const Point& p) {
   const int orientation = triangle.ideal.orientation();
   if (orientation == 0) return std::nullopt;
   bool is_deep = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Ring value = triangle.ideal.edge(i).at(p);
-    if (value < -triangle.edge_bands[i]) return SampleVerdict{Verdict::forbidden, Reason::outside};
-    is_deep = is_deep && value > triangle.edge_bands[i];
+    const int where = side_within(triangle.ideal.edge(i), triangle.reach, p);
+    if (where < 0) return SampleVerdict{Verdict::forbidden, Reason::outside};
+    is_deep = is_deep && where > 0;
   }
   if (!is_deep) return std::nullopt;
   const bool is_drawn = kept_by_culling(triangle, orientation).sure;
@@ -198,16 +213,6 @@ SampleVerdict decide_placed(const TriangleSetup& triangle, const Point& p) {
   return {Verdict::permitted, only_ties ? Reason::tie : Reason::snapping};
 }
 
-/// |line(p)| against tolerance · (|A| + |B|), the most that the line changes when it is moved by
-/// the tolerance along both axes: 1 inside, −1 outside, 0 within.
-int side_within(const Line& line, const Ring& tolerance, const Point& p) {
-  const Ring value = line.at(p);
-  if (line.is_constant()) return sign_of(value) < 0 ? -1 : 1;
-  const Ring band = band_of(line, tolerance);
-  if (value > band) return 1;
-  return value < -band ? -1 : 0;
-}
-
 /// The answer of an edge both of whose ends are snapped, over all their candidates. Where it is
 /// turned, its line is not the polygon's boundary: then the exact edge answers, off by `reach`, as
 /// any corner may be.
@@ -231,11 +236,11 @@ Membership snapped_edge_side(const TriangleSetup& triangle, std::size_t edge, co
 /// Whether p lies in the closed ideal triangle and inside all its clip functionals.
 bool is_in_clipped_triangle(const TriangleSetup& triangle, const Point& p) {
   for (std::size_t i = 0; i < 3; ++i) {
-    if (sign_of(triangle.ideal.edge(i).at(p)) < 0) return false;
+    if (triangle.ideal.edge(i).sign_at(p) < 0) return false;
   }
   return std::all_of(
       triangle.clip_functionals().begin(), triangle.clip_functionals().end(),
-      [&p](const ClipFunctional& functional) { return sign_of(functional.line.at(p)) >= 0; });
+      [&p](const ClipFunctional& functional) { return functional.line.sign_at(p) >= 0; });
 }
 
 /// A triangle without area that is cut: its new vertices may give it some, near its line and no

@@ -146,6 +146,13 @@ float nearest_float(const Field& value) {
   return std::bit_cast<float>(sign | bits);
 }
 
+bool is_tame(double near, const Ring& exact) {
+  constexpr double kLeast = 0x1p-480;
+  constexpr double kMost = 0x1p480;
+  const double size = std::abs(near);
+  return near == 0 ? sign_of(exact) == 0 : size > kLeast && size < kMost;
+}
+
 records::Enclosure enclose(const Ring& value) {
   // CGAL's own takes any number of more than one limb for one between two doubles. Of such as lie
   // near or below the least doubles it is wrong where rounding is upwards: it multiplies by a power

@@ -62,6 +62,9 @@ records::Enclosure enclose(const Ring& value);
 /// of a number's two leading limbs, in at most three roundings.              (proofs/limbs.g)
 inline double near_double(const Ring& value) { return value.to_double(); }
 inline constexpr double kNearDoubleError = 0x1p-51;
+/// Whether `near`, which near_double() made of `exact`, is within kNearDoubleError of it, and
+/// neither products of two such nor their sums overflow or get near the subnormal numbers.
+bool is_tame(double near, const Ring& exact);
 records::Enclosure enclose(const Field& value);
 /// Doubles around sqrt(value), for value >= 0.
 records::Enclosure enclose_sqrt(const Field& value);

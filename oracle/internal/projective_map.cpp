@@ -1,6 +1,43 @@
 #include "oracle/internal/projective_map.h"
 
+#include <cmath>
+
 namespace rastercheck::oracle {
+
+NearPoint near_point(const Point& p) {
+  const double u = near_double(p.u);
+  const double v = near_double(p.v);
+  return {u, v, is_tame(u, p.u) && is_tame(v, p.v)};
+}
+
+NearPoint near_point(const HomogeneousPoint& p) {
+  const double u = near_double(p.u);
+  const double v = near_double(p.v);
+  const double t = near_double(p.t);
+  // Two errors of kNearDoubleError = 2^-51 and a rounding: less than 2^-49.
+  return {u / t, v / t, is_tame(u, p.u) && is_tame(v, p.v) && is_tame(t, p.t)};
+}
+
+int Line::certain_side(const NearPoint& p, double reach) const {
+  if (!near_) {
+    near_ = Near{near_double(a), near_double(b), near_double(c), false};
+    near_->is_tame = oracle::is_tame(near_->a, a) && oracle::is_tame(near_->b, b) &&
+                     oracle::is_tame(near_->c, c);
+  }
+  if (!near_->is_tame || !p.is_tame) return 0;
+  const double along_u = near_->a * p.u;
+  const double along_v = near_->b * p.v;
+  const double value = along_u + along_v + near_->c;
+  const double sizes = std::abs(along_u) + std::abs(along_v) + std::abs(near_->c);
+  const double change = reach * (std::abs(near_->a) + std::abs(near_->b));
+  if (!(std::abs(value) > change + (sizes + change) * 0x1p-47)) return 0;
+  return value < 0 ? -1 : 1;
+}
+
+int Line::sign_at(const Point& p) const {
+  const int side = certain_side(near_point(p));
+  return side != 0 ? side : sign_of(at(p));
+}
 
 ProjectiveMap::ProjectiveMap(const std::array<RingVector3, 3>& columns) {
   // Row i of adj(M) is the cross product of the two other columns, in cyclic order.
@@ -24,18 +61,14 @@ const Line& ProjectiveMap::inverse_w() const {
 }
 
 Line ProjectiveMap::combine(const std::array<Ring, 3>& s) const {
-  Line sum{Ring(0), Ring(0), Ring(0)};
-  for (std::size_t i = 0; i < 3; ++i) {
-    sum.a += edges_[i].a * s[i];
-    sum.b += edges_[i].b * s[i];
-    sum.c += edges_[i].c * s[i];
-  }
-  return sum;
+  const auto& [e, f, g] = edges_;
+  return {e.a * s[0] + f.a * s[1] + g.a * s[2], e.b * s[0] + f.b * s[1] + g.b * s[2],
+          e.c * s[0] + f.c * s[1] + g.c * s[2]};
 }
 
 bool strictly_inside(const ProjectiveMap& map, const Point& p) {
   for (std::size_t i = 0; i < 3; ++i) {
-    if (sign_of(map.edge(i).at(p)) <= 0) return false;
+    if (map.edge(i).sign_at(p) <= 0) return false;
   }
   return map.orientation() != 0;
 }

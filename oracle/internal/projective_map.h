@@ -35,8 +35,21 @@ struct HomogeneousPoint {
   Ring t;
 };
 
+/// A window position in doubles: each within 2^-49 of itself, if it could be had.
+struct NearPoint {
+  double u = 0;
+  double v = 0;
+  bool is_tame = false;
+};
+NearPoint near_point(const Point& p);
+NearPoint near_point(const HomogeneousPoint& p);
+
 /// The affine functional a·u + b·v + c of window positions in pixels.
-struct Line {
+class Line {
+ public:
+  Line() = default;
+  Line(Ring a_, Ring b_, Ring c_) : a(std::move(a_)), b(std::move(b_)), c(std::move(c_)) {}
+
   Ring a;
   Ring b;
   Ring c;
@@ -45,6 +58,25 @@ struct Line {
   /// t times the value there.
   Ring at(const HomogeneousPoint& p) const { return a * p.u + b * p.v + c * p.t; }
   bool is_constant() const { return sign_of(a) == 0 && sign_of(b) == 0; }
+
+  /// The sign of at(p): by doubles where it is far from zero, as nearly everywhere.
+  int sign_at(const Point& p) const;
+  /// 1 where doubles are sure that the value is positive however far p is moved along both axes, up
+  /// to `reach` pixels; −1 where that it is negative; and 0 where they are not.
+  ///
+  /// Each of the three terms is off by less than 2^-49 + 2^-51 + 2^-52 of itself, and their sum by
+  /// two roundings more: by less than 2^-47 of the sum of their sizes, however the processor
+  /// rounds. So is reach · (|a| + |b|), by which the value changes.
+  int certain_side(const NearPoint& p, double reach = 0) const;
+
+ private:
+  struct Near {
+    double a = 0;
+    double b = 0;
+    double c = 0;
+    bool is_tame = false;
+  };
+  mutable std::optional<Near> near_;  ///< made when first asked for; a, b and c then stay
 };
 
 class ProjectiveMap {

@@ -38,7 +38,7 @@ using records::AttributeKind;
 using records::FragmentClass;
 
 /// At most so many samples of a case are judged.
-constexpr std::size_t kMostSamples = 48;
+constexpr std::size_t kMostSamples = 24;
 constexpr std::size_t kChannels = 4;
 
 cases::Pipeline pipeline_of(const cases::Case& c) {

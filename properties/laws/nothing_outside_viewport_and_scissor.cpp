@@ -180,7 +180,7 @@ class OutsideCheck {
     if (is_drawn && case_->scissor) labels.emplace("scissor");
     if (is_drawn && (viewport.width < 0 || viewport.height < 0)) labels.emplace("negative size");
     if (is_drawn && has_outside("viewport")) labels.emplace("outside the viewport");
-    if (case_->scissor && case_->scissor->width * case_->scissor->height == 0) {
+    if (case_->scissor && (case_->scissor->width == 0 || case_->scissor->height == 0)) {
       labels.emplace("scissor without area");
     }
     add_state_labels(*case_, triangles, labels);

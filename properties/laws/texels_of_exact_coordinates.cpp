@@ -35,7 +35,7 @@ using records::AttributeKind;
 using records::FragmentClass;
 
 /// At most so many samples of a case are judged.
-constexpr std::size_t kMostSamples = 96;
+constexpr std::size_t kMostSamples = 64;
 
 constexpr std::array<std::string_view, 3> kWrapWords{"repeat", "clamp", "mirror"};
 

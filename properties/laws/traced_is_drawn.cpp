@@ -28,7 +28,7 @@ using records::SampleAddress;
 using records::SampleTrace;
 
 /// Fragments of a triangle that are traced, and samples beside each of them that are asked for.
-constexpr std::size_t kMostTraced = 8;
+constexpr std::size_t kMostTraced = 4;
 
 bool is_same_float(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);

@@ -7,7 +7,7 @@
 // of the triangles. Where nothing of the kind is promised the law has nothing to say; no bound of
 // a contract is asked for: two drawings within it may differ.
 //
-// Samples: all. A case is drawn by at most three of the specifications, spread over the list from a
+// Samples: all. A case is drawn by at most two of the specifications, spread over the list from a
 // place that the case's numbers choose; a picture by each as well, where both draw some, by a
 // pipeline of the case's numbers. Derivatives count where both have them.
 
@@ -29,7 +29,7 @@
 namespace rastercheck::properties {
 namespace {
 
-constexpr std::size_t kMostVariants = 3;
+constexpr std::size_t kMostVariants = 2;
 
 /// At most kMostVariants of them.
 std::vector<std::string> some_of(const std::vector<std::string>& all, const cases::Case& c) {

@@ -180,17 +180,21 @@ TEST(FilteredColours, ShowRoundingToBytes) {
 
 // More than a few units of 2^-24 is too much where coordinates are small.
 TEST(FilteredColours, AreJudgedByTheBound) {
-  const auto found_of = [](float damage) {
+  // So few pixels that the law judges them all.
+  Case c = square();
+  c.framebuffer = {4, 4, 1};
+  c.viewport.width = c.viewport.height = 4;
+  const auto found_of = [&c](float damage) {
     TexturingBackend backend;
-    backend.picture_damage = [damage](Picture& picture) { picture.color[4 * 9] += damage; };
-    return checked(kFiltered, square(), backend);
+    backend.picture_damage = [damage](Picture& picture) { picture.color[4 * 5] += damage; };
+    return checked(kFiltered, c, backend);
   };
   EXPECT_EQ(found_of(0).violation_count, 0U);
   const Check check = found_of(0x1p-12F);
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations[0].x, 1U);
   EXPECT_EQ(check.violations[0].y, 1U);
-  EXPECT_THAT(check.violations[0].note, HasSubstr("at s = 3/2, t = 1; allowed is "));
+  EXPECT_THAT(check.violations[0].note, HasSubstr("at s = 3, t = 1; allowed is "));
 }
 
 TEST(Discarding, ShowsWhatIsKeptOrLost) {

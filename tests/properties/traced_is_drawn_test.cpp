@@ -42,7 +42,7 @@ TEST(TracedIsDrawn, HoldsOfCpu) {
   const Check check = checked(square(), {});
   EXPECT_TRUE(check.is_applicable);
   EXPECT_EQ(check.violation_count, 0U);
-  EXPECT_EQ(check.judgement.counts.required, 16U);
+  EXPECT_EQ(check.judgement.counts.required, 8U);
   EXPECT_GT(check.judgement.counts.forbidden, 4U);
   EXPECT_THAT(check.labels, testing::IsSupersetOf({"decided in_double", "not drawn"}));
 }
@@ -105,7 +105,7 @@ TEST(TracedIsDrawn, LeavesTheDepthTestOut) {
   c.triangles = {{0, 1, 2}, {0, 1, 2}};
   const Check check = checked(c, {});
   EXPECT_EQ(check.violation_count, 0U);
-  EXPECT_EQ(check.judgement.counts.required, 16U);
+  EXPECT_EQ(check.judgement.counts.required, 8U);
 }
 
 TEST(TracedIsDrawn, PassesOnATraceThatFails) {

@@ -32,10 +32,10 @@ TEST(Variants, DrawTheSame) {
   EXPECT_THAT(check.labels, testing::ElementsAre("drawn", "three attributes and more"));
 }
 
-TEST(Variants, AreNoMoreThanThreeAtATime) {
+TEST(Variants, AreNoMoreThanTwoAtATime) {
   DamagedBackend backend({}, "cpu");
   backend.same_as_these.assign(9, "cpu");
-  EXPECT_EQ(checked(backend)->judgement.counts.required, 3 * 64U);
+  EXPECT_EQ(checked(backend)->judgement.counts.required, 2 * 64U);
 }
 
 TEST(Variants, HaveTheSameLastBits) {
