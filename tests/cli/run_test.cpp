@@ -121,6 +121,25 @@ TEST_F(Run, NeedNotCheckWhatIsNotPromised) {
   EXPECT_EQ(run({"--cases", "0", "--property", "values at vertices*"}).code, 5);  // promised
 }
 
+// Kills: a law that held, of cases that are not what it is about.
+TEST_F(Run, ThatReachesALabelTooSeldomIsNotOk) {
+  const Outcome outcome = run_damaged({"--backend", "damaged:unseen", "--cases", "120", "--seed",
+                                       "1", "--property", "cases reach*"});
+  EXPECT_EQ(outcome.code, 5) << outcome;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("not checked"),
+                    HasSubstr("Not reached: cases reach a label that none has on damaged:unseen: "
+                              "'never seen' in 0 of "),
+                    Not(HasSubstr("'drawn'"))));
+  const json unreached = run_json().at("unreached");
+  ASSERT_THAT(unreached, SizeIs(1));
+  EXPECT_EQ(unreached[0].at("label"), "never seen");
+  EXPECT_EQ(unreached[0].at("reached"), 0);
+  EXPECT_GT(unreached[0].at("least"), 0);
+  EXPECT_THAT(folder_.content("out/summary.md"), HasSubstr("Not reached: "));
+  EXPECT_THAT(folder_.content("out/report.html"), HasSubstr("Not reached: "));
+}
+
 // Kills: one violation hidden by a law that checked nothing.
 TEST_F(Run, ThatIsViolatedAndCheckedNothingIsViolated) {
   EXPECT_EQ(run_damaged({"--backend", "damaged", "--cases", "0", "--property", "co*"}).code, 1);

@@ -4,7 +4,10 @@
 //   damaged           loses the last fragment of every draw
 //   damaged:refuses   fails to draw
 //   damaged:absent    cannot run here
+//   damaged:unseen    draws rightly; of it alone a law is asked whose cases are never what they are
+//                     said to be
 
+#include "properties/judged_law.h"
 #include "tests/properties/damaged_backend.h"
 
 namespace rastercheck::properties {
@@ -15,6 +18,11 @@ class RefusingBackend : public DamagedBackend {
   Result<cases::Framebuffer> draw(const cases::Case& /*c*/) override {
     return tl::unexpected(Error{"", "", "out of memory"});
   }
+};
+
+class UnseenBackend : public DamagedBackend {
+ public:
+  UnseenBackend() : DamagedBackend({}, "cpu") {}
 };
 
 void lose_last(const cases::Case& /*c*/, cases::Framebuffer& drawn) {
@@ -32,6 +40,7 @@ constexpr const char* kAbsent = "needs what no machine has";
 Result<std::unique_ptr<backends::Backend>> make(const std::string& options) {
   if (options.empty()) return std::make_unique<DamagedBackend>(&lose_last);
   if (options == "refuses") return std::make_unique<RefusingBackend>();
+  if (options == "unseen") return std::make_unique<UnseenBackend>();
   const bool is_absent = options == "absent";
   return tl::unexpected(
       Error{"damaged:" + options, "", is_absent ? kAbsent : "no damage of that name"});
@@ -40,10 +49,30 @@ Result<std::unique_ptr<backends::Backend>> make(const std::string& options) {
 std::vector<backends::Listing> list() {
   return {{"damaged", "loses the last fragment", ""},
           {"damaged:absent", "cannot run", kAbsent},
-          {"damaged:refuses", "fails to draw", ""}};
+          {"damaged:refuses", "fails to draw", ""},
+          {"damaged:unseen", "draws rightly what is never seen", ""}};
 }
 
 const backends::BackendRegistration kRegistration({"damaged", &make, &list});
+
+bool is_unseen(const backends::Backend& backend) {
+  return dynamic_cast<const UnseenBackend*>(&backend) != nullptr;
+}
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
+  Check not_applicable;
+  not_applicable.is_applicable = false;
+  if (!is_unseen(backend)) return not_applicable;
+  return check_judged(c, backend, {}, options);
+}
+
+const LawRegistration kLaw({.name = "cases reach a label that none has",
+                            .reason = "A law has not held of cases that it is not about.",
+                            .exceptions = "all backends but damaged:unseen",
+                            .generate = &generate_any,
+                            .check = &check,
+                            .is_promised = &is_unseen,
+                            .covers = {cover(20, "drawn"), cover(30, "never seen")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -121,6 +121,7 @@ inline records::Run sample_run() {
     add_sample_records(run.records, run.laws[0], backend, 0);
     add_sample_records(run.records, run.laws[1], backend, backend == "cpu" ? 0 : 2);
   }
+  run.unreached = {{run.laws[0], "cpu", "<clipped>", 57, 412, 1000}};
   run.counterexamples = {sample_counterexample(3), sample_counterexample(41)};
   run.pictures = {{"bunny-cpu", "What cpu draws <of it>.", 64, 48, std::string("\x89PNG\0\xff", 6)},
                   {"bunny-error", "Its error.", 64, 80, "P"}};
