@@ -243,13 +243,23 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
   return check;
 }
 
-Result<Check> check_judged(const cases::Case& c, backends::Backend& backend,
-                           const JudgeRequest& request, const CheckOptions& options) {
+Result<Check> check_drawn(const cases::Case& c, backends::Backend& backend,
+                          const DrawnCheck& find) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
+  const cases::Contract contract = backend.contract(*clip);
   const Result<cases::Framebuffer> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  return judge_drawn(*clip, backend.contract(*clip), *drawn, request, options);
+  return find(*clip, contract, *drawn);
+}
+
+Result<Check> check_judged(const cases::Case& c, backends::Backend& backend,
+                           const JudgeRequest& request, const CheckOptions& options) {
+  return check_drawn(c, backend,
+                     [&](const cases::Case& clip, const cases::Contract& contract,
+                         const cases::Framebuffer& drawn) {
+                       return judge_drawn(clip, contract, drawn, request, options);
+                     });
 }
 
 }  // namespace rastercheck::properties

@@ -3,6 +3,7 @@
 // What laws have in common that hold a framebuffer against the contract.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -27,6 +28,13 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
 /// Draws the case and judges that. Fails where the backend cannot draw it.
 Result<Check> check_judged(const cases::Case& c, backends::Backend& backend,
                            const JudgeRequest& request, const CheckOptions& options);
+
+/// Takes a case without a camera, what the backend promises of it, and what it drew.
+using DrawnCheck =
+    std::function<Check(const cases::Case&, const cases::Contract&, const cases::Framebuffer&)>;
+
+/// Draws the case, and says what is found of that. Fails where the backend cannot draw it.
+Result<Check> check_drawn(const cases::Case& c, backends::Backend& backend, const DrawnCheck& find);
 
 /// The violation that a judged sample, or one value of it, is. `value` is nullptr where coverage is
 /// meant; `truth` is nullptr where the case has no such triangle.

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
 
 namespace rastercheck::properties {
@@ -35,6 +36,12 @@ int line_of(int x, int y, LineDirection direction) {
 }
 
 }  // namespace
+
+LineDirection some_direction(const cases::Case& c) {
+  return Choices(fingerprint(c))
+      .pick(std::array{LineDirection::row, LineDirection::column, LineDirection::falling_diagonal,
+                       LineDirection::rising_diagonal});
+}
 
 std::string_view to_string(LineDirection direction) {
   constexpr std::array<std::string_view, 4> kWords{"row", "column", "diagonal", "diagonal"};

@@ -24,6 +24,9 @@ struct LinePoint {
   int at = 0;
 };
 
+/// One of the four, by the case's numbers.
+LineDirection some_direction(const cases::Case& c);
+
 /// Takes the fragments of one triangle on one line, of one sample of their pixels, in ascending
 /// order of `at`; two or more.
 using LineSink = std::function<void(std::span<const LinePoint>)>;

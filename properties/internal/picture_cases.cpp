@@ -134,9 +134,7 @@ Generated overlapping_case(Draw& draw) {
       made.stratum = "sheets";
       add_sheets(draw, c, triangles);
   }
-  for (std::uint32_t first = 0; first + 2 < c.positions.size(); first += 3) {
-    c.triangles.push_back({first, first + 1, first + 2});
-  }
+  add_separate_triangles(c);
   if (draw.one_in(4)) {
     add_attribute_values(draw, c);
   } else {

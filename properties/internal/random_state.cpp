@@ -286,6 +286,20 @@ void add_attribute_values(Draw& draw, Case& c) {
   }
 }
 
+void ensure_attribute(Case& c) {
+  if (!c.attributes.empty()) return;
+  c.attributes.emplace_back();
+  c.attributes.back().name = "a0";
+  c.attribute_values.assign(c.positions.size(), 0);
+}
+
+void add_separate_triangles(Case& c) {
+  const auto count = static_cast<std::uint32_t>(c.positions.size());
+  for (std::uint32_t first = 0; first + 2 < count; first += 3) {
+    c.triangles.push_back({first, first + 1, first + 2});
+  }
+}
+
 void add_clip_distances(Draw& draw, Case& c) {
   const std::size_t count = c.positions.size() * c.clip_distance_count;
   c.clip_distances.clear();

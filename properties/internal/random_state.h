@@ -32,6 +32,12 @@ cases::Case random_state(Draw& draw, const StateRequest& request = {});
 /// small integers, huge or tiny or mixed numbers.
 void add_attribute_values(Draw& draw, cases::Case& c);
 
+/// Gives a case that has no attribute one, of value 0.
+void ensure_attribute(cases::Case& c);
+
+/// Makes every three vertices in succession a triangle, from the first vertex on.
+void add_separate_triangles(cases::Case& c);
+
 /// Gives every vertex its clip distances: mostly inside, some outside, some exactly zero.
 void add_clip_distances(Draw& draw, cases::Case& c);
 

@@ -10,6 +10,20 @@ namespace rastercheck::properties {
 
 using records::AttributeKind;
 
+namespace {
+
+/// Colours of a texture, and alpha that is added, are none.
+bool is_attribute(const cases::Case& c, std::optional<std::uint32_t> channel) {
+  return channel && *channel < c.attributes.size();
+}
+
+}  // namespace
+
+AttributeKind kind_of_channel(const cases::Case& c, std::optional<std::uint32_t> channel) {
+  if (is_attribute(c, channel)) return records::kind_of(c.attributes[*channel].interpolation);
+  return channel ? AttributeKind::flat : AttributeKind::depth;
+}
+
 records::Violation picture_violation(const cases::Case& c, const cases::Picture& picture,
                                      std::size_t at, std::optional<std::uint32_t> channel,
                                      float expected, const std::string& note) {
@@ -17,17 +31,13 @@ records::Violation picture_violation(const cases::Case& c, const cases::Picture&
       channel ? picture.color[at * picture.channels + *channel] : picture.depth[at];
   const auto samples = static_cast<std::size_t>(picture.size.samples);
   const auto width = static_cast<std::size_t>(picture.size.width);
-  // Colours of a texture, and alpha that is added, are no attributes.
-  const bool is_attribute = channel && *channel < c.attributes.size();
-  AttributeKind kind = channel ? AttributeKind::flat : AttributeKind::depth;
-  if (is_attribute) kind = records::kind_of(c.attributes[*channel].interpolation);
   records::Violation violation;
   violation.fragment_class = class_of(actual, expected);
-  violation.kind = kind;
+  violation.kind = kind_of_channel(c, channel);
   violation.x = static_cast<std::uint32_t>(at / samples % width);
   violation.y = static_cast<std::uint32_t>(at / samples / width);
   violation.sample = static_cast<std::uint32_t>(at % samples);
-  if (is_attribute) violation.attribute = channel;
+  if (is_attribute(c, channel)) violation.attribute = channel;
   violation.exact = value_text(expected);
   violation.actual = value_text(actual);
   violation.note = note;

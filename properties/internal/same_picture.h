@@ -19,6 +19,10 @@ namespace rastercheck::properties {
 Check compare_pictures(const cases::Case& c, const cases::Picture& expected,
                        const cases::Picture& drawn, const std::string& note);
 
+/// What a channel is, or, of none, the depth: that of the attribute, or of a copy where it has
+/// none.
+records::AttributeKind kind_of_channel(const cases::Case& c, std::optional<std::uint32_t> channel);
+
 /// What a number of a picture is that should be another, as a violation at the sample of index
 /// `at`; `channel` is nothing where it is the depth.
 records::Violation picture_violation(const cases::Case& c, const cases::Picture& picture,

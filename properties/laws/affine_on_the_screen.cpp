@@ -39,7 +39,7 @@
 #include <utility>
 
 #include "oracle/transform.h"
-#include "properties/internal/choices.h"
+#include "properties/internal/drawn_values.h"
 #include "properties/internal/fragment_lines.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/value_findings.h"
@@ -51,19 +51,8 @@ namespace {
 
 using cases::Interpolation;
 using cases::Location;
-using Attribute = std::optional<std::uint32_t>;  ///< nothing: the depth
 
 // --- The law -------------------------------------------------------------------------------------
-
-bool all_in_front(const cases::Case& c, const cases::Triangle& triangle) {
-  return std::all_of(triangle.begin(), triangle.end(),
-                     [&](std::uint32_t index) { return c.positions[index].w > 0; });
-}
-
-bool is_at_sample(const cases::Case& c, std::uint32_t attribute) {
-  return c.attributes[attribute].location == Location::sample ||
-         (c.attributes[attribute].location == Location::center && c.framebuffer.samples == 1);
-}
 
 /// Whether attributes 0, 1 and 2 are r, q = r/w and d = 1/w of a triangle. Products of two floats
 /// are exact in double.
@@ -84,27 +73,23 @@ class AffineCheck {
  public:
   AffineCheck(const cases::Case& c, const cases::Contract& contract,
               const cases::Framebuffer& drawn, LineDirection direction)
-      : case_(&c), drawn_(&drawn), direction_(direction), findings_(c, contract) {}
+      : case_(&c),
+        drawn_(&drawn),
+        values_(c, drawn),
+        direction_(direction),
+        findings_(c, contract) {}
 
   Check run() {
     check_quotients();
     for_each_line(*case_, *drawn_, direction_, [this](std::span<const LinePoint> line) {
       if (line.back().at - line.front().at < 2) return;
       if (!is_one_plane(drawn_->triangle[line.front().fragment])) return;
-      for (const Attribute& attribute : affine_of(line)) check_chord(line, attribute);
+      for (const MaybeAttribute& attribute : affine_of(line)) check_chord(line, attribute);
     });
     return findings_.finish();
   }
 
  private:
-  FragmentPlace place(std::size_t fragment) const { return place_of(*drawn_, fragment); }
-  const cases::Triangle& triangle_of(std::size_t fragment) const {
-    return case_->triangles[drawn_->triangle[fragment]];
-  }
-  float value(std::size_t fragment, const Attribute& attribute) const {
-    return attribute ? drawn_->attributes_of(fragment)[*attribute] : drawn_->depth[fragment];
-  }
-
   bool is_one_plane(std::uint32_t triangle) {
     if (asked_triangle_ != triangle) {
       asked_triangle_ = triangle;
@@ -114,12 +99,12 @@ class AffineCheck {
   }
 
   /// The values of a line's triangle that are affine.
-  std::vector<Attribute> affine_of(std::span<const LinePoint> line) const {
-    std::vector<Attribute> affine;
+  std::vector<MaybeAttribute> affine_of(std::span<const LinePoint> line) const {
+    std::vector<MaybeAttribute> affine;
     const bool is_clamped = case_->depth_clamp || (case_->rules == cases::Rules::d3d &&
                                                    findings_.contract().coverage.has_value());
     if (!is_clamped) affine.emplace_back(std::nullopt);
-    if (!all_in_front(*case_, triangle_of(line.front().fragment))) return affine;
+    if (!all_in_front(*case_, values_.corners(line.front().fragment))) return affine;
     for (std::uint32_t a = 0; a < case_->attributes.size(); ++a) {
       const bool is_affine = case_->attributes[a].interpolation == Interpolation::noperspective;
       if (is_affine && is_at_sample(*case_, a)) affine.emplace_back(a);
@@ -128,20 +113,13 @@ class AffineCheck {
   }
 
   /// How far a value is off, by the contract alone.
-  double allowed(std::size_t fragment, const Attribute& attribute) const {
-    double greatest{std::max(case_->viewport.min_depth, case_->viewport.max_depth)};
-    if (attribute) {
-      greatest = 0;
-      for (const std::uint32_t vertex : triangle_of(fragment)) {
-        greatest = std::max(greatest, std::abs(double{case_->attributes_of(vertex)[*attribute]}));
-      }
-    }
-    return double{findings_.bound_of(attribute).constant} * ulp_of(greatest);
+  double allowed(std::size_t fragment, const MaybeAttribute& attribute) const {
+    return double{findings_.bound_of(attribute).constant} * values_.vertex_ulp(fragment, attribute);
   }
 
   /// The same with all that the oracle says; nothing where nothing is promised.
-  std::optional<double> allowed_at_most(std::size_t fragment, const Attribute& attribute) {
-    const auto promise = findings_.promise_of(place(fragment), attribute);
+  std::optional<double> allowed_at_most(std::size_t fragment, const MaybeAttribute& attribute) {
+    const auto promise = findings_.promise_of(values_.place(fragment), attribute);
     if (!promise) return std::nullopt;
     return promise->bound * promise->unit + (promise->hi - promise->lo);
   }
@@ -151,18 +129,18 @@ class AffineCheck {
     return !(std::abs(difference) <= errors);  // nor is NaN
   }
 
-  void check_chord(std::span<const LinePoint> line, const Attribute& attribute) {
+  void check_chord(std::span<const LinePoint> line, const MaybeAttribute& attribute) {
     const LinePoint& a = line.front();
     const LinePoint& b = line.back();
-    const double at_a = number_of(value(a.fragment, attribute));
-    const double at_b = number_of(value(b.fragment, attribute));
+    const double at_a = number_of(values_.value(a.fragment, attribute));
+    const double at_b = number_of(values_.value(b.fragment, attribute));
     const double n = b.at - a.at;
     const double most = allowed(a.fragment, attribute);
     findings_.label(attribute ? "noperspective" : "depth");
     if (n >= 8) findings_.label("long line");
     for (const LinePoint& p : line.subspan(1, line.size() - 2)) {
-      findings_.see(place(p.fragment), attribute);
-      const float actual = value(p.fragment, attribute);
+      findings_.see(values_.place(p.fragment), attribute);
+      const float actual = values_.value(p.fragment, attribute);
       const double difference =
           n * number_of(actual) - ((b.at - p.at) * at_a + (p.at - a.at) * at_b);
       if (!is_beyond(difference, 2 * n * most)) continue;
@@ -173,7 +151,7 @@ class AffineCheck {
       const double errors = (b.at - p.at) * *of_a + (p.at - a.at) * *of_b + n * *of_p;
       if (!is_beyond(difference, errors * (1 + kRounding))) continue;
       const double chord = ((b.at - p.at) * at_a + (p.at - a.at) * at_b) / n;
-      findings_.report(place(p.fragment), attribute, actual,
+      findings_.report(values_.place(p.fragment), attribute, actual,
                        "about " + value_text(static_cast<float>(chord)),
                        "not on the chord of its " + std::string(to_string(direction_)) + " from " +
                            std::to_string(a.at) + " to " + std::to_string(b.at));
@@ -184,21 +162,21 @@ class AffineCheck {
     std::optional<std::uint32_t> triangle;
     bool has_one = false;
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
-      if (!is_of_case(*case_, place(i))) continue;
+      if (!is_of_case(*case_, values_.place(i))) continue;
       if (triangle != drawn_->triangle[i]) {
         triangle = drawn_->triangle[i];
-        has_one = has_quotient(*case_, triangle_of(i));
+        has_one = has_quotient(*case_, values_.corners(i));
       }
       if (has_one) check_quotient(i);
     }
   }
 
   void check_quotient(std::size_t i) {
-    findings_.see(place(i), 0);
+    findings_.see(values_.place(i), 0);
     findings_.label("quotient");
-    const double r = number_of(value(i, 0));
-    const double q = number_of(value(i, 1));
-    const double d = number_of(value(i, 2));
+    const double r = number_of(values_.value(i, 0));
+    const double q = number_of(values_.value(i, 1));
+    const double d = number_of(values_.value(i, 2));
     const auto errors = [&](double of_r, double of_q, double of_d) {
       return of_q + (std::abs(d) + of_d) * of_r + std::abs(r) * of_d;
     };
@@ -209,8 +187,10 @@ class AffineCheck {
     const auto of_d = allowed_at_most(i, 2);
     if (!of_r || !of_q || !of_d) return;
     if (!is_beyond(difference, errors(*of_r, *of_q, *of_d) * (1 + kRounding))) return;
-    findings_.report(place(i), 0, value(i, 0), "about " + value_text(static_cast<float>(q / d)),
-                     "r/w is " + value_text(value(i, 1)) + " and 1/w " + value_text(value(i, 2)));
+    findings_.report(values_.place(i), 0, values_.value(i, 0),
+                     "about " + value_text(static_cast<float>(q / d)),
+                     "r/w is " + value_text(values_.value(i, 1)) + " and 1/w " +
+                         value_text(values_.value(i, 2)));
   }
 
   /// Roundings here, as a share of the errors allowed.
@@ -218,6 +198,7 @@ class AffineCheck {
 
   const cases::Case* case_;
   const cases::Framebuffer* drawn_;
+  DrawnValues values_;
   LineDirection direction_;
   ValueFindings findings_;
   std::optional<std::uint32_t> asked_triangle_;
@@ -226,15 +207,11 @@ class AffineCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  constexpr std::array kDirections{LineDirection::row, LineDirection::column,
-                                   LineDirection::falling_diagonal, LineDirection::rising_diagonal};
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  const cases::Contract contract = backend.contract(*clip);
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
-  if (!drawn) return tl::unexpected(drawn.error());
-  const LineDirection direction = Choices(fingerprint(*clip)).pick(kDirections);
-  return AffineCheck(*clip, contract, *drawn, direction).run();
+  return check_drawn(c, backend,
+                     [](const cases::Case& clip, const cases::Contract& contract,
+                        const cases::Framebuffer& drawn) {
+                       return AffineCheck(clip, contract, drawn, some_direction(clip)).run();
+                     });
 }
 
 // --- Its cases -----------------------------------------------------------------------------------
@@ -267,10 +244,7 @@ Generated generate(Draw& draw) {
     const float q = is_huge ? draw.spread(90, 110) : draw.spread(-4, 4);
     c.attribute_values.insert(c.attribute_values.end(), {q * w, q, 1 / w});
   }
-  for (int i = 0; i < triangles; ++i) {
-    const auto first = static_cast<std::uint32_t>(3 * i);
-    c.triangles.push_back({first, first + 1, first + 2});
-  }
+  add_separate_triangles(c);
   add_clip_distances(draw, c);
   return made;
 }

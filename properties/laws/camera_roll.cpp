@@ -232,10 +232,7 @@ void add_triangles(Draw& draw, const Lens& lens, Distance distance_of, cases::Ca
     const Point p = before_motion(camera.model, before_motion(camera.view, seen));
     add_vertex(c, {to_float(p[0]), to_float(p[1]), to_float(p[2]), 1});
   }
-  for (int i = 0; i < triangles; ++i) {
-    const auto first = static_cast<std::uint32_t>(3 * i);
-    c.triangles.push_back({first, first + 1, first + 2});
-  }
+  add_separate_triangles(c);
 }
 
 Generated generate(Draw& draw) {

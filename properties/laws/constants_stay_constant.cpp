@@ -24,6 +24,7 @@
 #include "oracle/ulp.h"
 #include "properties/generator.h"
 #include "properties/internal/drawn_fragments.h"
+#include "properties/internal/random_state.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {
@@ -246,11 +247,7 @@ float random_constant(Draw& draw) {
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;
-  if (c.attributes.empty()) {
-    c.attributes.emplace_back();
-    c.attributes.back().name = "a0";
-    c.attribute_values.assign(c.positions.size(), 0);
-  }
+  ensure_attribute(c);
   const std::size_t count = c.attributes.size();
   for (std::size_t a = 0; a < count; ++a) {
     if (a > 0 && draw.one_in(4)) continue;

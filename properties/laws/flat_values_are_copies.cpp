@@ -72,12 +72,10 @@ class FlatCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  const cases::Contract contract = backend.contract(*clip);
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
-  if (!drawn) return tl::unexpected(drawn.error());
-  return FlatCheck(*clip, contract, *drawn).run();
+  return check_drawn(
+      c, backend,
+      [](const cases::Case& clip, const cases::Contract& contract,
+         const cases::Framebuffer& drawn) { return FlatCheck(clip, contract, drawn).run(); });
 }
 
 float telling_value(Draw& draw) {

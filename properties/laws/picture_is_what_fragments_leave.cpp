@@ -27,6 +27,7 @@
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/picture_cases.h"
 #include "properties/internal/pipelines.h"
+#include "properties/internal/same_picture.h"
 #include "properties/judged_law.h"
 #include "properties/picture_model.h"
 
@@ -99,27 +100,14 @@ class PictureCheck {
   }
 
   void compare(std::size_t at, std::optional<std::uint32_t> channel, float expected, float actual) {
-    // The alpha of three colours is no attribute.
-    const bool is_attribute = channel && *channel < case_->attributes.size();
-    AttributeKind kind = channel ? AttributeKind::flat : AttributeKind::depth;
-    if (is_attribute) kind = records::kind_of(case_->attributes[*channel].interpolation);
     const FragmentClass found = class_of(actual, expected);
-    ++check_.judgement.errors[kind].classes[found];
+    ++check_.judgement.errors[kind_of_channel(*case_, channel)].classes[found];
     if (found == FragmentClass::correct) return;
-    const auto samples = static_cast<std::size_t>(expected_.size.samples);
-    const auto width = static_cast<std::size_t>(expected_.size.width);
     const std::vector<std::uint32_t>& triangles = triangles_[at];
-    records::Violation violation;
-    violation.fragment_class = found;
-    violation.kind = kind;
+    records::Violation violation = picture_violation(
+        *case_, *picture_, at, channel, expected,
+        fmt::format("{} fragments there; {}", triangles.size(), text_of(*pipeline_)));
     violation.triangle = triangles.empty() ? 0 : triangles.back();
-    violation.x = static_cast<std::uint32_t>(at / samples % width);
-    violation.y = static_cast<std::uint32_t>(at / samples / width);
-    violation.sample = static_cast<std::uint32_t>(at % samples);
-    if (is_attribute) violation.attribute = channel;
-    violation.exact = value_text(expected);
-    violation.actual = value_text(actual);
-    violation.note = fmt::format("{} fragments there; {}", triangles.size(), text_of(*pipeline_));
     note(check_, violation);
   }
 

@@ -191,12 +191,10 @@ class PatternCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  const cases::Contract contract = backend.contract(*clip);
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
-  if (!drawn) return tl::unexpected(drawn.error());
-  return PatternCheck(*clip, contract, *drawn).run();
+  return check_drawn(
+      c, backend,
+      [](const cases::Case& clip, const cases::Contract& contract,
+         const cases::Framebuffer& drawn) { return PatternCheck(clip, contract, drawn).run(); });
 }
 
 // --- Its cases -----------------------------------------------------------------------------------
@@ -235,10 +233,7 @@ Generated generate(Draw& draw) {
     c.attribute_values.insert(c.attribute_values.end(),
                               {static_cast<float>(p.u), static_cast<float>(p.v)});
   }
-  for (int i = 0; i < triangles; ++i) {
-    const auto first = static_cast<std::uint32_t>(3 * i);
-    c.triangles.push_back({first, first + 1, first + 2});
-  }
+  add_separate_triangles(c);
   add_clip_distances(draw, c);
   return made;
 }

@@ -41,6 +41,7 @@
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/exact_sum.h"
+#include "properties/internal/random_state.h"
 #include "properties/internal/textured_cases.h"
 #include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
@@ -369,11 +370,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;
-  if (c.attributes.empty()) {
-    c.attributes.emplace_back();
-    c.attributes.back().name = "a0";
-    c.attribute_values.assign(c.positions.size(), 0);
-  }
+  ensure_attribute(c);
   const std::size_t count = c.attributes.size();
   for (std::size_t a = 0; a < count; ++a) {
     if (a > 0 && draw.one_in(4)) continue;

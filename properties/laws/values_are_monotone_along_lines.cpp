@@ -34,7 +34,7 @@
 #include <utility>
 
 #include "oracle/transform.h"
-#include "properties/internal/choices.h"
+#include "properties/internal/drawn_values.h"
 #include "properties/internal/fragment_lines.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/value_findings.h"
@@ -46,19 +46,11 @@ namespace {
 
 using cases::Interpolation;
 using cases::Location;
-using Attribute = std::optional<std::uint32_t>;  ///< nothing: the depth
-
-bool all_in_front(const cases::Case& c, const cases::Triangle& triangle) {
-  return std::all_of(triangle.begin(), triangle.end(),
-                     [&](std::uint32_t index) { return c.positions[index].w > 0; });
-}
 
 /// Whether along lines of a triangle an attribute is monotone.
 bool is_monotone(const cases::Case& c, const cases::Triangle& triangle, std::uint32_t attribute) {
   const cases::Attribute& declared = c.attributes[attribute];
-  const bool is_at_sample = declared.location == Location::sample ||
-                            (declared.location == Location::center && c.framebuffer.samples == 1);
-  if (!is_at_sample || declared.interpolation == Interpolation::flat) return false;
+  if (!is_at_sample(c, attribute) || declared.interpolation == Interpolation::flat) return false;
   return declared.interpolation == Interpolation::smooth || all_in_front(c, triangle);
 }
 
@@ -81,13 +73,17 @@ class MonotoneCheck {
  public:
   MonotoneCheck(const cases::Case& c, const cases::Contract& contract,
                 const cases::Framebuffer& drawn, LineDirection direction)
-      : case_(&c), drawn_(&drawn), direction_(direction), findings_(c, contract) {}
+      : case_(&c),
+        drawn_(&drawn),
+        values_(c, drawn),
+        direction_(direction),
+        findings_(c, contract) {}
 
   Check run() {
     for_each_line(*case_, *drawn_, direction_, [this](std::span<const LinePoint> line) {
       if (line.size() < 3) return;
       check_line(line, std::nullopt);
-      const cases::Triangle& triangle = triangle_of(line.front().fragment);
+      const cases::Triangle& triangle = values_.corners(line.front().fragment);
       for (std::uint32_t a = 0; a < case_->attributes.size(); ++a) {
         if (is_monotone(*case_, triangle, a)) check_line(line, a);
       }
@@ -96,29 +92,15 @@ class MonotoneCheck {
   }
 
  private:
-  FragmentPlace place(std::size_t fragment) const { return place_of(*drawn_, fragment); }
-  const cases::Triangle& triangle_of(std::size_t fragment) const {
-    return case_->triangles[drawn_->triangle[fragment]];
-  }
-  float value(std::size_t fragment, const Attribute& attribute) const {
-    return attribute ? drawn_->attributes_of(fragment)[*attribute] : drawn_->depth[fragment];
-  }
-
   /// By the contract alone.
-  Error error_of(std::size_t fragment, const Attribute& attribute) const {
-    double greatest{std::max(case_->viewport.min_depth, case_->viewport.max_depth)};
-    if (attribute) {
-      greatest = 0;
-      for (const std::uint32_t vertex : triangle_of(fragment)) {
-        greatest = std::max(greatest, std::abs(double{case_->attributes_of(vertex)[*attribute]}));
-      }
-    }
-    return {double{findings_.bound_of(attribute).constant}, ulp_of(greatest)};
+  Error error_of(std::size_t fragment, const MaybeAttribute& attribute) const {
+    return {double{findings_.bound_of(attribute).constant},
+            values_.vertex_ulp(fragment, attribute)};
   }
 
   /// With all that the oracle says; nothing where nothing is promised.
-  std::optional<Error> asked_error_of(std::size_t fragment, const Attribute& attribute) {
-    const auto promise = findings_.promise_of(place(fragment), attribute);
+  std::optional<Error> asked_error_of(std::size_t fragment, const MaybeAttribute& attribute) {
+    const auto promise = findings_.promise_of(values_.place(fragment), attribute);
     if (!promise) return std::nullopt;
     return Error{promise->bound, promise->unit, promise->hi - promise->lo};
   }
@@ -134,9 +116,9 @@ class MonotoneCheck {
     return Way::either;
   }
 
-  void check_line(std::span<const LinePoint> line, const Attribute& attribute) {
+  void check_line(std::span<const LinePoint> line, const MaybeAttribute& attribute) {
     const auto number = [&](std::size_t i) {
-      return number_of(value(line[i].fragment, attribute));
+      return number_of(values_.value(line[i].fragment, attribute));
     };
     const Error error = error_of(line.front().fragment, attribute);
     const std::size_t end = line.size() - 1;
@@ -147,7 +129,7 @@ class MonotoneCheck {
     // What a value is held against: where the way is certain the greatest (least) one before it.
     std::size_t extreme = 0;
     for (std::size_t i = 0; i <= end; ++i) {
-      findings_.see(place(line[i].fragment), attribute);
+      findings_.see(values_.place(line[i].fragment), attribute);
       const double f = number(i);
       if (way == Way::up) {
         if (is_above(number(extreme), f, error, error)) ask(line, attribute, extreme, i, Way::up);
@@ -166,7 +148,7 @@ class MonotoneCheck {
   }
 
   /// Whether what the contract alone does not explain is a violation at l.
-  void ask(std::span<const LinePoint> line, const Attribute& attribute, std::size_t k,
+  void ask(std::span<const LinePoint> line, const MaybeAttribute& attribute, std::size_t k,
            std::size_t l, Way way) {
     const std::size_t a = line.front().fragment;
     const std::size_t b = line.back().fragment;
@@ -175,10 +157,10 @@ class MonotoneCheck {
     const auto of_k = asked_error_of(line[k].fragment, attribute);
     const auto of_l = asked_error_of(line[l].fragment, attribute);
     if (!of_a || !of_b || !of_k || !of_l) return;
-    const double at_a = number_of(value(a, attribute));
-    const double at_b = number_of(value(b, attribute));
-    const double at_k = number_of(value(line[k].fragment, attribute));
-    const float actual = value(line[l].fragment, attribute);
+    const double at_a = number_of(values_.value(a, attribute));
+    const double at_b = number_of(values_.value(b, attribute));
+    const double at_k = number_of(values_.value(line[k].fragment, attribute));
+    const float actual = values_.value(line[l].fragment, attribute);
     const double at_l = number_of(actual);
     bool is_wrong = false;
     if (way != Way::either && way_of(at_a, at_b, *of_a, *of_b) == way) {
@@ -192,8 +174,8 @@ class MonotoneCheck {
       is_wrong = is_above_both || is_below_both;
     }
     if (!is_wrong) return;
-    const float expected = value(line[k].fragment, attribute);
-    findings_.report(place(line[l].fragment), attribute, actual,
+    const float expected = values_.value(line[k].fragment, attribute);
+    findings_.report(values_.place(line[l].fragment), attribute, actual,
                      way == Way::up ? "at least about " + value_text(expected)
                                     : (way == Way::down ? "at most about " + value_text(expected)
                                                         : "about " + value_text(expected)),
@@ -206,21 +188,18 @@ class MonotoneCheck {
 
   const cases::Case* case_;
   const cases::Framebuffer* drawn_;
+  DrawnValues values_;
   LineDirection direction_;
   ValueFindings findings_;
 };
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  constexpr std::array kDirections{LineDirection::row, LineDirection::column,
-                                   LineDirection::falling_diagonal, LineDirection::rising_diagonal};
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  const cases::Contract contract = backend.contract(*clip);
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
-  if (!drawn) return tl::unexpected(drawn.error());
-  const LineDirection direction = Choices(fingerprint(*clip)).pick(kDirections);
-  return MonotoneCheck(*clip, contract, *drawn, direction).run();
+  return check_drawn(c, backend,
+                     [](const cases::Case& clip, const cases::Contract& contract,
+                        const cases::Framebuffer& drawn) {
+                       return MonotoneCheck(clip, contract, drawn, some_direction(clip)).run();
+                     });
 }
 
 /// A triangle about the middle of the window, so that there are lines; w up to a factor of 64
@@ -245,10 +224,7 @@ Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;
   add_large_triangle(draw, c);
-  if (c.attributes.empty()) {
-    c.attributes.emplace_back();
-    c.attributes.back().name = "a0";
-  }
+  ensure_attribute(c);
   for (cases::Attribute& attribute : c.attributes) {
     attribute.location = Location::sample;
     if (attribute.interpolation == Interpolation::flat) {

@@ -26,6 +26,8 @@
 #include <utility>
 
 #include "oracle/transform.h"
+#include "properties/internal/drawn_values.h"
+#include "properties/internal/random_state.h"
 #include "properties/internal/value_findings.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
@@ -44,11 +46,6 @@ struct Range {
   double hi = 0;
   double unit = 0;  ///< ulp of the greatest
 };
-
-bool all_in_front(const cases::Case& c, const cases::Triangle& triangle) {
-  return std::all_of(triangle.begin(), triangle.end(),
-                     [&](std::uint32_t index) { return c.positions[index].w > 0; });
-}
 
 Range range_of_attribute(const cases::Case& c, const cases::Triangle& triangle,
                          std::uint32_t attribute) {
@@ -154,12 +151,10 @@ class RangeCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  const cases::Contract contract = backend.contract(*clip);
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
-  if (!drawn) return tl::unexpected(drawn.error());
-  return RangeCheck(*clip, contract, *drawn).run();
+  return check_drawn(
+      c, backend,
+      [](const cases::Case& clip, const cases::Contract& contract,
+         const cases::Framebuffer& drawn) { return RangeCheck(clip, contract, drawn).run(); });
 }
 
 // --- Its cases -----------------------------------------------------------------------------------
@@ -193,11 +188,7 @@ std::array<float, 2> random_ends(Draw& draw) {
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;
-  if (c.attributes.empty()) {
-    c.attributes.emplace_back();
-    c.attributes.back().name = "a0";
-    c.attribute_values.assign(c.positions.size(), 0);
-  }
+  ensure_attribute(c);
   const std::size_t count = c.attributes.size();
   for (std::size_t a = 0; a < count; ++a) {
     c.attributes[a].interpolation =

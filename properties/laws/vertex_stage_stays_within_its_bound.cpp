@@ -122,10 +122,7 @@ void add_vertices(Draw& draw, cases::Case& c, int exponent) {
     p.w = is_affine ? 1 : draw.spread(std::max(exponent - 6, -149), exponent);
     add_vertex(c, p);
   }
-  for (int i = 0; i < triangles; ++i) {
-    const auto first = static_cast<std::uint32_t>(3 * i);
-    c.triangles.push_back({first, first + 1, first + 2});
-  }
+  add_separate_triangles(c);
 }
 
 /// A model in front of a perspective camera.
