@@ -17,8 +17,8 @@ using records::Counterexample;
 
 /// Cases in a task: some seconds of work at most, and a process more or less makes no difference.
 constexpr std::uint64_t kCasesPerTask = 10;
-/// Of a law and backend; beyond it tasks grow, or a list of them all would fill the memory.
-constexpr std::uint64_t kMostTasks = 10000;
+/// Of a law and backend; beyond it tasks grow, as what each found has to be handed over and merged.
+constexpr std::uint64_t kMostTasks = 500;
 
 auto place_of(const Counterexample& counterexample) {
   const cases::Found& found = *counterexample.source.found;

@@ -14,7 +14,6 @@ NearPoint near_point(const HomogeneousPoint& p) {
   const double u = near_double(p.u);
   const double v = near_double(p.v);
   const double t = near_double(p.t);
-  // Two errors of kNearDoubleError = 2^-51 and a rounding: less than 2^-49.
   return {u / t, v / t, is_tame(u, p.u) && is_tame(v, p.v) && is_tame(t, p.t)};
 }
 

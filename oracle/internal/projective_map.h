@@ -35,7 +35,7 @@ struct HomogeneousPoint {
   Ring t;
 };
 
-/// A window position in doubles: each within 2^-49 of itself, if it could be had.
+/// A window position in doubles: each within 2^-48 of itself, if it is tame (number.h).
 struct NearPoint {
   double u = 0;
   double v = 0;
@@ -62,11 +62,8 @@ class Line {
   /// The sign of at(p): by doubles where it is far from zero, as nearly everywhere.
   int sign_at(const Point& p) const;
   /// 1 where doubles are sure that the value is positive however far p is moved along both axes, up
-  /// to `reach` pixels; −1 where that it is negative; and 0 where they are not.
-  ///
-  /// Each of the three terms is off by less than 2^-49 + 2^-51 + 2^-52 of itself, and their sum by
-  /// two roundings more: by less than 2^-47 of the sum of their sizes, however the processor
-  /// rounds. So is reach · (|a| + |b|), by which the value changes.
+  /// to `reach` pixels; −1 where that it is negative; and 0 where they are not. `reach` is a double
+  /// that near_double() may have made.                                         (proofs/side.g)
   int certain_side(const NearPoint& p, double reach = 0) const;
 
  private:

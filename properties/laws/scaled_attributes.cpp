@@ -14,7 +14,8 @@
 //
 // Under a contract that names one triangle lo and hi are the same, and r of a covered sample is
 // between the r_i: U = ulp(max|r_i|). Elsewhere, and where b grows towards the horizon, the oracle
-// is asked, of some fragments. All of it is decided by exact sums.
+// is asked, of some fragments: U = ulp(max(|r_i|, |lo|, |hi|)), U' the same of α r + β. All of it
+// is decided by exact sums.
 //
 // With β = 0: rounding commutes with powers of two and with the sign, whatever the weights are and
 // however the mean is formed, as long as nothing is beyond the exponents. Judged so are attributes
@@ -129,6 +130,12 @@ struct Allowed {
   bool is_open = false;  ///< else lo and hi are two doubles around one r, if anything
 };
 
+/// The greatest sizes of a value and of the moved one, there or at a vertex.
+struct Greatest {
+  double value = 0;
+  double moved = 0;
+};
+
 class AffinityCheck {
  public:
   AffinityCheck(const cases::Case& c, const cases::Contract& contract, std::vector<Affine> maps,
@@ -236,10 +243,10 @@ class AffinityCheck {
         is_right =
             expect_same(place, a, static_cast<float>(expected), actual, "scaled") && is_right;
       } else if (is_simple(a)) {
-        const double r = magnitude(place, a, {});
-        is_right =
-            expect_within(place, a, f, actual, {0, 0, double{bound_of(a).constant}, false}, r) &&
-            is_right;
+        const Greatest greatest{magnitude(place, a, {}), magnitude(place, a, map)};
+        is_right = expect_within(place, a, f, actual, {0, 0, double{bound_of(a).constant}, false},
+                                 greatest) &&
+                   is_right;
       }
     }
     if (is_right)
@@ -264,9 +271,15 @@ class AffinityCheck {
       if (!range || !bound) continue;
       const double lo = range->lo.enclosure().lo;
       const double hi = range->hi.enclosure().hi;
-      const double most = std::max({magnitude(place, a, {}), std::abs(lo), std::abs(hi)});
+      // A value may be beyond its vertices' when the moved one is not, and the other way round.
+      // Roundings of α lo + β do not take it below a power of two, and so not into another ulp.
+      const Affine& map = maps_[a];
+      const Greatest greatest{
+          std::max({magnitude(place, a, {}), std::abs(lo), std::abs(hi)}),
+          std::max({magnitude(place, a, map), std::abs(map.alpha * lo + map.beta),
+                    std::abs(map.alpha * hi + map.beta)})};
       expect_within(place, a, f, drawn_->attributes_of(i)[a],
-                    {lo, hi, bound->enclosure().hi, range->is_open}, most);
+                    {lo, hi, bound->enclosure().hi, range->is_open}, greatest);
     }
   }
 
@@ -287,25 +300,23 @@ class AffinityCheck {
     return false;
   }
 
-  /// |f' − (α f + β)| <= b U' + |α| (b U + hi − lo), where |r| <= most.
+  /// |f' − (α f + β)| <= b U' + |α| (b U + hi − lo).
   bool expect_within(const FragmentPlace& place, std::uint32_t a, float f, float actual,
-                     const Allowed& allowed, double most) {
+                     const Allowed& allowed, const Greatest& greatest) {
     const Affine& map = maps_[a];
     const double alpha = std::abs(map.alpha);
-    // Between the vertices' values the moved ones are between the moved vertices'.
-    const double most_of_vertices = magnitude(place, a, map);
-    const double most_moved = most > magnitude(place, a, {})
-                                  ? std::max(most_of_vertices, alpha * most + std::abs(map.beta))
-                                  : most_of_vertices;
-    if (most_moved >= kMostMoved) return true;
+    if (greatest.moved >= kMostMoved) return true;
     labels_.emplace(map.beta == 0 ? "scaled" : "scaled and moved");
     if (allowed.is_open) labels_.emplace("open value");
-    const double unit_moved = ulp_of(most_moved);
+    const double unit_moved = ulp_of(greatest.moved);
     const auto is_beyond = [&](double sign) {
-      const std::array terms{
-          sign * double{actual},       -sign * map.alpha * double{f},         -sign * map.beta,
-          -allowed.bound * unit_moved, -allowed.bound * alpha * ulp_of(most), -alpha * allowed.hi,
-          alpha * allowed.lo};
+      const std::array terms{sign * double{actual},
+                             -sign * map.alpha * double{f},
+                             -sign * map.beta,
+                             -allowed.bound * unit_moved,
+                             -allowed.bound * alpha * ulp_of(greatest.value),
+                             -alpha * allowed.hi,
+                             alpha * allowed.lo};
       return sign_of_sum(terms) > 0;
     };
     if (std::isfinite(actual) && !is_beyond(1) && !is_beyond(-1)) return true;
