@@ -123,7 +123,8 @@ void set_up_values(const State& state, const ValueSource& source, const Weights&
   out.has_smooth_float = false;
   out.has_affine_float = false;
   out.float_scale = float_scale(weights);
-  const bool is_float = state.precision == Precision::float32 && !has_new_corner(source);
+  const bool has_new = has_new_corner(source);
+  const bool is_float = state.precision == Precision::float32 && !has_new;
   for (std::size_t a = 0; a < state.attributes.size(); ++a) {
     const std::array<float, 3> r{source.attributes[0][a], source.attributes[1][a],
                                  source.attributes[2][a]};
@@ -132,6 +133,12 @@ void set_up_values(const State& state, const ValueSource& source, const Weights&
     const Interpolation interpolation = state.attributes[a].interpolation;
     line.is_float = false;
     if (interpolation == Interpolation::flat || is_same_zero(r[0], r[1], r[2])) {
+      line.kind = ValueLine::Kind::copied;
+      continue;
+    }
+    // New corners are rounded, and would take a value off what all vertices share: too far for the
+    // texel that it names, which may end there.
+    if (has_new && r[0] == r[1] && r[1] == r[2] && r[0] != 0) {
       line.kind = ValueLine::Kind::copied;
       continue;
     }
@@ -195,7 +202,11 @@ double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, con
     }
     if (left.sign() < 0 && std::abs(quotient) <= 1) return floor + quotient - 1;
     floor = std::fmod(floor + std::fmod(quotient, period), period);
-    if (quotient == 0) return floor;
+    if (quotient == 0) {
+      // In double a whole quotient may come out just short of itself: all of one may be left.
+      for (const double component : denominator.components()) left.add(-component);
+      return left.sign() < 0 ? floor : floor + 1;
+    }
     rest = left;
   }
 }
