@@ -1,0 +1,14 @@
+// rastercheck-bench: the files beside this one register their benchmarks themselves, but for what
+// is there only when main() runs.
+
+#include <benchmark/benchmark.h>
+
+#include "tests/bench/campaign_bench.h"
+
+int main(int argc, char** argv) {
+  rastercheck::bench::register_campaigns();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}
