@@ -27,7 +27,6 @@ class DrawnValues {
   /// Both must outlive it.
   DrawnValues(const cases::Case& c, const cases::Framebuffer& drawn) : case_(&c), drawn_(&drawn) {}
 
-  std::size_t size() const { return drawn_->size(); }
   FragmentPlace place(std::size_t fragment) const { return place_of(*drawn_, fragment); }
   std::uint32_t triangle(std::size_t fragment) const { return drawn_->triangle[fragment]; }
   const cases::Triangle& corners(std::size_t fragment) const {

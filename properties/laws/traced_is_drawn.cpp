@@ -2,7 +2,7 @@
 // came about. A trace that is computed beside the drawing, or recorded of another sample, explains
 // an error that nobody made.
 //
-// Of up to eight fragments of each triangle, spread over all that were drawn: there is a trace, its
+// Of up to four fragments of each triangle, spread over all that were drawn: there is a trace, its
 // depth and attributes are the drawn ones to the bit, and its weights are what its edges give,
 // E_i = a_i U + (b_i V + c_i T) with every operation rounded to double (records/stage_trace.h). Of
 // samples beside them that were not drawn: there is no trace. Triangles are traced alone, so the

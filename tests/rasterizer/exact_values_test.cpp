@@ -313,8 +313,8 @@ TEST(ExactValues, SharesThatCancelAreSummedExactly) {
   EXPECT_EQ(rounded(value_at(p.values.attributes[0], p.values, p.weights, 0.5, 0.5)), 0.1F);
 }
 
-// Of a number that is the same at all vertices, whatever the weights. Kills: a quotient in double
-// that falls just short of a whole number, taken for the number below.
+// Of a number that is the same at all vertices, whatever the weights. Kills: the first quotient, in
+// double and just short of a whole number, taken for the last.
 TEST(ExactValues, FloorsOfConstantsAreTheirs) {
   Random random(75);
   int wraps = 0;
