@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/files.h"
 #include "cases/json.h"
 #include "cases/json_node.h"
 #include "cases/sample_pattern.h"

@@ -3,13 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
-#include <system_error>
 #include <vector>
 
 namespace rastercheck::cases {
@@ -195,22 +190,6 @@ Result<json> parse_json(std::string_view text, const std::string& file) {
     return tl::unexpected(builder.error.value_or(Error{file, "/", "not valid JSON"}));
   }
   return std::move(builder.document);
-}
-
-Result<std::string> read_text(const std::string& file) {
-  if (file == "-") return std::string(std::istreambuf_iterator<char>(std::cin), {});
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  std::stringstream content;
-  // A folder opens but cannot be read; a file that is empty leaves failbit on `content`.
-  if (!stream ||
-      (stream.peek() != std::ifstream::traits_type::eof() && !(content << stream.rdbuf())) ||
-      stream.bad()) {
-    const std::error_code why(errno, std::generic_category());
-    return tl::unexpected(
-        Error{file, "", why ? "cannot be read: " + why.message() : "cannot be read"});
-  }
-  return std::move(content).str();
 }
 
 }  // namespace rastercheck::cases

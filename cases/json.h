@@ -30,7 +30,4 @@ std::string printable(std::string_view text);
 /// The JSON pointer (RFC 6901) of a key or element below `parent`; the document itself is "".
 std::string child_pointer(const std::string& parent, std::string_view key);
 
-/// The whole of a file, or of standard input for "-".
-Result<std::string> read_text(const std::string& file);
-
 }  // namespace rastercheck::cases

@@ -14,6 +14,7 @@
 #include <span>
 
 #include "cases/camera_frame.h"
+#include "cases/files.h"
 #include "cases/json.h"
 
 namespace rastercheck::cases {

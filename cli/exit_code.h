@@ -12,6 +12,7 @@ enum class ExitCode : int {
   backend_unavailable = 4,
   nothing_checked = 5,
   internal = 70,
+  interrupted = 130,  ///< by a signal, and nothing was violated until then
 };
 
 }  // namespace rastercheck::cli

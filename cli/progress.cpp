@@ -32,12 +32,12 @@ ProgressBar::~ProgressBar() {
   if (has_drawn_) fmt::print(stderr, "\r\033[K");
 }
 
-void ProgressBar::show(std::uint64_t done, std::uint64_t all) {
+void ProgressBar::show(std::uint64_t done, std::uint64_t all, const char* what) {
   if (!is_shown_ || all == 0) return;
   const std::scoped_lock lock(mutex_);
   const std::uint64_t filled = kWidth * done / all;
-  fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {} of {} cases", "", filled, "", kWidth - filled,
-             done, all);
+  fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {} of {} {}", "", filled, "", kWidth - filled, done,
+             all, what);
   std::fflush(stderr);
   has_drawn_ = true;
 }

@@ -15,7 +15,8 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
 
-  void show(std::uint64_t done, std::uint64_t all);
+  /// "[###...] 3 of 10 cases".
+  void show(std::uint64_t done, std::uint64_t all, const char* what);
 
  private:
   std::mutex mutex_;

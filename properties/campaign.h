@@ -6,45 +6,55 @@
 // however they are split over processes, and in whatever order they end, the outcome is the same to
 // the byte.
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "backends/backend.h"
 #include "cases/case.h"
 #include "cases/error.h"
+#include "properties/findings.h"
 #include "properties/law.h"
+#include "properties/shrink.h"
 #include "records/counterexample.h"
 #include "records/record.h"
 #include "records/run.h"
 
 namespace rastercheck::properties {
 
-/// What part of a campaign found.
-struct Findings {
-  records::RecordSet records;
-  /// By (law, backend, index); of each law and backend the records::kMostCounterexamples with the
-  /// lowest indices.
-  std::vector<records::Counterexample> counterexamples;
-  /// A fault of the oracle or the harness: the rest is worth nothing. One line.
-  std::optional<std::string> fault;
-  bool operator==(const Findings&) const = default;
-};
+/// What is done in a task, in the order in which a campaign does it. `saved` is one saved
+/// counterexample checked again; `shrink` makes one smaller, whatever it came from.
+enum class TaskKind { corpus, saved, random, shrink };
+inline constexpr std::array<std::string_view, 4> kTaskKindWords{"corpus", "saved", "random",
+                                                                "shrink"};
 
-/// Adds `from`; of two faults the first stays.
-void merge(Findings& into, Findings from);
-
-/// Some cases of one law on one backend: corpus cases, or random ones of the campaign's seed.
+/// Some cases of one law on one backend: corpus cases, or random ones of the campaign's seed; or a
+/// single case of its own.
 struct Task {
   std::string backend;  ///< specification
   std::string law;      ///< name
-  bool is_corpus = false;
+  TaskKind kind = TaskKind::random;
   std::uint64_t first = 0;  ///< index of the first case
   std::uint64_t last = 0;   ///< one past the last
+  /// What is checked again or made smaller; its case has `found`.
+  std::optional<records::Counterexample> subject = std::nullopt;
   bool operator==(const Task&) const = default;
+
+  /// Cases that it adds to the records.
+  std::uint64_t cases() const { return kind == TaskKind::shrink ? 0 : last - first; }
+};
+
+/// How long one counterexample may be made smaller.
+struct ShrinkBudget {
+  std::uint64_t tries = 1000;     ///< cases checked; 0: it stays as it was found
+  std::optional<double> seconds;  ///< what comes of it depends on the machine then
+  bool operator==(const ShrinkBudget&) const = default;
 };
 
 struct CampaignOptions {
@@ -52,13 +62,21 @@ struct CampaignOptions {
   std::uint64_t cases_per_law = 1000;
   std::vector<std::string> backends{"cpu"};
   std::vector<std::string> laws;  ///< names
+  ShrinkBudget shrinking = {};
+  bool operator==(const CampaignOptions&) const = default;
 };
 
-/// The campaign's work, corpus first. Short tasks, so that processes end together.
-std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_size);
+/// The campaign's work but for shrinking: the corpus, saved counterexamples of its laws and
+/// backends, random cases. Short tasks, so that processes end together.
+std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_size,
+                           std::span<const cases::Case> saved = {});
 
-/// The stratum of the corpus in records.
+/// The work that remains when all cases are checked: to shrink what was found and was not yet.
+std::vector<Task> shrink_tasks(const Findings& findings);
+
+/// The strata of the corpus and of saved counterexamples in records.
 inline constexpr std::string_view kCorpusStratum = "corpus";
+inline constexpr std::string_view kSavedStratum = "saved";
 /// The stratum of a scene: this and its name.
 inline constexpr std::string_view kSceneStratum = "scene ";
 
@@ -67,33 +85,38 @@ inline constexpr std::string_view kSceneStratum = "scene ";
 std::vector<records::UnreachedLabel> unreached_labels(const CampaignOptions& options,
                                                       const records::RecordSet& records);
 
-/// Runs tasks, one after the other; keeps the backends it has made.
-class TaskRunner {
- public:
-  TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus);
-
-  const std::vector<cases::Case>& corpus() const { return corpus_; }
-
-  /// What the task found. Fails where there is no such law, backend or corpus case.
-  Result<Findings> run(const Task& task);
-
- private:
-  Result<backends::Backend*> backend(const std::string& specification);
-
-  std::uint64_t seed_;
-  std::vector<cases::Case> corpus_;
-  std::map<std::string, std::unique_ptr<backends::Backend>> backends_;
-};
-
 /// A case to be checked, and where it comes from.
 struct NumberedCase {
   cases::Case source;
   std::string stratum;
   std::uint64_t index = 0;
+  records::Origin origin = records::Origin::random;
+};
+
+/// Runs tasks, one after the other; keeps the backends it has made.
+class TaskRunner {
+ public:
+  TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus, ShrinkBudget shrinking = {});
+
+  const std::vector<cases::Case>& corpus() const { return corpus_; }
+
+  /// What the task found. Fails where there is no such law, backend or corpus case. Shrinking ends
+  /// with what it has when `is_to_end`, which is asked often, says so; it may be empty.
+  Result<Findings> run(const Task& task, const std::function<bool()>& is_to_end = {});
+
+ private:
+  Result<backends::Backend*> backend(const std::string& specification);
+  NumberedCase numbered_case(const Task& task, const Law& law, std::uint64_t i) const;
+
+  std::uint64_t seed_;
+  std::vector<cases::Case> corpus_;
+  ShrinkBudget shrinking_;
+  std::map<std::string, std::unique_ptr<backends::Backend>> backends_;
 };
 
 /// Checks a case and adds the outcome to the findings: counts, errors, labels, and, where the law
-/// is violated, a counterexample: the one triangle that suffices, if one does, else the case.
+/// is violated and no case before it failed in the same way, a counterexample: the one triangle
+/// that suffices, if one does, else the case.
 void check_case(const Law& law, const std::string& specification, backends::Backend& backend,
                 std::uint64_t seed, const NumberedCase& numbered, Findings& findings);
 
@@ -106,13 +129,29 @@ Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& bac
 /// violation, or "held".
 std::string verdict_of(const Check& check);
 
-/// Keeps a counterexample of the case in the findings, if its index is among the lowest.
+/// Keeps a counterexample of the case in the findings, if none before it failed in the same way.
 void keep_counterexample(const Law& law, const std::string& specification,
                          backends::Backend& backend, std::uint64_t seed,
                          const NumberedCase& numbered, const Check& check, Findings& findings);
 
+/// The counterexample made as small as it gets while the law finds the same class of violation, and
+/// looked at closely. `findings` gets it, and a fault where the oracle failed meanwhile.
+void shrink_counterexample(const Law& law, backends::Backend& backend,
+                           const records::Counterexample& found, const ShrinkLimits& limits,
+                           Findings& findings);
+
 /// The case files of a folder (*.json), in the order of their names; a case without a name gets its
 /// file's. Fails at the first that cannot be read.
 Result<std::vector<cases::Case>> read_corpus(const std::string& directory);
+
+/// Saved counterexamples, and what of their folder could not be read.
+struct SavedCases {
+  std::vector<cases::Case> cases;
+  std::vector<Error> unreadable;
+};
+
+/// The case files of a folder that name one of the laws and one of the backends as those that found
+/// them; none where there is no such folder.
+SavedCases read_saved(const std::string& directory, const CampaignOptions& options);
 
 }  // namespace rastercheck::properties

@@ -60,16 +60,16 @@ class SceneReader {
   const std::vector<records::Violation>& values() const { return values_.violations; }
 
  private:
-  /// The first violation of each of the first few triangles that have one.
+  /// The first violation of each class.
   struct Few {
-    std::set<std::uint32_t> triangles;
+    std::set<FragmentClass> ways;
     std::vector<records::Violation> violations;
   };
 
   void note_violation(Few& few, const JudgedSample& sample, const JudgedValue* value,
                       const oracle::TriangleTruth* truth) {
-    if (few.violations.size() == records::kMostCounterexamples) return;
-    if (!few.triangles.insert(sample.triangle).second) return;
+    const FragmentClass way = value == nullptr ? sample.fragment_class : value->fragment_class;
+    if (!few.ways.insert(way).second) return;
     few.violations.push_back(to_violation(sample, value, truth, *scene_));
   }
 
@@ -138,7 +138,8 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
   if (!clip) return tl::unexpected(clip.error());
   SceneFindings result;
   result.source = *std::move(clip);
-  NumberedCase numbered{result.source, std::string(kSceneStratum) + scene.name, 0};
+  NumberedCase numbered{result.source, std::string(kSceneStratum) + scene.name, 0,
+                        records::Origin::scene};
   numbered.source.name = numbered.stratum;
 
   const oracle::SceneTruth truth(result.source, backend.contract(result.source));

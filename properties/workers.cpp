@@ -12,7 +12,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <deque>
 #include <memory>
 #include <utility>
 
@@ -117,14 +116,18 @@ class Worker {
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
 
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, theirs.number(), STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, theirs.number(), STDOUT_FILENO);
     pid_t process = 0;
-    const int problem = ::posix_spawn(&process, words.front().c_str(), &actions, nullptr,
+    const int problem = ::posix_spawn(&process, words.front().c_str(), &actions, &attributes,
                                       arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
     if (problem != 0) {
       return tl::unexpected(
           Error{words.front(), "", std::string("cannot be started: ") + std::strerror(problem)});
@@ -143,12 +146,15 @@ class Worker {
 
   int socket() const { return socket_.number(); }
   bool is_busy() const { return task_.has_value(); }
-  const Task& task() const { return *task_; }
+  std::size_t task() const { return *task_; }
 
-  bool give(const Task& task) {
-    task_ = task;
+  /// Gives it the task of a place in the list.
+  bool give(std::size_t place, const Task& task) {
+    task_ = place;
     return channel_.send(task_to_line(task));
   }
+  /// Asks it to end its task early.
+  void hurry() const { channel_.send(""); }
   bool receive() { return channel_.receive(); }
   std::optional<std::string> next_line() { return channel_.next_line(); }
   void finish_task() { task_.reset(); }
@@ -181,20 +187,22 @@ class Worker {
   pid_t process_;
   Descriptor socket_;
   LineChannel channel_;
-  std::optional<Task> task_;
+  std::optional<std::size_t> task_;
 };
 
-/// Hands out tasks and gathers findings until there is nothing left of either.
+/// How long a change of mind may take to be heard, in milliseconds.
+constexpr int kPollTime = 100;
+
+/// Hands out tasks and passes on what comes of them until there is nothing left of either.
 class Dispatcher {
  public:
-  Dispatcher(const std::vector<Task>& tasks, const Progress& progress)
-      : waiting_(tasks.begin(), tasks.end()), progress_(&progress) {
-    for (const Task& task : tasks) all_ += task.last - task.first;
-  }
+  Dispatcher(const std::vector<Task>& tasks, const TaskDone& done, const IsToEnd& is_to_end)
+      : tasks_(&tasks), done_(&done), is_to_end_(&is_to_end) {}
 
-  Result<Findings> run(const std::vector<std::string>& command, int jobs) {
+  Result<void> run(const std::vector<std::string>& command, int jobs) {
     assert(jobs >= 1);
-    for (int i = 0; i < jobs && !waiting_.empty() && !error_; ++i) {
+    is_ending_ = *is_to_end_ && (*is_to_end_)();
+    for (int i = 0; i < jobs && has_more() && !error_; ++i) {
       Result<std::unique_ptr<Worker>> worker = Worker::start(command);
       if (!worker) return tl::unexpected(worker.error());
       workers_.push_back(*std::move(worker));
@@ -203,15 +211,16 @@ class Dispatcher {
     while (!error_ && wait_for_some()) {
     }
     if (error_) return tl::unexpected(*error_);
-    return std::move(findings_);
+    return {};
   }
 
  private:
+  bool has_more() const { return !is_ending_ && next_ < tasks_->size(); }
+
   void feed(Worker& worker) {
-    if (waiting_.empty() || findings_.fault) return;
-    const Task task = waiting_.front();
-    waiting_.pop_front();
-    if (!worker.give(task)) lose(worker);
+    if (!has_more()) return;
+    const std::size_t place = next_++;
+    if (!worker.give(place, (*tasks_)[place])) lose(worker);
   }
 
   /// Waits until some worker has something to say and hears it; false when all are done.
@@ -224,9 +233,13 @@ class Dispatcher {
       busy.push_back(worker.get());
     }
     if (busy.empty()) return false;
-    if (::poll(sockets.data(), sockets.size(), -1) < 0) {
+    if (::poll(sockets.data(), sockets.size(), *is_to_end_ ? kPollTime : -1) < 0) {
       if (errno != EINTR) error_ = system_error("poll");
       return true;
+    }
+    if (!is_ending_ && *is_to_end_ && (*is_to_end_)()) {
+      is_ending_ = true;
+      for (const Worker* worker : busy) worker->hurry();
     }
     for (std::size_t i = 0; i < busy.size() && !error_; ++i) {
       if (sockets[i].revents != 0) hear(*busy[i]);
@@ -243,52 +256,55 @@ class Dispatcher {
       error_ = found.error();
       return;
     }
-    done_ += worker.task().last - worker.task().first;
-    merge(findings_, *std::move(found));
+    const std::size_t place = worker.task();
     worker.finish_task();
-    if (*progress_) (*progress_)(done_, all_);
+    if (!(*done_)(place, *std::move(found))) is_ending_ = true;
     feed(worker);
   }
 
   void lose(Worker& worker) {
-    const Task task = worker.task();
-    error_ =
-        Error{"worker", "",
-              worker.ending() + " at the law '" + task.law + "' with " + task.backend + ", cases " +
-                  std::to_string(task.first) + " to " + std::to_string(task.last - 1)};
+    const Task& task = (*tasks_)[worker.task()];
+    const std::string which =
+        task.kind == TaskKind::random || task.kind == TaskKind::corpus
+            ? "cases " + std::to_string(task.first) + " to " + std::to_string(task.last - 1)
+            : "a counterexample";
+    error_ = Error{
+        "worker", "",
+        worker.ending() + " at the law '" + task.law + "' with " + task.backend + ", " + which};
   }
 
-  std::deque<Task> waiting_;
-  const Progress* progress_;
+  const std::vector<Task>* tasks_;
+  const TaskDone* done_;
+  const IsToEnd* is_to_end_;
+  std::size_t next_ = 0;
+  bool is_ending_ = false;
   std::vector<std::unique_ptr<Worker>> workers_;
-  Findings findings_;
   std::optional<Error> error_;
-  std::uint64_t done_ = 0;
-  std::uint64_t all_ = 0;
 };
+
+/// Whether something has come on standard input, or nobody is there any more.
+bool is_asked_to_hurry() {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  return ::poll(&input, 1, 0) > 0;
+}
 
 }  // namespace
 
-Result<Findings> run_tasks(TaskRunner& runner, const std::vector<Task>& tasks,
-                           const Progress& progress) {
-  std::uint64_t all = 0;
-  for (const Task& task : tasks) all += task.last - task.first;
-  std::uint64_t done = 0;
-  Findings findings;
-  for (const Task& task : tasks) {
-    Result<Findings> found = runner.run(task);
-    if (!found) return found;
-    merge(findings, *std::move(found));
-    if (findings.fault) break;
-    done += task.last - task.first;
-    if (progress) progress(done, all);
+Result<void> run_tasks(TaskRunner& runner, const std::vector<Task>& tasks, const TaskDone& done,
+                       const IsToEnd& is_to_end) {
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (is_to_end && is_to_end()) break;
+    Result<Findings> found = runner.run(tasks[i], is_to_end);
+    if (!found) return tl::unexpected(found.error());
+    if (!done(i, *std::move(found))) break;
   }
-  return findings;
+  return {};
 }
 
-Result<Findings> run_tasks_in_processes(const std::vector<std::string>& command, int jobs,
-                                        const std::vector<Task>& tasks, const Progress& progress) {
-  return Dispatcher(tasks, progress).run(command, jobs);
+Result<void> run_tasks_in_processes(const std::vector<std::string>& command, int jobs,
+                                    const std::vector<Task>& tasks, const TaskDone& done,
+                                    const IsToEnd& is_to_end) {
+  return Dispatcher(tasks, done, is_to_end).run(command, jobs);
 }
 
 Result<void> serve_tasks(TaskRunner& runner) {
@@ -301,11 +317,12 @@ Result<void> serve_tasks(TaskRunner& runner) {
   const LineChannel output(answers.number());
   while (input.receive()) {
     while (const std::optional<std::string> line = input.next_line()) {
+      if (line->empty()) continue;  // for a task that had ended
       const std::optional<Task> task = task_from_line(*line);
       if (!task) return tl::unexpected(Error{"-", "", "not a task of a campaign"});
-      if (!output.send(findings_to_line(runner.run(*task)))) {
-        return tl::unexpected(system_error("standard output"));
-      }
+      const std::string answer = findings_to_line(runner.run(*task, &is_asked_to_hurry));
+      // Who asked may be gone, which is no fault of this process, and of no use to anyone.
+      if (!output.send(answer)) return {};
     }
   }
   return {};

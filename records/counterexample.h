@@ -2,9 +2,11 @@
 
 // A case that breaks a law, and how.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cases/case.h"
@@ -34,17 +36,34 @@ struct Violation {
   bool operator==(const Violation&) const = default;
 };
 
+/// Where the case that failed was from, in the order in which a run checks them.
+enum class Origin { corpus, saved, scene, random };
+inline constexpr std::array<std::string_view, 4> kOriginWords{"corpus", "saved", "scene", "random"};
+constexpr std::string_view to_string(Origin origin) {
+  return kOriginWords[static_cast<std::size_t>(origin)];
+}
+
+/// How the case became as small as it is.
+struct Shrinking {
+  std::uint64_t tries = 0;  ///< smaller cases that were checked
+  bool is_least = false;    ///< nothing that was tried is smaller; else there was no more time
+  bool operator==(const Shrinking&) const = default;
+};
+
 /// The case's `found` names law, backend, verdict, seed and index. It is saved as a case file.
 struct Counterexample {
   cases::Case source;
   std::uint64_t violation_count = 0;  ///< of all in the case
   std::vector<Violation> violations;  ///< the first of them
+  Origin origin = Origin::random;
+  std::optional<Shrinking> shrinking = std::nullopt;  ///< nothing: left as it was found
+  /// What was drawn around the first violation, as lines of text; the last ones say what the signs
+  /// mean.
+  std::vector<std::string> close_up = {};
   bool operator==(const Counterexample&) const = default;
 };
 
-/// At most so many violations of a case are kept, and at most so many cases of a law and backend:
-/// those of lowest index.
+/// At most so many violations of a case are kept.
 inline constexpr std::size_t kMostViolations = 8;
-inline constexpr std::size_t kMostCounterexamples = 5;
 
 }  // namespace rastercheck::records

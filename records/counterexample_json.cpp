@@ -62,13 +62,20 @@ json counterexample_to_json(const Counterexample& counterexample) {
   for (const Violation& violation : counterexample.violations) {
     violations.push_back(json_of(violation));
   }
-  return {{"case", source.value_or(json())},
-          {"violation_count", counterexample.violation_count},
-          {"violations", std::move(violations)}};
+  json object{{"case", source.value_or(json())},
+              {"violation_count", counterexample.violation_count},
+              {"violations", std::move(violations)},
+              {"origin", to_string(counterexample.origin)}};
+  if (const auto& shrinking = counterexample.shrinking) {
+    object["shrinking"] = {{"tries", shrinking->tries}, {"is_least", shrinking->is_least}};
+  }
+  if (!counterexample.close_up.empty()) object["close_up"] = counterexample.close_up;
+  return object;
 }
 
 Counterexample counterexample_from_json(const JsonNode& node) {
-  node.expect_object({"case", "violation_count", "violations"});
+  node.expect_object({"case", "violation_count", "violations"},
+                     {"origin", "shrinking", "close_up"});
   Counterexample counterexample;
   if (node.failed()) return counterexample;
   counterexample.source = cases::read_case(node["case"]);
@@ -76,6 +83,19 @@ Counterexample counterexample_from_json(const JsonNode& node) {
   for (const JsonNode& violation : node["violations"].elements()) {
     if (node.failed()) break;
     counterexample.violations.push_back(read_violation(violation));
+  }
+  if (node.has("origin")) {
+    counterexample.origin = static_cast<Origin>(node["origin"].word(kOriginWords));
+  }
+  if (node.has("shrinking")) {
+    const JsonNode shrinking = node["shrinking"];
+    shrinking.expect_object({"tries", "is_least"});
+    counterexample.shrinking = {shrinking["tries"].count(), shrinking["is_least"].boolean()};
+  }
+  if (node.has("close_up")) {
+    for (const JsonNode& line : node["close_up"].elements()) {
+      counterexample.close_up.push_back(line.text());
+    }
   }
   return counterexample;
 }

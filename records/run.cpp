@@ -11,10 +11,6 @@ bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-/// Characters of a case's name in a file name: names may be whole sentences, and file systems allow
-/// 255 bytes. The index still tells two long names apart.
-constexpr std::size_t kMostOfName = 64;
-
 /// ASCII only, whatever the locale: a file name that every system and archive takes as it is.
 std::string file_word(std::string_view text) {
   std::string word;
@@ -30,12 +26,25 @@ std::string unreached_sentence(const UnreachedLabel& label) {
                      label.least);
 }
 
+std::vector<std::string> caveats(const Run& run) {
+  std::vector<std::string> all;
+  if (run.cases_left > 0) {
+    all.push_back(
+        fmt::format("The run was interrupted: {} cases were not checked.", run.cases_left));
+  }
+  if (run.shrink_seconds) {
+    all.push_back(
+        fmt::format("Shrinking was limited to {} s a counterexample: how small they are "
+                    "depends on the machine.",
+                    *run.shrink_seconds));
+  }
+  return all;
+}
+
 std::string file_of(const Counterexample& counterexample) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
-  const std::string& name = counterexample.source.name;
-  return fmt::format("counterexamples/{}-{}{}-{}.json", file_word(found.law),
-                     file_word(found.backend),
-                     name.empty() ? "" : "-" + file_word(name).substr(0, kMostOfName), found.index);
+  return fmt::format("counterexamples/{}-{}-{}.json", file_word(found.law),
+                     file_word(found.backend), file_word(found.verdict));
 }
 
 }  // namespace rastercheck::records

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,12 @@ struct Run {
   std::vector<std::string> backends;  ///< as asked for
   std::vector<std::string> laws;      ///< those that were run, in the order of tables
   std::string scene;                  ///< its name; empty where there was none
+  std::uint64_t cases_left = 0;       ///< not checked, as the run was interrupted
+  /// Seconds that shrinking one counterexample might take, where that was limited: how small they
+  /// are depends on the machine then.
+  std::optional<double> shrink_seconds;
   RecordSet records;
-  /// Ordered by (law, backend, index).
+  /// Ordered by (law, backend, verdict), one of each.
   std::vector<Counterexample> counterexamples;
   /// Ordered by (law, backend, label).
   std::vector<UnreachedLabel> unreached;
@@ -54,10 +59,11 @@ struct Run {
 /// "Not reached: LAW on BACKEND: 'tie' in 2 of 1000 cases, where at least 13 had to."
 std::string unreached_sentence(const UnreachedLabel& label);
 
+/// What else a reader has to know of a run: that it was interrupted, that shrinking was cut short.
+std::vector<std::string> caveats(const Run& run);
+
 /// The file that a counterexample is saved as, within the run's folder:
-/// "counterexamples/LAW-BACKEND-NAME-INDEX.json", with what is neither letter nor digit made '-',
-/// and of a name 64 characters.
-/// Only cases of the corpus and of scenes have a name; random ones go without.
+/// "counterexamples/LAW-BACKEND-VERDICT.json", with what is neither letter nor digit made '-'.
 std::string file_of(const Counterexample& counterexample);
 
 }  // namespace rastercheck::records

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/files.h"
 #include "cases/json.h"
 #include "cases/json_node.h"
 #include "records/counterexample_json.h"
@@ -27,7 +28,8 @@ void check_header(const JsonNode& root) {
     root["version"].refuse("version must be 1");
   }
   root.expect_object({"format", "version", "seed", "cases_per_law", "backends", "laws", "scene",
-                      "records", "counterexamples", "unreached", "pictures", "environment"});
+                      "records", "counterexamples", "unreached", "pictures", "environment"},
+                     {"cases_left", "shrink_seconds"});
 }
 
 std::vector<std::string> read_texts(const JsonNode& node) {
@@ -71,6 +73,8 @@ records::Run read_document(const JsonNode& root) {
   run.backends = read_texts(root["backends"]);
   run.laws = read_texts(root["laws"]);
   run.scene = root["scene"].text();
+  if (root.has("cases_left")) run.cases_left = root["cases_left"].count();
+  if (root.has("shrink_seconds")) run.shrink_seconds = root["shrink_seconds"].float64();
   for (const JsonNode& node : root["counterexamples"].elements()) {
     if (root.failed()) return run;
     run.counterexamples.push_back(records::counterexample_from_json(node));

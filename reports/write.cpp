@@ -1,8 +1,7 @@
 #include "reports/write.h"
 
-#include <cerrno>
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -10,6 +9,7 @@
 
 #include "cases/case_reader.h"
 #include "cases/case_writer.h"
+#include "cases/files.h"
 #include "reports/format.h"
 
 namespace rastercheck::reports {
@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kCounterexamples = "counterexamples";
+constexpr std::string_view kEarlier = "earlier";  ///< within it
 
 Error failure(const fs::path& file, std::string_view what, const std::error_code& why) {
   return {file.string(), "", std::string(what) + (why ? ": " + why.message() : "")};
@@ -30,31 +31,39 @@ Result<void> make_folder(const fs::path& folder) {
   return {};
 }
 
-/// Whether a run of this tool wrote the file: a case whose `found` gives it the name it has.
-bool is_counterexample(const fs::path& file) {
+/// Whether a run of this tool wrote the file, a case whose `found` gives it the name it has, and of
+/// a law and backend that this run checked.
+bool is_counterexample_of(const records::Run& run, const fs::path& file) {
   std::error_code ignored;
   if (file.extension() != ".json" || !fs::is_regular_file(file, ignored)) return false;
   const Result<cases::Case> source = cases::read_case(file.string());
   if (!source || !source->found) return false;
-  return fs::path(records::file_of({*source, 0, {}})).filename() == file.filename();
+  const auto has = [](const std::vector<std::string>& all, const std::string& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+  };
+  return has(run.laws, source->found->law) && has(run.backends, source->found->backend) &&
+         fs::path(records::file_of({*source, 0, {}})).filename() == file.filename();
 }
 
-/// Removes the counterexamples that are not among `current`.
-Result<void> remove_stale(const fs::path& folder, const std::set<fs::path>& current) {
+/// Puts aside the counterexamples of the run's laws and backends that are not among `current`: it
+/// checked them again, and found something else or nothing.
+Result<void> put_earlier_aside(const records::Run& run, const fs::path& folder,
+                               const std::set<fs::path>& current) {
   std::error_code why;
   if (!fs::exists(folder, why)) return {};
-  // Removing while listing would leave open what the list shows.
+  // Moving while listing would leave open what the list shows.
   std::vector<fs::path> stale;
   for (auto entry = fs::directory_iterator(folder, why); !why && entry != fs::directory_iterator();
        entry.increment(why)) {
-    if (!current.contains(entry->path()) && is_counterexample(entry->path())) {
+    if (!current.contains(entry->path()) && is_counterexample_of(run, entry->path())) {
       stale.push_back(entry->path());
     }
   }
   if (why) return tl::unexpected(failure(folder, "cannot be listed", why));
   for (const fs::path& file : stale) {
-    fs::remove(file, why);
-    if (why) return tl::unexpected(failure(file, "cannot be removed", why));
+    if (const Result<void> made = make_folder(folder / kEarlier); !made) return made;
+    fs::rename(file, folder / kEarlier / file.filename(), why);
+    if (why) return tl::unexpected(failure(file, "cannot be moved", why));
   }
   return {};
 }
@@ -67,40 +76,16 @@ Result<void> write_counterexamples(const records::Run& run, const fs::path& dire
       return tl::unexpected(failure(file, "two counterexamples would have this name", {}));
     }
     Result<void> done = make_folder(file.parent_path()).and_then([&] {
-      return write_file(file.string(), cases::to_json(counterexample.source));
+      return cases::write_file(file.string(), cases::to_json(counterexample.source));
     });
     if (!done) return done;
   }
-  return remove_stale(directory / kCounterexamples, written);
+  // An interrupted run may not have come to them.
+  if (run.cases_left > 0) return {};
+  return put_earlier_aside(run, directory / kCounterexamples, written);
 }
 
 }  // namespace
-
-Result<void> write_file(const std::string& name, const std::string& content) {
-  const fs::path file = name;
-  fs::path partial = file;
-  partial += ".partial";
-  errno = 0;
-  {
-    std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
-    stream << content;
-    stream.close();
-    if (!stream) {
-      const std::error_code why(errno, std::generic_category());
-      std::error_code ignored;
-      fs::remove(partial, ignored);
-      return tl::unexpected(failure(file, "cannot be written", why));
-    }
-  }
-  std::error_code why;
-  fs::rename(partial, file, why);
-  if (why) {
-    std::error_code ignored;
-    fs::remove(partial, ignored);
-    return tl::unexpected(failure(file, "cannot be written", why));
-  }
-  return {};
-}
 
 Result<void> write_reports(const records::Run& run, const std::string& directory,
                            std::span<const std::string> format_names) {
@@ -114,7 +99,8 @@ Result<void> write_reports(const records::Run& run, const std::string& directory
   Result<void> done =
       make_folder(directory).and_then([&] { return write_counterexamples(run, directory); });
   for (std::size_t i = 0; done && i < chosen.size(); ++i) {
-    done = write_file((fs::path(directory) / chosen[i].file_name).string(), chosen[i].write(run));
+    done = cases::write_file((fs::path(directory) / chosen[i].file_name).string(),
+                             chosen[i].write(run));
   }
   return done;
 }

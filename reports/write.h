@@ -8,14 +8,12 @@
 
 namespace rastercheck::reports {
 
-/// Writes a file whole or not at all: under another name first. The error names it.
-Result<void> write_file(const std::string& name, const std::string& content);
-
 /// Writes a run's folder (CONTRACT, output folder of a run), which is made where it is missing: a
 /// case file for every counterexample, and the file of each format named (format.h).
 ///
 /// A file is there whole or not at all: it is written under another name first. Case files in
-/// counterexamples/ that an earlier run left are removed; they are told by the name that their
+/// counterexamples/ that an earlier run left, of laws and backends that this one checked, go to
+/// counterexamples/earlier/, unless it was interrupted; they are told by the name that their
 /// `found` gives them, and nothing else is touched. Errors name the file, or the format that there
 /// is not; what was written before an error stays.
 Result<void> write_reports(const records::Run& run, const std::string& directory,

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "cases/case_writer.h"
-#include "cases/json.h"
+#include "cases/files.h"
 #include "cases/mesh.h"
 #include "cases/names.h"
 #include "cli/command.h"

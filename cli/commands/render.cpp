@@ -8,6 +8,7 @@
 
 #include "backends/backend.h"
 #include "cases/case_reader.h"
+#include "cases/files.h"
 #include "cases/float_text.h"
 #include "cases/json.h"
 #include "cli/backend_failure.h"
@@ -16,7 +17,6 @@
 #include "properties/law.h"
 #include "reports/picture.h"
 #include "reports/png.h"
-#include "reports/write.h"
 
 namespace rastercheck::cli {
 namespace {
@@ -89,7 +89,7 @@ ExitCode run(const Options& options) {
   if (!options.png.empty()) {
     const Result<void> written =
         reports::to_png(reports::draw_picture(*c, *drawn)).and_then([&options](const auto& bytes) {
-          return reports::write_file(options.png, bytes);
+          return cases::write_file(options.png, bytes);
         });
     if (!written) return fail(written.error());
     return ExitCode::ok;

@@ -12,9 +12,11 @@
 #include "cases/json.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
+#include "cli/counterexample_text.h"
 #include "cli/output.h"
 #include "oracle/transform.h"
 #include "properties/campaign.h"
+#include "properties/close_up.h"
 
 namespace rastercheck::cli {
 namespace {
@@ -33,6 +35,8 @@ struct Outcome {
   std::string backend;
   properties::Check check;
   std::string found;  ///< the verdict the file was saved with; empty where it says none
+  const cases::Case* source = nullptr;
+  std::vector<std::string> close_up;  ///< of the first violation
 
   std::string verdict() const {
     return check.is_applicable ? properties::verdict_of(check) : "not applicable";
@@ -85,7 +89,10 @@ void print_outcome(const Outcome& outcome, bool quiet) {
   }
   fmt::print("{}: {}, {}: {}{}\n", outcome.file, outcome.law, outcome.backend, outcome.verdict(),
              note);
-  if (!quiet && outcome.check.violation_count > 0) print_violations(outcome);
+  if (quiet || outcome.check.violation_count == 0) return;
+  print_violations(outcome);
+  for (const std::string& line : outcome.close_up) fmt::print("    {}\n", line);
+  fmt::print("{}", case_text(*outcome.source));
 }
 
 nlohmann::ordered_json violation_json(const records::Violation& v) {
@@ -158,9 +165,13 @@ Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs) {
     }
     const cases::Found found = source.found.value_or(cases::Found());
     for (const properties::Law* law : laws) {
-      Outcome outcome{file, std::string(law->name), specification, {}, found.verdict};
+      Outcome outcome{file, std::string(law->name), specification, {}, found.verdict, &source, {}};
       outcome.check = properties::check_or_note(*law, source, *made[specification], {found.index});
       if (outcome.check.fault) return tl::unexpected(Error{file, "", *outcome.check.fault});
+      if (!outcome.check.violations.empty()) {
+        outcome.close_up =
+            properties::close_up(source, *made[specification], outcome.check.violations.front());
+      }
       outcomes.push_back(std::move(outcome));
     }
   }

@@ -18,21 +18,24 @@
 
 #include "backends/backend.h"
 #include "cases/case_reader.h"
+#include "cases/case_writer.h"
+#include "cases/files.h"
 #include "cases/json.h"
 #include "cases/mesh.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
+#include "cli/corpus_folder.h"
+#include "cli/counterexample_text.h"
+#include "cli/interrupt.h"
 #include "cli/output.h"
 #include "cli/progress.h"
+#include "cli/scene_pictures.h"
 #include "cli/summary_table.h"
 #include "cli/whole_number.h"
 #include "oracle/transform.h"
-#include "properties/scene.h"
-#include "properties/workers.h"
+#include "properties/campaign_run.h"
 #include "records/share.h"
 #include "reports/format.h"
-#include "reports/picture.h"
-#include "reports/png.h"
 #include "reports/write.h"
 
 namespace rastercheck::cli {
@@ -48,24 +51,13 @@ struct Options {
   std::string corpus;
   std::string output = "rastercheck-out";
   std::vector<std::string> formats{"json", "html", "markdown"};
+  std::uint64_t shrink_tries = properties::ShrinkBudget().tries;
+  std::optional<double> shrink_seconds;
+  bool resume = false;
   int jobs = 1;
   bool json = false;
   bool quiet = false;
 };
-
-constexpr const char* kOwnProgram = "/proc/self/exe";
-
-/// The corpus that comes with the program: beside it where it is installed, else in the sources it
-/// was built from.
-std::string default_corpus() {
-  std::error_code problem;
-  const auto program = std::filesystem::read_symlink(kOwnProgram, problem);
-  if (!problem) {
-    const auto installed = program.parent_path().parent_path() / RASTERCHECK_INSTALLED_CORPUS;
-    if (std::filesystem::is_directory(installed, problem)) return installed.string();
-  }
-  return RASTERCHECK_SOURCE_CORPUS;
-}
 
 /// The laws whose names match a pattern.
 std::vector<std::string> chosen_laws(const std::string& pattern) {
@@ -77,94 +69,165 @@ std::vector<std::string> chosen_laws(const std::string& pattern) {
   return names;
 }
 
+/// The same without those that were there before: twice the same is no more work.
+std::vector<std::string> without_repetitions(const std::vector<std::string>& all) {
+  std::vector<std::string> once;
+  for (const std::string& one : all) {
+    if (std::find(once.begin(), once.end(), one) == once.end()) once.push_back(one);
+  }
+  return once;
+}
+
 /// The scene's clip case, under the name of its file if it has no other.
-Result<cases::Case> read_scene(const Options& options) {
-  const bool is_mesh = cases::is_mesh_file(options.scene);
-  Result<cases::Case> scene =
-      is_mesh ? cases::case_from_mesh(
-                    options.scene, {options.scene_size, options.scene_size, cases::Rules::vulkan})
-              : cases::read_case(options.scene);
-  if (scene) scene = oracle::to_clip_case(*scene, options.scene);
+Result<cases::Case> read_scene(const std::string& file, int size) {
+  const bool is_mesh = cases::is_mesh_file(file);
+  Result<cases::Case> scene = is_mesh
+                                  ? cases::case_from_mesh(file, {size, size, cases::Rules::vulkan})
+                                  : cases::read_case(file);
+  if (scene) scene = oracle::to_clip_case(*scene, file);
   if (scene && (is_mesh || scene->name.empty())) {
-    const bool is_file = options.scene != "-";
-    scene->name = is_file
-                      ? cases::valid_utf8(std::filesystem::path(options.scene).filename().string())
-                      : "standard input";
+    scene->name = file == "-" ? "standard input"
+                              : cases::valid_utf8(std::filesystem::path(file).filename().string());
   }
   return scene;
 }
 
-Result<records::Picture> picture(std::string name, std::string caption,
-                                 const reports::Image& image) {
-  Result<std::string> png = reports::to_png(image);
-  if (!png) return tl::unexpected(png.error());
-  return records::Picture{std::move(name), std::move(caption), image.width, image.height,
-                          *std::move(png)};
+std::string checkpoint_file(const Options& options) {
+  return (std::filesystem::path(options.output) / properties::kCheckpointFile).string();
 }
 
-/// Judges the scene with every backend, and keeps what was drawn and its error map as pictures.
-Result<properties::Findings> judge_scenes(const cases::Case& scene, unsigned jobs,
-                                          records::Run& run) {
-  properties::Findings all;
-  for (const std::string& specification : run.backends) {
-    auto backend = backends::make_backend(specification);
-    if (!backend) return tl::unexpected(backend.error());
-    Result<properties::SceneFindings> found =
-        properties::judge_scene(scene, specification, **backend, run.seed, run.laws, jobs);
-    if (!found) return tl::unexpected(found.error());
-    const std::string stem =
-        std::filesystem::path(scene.name).stem().string() + "-" + specification;
-    const bool y_up = found->source.rules == cases::Rules::opengl;
-    const Result<records::Picture> drawn =
-        picture(stem, fmt::format("{} as {} drew it.", scene.name, specification),
-                reports::draw_picture(found->source, found->drawn));
-    const Result<records::Picture> errors = picture(
-        stem + "-errors",
-        fmt::format("Its errors: the largest of each pixel's attributes against the exact value, "
-                    "in scale ULP."),
-        reports::draw_error_map(found->map, y_up));
-    if (!drawn) return tl::unexpected(drawn.error());
-    if (!errors) return tl::unexpected(errors.error());
-    run.pictures.push_back(*drawn);
-    run.pictures.push_back(*errors);
-    properties::merge(all, std::move(found->findings));
+/// What the options ask for.
+Result<properties::RunPlan> plan_of(const Options& options) {
+  properties::RunPlan plan;
+  plan.campaign.seed = options.seed ? *options.seed : std::random_device()();
+  plan.campaign.cases_per_law = options.cases;
+  plan.campaign.backends = without_repetitions(options.backends);
+  plan.campaign.laws = chosen_laws(options.property);
+  plan.campaign.shrinking = {options.shrink_tries, options.shrink_seconds};
+  if (plan.campaign.laws.empty()) {
+    return tl::unexpected(
+        Error{"--property", "", "no property matches (see rastercheck list properties)"});
   }
-  return all;
+  plan.corpus = options.corpus.empty() ? corpus_folder() : options.corpus;
+  plan.scene = options.scene;
+  plan.scene_size = options.scene_size;
+  plan.program = RASTERCHECK_VERSION;
+  return plan;
 }
 
-properties::CampaignOptions campaign_of(const records::Run& run) {
-  return {run.seed, run.cases_per_law, run.backends, run.laws};
+/// Where the run in the output folder had come to, if it can go on with this corpus.
+Result<properties::Checkpoint> read_checkpoint(const Options& options) {
+  const std::string file = checkpoint_file(options);
+  return cases::read_text(file)
+      .and_then([&](const std::string& text) { return properties::parse_checkpoint(text, file); })
+      .and_then([&](properties::Checkpoint read) -> Result<properties::Checkpoint> {
+        if (read.plan.program != RASTERCHECK_VERSION) {
+          return tl::unexpected(Error{file, "/plan/program", "was begun by another version"});
+        }
+        if (read.plan.scene == "-") {
+          return tl::unexpected(Error{file, "/plan/scene", "was read from standard input"});
+        }
+        return read;
+      });
 }
 
-/// The campaign and the scene, side by side where there are processes for it.
-Result<properties::Findings> find(const Options& options, const std::string& corpus_directory,
-                                  std::vector<cases::Case> corpus,
-                                  const std::optional<cases::Case>& scene, records::Run& run) {
+/// Makes files of what an unfinished run had found, before another one takes its place; those that
+/// this one's laws and backends found it checks again.
+Result<void> save_unfinished(const Options& options) {
+  const std::string file = checkpoint_file(options);
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return {};
+  const auto text = cases::read_text(file);
+  const auto read = text ? properties::parse_checkpoint(*text, file)
+                         : Result<properties::Checkpoint>(tl::unexpected(text.error()));
+  if (!read) {
+    fail(read.error());  // It is replaced all the same: what nobody can read is lost already.
+    return {};
+  }
+  fmt::print(stderr,
+             "rastercheck: {}: an unfinished run, which this one replaces (--resume would go on); "
+             "{} counterexamples of it are kept\n",
+             file, read->findings.counterexamples.size());
+  for (const records::Counterexample& one : read->findings.counterexamples) {
+    const auto kept = std::filesystem::path(options.output) / records::file_of(one);
+    if (std::filesystem::exists(kept, ignored)) continue;
+    std::filesystem::create_directories(kept.parent_path(), ignored);
+    const Result<void> written = cases::write_file(kept.string(), cases::to_json(one.source));
+    if (!written) return written;
+  }
+  return {};
+}
+
+/// Where a run begins: at nothing, but for the counterexamples of earlier ones.
+Result<properties::Checkpoint> new_checkpoint(const Options& options) {
+  const Result<properties::RunPlan> plan = plan_of(options);
+  if (!plan) return tl::unexpected(plan.error());
+  properties::Checkpoint start;
+  start.plan = *plan;
+  if (const Result<void> saved = save_unfinished(options); !saved) {
+    return tl::unexpected(saved.error());
+  }
+  const std::string folder = (std::filesystem::path(options.output) / "counterexamples").string();
+  properties::SavedCases saved = properties::read_saved(folder, start.plan.campaign);
+  for (const Error& error : saved.unreadable) fail(error);
+  start.saved = std::move(saved.cases);
+  return start;
+}
+
+/// How tasks are run: in this process, or in several.
+class Executor {
+ public:
+  Executor(const properties::RunPlan& plan, std::vector<cases::Case> corpus, int jobs)
+      : runner_(plan.campaign.seed, std::move(corpus), plan.campaign.shrinking),
+        command_{kOwnProgram,      "worker",
+                 "--seed",         std::to_string(plan.campaign.seed),
+                 "--corpus",       plan.corpus,
+                 "--shrink-tries", std::to_string(plan.campaign.shrinking.tries)},
+        jobs_(jobs) {
+    if (const auto& seconds = plan.campaign.shrinking.seconds) {
+      command_.insert(command_.end(), {"--shrink-seconds", fmt::format("{}", *seconds)});
+    }
+  }
+
+  Result<void> operator()(const std::vector<properties::Task>& tasks,
+                          const properties::TaskDone& done) {
+    if (jobs_ == 1) return properties::run_tasks(runner_, tasks, done, &is_interrupted);
+    return properties::run_tasks_in_processes(command_, jobs_, tasks, done, &is_interrupted);
+  }
+
+ private:
+  properties::TaskRunner runner_;
+  std::vector<std::string> command_;
+  int jobs_;
+};
+
+/// The campaign and the scene, side by side where there are processes for it; then shrinking.
+Result<void> find(const Options& options, std::vector<cases::Case> corpus,
+                  const properties::RunPlan& plan, const std::optional<cases::Case>& scene,
+                  records::Run& run, properties::CampaignRun& campaign) {
   ProgressBar bar(options.quiet);
-  const properties::Progress progress = [&bar](std::uint64_t done, std::uint64_t all) {
-    bar.show(done, all);
+  const auto progress_of = [&bar](const char* what) {
+    return [&bar, what](std::uint64_t done, std::uint64_t all) { bar.show(done, all, what); };
   };
-  const std::vector<properties::Task> tasks = properties::tasks_of(campaign_of(run), corpus.size());
+  Executor executor(plan, std::move(corpus), options.jobs);
+  const properties::Execute execute = std::ref(executor);
+  const auto check_cases = [&] { return campaign.check_cases(execute, progress_of("cases")); };
 
-  Result<properties::Findings> campaign;
   Result<properties::Findings> of_scene;
+  Result<void> checked;
   if (options.jobs == 1) {
-    properties::TaskRunner runner(run.seed, std::move(corpus));
     if (scene) of_scene = judge_scenes(*scene, 1, run);
-    if (of_scene) campaign = properties::run_tasks(runner, tasks, progress);
+    if (of_scene) checked = check_cases();
   } else {
-    const std::vector<std::string> command{
-        kOwnProgram, "worker", "--seed", std::to_string(run.seed), "--corpus", corpus_directory};
-    auto dispatched = std::async(std::launch::async, [&] {
-      return properties::run_tasks_in_processes(command, options.jobs, tasks, progress);
-    });
+    auto dispatched = std::async(std::launch::async, check_cases);
     if (scene) of_scene = judge_scenes(*scene, static_cast<unsigned>(options.jobs), run);
-    campaign = dispatched.get();
+    checked = dispatched.get();
   }
-  if (!of_scene) return of_scene;
-  if (!campaign) return campaign;
-  properties::merge(*campaign, *std::move(of_scene));
-  return campaign;
+  if (!of_scene) return tl::unexpected(of_scene.error());
+  if (!checked) return checked;
+  campaign.add_scene(*std::move(of_scene));
+  if (campaign.findings().fault) return {};
+  return campaign.shrink(execute, &is_interrupted, progress_of("counterexamples shrunk"));
 }
 
 /// What of a run depends on machine and time.
@@ -226,20 +289,12 @@ void print_results(const Options& options, const records::Run& run,
   const std::string decided = records::decided_sentence(levels, counts.undecided);
   if (!decided.empty()) fmt::print("{}\n", decided);
   for (const records::Counterexample& found : run.counterexamples) {
-    fmt::print("Counterexample: {}/{} ({})\n", options.output, records::file_of(found),
-               found.source.found->verdict);
+    const auto file = std::filesystem::path(options.output) / records::file_of(found);
+    fmt::print("{}", counterexample_text(found, file.string()));
   }
+  for (const std::string& caveat : records::caveats(run)) fmt::print("{}\n", caveat);
   fmt::print("Seed {}, {:.1f} s. {}", run.seed, seconds,
              where_reports_are(options.output, options.formats));
-}
-
-/// The same without those that were there before: twice the same is no more work.
-std::vector<std::string> without_repetitions(const std::vector<std::string>& all) {
-  std::vector<std::string> once;
-  for (const std::string& one : all) {
-    if (std::find(once.begin(), once.end(), one) == once.end()) once.push_back(one);
-  }
-  return once;
 }
 
 /// Whether reports can be written there; asked before the work rather than after it.
@@ -255,46 +310,90 @@ Result<void> check_output(const Options& options) {
   return {};
 }
 
+/// What is to be done, and read for it.
+struct Work {
+  properties::Checkpoint start;
+  std::vector<cases::Case> corpus;
+  std::optional<cases::Case> scene;
+};
+
+Result<Work> prepare(const Options& options) {
+  Result<properties::Checkpoint> start =
+      options.resume ? read_checkpoint(options) : new_checkpoint(options);
+  if (!start) return tl::unexpected(start.error());
+  Work work{*std::move(start), {}, std::nullopt};
+  properties::RunPlan& plan = work.start.plan;
+  Result<std::vector<cases::Case>> corpus = properties::read_corpus(plan.corpus);
+  if (!corpus) return tl::unexpected(corpus.error());
+  work.corpus = *std::move(corpus);
+  const std::string digest = properties::digest_of(work.corpus);
+  if (options.resume && digest != plan.corpus_digest) {
+    return tl::unexpected(Error{plan.corpus, "", "is not as it was when the run was begun"});
+  }
+  plan.corpus_digest = digest;
+  if (!plan.scene.empty()) {
+    Result<cases::Case> scene = read_scene(plan.scene, plan.scene_size);
+    if (!scene) return tl::unexpected(scene.error());
+    work.scene = *std::move(scene);
+  }
+  return work;
+}
+
+/// Ends a run whose results cannot be written: what it found is on the terminal already.
+ExitCode fail_to_write(const Options& options, const Error& error) {
+  const ExitCode code = fail(error);
+  fmt::print(stderr,
+             "rastercheck: what was found is printed above; once there is room, `rastercheck run "
+             "--resume --output {}` writes it\n",
+             options.output);
+  return code;
+}
+
 ExitCode run_campaign(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
-  records::Run run;
-  run.seed = options.seed ? *options.seed : std::random_device()();
-  run.cases_per_law = options.cases;
-  run.backends = without_repetitions(options.backends);
-  run.laws = chosen_laws(options.property);
-  if (run.laws.empty()) {
-    return fail({"--property", "", "no property matches (see rastercheck list properties)"});
-  }
-  const std::string corpus_directory = options.corpus.empty() ? default_corpus() : options.corpus;
-  Result<std::vector<cases::Case>> corpus = properties::read_corpus(corpus_directory);
-  if (!corpus) return fail(corpus.error());
-  std::optional<cases::Case> scene;
-  if (!options.scene.empty()) {
-    Result<cases::Case> read = read_scene(options);
-    if (!read) return fail(read.error());
-    scene = *std::move(read);
-    run.scene = options.scene;
-  }
-
+  Result<Work> work = prepare(options);
+  if (!work) return fail(work.error());
   if (const auto can_write = check_output(options); !can_write) return fail(can_write.error());
+  const properties::RunPlan plan = work->start.plan;
   // Last: input that cannot be read goes before backends that cannot run.
-  if (const ExitCode code = check_backends(run.backends); code != ExitCode::ok) return code;
+  if (const ExitCode code = check_backends(plan.campaign.backends); code != ExitCode::ok) {
+    return code;
+  }
 
-  Result<properties::Findings> found =
-      find(options, corpus_directory, *std::move(corpus), scene, run);
+  records::Run run;
+  run.seed = plan.campaign.seed;
+  run.cases_per_law = plan.campaign.cases_per_law;
+  run.backends = plan.campaign.backends;
+  run.laws = plan.campaign.laws;
+  run.scene = plan.scene;
+  run.shrink_seconds = plan.campaign.shrinking.seconds;
+  const InterruptWatch watch(
+      fmt::format("\nrastercheck: ending; once more ends at once. `rastercheck run --resume "
+                  "--output {}` goes on.\n",
+                  options.output));
+  properties::CampaignRun campaign(work->start, options.output, work->corpus.size(),
+                                   [](const Error& error) { fail(error); });
+  if (const Result<void> begun = campaign.begin(); !begun) return fail(begun.error());
+  const Result<void> found = find(options, work->corpus, plan, work->scene, run, campaign);
+  campaign.save();
   if (!found) return fail_internally(found.error());
-  if (found->fault) return fail_internally({"the oracle", "", *found->fault});
-  run.records = std::move(found->records);
-  run.counterexamples = std::move(found->counterexamples);
-  run.unreached = properties::unreached_labels(campaign_of(run), run.records);
+  const properties::Findings& findings = campaign.findings();
+  if (findings.fault) return fail_internally({"the oracle", "", *findings.fault});
+  run.records = findings.records;
+  run.counterexamples = findings.counterexamples;
+  run.cases_left = campaign.cases_left();
+  run.unreached = properties::unreached_labels(plan.campaign, run.records);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.environment = environment(options, seconds.count());
 
-  const Result<void> written = reports::write_reports(run, options.output, options.formats);
-  if (!written) return fail(written.error());
   const std::vector<records::LawSummary> rows = records::summarize(run);
+  const Result<void> written = reports::write_reports(run, options.output, options.formats);
   print_results(options, run, rows, seconds.count());
-  return outcome(rows);
+  if (!written) return fail_to_write(options, written.error());
+  const bool is_whole = run.cases_left == 0 && campaign.is_shrunk();
+  if (is_whole) campaign.remove();
+  const ExitCode code = outcome(rows);
+  return is_whole || code == ExitCode::violated ? code : ExitCode::interrupted;
 }
 
 Action set_up(CLI::App& app) {
@@ -319,13 +418,29 @@ Action set_up(CLI::App& app) {
   app.add_option("--format", options->formats, "Reports to write, as json,html,markdown")
       ->delimiter(',')
       ->capture_default_str();
+  app.add_option("--shrink-tries", options->shrink_tries,
+                 "Smaller cases that are tried of each counterexample; 0 leaves it as it is found")
+      ->check(whole_number())
+      ->capture_default_str();
+  app.add_option("--shrink-seconds", options->shrink_seconds,
+                 "Seconds for each counterexample; no limit without it")
+      ->check(CLI::PositiveNumber);
+  CLI::Option* resume =
+      app.add_flag("--resume", options->resume,
+                   "Goes on with the interrupted run of the output folder, as it was");
+  for (const char* settled : {"--backend", "--property", "--cases", "--seed", "--scene",
+                              "--scene-size", "--corpus", "--shrink-tries", "--shrink-seconds"}) {
+    resume->excludes(settled);
+  }
   app.add_option("--jobs", options->jobs, "Processes")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_flag("--json", options->json, "The table as JSON");
   app.add_flag("-q,--quiet", options->quiet, "Rows only, no progress bar");
   app.footer(
-      "Exit code 0 if every property held, 1 if one was violated, 5 if one checked nothing.");
+      "Exit code 0 if every property held, 1 if one was violated, 5 if one checked nothing, 130 "
+      "if\n"
+      "the run was interrupted.");
   return [options] { return run_campaign(*options); };
 }
 

@@ -12,6 +12,7 @@ namespace {
 struct Options {
   std::uint64_t seed = 0;
   std::string corpus;
+  properties::ShrinkBudget shrinking;
 };
 
 ExitCode run(const Options& options) {
@@ -21,7 +22,7 @@ ExitCode run(const Options& options) {
     if (!read) return fail(read.error());
     corpus = *std::move(read);
   }
-  properties::TaskRunner runner(options.seed, std::move(corpus));
+  properties::TaskRunner runner(options.seed, std::move(corpus), options.shrinking);
   const Result<void> served = properties::serve_tasks(runner);
   if (!served) return fail_internally(served.error());
   return ExitCode::ok;
@@ -32,6 +33,8 @@ Action set_up(CLI::App& app) {
   app.group("");  // not in --help
   app.add_option("--seed", options->seed)->required();
   app.add_option("--corpus", options->corpus);
+  app.add_option("--shrink-tries", options->shrinking.tries);
+  app.add_option("--shrink-seconds", options->shrinking.seconds);
   return [options] { return run(*options); };
 }
 

@@ -64,12 +64,13 @@ Result<Findings> findings_from_line(const std::string& line) {
 }
 
 std::string task_to_line(const Task& task) {
-  return json{{"backend", task.backend},
+  json object{{"backend", task.backend},
               {"law", task.law},
-              {"corpus", task.is_corpus},
+              {"kind", kTaskKindWords[static_cast<std::size_t>(task.kind)]},
               {"first", task.first},
-              {"last", task.last}}
-      .dump();
+              {"last", task.last}};
+  if (task.subject) object["subject"] = records::counterexample_to_json(*task.subject);
+  return object.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 std::optional<Task> task_from_line(const std::string& line) {
@@ -78,10 +79,17 @@ std::optional<Task> task_from_line(const std::string& line) {
   std::optional<Error> error;
   const std::string file = kWorker;
   const JsonNode root(*document, "", error, file);
-  root.expect_object({"backend", "law", "corpus", "first", "last"});
-  Task task{root["backend"].text(), root["law"].text(), root["corpus"].boolean(),
-            root["first"].count(), root["last"].count()};
+  root.expect_object({"backend", "law", "kind", "first", "last"}, {"subject"});
+  Task task{root["backend"].text(), root["law"].text(),
+            static_cast<TaskKind>(root["kind"].word(kTaskKindWords)), root["first"].count(),
+            root["last"].count()};
+  if (root.has("subject")) task.subject = records::counterexample_from_json(root["subject"]);
   if (error) return std::nullopt;
+  // Such a task is about a case of its own, and that one says where it is from.
+  const bool has_subject = task.subject && task.subject->source.found;
+  if ((task.kind == TaskKind::saved || task.kind == TaskKind::shrink) != has_subject) {
+    return std::nullopt;
+  }
   return task;
 }
 

@@ -98,8 +98,12 @@ std::string facts_of(const Run& run, const LawSummary& total) {
          definition("to do it again", "<code>" + html(run_command(run)) + "</code>") + "</dl>\n";
 }
 
-std::string unreached_of(const Run& run) {
+/// What was not done: cases that were not checked, labels that were not reached.
+std::string gaps_of(const Run& run) {
   std::string text;
+  for (const std::string& caveat : records::caveats(run)) {
+    text += fmt::format("<p>{}</p>\n", html(caveat));
+  }
   for (const records::UnreachedLabel& label : run.unreached) {
     text += fmt::format("<p>{}</p>\n", html(records::unreached_sentence(label)));
   }
@@ -114,7 +118,7 @@ std::string first_screen(const Run& run, const std::vector<LawSummary>& rows) {
   return fmt::format(
              "<header>\n<p class=\"name\">RasterCheck</p>\n<h1 class=\"{}\">{}</h1>\n</header>\n",
              style, html(verdict_sentence(rows))) +
-         table_of(rows) + unreached_of(run) +
+         table_of(rows) + gaps_of(run) +
          fmt::format("<p class=\"unit\">{}</p>\n<p class=\"unit\">{}</p>\n", html(kUnitSentence),
                      html(kExcessSentence)) +
          facts_of(run, total);
@@ -255,7 +259,13 @@ std::string counterexample_section(const Counterexample& counterexample) {
   for (const records::Violation& violation : counterexample.violations) {
     text += violation_row(violation, counterexample.source);
   }
-  return text + "</tbody>\n</table>\n</section>\n";
+  text += "</tbody>\n</table>\n";
+  if (!counterexample.close_up.empty()) {
+    text += "<pre>";
+    for (const std::string& line : counterexample.close_up) text += html(line) + "\n";
+    text += "</pre>\n";
+  }
+  return text + "</section>\n";
 }
 
 std::string environment_of(const Run& run) {

@@ -9,6 +9,8 @@
 //     "backends": ["cpu"],
 //     "laws": ["…"],
 //     "scene": "bunny",
+//     "cases_left": 120,        only of a run that was interrupted
+//     "shrink_seconds": 5,      only where shrinking was limited by time
 //     "records": […],           records/record_json.h
 //     "counterexamples": […],   records/counterexample_json.h
 //     "unreached": [{"law": "…", "backend": "cpu", "label": "tie", "reached": 2, "least": 13,
@@ -24,6 +26,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cases/json_node.h"
 #include "records/counterexample_json.h"
 #include "records/record_json.h"
 #include "reports/base64.h"
@@ -80,6 +83,10 @@ std::string write(const records::Run& run) {
   add("backends", text_of(run.backends));
   add("laws", text_of(run.laws));
   add("scene", text_of(run.scene));
+  if (run.cases_left > 0) add("cases_left", std::to_string(run.cases_left));
+  if (run.shrink_seconds) {
+    add("shrink_seconds", text_of(cases::float64_to_json(*run.shrink_seconds)));
+  }
   add("records", lines_of(records::records_to_json(run.records)));
   add("counterexamples", lines_of(counterexamples));
   add("unreached", lines_of(unreached));

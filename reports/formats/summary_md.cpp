@@ -117,12 +117,15 @@ std::string counterexample_text(const Counterexample& counterexample) {
   for (const records::Violation& violation : counterexample.violations) {
     text += violation_line(violation, counterexample.source);
   }
+  if (!counterexample.close_up.empty()) text += "\n";
+  for (const std::string& line : counterexample.close_up) text += command_block(line);
   return text;
 }
 
 std::string write(const Run& run) {
   const std::vector<LawSummary> rows = records::summarize(run);
   std::string text = fmt::format("# RasterCheck\n\n**{}**\n\n", verdict_sentence(rows));
+  for (const std::string& caveat : records::caveats(run)) text += markdown(caveat) + "\n\n";
   text += table_of(rows);
   if (!run.unreached.empty()) text += "\n";
   for (const records::UnreachedLabel& label : run.unreached) {

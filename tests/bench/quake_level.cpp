@@ -10,7 +10,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "cases/json.h"
+#include "cases/files.h"
 
 namespace rastercheck::bench {
 namespace {

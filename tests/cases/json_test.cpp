@@ -13,6 +13,8 @@
 #include <string>
 #include <string_view>
 
+#include "cases/files.h"
+
 namespace rastercheck::cases {
 namespace {
 

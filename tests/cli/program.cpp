@@ -4,10 +4,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 extern char** environ;
 
@@ -38,16 +40,21 @@ std::string content_of(const File& file) {
   return text;
 }
 
-Outcome run(const char* program, const std::vector<std::string>& arguments,
-            const std::string& input) {
-  const File in = temporary_file(input);
-  const File out = temporary_file();
-  const File err = temporary_file();
+/// What a process is given and what it says.
+struct Standard {
+  explicit Standard(const std::string& input) : in(temporary_file(input)) {}
+  File in;
+  File out = temporary_file();
+  File err = temporary_file();
+};
+
+pid_t start(const char* program, const std::vector<std::string>& arguments,
+            const Standard& standard) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, fileno(in.get()), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(out.get()), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(err.get()), STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(standard.in.get()), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(standard.out.get()), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(standard.err.get()), STDERR_FILENO);
 
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -59,10 +66,20 @@ Outcome run(const char* program, const std::vector<std::string>& arguments,
   const int spawned = posix_spawn(&child, program, &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (spawned != 0) throw std::runtime_error("cannot start " + words.front());
+  return child;
+}
+
+Outcome wait_for(pid_t child, const Standard& standard) {
   int status = 0;
   waitpid(child, &status, 0);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  return {code, content_of(out), content_of(err)};
+  return {code, content_of(standard.out), content_of(standard.err)};
+}
+
+Outcome run(const char* program, const std::vector<std::string>& arguments,
+            const std::string& input) {
+  const Standard standard(input);
+  return wait_for(start(program, arguments, standard), standard);
 }
 
 }  // namespace
@@ -74,6 +91,31 @@ Outcome run_program(const std::vector<std::string>& arguments, const std::string
 Outcome run_damaged_program(const std::vector<std::string>& arguments, const std::string& input) {
   return run(RASTERCHECK_DAMAGED_PROGRAM, arguments, input);
 }
+
+Outcome run_shell(const std::string& script) {
+  return run(
+      "/bin/sh",
+      {"-c", "PROGRAM=" RASTERCHECK_PROGRAM " DAMAGED=" RASTERCHECK_DAMAGED_PROGRAM "\n" + script},
+      "");
+}
+
+struct RunningProgram::Streams {
+  Standard standard{""};
+};
+
+RunningProgram::RunningProgram(const std::vector<std::string>& arguments)
+    : streams_(std::make_unique<Streams>()),
+      process_(start(RASTERCHECK_DAMAGED_PROGRAM, arguments, streams_->standard)) {}
+
+RunningProgram::~RunningProgram() {
+  if (process_ == 0) return;
+  kill(SIGKILL);
+  wait();
+}
+
+void RunningProgram::kill(int signal) const { ::kill(process_, signal); }
+
+Outcome RunningProgram::wait() { return wait_for(std::exchange(process_, 0), streams_->standard); }
 
 bool is_failure(const Outcome& outcome, int code) {
   return outcome.code == code && outcome.out.empty() && outcome.err.starts_with("rastercheck: ") &&

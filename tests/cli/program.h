@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -18,6 +19,27 @@ Outcome run_program(const std::vector<std::string>& arguments, const std::string
 /// The same with the program that has the backends `damaged:…` too (properties/damaged_kind.cpp).
 Outcome run_damaged_program(const std::vector<std::string>& arguments,
                             const std::string& input = "");
+
+/// Runs a shell script; $PROGRAM and $DAMAGED are the two programs above.
+Outcome run_shell(const std::string& script);
+
+/// The damaged program while it runs. What a test ends early, it ends by kill().
+class RunningProgram {
+ public:
+  explicit RunningProgram(const std::vector<std::string>& arguments);
+  RunningProgram(const RunningProgram&) = delete;
+  RunningProgram& operator=(const RunningProgram&) = delete;
+  ~RunningProgram();
+
+  void kill(int signal) const;
+  /// Until it has ended. Once.
+  Outcome wait();
+
+ private:
+  struct Streams;
+  std::unique_ptr<Streams> streams_;
+  int process_ = 0;
+};
 
 /// Whether it failed as CONTRACT has it: this exit code, nothing on standard output, and on the
 /// other one line that starts with "rastercheck: ".

@@ -85,6 +85,11 @@ TEST(Replay, PrintsExactAndActualValue) {
   EXPECT_THAT(outcome.out, HasSubstr("-: coverage obeys the contract, damaged: missing (as it was "
                                      "found)\n"));
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("required: inside"), HasSubstr("not drawn")));
+  // The corner that is lost, the pixels around it, and the case.
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("#  [-]\n"), HasSubstr("- missing\n"),
+                    HasSubstr("  8 × 8 pixels, viewport 0 0 8 8, rules vulkan\n"),
+                    HasSubstr("  3       1   1"), HasSubstr("  triangles 0 1 2, 2 1 3\n")));
   const Outcome quiet = run_damaged_program({"replay", "-", "--quiet"}, text);
   EXPECT_EQ(quiet.code, 1);
   EXPECT_EQ(line_count(quiet.out), 1);

@@ -71,11 +71,16 @@ TEST_F(Run, ThatIsViolatedKeepsCounterexamples) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out, HasSubstr("violated"));
   const std::vector<std::string> files = folder_.files("out/counterexamples");
-  EXPECT_THAT(files, testing::Contains("coverage-obeys-the-contract-damaged-square-0.json"));
+  EXPECT_THAT(files, testing::Contains("coverage-obeys-the-contract-damaged-missing.json"));
   for (const std::string& file : files) {
-    EXPECT_THAT(outcome.out,
-                HasSubstr("Counterexample: " + folder_.path("out/counterexamples/") + file + " ("));
+    EXPECT_THAT(outcome.out, HasSubstr("Again: rastercheck replay " +
+                                       folder_.path("out/counterexamples/") + file + "\n"));
   }
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("on damaged: missing. It is case 0 of the corpus, “square”; "
+                              "shrunk in "),
+                    HasSubstr("not drawn; exactly: required: inside"), HasSubstr("[-]"),
+                    HasSubstr("  vertex  x")));
   EXPECT_THAT(run_json().at("counterexamples"), SizeIs(files.size()));
 }
 
@@ -207,11 +212,42 @@ TEST_F(Run, TakesABackendOnceHoweverOftenItIsNamed) {
   EXPECT_EQ(run_json().at("records").at(0).at("cases").at("checked"), 1);
 }
 
-// Kills: yesterday's counterexamples among today's.
-TEST_F(Run, IntoAFolderOfAnotherReplacesIt) {
+// Kills: a counterexample of yesterday that nobody checks today.
+TEST_F(Run, ChecksSavedCounterexamplesAgain) {
+  const auto run_cpu = [this] {
+    return run({"--cases", "6", "--seed", "1", "--property", kCoverage});
+  };
+  const std::string name = "counterexamples/coverage-obeys-the-contract-cpu-missing.json";
+  folder_.put("out/" + name, square_case(R"("found": {"law": "coverage obeys the contract",
+      "backend": "cpu", "verdict": "missing", "seed": 5, "index": 77}, )"));
+  const Outcome held = run_cpu();
+  EXPECT_EQ(held.code, 0) << held;
+  const json records = run_json().at("records");
+  EXPECT_TRUE(std::any_of(records.begin(), records.end(), [](const json& record) {
+    return record.at("stratum") == "saved" && record.at("cases").at("checked") == 1;
+  })) << records;
+  // It holds now, and is kept where nobody takes it for a failure.
+  EXPECT_THAT(folder_.files("out/counterexamples"),
+              ElementsAre("earlier/coverage-obeys-the-contract-cpu-missing.json"));
+
+  const auto run_it_damaged = [this](const std::string& seed) {
+    return run_damaged_program({"run", "--backend", "damaged", "--cases", "6", "--seed", seed,
+                                "--corpus", folder_.path("none"), "--property", kCoverage,
+                                "--output", folder_.path("out")});
+  };
+  folder_.put("none/note.txt", "");
+  const Outcome first = run_it_damaged("1");
+  EXPECT_EQ(first.code, 1) << first;
+  const Outcome second = run_it_damaged("2");
+  EXPECT_THAT(second.out, HasSubstr("saved before: case 0 of seed 1"));
+}
+
+// Kills: what one backend broke, gone when another is checked.
+TEST_F(Run, LeavesTheCounterexamplesOfOtherBackends) {
   EXPECT_EQ(run_damaged({"--backend", "damaged", "--cases", "3"}).code, 1);
+  const std::vector<std::string> files = folder_.files("out/counterexamples");
   EXPECT_EQ(run({"--cases", "6", "--seed", "1"}).code, 0);
-  EXPECT_THAT(folder_.files("out"), ElementsAre("report.html", "run.json", "summary.md"));
+  EXPECT_EQ(folder_.files("out/counterexamples"), files);
 }
 
 // --- What is printed and written -----------------------------------------------------------------
@@ -307,8 +343,7 @@ TEST_F(Run, JudgesACaseOfTheCorpusAsAScene) {
                                        folder_.path("corpus/square.json"), "--property", "cov*"});
   EXPECT_EQ(outcome.code, 1) << outcome;
   EXPECT_THAT(folder_.files("out/counterexamples"),
-              ElementsAre("coverage-obeys-the-contract-damaged-scene-square-1.json",
-                          "coverage-obeys-the-contract-damaged-square-0.json"));
+              ElementsAre("coverage-obeys-the-contract-damaged-missing.json"));
 }
 
 TEST_F(Run, ReadsASceneFromStandardInput) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cases/case_reader.h"
+#include "cases/files.h"
 #include "cases/json.h"
 #include "oracle/fragment_json.h"
 #include "oracle/fragments.h"

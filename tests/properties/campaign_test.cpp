@@ -11,6 +11,7 @@
 #include "cases/case_writer.h"
 #include "properties/workers.h"
 #include "tests/properties/damaged_backend.h"
+#include "tests/properties/gathered.h"
 #include "tests/temporary_folder.h"
 
 namespace rastercheck::properties {
@@ -47,18 +48,23 @@ const LawRegistration kRegistration({.name = kFaultyLaw,
 
 TEST(TasksOf, HoldsEveryCaseOnceCorpusFirst) {
   const CampaignOptions options{1, 25, {"cpu", "damaged"}, {"one law", "another"}};
-  std::map<std::tuple<std::string, std::string, bool, std::uint64_t>, int> times;
-  bool is_corpus_over = false;
-  for (const Task& task : tasks_of(options, 12)) {
-    EXPECT_FALSE(is_corpus_over && task.is_corpus);
-    is_corpus_over = !task.is_corpus;
+  std::map<std::tuple<std::string, std::string, TaskKind, std::uint64_t>, int> times;
+  std::vector<cases::Case> saved(3, square());
+  for (std::size_t i = 0; i < saved.size(); ++i) {
+    saved[i].found = {"law " + std::to_string(i), "cpu", "missing", 7, 9};
+  }
+  TaskKind last_kind = TaskKind::corpus;
+  for (const Task& task : tasks_of(options, 12, saved)) {
+    EXPECT_GE(task.kind, last_kind);
+    last_kind = task.kind;
     EXPECT_LT(task.first, task.last);
     for (std::uint64_t i = task.first; i < task.last; ++i) {
-      EXPECT_LT(i, task.is_corpus ? 12U : 25U);
-      ++times[{task.backend, task.law, task.is_corpus, i}];
+      EXPECT_LT(i, task.kind == TaskKind::corpus ? 12U : 25U);
+      ++times[{task.backend, task.law, task.kind, i}];
     }
+    EXPECT_EQ(task.kind == TaskKind::saved, task.subject.has_value());
   }
-  EXPECT_THAT(times, SizeIs(2 * 2 * (12 + 25)));
+  EXPECT_THAT(times, SizeIs(2 * 2 * (12 + 25) + 3));
   for (const auto& [what, count] : times) EXPECT_EQ(count, 1);
 }
 
@@ -82,44 +88,53 @@ TEST(TasksOf, TakesAnyNumberOfCases) {
 
 TEST(TaskRunner, NamesWhatThereIsNot) {
   TaskRunner runner(1, {square()});
-  EXPECT_EQ(to_string(runner.run({"cpu", "no law", false, 0, 1}).error()),
+  EXPECT_EQ(to_string(runner.run({"cpu", "no law", TaskKind::random, 0, 1}).error()),
             "no law: there is no law of that name");
-  EXPECT_EQ(to_string(runner.run({"cpu", kCoverage, true, 0, 2}).error()),
+  EXPECT_EQ(to_string(runner.run({"cpu", kCoverage, TaskKind::corpus, 0, 2}).error()),
             "the corpus: has fewer cases than a task asks for");
   for (int twice = 0; twice < 2; ++twice) {  // a failure is not kept in a backend's place
-    EXPECT_THAT(to_string(runner.run({"gpu", kCoverage, false, 0, 1}).error()),
+    EXPECT_THAT(to_string(runner.run({"gpu", kCoverage, TaskKind::random, 0, 1}).error()),
                 HasSubstr("gpu: no backend of that name"));
   }
 }
 
 TEST(TaskRunner, StopsAtAFault) {
   TaskRunner runner(1, {});
-  const Findings findings = runner.run({"cpu", kFaultyLaw, false, 0, 10}).value();
+  const Findings findings = runner.run({"cpu", kFaultyLaw, TaskKind::random, 0, 10}).value();
   EXPECT_EQ(findings.fault, "case 3");
   ASSERT_THAT(findings.records, SizeIs(1));
   EXPECT_EQ(findings.records.begin()->second.cases.checked, 4U);
 }
 
 // Kills: work that goes on although its results are worth nothing.
-TEST(RunTasks, StopsAtAFault) {
+TEST(RunTasks, StopsWhereNoMoreAreWanted) {
   TaskRunner runner(1, {});
-  int told = 0;
+  const std::vector<Task> tasks = tasks_of({1, 40, {"cpu"}, {kFaultyLaw}}, 0);
   const auto findings =
-      run_tasks(runner, tasks_of({1, 40, {"cpu"}, {kFaultyLaw}}, 0), [&](auto, auto) { ++told; });
+      gathered([&](const TaskDone& done) { return run_tasks(runner, tasks, done); });
   EXPECT_EQ(findings.value().fault, "case 3");
   EXPECT_EQ(findings.value().records.begin()->second.cases.checked, 4U);
-  EXPECT_EQ(told, 0);
 }
 
 TEST(RunTasks, TellsOfEveryTask) {
   TaskRunner runner(1, {square()});
-  std::vector<std::uint64_t> told;
+  std::vector<std::size_t> told;
   const CampaignOptions options{1, 12, {"cpu"}, {kCoverage}};
-  ASSERT_TRUE(run_tasks(runner, tasks_of(options, 1), [&](std::uint64_t done, std::uint64_t all) {
-    EXPECT_EQ(all, 13U);
-    told.push_back(done);
+  ASSERT_TRUE(run_tasks(runner, tasks_of(options, 1), [&](std::size_t task, const Findings&) {
+    told.push_back(task);
+    return true;
   }));
-  EXPECT_THAT(told, ElementsAre(1, 11, 13));
+  EXPECT_THAT(told, ElementsAre(0, 1, 2));
+}
+
+// Kills: an interrupt that is heard when all is done.
+TEST(RunTasks, EndsWhenAsked) {
+  TaskRunner runner(1, {square()});
+  int told = 0;
+  const auto done = [&told](std::size_t, const Findings&) { return ++told > 0; };
+  const std::vector<Task> tasks = tasks_of({1, 40, {"cpu"}, {kCoverage}}, 1);
+  ASSERT_TRUE(run_tasks(runner, tasks, done, [&told] { return told == 2; }));
+  EXPECT_EQ(told, 2);
 }
 
 // --- Merging -------------------------------------------------------------------------------------
@@ -138,17 +153,18 @@ std::vector<cases::Case> small_corpus() {
 
 Findings whole_campaign() {
   TaskRunner runner(kSmall.seed, small_corpus());
-  return run_tasks(runner, tasks_of(kSmall, 3), {}).value();
+  const std::vector<Task> tasks = tasks_of(kSmall, 3);
+  return gathered([&](const TaskDone& done) { return run_tasks(runner, tasks, done); }).value();
 }
 
 TEST(Campaign, HasSomethingToFind) {
   const Findings whole = whole_campaign();
   EXPECT_EQ(whole.fault, std::nullopt);
-  EXPECT_THAT(whole.counterexamples, SizeIs(records::kMostCounterexamples));
-  for (const Counterexample& one : whole.counterexamples) {
-    EXPECT_EQ(one.source.found->law, kCoverage);
-    EXPECT_EQ(one.source.found->backend, "damaged");
-  }
+  ASSERT_THAT(whole.counterexamples, SizeIs(1));
+  const Counterexample& one = whole.counterexamples[0];
+  EXPECT_EQ(one.origin, records::Origin::corpus);
+  EXPECT_EQ(one.source.name, "one");
+  EXPECT_EQ(one.source.found, (cases::Found{kCoverage, "damaged", "missing", 7, 0}));
 }
 
 // Kills: records or counterexamples that depend on which process did what, or who was ready first.
@@ -186,29 +202,68 @@ RC_GTEST_PROP(Campaign, IsTheSameHoweverItIsSplit, ()) {
 }
 
 /// A counterexample that merging has nothing more to ask about.
-Findings found_one(const std::string& law, const std::string& backend, std::uint64_t index) {
+Findings found_one(const cases::Found& found, records::Origin origin = records::Origin::random,
+                   const std::string& name = "") {
   Findings findings;
   Counterexample one;
-  one.source.found = cases::Found{law, backend, "missing", 1, index};
+  one.source.found = found;
+  one.source.name = name;
+  one.origin = origin;
   findings.counterexamples = {one};
   return findings;
 }
 
-TEST(Merge, KeepsTheLowestIndicesOfEachLawAndBackend) {
+// Kills: one failure that hides another, and more of one kind than a reader asked for.
+TEST(Merge, KeepsTheFirstOfEachWayToFail) {
   Findings all;
-  for (const std::uint64_t index : {9U, 3U, 8U, 1U, 7U, 0U, 5U}) {
+  for (const std::uint64_t index : {9U, 3U, 8U, 1U, 7U, 5U}) {
     for (const char* law : {"b", "a"}) {
-      for (const char* backend : {"y", "x"}) merge(all, found_one(law, backend, index));
+      for (const char* backend : {"y", "x"}) {
+        for (const char* verdict : {"missing", "extra"}) {
+          merge(all, found_one({law, backend, verdict, 1, index}));
+        }
+      }
     }
   }
   std::vector<std::string> kept;
   for (const Counterexample& one : all.counterexamples) {
-    kept.push_back(one.source.found->law + one.source.found->backend +
-                   std::to_string(one.source.found->index));
+    const cases::Found& found = *one.source.found;
+    kept.push_back(found.law + found.backend + found.verdict[0] + std::to_string(found.index));
   }
-  EXPECT_THAT(
-      kept, ElementsAre("ax0", "ax1", "ax3", "ax5", "ax7", "ay0", "ay1", "ay3", "ay5", "ay7", "bx0",
-                        "bx1", "bx3", "bx5", "bx7", "by0", "by1", "by3", "by5", "by7"));
+  EXPECT_THAT(kept, ElementsAre("axe1", "axm1", "aye1", "aym1", "bxe1", "bxm1", "bye1", "bym1"));
+}
+
+// Kills: a random case in the place of one that has a name and a sentence.
+TEST(Merge, TakesTheCorpusBeforeSavedCasesAndTheseBeforeOthers) {
+  using records::Origin;
+  const cases::Found late{"law", "cpu", "missing", 1, 9};
+  const cases::Found early{"law", "cpu", "missing", 1, 2};
+  Findings all = found_one(early);
+  const auto origin = [&all] { return all.counterexamples.at(0).origin; };
+  merge(all, found_one(late, Origin::scene));
+  EXPECT_EQ(origin(), Origin::scene);
+  merge(all, found_one(late, Origin::saved));
+  EXPECT_EQ(origin(), Origin::saved);
+  merge(all, found_one(late, Origin::corpus, "b"));
+  merge(all, found_one(early, Origin::saved));
+  EXPECT_EQ(origin(), Origin::corpus);
+  merge(all, found_one(late, Origin::corpus, "a"));
+  EXPECT_EQ(all.counterexamples.at(0).source.name, "a");
+  merge(all, found_one(early, Origin::corpus, "z"));
+  EXPECT_EQ(all.counterexamples.at(0).source.name, "z");
+  EXPECT_THAT(all.counterexamples, SizeIs(1));
+}
+
+// Kills: two saved files of one place, of which the one that was read first wins.
+TEST(Merge, TakesTheSameOfTwoWhateverTheOrder) {
+  const cases::Found found{"law", "cpu", "missing", 1, 2};
+  Findings one = found_one(found, records::Origin::saved);
+  Findings other = one;
+  other.counterexamples[0].source.framebuffer.width = 7;
+  Findings there = one;
+  merge(there, other);
+  merge(other, one);
+  EXPECT_EQ(there, other);
 }
 
 TEST(Merge, KeepsTheFirstFault) {
@@ -244,6 +299,13 @@ TEST(CheckCase, CountsAndSaysWhereItIsFrom) {
   ASSERT_THAT(findings.counterexamples, SizeIs(1));
   EXPECT_EQ(findings.counterexamples[0].source.found,
             (cases::Found{kCoverage, "damaged", "missing", 7, 4}));
+}
+
+/// What `damaged` does (damaged_kind.cpp).
+void lose_last(const cases::Case& /*c*/, cases::Framebuffer& drawn) {
+  if (drawn.size() == 0) return;
+  const std::size_t last = drawn.size() - 1;
+  drop(drawn, drawn.triangle[last], drawn.x[last], drawn.y[last]);
 }
 
 /// Loses (7, 7), the last fragment that triangle B draws, whatever it is called.
@@ -324,17 +386,14 @@ TEST(UnreachedLabels, AreThoseOfRandomCases) {
   EXPECT_TRUE(unreached_labels(options, of_method).empty());
 }
 
-TEST(CheckCase, KeepsTheLowestIndices) {
+TEST(CheckCase, KeepsTheLowestIndex) {
   DamagedBackend backend(&lose_last_corner);
   Findings findings;
   for (std::uint64_t left = 8; left > 0; --left) {
     check_case(*find_law(kCoverage), "damaged", backend, 1, {square(), "here", left - 1}, findings);
   }
-  std::vector<std::uint64_t> kept;
-  for (const Counterexample& one : findings.counterexamples) {
-    kept.push_back(one.source.found->index);
-  }
-  EXPECT_THAT(kept, ElementsAre(0, 1, 2, 3, 4));
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  EXPECT_EQ(findings.counterexamples[0].source.found->index, 0U);
   EXPECT_EQ(findings.records.begin()->second.cases.violations, 8U);
 }
 
@@ -407,6 +466,95 @@ TEST(ReadCorpus, NamesWhatCannotBeRead) {
   const std::string file = folder.put("x/broken.json", "{");
   EXPECT_THAT(to_string(read_corpus(folder.path("x")).error()), testing::StartsWith(file + ": 1:"));
   EXPECT_EQ(to_string(read_corpus(file).error()), file + ": cannot be read: Not a directory");
+}
+
+// --- Saved counterexamples -----------------------------------------------------------------------
+
+cases::Case found_by(const std::string& law, const std::string& backend) {
+  cases::Case c = square();
+  c.found = {law, backend, "missing", 3, 4};
+  return c;
+}
+
+// Kills: a broken file that ends the run, or goes unsaid; cases that nobody asked for.
+TEST(ReadSaved, TakesWhatThisRunCanCheckAgain) {
+  const TemporaryFolder folder;
+  CampaignOptions options;
+  options.backends = {"cpu", "damaged"};
+  options.laws = {kCoverage, kValues};
+  folder.put("1.json", cases::to_json(found_by(kCoverage, "damaged")));
+  folder.put("2.json", cases::to_json(found_by(kValues, "cpu")));
+  folder.put("3.json", cases::to_json(found_by(kValues, "gl")));
+  folder.put("4.json", cases::to_json(found_by("constants stay constant", "cpu")));
+  folder.put("5.json", cases::to_json(square()));
+  const std::string broken = folder.put("6.json", "{");
+  folder.put("notes.txt", "{");
+  const SavedCases saved = read_saved(folder.path(), options);
+  EXPECT_THAT(saved.cases, ElementsAre(found_by(kCoverage, "damaged"), found_by(kValues, "cpu")));
+  ASSERT_THAT(saved.unreadable, SizeIs(1));
+  EXPECT_THAT(to_string(saved.unreadable[0]), testing::StartsWith(broken + ": 1:"));
+  EXPECT_THAT(read_saved(folder.path("none"), options).cases, IsEmpty());
+  EXPECT_THAT(read_saved(folder.path("none"), options).unreadable, IsEmpty());
+}
+
+// Kills: a saved counterexample that says it was found today, or is not counted.
+TEST(TaskRunner, ChecksASavedCounterexampleAgain) {
+  TaskRunner runner(99, {});
+  CampaignOptions options{99, 0, {"damaged"}, {kCoverage}};
+  const std::vector<Task> tasks = tasks_of(options, 0, {{found_by(kCoverage, "damaged")}});
+  ASSERT_THAT(tasks, SizeIs(1));
+  const Findings findings = runner.run(tasks[0]).value();
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  EXPECT_EQ(findings.counterexamples[0].origin, records::Origin::saved);
+  EXPECT_EQ(findings.counterexamples[0].source.found,
+            (cases::Found{kCoverage, "damaged", "missing", 3, 4}));
+  const auto& [key, record] = *findings.records.begin();
+  EXPECT_EQ(key.stratum, "saved");
+  EXPECT_EQ(record.cases, (records::CaseCounts{1, 0, 1}));
+}
+
+// --- Shrinking -----------------------------------------------------------------------------------
+
+// Kills: a counterexample that fails otherwise than the one it was made from, or is not looked at.
+TEST(TaskRunner, ShrinksWhatFails) {
+  TaskRunner runner(1, {});
+  Findings found;
+  DamagedBackend backend(&lose_last_corner);
+  check_case(*find_law(kCoverage), "damaged", backend, 1, {square(), "here", 5}, found);
+  const std::vector<Task> tasks = shrink_tasks(found);
+  ASSERT_THAT(tasks, SizeIs(1));
+  EXPECT_EQ(tasks[0].cases(), 0U);
+  const Findings shrunk = runner.run(tasks[0]).value();
+  EXPECT_TRUE(shrunk.records.empty());
+  ASSERT_THAT(shrunk.counterexamples, SizeIs(1));
+  const Counterexample& one = shrunk.counterexamples[0];
+  EXPECT_EQ(one.source.found, found.counterexamples[0].source.found);
+  EXPECT_LE(one.source.framebuffer.width * one.source.framebuffer.height, 6);
+  EXPECT_THAT(one.source.attributes, IsEmpty());
+  ASSERT_TRUE(one.shrinking);
+  EXPECT_TRUE(one.shrinking->is_least);
+  EXPECT_GT(one.shrinking->tries, 0U);
+  EXPECT_THAT(one.close_up, testing::Contains(HasSubstr("[-]")));
+  EXPECT_THAT(shrink_tasks(shrunk), IsEmpty());
+  EXPECT_GT(check_of(kCoverage, one.source, &lose_last).violation_count, 0U);
+}
+
+TEST(TaskRunner, ShrinksNoLongerThanItMay) {
+  Findings found;
+  DamagedBackend backend(&lose_last_corner);
+  check_case(*find_law(kCoverage), "damaged", backend, 1, {square(), "here", 5}, found);
+  const Task task = shrink_tasks(found).at(0);
+  const auto tries = [&task](const ShrinkBudget& budget, const std::function<bool()>& is_to_end) {
+    TaskRunner runner(1, {}, budget);
+    const Findings shrunk = runner.run(task, is_to_end).value();
+    EXPECT_FALSE(shrunk.counterexamples.at(0).shrinking->is_least);
+    return shrunk.counterexamples.at(0).shrinking->tries;
+  };
+  EXPECT_EQ(tries({0, std::nullopt}, {}), 0U);
+  EXPECT_EQ(tries({3, std::nullopt}, {}), 3U);
+  EXPECT_EQ(tries({1000, 1e-9}, {}), 0U);
+  int asked = 0;
+  EXPECT_LT(tries({1000, std::nullopt}, [&asked] { return ++asked > 5; }), 6U);
 }
 
 }  // namespace

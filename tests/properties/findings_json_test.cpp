@@ -98,9 +98,15 @@ TEST(FindingsLine, IsRefusedWithACounterexampleFoundNowhere) {
 }
 
 TEST(TaskLine, ComesBackAsItWas) {
-  for (const Task& task : {Task{"cpu", kCoverage, true, 0, 10},
-                           Task{kOdd, kOdd, false, std::numeric_limits<std::uint64_t>::max() - 1,
-                                std::numeric_limits<std::uint64_t>::max()}}) {
+  Findings found = some_findings();
+  found.counterexamples[0].shrinking = {3, true};
+  found.counterexamples[0].close_up = {"[#]", ""};
+  found.counterexamples[0].origin = records::Origin::scene;
+  constexpr std::uint64_t kLast = std::numeric_limits<std::uint64_t>::max();
+  for (const Task& task : {Task{"cpu", kCoverage, TaskKind::corpus, 0, 10},
+                           Task{kOdd, kOdd, TaskKind::random, kLast - 1, kLast},
+                           Task{"cpu", kCoverage, TaskKind::saved, 0, 1, found.counterexamples[0]},
+                           shrink_tasks(some_findings()).at(0)}) {
     const std::string line = task_to_line(task);
     EXPECT_THAT(line, Not(HasSubstr("\n")));
     EXPECT_EQ(task_from_line(line), task);
@@ -109,10 +115,12 @@ TEST(TaskLine, ComesBackAsItWas) {
 
 TEST(TaskLine, IsNothingWhereItIsNone) {
   for (const char* line :
-       {"", "rubbish", "[]", "{}", R"({"backend": "cpu", "law": "l", "corpus": true, "first": 0})",
-        R"({"backend": "cpu", "law": "l", "corpus": true, "first": -1, "last": 1})",
-        R"({"backend": "cpu", "law": "l", "corpus": 1, "first": 0, "last": 1})",
-        R"({"backend": "cpu", "law": "l", "corpus": true, "first": 0, "last": 1, "x": 1})"}) {
+       {"", "rubbish", "[]", "{}",
+        R"({"backend": "cpu", "law": "l", "kind": "corpus", "first": 0})",
+        R"({"backend": "cpu", "law": "l", "kind": "corpus", "first": -1, "last": 1})",
+        R"({"backend": "cpu", "law": "l", "kind": "all", "first": 0, "last": 1})",
+        R"({"backend": "cpu", "law": "l", "kind": "shrink", "first": 0, "last": 1})",
+        R"({"backend": "cpu", "law": "l", "kind": "corpus", "first": 0, "last": 1, "x": 1})"}) {
     EXPECT_EQ(task_from_line(line), std::nullopt) << line;
   }
 }

@@ -127,15 +127,16 @@ TEST(JudgeScene, MakesCounterexamplesOfOneTriangle) {
 }
 
 // Kills: two counterexamples of one file name, where the corpus has the scene too.
-TEST(JudgeScene, TellsItsCounterexamplesFromThoseOfTheCorpus) {
+TEST(JudgeScene, GivesWayToTheCorpus) {
   cases::Case c = scene();
   c.triangles = {{2, 1, 3}};
   DamagedBackend backend(&lose_last);
   Findings findings = judge_scene(c, "damaged", backend, 7, kLaws).value().findings;
-  check_case(*find_law(kCoverage), "damaged", backend, 7, {c, "corpus", 0}, findings);
-  ASSERT_THAT(findings.counterexamples, SizeIs(2));
-  EXPECT_NE(records::file_of(findings.counterexamples[0]),
-            records::file_of(findings.counterexamples[1]));
+  EXPECT_EQ(findings.counterexamples.at(0).origin, records::Origin::scene);
+  const NumberedCase of_corpus{c, "corpus", 0, records::Origin::corpus};
+  check_case(*find_law(kCoverage), "damaged", backend, 7, of_corpus, findings);
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  EXPECT_EQ(findings.counterexamples[0].origin, records::Origin::corpus);
 }
 
 TEST(JudgeScene, HoldsADrawingThatFailsAgainstTheBackend) {

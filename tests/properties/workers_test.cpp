@@ -6,12 +6,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <filesystem>
 
 #include "cases/case_writer.h"
 #include "tests/properties/damaged_backend.h"
+#include "tests/properties/gathered.h"
 #include "tests/temporary_folder.h"
 
 namespace rastercheck::properties {
@@ -27,7 +29,9 @@ const CampaignOptions kSmall{7, 25, {"cpu", "damaged"}, {kCoverage, "constants s
 bool has_no_children() { return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
 
 Result<Findings> run_with(const std::vector<std::string>& command, int jobs = 2) {
-  return run_tasks_in_processes(command, jobs, tasks_of(kSmall, 0), {});
+  return gathered([&](const TaskDone& done) {
+    return run_tasks_in_processes(command, jobs, tasks_of(kSmall, 0), done);
+  });
 }
 
 /// What a shell as a worker comes to.
@@ -44,27 +48,39 @@ TEST_P(Workers, FindWhatOneProcessFinds) {
   corpus.put("b.json", cases::to_json(square()));
   TaskRunner runner(kSmall.seed, read_corpus(corpus.path()).value());
   const std::vector<Task> tasks = tasks_of(kSmall, 2);
-  const Findings expected = run_tasks(runner, tasks, {}).value();
+  const Findings expected =
+      gathered([&](const TaskDone& done) { return run_tasks(runner, tasks, done); }).value();
   EXPECT_FALSE(expected.counterexamples.empty());
 
-  std::uint64_t told = 0;
-  const Result<Findings> found = run_tasks_in_processes(
-      {RASTERCHECK_DAMAGED_PROGRAM, "worker", "--seed", "7", "--corpus", corpus.path()}, GetParam(),
-      tasks, [&told](std::uint64_t done, std::uint64_t all) {
-        EXPECT_GT(done, told);
-        EXPECT_EQ(all, 2U * 2U * (25U + 2U));
-        told = done;
-      });
+  const std::vector<std::string> command{
+      RASTERCHECK_DAMAGED_PROGRAM, "worker", "--seed", "7", "--corpus", corpus.path()};
+  std::vector<int> told(tasks.size());
+  const Result<Findings> found = gathered([&](const TaskDone& done) {
+    return run_tasks_in_processes(command, GetParam(), tasks, [&](std::size_t task, Findings more) {
+      ++told.at(task);
+      return done(task, std::move(more));
+    });
+  });
   ASSERT_TRUE(found) << to_string(found.error());
   EXPECT_EQ(*found, expected);
-  EXPECT_EQ(told, 2U * 2U * (25U + 2U));
+  EXPECT_THAT(told, testing::Each(1));
   EXPECT_TRUE(has_no_children());
+
+  // And makes the same of what was found.
+  const std::vector<Task> shrinking = shrink_tasks(expected);
+  const auto shrunk_here =
+      gathered([&](const TaskDone& done) { return run_tasks(runner, shrinking, done); });
+  const auto shrunk_there = gathered([&](const TaskDone& done) {
+    return run_tasks_in_processes(command, GetParam(), shrinking, done);
+  });
+  EXPECT_FALSE(shrunk_here.value().counterexamples.empty());
+  EXPECT_EQ(shrunk_there.value(), shrunk_here.value());
 }
 
 INSTANTIATE_TEST_SUITE_P(Jobs, Workers, testing::Values(1, 2, 3, 40));
 
 TEST(WorkerProcesses, AreNoneWithoutTasks) {
-  EXPECT_EQ(run_tasks_in_processes({"/no/such/program"}, 2, {}, {}).value(), Findings());
+  EXPECT_TRUE(run_tasks_in_processes({"/no/such/program"}, 2, {}, {}));
 }
 
 TEST(WorkerProcesses, ThatDieAreNamedWithTheirTask) {
@@ -106,8 +122,8 @@ TEST(WorkerProcesses, ThatCannotBeStartedAreNamed) {
 }
 
 TEST(WorkerProcesses, PassOnWhatIsWrongWithATask) {
-  const std::vector<Task> tasks{{"cpu", "no law", false, 0, 1}};
-  const Result<Findings> found =
+  const std::vector<Task> tasks{{"cpu", "no law", TaskKind::random, 0, 1}};
+  const Result<void> found =
       run_tasks_in_processes({RASTERCHECK_DAMAGED_PROGRAM, "worker", "--seed", "7"}, 1, tasks, {});
   ASSERT_FALSE(found);
   EXPECT_EQ(to_string(found.error()), "no law: there is no law of that name");
@@ -119,12 +135,43 @@ TEST(WorkerProcesses, GetNothingMoreToDoAfterAFault) {
   const std::string script =
       R"(while read task; do echo '{"records": [], "counterexamples": [], "fault": "f"}'; done)";
   int told = 0;
-  const Result<Findings> found = run_tasks_in_processes(
-      {"/bin/sh", "-c", script}, 1, tasks_of(kSmall, 0), [&told](auto, auto) { ++told; });
-  ASSERT_TRUE(found) << to_string(found.error());
-  EXPECT_EQ(found->fault, "f");
+  const auto done = [&told](std::size_t, const Findings& found) {
+    EXPECT_EQ(found.fault, "f");
+    ++told;
+    return !found.fault;
+  };
+  ASSERT_TRUE(run_tasks_in_processes({"/bin/sh", "-c", script}, 1, tasks_of(kSmall, 0), done));
   EXPECT_EQ(told, 1);
   EXPECT_TRUE(has_no_children());
+}
+
+// Kills: a task that is lost, or waited for in vain, when no more are wanted; a worker that is not
+// told to hurry.
+TEST(WorkerProcesses, AreAskedToHurryAndWaitedFor) {
+  const TemporaryFolder folder;
+  const std::string script = "read task; read hurry; echo hurried > " + folder.path("said") +
+                             R"(; echo '{"records": [], "counterexamples": []}'; read more)";
+  int told = 0;
+  int asked = 0;
+  const auto done = [&told](std::size_t task, const Findings&) {
+    EXPECT_EQ(task, 0U);
+    return ++told > 0;
+  };
+  ASSERT_TRUE(run_tasks_in_processes({"/bin/sh", "-c", script}, 1, tasks_of(kSmall, 0), done,
+                                     [&asked] { return ++asked > 2; }));
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(folder.content("said"), "hurried\n");
+  EXPECT_TRUE(has_no_children());
+}
+
+// Kills: workers that Ctrl-C ends before the process that is to write down what they found.
+TEST(WorkerProcesses, AreNotInTheProcessGroupOfTheOneThatStartedThem) {
+  const TemporaryFolder folder;
+  const std::string script = "read task; ps -o pgid= -p $$ > " + folder.path("group") +
+                             R"(; echo '{"records": [], "counterexamples": [], "fault": "f"}')";
+  const auto done = [](std::size_t, const Findings&) { return false; };
+  ASSERT_TRUE(run_tasks_in_processes({"/bin/sh", "-c", script}, 1, tasks_of(kSmall, 0), done));
+  EXPECT_NE(std::stol(folder.content("group")), ::getpgrp());
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(CounterexampleToJson, WritesTheFormat) {
     {"class": "wrong sign of zero", "kind": "flat", "triangle": 1, "x": 2, "y": 3, "sample": 4,
      "attribute": 5, "exact": "required, inside", "actual": "not drawn", "error": [0.1, "inf"],
      "bound": [0.5, 0.5], "distance": [0.0, 0.25], "note": "n"}])"));
-  EXPECT_EQ(written.size(), 3U);
+  EXPECT_EQ(written.size(), 4U);
 }
 
 Result<Counterexample> read(const json& document) {

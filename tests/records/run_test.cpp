@@ -1,42 +1,53 @@
 #include "records/run.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace rastercheck::records {
 namespace {
 
+using testing::ElementsAre;
+using testing::IsEmpty;
+
 // Kills: a path, a space or a letter of another alphabet in a file name.
 TEST(FileOf, IsMadeOfLettersDigitsAndHyphens) {
   Counterexample counterexample;
-  counterexample.source.found = {"coverage is exact: ties_2", "method:../é", "violated", 7,
-                                 18446744073709551615U};
+  counterexample.source.found = {"coverage is exact: ties_2", "method:../é", "beyond bound", 7, 1};
   EXPECT_EQ(file_of(counterexample),
-            "counterexamples/coverage-is-exact--ties-2-method-------18446744073709551615.json");
+            "counterexamples/coverage-is-exact--ties-2-method-------beyond-bound.json");
 }
 
 TEST(FileOf, KeepsEveryLetterAndDigit) {
   Counterexample counterexample;
   counterexample.source.found = {"azAZ09", "`{@[/:", "", 0, 0};
-  EXPECT_EQ(file_of(counterexample), "counterexamples/azAZ09--------0.json");
+  EXPECT_EQ(file_of(counterexample), "counterexamples/azAZ09--------.json");
 }
 
-// Kills: one name for case 3 of the corpus and random case 3.
-TEST(FileOf, NamesTheCaseWhereItHasAName) {
-  Counterexample counterexample;
-  counterexample.source.name = "w = 0";
-  counterexample.source.found = {"law", "cpu", "missing", 1, 3};
-  EXPECT_EQ(file_of(counterexample), "counterexamples/law-cpu-w---0-3.json");
+// Kills: another file for the same failure at every seed.
+TEST(FileOf, IsTheSameWhereverItWasFound) {
+  Counterexample one;
+  one.source.found = {"law", "cpu", "missing", 1, 3};
+  Counterexample other = one;
+  other.source.name = "w = 0";
+  other.source.found = {"law", "cpu", "missing", 2, 4};
+  EXPECT_EQ(file_of(one), file_of(other));
+  other.source.found->verdict = "extra";
+  EXPECT_NE(file_of(one), file_of(other));
 }
 
-// Kills: a name longer than file systems take.
-TEST(FileOf, ShortensALongName) {
-  Counterexample counterexample;
-  counterexample.source.name = std::string(300, 'x');
-  counterexample.source.found = {"law", "cpu", "missing", 1, 3};
-  EXPECT_EQ(file_of(counterexample), "counterexamples/law-cpu-" + std::string(64, 'x') + "-3.json");
-}
+TEST(FileOf, DoesWithoutFound) { EXPECT_EQ(file_of({}), "counterexamples/--.json"); }
 
-TEST(FileOf, DoesWithoutFound) { EXPECT_EQ(file_of({}), "counterexamples/--0.json"); }
+// Kills: a run that was cut short and looks whole.
+TEST(Caveats, SayWhatIsMissing) {
+  records::Run run;
+  EXPECT_THAT(caveats(run), IsEmpty());
+  run.cases_left = 120;
+  run.shrink_seconds = 2.5;
+  EXPECT_THAT(caveats(run),
+              ElementsAre("The run was interrupted: 120 cases were not checked.",
+                          "Shrinking was limited to 2.5 s a counterexample: how small they are "
+                          "depends on the machine."));
+}
 
 }  // namespace
 }  // namespace rastercheck::records

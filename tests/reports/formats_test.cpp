@@ -106,7 +106,7 @@ TEST(MarkdownFormat, SaysHowToDoItAgain) {
                               "1000 --seed 18446744073709551615 --scene 'it'\\''s a bunny'\n"));
   EXPECT_THAT(text, HasSubstr("    rastercheck replay "
                               "counterexamples/values-are-within-bounds-method-float32-"
-                              "a--b-bold--b-----case--3.json\n"));
+                              "beyond-bound.json\n"));
 }
 
 }  // namespace

@@ -49,6 +49,14 @@ RC_GTEST_PROP(ParseRun, GivesBackAnyRun, ()) {
     records::Counterexample counterexample =
         sample_counterexample(*rc::gen::arbitrary<std::uint64_t>());
     counterexample.violation_count = *rc::gen::arbitrary<std::uint64_t>();
+    counterexample.origin = *rc::gen::element(records::Origin::corpus, records::Origin::random);
+    if (*rc::gen::arbitrary<bool>()) {
+      counterexample.shrinking = {*rc::gen::arbitrary<std::uint64_t>(),
+                                  *rc::gen::arbitrary<bool>()};
+      counterexample.close_up.clear();
+    } else {
+      counterexample.shrinking.reset();
+    }
     records::Violation& violation = counterexample.violations[0];
     violation.fragment_class = records::random_class();
     violation.error = records::random_error();
@@ -62,6 +70,8 @@ RC_GTEST_PROP(ParseRun, GivesBackAnyRun, ()) {
     picture.png = *rc::gen::arbitrary<std::string>();
     run.pictures.push_back(picture);
   }
+  run.cases_left = *rc::gen::element<std::uint64_t>(0, 1, 1000);
+  if (*rc::gen::arbitrary<bool>()) run.shrink_seconds = *rc::gen::element(0.25, 1e-9, 3600.0);
   const std::string text = written(run);
   const Result<records::Run> again = parse_run(text, "run.json");
   RC_ASSERT(again.has_value());
@@ -137,6 +147,11 @@ const Fault kFaults[] = {
     {"/pictures/0/png", R"("Zg=")", "/pictures/0/png", "must be base64"},
     {"/pictures/0/width", "2147483648", "/pictures/0/width", "from 0 to 2147483647"},
     {"/pictures/1/caption", "", "/pictures/1", "missing key 'caption'"},
+    {"/counterexamples/0/origin", R"("yesterday")", "/counterexamples/0/origin", "must be "},
+    {"/counterexamples/0/shrinking/tries", "-1", "/counterexamples/0/shrinking/tries", "must be "},
+    {"/counterexamples/0/shrinking/is_least", "1", "/counterexamples/0/shrinking/is_least",
+     "must be "},
+    {"/counterexamples/0/close_up/0", "1", "/counterexamples/0/close_up/0", "must be a string"},
     {"/environment/version", "1", "/environment/version", "must be a string"},
     {"/environment", "[]", "/environment", "must be an object"},
 };

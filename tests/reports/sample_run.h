@@ -21,7 +21,7 @@ inline cases::Case sample_case(const std::string& law, const std::string& backen
   c.positions = {{0, -0.0F, 0, 1}, {0x1p-149F, 1, 0, 1}, {1, 1, 0.5F, 3}};
   c.attribute_values = {1, 0x1.fffffep+127F, -0.0F};
   c.triangles = {{0, 1, 2}};
-  c.found = {law, backend, "violated", 1, index};
+  c.found = {law, backend, index == 3 ? "beyond bound" : "missing", 1, index};
   return c;
 }
 
@@ -45,7 +45,12 @@ inline records::Counterexample sample_counterexample(std::uint64_t index) {
   missing.actual = "not drawn";
   missing.distance = {0.125, 0.125};
   missing.note = "its neighbour <(64, 0)> was drawn";
-  return {sample_case("values are within bounds", "method:float32", index), 12, {value, missing}};
+  Counterexample found{
+      sample_case("values are within bounds", "method:float32", index), 12, {value, missing}};
+  found.origin = Origin::saved;
+  found.shrinking = {214, index == 3};
+  found.close_up = {"y 5 [!]", "x    3", "! <wrong> & `more`"};
+  return found;
 }
 
 inline records::WorstError sample_worst(double error) {

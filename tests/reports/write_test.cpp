@@ -58,11 +58,11 @@ class WriteReports : public ::testing::Test {
 };
 
 constexpr const char* kThird =
-    "counterexamples/values-are-within-bounds-method-float32-"
-    "a--b-bold--b-----case--3.json";
+    "counterexamples/values-are-within-bounds-method-float32-beyond-bound.json";
 constexpr const char* kOther =
-    "counterexamples/values-are-within-bounds-method-float32-"
-    "a--b-bold--b-----case--41.json";
+    "counterexamples/values-are-within-bounds-method-float32-missing.json";
+constexpr const char* kEarlierThird =
+    "counterexamples/earlier/values-are-within-bounds-method-float32-beyond-bound.json";
 
 TEST_F(WriteReports, WritesWhatTheContractLists) {
   ASSERT_TRUE(write_reports(sample_run(), directory(), kAll).has_value());
@@ -85,31 +85,54 @@ TEST_F(WriteReports, AMisspeltFormatStopsItBeforeAnythingIsWritten) {
   EXPECT_FALSE(fs::exists(directory()));
 }
 
-// Kills: counterexamples of an earlier run that look like today's.
-TEST_F(WriteReports, RemovesTheCounterexamplesOfEarlierRuns) {
+// Kills: counterexamples of an earlier run that look like today's, or are lost.
+TEST_F(WriteReports, PutsTheCounterexamplesOfEarlierRunsAside) {
   ASSERT_TRUE(write_reports(sample_run(), directory(), kAll).has_value());
   records::Run later = sample_run();
+  later.laws = {"values are within bounds"};
+  later.backends = {"method:float32"};
   later.counterexamples.erase(later.counterexamples.begin());
+  records::Run interrupted = later;
+  interrupted.cases_left = 1;  // perhaps these
+  ASSERT_TRUE(write_reports(interrupted, directory(), {}).has_value());
+  EXPECT_THAT(files(), ElementsAre(kThird, kOther, "report.html", "run.json", "summary.md"));
   ASSERT_TRUE(write_reports(later, directory(), kAll).has_value());
-  EXPECT_THAT(files(), ElementsAre(kOther, "report.html", "run.json", "summary.md"));
+  EXPECT_THAT(files(), ElementsAre(kEarlierThird, kOther, "report.html", "run.json", "summary.md"));
 }
 
-// Kills: removing by the ending of the name, or every case file.
+// Kills: what other laws and backends broke put aside by a run that did not look at it.
+TEST_F(WriteReports, LeavesTheCounterexamplesOfOtherLawsAndBackends) {
+  ASSERT_TRUE(write_reports(sample_run(), directory(), {}).has_value());
+  records::Run other;
+  other.laws = {"values are within bounds"};
+  other.backends = {"cpu"};
+  ASSERT_TRUE(write_reports(other, directory(), {}).has_value());
+  other.laws = {"another law"};
+  other.backends = {"method:float32"};
+  ASSERT_TRUE(write_reports(other, directory(), {}).has_value());
+  EXPECT_THAT(files(), ElementsAre(kThird, kOther));
+}
+
+// Kills: moving by the ending of the name, or every case file.
 TEST_F(WriteReports, LeavesWhatItDidNotWrite) {
   cases::Case without_found = sample_case("law", "cpu", 1);
   without_found.found.reset();
-  put("counterexamples/law-cpu-1.json", cases::to_json(without_found));
-  put("counterexamples/--0.json", cases::to_json(without_found));  // the name of no `found`
+  put("counterexamples/law-cpu-extra.json", cases::to_json(without_found));
+  put("counterexamples/--.json", cases::to_json(without_found));  // the name of no `found`
   put("counterexamples/mine.json", cases::to_json(sample_case("law", "cpu", 2)));
-  put("counterexamples/law-cpu-3.json", "no case");
+  put("counterexamples/law-cpu-infinite.json", "no case");
   put("counterexamples/notes.txt", "");
-  put("law-cpu-4.json", cases::to_json(sample_case("law", "cpu", 4)));
-  put("counterexamples/law-cpu-a--b-bold--b-----case--5.json",
-      cases::to_json(sample_case("law", "cpu", 5)));
-  ASSERT_TRUE(write_reports({}, directory(), {}).has_value());
-  EXPECT_THAT(files(), ElementsAre("counterexamples/--0.json", "counterexamples/law-cpu-1.json",
-                                   "counterexamples/law-cpu-3.json", "counterexamples/mine.json",
-                                   "counterexamples/notes.txt", "law-cpu-4.json"));
+  put("law-cpu-missing.json", cases::to_json(sample_case("law", "cpu", 4)));
+  put("counterexamples/law-cpu-missing.json", cases::to_json(sample_case("law", "cpu", 5)));
+  records::Run run;
+  run.laws = {"law"};
+  run.backends = {"cpu"};
+  ASSERT_TRUE(write_reports(run, directory(), {}).has_value());
+  EXPECT_THAT(files(),
+              ElementsAre("counterexamples/--.json", "counterexamples/earlier/law-cpu-missing.json",
+                          "counterexamples/law-cpu-extra.json",
+                          "counterexamples/law-cpu-infinite.json", "counterexamples/mine.json",
+                          "counterexamples/notes.txt", "law-cpu-missing.json"));
 }
 
 TEST_F(WriteReports, NamesTheFileThatCannotBeWritten) {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "cases/error.h"
+
+namespace rastercheck::cases {
+
+/// The whole of a file, or of standard input for "-".
+Result<std::string> read_text(const std::string& file);
+
+/// Writes a file whole or not at all: under another name first. The error names it.
+Result<void> write_file(const std::string& name, const std::string& content);
+
+}  // namespace rastercheck::cases

@@ -1,0 +1,90 @@
+// `rastercheck corpus add FILE`: a counterexample becomes a case of the corpus, which every run
+// checks from then on.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "cases/case_reader.h"
+#include "cases/case_writer.h"
+#include "cases/files.h"
+#include "cases/json.h"
+#include "cli/command.h"
+#include "cli/corpus_folder.h"
+
+namespace rastercheck::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  std::string as;
+  std::string name;
+  std::string corpus;
+  bool quiet = false;
+};
+
+/// Whether a word is a file's name without folder or ending, as the corpus has them.
+bool is_plain_word(const std::string& word) {
+  return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+  });
+}
+
+/// The sentence that says what the case is for, where nobody gave one.
+std::string sentence_of(const cases::Case& c) {
+  if (!c.found) return c.name;
+  return fmt::format("{} broke \"{}\": {}", c.found->backend, c.found->law, c.found->verdict);
+}
+
+ExitCode add(const Options& options) {
+  Result<cases::Case> c = cases::read_case(options.file);
+  if (!c) return fail(c.error());
+  const std::string word = options.as.empty() && options.file != "-"
+                               ? std::filesystem::path(options.file).stem().string()
+                               : options.as;
+  if (!is_plain_word(word)) {
+    return fail(
+        {"--as", "",
+         fmt::format("a name of a-z, 0-9 and - is needed, not '{}'", cases::printable(word))});
+  }
+  const std::string folder = options.corpus.empty() ? corpus_folder() : options.corpus;
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored)) {
+    return fail({folder, "", "is no folder"});
+  }
+  const std::string file = (std::filesystem::path(folder) / (word + ".json")).string();
+  if (std::filesystem::exists(file, ignored)) {
+    return fail({file, "", "is there already (--as gives another name)"});
+  }
+  c->name = options.name.empty() ? sentence_of(*c) : options.name;
+  if (c->name.empty()) return fail({"--name", "", "a sentence on what the case is for is needed"});
+  // The corpus is checked by every law, not by the one that it was found by.
+  c->found.reset();
+  const Result<void> written = cases::write_file(file, cases::to_json(*c));
+  if (!written) return fail(written.error());
+  if (!options.quiet) fmt::print("{}\n", file);
+  return ExitCode::ok;
+}
+
+Action set_up(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.require_subcommand(1);
+  CLI::App* add_command = app.add_subcommand("add", "Adds a case or counterexample to the corpus");
+  add_command->add_option("FILE", options->file, "Case file; - reads standard input")->required();
+  add_command->add_option("--as", options->as,
+                          "Its name there: a-z, 0-9 and -; the file's own without it");
+  add_command->add_option("--name", options->name,
+                          "What it is for, in a sentence; by default what it broke");
+  add_command->add_option("--corpus", options->corpus,
+                          "Folder of case files; the project's own without it");
+  add_command->add_flag("-q,--quiet", options->quiet, "Prints nothing");
+  app.footer("Prints the new file's name. Every run checks the corpus first.");
+  return [options] { return add(*options); };
+}
+
+const Registration kRegistration("corpus", "Keeps a counterexample for every run to come", &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

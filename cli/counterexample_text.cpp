@@ -1,0 +1,191 @@
+#include "cli/counterexample_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "cases/float_text.h"
+#include "cases/json.h"
+#include "cases/names.h"
+#include "cli/output.h"
+#include "records/enclosure.h"
+
+namespace rastercheck::cli {
+namespace {
+
+using records::Counterexample;
+using records::Violation;
+
+/// Vertices and triangles that are shown; of more the file is to be looked at.
+constexpr std::size_t kMostShown = 12;
+
+/// "0x1.8p-2 (0.375)"; small whole numbers as they are.
+std::string number_text(float value) {
+  const bool is_plain = value == std::trunc(value) && std::abs(value) < 1000;
+  if (is_plain && !(value == 0 && std::signbit(value))) return fmt::format("{}", value);
+  return fmt::format("{} ({:.6g})", cases::to_hex(value), value);
+}
+
+/// A fraction or a range of two, with its value as a decimal where it is one fraction.
+std::string exact_text(const std::string& exact) {
+  const std::string text = cases::printable(exact);
+  const std::size_t slash = exact.find('/');
+  const bool is_fraction = slash != std::string::npos && exact.find('[') == std::string::npos &&
+                           exact.find_first_not_of("-0123456789/") == std::string::npos;
+  if (!is_fraction) return text;
+  const double value =
+      std::strtod(exact.c_str(), nullptr) / std::strtod(exact.c_str() + slash + 1, nullptr);
+  return std::isfinite(value) ? fmt::format("{} (about {:.9g})", text, value) : text;
+}
+
+std::string attribute_name(const cases::Case& c, std::uint32_t attribute) {
+  if (attribute >= c.attributes.size() || c.attributes[attribute].name.empty()) {
+    return fmt::format("attribute {}", attribute);
+  }
+  return fmt::format("attribute {} ('{}')", attribute,
+                     cases::printable(c.attributes[attribute].name));
+}
+
+std::string violation_text(const Violation& v, const cases::Case& c) {
+  std::string text =
+      fmt::format("  pixel ({}, {}), sample {} of triangle {}: ", v.x, v.y, v.sample, v.triangle);
+  if (v.kind == records::AttributeKind::coverage) {
+    text += fmt::format("{}; exactly: {}", cases::printable(v.actual), exact_text(v.exact));
+  } else {
+    const std::string what =
+        v.attribute ? attribute_name(c, *v.attribute) : std::string(to_string(v.kind));
+    text += fmt::format("{} is {}\n    exactly {}", what, cases::printable(v.actual),
+                        exact_text(v.exact));
+  }
+  if (v.error) text += fmt::format("; off by {} scale ULP", records::to_decimal(*v.error, 6));
+  if (v.bound) text += fmt::format(", {} allowed", records::to_decimal(*v.bound, 6));
+  if (v.distance) {
+    text += fmt::format("; {} pixels from the boundary", records::to_decimal(*v.distance, 6));
+  }
+  text += "\n";
+  if (!v.note.empty()) text += fmt::format("    {}\n", cases::printable(v.note));
+  return text;
+}
+
+/// Where it was found, and what was done to it.
+std::string history_text(const Counterexample& one) {
+  const cases::Found found = one.source.found.value_or(cases::Found());
+  std::string text;
+  switch (one.origin) {
+    case records::Origin::corpus:
+      text = fmt::format("case {} of the corpus", found.index);
+      break;
+    case records::Origin::scene:
+      text = fmt::format("triangle {} of a scene", found.index);
+      break;
+    case records::Origin::saved:
+      text = fmt::format("saved before: case {} of seed {}", found.index, found.seed);
+      break;
+    case records::Origin::random:
+      text = fmt::format("case {} of seed {}", found.index, found.seed);
+      break;
+  }
+  if (!one.source.name.empty()) text += fmt::format(", “{}”", cases::printable(one.source.name));
+  if (!one.shrinking || one.shrinking->tries == 0) return text + "; as it was found";
+  return text + fmt::format("; shrunk in {} tries{}", one.shrinking->tries,
+                            one.shrinking->is_least ? "" : ", which might go on");
+}
+
+/// What is not as a case file has it by default.
+std::string state_text(const cases::Case& c) {
+  const cases::Viewport& v = c.viewport;
+  std::string text = fmt::format(
+      "  {} × {} pixels{}, viewport {} {} {} {}, rules {}", c.framebuffer.width,
+      c.framebuffer.height,
+      c.framebuffer.samples > 1 ? fmt::format(" of {} samples", c.framebuffer.samples) : "", v.x,
+      v.y, v.width, v.height, cases::name_of(c.rules));
+  const auto add = [&text](const std::string& more) { text += ", " + more; };
+  if (v.min_depth != 0 || v.max_depth != 1) {
+    add(fmt::format("depth range {} {}", number_text(v.min_depth), number_text(v.max_depth)));
+  }
+  if (c.coverage) {
+    add(fmt::format("snapped to {} subpixel bits ({}, position error {})",
+                    c.coverage->subpixel_bits, cases::name_of(c.coverage->rounding),
+                    c.coverage->position_error));
+    add(fmt::format("basis {}", cases::name_of(c.basis)));
+  }
+  if (c.fill_rule != cases::default_fill_rule(c.rules)) {
+    add(fmt::format("fill rule {}", cases::name_of(c.fill_rule)));
+  }
+  if (c.cull != cases::Cull::none) add(fmt::format("cull {}", cases::name_of(c.cull)));
+  if (c.front_face != cases::FrontFace::ccw) {
+    add(fmt::format("front face {}", cases::name_of(c.front_face)));
+  }
+  if (c.scissor) {
+    const cases::Scissor& s = *c.scissor;
+    add(fmt::format("scissor {} {} {} {}", s.x, s.y, s.width, s.height));
+  }
+  if (c.depth_test != cases::DepthTest::none) {
+    add(fmt::format("depth test {}", cases::name_of(c.depth_test)));
+  }
+  if (c.depth_clamp) add("depth clamp");
+  if (c.camera) add("a camera (see the file)");
+  return text + "\n";
+}
+
+std::string attribute_header(const cases::Attribute& attribute, std::size_t index) {
+  std::string text =
+      attribute.name.empty() ? fmt::format("[{}]", index) : cases::printable(attribute.name);
+  if (attribute.interpolation != cases::Interpolation::smooth) {
+    text += fmt::format(" {}", cases::name_of(attribute.interpolation));
+  }
+  if (attribute.location != cases::Location::sample) {
+    text += fmt::format(" at {}", cases::name_of(attribute.location));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string case_text(const cases::Case& c) {
+  std::string text = state_text(c);
+  std::vector<std::vector<std::string>> rows{{"  vertex", "x", "y", "z", "w"}};
+  for (std::size_t i = 0; i < c.attributes.size(); ++i) {
+    rows[0].push_back(attribute_header(c.attributes[i], i));
+  }
+  for (std::size_t i = 0; i < c.clip_distance_count; ++i) {
+    rows[0].push_back(fmt::format("distance {}", i));
+  }
+  for (std::size_t vertex = 0; vertex < std::min(c.positions.size(), kMostShown); ++vertex) {
+    const cases::ClipVertex& p = c.positions[vertex];
+    std::vector<std::string> row{fmt::format("  {}", vertex)};
+    for (const float number : {p.x, p.y, p.z, p.w}) row.push_back(number_text(number));
+    for (const float value : c.attributes_of(vertex)) row.push_back(number_text(value));
+    for (const float distance : c.clip_distances_of(vertex)) row.push_back(number_text(distance));
+    rows.push_back(std::move(row));
+  }
+  text += table(rows);
+  if (c.positions.size() > kMostShown) {
+    text += fmt::format("  … {} vertices in all\n", c.positions.size());
+  }
+  text += c.triangles.size() == 1 ? "  triangle" : "  triangles";
+  for (std::size_t i = 0; i < std::min(c.triangles.size(), kMostShown); ++i) {
+    const cases::Triangle& t = c.triangles[i];
+    text += fmt::format("{} {} {} {}", i > 0 ? "," : "", t[0], t[1], t[2]);
+  }
+  if (c.triangles.size() > kMostShown) text += fmt::format(" … {} in all", c.triangles.size());
+  return text + "\n";
+}
+
+std::string counterexample_text(const Counterexample& counterexample, const std::string& file) {
+  const cases::Case& c = counterexample.source;
+  const cases::Found found = c.found.value_or(cases::Found());
+  std::string text = fmt::format("\n{}\n  on {}: {}. It is {}.\n", cases::printable(found.law),
+                                 found.backend, found.verdict, history_text(counterexample));
+  if (!counterexample.violations.empty()) text += violation_text(counterexample.violations[0], c);
+  if (counterexample.violation_count > 1) {
+    text += fmt::format("  … {} violations in all\n", counterexample.violation_count);
+  }
+  for (const std::string& line : counterexample.close_up) text += "    " + line + "\n";
+  text += case_text(c);
+  return text + fmt::format("  Again: rastercheck replay {}\n", file);
+}
+
+}  // namespace rastercheck::cli

@@ -1,0 +1,171 @@
+// unfinished.json:
+//
+//   {"format": "rastercheck-unfinished", "version": 1,
+//    "plan": {"seed": 1, "cases_per_law": 1000, "backends": ["cpu"], "laws": ["…"],
+//             "shrink_tries": 1000, "shrink_seconds": 5, "corpus": "…", "corpus_digest": "…",
+//             "scene": "", "scene_size": 512, "program": "0.1.0"},
+//    "saved": [{a case file}, …],
+//    "tasks": 4400, "done": [[0, 17], [19, 20]],      of all tasks, ranges [first, one past the
+//    last) "records": […], "counterexamples": […]}
+//
+// "shrink_seconds" is absent where there is no such limit.
+
+#include "properties/checkpoint.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cases/case_reader.h"
+#include "cases/case_writer.h"
+#include "cases/json.h"
+#include "cases/json_node.h"
+#include "records/counterexample_json.h"
+#include "records/record_json.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::JsonNode;
+using nlohmann::json;
+
+/// Tasks in all: more than any campaign has (campaign.cpp), and few enough for a list.
+constexpr std::uint64_t kMostTasksInAll = std::uint64_t{1} << 28U;
+
+json plan_to_json(const RunPlan& plan) {
+  json object{{"seed", plan.campaign.seed},
+              {"cases_per_law", plan.campaign.cases_per_law},
+              {"backends", plan.campaign.backends},
+              {"laws", plan.campaign.laws},
+              {"shrink_tries", plan.campaign.shrinking.tries},
+              {"corpus", plan.corpus},
+              {"corpus_digest", plan.corpus_digest},
+              {"scene", plan.scene},
+              {"scene_size", plan.scene_size},
+              {"program", plan.program}};
+  if (const auto& seconds = plan.campaign.shrinking.seconds) {
+    object["shrink_seconds"] = cases::float64_to_json(*seconds);
+  }
+  return object;
+}
+
+std::vector<std::string> texts_of(const JsonNode& node) {
+  std::vector<std::string> texts;
+  for (const JsonNode& element : node.elements()) texts.push_back(element.text());
+  return texts;
+}
+
+RunPlan read_plan(const JsonNode& node) {
+  node.expect_object({"seed", "cases_per_law", "backends", "laws", "shrink_tries", "corpus",
+                      "corpus_digest", "scene", "scene_size", "program"},
+                     {"shrink_seconds"});
+  RunPlan plan;
+  plan.campaign.seed = node["seed"].count();
+  plan.campaign.cases_per_law = node["cases_per_law"].count();
+  plan.campaign.backends = texts_of(node["backends"]);
+  plan.campaign.laws = texts_of(node["laws"]);
+  plan.campaign.shrinking.tries = node["shrink_tries"].count();
+  if (node.has("shrink_seconds")) {
+    plan.campaign.shrinking.seconds = node["shrink_seconds"].float64();
+  }
+  plan.corpus = node["corpus"].text();
+  plan.corpus_digest = node["corpus_digest"].text();
+  plan.scene = node["scene"].text();
+  plan.scene_size = static_cast<int>(node["scene_size"].integer(1, cases::kMaxSize));
+  plan.program = node["program"].text();
+  return plan;
+}
+
+json done_to_json(const std::vector<bool>& is_done) {
+  json ranges = json::array();
+  for (std::size_t i = 0; i < is_done.size(); ++i) {
+    if (!is_done[i]) continue;
+    const std::size_t first = i;
+    while (i < is_done.size() && is_done[i]) ++i;
+    ranges.push_back({first, i});
+  }
+  return ranges;
+}
+
+std::vector<bool> read_done(const JsonNode& root) {
+  const auto tasks = static_cast<std::size_t>(root["tasks"].count(kMostTasksInAll));
+  std::vector<bool> is_done(tasks);
+  for (const JsonNode& range : root["done"].elements()) {
+    const auto [from, to] = range.two_elements("first and last");
+    const auto first = static_cast<std::size_t>(from.count(tasks));
+    const auto last = static_cast<std::size_t>(to.count(tasks));
+    for (std::size_t i = first; i < last; ++i) is_done[i] = true;
+  }
+  return is_done;
+}
+
+}  // namespace
+
+std::string digest_of(const std::vector<cases::Case>& cases) {
+  // FNV-1a over the cases' files, which differ where the cases do.
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const cases::Case& c : cases) {
+    for (const char byte : cases::to_json(c)) {
+      hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+    }
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+std::string to_json(const Checkpoint& checkpoint) {
+  json saved = json::array();
+  for (const cases::Case& c : checkpoint.saved) {
+    saved.push_back(cases::parse_json(cases::to_json(c), "").value_or(json()));
+  }
+  json counterexamples = json::array();
+  for (const records::Counterexample& one : checkpoint.findings.counterexamples) {
+    counterexamples.push_back(records::counterexample_to_json(one));
+  }
+  const json document{{"format", "rastercheck-unfinished"},
+                      {"version", 1},
+                      {"plan", plan_to_json(checkpoint.plan)},
+                      {"saved", std::move(saved)},
+                      {"tasks", checkpoint.is_done.size()},
+                      {"done", done_to_json(checkpoint.is_done)},
+                      {"records", records::records_to_json(checkpoint.findings.records)},
+                      {"counterexamples", std::move(counterexamples)}};
+  return document.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+Result<Checkpoint> parse_checkpoint(std::string_view text, const std::string& file) {
+  const Result<json> document = cases::parse_json(text, file);
+  if (!document) return tl::unexpected(document.error());
+  std::optional<Error> error;
+  const JsonNode root(*document, "", error, file);
+  if (root.has("format") && root["format"].text() != "rastercheck-unfinished") {
+    root["format"].refuse("must be \"rastercheck-unfinished\"");
+  }
+  if (root.has("version") && root["version"].count() != 1) {
+    root["version"].refuse("version must be 1");
+  }
+  root.expect_object(
+      {"format", "version", "plan", "saved", "tasks", "done", "records", "counterexamples"});
+  if (error) return tl::unexpected(*error);
+  Checkpoint checkpoint;
+  checkpoint.plan = read_plan(root["plan"]);
+  for (const JsonNode& node : root["saved"].elements()) {
+    if (root.failed()) break;
+    checkpoint.saved.push_back(cases::read_case(node));
+    if (!checkpoint.saved.back().found) node.refuse("has no 'found'");
+  }
+  checkpoint.is_done = read_done(root);
+  for (const JsonNode& node : root["counterexamples"].elements()) {
+    if (root.failed()) break;
+    records::Counterexample one = records::counterexample_from_json(node);
+    if (!one.source.found) node.refuse("its case has no 'found'");
+    if (!root.failed()) keep(checkpoint.findings, std::move(one));
+  }
+  if (error) return tl::unexpected(*error);
+  return records::records_from_json(document->at("records"), file, "/records")
+      .map([&checkpoint](records::RecordSet records) {
+        checkpoint.findings.records = std::move(records);
+        return std::move(checkpoint);
+      });
+}
+
+}  // namespace rastercheck::properties

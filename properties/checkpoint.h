@@ -1,0 +1,51 @@
+#pragma once
+
+// How far a campaign has come, as a file: what an interrupted run goes on from.
+//
+// The file is written anew, whole or not at all, whenever there is a new counterexample and at
+// least once a second (conduct.h), so that a process may be killed at any moment: what it had found
+// is there, and what it had not yet written is found again, as case i of a law depends on the seed
+// alone. It holds the findings merged, not what each task found, and so does not grow with the
+// campaign.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cases/case.h"
+#include "cases/error.h"
+#include "properties/campaign.h"
+
+namespace rastercheck::properties {
+
+/// What a run was asked for, and what it depends on besides.
+struct RunPlan {
+  CampaignOptions campaign;
+  std::string corpus;         ///< folder
+  std::string corpus_digest;  ///< of its cases (digest_of)
+  std::string scene;          ///< file; empty: none
+  int scene_size = 512;       ///< pixels
+  std::string program;        ///< version
+  bool operator==(const RunPlan&) const = default;
+};
+
+struct Checkpoint {
+  RunPlan plan;
+  std::vector<cases::Case> saved;  ///< counterexamples of earlier runs that are checked again
+  /// Of tasks_of() the plan, the corpus and `saved`: whether it is done.
+  std::vector<bool> is_done;
+  Findings findings;
+  bool operator==(const Checkpoint&) const = default;
+};
+
+/// A word that tells cases apart that differ in a bit: 64 bits, in hexadecimal.
+std::string digest_of(const std::vector<cases::Case>& cases);
+
+/// The name of the file in a run's folder.
+inline constexpr const char* kCheckpointFile = "unfinished.json";
+
+std::string to_json(const Checkpoint& checkpoint);
+/// Refuses unknown and missing keys, and whatever does not go together.
+Result<Checkpoint> parse_checkpoint(std::string_view text, const std::string& file);
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,65 @@
+#include "properties/findings.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "cases/case_writer.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::Counterexample;
+
+/// The way in which a case failed: one counterexample of each is kept.
+auto bucket_of(const cases::Found& found) {
+  return std::tie(found.law, found.backend, found.verdict);
+}
+
+bool is_in_earlier_bucket(const Counterexample& one, const cases::Found& found) {
+  return bucket_of(*one.source.found) < bucket_of(found);
+}
+
+/// Where in a run it was found.
+auto place_of(const cases::Found& found, const records::Origin& origin, const std::string& name) {
+  return std::tie(origin, found.index, name, found.seed);
+}
+
+auto place_of(const Counterexample& one) {
+  return place_of(*one.source.found, one.origin, one.source.name);
+}
+
+/// Two that were found in the same place are saved ones, named alike by whoever saved them.
+bool comes_before(const Counterexample& a, const Counterexample& b) {
+  if (place_of(a) != place_of(b)) return place_of(a) < place_of(b);
+  return cases::to_json(a.source) < cases::to_json(b.source);
+}
+
+}  // namespace
+
+bool is_kept(const Findings& findings, const cases::Found& found, records::Origin origin,
+             const std::string& name) {
+  const auto& all = findings.counterexamples;
+  const auto place = std::lower_bound(all.begin(), all.end(), found, &is_in_earlier_bucket);
+  if (place == all.end() || bucket_of(*place->source.found) != bucket_of(found)) return true;
+  return !(place_of(*place) < place_of(found, origin, name));
+}
+
+void keep(Findings& findings, Counterexample counterexample) {
+  auto& all = findings.counterexamples;
+  const cases::Found& found = *counterexample.source.found;
+  const auto place = std::lower_bound(all.begin(), all.end(), found, &is_in_earlier_bucket);
+  if (place == all.end() || bucket_of(*place->source.found) != bucket_of(found)) {
+    all.insert(place, std::move(counterexample));
+  } else if (comes_before(counterexample, *place)) {
+    *place = std::move(counterexample);
+  }
+}
+
+void merge(Findings& into, Findings from) {
+  records::merge(into.records, from.records);
+  for (Counterexample& one : from.counterexamples) keep(into, std::move(one));
+  if (!into.fault) into.fault = std::move(from.fault);
+}
+
+}  // namespace rastercheck::properties

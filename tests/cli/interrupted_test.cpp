@@ -1,0 +1,248 @@
+// Runs that do not come to their end, or cannot write what they found: nothing found is lost.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/cli/program.h"
+#include "tests/temporary_folder.h"
+
+namespace rastercheck::cli {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A run.json without the line of its environment, the only one that is another each time.
+std::string without_environment(const std::string& run_json) {
+  const std::size_t start = run_json.find("\n\"environment\": {");
+  if (start == std::string::npos) return "no environment";
+  return run_json.substr(0, start) + run_json.substr(run_json.find('\n', start + 1));
+}
+
+class Interrupted : public testing::TestWithParam<const char*> {
+ protected:
+  Interrupted() { folder_.put("corpus/square.json", square_case()); }
+
+  std::string out(const std::string& name = "") const {
+    return folder_.path(name.empty() ? "out" : "out/" + name);
+  }
+
+  /// A run of many cases, all of which fail.
+  std::vector<std::string> arguments(const std::string& output, int cases = 1500) const {
+    return {"run",
+            "--backend",
+            "damaged",
+            "--seed",
+            "3",
+            "--cases",
+            std::to_string(cases),
+            "--property",
+            "co*contract",
+            "--corpus",
+            folder_.path("corpus"),
+            "--output",
+            folder_.path(output),
+            "--jobs",
+            GetParam()};
+  }
+
+  /// Waits until some of the cases are done and kept.
+  void wait_for_progress() const {
+    using std::chrono::steady_clock;
+    const auto late = steady_clock::now() + std::chrono::minutes(5);
+    while (steady_clock::now() < late) {
+      const json kept = json::parse(folder_.content("out/unfinished.json"), nullptr, false);
+      if (!kept.is_discarded() && !kept.at("done").empty()) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    FAIL() << "no progress";
+  }
+
+  Outcome resume() const {
+    return run_damaged_program({"run", "--resume", "--output", out(), "--jobs", GetParam()});
+  }
+
+  /// The unfinished run goes on, and comes to what a run comes to that was left alone.
+  void expect_goes_on() const {
+    ASSERT_TRUE(std::filesystem::exists(out("unfinished.json")));
+    const Outcome resumed = resume();
+    EXPECT_EQ(resumed.code, 1) << resumed;
+    const Outcome whole = run_damaged_program(arguments("whole"));
+    EXPECT_EQ(whole.code, 1) << whole;
+    EXPECT_TRUE(without_environment(folder_.content("out/run.json")) ==
+                without_environment(folder_.content("whole/run.json")));
+    EXPECT_EQ(folder_.files("out"), folder_.files("whole"));
+    EXPECT_THAT(folder_.files("whole"),
+                ElementsAre("counterexamples/coverage-obeys-the-contract-damaged-missing.json",
+                            "report.html", "run.json", "summary.md"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Jobs, Interrupted, testing::Values("1", "2"));
+
+// Kills: findings that are in memory only.
+TEST_P(Interrupted, ByKillGoesOn) {
+  RunningProgram program(arguments("out"));
+  wait_for_progress();
+  program.kill(SIGKILL);
+  EXPECT_EQ(program.wait().code, -SIGKILL);
+  EXPECT_FALSE(std::filesystem::exists(out("run.json")));
+  expect_goes_on();
+}
+
+// Kills: Ctrl-C that throws away what was found, or passes a part for the whole.
+TEST_P(Interrupted, OnceWritesWhatItHas) {
+  RunningProgram program(arguments("out", 100000));
+  wait_for_progress();
+  program.kill(SIGINT);
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.code, 1) << outcome;  // violated, as far as it came
+  EXPECT_THAT(outcome.err, HasSubstr("rastercheck: ending; once more ends at once. `rastercheck "
+                                     "run --resume --output " +
+                                     out() + "` goes on.\n"));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("The run was interrupted: "), HasSubstr("Again: ")));
+  const json run = json::parse(folder_.content("out/run.json"));
+  EXPECT_GT(run.at("cases_left"), 0);
+  EXPECT_EQ(run.at("counterexamples").size(), 1U);
+  EXPECT_THAT(folder_.content("out/summary.md"), HasSubstr("The run was interrupted: "));
+  EXPECT_THAT(folder_.content("out/report.html"), HasSubstr("The run was interrupted: "));
+  EXPECT_TRUE(std::filesystem::exists(out("unfinished.json")));
+}
+
+TEST_P(Interrupted, OnceGoesOn) {
+  RunningProgram program(arguments("out"));
+  wait_for_progress();
+  program.kill(SIGTERM);
+  EXPECT_EQ(program.wait().code, 1);
+  // On a fast machine all may have been done by then, and nothing is left to go on with.
+  if (std::filesystem::exists(out("unfinished.json"))) expect_goes_on();
+}
+
+TEST_P(Interrupted, TwiceEndsAtOnceAndGoesOn) {
+  RunningProgram program(arguments("out"));
+  wait_for_progress();
+  program.kill(SIGINT);
+  program.kill(SIGINT);
+  const int code = program.wait().code;
+  EXPECT_TRUE(code == -SIGINT || code == 1) << code;  // 1: the first was all there was time for
+  if (std::filesystem::exists(out("unfinished.json"))) expect_goes_on();
+}
+
+// Kills: exit code 0 of a run that was cut short.
+TEST_P(Interrupted, BeforeAnythingWasViolatedIsNotOk) {
+  std::vector<std::string> held = arguments("out", 1000000);
+  held[2] = "cpu";
+  RunningProgram program(held);
+  wait_for_progress();
+  program.kill(SIGINT);
+  EXPECT_EQ(program.wait().code, 130);
+}
+
+// Kills: counterexamples of a killed run, gone with the next one.
+TEST_P(Interrupted, ByKillLeavesItsCounterexamplesToTheNextRun) {
+  {
+    RunningProgram program(arguments("out"));
+    wait_for_progress();
+  }
+  std::vector<std::string> next = arguments("out", 3);
+  next[2] = "cpu";
+  const Outcome outcome = run_damaged_program(next);
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("an unfinished run, which this one replaces"),
+                                 HasSubstr("1 counterexamples of it are kept")));
+  EXPECT_THAT(folder_.files("out/counterexamples"),
+              ElementsAre("coverage-obeys-the-contract-damaged-missing.json"));
+}
+
+TEST_P(Interrupted, GoesOnOnlyAsItWasBegun) {
+  const Outcome nothing = resume();
+  EXPECT_TRUE(is_failure(nothing, 2)) << nothing;
+  EXPECT_THAT(nothing.err, HasSubstr("unfinished.json: cannot be read: No such file"));
+  {
+    RunningProgram program(arguments("out"));
+    wait_for_progress();
+  }
+  const Outcome other = run_damaged_program({"run", "--resume", "--seed", "4", "--output", out()});
+  EXPECT_TRUE(is_failure(other, 2)) << other;
+  EXPECT_THAT(other.err, HasSubstr("--seed excludes --resume"));
+  folder_.put("corpus/more.json", square_case());
+  const Outcome grown = resume();
+  EXPECT_TRUE(is_failure(grown, 2)) << grown;
+  EXPECT_THAT(grown.err, HasSubstr("is not as it was when the run was begun"));
+  folder_.put("out/unfinished.json", "{");
+  EXPECT_TRUE(is_failure(resume(), 2));
+}
+
+// --- Folders that cannot be written --------------------------------------------------------------
+
+/// A shell's words for running with files limited to so many 512-byte blocks, as on a disk that is
+/// full: writing more fails. Its exit code is the program's.
+std::string limited_to(int blocks, const std::string& command) {
+  return "trap '' XFSZ; exec 3>&1; { { ulimit -f " + std::to_string(blocks) + "; " + command +
+         " 2>&1; echo $? >&4; } | cat >&3; } 4>&1 | { read code; exit $code; }";
+}
+
+class Unwritable : public testing::Test {
+ protected:
+  Unwritable() { folder_.put("corpus/square.json", square_case()); }
+  std::string run(const std::string& more) const {
+    return "$DAMAGED run --backend damaged --seed 3 --property 'co*contract' --corpus " +
+           folder_.path("corpus") + " --output " + folder_.path("out") + " " + more;
+  }
+  TemporaryFolder folder_;
+};
+
+// Kills: minutes of work whose results then cannot be written.
+TEST_F(Unwritable, FromTheStartIsSaidBeforeTheWork) {
+  std::filesystem::create_directories(folder_.path("out"));
+  std::filesystem::permissions(folder_.path("out"), std::filesystem::perms(0555));
+  // Root may write anywhere, unless it gives that up.
+  const Outcome outcome = run_shell(
+      "SETPRIV=; [ $(id -u) != 0 ] || SETPRIV='setpriv --inh-caps -dac_override --bounding-set "
+      "-dac_override'; $SETPRIV " +
+      run("--cases 1000000"));
+  std::filesystem::permissions(folder_.path("out"), std::filesystem::perms(0755));
+  EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+  EXPECT_THAT(outcome.err, HasSubstr("unfinished.json: cannot be written: Permission denied"));
+  EXPECT_THAT(folder_.files("out"), ElementsAre());
+}
+
+TEST_F(Unwritable, ForAWholeCheckpointIsSaidBeforeTheWork) {
+  const Outcome outcome = run_shell(limited_to(0, run("--cases 1000000")));
+  EXPECT_EQ(outcome.code, 2) << outcome;
+  EXPECT_THAT(outcome.out, HasSubstr("unfinished.json: cannot be written: File too large"));
+}
+
+// Kills: findings lost for want of room at the end; a run that stops for want of room in between.
+TEST_F(Unwritable, LaterOnTheTerminalHasWhatWasFound) {
+  const Outcome outcome = run_shell(limited_to(8, run("--cases 200")));
+  EXPECT_EQ(outcome.code, 2) << outcome;
+  EXPECT_THAT(
+      outcome.out,
+      AllOf(HasSubstr("unfinished.json: cannot be written: File too large; the run goes on"),
+            HasSubstr("violated"), HasSubstr("[-]"), HasSubstr("  vertex  x"),
+            HasSubstr("cannot be written: File too large\n"),
+            HasSubstr("what was found is printed above; once there is room, `rastercheck "
+                      "run --resume --output " +
+                      folder_.path("out") + "` writes it")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("out/run.json")));
+  // There is room again.
+  const Outcome resumed = run_shell("$DAMAGED run --resume --output " + folder_.path("out"));
+  EXPECT_EQ(resumed.code, 1) << resumed;
+  EXPECT_EQ(json::parse(folder_.content("out/run.json")).at("counterexamples").size(), 1U);
+  EXPECT_THAT(folder_.files("out"), Not(testing::Contains("unfinished.json")));
+}
+
+}  // namespace
+}  // namespace rastercheck::cli
