@@ -3,8 +3,10 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <fstream>
 #include <memory>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "backends/backend.h"
@@ -103,6 +105,20 @@ const std::vector<std::string>& mutant_names() {
     return all;
   }();
   return names;
+}
+
+Header header_of(const std::string& mutant) {
+  constexpr std::string_view kDefect = "Defect: ";
+  constexpr std::string_view kKilledBy = "Killed by: ";
+  constexpr std::string_view kOf = "Of: ";
+  Header header;
+  std::ifstream patch(RASTERCHECK_MUTANT_PATCHES "/" + mutant + ".patch");
+  for (std::string line; std::getline(patch, line) && !line.starts_with("--- ");) {
+    if (line.starts_with(kDefect)) header.defect = line.substr(kDefect.size());
+    if (line.starts_with(kKilledBy)) header.killed_by = line.substr(kKilledBy.size());
+    if (line.starts_with(kOf)) header.of = line.substr(kOf.size());
+  }
+  return header;
 }
 
 }  // namespace rastercheck::mutants

@@ -1,17 +1,10 @@
 // The laws can fail: each mutant, a rasterizer with one defect, breaks the law that its patch
 // names.
-//
-// A patch opens with a header, before the first line of the diff:
-//
-//   Defect: one sentence
-//   Killed by: the name of a law
-//   Of: the backend whose sources it damages
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <string>
 
@@ -26,27 +19,6 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 constexpr std::uint64_t kCases = 1000;  // of a default campaign
-
-struct Header {
-  std::string defect;
-  std::string killed_by;
-  std::string of;
-};
-
-/// The header of a mutant's patch; a part that is missing is empty.
-Header header_of(const std::string& mutant) {
-  constexpr std::string_view kDefect = "Defect: ";
-  constexpr std::string_view kKilledBy = "Killed by: ";
-  constexpr std::string_view kOf = "Of: ";
-  Header header;
-  std::ifstream patch(RASTERCHECK_SOURCE_DIR "/tests/mutants/" + mutant + ".patch");
-  for (std::string line; std::getline(patch, line) && !line.starts_with("--- ");) {
-    if (line.starts_with(kDefect)) header.defect = line.substr(kDefect.size());
-    if (line.starts_with(kKilledBy)) header.killed_by = line.substr(kKilledBy.size());
-    if (line.starts_with(kOf)) header.of = line.substr(kOf.size());
-  }
-  return header;
-}
 
 /// A case by which a mutant breaks a law.
 struct Kill {

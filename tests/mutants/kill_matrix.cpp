@@ -1,0 +1,168 @@
+// Which mutants a law kills, and by which case first:
+//
+//   rastercheck_kill_matrix LAW CASES MUTANT…
+//
+// prints a line of JSON for each mutant, {"law", "mutant", "kill", "says"}: the index of the first of
+// the law's first CASES cases of seed 1 whose check finds violations, where it finds none of the
+// backend without the defect, or null; and whether the law says anything of any of the cases.
+// scripts/kill-matrix runs it.
+//
+// Mutants are judged side by side: each case is made once, and checked once of the backend without
+// a defect. Of a mutant that gives the same answers to what the law asks there, to the bit, it is
+// not checked again.
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "backends/backend.h"
+#include "properties/campaign.h"
+#include "properties/law.h"
+#include "tests/mutants/mutant_backend.h"
+#include "tests/mutants/recording_backend.h"
+
+namespace rastercheck::mutants {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+
+struct Mutant {
+  std::string name;
+  std::unique_ptr<backends::Backend> backend;
+  bool is_spoken_of = false;  ///< whether the law says something of a case so far
+  std::optional<std::uint64_t> killed_at;
+};
+
+/// The mutants of one backend, and that backend.
+struct Group {
+  std::unique_ptr<backends::Backend> unharmed;
+  std::vector<Mutant> mutants;
+
+  bool is_alive() const {
+    return std::any_of(mutants.begin(), mutants.end(),
+                       [](const Mutant& mutant) { return !mutant.killed_at; });
+  }
+};
+
+Result<std::vector<Group>> groups_of(const std::vector<std::string>& names) {
+  std::map<std::string, Group> groups;
+  for (const std::string& name : names) {
+    const std::string of = header_of(name).of;
+    Group& group = groups[of];
+    if (!group.unharmed) {
+      auto unharmed = backends::make_backend(of);
+      if (!unharmed) return tl::unexpected(unharmed.error());
+      group.unharmed = *std::move(unharmed);
+    }
+    auto mutant = backends::make_backend("mutant:" + name);
+    if (!mutant) return tl::unexpected(mutant.error());
+    group.mutants.push_back({name, *std::move(mutant), false, std::nullopt});
+  }
+  std::vector<Group> all;
+  for (auto& [of, group] : groups) all.push_back(std::move(group));
+  return all;
+}
+
+/// A check that has to be worth something: without a fault.
+Result<properties::Check> check(const properties::Law& law, const cases::Case& c,
+                                backends::Backend& backend, std::uint64_t index) {
+  properties::Check done = properties::check_or_note(law, c, backend, {index});
+  if (done.fault) return tl::unexpected(Error{"case " + std::to_string(index), "", *done.fault});
+  return done;
+}
+
+/// Checks those of a group's mutants that live on one case. One that the backend without a defect
+/// violates as well, as the textbook method does some, kills none.
+Result<void> judge(const properties::Law& law, const cases::Case& c, std::uint64_t index,
+                   Group& group) {
+  RecordingBackend recording(*group.unharmed);
+  const auto unharmed = check(law, c, recording, index);
+  if (!unharmed) return tl::unexpected(unharmed.error());
+  if (unharmed->violation_count > 0) return {};
+  for (Mutant& mutant : group.mutants) {
+    if (mutant.killed_at) continue;
+    mutant.is_spoken_of = mutant.is_spoken_of || unharmed->is_applicable;
+    if (recording.is_answered_alike_by(*mutant.backend)) continue;
+    const auto harmed = check(law, c, *mutant.backend, index);
+    if (!harmed) return tl::unexpected(harmed.error());
+    mutant.is_spoken_of = mutant.is_spoken_of || harmed->is_applicable;
+    if (harmed->violation_count > 0) mutant.killed_at = index;
+  }
+  return {};
+}
+
+Result<void> run(const properties::Law& law, std::uint64_t cases, std::vector<Group>& groups) {
+  std::erase_if(groups, [&law](const Group& group) {
+    return !properties::is_promised(law, *group.unharmed);
+  });
+  for (std::uint64_t index = 0; index < cases; ++index) {
+    std::optional<properties::Generated> generated;
+    for (Group& group : groups) {
+      if (!group.is_alive()) continue;
+      if (!generated) {
+        properties::Draw draw(kSeed, law.name, index);
+        generated = law.generate(draw);
+      }
+      const Result<void> judged = judge(law, generated->source, index, group);
+      if (!judged) return judged;
+    }
+    if (!generated) break;
+  }
+  return {};
+}
+
+void print(const properties::Law& law, const std::vector<std::string>& names,
+           const std::vector<Group>& groups) {
+  std::map<std::string, const Mutant*> judged;
+  for (const Group& group : groups) {
+    for (const Mutant& mutant : group.mutants) judged[mutant.name] = &mutant;
+  }
+  for (const std::string& name : names) {
+    nlohmann::json line{{"law", law.name}, {"mutant", name}, {"kill", nullptr}, {"says", false}};
+    if (const auto found = judged.find(name); found != judged.end()) {
+      line["says"] = found->second->is_spoken_of;
+      if (found->second->killed_at) line["kill"] = *found->second->killed_at;
+    }
+    std::cout << line.dump() << '\n';
+  }
+}
+
+int main_of(const std::vector<std::string>& arguments) {
+  std::uint64_t cases = 0;
+  const properties::Law* law =
+      arguments.size() < 3 ? nullptr : properties::find_law(arguments.front());
+  if (law != nullptr) {
+    const std::string& number = arguments[1];
+    std::from_chars(number.data(), number.data() + number.size(), cases);
+  }
+  if (law == nullptr || cases == 0) {
+    std::cerr << "usage: rastercheck_kill_matrix LAW CASES MUTANT…\n";
+    return 2;
+  }
+  const std::vector<std::string> names(arguments.begin() + 2, arguments.end());
+  auto groups = groups_of(names);
+  const Result<void> done = groups ? run(*law, cases, *groups)  //
+                                   : Result<void>(tl::unexpected(groups.error()));
+  if (!done) {
+    std::cerr << law->name << ": " << to_string(done.error()) << '\n';
+    return 1;
+  }
+  print(*law, names, *groups);
+  return 0;
+}
+
+}  // namespace
+}  // namespace rastercheck::mutants
+
+int main(int argc, char** argv) {
+  return rastercheck::mutants::main_of(std::vector<std::string>(argv + 1, argv + argc));
+}

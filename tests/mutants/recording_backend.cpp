@@ -1,0 +1,174 @@
+#include "tests/mutants/recording_backend.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace rastercheck::mutants {
+namespace {
+
+using backends::Backend;
+
+// Whether two answers are the same: numbers to the bit, as a law may tell −0 from 0 and one NaN
+// from another.
+
+bool is_same(bool a, bool b) { return a == b; }
+
+bool is_same(const cases::Contract& a, const cases::Contract& b) { return a == b; }
+
+bool is_same(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  return a == b;
+}
+
+/// Of numbers, or of structs that are nothing but floats.
+template <typename T>
+requires std::is_trivially_copyable_v<T>
+bool is_same(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+bool is_same(const cases::Framebuffer& a, const cases::Framebuffer& b) {
+  return a.attribute_count == b.attribute_count && a.triangle == b.triangle && a.x == b.x &&
+         a.y == b.y && a.sample == b.sample && is_same(a.depth, b.depth) &&
+         is_same(a.attributes, b.attributes) && is_same(a.derivatives, b.derivatives);
+}
+
+bool is_same(const cases::Picture& a, const cases::Picture& b) {
+  return a.size == b.size && a.channels == b.channels && is_same(a.color, b.color) &&
+         is_same(a.depth, b.depth);
+}
+
+bool is_same(const records::NamedNumber& a, const records::NamedNumber& b) {
+  return a.name == b.name &&
+         std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value);
+}
+
+bool is_same(const records::NamedNumbers& a, const records::NamedNumbers& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& one, const auto& other) { return is_same(one, other); });
+}
+
+bool is_same(const records::StageTrace& a, const records::StageTrace& b) {
+  return a.stage == b.stage && is_same(a.received, b.received) && is_same(a.handed_on, b.handed_on);
+}
+
+bool is_same(const std::optional<records::SampleTrace>& a,
+             const std::optional<records::SampleTrace>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return std::bit_cast<std::uint32_t>(a->depth) == std::bit_cast<std::uint32_t>(b->depth) &&
+         is_same(a->attributes, b->attributes) &&
+         std::equal(a->stages.begin(), a->stages.end(), b->stages.begin(), b->stages.end(),
+                    [](const auto& one, const auto& other) { return is_same(one, other); });
+}
+
+template <typename T>
+bool is_same(const Result<T>& a, const Result<T>& b) {
+  if (!a || !b) return !a && !b && to_string(a.error()) == to_string(b.error());
+  if constexpr (std::is_void_v<T>) {
+    return true;
+  } else {
+    return is_same(*a, *b);
+  }
+}
+
+/// What draw_over() answers, and what it leaves.
+struct DrawnOver {
+  Result<void> result;
+  cases::Picture picture;
+};
+
+bool is_same(const DrawnOver& a, const DrawnOver& b) {
+  return is_same(a.result, b.result) && is_same(a.picture, b.picture);
+}
+
+}  // namespace
+
+bool RecordingBackend::is_answered_alike_by(Backend& other) const {
+  return std::all_of(questions_.begin(), questions_.end(),
+                     [&other](const auto& is_answered_alike) { return is_answered_alike(other); });
+}
+
+/// The answer to a question, which is kept with it: question(backend), with copies of whatever else
+/// it asks about.
+template <typename Question>
+auto RecordingBackend::asked(const Question& question) const {
+  auto answer = question(*answering_);
+  questions_.emplace_back(
+      [question, answer](Backend& other) { return is_same(question(other), answer); });
+  return answer;
+}
+
+cases::Contract RecordingBackend::contract(const cases::Case& c) const {
+  return asked([c](const Backend& backend) { return backend.contract(c); });
+}
+
+Result<cases::Framebuffer> RecordingBackend::draw(const cases::Case& c) {
+  return asked([c](Backend& backend) { return backend.draw(c); });
+}
+
+bool RecordingBackend::traces() const {
+  return asked([](const Backend& backend) { return backend.traces(); });
+}
+
+Result<std::optional<records::SampleTrace>> RecordingBackend::trace(
+    const cases::Case& c, const records::SampleAddress& at) {
+  return asked([c, at](Backend& backend) { return backend.trace(c, at); });
+}
+
+bool RecordingBackend::draws_pictures() const {
+  return asked([](const Backend& backend) { return backend.draws_pictures(); });
+}
+
+Result<cases::Picture> RecordingBackend::draw_picture(const cases::Case& c,
+                                                      const cases::Pipeline& pipeline) {
+  return asked([c, pipeline](Backend& backend) { return backend.draw_picture(c, pipeline); });
+}
+
+bool RecordingBackend::draws_over() const {
+  return asked([](const Backend& backend) { return backend.draws_over(); });
+}
+
+Result<void> RecordingBackend::draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
+                                         cases::Picture& picture) {
+  DrawnOver drawn = asked([c, pipeline, before = picture](Backend& backend) {
+    DrawnOver over{{}, before};
+    over.result = backend.draw_over(c, pipeline, over.picture);
+    return over;
+  });
+  picture = std::move(drawn.picture);
+  return drawn.result;
+}
+
+std::vector<std::string> RecordingBackend::same_as() const {
+  return asked([](const Backend& backend) { return backend.same_as(); });
+}
+
+bool RecordingBackend::assembles() const {
+  return asked([](const Backend& backend) { return backend.assembles(); });
+}
+
+Result<cases::Framebuffer> RecordingBackend::draw_assembled(
+    const cases::Case& c, cases::Topology topology, std::span<const std::uint32_t> indices) {
+  const std::vector<std::uint32_t> kept(indices.begin(), indices.end());
+  return asked(
+      [c, topology, kept](Backend& backend) { return backend.draw_assembled(c, topology, kept); });
+}
+
+bool RecordingBackend::transforms() const {
+  return asked([](const Backend& backend) { return backend.transforms(); });
+}
+
+Result<std::vector<cases::ClipVertex>> RecordingBackend::transform(const cases::Case& c) {
+  return asked([c](Backend& backend) { return backend.transform(c); });
+}
+
+Result<std::vector<cases::Normal>> RecordingBackend::transform_normals(
+    const cases::Matrix4& model, std::span<const cases::Normal> normals) {
+  const std::vector<cases::Normal> kept(normals.begin(), normals.end());
+  return asked([model, kept](Backend& backend) { return backend.transform_normals(model, kept); });
+}
+
+}  // namespace rastercheck::mutants
