@@ -2,8 +2,8 @@
 //
 //   rastercheck_kill_matrix LAW CASES MUTANT…
 //
-// prints a line of JSON for each mutant, {"law", "mutant", "kill", "says"}: the index of the first of
-// the law's first CASES cases of seed 1 whose check finds violations, where it finds none of the
+// prints a line of JSON for each mutant, {"law", "mutant", "kill", "says"}: the index of the first
+// of the law's first CASES cases of seed 1 whose check finds violations, where it finds none of the
 // backend without the defect, or null; and whether the law says anything of any of the cases.
 // scripts/kill-matrix runs it.
 //

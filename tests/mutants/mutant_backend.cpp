@@ -108,15 +108,16 @@ const std::vector<std::string>& mutant_names() {
 }
 
 Header header_of(const std::string& mutant) {
-  constexpr std::string_view kDefect = "Defect: ";
-  constexpr std::string_view kKilledBy = "Killed by: ";
-  constexpr std::string_view kOf = "Of: ";
   Header header;
+  const std::pair<std::string_view, std::string*> fields[] = {{"Defect: ", &header.defect},
+                                                              {"Killed by: ", &header.killed_by},
+                                                              {"Equivalent: ", &header.equivalent},
+                                                              {"Of: ", &header.of}};
   std::ifstream patch(RASTERCHECK_MUTANT_PATCHES "/" + mutant + ".patch");
   for (std::string line; std::getline(patch, line) && !line.starts_with("--- ");) {
-    if (line.starts_with(kDefect)) header.defect = line.substr(kDefect.size());
-    if (line.starts_with(kKilledBy)) header.killed_by = line.substr(kKilledBy.size());
-    if (line.starts_with(kOf)) header.of = line.substr(kOf.size());
+    for (const auto& [name, value] : fields) {
+      if (line.starts_with(name)) *value = line.substr(name.size());
+    }
   }
   return header;
 }

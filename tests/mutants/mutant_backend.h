@@ -11,11 +11,12 @@ namespace rastercheck::mutants {
 /// The names of all mutants, as of `NAME.patch`, in their order.
 const std::vector<std::string>& mutant_names();
 
-/// What a patch says of its mutant, before the first line of the diff.
+/// What a patch says of its mutant, before the first line of the diff: of texts the first line.
 struct Header {
-  std::string defect;     ///< one sentence, or how it begins
-  std::string killed_by;  ///< the name of a law
-  std::string of;         ///< the backend whose sources it damages
+  std::string defect;      ///< what is wrong
+  std::string killed_by;   ///< the name of a law; empty where nothing can kill it
+  std::string equivalent;  ///< why nothing can
+  std::string of;          ///< the backend whose sources it damages
 };
 
 /// The header of a mutant's patch; a part that is missing is empty.

@@ -1,5 +1,5 @@
 // The laws can fail: each mutant, a rasterizer with one defect, breaks the law that its patch
-// names.
+// names. Those that are argued to be no defect break none.
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "backends/backend.h"
 #include "cases/case_reader.h"
@@ -99,7 +100,34 @@ std::string test_name(const testing::TestParamInfo<std::string>& mutant) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Mutants, testing::ValuesIn(mutant_names()), test_name);
+/// The mutants that a law kills, or those that are argued to be no defect.
+std::vector<std::string> names_of(bool is_equivalent) {
+  std::vector<std::string> names = mutant_names();
+  std::erase_if(names, [is_equivalent](const std::string& name) {
+    return header_of(name).equivalent.empty() == is_equivalent;
+  });
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Mutants, testing::ValuesIn(names_of(false)), test_name);
+
+class EquivalentMutants : public testing::TestWithParam<std::string> {};
+
+/// The two laws that judge all that is drawn by the contract.
+TEST_P(EquivalentMutants, KeepTheContract) {
+  EXPECT_EQ(header_of(GetParam()).killed_by, "");
+  const auto mutant = backends::make_backend("mutant:" + GetParam());
+  ASSERT_TRUE(mutant) << to_string(mutant.error());
+  for (const char* name : {"coverage obeys the contract", "values stay within the bound"}) {
+    const properties::Law* law = properties::find_law(name);
+    ASSERT_NE(law, nullptr);
+    const auto kill = first_kill(*law, **mutant);
+    ASSERT_TRUE(kill) << to_string(kill.error());
+    EXPECT_FALSE(*kill) << name << " kills it with case " << (*kill)->index;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EquivalentMutants, testing::ValuesIn(names_of(true)), test_name);
 
 TEST(Laws, HaveAMutantEach) {
   ASSERT_FALSE(properties::laws().empty());
