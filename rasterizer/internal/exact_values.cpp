@@ -203,7 +203,7 @@ double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, con
     if (left.sign() < 0 && std::abs(quotient) <= 1) return floor + quotient - 1;
     floor = std::fmod(floor + std::fmod(quotient, period), period);
     if (quotient == 0) {
-      // nearest() is within a unit of either sum: all of a denominator may be left.
+      // Of two equal sums nearest() may make two doubles: all of a denominator may be left.
       for (const double component : denominator.components()) left.add(-component);
       return left.sign() < 0 ? floor : floor + 1;
     }

@@ -342,6 +342,26 @@ TEST(ExactValues, FloorsOfConstantsAreTheirs) {
   EXPECT_GT(wraps, 3'000);
 }
 
+// Weights g, a whole number of 53 bits, -1/2 + (1 to 2) 2^-55 and next to nothing. Of their sum,
+// just above the middle between two doubles, and of what the first quotient leaves, which is as
+// much, ExactSum::nearest() makes two doubles, the first the greater. Kills: the quotient of these,
+// 0, taken for the last.
+TEST(ExactValues, AFloorAsksWhetherAWholeDenominatorIsLeft) {
+  const Corners first{glm::vec4{-0x1.dc4p-108F, -0x1p-61F, 0, 1},
+                      {0x1.6e278ep-1F, -0x1.4f0b76p-37F, 0, 1},
+                      {0x1p60F, 0x1.e2f03ap52F, 0, 1}};
+  const Corners second{glm::vec4{-0x1.a9cp-108F, -0x1p-61F, 0, 1},
+                       {0x1.f28556p-1F, -0x1.6a0ab6p-37F, 0, 1},
+                       {0x1p60F, 0x1.c4cdcep52F, 0, 1}};
+  const auto floor_of = [](const Corners& corners, float constant, double scale) {
+    const Prepared p(about_the_middle(corners, Interpolation::noperspective, constant));
+    return exact_floor_at(p.values.attributes[0], p.values, p.weights, 0.5, 0.5, scale,
+                          std::numeric_limits<double>::infinity());
+  };
+  EXPECT_EQ(floor_of(first, 12, 9), 108);
+  EXPECT_EQ(floor_of(second, 7, 30), 210);
+}
+
 /// A triangle of small_state(8, 8) with these w, the same attributes at all vertices.
 Prepared plain(const State& state, const std::array<float, 3>& w,
                const std::vector<float>& attributes, const std::array<float, 3>& depth = {}) {
