@@ -108,7 +108,7 @@ void level_columns(ShrinkSearch& search) {
   }
 }
 
-/// Fewer columns or rows of the framebuffer at its end; never fewer than what has failed needs.
+/// Fewer columns or rows of the framebuffer at its end: at best those up to what has failed.
 void crop_end(ShrinkSearch& search, int cases::FramebufferSize::*side,
               std::uint32_t records::Violation::*at) {
   if (search.check().violations.empty()) return;
@@ -118,7 +118,8 @@ void crop_end(ShrinkSearch& search, int cases::FramebufferSize::*side,
            search.offer_changed([=](Case& c) { c.framebuffer.*side = size; });
   };
   if (offer(least)) return;
-  for (int step = (search.current().framebuffer.*side - least) / 2; step > 0; step /= 2) {
+  // Where it fails in another pixel then, too, fewer will do.
+  for (int step = search.current().framebuffer.*side / 2; step > 0; step /= 2) {
     while (search.current().framebuffer.*side - step >= 1 &&
            offer(search.current().framebuffer.*side - step)) {
     }

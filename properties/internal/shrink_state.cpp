@@ -1,6 +1,7 @@
 // Passes that take parts of a case away: triangles, state, the camera.
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -52,6 +53,48 @@ void simplify_attributes(ShrinkSearch& search) {
   }
 }
 
+/// Offers one triangle alone. Laws choose what to do with a case by a hash of it, and so may do
+/// something else with the triangle than they did with all: the same triangle in other words, with
+/// another vertex first and all coordinates times a power of two, gets other choices.
+bool offer_alone(ShrinkSearch& search, std::size_t triangle) {
+  const Case alone = with_triangles(search.current(), {{triangle}});
+  for (const int exponent : {0, 1, -1, 2, -2}) {
+    for (const cases::Triangle& order : {cases::Triangle{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}) {
+      Case other = alone;
+      // Fewer than three vertices where the triangle names one twice.
+      for (std::uint32_t& vertex : other.triangles[0]) {
+        const auto place = std::find(alone.triangles[0].begin(), alone.triangles[0].end(), vertex);
+        vertex =
+            alone.triangles[0][order[static_cast<std::size_t>(place - alone.triangles[0].begin())]];
+      }
+      for (cases::ClipVertex& p : other.positions) {
+        for (float* number : {&p.x, &p.y, &p.z, &p.w}) *number = std::ldexp(*number, exponent);
+      }
+      if (search.offer(std::move(other))) return true;
+    }
+  }
+  return false;
+}
+
+/// Puts one end of an edge in the place of the other: of triangles that fill an outline, fewer that
+/// fill one, where each that is taken away leaves a hole.
+void collapse_edges(ShrinkSearch& search) {
+  for (std::size_t i = 0; i < search.current().triangles.size() * 3; ++i) {
+    const cases::Triangle& triangle = search.current().triangles[i / 3];
+    const std::uint32_t from = triangle[i % 3];
+    const std::uint32_t to = triangle[(i + 1) % 3];
+    Case candidate = search.current();
+    std::vector<std::size_t> rest;
+    for (std::size_t t = 0; t < candidate.triangles.size(); ++t) {
+      cases::Triangle& moved = candidate.triangles[t];
+      std::replace(moved.begin(), moved.end(), from, to);
+      const bool is_line = moved[0] == moved[1] || moved[1] == moved[2] || moved[2] == moved[0];
+      if (!is_line) rest.push_back(t);
+    }
+    if (!rest.empty() && search.offer(with_triangles(candidate, rest))) i = 0;
+  }
+}
+
 }  // namespace
 
 void drop_triangles(ShrinkSearch& search) {
@@ -66,7 +109,8 @@ void drop_triangles(ShrinkSearch& search) {
   // Triangles are drawn as if alone, so that mostly the one that fails suffices.
   if (!search.check().violations.empty()) {
     const std::size_t guilty = search.check().violations.front().triangle;
-    if (guilty < search.current().triangles.size() && offer({guilty})) return;
+    const std::size_t count = search.current().triangles.size();
+    if (count > 1 && guilty < count && offer_alone(search, guilty)) return;
   }
   for (std::size_t part = search.current().triangles.size() / 2; part > 0; part /= 2) {
     for (std::size_t first = 0; first < search.current().triangles.size();) {
@@ -77,6 +121,7 @@ void drop_triangles(ShrinkSearch& search) {
       if (rest.empty() || !offer(rest)) first = last;
     }
   }
+  if (search.current().triangles.size() > 1) collapse_edges(search);
   offer(all());  // without vertices that nothing uses
 }
 

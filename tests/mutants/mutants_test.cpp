@@ -12,6 +12,7 @@
 #include "backends/backend.h"
 #include "cases/case_reader.h"
 #include "cases/case_writer.h"
+#include "properties/campaign.h"
 #include "properties/law.h"
 #include "tests/mutants/mutant_backend.h"
 
@@ -68,6 +69,46 @@ void expect_replays(const properties::Law& law, const std::string& mutant, const
   EXPECT_EQ(again->violations, kill.check.violations);
 }
 
+/// The most that a counterexample may be, and still fit in the head.
+constexpr std::size_t kMostTriangles = 3;
+
+/// Whether the case without its last column or row fails as it does: then it was larger than
+/// needed.
+bool fails_cropped(const properties::Law& law, backends::Backend& mutant,
+                   const records::Counterexample& found, int cases::FramebufferSize::*side) {
+  cases::Case cropped = found.source;
+  if (--(cropped.framebuffer.*side) == 0) return false;
+  const properties::Check check =
+      properties::check_or_note(law, cropped, mutant, {found.source.found->index});
+  return check.is_applicable && properties::verdict_of(check) == found.source.found->verdict;
+}
+
+/// What a default campaign makes of the case: few triangles, no pixel too many, and still the fault
+/// of the defect.
+void expect_shrinks(const properties::Law& law, const Header& header, backends::Backend& mutant,
+                    const Kill& kill) {
+  properties::Findings found;
+  properties::check_case(law, "mutant", mutant, kSeed, {kill.source, "", kill.index}, found);
+  ASSERT_EQ(found.counterexamples.size(), 1U);
+  properties::Findings shrunk;
+  const properties::ShrinkLimits limits{properties::ShrinkBudget().tries, {}};
+  properties::shrink_counterexample(law, mutant, found.counterexamples[0], limits, shrunk);
+  ASSERT_EQ(shrunk.fault, std::nullopt);
+  ASSERT_EQ(shrunk.counterexamples.size(), 1U);
+  const records::Counterexample& least = shrunk.counterexamples[0];
+  const cases::FramebufferSize& size = least.source.framebuffer;
+  testing::Test::RecordProperty("triangles", static_cast<int>(least.source.triangles.size()));
+  testing::Test::RecordProperty("pixels", size.width * size.height);
+  testing::Test::RecordProperty("shrink_tries", static_cast<int>(least.shrinking->tries));
+  EXPECT_LE(least.source.triangles.size(), kMostTriangles);
+  EXPECT_TRUE(least.shrinking->is_least) << least.shrinking->tries << " tries were not enough";
+  EXPECT_FALSE(fails_cropped(law, mutant, least, &cases::FramebufferSize::width)) << size.width;
+  EXPECT_FALSE(fails_cropped(law, mutant, least, &cases::FramebufferSize::height)) << size.height;
+  // Textbook methods have faults of their own, which the smaller case may show instead.
+  if (header.of.starts_with("method:")) return;
+  expect_unharmed_passes(law, header.of, {kill.index, least.source, {}});
+}
+
 class Mutants : public testing::TestWithParam<std::string> {};
 
 TEST_P(Mutants, HasADefectAndALawThatKillsIt) {
@@ -91,6 +132,7 @@ TEST_P(Mutants, IsKilledByItsLawAtAFixedSeed) {
   ASSERT_FALSE((*kill)->check.violations.empty());
   expect_unharmed_passes(*law, header.of, **kill);
   expect_replays(*law, GetParam(), **kill);
+  expect_shrinks(*law, header, **mutant, **kill);
 }
 
 /// GoogleTest takes no hyphens.
