@@ -292,6 +292,15 @@ void print_results(const Options& options, const records::Run& run,
     const auto file = std::filesystem::path(options.output) / records::file_of(found);
     fmt::print("{}", counterexample_text(found, file.string()));
   }
+  if (!run.counterexamples.empty()) {
+    const auto is_violated = [](const records::LawSummary& row) {
+      return row.verdict == records::LawVerdict::violated;
+    };
+    fmt::print(
+        "\nViolated: {} of {} checks, in {} different ways, one counterexample of each above.\n",
+        std::count_if(rows.begin(), rows.end(), is_violated), rows.size(),
+        run.counterexamples.size());
+  }
   for (const std::string& caveat : records::caveats(run)) fmt::print("{}\n", caveat);
   fmt::print("Seed {}, {:.1f} s. {}", run.seed, seconds,
              where_reports_are(options.output, options.formats));
