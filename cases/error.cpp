@@ -6,11 +6,11 @@ namespace rastercheck {
 
 std::string to_string(const Error& error) {
   std::string line;
-  // A file's name is the only part that nobody has looked at yet.
+  // Any of them may quote what came from outside: a file's name, an option, a worker's answer.
   for (const std::string& part : {cases::printable(error.file), error.place, error.reason}) {
     if (part.empty()) continue;
     if (!line.empty()) line += ": ";
-    line += part;
+    line += cases::one_line(part);
   }
   return line;
 }

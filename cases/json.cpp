@@ -12,7 +12,16 @@ namespace {
 
 using nlohmann::json;
 
-constexpr char kDelete = 0x7f;
+/// The code point that begins at a byte of a text in UTF-8, where it is below U+0100; else 0x100.
+unsigned code_point_below_100(std::string_view text, std::size_t at) {
+  const auto byte = [text](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  if (byte(at) < 0x80) return byte(at);
+  const bool has_two_bytes =
+      (byte(at) == 0xc2 || byte(at) == 0xc3) && (byte(at + 1) & 0xc0U) == 0x80;
+  return has_two_bytes ? (byte(at) & 0x03U) << 6U | (byte(at + 1) & 0x3fU) : 0x100;
+}
 
 /// Where byte `offset` (1-based, as nlohmann counts) lies, as "line:column" counted from 1.
 std::string line_and_column(std::string_view text, std::size_t offset) {
@@ -55,7 +64,7 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 
   bool parse_error(std::size_t position, const std::string& /*last_token*/,
                    const nlohmann::detail::exception& problem) override {
-    return refuse(line_and_column(text_, position), one_line(problem.what()));
+    return refuse(line_and_column(text_, position), reason_of(problem.what()));
   }
 
   json document;
@@ -69,7 +78,7 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 
   /// nlohmann's "[json.exception.parse_error.101] parse error at line 1, column 2: …" without the
   /// parts that the place already says.
-  static std::string one_line(std::string_view message) {
+  static std::string reason_of(std::string_view message) {
     const std::size_t end_of_id = message.find("] ");
     if (end_of_id != std::string_view::npos) message.remove_prefix(end_of_id + 2);
     if (message.starts_with("parse error")) {
@@ -144,13 +153,9 @@ std::string valid_utf8(std::string_view text) {
   return json::parse(json_string(text)).get<std::string>();
 }
 
-std::string printable(std::string_view text) {
-  // What is at both ends tells most; a parser's message ends with what it expected.
-  constexpr std::size_t kLongest = 240;
-  if (text.size() > kLongest) {
-    return printable(text.substr(0, kLongest / 2)) + " ... " +
-           printable(text.substr(text.size() - kLongest / 2));
-  }
+std::string one_line(std::string_view text) {
+  const auto is_plain = [](char c) { return c >= ' ' && c < '\x7f'; };
+  if (std::all_of(text.begin(), text.end(), is_plain)) return std::string(text);
   const std::string quoted = json_string(text);
   std::string line;
   for (std::size_t i = 1; i + 1 < quoted.size(); ++i) {
@@ -158,20 +163,33 @@ std::string printable(std::string_view text) {
     const bool is_escaped_mark =
         quoted[i] == '\\' && (quoted[i + 1] == '"' || quoted[i + 1] == '\\');
     if (is_escaped_mark) ++i;
-    line += quoted[i] == kDelete ? "\\u007f" : std::string(1, quoted[i]);
+    // JSON leaves these as they are; terminals take some of them for the start of a command.
+    const unsigned code = code_point_below_100(quoted, i);
+    if (code == 0x7f || (code >= 0x80 && code < 0xa0)) {
+      line += fmt::format("\\u{:04x}", code);
+      if (code >= 0x80) ++i;
+    } else {
+      line += quoted[i];
+    }
   }
   return line;
 }
 
+std::string printable(std::string_view text) {
+  // What is at both ends tells most; a parser's message ends with what it expected.
+  constexpr std::size_t kLongest = 240;
+  if (text.size() <= kLongest) return one_line(text);
+  return one_line(text.substr(0, kLongest / 2)) + " ... " +
+         one_line(text.substr(text.size() - kLongest / 2));
+}
+
 std::string child_pointer(const std::string& parent, std::string_view key) {
   std::string pointer = parent + "/";
-  for (const char c : key) {
+  for (const char c : one_line(key)) {
     if (c == '~') {
       pointer += "~0";
     } else if (c == '/') {
       pointer += "~1";
-    } else if (static_cast<unsigned char>(c) < 0x20 || c == kDelete) {
-      pointer += printable({&c, 1});  // keeps it on one line
     } else {
       pointer += c;
     }

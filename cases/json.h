@@ -23,8 +23,11 @@ std::string json_string(std::string_view text);
 /// The text with bytes that are not UTF-8 as U+FFFD: what it becomes when written and read again.
 std::string valid_utf8(std::string_view text);
 
-/// A text for a message of one line, its control characters as JSON escapes them; shortened where
-/// it is long.
+/// The text on one line, fit for a terminal: its control characters (U+0000 to U+001F, U+007F to
+/// U+009F) as JSON escapes them, bytes that are not UTF-8 as U+FFFD. Twice is as once.
+std::string one_line(std::string_view text);
+
+/// The same for a message, shortened where it is long.
 std::string printable(std::string_view text);
 
 /// The JSON pointer (RFC 6901) of a key or element below `parent`; the document itself is "".

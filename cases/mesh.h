@@ -1,7 +1,8 @@
 #pragma once
 
+#include <array>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "cases/case.h"
 #include "cases/error.h"
@@ -14,24 +15,24 @@ struct MeshOptions {
   Rules rules = Rules::vulkan;
 };
 
-/// A case that draws a mesh file (OBJ, PLY, OFF, glTF, 3DS and whatever else assimp reads) as it
-/// stands in its file: polygons cut into triangles, node transforms applied, triangles in order,
-/// vertices joined where all their bits agree, a camera that frames it. Two smooth attributes:
-/// texture coordinates "u" and "v" where every vertex has them, else object-space "x" and "y".
-/// Fails where the file cannot be read, holds no triangle, a coordinate that is not finite, or more
-/// than 2^32 − 1 vertices.
-/// What assimp's readers mend silently stays mended: OFF and 3DS indices beyond the vertices are
-/// clamped, and an OBJ object with texture coordinates at some corners only has zeros at the
-/// others.
+/// A mesh as it stands in its file: polygons cut into triangles, node transforms applied, triangles
+/// in order, vertices joined where all their bits agree. All numbers are finite.
+struct Mesh {
+  /// Whether every vertex has texture coordinates.
+  bool is_textured = false;
+  std::vector<std::array<float, 3>> positions;  ///< x, y, z in object space
+  std::vector<std::array<float, 2>> texture;    ///< u, v of each vertex; empty where not textured
+  std::vector<Triangle> triangles;              ///< indices below the number of vertices
+  bool operator==(const Mesh&) const = default;
+};
+
+/// A case that draws a mesh, with a camera that frames it. Two smooth attributes: texture
+/// coordinates "u" and "v" where there are any, else object-space "x" and "y". `file` is the name
+/// for errors and for the case. Fails where there is no triangle, or no camera in float32.
+Result<Case> case_of_mesh(const Mesh& mesh, const std::string& file, const MeshOptions& options);
+
+/// The case of a mesh file, read in this process (mesh_reader.h): of files that are known to be
+/// meshes.
 Result<Case> case_from_mesh(const std::string& file, const MeshOptions& options);
-
-/// The same of a mesh's text; `format` is its file name's ending without the dot ("obj"), empty to
-/// tell by the content. `file` is the name for errors and for the case. Nothing it refers to (a
-/// material, a buffer in a file of its own) is found.
-Result<Case> case_from_mesh_text(std::string_view text, const std::string& format,
-                                 const std::string& file, const MeshOptions& options);
-
-/// Whether a file's name ends like a mesh that can be read.
-bool is_mesh_file(const std::string& file);
 
 }  // namespace rastercheck::cases

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "cli/own_program.h"
+
 namespace rastercheck::cli {
 
 std::string corpus_folder() {

@@ -4,9 +4,6 @@
 
 namespace rastercheck::cli {
 
-/// This program's own executable.
-inline constexpr const char* kOwnProgram = "/proc/self/exe";
-
 /// The corpus that comes with the program: beside it where it is installed, else in the sources it
 /// was built from.
 std::string corpus_folder();

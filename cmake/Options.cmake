@@ -4,6 +4,7 @@ option(RASTERCHECK_ONLY_RASTERIZER "Build RasterCheck::rasterizer alone, without
 option(RASTERCHECK_TESTS "Build the tests" ON)
 option(RASTERCHECK_WERROR "Treat warnings as errors" OFF)
 set(RASTERCHECK_SANITIZE "" CACHE STRING "Sanitizers for every target, as -fsanitize takes them")
+option(RASTERCHECK_FUZZ "Build the fuzz targets with libFuzzer, which clang has" OFF)
 option(RASTERCHECK_COVERAGE "Instrument for gcov" OFF)
 
 set(CMAKE_CXX_EXTENSIONS OFF)

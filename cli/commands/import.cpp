@@ -6,10 +6,9 @@
 #include <memory>
 
 #include "cases/case_writer.h"
-#include "cases/files.h"
-#include "cases/mesh.h"
 #include "cases/names.h"
 #include "cli/command.h"
+#include "cli/mesh_file.h"
 
 namespace rastercheck::cli {
 namespace {
@@ -24,12 +23,7 @@ struct Options {
 
 ExitCode run(Options options) {
   options.mesh.rules = cases::from_name<cases::Rules>(options.rules).value_or(cases::Rules::vulkan);
-  const auto from_text = [&options](const std::string& text) {
-    return cases::case_from_mesh_text(text, options.format, options.file, options.mesh);
-  };
-  const Result<cases::Case> c = options.file == "-"
-                                    ? cases::read_text("-").and_then(from_text)
-                                    : cases::case_from_mesh(options.file, options.mesh);
+  const Result<cases::Case> c = case_from_mesh_file(options.file, options.format, options.mesh);
   if (!c) return fail(c.error());
   fmt::print("{}", cases::to_json(*c));
   return ExitCode::ok;

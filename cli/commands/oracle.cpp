@@ -8,7 +8,7 @@
 
 #include "cases/case_reader.h"
 #include "cases/json.h"
-#include "cases/mesh.h"
+#include "cases/mesh_reader.h"
 #include "cases/names.h"
 #include "cli/command.h"
 #include "oracle/fragment_json.h"

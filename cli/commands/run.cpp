@@ -21,13 +21,15 @@
 #include "cases/case_writer.h"
 #include "cases/files.h"
 #include "cases/json.h"
-#include "cases/mesh.h"
+#include "cases/mesh_reader.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
 #include "cli/corpus_folder.h"
 #include "cli/counterexample_text.h"
 #include "cli/interrupt.h"
+#include "cli/mesh_file.h"
 #include "cli/output.h"
+#include "cli/own_program.h"
 #include "cli/progress.h"
 #include "cli/scene_pictures.h"
 #include "cli/summary_table.h"
@@ -81,9 +83,9 @@ std::vector<std::string> without_repetitions(const std::vector<std::string>& all
 /// The scene's clip case, under the name of its file if it has no other.
 Result<cases::Case> read_scene(const std::string& file, int size) {
   const bool is_mesh = cases::is_mesh_file(file);
-  Result<cases::Case> scene = is_mesh
-                                  ? cases::case_from_mesh(file, {size, size, cases::Rules::vulkan})
-                                  : cases::read_case(file);
+  Result<cases::Case> scene =
+      is_mesh ? case_from_mesh_file(file, "", {size, size, cases::Rules::vulkan})
+              : cases::read_case(file);
   if (scene) scene = oracle::to_clip_case(*scene, file);
   if (scene && (is_mesh || scene->name.empty())) {
     scene->name = file == "-" ? "standard input"

@@ -44,6 +44,7 @@ Result<Findings> findings_from_line(const std::string& line) {
     const JsonNode node = root["error"];
     node.expect_object({"file", "place", "reason"});
     Error said{node["file"].text(), node["place"].text(), node["reason"].text()};
+    if (said.reason.empty()) node["reason"].refuse("must not be empty");
     return tl::unexpected(error ? *error : said);
   }
   root.expect_object({"records", "counterexamples"}, {"fault"});

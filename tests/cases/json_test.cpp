@@ -185,6 +185,29 @@ TEST(Printable, HoldsNoDeleteCharacter) {
   EXPECT_THAT(printable("\x7f"), ::testing::Not(HasSubstr("\x7f")));
 }
 
+// Kills: escaping ASCII's control characters only. U+009B is the start of a terminal's command.
+TEST(OneLine, HoldsNoControlCharacterOfTwoBytes) {
+  EXPECT_EQ(one_line("a\xc2\x9b"
+                     "31m"),
+            "a\\u009b31m");
+  EXPECT_EQ(one_line("\xc2\x80\xc2\x85\xc2\x9f"), "\\u0080\\u0085\\u009f");
+  EXPECT_EQ(printable("\xc2\x9b"), "\\u009b");
+  EXPECT_EQ(child_pointer("", "\xc2\x9b"), "/\\u009b");
+  EXPECT_EQ(one_line("\xc2\xa0\xc3\x80\xe2\x80\x9b"), "\xc2\xa0\xc3\x80\xe2\x80\x9b");
+}
+
+TEST(OneLine, IsAsLongAsItIsAndTwiceAsOnce) {
+  const std::string text = "\n\"\\\x7f\xc2\x9b\xff" + std::string(1000, 'x');
+  const std::string line = one_line(text);
+  EXPECT_EQ(line, "\\n\"\\\\u007f\\u009b\xef\xbf\xbd" + std::string(1000, 'x'));
+  EXPECT_EQ(one_line(line), line);
+}
+
+// Kills: leaving as they are the parts of an error that quote what came from outside.
+TEST(ErrorText, IsOneLineWhateverItQuotes) {
+  EXPECT_EQ(to_string(Error{"a\nb", "/c\x1b", "d\r\xc2\x85"}), "a\\nb: /c\\u001b: d\\r\\u0085");
+}
+
 TEST(Printable, ShortensALongTextInTheMiddle) {
   const std::string shown = printable("begin" + std::string(100'000, 'x') + "end");
   EXPECT_LT(shown.size(), 300U);

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "cases/mesh_reader.h"
+
 namespace rastercheck::cases {
 namespace {
 

@@ -14,6 +14,11 @@ std::string square_mesh() {
   return file;
 }
 
+/// Says that it has more vertices than fit any memory.
+constexpr const char* kHugePly =
+    "ply\nformat ascii 1.0\nelement vertex 4294967295\nproperty float x\nproperty float y\n"
+    "property float z\nend_header\n0 0 0\n";
+
 TEST(Import, PrintsACaseThatTheOracleReads) {
   const Outcome imported =
       run_program({"import", square_mesh(), "--width", "16", "--height", "8", "--rules", "opengl"});
@@ -45,6 +50,18 @@ TEST(Import, RefusesWhatIsNoMesh) {
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1);
+}
+
+// Kills: reading the file in the program itself, which then ends without a word of its own.
+TEST(Import, AFileThatNeedsTooMuchIsOneLine) {
+  const Outcome outcome = run_program({"import", "-", "--format", "ply"}, kHugePly);
+  EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+}
+
+TEST(Import, AFileNameMayBeginLikeAnOption) {
+  const Outcome outcome = run_program({"import", "--", "--no-such.obj"});
+  EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+  EXPECT_EQ(outcome.err, "rastercheck: --no-such.obj: cannot be read: No such file or directory\n");
 }
 
 }  // namespace

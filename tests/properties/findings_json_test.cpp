@@ -83,6 +83,7 @@ TEST(FindingsLine, IsRefusedWhereItIsNone) {
         R"({"records": [], "counterexamples": [], "fault": 1})",
         R"({"records": [], "counterexamples": [], "more": 1})", R"({"error": "text"})",
         R"({"error": {"file": "f", "place": "p"}})",
+        R"({"error": {"file": "", "place": "", "reason": ""}})",
         R"({"error": {"file": "", "place": "", "reason": ""}, "records": []})", "\xff"}) {
     EXPECT_EQ(error_of(line).file, "worker") << line;
     EXPECT_NE(error_of(line).reason, "") << line;

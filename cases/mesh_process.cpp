@@ -1,0 +1,180 @@
+#include "cases/mesh_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "cases/json.h"
+#include "cases/json_node.h"
+#include "cases/mesh_reader.h"
+
+namespace rastercheck::cases {
+namespace {
+
+using nlohmann::json;
+
+static_assert(std::endian::native == std::endian::little);
+
+template <typename Element>
+std::string_view bytes_of(const std::vector<Element>& elements) {
+  return {reinterpret_cast<const char*>(elements.data()), elements.size() * sizeof(Element)};
+}
+
+/// Takes the bytes of `count` elements off the front of a text that has them.
+template <typename Element>
+std::vector<Element> take(std::string_view& bytes, std::size_t count) {
+  std::vector<Element> elements(count);
+  const std::size_t size = count * sizeof(Element);
+  if (size > 0) std::memcpy(elements.data(), bytes.data(), size);
+  bytes.remove_prefix(size);
+  return elements;
+}
+
+template <std::size_t size>
+bool all_finite(const std::vector<std::array<float, size>>& vectors) {
+  return std::all_of(vectors.begin(), vectors.end(), [](const std::array<float, size>& vector) {
+    return std::all_of(vector.begin(), vector.end(), [](float x) { return std::isfinite(x); });
+  });
+}
+
+/// What of a mesh cannot be drawn, or "".
+std::string fault_of(const Mesh& mesh) {
+  if (!all_finite(mesh.positions) || !all_finite(mesh.texture)) return "a number is not finite";
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t index : triangle) {
+      if (index >= mesh.positions.size()) return "an index is out of range";
+    }
+  }
+  return "";
+}
+
+/// Bytes that follow a header; they fit 64 bits, since either count fits 32.
+std::uint64_t payload_size(std::uint64_t vertices, std::uint64_t triangles, bool is_textured) {
+  const std::uint64_t per_vertex = (is_textured ? 5 : 3) * sizeof(float);
+  return vertices * per_vertex + triangles * sizeof(Triangle);
+}
+
+Error told_error(const JsonNode& root) {
+  root.expect_object({"error"});
+  const JsonNode node = root["error"];
+  node.expect_object({"file", "place", "reason"});
+  Error error{node["file"].text(), node["place"].text(), node["reason"].text()};
+  if (error.reason.empty()) node["reason"].refuse("must not be empty");
+  return error;
+}
+
+/// Why a process that ended badly did.
+std::string reason_of(const ChildOutcome& outcome, const ProcessLimits& limits) {
+  if (!outcome.is_whole) return "the mesh reader says more than any mesh has";
+  if (outcome.signal == SIGXCPU) {
+    return fmt::format("the mesh reader took longer than {} s", limits.seconds);
+  }
+  if (outcome.signal != 0) {
+    return fmt::format("the mesh reader crashed ({})", ::strsignal(outcome.signal));
+  }
+  return fmt::format("the mesh reader ended with exit code {}", outcome.exit_code);
+}
+
+bool write_all(int to, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(to, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+}  // namespace
+
+ProcessLimits default_mesh_limits() {
+  constexpr unsigned kSeconds = 120;
+  const auto pages = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES));
+  return {pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) / 2, kSeconds};
+}
+
+Result<Mesh> mesh_of_process(const std::vector<std::string>& command, const std::string& file,
+                             const ProcessLimits& limits) {
+  const Result<ChildOutcome> outcome = run_child(command, limits.memory);
+  if (!outcome) return tl::unexpected(outcome.error());
+  if (!outcome->is_whole || outcome->signal != 0 || outcome->exit_code != 0) {
+    return tl::unexpected(Error{file, "", reason_of(*outcome, limits)});
+  }
+  return mesh_from_reply(outcome->output, file);
+}
+
+Result<void> serve_mesh(const std::string& file, const std::string& format,
+                        const ProcessLimits& limits) {
+  const auto failure = [] {
+    return tl::unexpected(Error{"standard output", "", std::strerror(errno)});
+  };
+  // assimp's readers print; their words are not to get into the answer.
+  const int answers = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+  if (answers < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return failure();
+  return limit_this_process(limits).and_then([&]() -> Result<void> {
+    if (!write_all(answers, mesh_to_reply(read_mesh(file, format)))) return failure();
+    return {};
+  });
+}
+
+std::string mesh_to_reply(const Result<Mesh>& mesh) {
+  json header;
+  if (!mesh) {
+    const Error& error = mesh.error();
+    header["error"] = {{"file", error.file}, {"place", error.place}, {"reason", error.reason}};
+  } else {
+    header = {{"vertices", mesh->positions.size()},
+              {"triangles", mesh->triangles.size()},
+              {"textured", mesh->is_textured}};
+  }
+  std::string reply = header.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+  if (!mesh) return reply;
+  reply += bytes_of(mesh->positions);
+  reply += bytes_of(mesh->texture);
+  reply += bytes_of(mesh->triangles);
+  return reply;
+}
+
+Result<Mesh> mesh_from_reply(std::string_view reply, const std::string& file) {
+  const auto refuse = [&file](const std::string& reason) {
+    return tl::unexpected(Error{file, "", "the mesh reader's answer: " + reason});
+  };
+  const std::size_t end = reply.find('\n');
+  if (end == std::string_view::npos) return refuse("no line");
+  const Result<json> header = parse_json(reply.substr(0, end), file);
+  if (!header) return refuse(header.error().reason);
+  std::string_view payload = reply.substr(end + 1);
+
+  std::optional<Error> error;
+  const JsonNode root(*header, "", error, file);
+  if (root.has("error")) {
+    const Error told = told_error(root);
+    if (error) return refuse(error->reason);
+    return tl::unexpected(told);
+  }
+  root.expect_object({"vertices", "triangles", "textured"});
+  const std::size_t vertices = root["vertices"].count<std::uint32_t>();
+  const std::size_t triangles = root["triangles"].count<std::uint32_t>();
+  Mesh mesh;
+  mesh.is_textured = root["textured"].boolean();
+  if (error) return refuse(error->reason);
+  if (payload.size() != payload_size(vertices, triangles, mesh.is_textured)) {
+    return refuse("not as long as its header says");
+  }
+  mesh.positions = take<std::array<float, 3>>(payload, vertices);
+  if (mesh.is_textured) mesh.texture = take<std::array<float, 2>>(payload, vertices);
+  mesh.triangles = take<Triangle>(payload, triangles);
+  if (const std::string fault = fault_of(mesh); !fault.empty()) return refuse(fault);
+  return mesh;
+}
+
+}  // namespace rastercheck::cases

@@ -1,0 +1,53 @@
+// Mesh files as `rastercheck import` reads them: by assimp, in a process of its own, which may
+// crash where this one may not. An input is the format on a line of its own ("obj"), and the file
+// behind it.
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <string>
+
+#include "cases/mesh.h"
+#include "cases/mesh_process.h"
+#include "tests/fuzz/target.h"
+
+namespace {
+
+using namespace rastercheck;
+using fuzz::expect;
+
+/// Enough for files as small as these.
+constexpr cases::ProcessLimits kLimits{std::uint64_t{1} << 30U, 5};
+
+/// Standard input of this process, and of its children, is a file with this content from now on.
+void set_standard_input(std::string_view content) {
+  const int file = ::memfd_create("input", 0);
+  const auto size = static_cast<ssize_t>(content.size());
+  expect(file >= 0 && ::write(file, content.data(), content.size()) == size &&
+             ::lseek(file, 0, SEEK_SET) == 0 && ::dup2(file, STDIN_FILENO) >= 0,
+         "the input can be handed on");
+  ::close(file);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view input = fuzz::text_of(data, size);
+  const std::size_t end = std::min(input.find('\n'), input.size());
+  // Words of a command line end at a NUL byte.
+  const std::string format(input.substr(0, std::min(input.find('\0'), end)));
+  set_standard_input(input.substr(std::min(end + 1, input.size())));
+  const Result<cases::Mesh> mesh =
+      cases::mesh_of_process({RASTERCHECK_PROGRAM, "mesh", "--format=" + format,
+                              "--memory=" + std::to_string(kLimits.memory),
+                              "--seconds=" + std::to_string(kLimits.seconds), "--", "-"},
+                             "input", kLimits);
+  const Result<cases::Case> c =
+      mesh.and_then([](const cases::Mesh& read) { return cases::case_of_mesh(read, "input", {}); });
+  if (c) {
+    fuzz::expect_round_trip(*c);
+  } else {
+    fuzz::expect_one_line(c.error());
+  }
+  return 0;
+}
