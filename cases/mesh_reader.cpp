@@ -15,6 +15,7 @@
 #include <new>
 #include <span>
 
+#include "cases/files.h"
 #include "cases/json.h"
 
 namespace rastercheck::cases {
