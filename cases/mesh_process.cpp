@@ -13,6 +13,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "cases/error_json.h"
 #include "cases/json.h"
 #include "cases/json_node.h"
 #include "cases/mesh_reader.h"
@@ -21,6 +22,10 @@ namespace rastercheck::cases {
 namespace {
 
 using nlohmann::json;
+
+/// Bytes of an answer's line: names of files and words about them. A document of more would take
+/// many times its length.
+constexpr std::size_t kLongestLine = 65536;
 
 static_assert(std::endian::native == std::endian::little);
 
@@ -61,15 +66,6 @@ std::string fault_of(const Mesh& mesh) {
 std::uint64_t payload_size(std::uint64_t vertices, std::uint64_t triangles, bool is_textured) {
   const std::uint64_t per_vertex = (is_textured ? 5 : 3) * sizeof(float);
   return vertices * per_vertex + triangles * sizeof(Triangle);
-}
-
-Error told_error(const JsonNode& root) {
-  root.expect_object({"error"});
-  const JsonNode node = root["error"];
-  node.expect_object({"file", "place", "reason"});
-  Error error{node["file"].text(), node["place"].text(), node["reason"].text()};
-  if (error.reason.empty()) node["reason"].refuse("must not be empty");
-  return error;
 }
 
 /// Why a process that ended badly did.
@@ -129,8 +125,7 @@ Result<void> serve_mesh(const std::string& file, const std::string& format,
 std::string mesh_to_reply(const Result<Mesh>& mesh) {
   json header;
   if (!mesh) {
-    const Error& error = mesh.error();
-    header["error"] = {{"file", error.file}, {"place", error.place}, {"reason", error.reason}};
+    header = error_to_json(mesh.error());
   } else {
     header = {{"vertices", mesh->positions.size()},
               {"triangles", mesh->triangles.size()},
@@ -149,7 +144,7 @@ Result<Mesh> mesh_from_reply(std::string_view reply, const std::string& file) {
     return tl::unexpected(Error{file, "", "the mesh reader's answer: " + reason});
   };
   const std::size_t end = reply.find('\n');
-  if (end == std::string_view::npos) return refuse("no line");
+  if (end == std::string_view::npos || end > kLongestLine) return refuse("no line");
   const Result<json> header = parse_json(reply.substr(0, end), file);
   if (!header) return refuse(header.error().reason);
   std::string_view payload = reply.substr(end + 1);
@@ -157,7 +152,7 @@ Result<Mesh> mesh_from_reply(std::string_view reply, const std::string& file) {
   std::optional<Error> error;
   const JsonNode root(*header, "", error, file);
   if (root.has("error")) {
-    const Error told = told_error(root);
+    const Error told = error_from_json(root);
     if (error) return refuse(error->reason);
     return tl::unexpected(told);
   }

@@ -159,8 +159,9 @@ Result<Mesh> mesh_of_scene(Assimp::Importer& importer, const std::string& file) 
 Result<Mesh> read_mesh(const std::string& file, const std::string& format) {
   const bool is_input = file == "-";
   // assimp's own words for a file that is not there are not about the file.
-  const Result<std::string> text = read_text(file);
+  Result<std::string> text = read_text(file);
   if (!text) return tl::unexpected(text.error());
+  if (!is_input) *text = std::string();  // it reads the file itself
   try {
     Assimp::Importer importer;
     if (is_input) {

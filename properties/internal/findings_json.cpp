@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cases/error_json.h"
 #include "cases/json.h"
 #include "cases/json_node.h"
 #include "records/counterexample_json.h"
@@ -20,8 +21,7 @@ constexpr const char* kWorker = "worker";
 std::string findings_to_line(const Result<Findings>& findings) {
   json line;
   if (!findings) {
-    const Error& error = findings.error();
-    line["error"] = {{"file", error.file}, {"place", error.place}, {"reason", error.reason}};
+    line = cases::error_to_json(findings.error());
   } else {
     line["records"] = records::records_to_json(findings->records);
     line["counterexamples"] = json::array();
@@ -40,11 +40,7 @@ Result<Findings> findings_from_line(const std::string& line) {
   const std::string file = kWorker;
   const JsonNode root(*document, "", error, file);
   if (root.has("error")) {
-    root.expect_object({"error"});
-    const JsonNode node = root["error"];
-    node.expect_object({"file", "place", "reason"});
-    Error said{node["file"].text(), node["place"].text(), node["reason"].text()};
-    if (said.reason.empty()) node["reason"].refuse("must not be empty");
+    const Error said = cases::error_from_json(root);
     return tl::unexpected(error ? *error : said);
   }
   root.expect_object({"records", "counterexamples"}, {"fault"});

@@ -62,7 +62,8 @@ TEST(MeshReply, IsRefusedWhereItIsNone) {
   const std::string whole = mesh_to_reply(triangle());
   for (const std::string& reply :
        {std::string(), std::string("{}"), std::string("{}\n"), std::string("[]\n"),
-        std::string("rubbish\n"), whole.substr(0, whole.size() - 1), whole + "x",
+        std::string("rubbish\n"), std::string(100'000, ' ') + whole,
+        whole.substr(0, whole.size() - 1), whole + "x",
         std::string(R"({"error": {"file": "", "place": "", "reason": ""}})") + "\n",
         std::string(R"({"vertices": -1, "triangles": 0, "textured": false})") + "\n",
         std::string(R"({"vertices": 4294967295, "triangles": 4294967295, "textured": true})") +
