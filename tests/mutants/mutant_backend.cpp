@@ -112,7 +112,8 @@ Header header_of(const std::string& mutant) {
   const std::pair<std::string_view, std::string*> fields[] = {{"Defect: ", &header.defect},
                                                               {"Killed by: ", &header.killed_by},
                                                               {"Equivalent: ", &header.equivalent},
-                                                              {"Of: ", &header.of}};
+                                                              {"Of: ", &header.of},
+                                                              {"Least: ", &header.least}};
   std::ifstream patch(RASTERCHECK_MUTANT_PATCHES "/" + mutant + ".patch");
   for (std::string line; std::getline(patch, line) && !line.starts_with("--- ");) {
     for (const auto& [name, value] : fields) {
