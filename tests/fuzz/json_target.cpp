@@ -1,6 +1,8 @@
 // The JSON parser below all readers, and what makes lines of any bytes for messages.
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "cases/json.h"
 #include "tests/fuzz/target.h"

@@ -5,7 +5,9 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "cases/mesh.h"
 #include "cases/mesh_process.h"
@@ -37,11 +39,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // Words of a command line end at a NUL byte.
   const std::string format(input.substr(0, std::min(input.find('\0'), end)));
   set_standard_input(input.substr(std::min(end + 1, input.size())));
-  const Result<cases::Mesh> mesh =
-      cases::mesh_of_process({RASTERCHECK_PROGRAM, "mesh", "--format=" + format,
-                              "--memory=" + std::to_string(kLimits.memory),
-                              "--seconds=" + std::to_string(kLimits.seconds), "--", "-"},
-                             "input", kLimits);
+  std::vector<std::string> command{RASTERCHECK_PROGRAM, "mesh",
+                                   "--memory=" + std::to_string(kLimits.memory),
+                                   "--seconds=" + std::to_string(kLimits.seconds)};
+  if (!format.empty()) command.push_back("--format=" + format);
+  command.insert(command.end(), {"--", "-"});
+  const Result<cases::Mesh> mesh = cases::mesh_of_process(command, "input", kLimits);
   const Result<cases::Case> c =
       mesh.and_then([](const cases::Mesh& read) { return cases::case_of_mesh(read, "input", {}); });
   if (c) {
