@@ -60,9 +60,11 @@ Result<void> put_earlier_aside(const records::Run& run, const fs::path& folder,
     }
   }
   if (why) return tl::unexpected(failure(folder, "cannot be listed", why));
+  const fs::path aside = folder / kEarlier;
   for (const fs::path& file : stale) {
-    if (const Result<void> made = make_folder(folder / kEarlier); !made) return made;
-    fs::rename(file, folder / kEarlier / file.filename(), why);
+    Result<void> made = make_folder(aside);
+    if (!made) return made;
+    fs::rename(file, aside / file.filename(), why);
     if (why) return tl::unexpected(failure(file, "cannot be moved", why));
   }
   return {};
