@@ -68,6 +68,7 @@ Result<std::vector<Group>> groups_of(const std::vector<std::string>& names) {
     group.mutants.push_back({name, *std::move(mutant), false, std::nullopt});
   }
   std::vector<Group> all;
+  all.reserve(groups.size());
   for (auto& [of, group] : groups) all.push_back(std::move(group));
   return all;
 }
