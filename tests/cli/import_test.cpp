@@ -52,8 +52,18 @@ TEST(Import, RefusesWhatIsNoMesh) {
   EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1);
 }
 
-// Kills: reading the file in the program itself, which then ends without a word of its own.
-TEST(Import, AFileThatNeedsTooMuchIsOneLine) {
+// Kills: reading the file in the program itself, which assimp 5.2.5 ends by a signal over these.
+TEST(Import, AFileThatCrashesTheMeshReaderIsRefusedInOneLine) {
+  for (const char* off :
+       {"OFF\n3 1 0\n0 0 0\n2  4 03 \n 11 20 0\n0 4 03 \n 11 2\n",
+        "OFF\n3 11 0\n0 0 0\n2 0 0\n0 4 1\n3 0 1  0\n0 0 0\n2 0 0\n0 4 1\n3 0 1 2\n"}) {
+    const Outcome outcome = run_program({"import", "-", "--format", "off"}, off);
+    EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+    EXPECT_TRUE(outcome.err.starts_with("rastercheck: -: the mesh reader ")) << outcome;
+  }
+}
+
+TEST(Import, AFileThatNeedsTooMuchMemoryIsRefusedInOneLine) {
   const Outcome outcome = run_program({"import", "-", "--format", "ply"}, kHugePly);
   EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
 }
