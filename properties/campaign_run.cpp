@@ -15,10 +15,6 @@ using records::Counterexample;
 /// The longest that what is done goes unwritten. Writing takes some hundredths of it.
 constexpr std::chrono::seconds kMostUnwritten{1};
 
-std::string file_in(const std::string& directory) {
-  return (std::filesystem::path(directory) / kCheckpointFile).string();
-}
-
 bool is_same_failure(const Counterexample& a, const Counterexample& b) {
   const cases::Found& of_a = *a.source.found;
   const cases::Found& of_b = *b.source.found;
@@ -48,7 +44,7 @@ Result<void> CampaignRun::begin() { return write(); }
 
 Result<void> CampaignRun::write() {
   written_ = std::chrono::steady_clock::now();
-  return cases::write_file(file_in(directory_), to_json(checkpoint_));
+  return cases::write_file(checkpoint_file(directory_), to_json(checkpoint_));
 }
 
 void CampaignRun::save() {
@@ -118,7 +114,7 @@ Result<void> CampaignRun::shrink(const Execute& execute, const IsToEnd& is_to_en
 
 void CampaignRun::remove() {
   std::error_code ignored;
-  std::filesystem::remove(file_in(directory_), ignored);
+  std::filesystem::remove(checkpoint_file(directory_), ignored);
 }
 
 std::uint64_t CampaignRun::cases_left() const {

@@ -11,6 +11,7 @@
 
 #include "cases/error.h"
 #include "properties/checkpoint.h"
+#include "properties/run_folder.h"
 #include "properties/workers.h"
 
 namespace rastercheck::properties {
@@ -19,8 +20,6 @@ namespace rastercheck::properties {
 using Execute = std::function<Result<void>(const std::vector<Task>&, const TaskDone&)>;
 /// Told of what is done: so many cases, or counterexamples, of so many.
 using Progress = std::function<void(std::uint64_t done, std::uint64_t all)>;
-/// Told of what does not stop a run, and should be known.
-using Warn = std::function<void(const Error&)>;
 
 class CampaignRun {
  public:

@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cases/case_reader.h"
@@ -110,6 +111,10 @@ std::string digest_of(const std::vector<cases::Case>& cases) {
     }
   }
   return fmt::format("{:016x}", hash);
+}
+
+std::string checkpoint_file(const std::string& directory) {
+  return (std::filesystem::path(directory) / "unfinished.json").string();
 }
 
 std::string to_json(const Checkpoint& checkpoint) {

@@ -41,8 +41,8 @@ struct Checkpoint {
 /// A word that tells cases apart that differ in a bit: 64 bits, in hexadecimal.
 std::string digest_of(const std::vector<cases::Case>& cases);
 
-/// The name of the file in a run's folder.
-inline constexpr const char* kCheckpointFile = "unfinished.json";
+/// The file in a run's folder.
+std::string checkpoint_file(const std::string& directory);
 
 std::string to_json(const Checkpoint& checkpoint);
 /// Refuses unknown and missing keys, and whatever does not go together.

@@ -18,8 +18,6 @@
 
 #include "backends/backend.h"
 #include "cases/case_reader.h"
-#include "cases/case_writer.h"
-#include "cases/files.h"
 #include "cases/json.h"
 #include "cases/mesh_reader.h"
 #include "cli/backend_failure.h"
@@ -94,10 +92,6 @@ Result<cases::Case> read_scene(const std::string& file, int size) {
   return scene;
 }
 
-std::string checkpoint_file(const Options& options) {
-  return (std::filesystem::path(options.output) / properties::kCheckpointFile).string();
-}
-
 /// What the options ask for.
 Result<properties::RunPlan> plan_of(const Options& options) {
   properties::RunPlan plan;
@@ -115,65 +109,6 @@ Result<properties::RunPlan> plan_of(const Options& options) {
   plan.scene_size = options.scene_size;
   plan.program = RASTERCHECK_VERSION;
   return plan;
-}
-
-/// Where the run in the output folder had come to, if it can go on with this corpus.
-Result<properties::Checkpoint> read_checkpoint(const Options& options) {
-  const std::string file = checkpoint_file(options);
-  return cases::read_text(file)
-      .and_then([&](const std::string& text) { return properties::parse_checkpoint(text, file); })
-      .and_then([&](properties::Checkpoint read) -> Result<properties::Checkpoint> {
-        if (read.plan.program != RASTERCHECK_VERSION) {
-          return tl::unexpected(Error{file, "/plan/program", "was begun by another version"});
-        }
-        if (read.plan.scene == "-") {
-          return tl::unexpected(Error{file, "/plan/scene", "was read from standard input"});
-        }
-        return read;
-      });
-}
-
-/// Makes files of what an unfinished run had found, before another one takes its place; those that
-/// this one's laws and backends found it checks again.
-Result<void> save_unfinished(const Options& options) {
-  const std::string file = checkpoint_file(options);
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) return {};
-  const auto text = cases::read_text(file);
-  const auto read = text ? properties::parse_checkpoint(*text, file)
-                         : Result<properties::Checkpoint>(tl::unexpected(text.error()));
-  if (!read) {
-    fail(read.error());  // It is replaced all the same: what nobody can read is lost already.
-    return {};
-  }
-  fmt::print(stderr,
-             "rastercheck: {}: an unfinished run, which this one replaces (--resume would go on); "
-             "{} counterexamples of it are kept\n",
-             file, read->findings.counterexamples.size());
-  for (const records::Counterexample& one : read->findings.counterexamples) {
-    const auto kept = std::filesystem::path(options.output) / records::file_of(one);
-    if (std::filesystem::exists(kept, ignored)) continue;
-    std::filesystem::create_directories(kept.parent_path(), ignored);
-    const Result<void> written = cases::write_file(kept.string(), cases::to_json(one.source));
-    if (!written) return written;
-  }
-  return {};
-}
-
-/// Where a run begins: at nothing, but for the counterexamples of earlier ones.
-Result<properties::Checkpoint> new_checkpoint(const Options& options) {
-  const Result<properties::RunPlan> plan = plan_of(options);
-  if (!plan) return tl::unexpected(plan.error());
-  properties::Checkpoint start;
-  start.plan = *plan;
-  if (const Result<void> saved = save_unfinished(options); !saved) {
-    return tl::unexpected(saved.error());
-  }
-  const std::string folder = (std::filesystem::path(options.output) / "counterexamples").string();
-  properties::SavedCases saved = properties::read_saved(folder, start.plan.campaign);
-  for (const Error& error : saved.unreadable) fail(error);
-  start.saved = std::move(saved.cases);
-  return start;
 }
 
 /// How tasks are run: in this process, or in several.
@@ -329,19 +264,23 @@ struct Work {
 };
 
 Result<Work> prepare(const Options& options) {
+  const auto warn = [](const Error& error) { fail(error); };
   Result<properties::Checkpoint> start =
-      options.resume ? read_checkpoint(options) : new_checkpoint(options);
+      options.resume ? properties::resume_run(options.output, RASTERCHECK_VERSION)
+                     : plan_of(options).and_then([&](const properties::RunPlan& plan) {
+                         return properties::begin_run(plan, options.output, warn);
+                       });
   if (!start) return tl::unexpected(start.error());
   Work work{*std::move(start), {}, std::nullopt};
   properties::RunPlan& plan = work.start.plan;
   Result<std::vector<cases::Case>> corpus = properties::read_corpus(plan.corpus);
   if (!corpus) return tl::unexpected(corpus.error());
   work.corpus = *std::move(corpus);
-  const std::string digest = properties::digest_of(work.corpus);
-  if (options.resume && digest != plan.corpus_digest) {
-    return tl::unexpected(Error{plan.corpus, "", "is not as it was when the run was begun"});
+  if (!options.resume) {
+    plan.corpus_digest = properties::digest_of(work.corpus);
+  } else if (const auto same = properties::check_corpus(work.start, work.corpus); !same) {
+    return tl::unexpected(same.error());
   }
-  plan.corpus_digest = digest;
   if (!plan.scene.empty()) {
     Result<cases::Case> scene = read_scene(plan.scene, plan.scene_size);
     if (!scene) return tl::unexpected(scene.error());

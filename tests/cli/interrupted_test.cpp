@@ -160,7 +160,7 @@ TEST_P(Interrupted, ByKillLeavesItsCounterexamplesToTheNextRun) {
   const Outcome outcome = run_damaged_program(next);
   EXPECT_EQ(outcome.code, 0) << outcome;
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("an unfinished run, which this one replaces"),
-                                 HasSubstr("1 counterexamples of it are kept")));
+                                 HasSubstr("counterexamples of it that are kept: 1")));
   EXPECT_THAT(folder_.files("out/counterexamples"),
               ElementsAre("coverage-obeys-the-contract-damaged-missing.json"));
 }

@@ -1,0 +1,30 @@
+#pragma once
+
+// What earlier runs left in a run's folder, and how a new one begins there.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cases/case.h"
+#include "cases/error.h"
+#include "properties/checkpoint.h"
+
+namespace rastercheck::properties {
+
+/// Told of what does not stop a run, and should be known.
+using Warn = std::function<void(const Error&)>;
+
+/// Where a new run begins: at nothing, but for the counterexamples that earlier runs left in the
+/// folder, those of an unfinished one included: they are made files of, as the new run takes its
+/// place. Warns of an unfinished run, and of counterexamples that cannot be read.
+Result<Checkpoint> begin_run(const RunPlan& plan, const std::string& directory, const Warn& warn);
+
+/// Where the folder's unfinished run had come to. Fails where there is none, or where `program`, a
+/// version, is not the one that began it, or a law that it checks is gone.
+Result<Checkpoint> resume_run(const std::string& directory, const std::string& program);
+
+/// Whether the run can go on with this corpus: it has to be the one that it began with.
+Result<void> check_corpus(const Checkpoint& checkpoint, const std::vector<cases::Case>& corpus);
+
+}  // namespace rastercheck::properties
