@@ -70,5 +70,27 @@ TEST(Methods, DrawWhatAPlainTriangleCovers) {
   }
 }
 
+// Behind the eye and beyond the window, at every location: what is cut and what is extrapolated.
+TEST(Methods, DrawWhatTheRasterizerDoesOfAClippedTriangle) {
+  State state = small_state(4, 4);
+  state.attributes = {{Interpolation::smooth, Location::sample},
+                      {Interpolation::smooth, Location::center},
+                      {Interpolation::noperspective, Location::centroid}};
+  SmallMesh mesh = triangle(state, {0, 0}, {4, 0}, {0, 4});
+  mesh.positions = {{-1, -2, 0.5F, 1}, {3, -1, 0.5F, 1}, {1, 4, -1, -0.5F}};
+  mesh.attributes = {1, 1, 1, 2, 2, 2, 4, 4, 4};
+  Fragments expected;
+  ASSERT_FALSE(draw_fragments(state, mesh.mesh(), {4, 4, 4}, expected).error);
+  ASSERT_GT(expected.size(), 0U);
+  for (const Method& method : methods()) {
+    Fragments fragments;
+    ASSERT_FALSE(draw_fragments_by(method.name, state, mesh.mesh(), {4, 4, 4}, fragments).error);
+    ASSERT_EQ(fragments.size(), expected.size()) << method.name;
+    for (std::size_t i = 0; i < expected.attributes.size(); ++i) {
+      EXPECT_NEAR(fragments.attributes[i], expected.attributes[i], 1e-4) << method.name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rastercheck::rasterizer
