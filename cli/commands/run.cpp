@@ -205,7 +205,7 @@ ExitCode outcome(const std::vector<records::LawSummary>& rows) {
 }
 
 void print_results(const Options& options, const records::Run& run,
-                   const std::vector<records::LawSummary>& rows, double seconds) {
+                   const std::vector<records::LawSummary>& rows, double seconds, bool is_written) {
   if (options.json) {
     fmt::print("{}\n", summary_json(run, rows));
     return;
@@ -239,8 +239,8 @@ void print_results(const Options& options, const records::Run& run,
         run.counterexamples.size());
   }
   for (const std::string& caveat : records::caveats(run)) fmt::print("{}\n", caveat);
-  fmt::print("Seed {}, {:.1f} s. {}", run.seed, seconds,
-             where_reports_are(options.output, options.formats));
+  fmt::print("Seed {}, {:.1f} s.{}", run.seed, seconds,
+             is_written ? " " + where_reports_are(options.output, options.formats) : "\n");
 }
 
 /// Whether reports can be written there; asked before the work rather than after it.
@@ -338,7 +338,7 @@ ExitCode run_campaign(const Options& options) {
 
   const std::vector<records::LawSummary> rows = records::summarize(run);
   const Result<void> written = reports::write_reports(run, options.output, options.formats);
-  print_results(options, run, rows, seconds.count());
+  print_results(options, run, rows, seconds.count(), written.has_value());
   if (!written) return fail_to_write(options, written.error());
   const bool is_whole = run.cases_left == 0 && campaign.is_shrunk();
   if (is_whole) campaign.remove();
