@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "cases/float_text.h"
@@ -142,6 +143,18 @@ std::string state_text(const cases::Case& c) {
   return text + "\n";
 }
 
+/// Where a vertex is seen: pixels, or, where it is snapped, units of the subpixel grid; "-" where
+/// w <= 0. In double: to look at.
+std::pair<std::string, std::string> window_text(const cases::Case& c, const cases::ClipVertex& p) {
+  if (!(p.w > 0)) return {"-", "-"};
+  const cases::Viewport& v = c.viewport;
+  const double up = c.rules == cases::Rules::d3d ? -1 : 1;
+  const double x = (p.x / static_cast<double>(p.w) + 1) / 2 * v.width + v.x;
+  const double y = (up * p.y / static_cast<double>(p.w) + 1) / 2 * v.height + v.y;
+  const double grid = c.coverage ? std::ldexp(1.0, c.coverage->subpixel_bits) : 1;
+  return {fmt::format("{:.10g}", x * grid), fmt::format("{:.10g}", y * grid)};
+}
+
 std::string attribute_header(const cases::Attribute& attribute, std::size_t index) {
   std::string text =
       attribute.name.empty() ? fmt::format("[{}]", index) : cases::printable(attribute.name);
@@ -159,6 +172,10 @@ std::string attribute_header(const cases::Attribute& attribute, std::size_t inde
 std::string case_text(const cases::Case& c) {
   std::string text = state_text(c);
   std::vector<std::vector<std::string>> rows{{"  vertex", "x", "y", "z", "w"}};
+  if (!c.camera) {
+    const char* where = c.coverage ? "grid" : "window";
+    for (const char* axis : {"x", "y"}) rows[0].push_back(fmt::format("{} {}", where, axis));
+  }
   for (std::size_t i = 0; i < c.attributes.size(); ++i) {
     rows[0].push_back(attribute_header(c.attributes[i], i));
   }
@@ -169,6 +186,10 @@ std::string case_text(const cases::Case& c) {
     const cases::ClipVertex& p = c.positions[vertex];
     std::vector<std::string> row{fmt::format("  {}", vertex)};
     for (const float number : {p.x, p.y, p.z, p.w}) row.push_back(number_text(number));
+    if (!c.camera) {
+      const auto [x, y] = window_text(c, p);
+      row.insert(row.end(), {x, y});
+    }
     for (const float value : c.attributes_of(vertex)) row.push_back(number_text(value));
     for (const float distance : c.clip_distances_of(vertex)) row.push_back(number_text(distance));
     rows.push_back(std::move(row));

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "cases/names.h"
 #include "oracle/judge.h"
 #include "oracle/transform.h"
 #include "properties/law.h"
@@ -42,6 +43,26 @@ char sign_of(const oracle::JudgedSample& sample) {
 /// Pixels by (y, x).
 using Signs = std::map<std::pair<int, int>, char>;
 
+/// Whether the picture shows at the violation what the violation says.
+bool shows(char sign, const records::Violation& violation) {
+  switch (violation.fragment_class) {
+    case FragmentClass::missing:
+      return sign == '-';
+    case FragmentClass::extra:
+    case FragmentClass::wrong_triangle:
+      return sign == '+';
+    default:
+      return sign == '!';
+  }
+}
+
+std::string coverage_text(const cases::Coverage& coverage, cases::Basis basis) {
+  if (!coverage) return "exact coverage";
+  return fmt::format("coverage snapped to {} subpixel bits ({}), values of basis {}",
+                     coverage->subpixel_bits, cases::name_of(coverage->rounding),
+                     cases::name_of(basis));
+}
+
 std::string legend_of(const Signs& signs, bool has_empty) {
   const auto occurs = [&signs](char sign) {
     return std::any_of(signs.begin(), signs.end(),
@@ -53,13 +74,9 @@ std::string legend_of(const Signs& signs, bool has_empty) {
   };
   if (occurs(kRight.sign)) add(kRight);
   if (has_empty) add(kEmpty);
-  bool has_wrong = false;
   for (const Sign& sign : kWrong) {
-    if (!occurs(sign.sign)) continue;
-    add(sign);
-    has_wrong = true;
+    if (occurs(sign.sign)) add(sign);
   }
-  if (!has_wrong) legend += "   (right as it stands; what is wrong shows beside another drawing)";
   return legend;
 }
 
@@ -110,6 +127,18 @@ std::vector<std::string> close_up(const cases::Case& c, backends::Backend& backe
   }
   lines.push_back(columns);
   lines.push_back(legend_of(signs, has_empty));
+  const auto it = signs.find({y, x});
+  if (!shows(it == signs.end() ? kEmpty.sign : it->second, violation)) {
+    lines.emplace_back(
+        "This is the case as it stands, judged alone; the law compares it with another drawing.");
+  }
+  const bool is_as_asked =
+      contract.coverage == clip->coverage && (!clip->coverage || contract.basis == clip->basis);
+  if (!is_as_asked) {
+    lines.push_back(
+        fmt::format("Judged by what the backend promises, not by what the case asks: {}.",
+                    coverage_text(contract.coverage, contract.basis)));
+  }
   return lines;
 }
 

@@ -19,7 +19,8 @@ namespace rastercheck::properties {
 ///      x       1   2   3   4   5
 ///   # drawn as it has to be   . not drawn, rightly   - missing
 ///
-/// The last line names the signs that occur. Empty where the case cannot be drawn.
+/// and names the signs that occur; then, where it is so, that the violation is of another drawing,
+/// and that the contract is not what the case asks for. Empty where the case cannot be drawn.
 std::vector<std::string> close_up(const cases::Case& c, backends::Backend& backend,
                                   const records::Violation& violation);
 

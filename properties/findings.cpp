@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cases/case_writer.h"
+#include "properties/internal/case_size.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -54,6 +55,16 @@ void keep(Findings& findings, Counterexample counterexample) {
   } else if (comes_before(counterexample, *place)) {
     *place = std::move(counterexample);
   }
+}
+
+std::size_t first_to_read(const std::vector<Counterexample>& all) {
+  const auto rank = [](const Counterexample& one) {
+    const std::string& law = one.source.found->law;
+    return std::pair(law != kCoverageLaw && law != kValuesLaw, size_of(one.source));
+  };
+  const auto first = std::min_element(
+      all.begin(), all.end(), [&rank](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return static_cast<std::size_t>(first - all.begin());
 }
 
 void merge(Findings& into, Findings from) {

@@ -5,12 +5,17 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "records/counterexample.h"
 #include "records/record.h"
 
 namespace rastercheck::properties {
+
+/// The laws that speak of whatever is drawn of a case as it stands.
+inline constexpr std::string_view kCoverageLaw = "coverage obeys the contract";
+inline constexpr std::string_view kValuesLaw = "values stay within the bound";
 
 /// What part of a campaign found.
 struct Findings {
@@ -28,6 +33,10 @@ void merge(Findings& into, Findings from);
 /// Adds a counterexample, whose case has `found`, unless there is one that failed in the same way
 /// and comes before it.
 void keep(Findings& findings, records::Counterexample counterexample);
+
+/// Which of some counterexamples to look at first: one of a law that speaks of the case as it
+/// stands, if there is one, and of these, or of all, the smallest.
+std::size_t first_to_read(const std::vector<records::Counterexample>& all);
 
 /// Whether keep() would add a case that failed so: what to ask before it is put together.
 bool is_kept(const Findings& findings, const cases::Found& found, records::Origin origin,

@@ -60,6 +60,10 @@ Result<Checkpoint> begin_run(const RunPlan& plan, const std::string& directory, 
 
 Result<Checkpoint> resume_run(const std::string& directory, const std::string& program) {
   const std::string file = checkpoint_file(directory);
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) {
+    return tl::unexpected(Error{file, "", "is not there: nothing was interrupted in this folder"});
+  }
   Result<Checkpoint> read = read_checkpoint(file);
   if (!read) return read;
   const RunPlan& plan = read->plan;

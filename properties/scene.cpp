@@ -17,10 +17,6 @@ using oracle::JudgedValue;
 using records::FragmentClass;
 using records::PixelState;
 
-/// The laws that hold of every case, and of which a scene is one more.
-constexpr std::string_view kCoverageLaw = "coverage obeys the contract";
-constexpr std::string_view kValuesLaw = "values stay within the bound";
-
 /// Gathers what the judge says of a scene into its map and its first violations.
 class SceneReader {
  public:

@@ -50,12 +50,11 @@ ExitCode add(const Options& options) {
          fmt::format("a name of a-z, 0-9 and - is needed, not '{}'", cases::printable(word))});
   }
   const std::string folder = options.corpus.empty() ? corpus_folder() : options.corpus;
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored)) {
-    return fail({folder, "", "is no folder"});
-  }
+  std::error_code why;
+  std::filesystem::create_directories(folder, why);
+  if (why) return fail({folder, "", "cannot be made: " + why.message()});
   const std::string file = (std::filesystem::path(folder) / (word + ".json")).string();
-  if (std::filesystem::exists(file, ignored)) {
+  if (std::filesystem::exists(file, why)) {
     return fail({file, "", "is there already (--as gives another name)"});
   }
   c->name = options.name.empty() ? sentence_of(*c) : options.name;
@@ -77,8 +76,10 @@ Action set_up(CLI::App& app) {
                           "Its name there: a-z, 0-9 and -; the file's own without it");
   add_command->add_option("--name", options->name,
                           "What it is for, in a sentence; by default what it broke");
-  add_command->add_option("--corpus", options->corpus,
-                          "Folder of case files; the project's own without it");
+  add_command->add_option(
+      "--corpus", options->corpus,
+      "Folder of case files, made where it is missing; the project's own without "
+      "it");
   add_command->add_flag("-q,--quiet", options->quiet, "Prints nothing");
   app.footer("Prints the new file's name. Every run checks the corpus first.");
   return [options] { return add(*options); };

@@ -225,20 +225,26 @@ void print_results(const Options& options, const records::Run& run,
              counts.forbidden, counts.permitted, counts.undecided);
   const std::string decided = records::decided_sentence(levels, counts.undecided);
   if (!decided.empty()) fmt::print("{}\n", decided);
+  const auto file_of = [&options](const records::Counterexample& one) {
+    return (std::filesystem::path(options.output) / records::file_of(one)).string();
+  };
   for (const records::Counterexample& found : run.counterexamples) {
-    const auto file = std::filesystem::path(options.output) / records::file_of(found);
-    fmt::print("{}", counterexample_text(found, file.string()));
+    fmt::print("{}", counterexample_text(found, file_of(found)));
   }
   if (!run.counterexamples.empty()) {
     const auto is_violated = [](const records::LawSummary& row) {
       return row.verdict == records::LawVerdict::violated;
     };
-    fmt::print(
-        "\nViolated: {} of {} checks, in {} different ways, one counterexample of each above.\n",
-        std::count_if(rows.begin(), rows.end(), is_violated), rows.size(),
-        run.counterexamples.size());
+    fmt::print("\nViolated: {} of {} checks; {} counterexamples above, one of each way to fail.\n",
+               std::count_if(rows.begin(), rows.end(), is_violated), rows.size(),
+               run.counterexamples.size());
+    const std::size_t first = properties::first_to_read(run.counterexamples);
+    fmt::print("Begin with: rastercheck replay {}\n", file_of(run.counterexamples[first]));
   }
   for (const std::string& caveat : records::caveats(run)) fmt::print("{}\n", caveat);
+  if (run.cases_left > 0) {
+    fmt::print("`rastercheck run --resume --output {}` goes on.\n", options.output);
+  }
   fmt::print("Seed {}, {:.1f} s.{}", run.seed, seconds,
              is_written ? " " + where_reports_are(options.output, options.formats) : "\n");
 }
@@ -363,7 +369,8 @@ Action set_up(CLI::App& app) {
   app.add_option("--scene-size", options->scene_size, "Width and height of a mesh's picture")
       ->check(CLI::Range(1, cases::kMaxSize))
       ->capture_default_str();
-  app.add_option("--corpus", options->corpus, "Folder of case files; the project's own without it");
+  app.add_option("--corpus", options->corpus,
+                 "Folder of case files that takes the place of the project's own");
   app.add_option("--output", options->output, "Folder for the results")->capture_default_str();
   app.add_option("--format", options->formats, "Reports to write, as json,html,markdown")
       ->delimiter(',')

@@ -133,10 +133,22 @@ std::vector<cases::Triangle> triangles_of(cases::Rules rules, const Indexed& ind
   return all;
 }
 
-void add_notes(const cases::Case& expanded, Topology topology, Check& judged) {
+/// "0 1 R 2 3", R being a restart.
+std::string index_text(const std::vector<std::uint32_t>& indices) {
+  std::string text;
+  for (const std::uint32_t index : indices) {
+    text += text.empty() ? "" : " ";
+    text += index == cases::kRestart ? "R" : std::to_string(index);
+  }
+  return text;
+}
+
+void add_notes(const cases::Case& expanded, const Indexed& indexed, Check& judged) {
   for (records::Violation& violation : judged.violations) {
     violation.note += violation.note.empty() ? "" : "; ";
-    violation.note += fmt::format("a {}", word(topology));
+    violation.note +=
+        fmt::format("a {} of vertices {} (R: restart) instead of the case's triangles",
+                    word(indexed.topology), index_text(indexed.indices));
     if (violation.triangle >= expanded.triangles.size()) continue;
     const auto& [a, b, c] = expanded.triangles[violation.triangle];
     violation.note +=
@@ -158,7 +170,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
       draw_assembled(*expanded, indexed.topology, indexed.indices, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check judged = judge_drawn(*expanded, backend.contract(*expanded), *drawn, {}, options);
-  add_notes(*expanded, indexed.topology, judged);
+  add_notes(*expanded, indexed, judged);
   judged.labels.emplace_back(word(indexed.topology));
   if (std::find(indexed.indices.begin(), indexed.indices.end(), cases::kRestart) !=
       indexed.indices.end()) {

@@ -66,11 +66,16 @@ TEST_F(Corpus, LosesNothing) {
   EXPECT_THAT(folder_.files("corpus"), ElementsAre("first.json"));
 }
 
-TEST_F(Corpus, NamesAFolderThatIsNone) {
-  const Outcome outcome = run_program(
-      {"corpus", "add", "-", "--as", "x", "--corpus", folder_.path("none")}, square_case());
+TEST_F(Corpus, MayBeAFolderOfOnesOwn) {
+  const auto add_to = [this](const std::string& folder) {
+    return run_program({"corpus", "add", "-", "--as", "x", "--corpus", folder_.path(folder)},
+                       square_case());
+  };
+  EXPECT_EQ(add_to("mine/own").code, 0);
+  EXPECT_THAT(folder_.files("mine/own"), ElementsAre("x.json"));
+  const Outcome outcome = add_to("corpus/first.json");
   EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
-  EXPECT_THAT(outcome.err, HasSubstr("none: is no folder"));
+  EXPECT_THAT(outcome.err, HasSubstr("first.json: cannot be made: Not a directory"));
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ TEST_P(Interrupted, ByKillLeavesItsCounterexamplesToTheNextRun) {
 TEST_P(Interrupted, GoesOnOnlyAsItWasBegun) {
   const Outcome nothing = resume();
   EXPECT_TRUE(is_failure(nothing, 2)) << nothing;
-  EXPECT_THAT(nothing.err, HasSubstr("unfinished.json: cannot be read: No such file"));
+  EXPECT_THAT(nothing.err, HasSubstr("unfinished.json: is not there: nothing was interrupted"));
   {
     RunningProgram program(arguments("out"));
     wait_for_progress();

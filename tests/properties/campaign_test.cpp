@@ -254,6 +254,21 @@ TEST(Merge, TakesTheCorpusBeforeSavedCasesAndTheseBeforeOthers) {
   EXPECT_THAT(all.counterexamples, SizeIs(1));
 }
 
+// Kills: a reader who begins with nine vertices and a mirror.
+TEST(FirstToRead, IsOfTheCaseAsItStandsAndSmall) {
+  const auto one = [](const char* law, std::size_t triangles) {
+    Counterexample counterexample;
+    counterexample.source.found = cases::Found{law, "cpu", "missing", 1, 2};
+    counterexample.source.triangles.resize(triangles);
+    return counterexample;
+  };
+  EXPECT_EQ(first_to_read({one("a", 3), one("b", 2), one("c", 2)}), 1U);
+  EXPECT_EQ(first_to_read({one("a", 1), one("coverage obeys the contract", 9), one("c", 1),
+                           one("values stay within the bound", 4)}),
+            3U);
+  EXPECT_EQ(first_to_read({}), 0U);
+}
+
 // Kills: two saved files of one place, of which the one that was read first wins.
 TEST(Merge, TakesTheSameOfTwoWhateverTheOrder) {
   const cases::Found found{"law", "cpu", "missing", 1, 2};

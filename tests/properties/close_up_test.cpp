@@ -19,6 +19,7 @@ records::Violation at(std::uint32_t triangle, std::uint32_t x, std::uint32_t y) 
   violation.triangle = triangle;
   violation.x = x;
   violation.y = y;
+  violation.fragment_class = records::FragmentClass::missing;
   return violation;
 }
 
@@ -49,7 +50,34 @@ TEST(CloseUp, ShowsOneTriangleAlone) {
   DamagedBackend backend({}, "cpu");
   const std::vector<std::string> lines = close_up(square(), backend, at(1, 7, 7));
   EXPECT_THAT(lines.front(), HasSubstr("y     2    .   .   .   .   .   #   #   # "));
-  EXPECT_THAT(lines.back(), AllOf(HasSubstr("right as it stands"), Not(HasSubstr("missing"))));
+  EXPECT_THAT(lines.back(), HasSubstr("This is the case as it stands, judged alone"));
+}
+
+// Kills: a reader who takes the other drawing's error for this one's, or the other way round.
+TEST(CloseUp, SaysWhereTheViolationIsNotInThePicture) {
+  DamagedBackend backend([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 2, 1); },
+                         "cpu");
+  const auto last_line = [&backend](records::FragmentClass fragment_class) {
+    records::Violation violation = at(0, 2, 1);
+    violation.fragment_class = fragment_class;
+    return close_up(square(), backend, violation).back();
+  };
+  using records::FragmentClass;
+  EXPECT_THAT(last_line(FragmentClass::missing), testing::StartsWith("# drawn"));
+  for (const FragmentClass other : {FragmentClass::extra, FragmentClass::beyond_bound}) {
+    EXPECT_THAT(last_line(other), HasSubstr("judged alone")) << to_string(other);
+  }
+}
+
+// Kills: a case that asks for one rounding, judged by another without a word.
+TEST(CloseUp, SaysWhereTheContractIsNotWhatTheCaseAsksFor) {
+  cases::Case c = square();
+  c.coverage = cases::Snapping{7, cases::Rounding::half_up, 0};
+  DamagedBackend backend([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 2, 1); },
+                         "cpu");
+  EXPECT_EQ(close_up(c, backend, at(0, 2, 1)).back(),
+            "Judged by what the backend promises, not by what the case asks: coverage snapped to 7 "
+            "subpixel bits (nearest_even), values of basis ideal.");
 }
 
 // Kills: a window that begins before the framebuffer or ends beyond it.
@@ -60,12 +88,12 @@ TEST(CloseUp, StaysInTheFramebuffer) {
   c.viewport.height = 300;
   DamagedBackend backend({}, "cpu");
   const std::vector<std::string> inside = close_up(c, backend, at(0, 120, 130));
-  EXPECT_EQ(inside.size(), 11U + 2U);
+  EXPECT_EQ(inside.size(), 11U + 3U);
   EXPECT_THAT(inside[0], testing::StartsWith("y   125   "));
   EXPECT_THAT(inside[5], HasSubstr("[#]"));
   EXPECT_THAT(inside[11], AllOf(HasSubstr(" 113 "), HasSubstr(" 127 ")));
   const std::vector<std::string> corner = close_up(c, backend, at(1, 299, 299));
-  EXPECT_EQ(corner.size(), 6U + 2U);
+  EXPECT_EQ(corner.size(), 6U + 3U);
   EXPECT_THAT(corner[6], Not(HasSubstr("300")));
 }
 

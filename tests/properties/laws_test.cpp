@@ -310,7 +310,7 @@ TEST(VertexOrder, FindsAValueThatDependsOnIt) {
     if (c.triangles[0][0] == 1) value(drawn, 0, 2, 3, 1) = next_float(1);
   });
   expect_at(only(check), FragmentClass::beyond_bound, AttributeKind::smooth, 0, 2, 3);
-  EXPECT_EQ(only(check).note, "drawn with the second vertex first");
+  EXPECT_EQ(only(check).note, "drawn in the order second, third, first vertex");
 }
 
 TEST(VertexOrder, FindsCoverageThatDependsOnIt) {
@@ -318,7 +318,7 @@ TEST(VertexOrder, FindsCoverageThatDependsOnIt) {
     if (c.triangles[0][0] == 2) drop(drawn, 0, 1, 1);
   });
   expect_at(only(check), FragmentClass::missing, AttributeKind::coverage, 0, 1, 1);
-  EXPECT_EQ(only(check).note, "drawn with the third vertex first");
+  EXPECT_EQ(only(check).note, "drawn in the order third, first, second vertex");
 }
 
 TEST(VertexOrder, LetsFlatAttributesFollowTheProvokingVertex) {

@@ -87,7 +87,8 @@ TEST_F(RunFolder, WithFilesThatCannotBeReadIsWarnedOf) {
 
 // Kills: a run that goes on as another one.
 TEST_F(RunFolder, GoesOnOnlyAsItWasBegun) {
-  EXPECT_THAT(to_string(resume_run(folder_.path(), "1").error()), HasSubstr("cannot be read"));
+  EXPECT_THAT(to_string(resume_run(folder_.path(), "1").error()),
+              HasSubstr("nothing was interrupted"));
   EXPECT_EQ(resume_error(unfinished()), "");
   EXPECT_EQ(resume_run(folder_.path(), "1").value(), unfinished());
   EXPECT_THAT(to_string(resume_run(folder_.path(), "2").error()), HasSubstr("/plan/program: "));

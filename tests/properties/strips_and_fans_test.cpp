@@ -154,7 +154,10 @@ TEST(StripsAndFans, FindAMissingFragmentAndNameItsTriangle) {
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations[0].fragment_class, FragmentClass::missing);
   EXPECT_EQ(check.violations[0].x, 6U);
-  EXPECT_EQ(check.violations[0].note, "a strip, its triangle 1 of vertices 1, 3, 2");
+  EXPECT_EQ(
+      check.violations[0].note,
+      "a strip of vertices 0 1 2 3 (R: restart) instead of the case's triangles, its triangle 1 of "
+      "vertices 1, 3, 2");
 }
 
 TEST(StripsAndFans, HoldOfCasesThatAreNoStrip) {
