@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rasterizer/rasterizer.h"
+#include "tests/rasterizer/either_way.h"
 #include "tests/rasterizer/small_draw.h"
 
 namespace rastercheck::rasterizer {
@@ -17,19 +18,23 @@ constexpr Convention kConventions[] = {Convention::opengl, Convention::vulkan, C
 
 // --- Coverage -----------------------------------------------------------------------------------
 
-TEST(RationalLinearCoverage, ARightEdgeExcludesTheSamplesOnIt) {
+using RationalLinearCoverage = EitherWay;
+
+INSTANTIATE_TEST_SUITE_P(Drawn, RationalLinearCoverage, EitherWay::ways(), EitherWay::way_name);
+
+TEST_P(RationalLinearCoverage, ARightEdgeExcludesTheSamplesOnIt) {
   const State state = small_state(4, 4);
   EXPECT_EQ(picture(state, triangle(state, {0, 0}, {4, 0}, {0, 4}), kFour),
             (Picture{"###.", "##..", "#...", "...."}));
 }
 
-TEST(RationalLinearCoverage, ALeftEdgeIncludesTheSamplesOnIt) {
+TEST_P(RationalLinearCoverage, ALeftEdgeIncludesTheSamplesOnIt) {
   const State state = small_state(4, 4);
   EXPECT_EQ(picture(state, triangle(state, {4, 0}, {4, 4}, {0, 4}), kFour),
             (Picture{"...#", "..##", ".###", "####"}));
 }
 
-TEST(RationalLinearCoverage, IsTheSameForEveryOrderOfTheVertices) {
+TEST_P(RationalLinearCoverage, IsTheSameForEveryOrderOfTheVertices) {
   const State state = small_state(4, 4);
   SmallMesh mesh = triangle(state, {0, 0}, {4, 0}, {0, 4});
   for (const glm::uvec3& order :
@@ -40,7 +45,7 @@ TEST(RationalLinearCoverage, IsTheSameForEveryOrderOfTheVertices) {
 }
 
 // Kills: the fill rule ignored, or taken without regard to where v points.
-TEST(RationalLinearCoverage, TheFillRuleIsMeantAsDisplayed) {
+TEST_P(RationalLinearCoverage, TheFillRuleIsMeantAsDisplayed) {
   const Picture least{"##..", "##..", "....", "...."};
   const Picture greatest{"....", "##..", "##..", "...."};
   for (const Convention convention : kConventions) {
@@ -54,7 +59,7 @@ TEST(RationalLinearCoverage, TheFillRuleIsMeantAsDisplayed) {
   }
 }
 
-TEST(RationalLinearCoverage, ASampleOnAVertexFollowsBothItsEdges) {
+TEST_P(RationalLinearCoverage, ASampleOnAVertexFollowsBothItsEdges) {
   const State state = small_state(4, 4);
   // A left and a top edge meet at (1/2, 1/2); a left and a bottom one, or a top and a right one, do
   // at the others.
@@ -63,7 +68,7 @@ TEST(RationalLinearCoverage, ASampleOnAVertexFollowsBothItsEdges) {
 }
 
 // Kills: a shared edge crossed at two places, or owned by both or by none.
-TEST(RationalLinearCoverage, ASquareSplitByEitherDiagonalCoversEachSampleOnce) {
+TEST_P(RationalLinearCoverage, ASquareSplitByEitherDiagonalCoversEachSampleOnce) {
   for (const Convention convention : kConventions) {
     for (const int samples : {1, 2, 4, 8, 16}) {
       for (const FillRule rule : {FillRule::top_left, FillRule::bottom_left}) {
@@ -82,7 +87,7 @@ TEST(RationalLinearCoverage, ASquareSplitByEitherDiagonalCoversEachSampleOnce) {
 }
 
 // Kills: crossings that depend on which of the two triangles is asked; clipping likewise.
-TEST(RationalLinearCoverage, AFanAroundAPointCoversEachSampleOnce) {
+TEST_P(RationalLinearCoverage, AFanAroundAPointCoversEachSampleOnce) {
   std::mt19937 random(20260801);
   const auto between = [&random](float low, float high) {
     return low + (high - low) * static_cast<float>(random() >> 8) * 0x1p-24F;
@@ -109,7 +114,7 @@ TEST(RationalLinearCoverage, AFanAroundAPointCoversEachSampleOnce) {
   }
 }
 
-TEST(RationalLinearCoverage, TheStandardPatternsAreCoveredSampleBySample) {
+TEST_P(RationalLinearCoverage, TheStandardPatternsAreCoveredSampleBySample) {
   const State state = small_state(1, 1);
   // Left of 1/2: samples with x < 8/16.
   const SmallMesh mesh = rectangle(state, {0, 0}, {0.5F, 1});
@@ -122,6 +127,10 @@ TEST(RationalLinearCoverage, TheStandardPatternsAreCoveredSampleBySample) {
 
 // --- Clipping -----------------------------------------------------------------------------------
 
+using RationalLinearClipping = EitherWay;
+
+INSTANTIATE_TEST_SUITE_P(Drawn, RationalLinearClipping, EitherWay::ways(), EitherWay::way_name);
+
 /// Vertices at window (2, 0) and (6, 0) before the eye; the third is behind it, at (4, −8): what is
 /// seen are the points below v = 0 between the lines from (4, −8) through the other two.
 SmallMesh behind_the_eye(const State& state) {
@@ -132,7 +141,7 @@ SmallMesh behind_the_eye(const State& state) {
 }
 
 // Kills: dividing before clipping.
-TEST(RationalLinearClipping, AVertexBehindTheEyeOpensTheTriangleToInfinity) {
+TEST_P(RationalLinearClipping, AVertexBehindTheEyeOpensTheTriangleToInfinity) {
   const Picture expected{"..####..", "..####..", ".######.", ".######.",
                          ".######.", ".######.", "########", "########"};
   for (const bool depth_clamp : {false, true}) {
@@ -144,7 +153,7 @@ TEST(RationalLinearClipping, AVertexBehindTheEyeOpensTheTriangleToInfinity) {
   }
 }
 
-TEST(RationalLinearClipping, ValuesGoOnBehindTheEye) {
+TEST_P(RationalLinearClipping, ValuesGoOnBehindTheEye) {
   State state = small_state(8, 8);
   state.attributes = {{}};
   SmallMesh mesh = behind_the_eye(state);
@@ -156,7 +165,7 @@ TEST(RationalLinearClipping, ValuesGoOnBehindTheEye) {
   expect_values(fragments_of(state, mesh, kEight), exact);
 }
 
-TEST(RationalLinearClipping, WhatIsWhollyBehindTheEyeIsNotDrawn) {
+TEST_P(RationalLinearClipping, WhatIsWhollyBehindTheEyeIsNotDrawn) {
   for (const bool depth_clamp : {false, true}) {
     State state = small_state(8, 8);
     state.depth_clamp = depth_clamp;
@@ -175,7 +184,7 @@ Picture stripes(bool along_v, const std::string& which) {
 }
 
 // Kills: clip edges that follow the fill rule; near for far; OpenGL's depth for the others'.
-TEST(RationalLinearClipping, SamplesOnANearOrFarCutAreInside) {
+TEST_P(RationalLinearClipping, SamplesOnANearOrFarCutAreInside) {
   for (const Convention convention : kConventions) {
     const State state = small_state(4, 4, convention);
     const float nearest = convention == Convention::opengl ? -1 : 0;
@@ -192,7 +201,7 @@ TEST(RationalLinearClipping, SamplesOnANearOrFarCutAreInside) {
 }
 
 // Kills: a cut edge that forgets, when it is cut again, that it is one.
-TEST(RationalLinearClipping, SamplesOnADepthCutAreInsideHoweverItIsCutItself) {
+TEST_P(RationalLinearClipping, SamplesOnADepthCutAreInsideHoweverItIsCutItself) {
   State state = small_state(4, 4);
   state.clip_distance_count = 1;
   SmallMesh mesh = sloping(state, false, -0.125F, 0);  // inside up to u = 1.5
@@ -202,7 +211,7 @@ TEST(RationalLinearClipping, SamplesOnADepthCutAreInsideHoweverItIsCutItself) {
   EXPECT_EQ(picture(state, mesh, kFour), (Picture{"....", "....", "##..", "##.."}));
 }
 
-TEST(RationalLinearClipping, DepthClampKeepsWhatIsNearerOrFartherAndClampsItsDepth) {
+TEST_P(RationalLinearClipping, DepthClampKeepsWhatIsNearerOrFartherAndClampsItsDepth) {
   State state = small_state(4, 4);
   state.depth_clamp = true;
   state.viewport.min_depth = 0.25F;
@@ -216,7 +225,7 @@ TEST(RationalLinearClipping, DepthClampKeepsWhatIsNearerOrFartherAndClampsItsDep
 }
 
 // Kills: clip distances closed everywhere, or open everywhere.
-TEST(RationalLinearClipping, ADistanceAndItsNegativeShareNoSampleButInD3d) {
+TEST_P(RationalLinearClipping, ADistanceAndItsNegativeShareNoSampleButInD3d) {
   for (const Convention convention : kConventions) {
     for (const bool along_v : {false, true}) {
       State state = small_state(4, 4, convention);
@@ -235,7 +244,7 @@ TEST(RationalLinearClipping, ADistanceAndItsNegativeShareNoSampleButInD3d) {
   }
 }
 
-TEST(RationalLinearClipping, DistancesThatVanishEverywhereClipNothing) {
+TEST_P(RationalLinearClipping, DistancesThatVanishEverywhereClipNothing) {
   State state = small_state(4, 4);
   state.clip_distance_count = kMaxClipDistances;
   SmallMesh mesh = rectangle(state, {0, 0}, {4, 4});
@@ -243,7 +252,7 @@ TEST(RationalLinearClipping, DistancesThatVanishEverywhereClipNothing) {
   EXPECT_EQ(picture(state, mesh, kFour), Picture(4, "####"));
 }
 
-TEST(RationalLinearClipping, EveryDistanceClips) {
+TEST_P(RationalLinearClipping, EveryDistanceClips) {
   for (std::size_t i = 0; i < kMaxClipDistances; ++i) {
     State state = small_state(4, 4);
     state.clip_distance_count = kMaxClipDistances;
@@ -257,7 +266,7 @@ TEST(RationalLinearClipping, EveryDistanceClips) {
 }
 
 // Kills: a guard band that moves edges or values.
-TEST(RationalLinearClipping, ValuesStayWhereTheGuardBandCuts) {
+TEST_P(RationalLinearClipping, ValuesStayWhereTheGuardBandCuts) {
   for (const float far : {512.0F, 4096.0F, 0x1p20F}) {
     State state = small_state(8, 8);
     state.attributes = {{}};
@@ -270,7 +279,18 @@ TEST(RationalLinearClipping, ValuesStayWhereTheGuardBandCuts) {
 
 // --- Conventions --------------------------------------------------------------------------------
 
-TEST(RationalLinearConventions, NdcYPointsDownInVulkanAndTheWindowUpInOpengl) {
+class RationalLinearConventions : public EitherWay {
+ protected:
+  /// Whether the triangle window (0, 0), (4, 0), (0, 4), which turns from u to v, is drawn.
+  static bool is_drawn(const State& state) {
+    const State plain = small_state(4, 4, state.convention);
+    return fragments_of(state, triangle(plain, {0, 0}, {4, 0}, {0, 4}), kFour).size() > 0;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Drawn, RationalLinearConventions, EitherWay::ways(), EitherWay::way_name);
+
+TEST_P(RationalLinearConventions, NdcYPointsDownInVulkanAndTheWindowUpInOpengl) {
   // The corner of least x and y in NDC.
   const SmallMesh mesh{{{-1, -1, 0, 1}, {0, -1, 0, 1}, {-1, 0, 0, 1}}, {}, {}, {{0, 1, 2}}};
   const Picture least_rows{"#.", ".."};
@@ -287,7 +307,7 @@ TEST(RationalLinearConventions, NdcYPointsDownInVulkanAndTheWindowUpInOpengl) {
   }
 }
 
-TEST(RationalLinearConventions, ANegativeViewportHeightTurnsThePictureOver) {
+TEST_P(RationalLinearConventions, ANegativeViewportHeightTurnsThePictureOver) {
   State state = small_state(4, 4);
   const SmallMesh mesh = triangle(state, {0, 0}, {4.25F, 0}, {0, 4.25F});
   state.viewport.origin = {0, 4};
@@ -295,15 +315,8 @@ TEST(RationalLinearConventions, ANegativeViewportHeightTurnsThePictureOver) {
   EXPECT_EQ(picture(state, mesh, kFour), (Picture{"#...", "##..", "###.", "####"}));
 }
 
-/// Whether the triangle window (0, 0), (4, 0), (0, 4), which turns from u to v, is drawn.
-bool is_drawn(const State& state) {
-  return fragments_of(state, triangle(small_state(4, 4, state.convention), {0, 0}, {4, 0}, {0, 4}),
-                      kFour)
-             .size() > 0;
-}
-
 // Kills: facing without regard to where v points.
-TEST(RationalLinearConventions, FacingIsMeantAsDisplayed) {
+TEST_P(RationalLinearConventions, FacingIsMeantAsDisplayed) {
   for (const Convention convention : kConventions) {
     State state = small_state(4, 4, convention);
     const bool is_ccw = convention == Convention::opengl;  // v up
@@ -320,7 +333,7 @@ TEST(RationalLinearConventions, FacingIsMeantAsDisplayed) {
   }
 }
 
-TEST(RationalLinearConventions, ANegativeViewportHeightTurnsFacing) {
+TEST_P(RationalLinearConventions, ANegativeViewportHeightTurnsFacing) {
   State state = small_state(4, 4);
   state.viewport.origin = {0, 4};
   state.viewport.size = {4, -4};
@@ -332,7 +345,7 @@ TEST(RationalLinearConventions, ANegativeViewportHeightTurnsFacing) {
 }
 
 // Kills: facing from divided positions.
-TEST(RationalLinearConventions, FacingHoldsWithAVertexBehindTheEye) {
+TEST_P(RationalLinearConventions, FacingHoldsWithAVertexBehindTheEye) {
   State state = small_state(8, 8);
   state.cull = Cull::back;
   const SmallMesh mesh = behind_the_eye(state);
@@ -343,7 +356,7 @@ TEST(RationalLinearConventions, FacingHoldsWithAVertexBehindTheEye) {
   EXPECT_EQ(fragments_of(state, mesh, kEight).size(), 0U);
 }
 
-TEST(RationalLinearConventions, CulledTrianglesAreNotCounted) {
+TEST_P(RationalLinearConventions, CulledTrianglesAreNotCounted) {
   State state = small_state(4, 4);
   state.cull = Cull::back;
   Fragments fragments;

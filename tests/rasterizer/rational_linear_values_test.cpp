@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rasterizer/rasterizer.h"
+#include "tests/rasterizer/either_way.h"
 #include "tests/rasterizer/small_draw.h"
 
 namespace rastercheck::rasterizer {
@@ -15,6 +16,10 @@ constexpr TargetSize kFour{4, 4, 1};
 constexpr Convention kConventions[] = {Convention::opengl, Convention::vulkan, Convention::d3d};
 
 // --- Values -------------------------------------------------------------------------------------
+
+using RationalLinearValues = EitherWay;
+
+INSTANTIATE_TEST_SUITE_P(Drawn, RationalLinearValues, EitherWay::ways(), EitherWay::way_name);
 
 /// w = 1 at u = 0 and 2 at u = 4, the attribute 0 and 1: u/8 over (8 − u)/8.
 SmallMesh in_perspective(const State& state) {
@@ -26,7 +31,7 @@ SmallMesh in_perspective(const State& state) {
 }
 
 // Kills: interpolation linear in window space ("rubber sheet").
-TEST(RationalLinearValues, SmoothIsLinearOverLinear) {
+TEST_P(RationalLinearValues, SmoothIsLinearOverLinear) {
   for (const Convention convention : kConventions) {
     State state = small_state(4, 4, convention);
     state.attributes = {{}};
@@ -36,7 +41,7 @@ TEST(RationalLinearValues, SmoothIsLinearOverLinear) {
 }
 
 // Kills: sums of zeros of both signs at an extrapolated centre, and −0 · w with w < 0.
-TEST(RationalLinearValues, AZeroAtAllVerticesKeepsItsSign) {
+TEST_P(RationalLinearValues, AZeroAtAllVerticesKeepsItsSign) {
   State state = small_state(4, 4);
   for (const Location location : {Location::sample, Location::center, Location::centroid}) {
     for (const Interpolation interpolation :
@@ -57,7 +62,7 @@ TEST(RationalLinearValues, AZeroAtAllVerticesKeepsItsSign) {
   }
 }
 
-TEST(RationalLinearValues, NoperspectiveIsLinearInTheWindow) {
+TEST_P(RationalLinearValues, NoperspectiveIsLinearInTheWindow) {
   State state = small_state(4, 4);
   state.attributes = {{Interpolation::noperspective, Location::sample}};
   expect_values(fragments_of(state, in_perspective(state), kFour),
@@ -65,7 +70,7 @@ TEST(RationalLinearValues, NoperspectiveIsLinearInTheWindow) {
 }
 
 // Kills: noperspective values made linear in clip space by clipping.
-TEST(RationalLinearValues, NoperspectiveStaysLinearInTheWindowWhereClipped) {
+TEST_P(RationalLinearValues, NoperspectiveStaysLinearInTheWindowWhereClipped) {
   State state = small_state(4, 4);
   state.attributes = {{Interpolation::noperspective, Location::sample}};
   SmallMesh mesh = in_perspective(state);
@@ -78,7 +83,7 @@ TEST(RationalLinearValues, NoperspectiveStaysLinearInTheWindowWhereClipped) {
   expect_values(fragments, [](double u, double) { return u / 4; });
 }
 
-TEST(RationalLinearValues, FlatIsTheProvokingVertex) {
+TEST_P(RationalLinearValues, FlatIsTheProvokingVertex) {
   for (const Convention convention : kConventions) {
     State state = small_state(4, 4, convention);
     state.attributes = {{Interpolation::flat, Location::sample}};
@@ -91,7 +96,7 @@ TEST(RationalLinearValues, FlatIsTheProvokingVertex) {
   }
 }
 
-TEST(RationalLinearValues, EveryAttributeHasItsOwnQualifier) {
+TEST_P(RationalLinearValues, EveryAttributeHasItsOwnQualifier) {
   State state = small_state(4, 4);
   state.attributes = {{Interpolation::noperspective, Location::sample},
                       {Interpolation::flat, Location::center},
@@ -109,7 +114,7 @@ TEST(RationalLinearValues, EveryAttributeHasItsOwnQualifier) {
 }
 
 // Kills: a + (b − a) t with weights that do not add to one.
-TEST(RationalLinearValues, ConstantsComeOutExactly) {
+TEST_P(RationalLinearValues, ConstantsComeOutExactly) {
   for (const float constant : {0.1F, -3e38F, 1e-45F, 1.0F / 3}) {
     State state = small_state(16, 16);
     state.attributes = {{}, {Interpolation::noperspective, Location::center}};
@@ -123,7 +128,7 @@ TEST(RationalLinearValues, ConstantsComeOutExactly) {
   }
 }
 
-TEST(RationalLinearValues, ASampleOnAVertexHasItsValue) {
+TEST_P(RationalLinearValues, ASampleOnAVertexHasItsValue) {
   State state = small_state(4, 4);
   state.attributes = {{}};
   SmallMesh mesh;
@@ -134,7 +139,7 @@ TEST(RationalLinearValues, ASampleOnAVertexHasItsValue) {
 }
 
 // Kills: sums in float32, where the parts overflow.
-TEST(RationalLinearValues, WhatIsBeyondFloatComesOutInfinite) {
+TEST_P(RationalLinearValues, WhatIsBeyondFloatComesOutInfinite) {
   State state = small_state(1, 1);
   state.attributes = {{Interpolation::noperspective, Location::center}};
   // u + v < 9/16: sample 1 of two, (4, 4), is covered; at the centre the value is 16/9 of 3e38.
@@ -147,17 +152,22 @@ TEST(RationalLinearValues, WhatIsBeyondFloatComesOutInfinite) {
 
 // --- Locations ----------------------------------------------------------------------------------
 
-/// The columns left of `edge`, w = 1, with the attribute u, in a target of 2 x 1 pixels with 4
-/// samples. x of the samples in 1/16: 6, 14, 2, 10; so left of 5/4 is of pixel 1 only sample 2.
-Fragments left_part(Location location, float edge) {
-  State state = small_state(2, 1);
-  state.attributes = {{Interpolation::smooth, location}};
-  SmallMesh mesh = rectangle(state, {0, 0}, {edge, 1});
-  mesh.attributes = {0, edge, edge, 0};
-  return fragments_of(state, mesh, {2, 1, 4});
-}
+class RationalLinearLocations : public EitherWay {
+ protected:
+  /// The columns left of `edge`, w = 1, with the attribute u, in a target of 2 x 1 pixels with 4
+  /// samples. x of the samples in 1/16: 6, 14, 2, 10; so left of 5/4 is of pixel 1 only sample 2.
+  static Fragments left_part(Location location, float edge) {
+    State state = small_state(2, 1);
+    state.attributes = {{Interpolation::smooth, location}};
+    SmallMesh mesh = rectangle(state, {0, 0}, {edge, 1});
+    mesh.attributes = {0, edge, edge, 0};
+    return fragments_of(state, mesh, {2, 1, 4});
+  }
+};
 
-TEST(RationalLinearLocations, SampleIsWhereTheSampleLies) {
+INSTANTIATE_TEST_SUITE_P(Drawn, RationalLinearLocations, EitherWay::ways(), EitherWay::way_name);
+
+TEST_P(RationalLinearLocations, SampleIsWhereTheSampleLies) {
   const Fragments fragments = left_part(Location::sample, 1.25F);
   ASSERT_EQ(picture(fragments, {2, 1, 4}), (Picture{"####..#."}));
   EXPECT_EQ(value_at(fragments, 0, 0, 0), 6 / 16.0F);
@@ -167,13 +177,13 @@ TEST(RationalLinearLocations, SampleIsWhereTheSampleLies) {
 }
 
 // Kills: the centre held to the triangle.
-TEST(RationalLinearLocations, CenterExtrapolatesWhereTheCentreIsUncovered) {
+TEST_P(RationalLinearLocations, CenterExtrapolatesWhereTheCentreIsUncovered) {
   const Fragments fragments = left_part(Location::center, 1.25F);
   for (int sample = 0; sample < 4; ++sample) EXPECT_EQ(value_at(fragments, 0, 0, sample), 0.5F);
   EXPECT_EQ(value_at(fragments, 1, 0, 2), 1.5F);
 }
 
-TEST(RationalLinearLocations, CenterExtrapolatesInPerspective) {
+TEST_P(RationalLinearLocations, CenterExtrapolatesInPerspective) {
   State state = small_state(4, 4);
   state.attributes = {{Interpolation::smooth, Location::center}};
   const Fragments fragments = fragments_of(state, in_perspective(state), {4, 4, 8});
@@ -185,7 +195,7 @@ TEST(RationalLinearLocations, CenterExtrapolatesInPerspective) {
 }
 
 // Kills: the plane through what clipping left, here a line.
-TEST(RationalLinearLocations, CenterIsByThePlaneOfTheWholeTriangle) {
+TEST_P(RationalLinearLocations, CenterIsByThePlaneOfTheWholeTriangle) {
   State state = small_state(4, 4);
   state.attributes = {{Interpolation::smooth, Location::center}};
   // Its left edge, through the first sample of each pixel of column 0, touches the near plane.
@@ -198,7 +208,7 @@ TEST(RationalLinearLocations, CenterIsByThePlaneOfTheWholeTriangle) {
 }
 
 // Kills: centroid as centre; the last covered sample for the first.
-TEST(RationalLinearLocations, CentroidIsTheCentreOrTheFirstCoveredSample) {
+TEST_P(RationalLinearLocations, CentroidIsTheCentreOrTheFirstCoveredSample) {
   // Each triangle of a rectangle counts by itself, so one triangle over all of pixel 0 is needed:
   // its right side falls from u = 2 to u = 1.
   State state = small_state(2, 1);
@@ -213,7 +223,7 @@ TEST(RationalLinearLocations, CentroidIsTheCentreOrTheFirstCoveredSample) {
   EXPECT_EQ(value_at(fragments, 1, 0, 2), 22 / 16.0F);
 }
 
-TEST(RationalLinearLocations, CentroidTakesSamplesOutsideTheViewportForUncovered) {
+TEST_P(RationalLinearLocations, CentroidTakesSamplesOutsideTheViewportForUncovered) {
   State state = small_state(2, 2);
   state.attributes = {{Interpolation::smooth, Location::centroid}};
   state.viewport.origin = {0.5F, 0};
@@ -224,7 +234,7 @@ TEST(RationalLinearLocations, CentroidTakesSamplesOutsideTheViewportForUncovered
   EXPECT_EQ(value_at(fragments, 0, 0, 3), 14 / 16.0F);
 }
 
-TEST(RationalLinearLocations, WithOneSampleAllThreeAreTheSame) {
+TEST_P(RationalLinearLocations, WithOneSampleAllThreeAreTheSame) {
   State state = small_state(16, 16);
   state.attributes = {{Interpolation::smooth, Location::sample},
                       {Interpolation::smooth, Location::center},
@@ -243,7 +253,11 @@ TEST(RationalLinearLocations, WithOneSampleAllThreeAreTheSame) {
 
 // --- Depth --------------------------------------------------------------------------------------
 
-TEST(RationalLinearDepth, DepthIsMappedFromTheConventionsRange) {
+using RationalLinearDepth = EitherWay;
+
+INSTANTIATE_TEST_SUITE_P(Drawn, RationalLinearDepth, EitherWay::ways(), EitherWay::way_name);
+
+TEST_P(RationalLinearDepth, DepthIsMappedFromTheConventionsRange) {
   for (const Convention convention : kConventions) {
     State state = small_state(1, 1, convention);
     state.viewport.min_depth = 0.25F;
@@ -259,7 +273,7 @@ TEST(RationalLinearDepth, DepthIsMappedFromTheConventionsRange) {
   }
 }
 
-TEST(RationalLinearDepth, AReversedDepthRangeReversesDepth) {
+TEST_P(RationalLinearDepth, AReversedDepthRangeReversesDepth) {
   State state = small_state(4, 4);
   state.viewport.min_depth = 1;
   state.viewport.max_depth = 0;
@@ -270,7 +284,7 @@ TEST(RationalLinearDepth, AReversedDepthRangeReversesDepth) {
   }
 }
 
-TEST(RationalLinearDepth, DepthIsLinearInTheWindow) {
+TEST_P(RationalLinearDepth, DepthIsLinearInTheWindow) {
   State state = small_state(4, 4);
   state.attributes = {{}};
   const Fragments fragments = fragments_of(state, in_perspective(state), kFour);
@@ -282,7 +296,7 @@ TEST(RationalLinearDepth, DepthIsLinearInTheWindow) {
 
 // Kills: a mean of equal ends that is not always their value. The depth, 3/4 of 12000002 · 2^-24,
 // lies halfway between two floats, where any error shows.
-TEST(RationalLinearDepth, APlaneOfEqualDepthHasOneDepth) {
+TEST_P(RationalLinearDepth, APlaneOfEqualDepthHasOneDepth) {
   State state = small_state(16, 16);
   state.viewport.max_depth = 0.75F;
   const float depth = 12000002 * 0x1p-24F;
