@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <cmath>
 #include <csignal>
-#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -39,7 +38,7 @@ template <typename Element>
 std::vector<Element> take(std::string_view& bytes, std::size_t count) {
   std::vector<Element> elements(count);
   const std::size_t size = count * sizeof(Element);
-  if (size > 0) std::memcpy(elements.data(), bytes.data(), size);
+  std::copy_n(bytes.begin(), size, reinterpret_cast<char*>(elements.data()));
   bytes.remove_prefix(size);
   return elements;
 }

@@ -24,8 +24,9 @@ constexpr std::size_t kMostShown = 12;
 
 /// "0x1.8p-2 (0.375)"; small whole numbers as they are.
 std::string number_text(float value) {
+  const bool is_minus_zero = value == 0 && std::signbit(value);
   const bool is_plain = value == std::trunc(value) && std::abs(value) < 1000;
-  if (is_plain && !(value == 0 && std::signbit(value))) return fmt::format("{}", value);
+  if (is_plain && !is_minus_zero) return fmt::format("{}", value);
   return fmt::format("{} ({:.6g})", cases::to_hex(value), value);
 }
 
@@ -40,7 +41,7 @@ std::string decimal_of(const std::string& fraction) {
 
 /// A fraction or a range of two, with decimals where they help to read it.
 std::string exact_text(const std::string& exact) {
-  const std::string text = cases::printable(exact);
+  std::string text = cases::printable(exact);
   if (exact.find('/') == std::string::npos) return text;
   const std::size_t comma = exact.find(", ");
   if (!exact.starts_with('[') || !exact.ends_with(']') || comma == std::string::npos) {

@@ -2,10 +2,14 @@
 // way, so that a campaign has something to find.
 //
 //   damaged           loses the last fragment of every draw
+//   damaged:slow      the same, and takes its time, so that a run can be interrupted
 //   damaged:refuses   fails to draw
 //   damaged:absent    cannot run here
 //   damaged:unseen    draws rightly; of it alone a law is asked whose cases are never what they are
 //                     said to be
+
+#include <chrono>
+#include <thread>
 
 #include "properties/judged_law.h"
 #include "tests/properties/damaged_backend.h"
@@ -17,6 +21,15 @@ class RefusingBackend : public DamagedBackend {
  public:
   Result<cases::Framebuffer> draw(const cases::Case& /*c*/) override {
     return tl::unexpected(Error{"", "", "out of memory"});
+  }
+};
+
+class SlowBackend : public DamagedBackend {
+ public:
+  using DamagedBackend::DamagedBackend;
+  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(4));
+    return DamagedBackend::draw(c);
   }
 };
 
@@ -39,6 +52,7 @@ constexpr const char* kAbsent = "needs what no machine has";
 
 Result<std::unique_ptr<backends::Backend>> make(const std::string& options) {
   if (options.empty()) return std::make_unique<DamagedBackend>(&lose_last);
+  if (options == "slow") return std::make_unique<SlowBackend>(&lose_last);
   if (options == "refuses") return std::make_unique<RefusingBackend>();
   if (options == "unseen") return std::make_unique<UnseenBackend>();
   const bool is_absent = options == "absent";
@@ -50,6 +64,7 @@ std::vector<backends::Listing> list() {
   return {{"damaged", "loses the last fragment", ""},
           {"damaged:absent", "cannot run", kAbsent},
           {"damaged:refuses", "fails to draw", ""},
+          {"damaged:slow", "loses the last fragment, slowly", ""},
           {"damaged:unseen", "draws rightly what is never seen", ""}};
 }
 
