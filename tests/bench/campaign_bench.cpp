@@ -20,7 +20,8 @@ void check(benchmark::State& bench, std::span<const properties::Law> laws) {
   properties::TaskRunner runner(1, {});
   for (auto _ : bench) {
     for (const properties::Law& law : laws) {
-      const auto found = runner.run({"cpu", std::string(law.name), properties::TaskKind::random, 0, kCases});
+      const auto found =
+          runner.run({"cpu", std::string(law.name), properties::TaskKind::random, 0, kCases});
       if (!found || found->fault) return bench.SkipWithError("the task failed");
     }
   }

@@ -26,7 +26,7 @@ class RefusingBackend : public DamagedBackend {
 
 class SlowBackend : public DamagedBackend {
  public:
-  using DamagedBackend::DamagedBackend;
+  explicit SlowBackend(const Damage& damage) : DamagedBackend(damage, "cpu") {}
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
     std::this_thread::sleep_for(std::chrono::milliseconds(4));
     return DamagedBackend::draw(c);
