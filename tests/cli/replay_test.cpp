@@ -57,9 +57,9 @@ TEST(Replay, ReadsStandardInput) {
 TEST(Replay, OfACounterexampleFindsItAgain) {
   const TemporaryFolder folder;
   folder.put("corpus/square.json", square_case());
-  const Outcome run =
-      run_damaged_program({"run", "--corpus", folder.path("corpus"), "--cases", "10", "--backend",
-                           "damaged", "--output", folder.path("out"), "--seed", "1"});
+  const Outcome run = run_damaged_program({"run", "--corpus", folder.path("corpus"), "--cases",
+                                           "10", "--backend", "damaged", "--shrink-tries", "20",
+                                           "--output", folder.path("out"), "--seed", "1"});
   ASSERT_EQ(run.code, 1) << run;
   const std::vector<std::string> files = folder.files("out/counterexamples");
   ASSERT_FALSE(files.empty());

@@ -17,9 +17,10 @@ class Report : public testing::Test {
  protected:
   void SetUp() override {
     const std::string file = folder_.put("corpus/square.json", square_case());
-    const Outcome outcome = run_damaged_program(
-        {"run", "--corpus", folder_.path("corpus"), "--cases", "10", "--backend", "damaged",
-         "--property", "co*", "--scene", file, "--output", out(), "--seed", "1"});
+    const Outcome outcome =
+        run_damaged_program({"run", "--corpus", folder_.path("corpus"), "--cases", "10",
+                             "--backend", "damaged", "--shrink-tries", "20", "--property", "co*",
+                             "--scene", file, "--output", out(), "--seed", "1"});
     ASSERT_EQ(outcome.code, 1) << outcome;
   }
   std::string out() const { return folder_.path("out"); }
