@@ -156,8 +156,9 @@ void shrink_counterexample(const Law& law, backends::Backend& backend, const Cou
                            const ShrinkLimits& limits, Findings& findings) {
   const cases::Found place = found.source.found.value_or(cases::Found());
   const auto fails_alike = [&](const cases::Case& c) -> std::optional<Check> {
+    if (findings.fault) return std::nullopt;  // There is nothing more to be learnt.
     Check check = check_or_note(law, c, backend, {place.index});
-    if (check.fault && !findings.fault) findings.fault = check.fault;
+    findings.fault = check.fault;
     const bool is_alike = check.is_applicable && check.violation_count > 0 && !check.fault &&
                           verdict_of(check) == place.verdict;
     return is_alike ? std::optional(std::move(check)) : std::nullopt;

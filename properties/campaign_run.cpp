@@ -78,13 +78,15 @@ Result<void> CampaignRun::check_cases(const Execute& execute, const Progress& pr
       return false;
     }
     const std::size_t place = places[task];
-    const std::vector<Counterexample> before = checkpoint_.findings.counterexamples;
+    const bool may_be_news = !found.counterexamples.empty();
+    std::vector<Counterexample> before;
+    if (may_be_news) before = checkpoint_.findings.counterexamples;
     merge(all_, found);
     merge(checkpoint_.findings, std::move(found));
     checkpoint_.is_done[place] = true;
     done += tasks_[place].cases();
     if (progress) progress(done, all);
-    write_if_due(before != checkpoint_.findings.counterexamples);
+    write_if_due(may_be_news && before != checkpoint_.findings.counterexamples);
     return true;
   });
 }

@@ -3,9 +3,9 @@
 // How far a campaign has come, as a file: what an interrupted run goes on from.
 //
 // The file is written anew, whole or not at all, whenever there is a new counterexample and at
-// least once a second (conduct.h), so that a process may be killed at any moment: what it had found
-// is there, and what it had not yet written is found again, as case i of a law depends on the seed
-// alone. It holds the findings merged, not what each task found, and so does not grow with the
+// least once a second (campaign_run.h), so that a process may be killed at any moment: what it had
+// found is there, and what it had not yet written is found again, as case i of a law depends on the
+// seed alone. It holds the findings merged, not what each task found, and so does not grow with the
 // campaign.
 
 #include <cstddef>

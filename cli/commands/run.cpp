@@ -235,7 +235,7 @@ void print_results(const Options& options, const records::Run& run,
     const auto is_violated = [](const records::LawSummary& row) {
       return row.verdict == records::LawVerdict::violated;
     };
-    fmt::print("\nViolated: {} of {} checks; {} counterexamples above, one of each way to fail.\n",
+    fmt::print("\nViolated: {} of {} checks. Counterexamples above, one of each way to fail: {}.\n",
                std::count_if(rows.begin(), rows.end(), is_violated), rows.size(),
                run.counterexamples.size());
     const std::size_t first = properties::first_to_read(run.counterexamples);

@@ -167,8 +167,9 @@ TEST(WorkerProcesses, AreAskedToHurryAndWaitedFor) {
 // Kills: workers that Ctrl-C ends before the process that is to write down what they found.
 TEST(WorkerProcesses, AreNotInTheProcessGroupOfTheOneThatStartedThem) {
   const TemporaryFolder folder;
-  const std::string script = "read task; ps -o pgid= -p $$ > " + folder.path("group") +
-                             R"(; echo '{"records": [], "counterexamples": [], "fault": "f"}')";
+  const std::string script =
+      "read task; read -r pid name state parent group rest < /proc/$$/stat; echo $group > " +
+      folder.path("group") + R"(; echo '{"records": [], "counterexamples": [], "fault": "f"}')";
   const auto done = [](std::size_t, const Findings&) { return false; };
   ASSERT_TRUE(run_tasks_in_processes({"/bin/sh", "-c", script}, 1, tasks_of(kSmall, 0), done));
   EXPECT_NE(std::stol(folder.content("group")), ::getpgrp());
