@@ -12,45 +12,29 @@ import subprocess
 import sys
 import unittest
 
+sys.dont_write_bytecode = True  # no traces in the source tree
+from include_graph import ALLOWED, INCLUDE, folder_of, local_includes, sources  # noqa: E402
+
 SOURCE, BUILD, CONFIG = pathlib.Path(), pathlib.Path(), ""
 
-# What each folder may include, beside itself.
-ALLOWED = {
-    "cases": set(),
-    "records": {"cases"},
-    "rasterizer": set(),
-    "oracle": {"cases", "records"},
-    "backends": {"cases", "records"},
-    "backends/cpu": {"cases", "records", "backends", "rasterizer"},
-    "properties": {"cases", "records", "oracle", "backends"},
-    "reports": {"cases", "records"},
-    "cli": {"cases", "records", "rasterizer", "oracle", "backends", "properties", "reports"},
-}
 # Headers too heavy for a public header: whoever includes it would compile them too.
 HEAVY = re.compile(r"^(CGAL/|gmp|mpfr|Eigen/|rapidcheck|nlohmann/json\.hpp|assimp/|gtest/|epoxy/|EGL/|GL/)")
+# The folders whose files the documents name.
+ROOMS = {"cases", "records", "rasterizer", "oracle", "backends", "properties", "reports", "cli", "tests", "docs",
+         "scripts", "cmake", ".ci"}
+# What stands for a name that the reader chooses, as in tests/mutants/NAME.patch.
+PLACEHOLDER = re.compile(r"[A-Z]{4}")
 # Libraries return errors as values.
 FORBIDDEN_SYMBOLS = {"abort", "exit", "_exit", "quick_exit", "printf", "puts", "putchar", "std::cout",
                      "std::cerr", "std::clog", "__assert_fail", "std::terminate()"}
-INCLUDE = re.compile(r'^\s*#\s*include\s*(<([^>]+)>|"([^"]+)")', re.MULTILINE)
-
-
-def folder_of(path):
-    """The room of a source path such as backends/cpu/draw.cpp; None outside the rooms."""
-    parts = pathlib.PurePosixPath(path).parts
-    for length in (2, 1):
-        room = "/".join(parts[:length])
-        if len(parts) > length and room in ALLOWED:
-            return room
-    return None
 
 
 def include_faults(path, text):
     """What is wrong with the includes of one file, as sentences."""
     faults = []
     own = folder_of(path)
-    for match in INCLUDE.finditer(text):
-        system, local = match.group(2), match.group(3)
-        if local is None:
+    for _, system, local in INCLUDE.findall(text):
+        if not local:
             is_public_header = path.endswith(".h") and "/internal/" not in path
             if own and is_public_header and HEAVY.match(system):
                 faults.append(f"{path}: a public header includes the heavy <{system}>")
@@ -71,13 +55,24 @@ def include_faults(path, text):
     return faults
 
 
-def sources():
-    for pattern in ("*.h", "*.cpp"):
-        for path in SOURCE.rglob(pattern):
-            relative = path.relative_to(SOURCE).as_posix()
-            # The examples are a project of their own, with a root of their own.
-            if not relative.startswith(("build/", "docs/examples/")):
-                yield relative, path.read_text(encoding="utf-8")
+def circles(graph):
+    """Every file of a graph (file -> files it includes) that includes itself by way of others."""
+    def reachable(start):
+        seen, todo = set(), [start]
+        while todo:
+            for other in graph.get(todo.pop(), ()):
+                if other not in seen:
+                    seen.add(other)
+                    todo.append(other)
+        return seen
+    return sorted(path for path in graph if path in reachable(path))
+
+
+def missing_places(text, exists):
+    """The files and folders that a page names in backticks or links to, and that are not there."""
+    named = re.findall(r"`((?:\.ci|\w+)/[\w./*-]*)`", text)
+    named = [name for name in named if name.split("/")[0] in ROOMS and not PLACEHOLDER.search(name)]
+    return [name for name in named if not exists(name)]
 
 
 def undefined_symbols(library):
@@ -100,7 +95,7 @@ def needs_exact_numbers(symbol):
 
 class Includes(unittest.TestCase):
     def test_run_one_way(self):
-        files = list(sources())
+        files = list(sources(SOURCE))
         self.assertGreater(len(files), 50)
         faults = [fault for path, text in files for fault in include_faults(path, text)]
         self.assertEqual(faults, [])
@@ -121,6 +116,35 @@ class Includes(unittest.TestCase):
         ]:
             self.assertEqual(len(include_faults(path, line)), 1, (path, line))
         self.assertEqual(include_faults("backends/cpu/draw.cpp", '#include "rasterizer/draw.h"'), [])
+
+
+    def test_run_in_no_circle(self):
+        graph = {path: local_includes(text) for path, text in sources(SOURCE)}
+        self.assertEqual(circles(graph), [])
+        self.assertEqual(circles({"a": ["b"], "b": ["c"], "c": ["b"]}), ["b", "c"])
+
+
+class Documents(unittest.TestCase):
+    def test_the_table_is_the_rule(self):
+        table = {}
+        for line in (SOURCE / "docs/architecture.md").read_text(encoding="utf-8").splitlines():
+            cells = [cell.strip() for cell in line.strip("|").split("|")]
+            if len(cells) == 3 and cells[0].strip("`").rstrip("/") in ALLOWED:
+                table[cells[0].strip("`").rstrip("/")] = set(re.findall(r"`([\w/]+)`", cells[2]))
+        self.assertEqual(table, ALLOWED)
+
+    def test_the_figure_is_of_these_includes(self):
+        subprocess.run([SOURCE / "scripts/architecture-figure", "--check"], check=True)
+
+    def test_name_what_is_there(self):
+        def exists(place):
+            return any(SOURCE.glob(place)) if "*" in place else (SOURCE / place).exists()
+        pages = [SOURCE / "README.md", *(SOURCE / "docs").glob("*.md")]
+        self.assertGreater(len(pages), 10)
+        for page in pages:
+            missing = missing_places(page.read_text(encoding="utf-8"), exists)
+            self.assertEqual(missing, [], page.name)
+        self.assertEqual(missing_places("see `oracle/gone.cpp`", exists), ["oracle/gone.cpp"])
 
 
 class Libraries(unittest.TestCase):
