@@ -10,6 +10,7 @@
 #include "cases/files.h"
 #include "cases/json.h"
 #include "cases/json_node.h"
+#include "cases/names.h"
 #include "cases/sample_pattern.h"
 
 namespace rastercheck::cases {
@@ -54,7 +55,7 @@ Coverage read_coverage(const JsonNode& node) {
   node.expect_object({"subpixel_bits"}, {"rounding", "position_error"});
   Snapping snapping;
   snapping.subpixel_bits = static_cast<int>(node["subpixel_bits"].integer(0, kMaxSubpixelBits));
-  if (node.has("rounding")) snapping.rounding = node["rounding"].word<Rounding>();
+  if (node.has("rounding")) snapping.rounding = node["rounding"].enumerator<Rounding>();
   if (node.has("position_error")) {
     snapping.position_error = node["position_error"].float32(0, kMaxPositionError);
   }
@@ -78,9 +79,9 @@ std::vector<Attribute> read_attributes(const JsonNode& node) {
     Attribute attribute;
     attribute.name = element["name"].text();
     if (element.has("interpolation")) {
-      attribute.interpolation = element["interpolation"].word<Interpolation>();
+      attribute.interpolation = element["interpolation"].enumerator<Interpolation>();
     }
-    if (element.has("location")) attribute.location = element["location"].word<Location>();
+    if (element.has("location")) attribute.location = element["location"].enumerator<Location>();
     attributes.push_back(std::move(attribute));
   }
   return attributes;
@@ -198,16 +199,16 @@ Case read_case(const JsonNode& root) {
   if (root.failed()) return c;
   if (root.has("name")) c.name = root["name"].text();
   c.framebuffer = read_framebuffer(root["framebuffer"]);
-  c.rules = root["rules"].word<Rules>();
+  c.rules = root["rules"].enumerator<Rules>();
   c.viewport = read_viewport(root["viewport"], c.rules);
   if (root.has("coverage")) c.coverage = read_coverage(root["coverage"]);
-  c.basis = root.has("basis") ? root["basis"].word<Basis>() : default_basis(c.rules);
+  c.basis = root.has("basis") ? root["basis"].enumerator<Basis>() : default_basis(c.rules);
   c.fill_rule =
-      root.has("fill_rule") ? root["fill_rule"].word<TieRule>() : default_fill_rule(c.rules);
-  if (root.has("cull")) c.cull = root["cull"].word<Cull>();
-  if (root.has("front_face")) c.front_face = root["front_face"].word<FrontFace>();
+      root.has("fill_rule") ? root["fill_rule"].enumerator<TieRule>() : default_fill_rule(c.rules);
+  if (root.has("cull")) c.cull = root["cull"].enumerator<Cull>();
+  if (root.has("front_face")) c.front_face = root["front_face"].enumerator<FrontFace>();
   if (root.has("scissor")) c.scissor = read_scissor(root["scissor"]);
-  if (root.has("depth_test")) c.depth_test = root["depth_test"].word<DepthTest>();
+  if (root.has("depth_test")) c.depth_test = root["depth_test"].enumerator<DepthTest>();
   if (root.has("depth_clamp")) c.depth_clamp = root["depth_clamp"].boolean();
   if (root.has("attributes")) c.attributes = read_attributes(root["attributes"]);
   if (root.has("camera")) c.camera = read_camera(root["camera"]);

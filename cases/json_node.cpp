@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -25,8 +26,7 @@ void JsonNode::refuse(std::string reason) const {
   *error_ = Error{*file_, pointer_.empty() ? "/" : pointer_, std::move(reason)};
 }
 
-void JsonNode::expect_object(std::initializer_list<std::string_view> required,
-                             std::initializer_list<std::string_view> optional) const {
+void JsonNode::expect_object(Keys required, Keys optional) const {
   if (!value_->is_object()) return refuse("must be an object");
   for (const auto& member : value_->items()) {
     const std::string& key = member.key();
@@ -108,11 +108,12 @@ bool JsonNode::boolean() const {
   return false;
 }
 
-std::size_t JsonNode::word(std::span<const std::string_view> words) const {
+std::size_t JsonNode::index_in(std::span<const std::string_view> names) const {
   const std::string chosen = text();
-  const auto found = std::find(words.begin(), words.end(), chosen);
-  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  refuse(fmt::format("must be one of '{}'", fmt::join(words, "', '")));
+  const auto found = std::find(names.begin(), names.end(), chosen);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  const std::size_t before_last = names.size() - 1;
+  refuse(fmt::format("must be {} or {}", fmt::join(names.first(before_last), ", "), names.back()));
   return 0;
 }
 

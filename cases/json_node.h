@@ -3,8 +3,6 @@
 // Reading a parsed document strictly: every value knows its place, and what is wrong with it is an
 // error with file, JSON pointer and reason.
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
@@ -18,7 +16,6 @@
 #include <vector>
 
 #include "cases/error.h"
-#include "cases/names.h"
 
 namespace rastercheck::cases {
 
@@ -40,7 +37,11 @@ class JsonNode {
 
   /// Refuses anything but an object with all of `required` and nothing beyond `optional`.
   void expect_object(std::initializer_list<std::string_view> required,
-                     std::initializer_list<std::string_view> optional = {}) const;
+                     std::initializer_list<std::string_view> optional = {}) const {
+    expect_object(Keys(required.begin(), required.size()), Keys(optional.begin(), optional.size()));
+  }
+  using Keys = std::span<const std::string_view>;
+  void expect_object(Keys required, Keys optional) const;
   bool has(std::string_view key) const;
   /// The member of that key; a null value where there is none.
   JsonNode operator[](std::string_view key) const;
@@ -58,16 +59,11 @@ class JsonNode {
   std::string text() const;
   bool boolean() const;
 
-  /// Which of an enumeration's words (names.h) it is.
+  /// The enumerator whose name (names.h) it is.
   template <typename Enum>
-  Enum word() const {
-    const std::string chosen = text();
-    const std::optional<Enum> value = from_name<Enum>(chosen);
-    if (!value) refuse("must be " + name_list<Enum>());
-    return value.value_or(Enum{});
+  Enum enumerator() const {
+    return static_cast<Enum>(index_in(names_of(Enum{})));
   }
-  /// The index of the word that it is.
-  std::size_t word(std::span<const std::string_view> words) const;
 
   /// Integers from `least` to `most`, both inclusive. Integral floats such as 64.0 are integers,
   /// as far as doubles count exactly.
@@ -92,6 +88,7 @@ class JsonNode {
   double float64() const;
 
  private:
+  std::size_t index_in(std::span<const std::string_view> names) const;
   std::uint64_t count_up_to(std::uint64_t most) const;
   JsonNode element(std::size_t i) const;
 

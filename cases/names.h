@@ -1,69 +1,62 @@
 #pragma once
 
-// The words that enumerators have in files and on the command line: one table for reader, writer
-// and messages.
+// The names that enumerators have in files, in tables and on the command line: one list of each
+// enumeration, for reader, writer and messages, in the order of its enumerators. It is names_of()
+// of the type, in the enumeration's own namespace. Those of the case file are here.
 
+#include <array>
+#include <cstddef>
 #include <optional>
-#include <span>
-#include <string>
 #include <string_view>
-#include <utility>
 
 #include "cases/case.h"
 
 namespace rastercheck::cases {
 
-template <typename Enum>
-using NameTable = std::span<const std::pair<std::string_view, Enum>>;
+constexpr auto names_of(Rules /*type*/) {
+  return std::to_array<std::string_view>({"opengl", "vulkan", "d3d"});
+}
+constexpr auto names_of(Cull /*type*/) {
+  return std::to_array<std::string_view>({"none", "back", "front"});
+}
+constexpr auto names_of(FrontFace /*type*/) {
+  return std::to_array<std::string_view>({"ccw", "cw"});
+}
+constexpr auto names_of(Interpolation /*type*/) {
+  return std::to_array<std::string_view>({"smooth", "noperspective", "flat"});
+}
+constexpr auto names_of(Location /*type*/) {
+  return std::to_array<std::string_view>({"sample", "center", "centroid"});
+}
+constexpr auto names_of(DepthTest /*type*/) {
+  return std::to_array<std::string_view>({"none", "less"});
+}
+constexpr auto names_of(Rounding /*type*/) {
+  return std::to_array<std::string_view>({"nearest_even", "half_up", "unspecified"});
+}
+constexpr auto names_of(Basis /*type*/) {
+  return std::to_array<std::string_view>({"ideal", "snapped", "unspecified"});
+}
+/// `unspecified` is a contract's and has no name: a case says who owns a tie.
+constexpr auto names_of(TieRule /*type*/) {
+  return std::to_array<std::string_view>({"top_left", "bottom_left"});
+}
 
-/// The words of an enumeration, in the order they are shown.
+/// "?" where it has none.
 template <typename Enum>
-NameTable<Enum> names();
-template <>
-NameTable<Rules> names();
-template <>
-NameTable<Cull> names();
-template <>
-NameTable<FrontFace> names();
-template <>
-NameTable<Interpolation> names();
-template <>
-NameTable<Location> names();
-template <>
-NameTable<DepthTest> names();
-template <>
-NameTable<Rounding> names();
-template <>
-NameTable<Basis> names();
-template <>
-NameTable<TieRule> names();
-
-template <typename Enum>
-std::string_view name_of(Enum value) {
-  for (const auto& [name, candidate] : names<Enum>()) {
-    if (candidate == value) return name;
-  }
-  return "?";
+constexpr std::string_view name_of(Enum value) {
+  const auto names = names_of(value);
+  const auto index = static_cast<std::size_t>(value);
+  return index < names.size() ? names[index] : "?";
 }
 
 template <typename Enum>
-std::optional<Enum> from_name(std::string_view word) {
-  for (const auto& [name, candidate] : names<Enum>()) {
-    if (name == word) return candidate;
+constexpr std::optional<Enum> from_name(std::string_view name) {
+  const auto names = names_of(Enum{});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) return static_cast<Enum>(i);
   }
   return std::nullopt;
-}
-
-/// "opengl, vulkan or d3d", for messages.
-template <typename Enum>
-std::string name_list() {
-  std::string list;
-  const auto table = names<Enum>();
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    if (i > 0) list += i + 1 == table.size() ? " or " : ", ";
-    list += table[i].first;
-  }
-  return list;
 }
 
 }  // namespace rastercheck::cases

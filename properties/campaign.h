@@ -31,8 +31,9 @@ namespace rastercheck::properties {
 /// What is done in a task, in the order in which a campaign does it. `saved` is one saved
 /// counterexample checked again; `shrink` makes one smaller, whatever it came from.
 enum class TaskKind { corpus, saved, random, shrink };
-inline constexpr std::array<std::string_view, 4> kTaskKindWords{"corpus", "saved", "random",
-                                                                "shrink"};
+constexpr auto names_of(TaskKind /*type*/) {
+  return std::to_array<std::string_view>({"corpus", "saved", "random", "shrink"});
+}
 
 /// Some cases of one law on one backend: corpus cases, or random ones of the campaign's seed; or a
 /// single case of its own.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/case.h"
+#include "cases/names.h"
 #include "records/enclosure.h"
 #include "records/judgement.h"
 
@@ -38,10 +39,10 @@ struct Violation {
 
 /// Where the case that failed was from, in the order in which a run checks them.
 enum class Origin { corpus, saved, scene, random };
-inline constexpr std::array<std::string_view, 4> kOriginWords{"corpus", "saved", "scene", "random"};
-constexpr std::string_view to_string(Origin origin) {
-  return kOriginWords[static_cast<std::size_t>(origin)];
+constexpr auto names_of(Origin /*type*/) {
+  return std::to_array<std::string_view>({"corpus", "saved", "scene", "random"});
 }
+constexpr std::string_view to_string(Origin origin) { return cases::name_of(origin); }
 
 /// How the case became as small as it is.
 struct Shrinking {

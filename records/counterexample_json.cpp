@@ -36,8 +36,8 @@ Violation read_violation(const JsonNode& node) {
   node.expect_object({"class", "kind", "triangle", "x", "y", "sample", "exact", "actual", "note"},
                      {"attribute", "error", "bound", "distance"});
   Violation violation;
-  violation.fragment_class = static_cast<FragmentClass>(node["class"].word(kFragmentClassWords));
-  violation.kind = static_cast<AttributeKind>(node["kind"].word(kAttributeKindWords));
+  violation.fragment_class = node["class"].enumerator<FragmentClass>();
+  violation.kind = node["kind"].enumerator<AttributeKind>();
   violation.triangle = node["triangle"].count<std::uint32_t>();
   violation.x = node["x"].count<std::uint32_t>();
   violation.y = node["y"].count<std::uint32_t>();
@@ -84,9 +84,7 @@ Counterexample counterexample_from_json(const JsonNode& node) {
     if (node.failed()) break;
     counterexample.violations.push_back(read_violation(violation));
   }
-  if (node.has("origin")) {
-    counterexample.origin = static_cast<Origin>(node["origin"].word(kOriginWords));
-  }
+  if (node.has("origin")) counterexample.origin = node["origin"].enumerator<Origin>();
   if (node.has("shrinking")) {
     const JsonNode shrinking = node["shrinking"];
     shrinking.expect_object({"tries", "is_least"});

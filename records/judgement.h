@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "cases/case.h"
+#include "cases/names.h"
 #include "records/enclosure.h"
 #include "records/histogram.h"
 #include "records/signed_sum.h"
@@ -54,23 +55,24 @@ enum class FragmentClass {
   wrong_sign_of_zero,  ///< the other zero, where all vertex values are the same zero
 };
 
-/// The words that JSON output and tables use, in the order of the enumerators.
-inline constexpr std::array<std::string_view, 5> kAttributeKindWords{"coverage", "depth", "smooth",
-                                                                     "noperspective", "flat"};
-inline constexpr std::array<std::string_view, 8> kFragmentClassWords{
-    "correct",        "beyond bound", "missing",  "extra",
-    "wrong triangle", "not a number", "infinite", "wrong sign of zero"};
-
-constexpr std::string_view to_string(AttributeKind kind) {
-  return kAttributeKindWords[static_cast<std::size_t>(kind)];
+/// Of JSON output and tables.
+constexpr auto names_of(AttributeKind /*type*/) {
+  return std::to_array<std::string_view>({"coverage", "depth", "smooth", "noperspective", "flat"});
 }
+constexpr auto names_of(FragmentClass /*type*/) {
+  return std::to_array<std::string_view>({"correct", "beyond bound", "missing", "extra",
+                                          "wrong triangle", "not a number", "infinite",
+                                          "wrong sign of zero"});
+}
+constexpr std::string_view to_string(AttributeKind kind) { return cases::name_of(kind); }
 constexpr std::string_view to_string(FragmentClass fragment_class) {
-  return kFragmentClassWords[static_cast<std::size_t>(fragment_class)];
+  return cases::name_of(fragment_class);
 }
 
 /// How many fragments, or values of them, came out in each class.
 struct ClassCounts {
-  std::array<std::uint64_t, kFragmentClassWords.size()> counts{};  ///< [FragmentClass]
+  /// [FragmentClass]
+  std::array<std::uint64_t, names_of(FragmentClass{}).size()> counts{};
 
   std::uint64_t& operator[](FragmentClass fragment_class) {
     return counts[static_cast<std::size_t>(fragment_class)];
@@ -129,11 +131,11 @@ enum class Stratum {
   multisampled,  ///< several samples per pixel
   ordinary,
 };
-inline constexpr std::array<std::string_view, 5> kStratumWords{"clipped", "near horizon", "sliver",
-                                                               "multisampled", "ordinary"};
-constexpr std::string_view to_string(Stratum stratum) {
-  return kStratumWords[static_cast<std::size_t>(stratum)];
+constexpr auto names_of(Stratum /*type*/) {
+  return std::to_array<std::string_view>(
+      {"clipped", "near horizon", "sliver", "multisampled", "ordinary"});
 }
+constexpr std::string_view to_string(Stratum stratum) { return cases::name_of(stratum); }
 
 /// How many answers each level of the oracle's cascade gave (docs/oracle.md); all are certain.
 struct LevelCounts {

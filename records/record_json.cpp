@@ -18,7 +18,6 @@ namespace rastercheck::records {
 namespace {
 
 using cases::JsonNode;
-using cases::printable;
 using nlohmann::json;
 
 // Writing.
@@ -35,7 +34,7 @@ json json_of(const Histogram& histogram) {
 json json_of(const ClassCounts& classes) {
   json object = json::object();
   for (std::size_t i = 0; i < classes.counts.size(); ++i) {
-    object[std::string(kFragmentClassWords[i])] = classes.counts[i];
+    object[std::string(to_string(static_cast<FragmentClass>(i)))] = classes.counts[i];
   }
   return object;
 }
@@ -120,18 +119,10 @@ Histogram read_histogram(const JsonNode& node) {
 }
 
 ClassCounts read_classes(const JsonNode& node) {
+  constexpr auto kNames = names_of(FragmentClass{});
+  node.expect_object(kNames, {});
   ClassCounts classes;
-  for (auto& [word, count] : node.counts_by_name()) {
-    const auto* found = std::find(kFragmentClassWords.begin(), kFragmentClassWords.end(), word);
-    if (found == kFragmentClassWords.end()) {
-      node[word].refuse(fmt::format("unknown key '{}'", printable(word)));
-    } else {
-      classes.counts[static_cast<std::size_t>(found - kFragmentClassWords.begin())] = count;
-    }
-  }
-  for (const std::string_view word : kFragmentClassWords) {
-    if (!node.has(word)) node.refuse(fmt::format("missing key '{}'", word));
-  }
+  for (std::size_t i = 0; i < kNames.size(); ++i) classes.counts[i] = node[kNames[i]].count();
   return classes;
 }
 
@@ -208,14 +199,11 @@ ErrorSizes read_sizes(const JsonNode& node) {
 }
 
 std::map<Stratum, ErrorSizes> read_strata(const JsonNode& node) {
+  constexpr auto kNames = names_of(Stratum{});
+  node.expect_object({}, kNames);
   std::map<Stratum, ErrorSizes> strata;
-  for (const std::string& word : node.keys()) {
-    const auto* found = std::find(kStratumWords.begin(), kStratumWords.end(), word);
-    if (found == kStratumWords.end()) {
-      node[word].refuse(fmt::format("unknown key '{}'", printable(word)));
-    } else {
-      strata[static_cast<Stratum>(found - kStratumWords.begin())] = read_sizes(node[word]);
-    }
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (node.has(kNames[i])) strata[static_cast<Stratum>(i)] = read_sizes(node[kNames[i]]);
   }
   return strata;
 }
@@ -233,7 +221,7 @@ Counts read_counts(const JsonNode& node) {
 
 RecordKey read_key(const JsonNode& node) {
   return {node["law"].text(), node["backend"].text(),
-          static_cast<AttributeKind>(node["attribute_kind"].word(kAttributeKindWords)),
+          node["attribute_kind"].enumerator<AttributeKind>(),
           node["stratum"].text()};
 }
 

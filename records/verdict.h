@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
 #include <string_view>
+
+#include "cases/names.h"
 
 namespace rastercheck::records {
 
@@ -30,8 +33,16 @@ struct SampleVerdict {
   Reason reason = Reason::outside;
 };
 
-/// The words that JSON output and tables use: "required", "tie", "clip edge", "w <= 0", …
-std::string_view to_string(Verdict verdict);
-std::string_view to_string(Reason reason);
+/// Of JSON output and tables.
+constexpr auto names_of(Verdict /*type*/) {
+  return std::to_array<std::string_view>({"required", "forbidden", "permitted"});
+}
+constexpr auto names_of(Reason /*type*/) {
+  return std::to_array<std::string_view>({"inside", "tie", "snapping", "clip edge", "w <= 0",
+                                          "depth", "outside", "clipped", "viewport", "culled",
+                                          "degenerate"});
+}
+constexpr std::string_view to_string(Verdict verdict) { return cases::name_of(verdict); }
+constexpr std::string_view to_string(Reason reason) { return cases::name_of(reason); }
 
 }  // namespace rastercheck::records

@@ -40,10 +40,9 @@ Action set_up(CLI::App& app) {
   app.add_option("--height", options->mesh.height, "Pixels")
       ->check(CLI::Range(1, cases::kMaxSize))
       ->capture_default_str();
-  std::vector<std::string> names;
-  for (const auto& [name, rules] : cases::names<cases::Rules>()) names.emplace_back(name);
+  const auto names = names_of(cases::Rules{});
   app.add_option("--rules", options->rules, "Conventions of the case")
-      ->check(CLI::IsMember(names))
+      ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())))
       ->capture_default_str();
   app.add_option("--format", options->format,
                  "Of standard input: the ending a file would have, as obj");

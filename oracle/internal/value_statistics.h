@@ -85,8 +85,8 @@ class ValueStatistics {
   records::Judgement finish(const Settle& settle);
 
  private:
-  static constexpr std::size_t kKinds = records::kAttributeKindWords.size();
-  static constexpr std::size_t kStrata = records::kStratumWords.size();
+  static constexpr std::size_t kKinds = names_of(records::AttributeKind{}).size();
+  static constexpr std::size_t kStrata = names_of(records::Stratum{}).size();
 
   template <typename Take>
   void for_each_single(const Take& take) {

@@ -5,6 +5,7 @@
 #include "cases/error_json.h"
 #include "cases/json.h"
 #include "cases/json_node.h"
+#include "cases/names.h"
 #include "records/counterexample_json.h"
 #include "records/record_json.h"
 
@@ -63,7 +64,7 @@ Result<Findings> findings_from_line(const std::string& line) {
 std::string task_to_line(const Task& task) {
   json object{{"backend", task.backend},
               {"law", task.law},
-              {"kind", kTaskKindWords[static_cast<std::size_t>(task.kind)]},
+              {"kind", cases::name_of(task.kind)},
               {"first", task.first},
               {"last", task.last}};
   if (task.subject) object["subject"] = records::counterexample_to_json(*task.subject);
@@ -78,7 +79,7 @@ std::optional<Task> task_from_line(const std::string& line) {
   const JsonNode root(*document, "", error, file);
   root.expect_object({"backend", "law", "kind", "first", "last"}, {"subject"});
   Task task{root["backend"].text(), root["law"].text(),
-            static_cast<TaskKind>(root["kind"].word(kTaskKindWords)), root["first"].count(),
+            root["kind"].enumerator<TaskKind>(), root["first"].count(),
             root["last"].count()};
   if (root.has("subject")) task.subject = records::counterexample_from_json(root["subject"]);
   if (error) return std::nullopt;

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "cases/json.h"
+#include "cases/names.h"
 
 namespace rastercheck::cases {
 namespace {
@@ -92,17 +93,16 @@ TEST(JsonNode, RefusesArraysOfAnotherSize) {
             "/1: must be an integer from 0 to 18446744073709551615");
 }
 
-TEST(JsonNode, WordsAreThoseOfTheTable) {
-  constexpr std::array<std::string_view, 2> kWords{"one", "two"};
-  Document document(R"(["two", "d3d", "three"])");
-  EXPECT_EQ(document.root().elements()[0].word(kWords), 1U);
-  EXPECT_EQ(document.root().elements()[1].word<Rules>(), Rules::d3d);
+TEST(JsonNode, EnumeratorsHaveTheirNames) {
+  Document document(R"(["d3d", "cw"])");
+  EXPECT_EQ(document.root().elements()[0].enumerator<Rules>(), Rules::d3d);
+  EXPECT_EQ(document.root().elements()[1].enumerator<FrontFace>(), FrontFace::cw);
   EXPECT_EQ(document.error(), "");
-  const auto third = [](const auto& read) { return error_of(R"("three")", read); };
-  EXPECT_EQ(third([&](const JsonNode& node) { node.word(kWords); }),
-            "/: must be one of 'one', 'two'");
-  EXPECT_EQ(third([](const JsonNode& node) { node.word<Rules>(); }),
+  const auto refusal = [](const auto& read) { return error_of(R"("three")", read); };
+  EXPECT_EQ(refusal([](const JsonNode& node) { node.enumerator<Rules>(); }),
             "/: must be opengl, vulkan or d3d");
+  EXPECT_EQ(refusal([](const JsonNode& node) { node.enumerator<FrontFace>(); }),
+            "/: must be ccw or cw");
 }
 
 TEST(JsonNode, IntegersMayBeIntegralFloats) {

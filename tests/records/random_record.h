@@ -63,11 +63,12 @@ inline WorstError random_worst() {
 }
 
 inline FragmentClass random_class() {
-  return static_cast<FragmentClass>(*rc::gen::inRange<std::size_t>(0, kFragmentClassWords.size()));
+  return static_cast<FragmentClass>(
+      *rc::gen::inRange<std::size_t>(0, names_of(FragmentClass{}).size()));
 }
 
 inline Stratum random_stratum() {
-  return static_cast<Stratum>(*rc::gen::inRange<std::size_t>(0, kStratumWords.size()));
+  return static_cast<Stratum>(*rc::gen::inRange<std::size_t>(0, names_of(Stratum{}).size()));
 }
 
 inline LevelCounts random_levels() {

@@ -236,7 +236,7 @@ const Fault kFaults[] = {
     {"/0/law", "3", "/0/law", "must be a string"},
     {"/0/more", "1", "/0/more", "unknown key 'more'"},
     {"/0/a~1b\n", "1", "/0/a~1b\\n", "unknown key 'a/b\\n'"},
-    {"/0/attribute_kind", R"("colour")", "/0/attribute_kind", "'coverage', 'depth'"},
+    {"/0/attribute_kind", R"("colour")", "/0/attribute_kind", "must be coverage, depth, smooth"},
     {"/0/cases/checked", "-1", "/0/cases/checked", "integer from 0 to 18446744073709551615"},
     {"/0/cases/checked", "1.0", "/0/cases/checked", "must be an integer"},
     {"/0/cases/checked", "1e30", "/0/cases/checked", "must be an integer"},

@@ -139,7 +139,7 @@ const Fault kFaults[] = {
     {"/counterexamples/0/violation_count", "-3", "/counterexamples/0/violation_count",
      "must be an integer"},
     {"/counterexamples/0/violations/0/class", R"("late")", "/counterexamples/0/violations/0/class",
-     "must be one of 'correct'"},
+     "must be correct, beyond bound"},
     {"/counterexamples/0/violations/0/error", "[1, 0]", "/counterexamples/0/violations/0/error",
      "lower end"},
     {"/counterexamples/0/violations/1/note", "", "/counterexamples/0/violations/1",
