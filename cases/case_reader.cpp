@@ -3,20 +3,16 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
 #include "cases/files.h"
-#include "cases/json.h"
 #include "cases/json_node.h"
 #include "cases/names.h"
 #include "cases/sample_pattern.h"
 
 namespace rastercheck::cases {
 namespace {
-
-using nlohmann::json;
 
 FramebufferSize read_framebuffer(const JsonNode& node) {
   node.expect_object({"width", "height"}, {"samples"});
@@ -221,12 +217,7 @@ Case read_case(const JsonNode& root) {
 }
 
 Result<Case> parse_case(std::string_view text, const std::string& file) {
-  const Result<json> document = parse_json(text, file);
-  if (!document) return tl::unexpected(document.error());
-  std::optional<Error> error;
-  Case c = read_case(JsonNode(*document, "", error, file));
-  if (error) return tl::unexpected(*error);
-  return c;
+  return read_json(text, file, [](const JsonNode& root) { return read_case(root); });
 }
 
 Result<Case> read_case(const std::string& file) {

@@ -219,6 +219,16 @@ double JsonNode::float64() const {
   return 0;
 }
 
+Result<void> visit_json(std::string_view text, const std::string& file,
+                        const std::function<void(const JsonNode& root)>& read) {
+  const Result<json> document = parse_json(text, file);
+  if (!document) return tl::unexpected(document.error());
+  std::optional<Error> error;
+  read(JsonNode(*document, "", error, file));
+  if (error) return tl::unexpected(*error);
+  return {};
+}
+
 json float64_to_json(double value) {
   if (std::isinf(value)) return value > 0 ? kInfinityText : kMinusInfinityText;
   return value;

@@ -3,7 +3,9 @@
 // Reading a parsed document strictly: every value knows its place, and what is wrong with it is an
 // error with file, JSON pointer and reason.
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <map>
@@ -12,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -97,6 +100,21 @@ class JsonNode {
   std::optional<Error>* error_;
   const std::string* file_;
 };
+
+/// Parses a text (json.h) and gives its root to `read`; the first error of either. `file` is the
+/// name for errors.
+Result<void> visit_json(std::string_view text, const std::string& file,
+                        const std::function<void(const JsonNode& root)>& read);
+
+/// The same, and what `read` makes of it.
+template <typename Read>
+auto read_json(std::string_view text, const std::string& file, const Read& read)
+    -> Result<std::invoke_result_t<Read, const JsonNode&>> {
+  std::invoke_result_t<Read, const JsonNode&> value{};
+  return visit_json(text, file, [&](const JsonNode& root) { value = read(root); }).map([&value] {
+    return std::move(value);
+  });
+}
 
 /// How a double stands in a document that float64() reads: a number, or "inf" or "-inf".
 nlohmann::json float64_to_json(double value);

@@ -61,6 +61,21 @@ std::string fault_of(const Mesh& mesh) {
   return "";
 }
 
+/// The first line of an answer.
+struct Header {
+  std::optional<Error> error;  ///< in place of a mesh
+  std::uint32_t vertices = 0;
+  std::uint32_t triangles = 0;
+  bool is_textured = false;
+};
+
+Header read_header(const JsonNode& root) {
+  if (root.has("error")) return {error_from_json(root)};
+  root.expect_object({"vertices", "triangles", "textured"});
+  return {std::nullopt, root["vertices"].count<std::uint32_t>(),
+          root["triangles"].count<std::uint32_t>(), root["textured"].boolean()};
+}
+
 /// Bytes that follow a header; they fit 64 bits, since either count fits 32.
 std::uint64_t payload_size(std::uint64_t vertices, std::uint64_t triangles, bool is_textured) {
   const std::uint64_t per_vertex = (is_textured ? 5 : 3) * sizeof(float);
@@ -144,29 +159,18 @@ Result<Mesh> mesh_from_reply(std::string_view reply, const std::string& file) {
   };
   const std::size_t end = reply.find('\n');
   if (end == std::string_view::npos || end > kLongestLine) return refuse("no line");
-  const Result<json> header = parse_json(reply.substr(0, end), file);
+  const Result<Header> header = read_json(reply.substr(0, end), file, &read_header);
   if (!header) return refuse(header.error().reason);
+  if (header->error) return tl::unexpected(*header->error);
   std::string_view payload = reply.substr(end + 1);
-
-  std::optional<Error> error;
-  const JsonNode root(*header, "", error, file);
-  if (root.has("error")) {
-    const Error told = error_from_json(root);
-    if (error) return refuse(error->reason);
-    return tl::unexpected(told);
-  }
-  root.expect_object({"vertices", "triangles", "textured"});
-  const std::size_t vertices = root["vertices"].count<std::uint32_t>();
-  const std::size_t triangles = root["triangles"].count<std::uint32_t>();
-  Mesh mesh;
-  mesh.is_textured = root["textured"].boolean();
-  if (error) return refuse(error->reason);
-  if (payload.size() != payload_size(vertices, triangles, mesh.is_textured)) {
+  if (payload.size() != payload_size(header->vertices, header->triangles, header->is_textured)) {
     return refuse("not as long as its header says");
   }
-  mesh.positions = take<std::array<float, 3>>(payload, vertices);
-  if (mesh.is_textured) mesh.texture = take<std::array<float, 2>>(payload, vertices);
-  mesh.triangles = take<Triangle>(payload, triangles);
+  Mesh mesh;
+  mesh.is_textured = header->is_textured;
+  mesh.positions = take<std::array<float, 3>>(payload, header->vertices);
+  if (mesh.is_textured) mesh.texture = take<std::array<float, 2>>(payload, header->vertices);
+  mesh.triangles = take<Triangle>(payload, header->triangles);
   if (const std::string fault = fault_of(mesh); !fault.empty()) return refuse(fault);
   return mesh;
 }

@@ -100,6 +100,34 @@ std::vector<bool> read_done(const JsonNode& root) {
   return is_done;
 }
 
+Checkpoint read_checkpoint(const JsonNode& root) {
+  if (root.has("format") && root["format"].text() != "rastercheck-unfinished") {
+    root["format"].refuse("must be \"rastercheck-unfinished\"");
+  }
+  if (root.has("version") && root["version"].count() != 1) {
+    root["version"].refuse("version must be 1");
+  }
+  root.expect_object(
+      {"format", "version", "plan", "saved", "tasks", "done", "records", "counterexamples"});
+  Checkpoint checkpoint;
+  if (root.failed()) return checkpoint;
+  checkpoint.plan = read_plan(root["plan"]);
+  for (const JsonNode& node : root["saved"].elements()) {
+    if (root.failed()) break;
+    checkpoint.saved.push_back(cases::read_case(node));
+    if (!checkpoint.saved.back().found) node.refuse("has no 'found'");
+  }
+  checkpoint.is_done = read_done(root);
+  for (const JsonNode& node : root["counterexamples"].elements()) {
+    if (root.failed()) break;
+    records::Counterexample one = records::counterexample_from_json(node);
+    if (!one.source.found) node.refuse("its case has no 'found'");
+    if (!root.failed()) keep(checkpoint.findings, std::move(one));
+  }
+  if (!root.failed()) checkpoint.findings.records = records::records_from_json(root["records"]);
+  return checkpoint;
+}
+
 }  // namespace
 
 std::string digest_of(const std::vector<cases::Case>& cases) {
@@ -138,39 +166,7 @@ std::string to_json(const Checkpoint& checkpoint) {
 }
 
 Result<Checkpoint> parse_checkpoint(std::string_view text, const std::string& file) {
-  const Result<json> document = cases::parse_json(text, file);
-  if (!document) return tl::unexpected(document.error());
-  std::optional<Error> error;
-  const JsonNode root(*document, "", error, file);
-  if (root.has("format") && root["format"].text() != "rastercheck-unfinished") {
-    root["format"].refuse("must be \"rastercheck-unfinished\"");
-  }
-  if (root.has("version") && root["version"].count() != 1) {
-    root["version"].refuse("version must be 1");
-  }
-  root.expect_object(
-      {"format", "version", "plan", "saved", "tasks", "done", "records", "counterexamples"});
-  if (error) return tl::unexpected(*error);
-  Checkpoint checkpoint;
-  checkpoint.plan = read_plan(root["plan"]);
-  for (const JsonNode& node : root["saved"].elements()) {
-    if (root.failed()) break;
-    checkpoint.saved.push_back(cases::read_case(node));
-    if (!checkpoint.saved.back().found) node.refuse("has no 'found'");
-  }
-  checkpoint.is_done = read_done(root);
-  for (const JsonNode& node : root["counterexamples"].elements()) {
-    if (root.failed()) break;
-    records::Counterexample one = records::counterexample_from_json(node);
-    if (!one.source.found) node.refuse("its case has no 'found'");
-    if (!root.failed()) keep(checkpoint.findings, std::move(one));
-  }
-  if (error) return tl::unexpected(*error);
-  return records::records_from_json(document->at("records"), file, "/records")
-      .map([&checkpoint](records::RecordSet records) {
-        checkpoint.findings.records = std::move(records);
-        return std::move(checkpoint);
-      });
+  return cases::read_json(text, file, &read_checkpoint);
 }
 
 }  // namespace rastercheck::properties

@@ -2,16 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "cases/float_text.h"
-#include "cases/json.h"
-#include "cases/json_node.h"
 #include "records/enclosure_json.h"
 
 namespace rastercheck::records {
@@ -246,21 +242,18 @@ json records_to_json(const RecordSet& records) {
   return array;
 }
 
-Result<RecordSet> records_from_json(const json& array, const std::string& file,
-                                    const std::string& pointer) {
-  std::optional<Error> error;
+RecordSet records_from_json(const JsonNode& array) {
   RecordSet records;
-  for (const JsonNode& node : JsonNode(array, pointer, error, file).elements()) {
+  for (const JsonNode& node : array.elements()) {
     node.expect_object({"law", "backend", "attribute_kind", "stratum", "cases", "counts", "classes",
                         "excess", "ideal", "labels", "decided_at"},
                        {"strata"});
-    if (error) break;
+    if (node.failed()) break;
     RecordKey key = read_key(node);
     Record record = read_record(node);
     const bool is_new = records.emplace(std::move(key), std::move(record)).second;
     if (!is_new) node.refuse("a second record of the same law, backend, kind and stratum");
   }
-  if (error) return tl::unexpected(*error);
   return records;
 }
 

@@ -27,9 +27,8 @@
 // their keys alphabetically, so that equal records give equal bytes.
 
 #include <nlohmann/json_fwd.hpp>
-#include <string>
 
-#include "cases/error.h"
+#include "cases/json_node.h"
 #include "records/record.h"
 
 namespace rastercheck::records {
@@ -37,11 +36,8 @@ namespace rastercheck::records {
 /// The records as a JSON array. Texts are UTF-8 and every `actual` is finite.
 nlohmann::json records_to_json(const RecordSet& records);
 
-/// The records that a document by cases::parse_json holds. `pointer` is where in `file` the array
-/// stands (a JSON pointer; "" for the whole document), so that errors name their place in the file.
-/// Unknown and missing keys, numbers that their members cannot hold exactly and two records of one
-/// key are refused.
-Result<RecordSet> records_from_json(const nlohmann::json& array, const std::string& file,
-                                    const std::string& pointer = "");
+/// Refuses unknown and missing keys, numbers that their members cannot hold exactly and two records
+/// of one key.
+RecordSet records_from_json(const cases::JsonNode& array);
 
 }  // namespace rastercheck::records

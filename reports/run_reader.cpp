@@ -1,13 +1,10 @@
 #include "reports/run_reader.h"
 
 #include <limits>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "cases/files.h"
-#include "cases/json.h"
 #include "cases/json_node.h"
 #include "records/counterexample_json.h"
 #include "records/record_json.h"
@@ -17,7 +14,6 @@ namespace rastercheck::reports {
 namespace {
 
 using cases::JsonNode;
-using nlohmann::json;
 
 void check_header(const JsonNode& root) {
   // These first: of a later version, its unknown keys are not what is wrong.
@@ -90,22 +86,14 @@ records::Run read_document(const JsonNode& root) {
   for (const std::string& key : root["environment"].keys()) {
     run.environment[key] = root["environment"][key].text();
   }
+  if (!root.failed()) run.records = records::records_from_json(root["records"]);
   return run;
 }
 
 }  // namespace
 
 Result<records::Run> parse_run(std::string_view text, const std::string& file) {
-  const Result<json> document = cases::parse_json(text, file);
-  if (!document) return tl::unexpected(document.error());
-  std::optional<Error> error;
-  records::Run run = read_document(JsonNode(*document, "", error, file));
-  if (error) return tl::unexpected(*error);
-  return records::records_from_json(document->at("records"), file, "/records")
-      .map([&run](records::RecordSet records) {
-        run.records = std::move(records);
-        return std::move(run);
-      });
+  return cases::read_json(text, file, &read_document);
 }
 
 Result<records::Run> read_run(const std::string& file) {

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "cases/error_json.h"
-#include "cases/json.h"
 #include "cases/json_node.h"
 #include "cases/names.h"
 #include "records/counterexample_json.h"
@@ -16,6 +15,31 @@ using cases::JsonNode;
 using nlohmann::json;
 
 constexpr const char* kWorker = "worker";
+
+/// The findings, or the error that the worker tells instead.
+Result<Findings> read_findings(const JsonNode& root) {
+  if (root.has("error")) return tl::unexpected(cases::error_from_json(root));
+  root.expect_object({"records", "counterexamples"}, {"fault"});
+  Findings findings;
+  if (root.failed()) return findings;
+  findings.records = records::records_from_json(root["records"]);
+  for (const JsonNode& node : root["counterexamples"].elements()) {
+    if (root.failed()) break;
+    findings.counterexamples.push_back(records::counterexample_from_json(node));
+    // By it counterexamples are ordered.
+    if (!findings.counterexamples.back().source.found) node.refuse("its case has no 'found'");
+  }
+  if (root.has("fault")) findings.fault = root["fault"].text();
+  return findings;
+}
+
+Task read_task(const JsonNode& root) {
+  root.expect_object({"backend", "law", "kind", "first", "last"}, {"subject"});
+  Task task{root["backend"].text(), root["law"].text(), root["kind"].enumerator<TaskKind>(),
+            root["first"].count(), root["last"].count()};
+  if (root.has("subject")) task.subject = records::counterexample_from_json(root["subject"]);
+  return task;
+}
 
 }  // namespace
 
@@ -35,30 +59,9 @@ std::string findings_to_line(const Result<Findings>& findings) {
 }
 
 Result<Findings> findings_from_line(const std::string& line) {
-  const Result<json> document = cases::parse_json(line, kWorker);
-  if (!document) return tl::unexpected(document.error());
-  std::optional<Error> error;
-  const std::string file = kWorker;
-  const JsonNode root(*document, "", error, file);
-  if (root.has("error")) {
-    const Error said = cases::error_from_json(root);
-    return tl::unexpected(error ? *error : said);
-  }
-  root.expect_object({"records", "counterexamples"}, {"fault"});
-  if (error) return tl::unexpected(*error);
-  Result<records::RecordSet> found =
-      records::records_from_json((*document)["records"], file, "/records");
-  if (!found) return tl::unexpected(found.error());
-  Findings findings;
-  findings.records = *std::move(found);
-  for (const JsonNode& node : root["counterexamples"].elements()) {
-    findings.counterexamples.push_back(records::counterexample_from_json(node));
-    // By it counterexamples are ordered.
-    if (!findings.counterexamples.back().source.found) node.refuse("its case has no 'found'");
-  }
-  if (root.has("fault")) findings.fault = root["fault"].text();
-  if (error) return tl::unexpected(*error);
-  return findings;
+  const Result<Result<Findings>> said = cases::read_json(line, kWorker, &read_findings);
+  if (!said) return tl::unexpected(said.error());
+  return *said;
 }
 
 std::string task_to_line(const Task& task) {
@@ -72,23 +75,14 @@ std::string task_to_line(const Task& task) {
 }
 
 std::optional<Task> task_from_line(const std::string& line) {
-  const Result<json> document = cases::parse_json(line, kWorker);
-  if (!document) return std::nullopt;
-  std::optional<Error> error;
-  const std::string file = kWorker;
-  const JsonNode root(*document, "", error, file);
-  root.expect_object({"backend", "law", "kind", "first", "last"}, {"subject"});
-  Task task{root["backend"].text(), root["law"].text(),
-            root["kind"].enumerator<TaskKind>(), root["first"].count(),
-            root["last"].count()};
-  if (root.has("subject")) task.subject = records::counterexample_from_json(root["subject"]);
-  if (error) return std::nullopt;
+  const Result<Task> task = cases::read_json(line, kWorker, &read_task);
+  if (!task) return std::nullopt;
   // Such a task is about a case of its own, and that one says where it is from.
-  const bool has_subject = task.subject && task.subject->source.found;
-  if ((task.kind == TaskKind::saved || task.kind == TaskKind::shrink) != has_subject) {
+  const bool has_subject = task->subject && task->subject->source.found;
+  if ((task->kind == TaskKind::saved || task->kind == TaskKind::shrink) != has_subject) {
     return std::nullopt;
   }
-  return task;
+  return *task;
 }
 
 }  // namespace rastercheck::properties

@@ -59,12 +59,10 @@ TEST(CounterexampleToJson, WritesTheFormat) {
 }
 
 Result<Counterexample> read(const json& document) {
-  const std::string file = "run.json";
-  std::optional<Error> error;
-  Counterexample counterexample =
-      counterexample_from_json(cases::JsonNode(document, "/counterexamples/0", error, file));
-  if (error) return tl::unexpected(*error);
-  return counterexample;
+  return cases::read_json(json{{"counterexamples", json::array({document})}}.dump(), "run.json",
+                          [](const cases::JsonNode& root) {
+                            return counterexample_from_json(root["counterexamples"].elements()[0]);
+                          });
 }
 
 TEST(CounterexampleFromJson, ReadsWhatWasWritten) {

@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "cases/json.h"
 #include "tests/records/random_record.h"
 
 namespace rastercheck::records {
@@ -24,10 +23,8 @@ using ::testing::Not;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Result<RecordSet> read(const std::string& text, const std::string& pointer = "") {
-  return cases::parse_json(text, "run.json").and_then([&](const json& document) {
-    return records_from_json(document, "run.json", pointer);
-  });
+Result<RecordSet> read(const std::string& text) {
+  return cases::read_json(text, "run.json", &records_from_json);
 }
 
 WorstError small_worst() {
@@ -125,7 +122,6 @@ TEST(RecordsFromJson, ReadsWhatWasWritten) {
   const RecordSet records = small_records();
   EXPECT_EQ(read(records_to_json(records).dump()).value(), records);
   EXPECT_EQ(read(records_to_json(records).dump(2)).value(), records);
-  EXPECT_EQ(records_from_json(records_to_json(records), "memory").value(), records);
   EXPECT_EQ(read("[]").value(), RecordSet());
 }
 
@@ -316,9 +312,10 @@ TEST(RecordsFromJson, TwoRecordsOfOneKeyAreRefused) {
 }
 
 TEST(RecordsFromJson, PlacesAreThoseOfTheWholeFile) {
-  const Result<RecordSet> records = read(R"([{"law": 1}])", "/records");
-  ASSERT_FALSE(records.has_value());
-  EXPECT_EQ(records.error().place, "/records/0");
+  const auto records = [](const cases::JsonNode& root) { return records_from_json(root["records"]); };
+  const auto read = cases::read_json(R"({"records": [{"law": 1}]})", "run.json", records);
+  ASSERT_FALSE(read.has_value());
+  EXPECT_EQ(read.error().place, "/records/0");
 }
 
 }  // namespace
