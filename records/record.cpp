@@ -1,8 +1,6 @@
 #include "records/record.h"
 
-#include <array>
 #include <optional>
-#include <string_view>
 #include <tuple>
 
 namespace rastercheck::records {
@@ -54,35 +52,6 @@ bool may_keep(const std::optional<WorstError>& kept, const Enclosure& error, Sid
 
 bool is_on(Side side, const Enclosure& error) { return extent_of(error, side).far > 0; }
 
-void add(std::map<std::string, std::uint64_t>& into,
-         const std::map<std::string, std::uint64_t>& from) {
-  for (const auto& [name, count] : from) into[name] += count;
-}
-
-/// A count of Levels, by its name in `decided_at`.
-struct NamedLevel {
-  std::string_view name;
-  LevelCounts Levels::*asked;
-  std::uint64_t LevelCounts::*level;
-};
-
-constexpr std::array<NamedLevel, 6> kNamedLevels{{
-    {"samples by filter", &Levels::samples, &LevelCounts::filter},
-    {"samples by interval", &Levels::samples, &LevelCounts::interval},
-    {"samples by exact numbers", &Levels::samples, &LevelCounts::exact},
-    {"values by filter", &Levels::values, &LevelCounts::filter},
-    {"values by interval", &Levels::values, &LevelCounts::interval},
-    {"values by exact numbers", &Levels::values, &LevelCounts::exact},
-}};
-
-/// Only levels that gave an answer have an entry.
-void add(std::map<std::string, std::uint64_t>& into, const Levels& levels) {
-  for (const NamedLevel& named : kNamedLevels) {
-    const std::uint64_t count = levels.*named.asked.*named.level;
-    if (count > 0) into[std::string(named.name)] += count;
-  }
-}
-
 }  // namespace
 
 void keep(Extremes& extremes, const WorstError& error) {
@@ -99,20 +68,11 @@ bool may_keep(const Extremes& extremes, const Enclosure& error) {
 void add(RecordSet& into, RecordKey key, const Judgement& judgement) {
   key.attribute_kind = AttributeKind::coverage;
   merge(into[key].counts, judgement.counts);
-  add(into[key].decided_at, judgement.levels);
+  merge(into[key].levels, judgement.levels);
   for (const auto& [kind, errors] : judgement.errors) {
     key.attribute_kind = kind;
     merge(into[key].errors, errors);
   }
-}
-
-Levels levels_of(const std::map<std::string, std::uint64_t>& decided_at) {
-  Levels levels;
-  for (const NamedLevel& named : kNamedLevels) {
-    const auto found = decided_at.find(std::string(named.name));
-    if (found != decided_at.end()) levels.*named.asked.*named.level = found->second;
-  }
-  return levels;
 }
 
 void merge(Counts& into, const Counts& from) {
@@ -172,8 +132,8 @@ void merge(Record& into, const Record& from) {
   merge(into.cases, from.cases);
   merge(into.counts, from.counts);
   merge(into.errors, from.errors);
-  add(into.labels, from.labels);
-  add(into.decided_at, from.decided_at);
+  for (const auto& [label, cases] : from.labels) into.labels[label] += cases;
+  merge(into.levels, from.levels);
 }
 
 void merge(RecordSet& into, const RecordSet& from) {

@@ -36,16 +36,14 @@ struct CaseCounts {
   bool operator==(const CaseCounts&) const = default;
 };
 
-/// What belongs to a law's cases and not to one kind of value (cases, counts, labels, decided_at)
+/// What belongs to a law's cases and not to one kind of value (cases, counts, labels, levels)
 /// stands in the record of kind `coverage`, so that sums over kinds count it once.
 struct Record {
   CaseCounts cases;
   Counts counts;
   ErrorStatistics errors;
   std::map<std::string, std::uint64_t> labels;  ///< label → cases that reached it
-  /// "samples by filter", "values by exact numbers", …: what was asked and which level of the
-  /// oracle answered → how often.
-  std::map<std::string, std::uint64_t> decided_at;
+  Levels levels;
   bool operator==(const Record&) const = default;
 };
 
@@ -63,9 +61,6 @@ bool may_keep(const Extremes& extremes, const Enclosure& error);
 /// Adds what judging one framebuffer gave: its counts to the record of kind `coverage`, its errors
 /// to the records of their kinds. The key's own attribute kind is ignored.
 void add(RecordSet& into, RecordKey key, const Judgement& judgement);
-
-/// What `decided_at` says of the levels; names that add() does not give count nowhere.
-Levels levels_of(const std::map<std::string, std::uint64_t>& decided_at);
 
 /// Adds `from` to `into`.
 void merge(Counts& into, const Counts& from);

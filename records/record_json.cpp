@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -15,6 +16,16 @@ namespace {
 
 using cases::JsonNode;
 using nlohmann::json;
+
+/// The names in "decided_at", and what they are of.
+constexpr auto kLevelNames = std::to_array<std::string_view>(
+    {"samples by filter", "samples by interval", "samples by exact numbers", "values by filter",
+     "values by interval", "values by exact numbers"});
+std::array<std::uint64_t*, kLevelNames.size()> counts_of(Levels& levels) {
+  auto& [samples, values] = levels;
+  return {&samples.filter, &samples.interval, &samples.exact,
+          &values.filter,  &values.interval,  &values.exact};
+}
 
 // Writing.
 
@@ -72,6 +83,15 @@ json json_of(const std::map<Stratum, ErrorSizes>& strata) {
   return object;
 }
 
+json json_of(Levels levels) {
+  const auto counts = counts_of(levels);
+  json object = json::object();
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (*counts[i] > 0) object[std::string(kLevelNames[i])] = *counts[i];
+  }
+  return object;
+}
+
 json json_of(const RecordKey& key, const Record& record) {
   const CaseCounts& cases = record.cases;
   const Counts& counts = record.counts;
@@ -92,7 +112,7 @@ json json_of(const RecordKey& key, const Record& record) {
               {"excess", json_of(record.errors.excess)},
               {"ideal", json_of(record.errors.ideal)},
               {"labels", json(record.labels)},
-              {"decided_at", json(record.decided_at)}};
+              {"decided_at", json_of(record.levels)}};
   if (!record.errors.strata.empty()) object["strata"] = json_of(record.errors.strata);
   return object;
 }
@@ -204,6 +224,16 @@ std::map<Stratum, ErrorSizes> read_strata(const JsonNode& node) {
   return strata;
 }
 
+Levels read_levels(const JsonNode& node) {
+  node.expect_object({}, kLevelNames);
+  Levels levels;
+  const auto counts = counts_of(levels);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (node.has(kLevelNames[i])) *counts[i] = node[kLevelNames[i]].count();
+  }
+  return levels;
+}
+
 CaseCounts read_cases(const JsonNode& node) {
   node.expect_object({"checked", "not_applicable", "violations"});
   return {node["checked"].count(), node["not_applicable"].count(), node["violations"].count()};
@@ -217,8 +247,7 @@ Counts read_counts(const JsonNode& node) {
 
 RecordKey read_key(const JsonNode& node) {
   return {node["law"].text(), node["backend"].text(),
-          node["attribute_kind"].enumerator<AttributeKind>(),
-          node["stratum"].text()};
+          node["attribute_kind"].enumerator<AttributeKind>(), node["stratum"].text()};
 }
 
 Record read_record(const JsonNode& node) {
@@ -230,7 +259,7 @@ Record read_record(const JsonNode& node) {
   record.errors.classes = read_classes(node["classes"]);
   if (node.has("strata")) record.errors.strata = read_strata(node["strata"]);
   record.labels = node["labels"].counts_by_name();
-  record.decided_at = node["decided_at"].counts_by_name();
+  record.levels = read_levels(node["decided_at"]);
   return record;
 }
 

@@ -21,10 +21,11 @@
 // double (nlohmann writes no more than 17 digits, without asking the locale); an infinite end is
 // "inf" or "-inf". A "sum" lies from "lo" to "hi" times 2^-32, whole numbers of up to 127 bits as
 // decimal text; it is of "count" errors, and "beyond" more were too large to be summed
-// (signed_sum.h). Means, quantiles and rates follow from these and are not written. A "sum" of
-// nothing and "strata" without one are left out; so they are in files from before there were any,
-// which say nothing of them. The float32 of "actual" is a hex float, as in all files. Objects list
-// their keys alphabetically, so that equal records give equal bytes.
+// (signed_sum.h). "decided_at" is the Levels, by what was asked and which level answered; those
+// that answered nothing are left out. Means, quantiles and rates follow from these and are not
+// written. A "sum" of nothing and "strata" without one are left out; so they are in files from
+// before there were any, which say nothing of them. The float32 of "actual" is a hex float, as in
+// all files. Objects list their keys alphabetically, so that equal records give equal bytes.
 
 #include <nlohmann/json_fwd.hpp>
 

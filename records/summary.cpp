@@ -100,7 +100,7 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
     merge(row.cases, record.cases);
     merge(row.counts, record.counts);
     merge(row.classes, record.errors.classes);
-    merge(row.levels, levels_of(record.decided_at));
+    merge(row.levels, record.levels);
     for (const auto& [label, cases] : record.labels) row.labels[label] += cases;
     if (kind == AttributeKind::coverage) {
       const auto& classes = record.errors.classes.counts;

@@ -64,7 +64,7 @@ RecordSet small_records() {
   sliver.sum = {SignedSum::Units{1} << 64, SignedSum::Units{1} << 71, 1, 0};
   record.errors.strata[Stratum::near_horizon].histogram.add(0);
   record.labels = {{"tie", 4}};
-  record.decided_at = {{"samples by filter", 100}};
+  record.levels = {{100, 0, 2}, {3, 4, 5}};
   return {{{"law", "cpu", AttributeKind::smooth, "grid"}, record}};
 }
 
@@ -96,7 +96,9 @@ TEST(RecordsToJson, WritesTheFormat) {
                "sliver": {"histogram": {"buckets": [[0, 1]], "non_finite": 0},
                           "sum": {"lo": "18446744073709551616", "hi": "2361183241434822606848",
                                   "count": 1, "beyond": 0}}},
-    "labels": {"tie": 4}, "decided_at": {"samples by filter": 100}}])");
+    "labels": {"tie": 4},
+    "decided_at": {"samples by filter": 100, "samples by exact numbers": 2, "values by filter": 3,
+                   "values by interval": 4, "values by exact numbers": 5}}])");
   EXPECT_EQ(records_to_json(small_records()), expected);
   EXPECT_EQ(records_to_json({}), json::array());
 }
@@ -256,6 +258,7 @@ const Fault kFaults[] = {
     {"/0/decided_at", "", "/0", "missing key 'decided_at'"},
     {"/0/decided_at/values by filter", "1.5", "/0/decided_at/values by filter",
      "must be an integer"},
+    {"/0/decided_at/samples", "1", "/0/decided_at/samples", "unknown key 'samples'"},
     {"/0/strata", "[]", "/0/strata", "must be an object"},
     {"/0/strata/far", "{}", "/0/strata/far", "unknown key 'far'"},
     {"/0/strata/sliver/histogram", "", "/0/strata/sliver", "missing key 'histogram'"},
@@ -312,7 +315,9 @@ TEST(RecordsFromJson, TwoRecordsOfOneKeyAreRefused) {
 }
 
 TEST(RecordsFromJson, PlacesAreThoseOfTheWholeFile) {
-  const auto records = [](const cases::JsonNode& root) { return records_from_json(root["records"]); };
+  const auto records = [](const cases::JsonNode& root) {
+    return records_from_json(root["records"]);
+  };
   const auto read = cases::read_json(R"({"records": [{"law": 1}]})", "run.json", records);
   ASSERT_FALSE(read.has_value());
   EXPECT_EQ(read.error().place, "/records/0");

@@ -165,24 +165,11 @@ TEST(Add, CountsGoToCoverageAndErrorsToTheirKinds) {
   const Record& coverage = records.at({"law", "cpu", AttributeKind::coverage, "all"});
   EXPECT_EQ(coverage.counts, (Counts{2, 4, 6, 8}));
   EXPECT_EQ(coverage.errors.classes[FragmentClass::missing], 10U);
-  // Only of levels that answered. Kills: a level under another's name.
-  EXPECT_EQ(coverage.decided_at,
-            (std::map<std::string, std::uint64_t>{{"samples by filter", 2},
-                                                  {"samples by interval", 4},
-                                                  {"samples by exact numbers", 6},
-                                                  {"values by filter", 8},
-                                                  {"values by exact numbers", 10}}));
-  EXPECT_EQ(levels_of(coverage.decided_at), (Levels{{2, 4, 6}, {8, 0, 10}}));
+  EXPECT_EQ(coverage.levels, (Levels{{2, 4, 6}, {8, 0, 10}}));
   const Record& depth = records.at({"law", "cpu", AttributeKind::depth, "all"});
   EXPECT_EQ(depth.counts, Counts());
-  EXPECT_TRUE(depth.decided_at.empty());
+  EXPECT_EQ(depth.levels, Levels());
   EXPECT_EQ(depth.errors.classes[FragmentClass::correct], 12U);
-}
-
-TEST(LevelsOf, NamesOfNoLevelCountNowhere) {
-  EXPECT_EQ(levels_of({}), Levels());
-  EXPECT_EQ(levels_of({{"filter", 3}, {"samples", 4}, {"values by interval", 5}}),
-            (Levels{{}, {0, 5, 0}}));
 }
 
 // Adding judgements one by one, or merged first, is the same. Kills: levels that merging forgets.
@@ -200,7 +187,7 @@ RC_GTEST_PROP(Add, OfMergedJudgementsIsAddingBoth, ()) {
   RecordSet at_once;
   add(at_once, {}, a);
   RC_ASSERT(one_by_one == at_once);
-  RC_ASSERT(levels_of(at_once[{}].decided_at) == a.levels);
+  RC_ASSERT(at_once[{}].levels == a.levels);
 }
 
 TEST(Merge, AddsStrataOneByOne) {
@@ -235,10 +222,9 @@ TEST(Merge, AddsEveryCount) {
   a.errors.excess.histogram.add_non_finite(3);
   a.errors.excess.sum = {-5, 6, 7, 8};
   a.labels = {{"tie", 1}, {"clipped", 2}};
-  a.decided_at = {{"filter", 9}};
+  a.levels = {{1, 2, 3}, {4, 5, 6}};
   Record b = a;
   b.labels = {{"tie", 10}, {"w <= 0", 3}};
-  b.decided_at = {{"exact", 1}};
   merge(a, b);
   EXPECT_EQ(a.cases, (CaseCounts{2, 4, 6}));
   EXPECT_EQ(a.counts, (Counts{8, 10, 12, 14}));
@@ -248,7 +234,7 @@ TEST(Merge, AddsEveryCount) {
   EXPECT_EQ(a.errors.excess.sum, SignedSum(-10, 12, 14, 16));
   EXPECT_EQ(a.labels,
             (std::map<std::string, std::uint64_t>{{"tie", 11}, {"clipped", 2}, {"w <= 0", 3}}));
-  EXPECT_EQ(a.decided_at, (std::map<std::string, std::uint64_t>{{"exact", 1}, {"filter", 9}}));
+  EXPECT_EQ(a.levels, (Levels{{2, 4, 6}, {8, 10, 12}}));
 }
 
 TEST(Merge, KeepsRecordsOfDifferentKeysApart) {

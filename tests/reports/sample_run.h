@@ -76,10 +76,7 @@ inline void add_sample_records(records::RecordSet& into, const std::string& law,
   coverage.errors.classes[FragmentClass::correct] = 12010;
   coverage.errors.classes[FragmentClass::missing] = violations;
   coverage.labels = {{"tie", 4}, {"<clipped>", 57}};
-  coverage.decided_at = {{"samples by filter", 2999000},
-                         {"samples by interval", 999},
-                         {"samples by exact numbers", 1},
-                         {"values by filter", 12000}};
+  coverage.levels = {{2999000, 999, 1}, {12000, 0, 0}};
   into[{law, backend, AttributeKind::coverage, "grid"}] = coverage;
   coverage.cases = {400, 0, 0};
   coverage.labels = {{"tie", 1}};
