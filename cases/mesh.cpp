@@ -1,14 +1,13 @@
 #include "cases/mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 
-#include "cases/camera_frame.h"
-#include "cases/files.h"
+#include "cases/internal/camera_frame.h"
 #include "cases/json.h"
-#include "cases/mesh_reader.h"
 
 namespace rastercheck::cases {
 namespace {
@@ -68,11 +67,6 @@ Result<Case> case_of_mesh(const Mesh& mesh, const std::string& file, const MeshO
       frame(bounds_of(c.positions), c.rules, double{c.viewport.width} / double{c.viewport.height});
   if (!is_finite(*c.camera)) return refuse("too large to be framed by a float32 camera");
   return c;
-}
-
-Result<Case> case_from_mesh(const std::string& file, const MeshOptions& options) {
-  return read_mesh(file).and_then(
-      [&](const Mesh& mesh) { return case_of_mesh(mesh, file, options); });
 }
 
 }  // namespace rastercheck::cases

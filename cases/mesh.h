@@ -31,8 +31,4 @@ struct Mesh {
 /// for errors and for the case. Fails where there is no triangle, or no camera in float32.
 Result<Case> case_of_mesh(const Mesh& mesh, const std::string& file, const MeshOptions& options);
 
-/// The case of a mesh file, read in this process (mesh_reader.h): of files that are known to be
-/// meshes.
-Result<Case> case_from_mesh(const std::string& file, const MeshOptions& options);
-
 }  // namespace rastercheck::cases

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cases/mesh.h"
+#include "cases/mesh_reader.h"
 #include "oracle/transform.h"
 #include "tests/bench/quake_level.h"
 
@@ -42,8 +43,9 @@ void normalize_attributes(Scene& scene) {
 Result<Scene> framed_mesh(const std::string& file, const char* origin, const glm::ivec2& size) {
   const auto framed =
       check_there(file, origin)
-          .and_then([&] {
-            return cases::case_from_mesh(file, {size.x, size.y});
+          .and_then([&] { return cases::read_mesh(file); })
+          .and_then([&](const cases::Mesh& mesh) {
+            return cases::case_of_mesh(mesh, file, {size.x, size.y});
           })
           .and_then([&](const cases::Case& c) { return oracle::to_clip_case(c, file); });
   if (!framed) return tl::unexpected(framed.error());

@@ -12,6 +12,7 @@
 
 #include "backends/backend.h"
 #include "cases/mesh.h"
+#include "cases/mesh_reader.h"
 #include "oracle/judge.h"
 #include "oracle/referee.h"
 #include "oracle/transform.h"
@@ -43,8 +44,8 @@ cases::Case to_case(const Scene& scene, int width = kTarget, int height = kTarge
 
 /// The bunny, framed, on a target of 512 × 512.
 cases::Case bunny() {
-  const cases::Case c = cases::case_from_mesh(kBunny, {}).value();
-  return oracle::to_clip_case(c, kBunny).value();
+  const cases::Mesh mesh = cases::read_mesh(kBunny).value();
+  return oracle::to_clip_case(cases::case_of_mesh(mesh, kBunny, {}).value(), kBunny).value();
 }
 
 /// A case and what a backend drew of it.

@@ -1,4 +1,4 @@
-#include "cases/camera_frame.h"
+#include "cases/internal/camera_frame.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

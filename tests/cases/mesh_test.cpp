@@ -4,20 +4,18 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "cases/mesh_reader.h"
+#include "tests/temporary_folder.h"
 
 namespace rastercheck::cases {
 namespace {
@@ -26,42 +24,27 @@ using ::testing::ElementsAre;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
 
-/// A file that lives as long as its object, in a folder of this process: tests run at the same
-/// time.
-class MeshFile {
- public:
-  MeshFile(const std::string& name, const std::string& content)
-      : folder_(testing::TempDir() + "rastercheck_mesh_" + std::to_string(getpid())),
-        path_(folder_ + "/" + name) {
-    std::filesystem::create_directory(folder_);
-    std::ofstream(path_, std::ios::binary) << content;
-  }
-  ~MeshFile() { std::filesystem::remove_all(folder_); }
-  MeshFile(const MeshFile&) = delete;
-  MeshFile& operator=(const MeshFile&) = delete;
-
-  const std::string& path() const { return path_; }
-
- private:
-  std::string folder_;
-  std::string path_;
-};
+Result<Case> case_of_file(const std::string& file, const MeshOptions& options = {}) {
+  return read_mesh(file).and_then(
+      [&](const Mesh& mesh) { return case_of_mesh(mesh, file, options); });
+}
 
 Case read(const std::string& name, const std::string& content, const MeshOptions& options = {}) {
-  const MeshFile file(name, content);
-  const Result<Case> c = case_from_mesh(file.path(), options);
+  const TemporaryFolder folder;
+  const Result<Case> c = case_of_file(folder.put(name, content), options);
   EXPECT_TRUE(c.has_value()) << to_string(c.error());
   return c.value_or(Case{});
 }
 
 /// The reason for which a mesh is refused; that the error is one line is checked here.
 std::string refusal(const std::string& name, const std::string& content) {
-  const MeshFile file(name, content);
-  const Result<Case> c = case_from_mesh(file.path(), {});
+  const TemporaryFolder folder;
+  const std::string file = folder.put(name, content);
+  const Result<Case> c = case_of_file(file);
   EXPECT_FALSE(c.has_value()) << name << ":\n" << content;
   if (c) return "";
   const std::string line = to_string(c.error());
-  EXPECT_THAT(line, StartsWith(file.path() + ": "));
+  EXPECT_THAT(line, StartsWith(file + ": "));
   EXPECT_EQ(c.error().place, "");
   EXPECT_FALSE(c.error().reason.empty());
   EXPECT_TRUE(std::none_of(line.begin(), line.end(), [](char character) {
@@ -272,7 +255,7 @@ TEST(Mesh, WhatIsNoMeshIsRefusedInOneLine) {
 
 TEST(Mesh, AMissingFileIsRefusedInOneLine) {
   const std::string file = testing::TempDir() + "rastercheck_no_such_mesh.obj";
-  const Result<Case> c = case_from_mesh(file, {});
+  const Result<Case> c = case_of_file(file);
   ASSERT_FALSE(c.has_value());
   EXPECT_THAT(to_string(c.error()), StartsWith(file + ": "));
   EXPECT_EQ(to_string(c.error()).find('\n'), std::string::npos);

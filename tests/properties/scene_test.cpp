@@ -6,7 +6,6 @@
 #include "cases/mesh.h"
 #include "records/run.h"
 #include "tests/properties/damaged_backend.h"
-#include "tests/temporary_folder.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -151,11 +150,11 @@ TEST(JudgeScene, HoldsADrawingThatFailsAgainstTheBackend) {
 }
 
 TEST(JudgeScene, DrawsAMeshWithItsCamera) {
-  const TemporaryFolder folder;
-  const std::string file =
-      folder.put("roof.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 1\nv -1 1 1\nf 1 2 3 4\n");
-  cases::Case mesh = cases::case_from_mesh(file, {16, 16, cases::Rules::vulkan}).value();
-  mesh.name = "roof.obj";
+  cases::Mesh roof;
+  roof.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 1}, {-1, 1, 1}};
+  roof.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const cases::Case mesh =
+      cases::case_of_mesh(roof, "roof.obj", {16, 16, cases::Rules::vulkan}).value();
   ASSERT_TRUE(mesh.camera);
   const auto cpu = backends::make_backend("cpu").value();
   const SceneFindings found = judge_scene(mesh, "cpu", *cpu, 7, kLaws).value();

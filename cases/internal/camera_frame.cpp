@@ -1,4 +1,4 @@
-#include "cases/camera_frame.h"
+#include "cases/internal/camera_frame.h"
 
 // Only +, −, ×, ÷ and sqrt are used, which IEEE 754 rounds correctly: the same mesh gives the same
 // camera, bit for bit, on every machine.
