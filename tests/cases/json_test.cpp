@@ -2,18 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-
-#include "cases/files.h"
 
 namespace rastercheck::cases {
 namespace {
@@ -203,11 +198,6 @@ TEST(OneLine, IsAsLongAsItIsAndTwiceAsOnce) {
   EXPECT_EQ(one_line(line), line);
 }
 
-// Kills: leaving as they are the parts of an error that quote what came from outside.
-TEST(ErrorText, IsOneLineWhateverItQuotes) {
-  EXPECT_EQ(to_string(Error{"a\nb", "/c\x1b", "d\r\xc2\x85"}), "a\\nb: /c\\u001b: d\\r\\u0085");
-}
-
 TEST(Printable, ShortensALongTextInTheMiddle) {
   const std::string shown = printable("begin" + std::string(100'000, 'x') + "end");
   EXPECT_LT(shown.size(), 300U);
@@ -233,26 +223,6 @@ TEST(ValidUtf8, ReplacesOnlyWhatIsNone) {
             "a\xef\xbf\xbd"
             "b\xef\xbf\xbd");
   EXPECT_EQ(valid_utf8(""), "");
-}
-
-/// A path that no test running at the same time has.
-std::string temporary_file(const std::string& name) {
-  return testing::TempDir() + "rastercheck_" + name + "_" + std::to_string(getpid());
-}
-
-TEST(ReadText, GivesTheBytesAsTheyAre) {
-  const std::string file = temporary_file("bytes");
-  const std::string bytes("a\r\n\0\xff", 5);
-  std::ofstream(file, std::ios::binary) << bytes;
-  EXPECT_EQ(read_text(file).value_or("?"), bytes);
-  std::filesystem::remove(file);
-}
-
-TEST(ReadText, AnEmptyFileIsAnEmptyText) {
-  const std::string file = temporary_file("empty");
-  std::ofstream(file, std::ios::binary).flush();
-  EXPECT_EQ(read_text(file).value_or("?"), "");
-  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -41,6 +41,9 @@ Counterexample small_counterexample() {
   full.distance = {0, 0.25};
   full.note = "n";
   counterexample.violations = {bare, full};
+  counterexample.origin = Origin::corpus;
+  counterexample.shrinking = {214, true};
+  counterexample.close_up = {"y 5 [!]", "x    3"};
   return counterexample;
 }
 
@@ -55,7 +58,14 @@ TEST(CounterexampleToJson, WritesTheFormat) {
     {"class": "wrong sign of zero", "kind": "flat", "triangle": 1, "x": 2, "y": 3, "sample": 4,
      "attribute": 5, "exact": "required, inside", "actual": "not drawn", "error": [0.1, "inf"],
      "bound": [0.5, 0.5], "distance": [0.0, 0.25], "note": "n"}])"));
-  EXPECT_EQ(written.size(), 4U);
+  EXPECT_EQ(written["origin"], "corpus");
+  EXPECT_EQ(written["shrinking"], json::parse(R"({"tries": 214, "is_least": true})"));
+  EXPECT_EQ(written["close_up"], json::parse(R"(["y 5 [!]", "x    3"])"));
+  EXPECT_EQ(written.size(), 6U);
+}
+
+TEST(CounterexampleToJson, LeavesOutWhatThereIsNot) {
+  EXPECT_EQ(counterexample_to_json({}).size(), 4U);
 }
 
 Result<Counterexample> read(const json& document) {
@@ -71,6 +81,17 @@ TEST(CounterexampleFromJson, ReadsWhatWasWritten) {
   ASSERT_TRUE(again.has_value()) << to_string(again.error());
   EXPECT_EQ(*again, small_counterexample());
   EXPECT_EQ(counterexample_to_json(*again), written);
+}
+
+// Kills: older files, which have none of these, that no longer read.
+TEST(CounterexampleFromJson, OriginShrinkingAndCloseUpMayBeMissing) {
+  json document = counterexample_to_json(small_counterexample());
+  for (const char* key : {"origin", "shrinking", "close_up"}) document.erase(key);
+  Counterexample expected = small_counterexample();
+  expected.origin = Origin::random;
+  expected.shrinking.reset();
+  expected.close_up.clear();
+  EXPECT_EQ(read(document).value(), expected);
 }
 
 TEST(CounterexampleFromJson, PlacesAreThoseOfTheWholeFile) {

@@ -37,6 +37,11 @@ TEST(FileOf, IsTheSameWhereverItWasFound) {
 
 TEST(FileOf, DoesWithoutFound) { EXPECT_EQ(file_of({}), "counterexamples/--.json"); }
 
+TEST(UnreachedSentence, SaysHowOftenAndHowOftenAtLeast) {
+  EXPECT_EQ(unreached_sentence({"law", "cpu", "tie", 1, 4, 9}),
+            "Not reached: law on cpu: 'tie' in 1 of 9 cases, where at least 4 had to.");
+}
+
 // Kills: a run that was cut short and looks whole.
 TEST(Caveats, SayWhatIsMissing) {
   records::Run run;

@@ -225,8 +225,6 @@ TEST(Summarize, TakesUnreachedLabelsForNotChecked) {
   EXPECT_EQ(verdict_with(0, "cpu"), LawVerdict::not_checked);
   EXPECT_EQ(verdict_with(1, "cpu"), LawVerdict::violated);
   EXPECT_EQ(verdict_with(0, "another"), LawVerdict::held);
-  EXPECT_EQ(unreached_sentence({"law", "cpu", "tie", 1, 4, 9}),
-            "Not reached: law on cpu: 'tie' in 1 of 9 cases, where at least 4 had to.");
 }
 
 TEST(VerdictOf, IsThatOfAllRows) {
