@@ -19,6 +19,26 @@ constexpr std::string_view kMinusInfinityText = "-inf";
 /// Up to here every integer is a double.
 constexpr double kExactIntegers = 0x1p53;
 
+/// Whether it is an integer, or a float that is one.
+bool is_integral(const json& value) {
+  if (value.is_number_float()) return value.get<double>() == std::floor(value.get<double>());
+  return value.is_number_integer();
+}
+
+/// The integer that a value is; nothing where it is none, or none that is known exactly and fits.
+template <typename Integer>
+std::optional<Integer> exact_integer(const json& value) {
+  const auto if_it_fits = [](auto number) {
+    return std::in_range<Integer>(number) ? std::optional(static_cast<Integer>(number))
+                                          : std::nullopt;
+  };
+  if (!is_integral(value)) return std::nullopt;
+  if (value.is_number_unsigned()) return if_it_fits(value.get<std::uint64_t>());
+  if (value.is_number_integer()) return if_it_fits(value.get<std::int64_t>());
+  if (std::abs(value.get<double>()) > kExactIntegers) return std::nullopt;
+  return if_it_fits(static_cast<std::int64_t>(value.get<double>()));
+}
+
 }  // namespace
 
 void JsonNode::refuse(std::string reason) const {
@@ -118,23 +138,11 @@ std::size_t JsonNode::index_in(std::span<const std::string_view> names) const {
 }
 
 std::int64_t JsonNode::integer(std::int64_t least, std::int64_t most) const {
-  std::optional<std::int64_t> number;
-  if (value_->is_number_unsigned()) {
-    const auto value = value_->get<std::uint64_t>();
-    if (std::in_range<std::int64_t>(value)) number = static_cast<std::int64_t>(value);
-  } else if (value_->is_number_integer()) {
-    number = value_->get<std::int64_t>();
-  } else if (value_->is_number_float()) {
-    const auto value = value_->get<double>();
-    if (value != std::floor(value)) {
-      refuse("must be an integer");
-      return least;
-    }
-    if (std::abs(value) <= kExactIntegers) number = static_cast<std::int64_t>(value);
-  } else {
+  if (!is_integral(*value_)) {
     refuse("must be an integer");
     return least;
   }
+  const std::optional<std::int64_t> number = exact_integer<std::int64_t>(*value_);
   if (!number || *number < least || *number > most) {
     refuse(fmt::format("out of range: must be an integer from {} to {}", least, most));
     return least;
@@ -143,15 +151,12 @@ std::int64_t JsonNode::integer(std::int64_t least, std::int64_t most) const {
 }
 
 std::uint64_t JsonNode::unsigned_integer() const {
-  if (value_->is_number_unsigned()) return value_->get<std::uint64_t>();
-  std::optional<Error> ignored;
-  const std::int64_t value = JsonNode(*value_, pointer_, ignored, *file_)
-                                 .integer(0, std::numeric_limits<std::int64_t>::max());
-  if (ignored) {
+  const std::optional<std::uint64_t> number = exact_integer<std::uint64_t>(*value_);
+  if (!number) {
     refuse(fmt::format("out of range: must be an integer from 0 to {}",
                        std::numeric_limits<std::uint64_t>::max()));
   }
-  return static_cast<std::uint64_t>(value);
+  return number.value_or(0);
 }
 
 std::uint64_t JsonNode::count_up_to(std::uint64_t most) const {
