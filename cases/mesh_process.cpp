@@ -5,15 +5,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
-#include <limits>
+#include <cstring>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cases/error_json.h"
-#include "cases/json.h"
 #include "cases/json_node.h"
 #include "cases/mesh_reader.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// What becomes of a case's fragments on their way into a picture, as plain data: the parts of a
-// pipeline that the case file does not have, as no fragment depends on them. Laws about pictures
-// choose them by the case alone (properties/).
+// The parts of a pipeline that the case file does not have, as plain data: how vertices become
+// triangles, and what becomes of fragments on their way into a picture. Laws about these choose
+// them by the case alone (properties/).
 
 #include <cstddef>
 #include <cstdint>
