@@ -16,12 +16,4 @@ TieRule default_fill_rule(Rules rules) {
 
 Basis default_basis(Rules rules) { return rules == Rules::d3d ? Basis::snapped : Basis::ideal; }
 
-Contract contract_of(const Case& c) {
-  Contract contract;
-  contract.coverage = c.coverage;
-  contract.basis = c.coverage ? c.basis : Basis::ideal;
-  contract.tie_rule = c.fill_rule;
-  return contract;
-}
-
 }  // namespace rastercheck::cases

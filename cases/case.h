@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/contract.h"
+#include "cases/coverage.h"
 
 namespace rastercheck::cases {
 
@@ -151,8 +151,5 @@ struct Case {
 /// positions.
 TieRule default_fill_rule(Rules rules);
 Basis default_basis(Rules rules);
-
-/// The contract a Case asks for itself: what `oracle` prints and what `cpu` draws.
-Contract contract_of(const Case& c);
 
 }  // namespace rastercheck::cases

@@ -4,32 +4,11 @@
 
 #include <optional>
 
+#include "cases/coverage.h"
+
 namespace rastercheck::cases {
 
-/// How a window position becomes a grid point. `nearest_even` and `half_up` (towards +x, +y) name
-/// one; `unspecified` is either neighbour, and the position itself where it lies on the grid.
-enum class Rounding { nearest_even, half_up, unspecified };
-
-/// The subpixel grid that window positions are rounded to.
-struct Snapping {
-  int subpixel_bits = 8;  ///< grid of 2^-subpixel_bits pixels, 0…16
-  Rounding rounding = Rounding::nearest_even;
-  /// How far the position may be off before it is rounded, in grid units; >= 0.
-  float position_error = 0;
-  bool operator==(const Snapping&) const = default;
-};
-inline constexpr int kMaxSubpixelBits = 16;
-/// Grid units, inclusive; 256 pixels on an 8-bit grid.
-inline constexpr float kMaxPositionError = 65536;
-
-/// No value: the mathematical triangle. A value: the triangle of the snapped positions.
-using Coverage = std::optional<Snapping>;
-
-/// The positions that attributes and facing come from.
-enum class Basis { ideal, snapped, unspecified };
-
-/// Which edges own a sample that lies exactly on them.
-enum class TieRule { top_left, bottom_left, unspecified };
+struct Case;
 
 /// How far a value may be beyond what coverage and basis leave open, in scale ULP (RULES §5):
 ///
@@ -140,5 +119,8 @@ struct Contract {
             (coverage->rounding == Rounding::unspecified || coverage->position_error > 0));
   }
 };
+
+/// The contract a Case asks for itself: what `oracle` prints and what `cpu` draws.
+Contract contract_of(const Case& c);
 
 }  // namespace rastercheck::cases

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "cases/case.h"
+#include "cases/contract.h"
 #include "oracle/rational.h"
 #include "records/enclosure.h"
 #include "records/judgement.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/case.h"
+#include "cases/contract.h"
 #include "cases/sample_pattern.h"
 #include "oracle/internal/number.h"
 #include "oracle/internal/projective_map.h"

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cases/case.h"
+#include "cases/contract.h"
 #include "cases/framebuffer.h"
 #include "records/counterexample.h"
 
