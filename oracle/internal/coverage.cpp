@@ -137,7 +137,7 @@ std::vector<Point> box_corners(const TriangleSetup& triangle) {
 /// the tolerance along both axes: 1 inside, −1 outside, 0 within.
 int side_within(const Line& line, const Ring& tolerance, const Point& p) {
   const double near_tolerance = near_double(tolerance);
-  if (is_tame(near_tolerance, tolerance)) {
+  if (has_normal_products(near_tolerance, tolerance)) {
     const int side = line.certain_side(near_point(p), near_tolerance);
     if (side != 0) return side;
   }

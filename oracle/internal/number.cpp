@@ -67,8 +67,7 @@ class Rounded {
 
 }  // namespace
 
-/// The double that equals a float32. Of a subnormal one by its bits: an integer times 2^-149, which
-/// no mode of the processor flushes.
+/// Of a subnormal one by its bits: an integer times 2^-149, which no mode of the processor flushes.
 double exact_double(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
   const bool is_subnormal_or_zero = (bits & ~kSignBit) <= kFractionMask;
@@ -146,13 +145,6 @@ float nearest_float(const Field& value) {
   return std::bit_cast<float>(sign | bits);
 }
 
-bool is_tame(double near, const Ring& exact) {
-  constexpr double kLeast = 0x1p-480;
-  constexpr double kMost = 0x1p480;
-  const double size = std::abs(near);
-  return near == 0 ? sign_of(exact) == 0 : size > kLeast && size < kMost;
-}
-
 records::Enclosure enclose(const Ring& value) {
   // CGAL's own takes any number of more than one limb for one between two doubles. Of such as lie
   // near or below the least doubles it is wrong where rounding is upwards: it multiplies by a power
@@ -177,6 +169,13 @@ records::Enclosure enclose_sqrt(const Field& value) {
 records::Enclosure enclose_log2(const Field& value) {
   return {Rounded(value, MPFR_RNDD).log2().to_double(),
           Rounded(value, MPFR_RNDU).log2().to_double()};
+}
+
+bool has_normal_products(double near, const Ring& exact) {
+  constexpr double kLeast = 0x1p-480;
+  constexpr double kMost = 0x1p480;
+  const double size = std::abs(near);
+  return near == 0 ? sign_of(exact) == 0 : size > kLeast && size < kMost;
 }
 
 }  // namespace rastercheck::oracle

@@ -57,19 +57,20 @@ float nearest_float(const Field& value);
 
 /// Doubles around the value: equal where a double holds it, else neighbours.
 records::Enclosure enclose(const Ring& value);
+records::Enclosure enclose(const Field& value);
+/// Doubles around sqrt(value), for value >= 0.
+records::Enclosure enclose_sqrt(const Field& value);
+/// Doubles around log2(value), for value > 0.
+records::Enclosure enclose_log2(const Field& value);
 
 /// A double within 2^-51 of the value, relative to either, if it is a normal one: what CGAL makes
 /// of a number's two leading limbs, in at most three roundings.              (proofs/limbs.g)
 inline double near_double(const Ring& value) { return value.to_double(); }
 inline constexpr double kNearDoubleError = 0x1p-51;
 /// Whether `near`, which near_double() made of `exact`, is within kNearDoubleError of it, and
-/// neither products of two such nor their sums overflow or get near the subnormal numbers.
-bool is_tame(double near, const Ring& exact);
-records::Enclosure enclose(const Field& value);
-/// Doubles around sqrt(value), for value >= 0.
-records::Enclosure enclose_sqrt(const Field& value);
-/// Doubles around log2(value), for value > 0.
-records::Enclosure enclose_log2(const Field& value);
+/// products of two such, and their sums, stay far from overflow and the subnormal numbers: from
+/// 2^-480 to 2^480, or 0.
+bool has_normal_products(double near, const Ring& exact);
 
 /// A closed interval of exact values.
 struct FieldRange {

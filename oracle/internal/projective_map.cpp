@@ -7,23 +7,26 @@ namespace rastercheck::oracle {
 NearPoint near_point(const Point& p) {
   const double u = near_double(p.u);
   const double v = near_double(p.v);
-  return {u, v, is_tame(u, p.u) && is_tame(v, p.v)};
+  return {u, v, has_normal_products(u, p.u) && has_normal_products(v, p.v)};
 }
 
 NearPoint near_point(const HomogeneousPoint& p) {
   const double u = near_double(p.u);
   const double v = near_double(p.v);
   const double t = near_double(p.t);
-  return {u / t, v / t, is_tame(u, p.u) && is_tame(v, p.v) && is_tame(t, p.t)};
+  return {
+      u / t, v / t,
+      has_normal_products(u, p.u) && has_normal_products(v, p.v) && has_normal_products(t, p.t)};
 }
 
 int Line::certain_side(const NearPoint& p, double reach) const {
   if (!near_) {
     near_ = Near{near_double(a), near_double(b), near_double(c), false};
-    near_->is_tame = oracle::is_tame(near_->a, a) && oracle::is_tame(near_->b, b) &&
-                     oracle::is_tame(near_->c, c);
+    near_->has_normal_products = oracle::has_normal_products(near_->a, a) &&
+                                 oracle::has_normal_products(near_->b, b) &&
+                                 oracle::has_normal_products(near_->c, c);
   }
-  if (!near_->is_tame || !p.is_tame) return 0;
+  if (!near_->has_normal_products || !p.has_normal_products) return 0;
   const double along_u = near_->a * p.u;
   const double along_v = near_->b * p.v;
   const double value = along_u + along_v + near_->c;

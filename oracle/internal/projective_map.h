@@ -35,11 +35,12 @@ struct HomogeneousPoint {
   Ring t;
 };
 
-/// A window position in doubles: each within 2^-48 of itself, if it is tame (number.h).
+/// A window position in doubles, each within 2^-48 of itself if they have normal products
+/// (number.h).
 struct NearPoint {
   double u = 0;
   double v = 0;
-  bool is_tame = false;
+  bool has_normal_products = false;
 };
 NearPoint near_point(const Point& p);
 NearPoint near_point(const HomogeneousPoint& p);
@@ -71,7 +72,7 @@ class Line {
     double a = 0;
     double b = 0;
     double c = 0;
-    bool is_tame = false;
+    bool has_normal_products = false;
   };
   mutable std::optional<Near> near_;  ///< made when first asked for; a, b and c then stay
 };

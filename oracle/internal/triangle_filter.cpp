@@ -17,8 +17,9 @@ using records::Verdict;
 constexpr double kLeastCoefficient = 0x1p-600;
 constexpr double kMostCoefficient = 0x1p600;
 
-/// With a camera a coefficient may be so small that 0 is the double nearest to it.
-bool is_tame(const Ring& exact, double coefficient) {
+/// Whether a coefficient, as near_double() made it of `exact`, is within these limits. With a
+/// camera it may be so small that 0 is the double nearest to it.
+bool fits_filter(double coefficient, const Ring& exact) {
   const double size = std::abs(coefficient);
   return size == 0 ? sign_of(exact) == 0 : size >= kLeastCoefficient && size <= kMostCoefficient;
 }
@@ -44,7 +45,9 @@ std::optional<FilterLine> filter_line(const Line& line, const PixelBox& box) {
   const double a = near_double(line.a);
   const double b = near_double(line.b);
   const double c = near_double(at_corner);
-  if (!is_tame(line.a, a) || !is_tame(line.b, b) || !is_tame(at_corner, c)) return std::nullopt;
+  if (!fits_filter(a, line.a) || !fits_filter(b, line.b) || !fits_filter(c, at_corner)) {
+    return std::nullopt;
+  }
   const double width = box.x1 - box.x0;
   const double height = box.y1 - box.y0;
   const double size = std::abs(a) * width + std::abs(b) * height + std::abs(c);

@@ -31,11 +31,13 @@ std::optional<records::Enclosure> quick_quotient(const Ring& n, const Ring& d) {
   constexpr double kMost = 0x1p960;
   const auto [n_lo, n_hi] = n.to_interval();
   const auto [d_lo, d_hi] = d.to_interval();
-  const auto is_tame = [](double x) { return std::abs(x) > kLeast && std::abs(x) < kMost; };
-  if (!is_tame(n_lo) || !is_tame(n_hi) || !is_tame(d_lo) || !is_tame(d_hi)) return std::nullopt;
+  const auto is_normal = [](double x) { return std::abs(x) > kLeast && std::abs(x) < kMost; };
+  if (!is_normal(n_lo) || !is_normal(n_hi) || !is_normal(d_lo) || !is_normal(d_hi)) {
+    return std::nullopt;
+  }
   const double lo = n_lo / (n_lo > 0 ? d_hi : d_lo);
   const double hi = n_hi / (n_hi > 0 ? d_lo : d_hi);
-  if (!is_tame(lo) || !is_tame(hi)) return std::nullopt;
+  if (!is_normal(lo) || !is_normal(hi)) return std::nullopt;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return records::Enclosure{std::nextafter(lo, -kInfinity), std::nextafter(hi, kInfinity)};
 }

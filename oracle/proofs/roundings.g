@@ -12,7 +12,7 @@
 #
 # Assumes:
 #
-#   a, b, c       0, or from 2^-600 to 2^600 (is_tame): multiples of 2^-652
+#   a, b, c       0, or from 2^-600 to 2^600 (fits_filter): multiples of 2^-652
 #   x, y, W, H    multiples of 1/16, at most 2^15 (cases::kMaxSize is 2^14; cases::SamplePosition)
 #   f, t, p, s    float32: multiples of 2^-149, below 2^128. As p = 1 or t = 1 there are two forms
 #                 of g: (f - s) t, and f p - s' with s' a double and a multiple of 2^-299 (half a

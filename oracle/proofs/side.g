@@ -11,10 +11,10 @@
 # and an answer is given where |value| > least: so |exact value| > exact change follows from
 # least >= |value - exact value| + exact change.
 #
-# Assumes: no over- or underflow (is_tame); roundings of any direction, at most 2^-52 each, by which
-# near_double() may be off by twice what limbs.g has for the nearest: 2^-50 of a coefficient; u and v
-# quotients of two such (near_point): 2^-48. Of the change, made of three such and two roundings,
-# that is 2^-48 as well.
+# Assumes: no over- or underflow (has_normal_products); roundings of any direction, at most 2^-52
+# each, by which near_double() may be off by twice what limbs.g has for the nearest: 2^-50 of a
+# coefficient; u and v quotients of two such (near_point): 2^-48. Of the change, made of three such
+# and two roundings, that is 2^-48 as well.
 #
 # Sizes are sa = |a u|, sb = |b v|, sc = |c| and ch, the exact change; s1, s2, s3 are signs. The
 # bound is one-sided; for the other side turn all signs round.
