@@ -14,9 +14,12 @@ NearPoint near_point(const HomogeneousPoint& p) {
   const double u = near_double(p.u);
   const double v = near_double(p.v);
   const double t = near_double(p.t);
-  return {
-      u / t, v / t,
-      has_normal_products(u, p.u) && has_normal_products(v, p.v) && has_normal_products(t, p.t)};
+  NearPoint near{u / t, v / t};
+  // Quotients of such may be as far from 1 as 2^±960, which is too far: they are asked as well.
+  near.has_normal_products = has_normal_products(u, p.u) && has_normal_products(v, p.v) &&
+                             has_normal_products(t, p.t) && has_normal_products(near.u, p.u) &&
+                             has_normal_products(near.v, p.v);
+  return near;
 }
 
 int Line::certain_side(const NearPoint& p, double reach) const {

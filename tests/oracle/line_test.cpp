@@ -49,6 +49,17 @@ TEST(Line, OfCoefficientsThatNoDoubleHoldsIsLeftToExactNumbers) {
   EXPECT_EQ(large.sign_at(point(3, 0)), 1);
 }
 
+// 3/2 and a little more than that, times ±2^-1074, the least double: in doubles the former is 2 of
+// them and the latter 1, as the coefficient loses 2^-54 and what is left is less than 3/2.
+// Kills: quotients that are trusted because what they are made of is.
+TEST(Line, AtAPointThatIsTooNearForProductsIsLeftToExactNumbers) {
+  const Ring scale(0x1p-479);
+  const Line f(scale, scale * -(Ring(1.25) + Ring(0x1p-54)), Ring(0));
+  const HomogeneousPoint p(Ring(1.5 * 0x1p-125), Ring(1.2 * 0x1p-125), Ring(0x1p470));
+  EXPECT_EQ(sign_of(f.at(p)), -1);
+  EXPECT_EQ(f.certain_side(near_point(p)), 0);
+}
+
 // Of lines of many bits that pass a point at a distance of 2^-k of their terms, for all k.
 TEST(Line, IsNeverOnTheWrongSide) {
   std::mt19937_64 engine(1);
