@@ -10,6 +10,15 @@
 #include "oracle/internal/values.h"
 
 namespace rastercheck::oracle {
+namespace {
+
+std::optional<ValueRange> to_public(const std::optional<OpenValue>& value) {
+  if (!value) return std::nullopt;
+  return ValueRange{to_rational(value->range.lo.value()), to_rational(value->range.hi.value()),
+                    value->is_open};
+}
+
+}  // namespace
 
 SceneTruth::SceneTruth(cases::Case source, const cases::Contract& contract)
     : source_(std::move(source)),
