@@ -27,8 +27,7 @@ struct Membership {
 
 constexpr Membership kOutside{.possible = false, .sure = false};
 
-/// A boundary's answer for a point. Where the point lies exactly on it, its inward normal (A, B)
-/// decides: inside iff A > 0, or A = 0 and ±B > 0.
+/// A boundary's answer for a point.
 Membership side(const Line& boundary, const Point& p, const Scene& scene) {
   const int sign = boundary.sign_at(p);
   if (sign > 0) return {};
@@ -36,8 +35,7 @@ Membership side(const Line& boundary, const Point& p, const Scene& scene) {
   if (scene.contract().tie_rule == cases::TieRule::unspecified) {
     return {.possible = true, .sure = false, .tie = true};
   }
-  const int a = sign_of(boundary.a);
-  const bool inside = a > 0 || (a == 0 && scene.tie_sign() * sign_of(boundary.b) > 0);
+  const bool inside = scene.owns_tie(sign_of(boundary.a), sign_of(boundary.b));
   return {.possible = inside, .sure = inside, .tie = true};
 }
 

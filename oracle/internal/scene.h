@@ -75,9 +75,11 @@ class Scene {
   const Point& viewport_lo() const { return viewport_lo_; }
   const Point& viewport_hi() const { return viewport_hi_; }
 
-  /// +1 or −1: where the normal (A, B) of a tied edge has A = 0, the sample is inside iff
-  /// tie_sign · B > 0 (RULES §2). Meaningless under an unspecified tie rule.
-  int tie_sign() const { return tie_sign_; }
+  /// Whether a point exactly on a boundary is inside, by the signs of the boundary's inward normal
+  /// (A, B): iff A > 0, or A = 0 and ±B > 0 (RULES §2). Meaningless under an unspecified tie rule.
+  bool owns_tie(int sign_a, int sign_b) const {
+    return sign_a > 0 || (sign_a == 0 && tie_sign_ * sign_b > 0);
+  }
   /// Whether a triangle of that orientation (±1) is culled.
   bool is_culled(int orientation) const;
 
@@ -100,7 +102,7 @@ class Scene {
   Point viewport_hi_;
   PixelBox pixels_;
   PixelBox inner_pixels_;
-  int tie_sign_;
+  int tie_sign_;  ///< ±1: what B is to be multiplied by where A = 0
   Ring least_depth_;
   Ring greatest_depth_;
 };

@@ -138,11 +138,11 @@ std::optional<SampleVerdict> TriangleFilter::decide(int x, int y,
       is_certain = false;
       continue;
     }
-    // As coverage.cpp has it; what an unspecified rule leaves open is its to say.
+    // What an unspecified rule leaves open is the next level's to say.
     if (scene.contract().tie_rule == cases::TieRule::unspecified) return std::nullopt;
-    const bool is_inside =
-        edge.sign_a > 0 || (edge.sign_a == 0 && scene.tie_sign() * edge.sign_b > 0);
-    if (!is_inside) return SampleVerdict{Verdict::forbidden, Reason::outside};
+    if (!scene.owns_tie(edge.sign_a, edge.sign_b)) {
+      return SampleVerdict{Verdict::forbidden, Reason::outside};
+    }
     is_tie = true;
   }
   // Clip planes through a triangle are rare enough for exact numbers.
