@@ -271,22 +271,4 @@ std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, 
   return ValueError{beyond(subject, open->range.lo, open->range.hi, computed), ideal_there()};
 }
 
-std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const Point& p) {
-  const ProjectiveMap& map = triangle.ideal;
-  const Ring here = map.inverse_w().at(p);
-  if (map.orientation() == 0 || sign_of(here) <= 0) return std::nullopt;
-  if (!triangle.has_nonpositive_w) {
-    const Ring least_w =
-        std::min({triangle.columns[0][2], triangle.columns[1][2], triangle.columns[2][2]});
-    return quotient(map.determinant(), least_w * here);
-  }
-  const ConvexRegion drawn = triangle.clipped_to_triangle(guard_band_of(*triangle.scene));
-  Fraction most = whole(here);
-  for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const HomogeneousPoint& corner = drawn.vertex(i);
-    most = greatest(most, {map.inverse_w().at(corner), corner.t});
-  }
-  return quotient(most.numerator, most.denominator * here);
-}
-
 }  // namespace rastercheck::oracle

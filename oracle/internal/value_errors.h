@@ -77,8 +77,4 @@ class ValueErrors {
   std::vector<Subject> subjects_;  ///< the depth, then the attributes
 };
 
-/// g of cases::ValueBound at a point: the greatest 1/w of the triangle's vertices (of its corners
-/// after clipping where some w <= 0), divided by 1/w there. Nothing where 1/w <= 0.
-std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const Point& p);
-
 }  // namespace rastercheck::oracle

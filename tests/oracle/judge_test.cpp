@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "oracle/self_check.h"
 #include "records/record.h"
 #include "tests/oracle/drawing.h"
 #include "tests/oracle/random_case.h"
@@ -275,15 +274,6 @@ RC_GTEST_PROP(Judged, AFaultlessDrawingIsCorrect, ()) {
   RC_ASSERT(counts.required + counts.permitted + counts.forbidden ==
             static_cast<std::uint64_t>(30 * c.framebuffer.samples));
   RC_ASSERT(counts.undecided == 0U);
-}
-
-// Oracle and referee, of samples that are not covered too.
-RC_GTEST_PROP(SelfCheck, FindsNothingToSayOfAnySample, ()) {
-  const cases::Case c = random_exact_case();
-  const SceneTruth scene(c, cases::contract_of(c));
-  for (int y = 0; y < 5; ++y) {
-    for (int x = 0; x < 6; ++x) RC_ASSERT(!self_check(scene, 0, x, y, 0));
-  }
 }
 
 // Kills: a thread that waits for the turn of a chunk that failed.

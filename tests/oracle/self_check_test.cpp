@@ -19,6 +19,15 @@ RC_GTEST_PROP(SelfCheck, FindsNothingToSayOfARightFragment, ()) {
   RC_ASSERT(!difference);
 }
 
+// Of samples that are not covered, too.
+RC_GTEST_PROP(SelfCheck, FindsNothingToSayOfAnySample, ()) {
+  const cases::Case c = random_exact_case();
+  const SceneTruth scene(c, cases::contract_of(c));
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 0; x < 6; ++x) RC_ASSERT(!self_check(scene, 0, x, y, 0));
+  }
+}
+
 /// The first fragment of a corner triangle with one attribute.
 class SelfCheckOf : public testing::Test {
  protected:

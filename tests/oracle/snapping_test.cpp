@@ -81,6 +81,31 @@ TEST(Snapping, ManyPlacementsAreBoundedByTheirBoxes) {
   EXPECT_EQ(judge(c, 1, 1).verdict, Verdict::required);
 }
 
+// A point may be covered by the triangle of some positions between grid points and by none of the
+// grid points': where vertices need not be on the grid it is permitted. An apex at (1/2, 3/2) grid
+// units from the sample, about a degree wide.
+TEST(Snapping, OffTheGridLeavesOpenWhatNoPlacementDecides) {
+  constexpr float kUnit = 0x1p-8F;  // in NDC of a target of 2 pixels: 2^-8 pixels
+  cases::Case c = small_case(cases::Rules::vulkan, 2, 2,
+                             {{{-0.5F + 0.5F * kUnit, -0.5F + 1.5F * kUnit, 0, 1},
+                               {-0.51F, -1, 0, 1},
+                               {-0.5F, -1, 0, 1}}});
+  cases::Contract contract;
+  contract.coverage = cases::Snapping{8, cases::Rounding::unspecified, 0};
+  contract.tie_rule = cases::TieRule::unspecified;
+  const SceneTruth on_grid(c, contract);
+  contract.is_on_grid = false;
+  const SceneTruth off_grid(c, contract);
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 2; ++x) {
+      const bool is_beside_apex = x == 0 && y == 0;
+      EXPECT_EQ(TriangleTruth(on_grid, 0).judge(x, y, 0).verdict, Verdict::forbidden);
+      EXPECT_EQ(TriangleTruth(off_grid, 0).judge(x, y, 0).verdict,
+                is_beside_apex ? Verdict::permitted : Verdict::forbidden);
+    }
+  }
+}
+
 TEST(Basis, DecidesWhereAttributesComeFrom) {
   const auto value = [](cases::Basis basis) {
     const auto c = near_column(Snapping{4, Rounding::nearest_even, 0}, basis);

@@ -1,0 +1,70 @@
+// How far values may be off, by hand.
+
+#include "oracle/internal/value_bound.h"
+
+#include <gtest/gtest.h>
+
+#include "oracle/triangle_truth.h"
+#include "tests/oracle/small_case.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+// By hand: 1/w is 1 at v = 4 and 1/4 at v = 0, so 1/w = (1 + 3 v/4)/4; at v = 1/2 it is 11/32.
+TEST(HorizonRatio, IsTheGreatestInverseWOverThatOfThePoint) {
+  const cases::Case c =
+      small_case(cases::Rules::vulkan, 4, 4, {{{-1, 1, 0, 1}, {1, 1, 0, 1}, {-4, -4, 0, 4}}},
+                 {{{0}, {1}, {0}}});
+  const SceneTruth truth(c, cases::contract_of(c));
+  const TriangleSetup setup(truth.scene(), c.triangles[0]);
+  EXPECT_EQ(horizon_ratio(setup, {Ring(0.5), Ring(0.5)}).value(), Field(32, 11));
+  EXPECT_EQ(horizon_ratio(setup, {Ring(0.5), Ring(4)}).value(), Field(1));
+  EXPECT_FALSE(horizon_ratio(setup, {Ring(0.5), Ring(-4)}).has_value());
+}
+
+// With w = 1, 1, −1 the horizon (1/w = 0) runs between the second and the third vertex's mirror:
+// 1/w = 1 at v = 4, −1 at v = 0, so 1/w = v/2 − 1, and greatest at the guard band's far side.
+TEST(HorizonRatio, OfATriangleThroughTheEyeGoesToItsClippedCorners) {
+  cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
+                             {{{-1, 1, 0, 1}, {1, 1, 0, 1}, {1, 1, 0, -1}}}, {{{0}, {1}, {0}}});
+  c.depth_clamp = true;
+  cases::Contract contract = cases::contract_of(c);
+  contract.guard_band = 16;
+  const SceneTruth truth(c, contract);
+  const TriangleSetup setup(truth.scene(), c.triangles[0]);
+  EXPECT_EQ(horizon_ratio(setup, {Ring(2), Ring(5)}).value(), Field(7) / Field(3, 2));
+}
+
+// By hand: w is 1 on the left border and 4 at the middle of the right one, so that 1/w, linear in
+// the window, is 5/8 at the centre: g = 8/5, and the bound 1/2 + 1/4 · 8/5.
+TEST(ValueBound, GrowsTowardsTheHorizon) {
+  cases::Case c =
+      small_case(cases::Rules::vulkan, 9, 9, {{{-1, -1, 0, 1}, {4, 0, 0, 4}, {-1, 1, 0, 1}}},
+                 {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}});
+  c.attributes[1].interpolation = cases::Interpolation::flat;
+  c.attributes[2].interpolation = cases::Interpolation::noperspective;
+  cases::Contract contract;
+  contract.bounds.smooth = {0.5F, 0.25F};
+  contract.bounds.noperspective = {3, 0.25F};
+  contract.bounds.depth = {2, 0};
+  const SceneTruth scene(c, contract);
+  const TriangleTruth truth(scene, 0);
+  EXPECT_EQ(truth.value_bound(0, 4, 4, 0)->to_string(), "9/10");
+  EXPECT_EQ(truth.value_bound(1, 4, 4, 0)->to_string(), "0");
+  EXPECT_EQ(truth.value_bound(2, 4, 4, 0)->to_string(), "3");
+  EXPECT_EQ(truth.value_bound(std::nullopt, 4, 4, 0)->to_string(), "2");
+}
+
+// Kills: no bound at all where the exact triangle has no area and its snapped one has.
+TEST(ValueBound, IsTheConstantWhereTheExactTriangleIsDegenerate) {
+  const cases::Case c =
+      small_case(cases::Rules::vulkan, 9, 9, {{{-1, -1, 0, 1}, {0, 0, 0, 1}, {1, 1, 0, 1}}},
+                 {{{0}, {1}, {2}}});
+  cases::Contract contract;
+  contract.bounds.smooth = {0.5F, 0.25F};
+  const SceneTruth scene(c, contract);
+  EXPECT_EQ(TriangleTruth(scene, 0).value_bound(0, 4, 4, 0)->to_string(), "1/2");
+}
+
+}  // namespace
+}  // namespace rastercheck::oracle
