@@ -1,6 +1,5 @@
 #include "oracle/triangle_truth.h"
 
-#include <algorithm>
 
 #include "oracle/internal/coverage.h"
 #include "oracle/internal/rational_number.h"
@@ -74,11 +73,7 @@ const ValueErrors& TriangleTruth::errors() const {
 }
 
 Rational TriangleTruth::attribute_magnitude(std::size_t attribute) const {
-  Ring largest(0);
-  for (const Ring& value : values().vertex_values(attribute)) {
-    largest = std::max(largest, magnitude(value));
-  }
-  return to_rational(Field(largest));
+  return to_rational(Field(values().vertex_magnitude(attribute)));
 }
 
 }  // namespace rastercheck::oracle

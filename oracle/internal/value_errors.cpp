@@ -6,8 +6,6 @@
 namespace rastercheck::oracle {
 namespace {
 
-Fraction whole(const Ring& value) { return {value, Ring(1)}; }
-
 /// The least and the greatest of some readings. Their doubles tell most apart.
 class Hull {
  public:
@@ -70,27 +68,16 @@ ValueErrors::Subject ValueErrors::depth_subject() const {
   subject.quantity = values_->depth_quantity();
   subject.scale = scale_exponent(std::max(scene.least_depth(), scene.greatest_depth()));
   subject.is_clamped = scene.clamps_depth();
-  if (!triangle_->has_nonpositive_w) {
-    std::array<Fraction, 3> ends;
-    for (std::size_t i = 0; i < 3; ++i) {
-      ends[i] = {subject.quantity.numerators[i], triangle_->columns[i][2]};
-    }
-    subject.least_end = least(least(ends[0], ends[1]), ends[2]);
-    subject.greatest_end = greatest(greatest(ends[0], ends[1]), ends[2]);
-  }
+  subject.ends = values_->depth_ends();
   subject.corners.resize(triangle_->corner_count());
   return subject;
 }
 
 ValueErrors::Subject ValueErrors::attribute_subject(std::size_t attribute) const {
-  const std::array<Ring, 3> values = values_->vertex_values(attribute);
   Subject subject;
   subject.quantity = values_->quantity(attribute);
-  Ring largest(0);
-  for (const Ring& value : values) largest = std::max(largest, magnitude(value));
-  subject.scale = scale_exponent(largest);
-  subject.least_end = whole(std::min({values[0], values[1], values[2]}));
-  subject.greatest_end = whole(std::max({values[0], values[1], values[2]}));
+  subject.scale = scale_exponent(values_->vertex_magnitude(attribute));
+  subject.ends = values_->ends(attribute);
   subject.corners.resize(triangle_->corner_count());
   return subject;
 }
@@ -109,8 +96,8 @@ const Reading& ValueErrors::corner(const Subject& subject, std::size_t index) co
 Fraction ValueErrors::clamped(const Subject& subject, Fraction value) const {
   if (!subject.is_clamped) return value;
   const Scene& scene = *triangle_->scene;
-  if (compare(scene.least_depth(), value) > 0) return whole(scene.least_depth());
-  if (compare(scene.greatest_depth(), value) < 0) return whole(scene.greatest_depth());
+  if (compare(scene.least_depth(), value) > 0) return {scene.least_depth()};
+  if (compare(scene.greatest_depth(), value) < 0) return {scene.greatest_depth()};
   return value;
 }
 
@@ -156,8 +143,8 @@ std::optional<UlpError> ValueErrors::placed_excess(const Subject& subject, const
   const bool has_ideal = triangle_->scene->contract().basis == cases::Basis::unspecified &&
                          triangle_->ideal.orientation() != 0 &&
                          (is_affine_at_sample || sign_of(triangle_->ideal.inverse_w().at(p)) > 0);
-  const bool is_between_ends = compare_clamped(subject, computed, subject.least_end) >= 0 &&
-                               compare_clamped(subject, computed, subject.greatest_end) <= 0;
+  const bool is_between_ends = compare_clamped(subject, computed, subject.ends.lo) >= 0 &&
+                               compare_clamped(subject, computed, subject.ends.hi) <= 0;
   const int orientation = triangle_->corner(0).orientation();
   bool has_pole = orientation == 0;
   Bracket bracket;
@@ -179,8 +166,8 @@ std::optional<UlpError> ValueErrors::placed_excess(const Subject& subject, const
 
   Hull hull;
   if (has_pole) {
-    hull.add(subject.least_end);
-    hull.add(subject.greatest_end);
+    hull.add(subject.ends.lo);
+    hull.add(subject.ends.hi);
     if (has_ideal) hull.add(readings.front());
     return beyond(subject, hull.lo(), hull.hi(), computed);
   }
@@ -188,8 +175,8 @@ std::optional<UlpError> ValueErrors::placed_excess(const Subject& subject, const
   Fraction lo = hull.lo();
   Fraction hi = hull.hi();
   if (place == Place::sample) {
-    lo = greatest(lo, subject.least_end);
-    hi = least(hi, subject.greatest_end);
+    lo = greatest(lo, subject.ends.lo);
+    hi = least(hi, subject.ends.hi);
   }
   if (has_ideal) {
     lo = least(lo, readings.front());
@@ -241,7 +228,7 @@ std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, 
   if (attribute) declared = scene.source().attributes[*attribute];
   if (declared.interpolation == cases::Interpolation::flat) {
     const Ring value = values_->vertex_values(*attribute)[scene.conventions().provoking_vertex];
-    const UlpError error(computed, whole(value), subject.scale);
+    const UlpError error(computed, Fraction{value}, subject.scale);
     return ValueError{error, error};
   }
 

@@ -46,9 +46,7 @@ class ValueErrors {
   struct Subject {
     Quantity quantity;
     ScaleExponent scale;
-    /// The least and the greatest value at a vertex; of depth only where all w > 0.
-    Fraction least_end;
-    Fraction greatest_end;
+    FractionRange ends;                    ///< TriangleValues::ends
     bool is_clamped = false;               ///< depth that the rules clamp
     mutable std::optional<Reading> ideal;  ///< made when first asked for, as the corners are
     mutable std::vector<std::optional<Reading>> corners;

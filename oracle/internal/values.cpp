@@ -11,8 +11,6 @@ using records::Verdict;
 
 FractionRange single(const Fraction& value) { return {value, value}; }
 
-Fraction whole(const Ring& value) { return {value, Ring(1)}; }
-
 std::optional<FractionRange> single(const std::optional<Fraction>& value) {
   if (!value) return std::nullopt;
   return single(*value);
@@ -30,10 +28,6 @@ std::optional<FractionRange> range_over(const Quantity& quantity,
     if (sign_of(value.denominator) > 0) range = hull(range, single(value));
   }
   return range;
-}
-
-FractionRange end_range(const std::array<Fraction, 3>& ends) {
-  return {least(least(ends[0], ends[1]), ends[2]), greatest(greatest(ends[0], ends[1]), ends[2])};
 }
 
 FractionRange intersection(const FractionRange& a, const FractionRange& b) {
@@ -69,10 +63,9 @@ std::optional<Field> Quantity::at(const ProjectiveMap& map, const Point& p) cons
 TriangleValues::TriangleValues(const TriangleSetup& triangle) : triangle_(&triangle) {
   for (std::size_t i = 0; i < 3; ++i) {
     depth_.numerators[i] = triangle.scene->depth_numerator(triangle.indices[i]);
-    // The depth at a vertex; read only where all w > 0.
-    if (!triangle.has_nonpositive_w) {
-      depth_ends_[i] = Fraction{depth_.numerators[i], triangle.columns[i][2]};
-    }
+    if (triangle.shape != Shape::placed) continue;
+    const Fraction at_vertex{depth_.numerators[i], triangle.columns[i][2]};
+    depth_ends_ = i == 0 ? single(at_vertex) : hull(depth_ends_, single(at_vertex)).value();
   }
 }
 
@@ -83,6 +76,17 @@ std::array<Ring, 3> TriangleValues::vertex_values(std::size_t attribute) const {
     values[i] = exact_ring(source.attributes_of(triangle_->indices[i])[attribute]);
   }
   return values;
+}
+
+Ring TriangleValues::vertex_magnitude(std::size_t attribute) const {
+  const std::array<Ring, 3> values = vertex_values(attribute);
+  return std::max({magnitude(values[0]), magnitude(values[1]), magnitude(values[2])});
+}
+
+FractionRange TriangleValues::ends(std::size_t attribute) const {
+  const std::array<Ring, 3> values = vertex_values(attribute);
+  return {{std::min({values[0], values[1], values[2]})},
+          {std::max({values[0], values[1], values[2]})}};
 }
 
 Quantity TriangleValues::quantity(std::size_t attribute) const {
@@ -114,8 +118,9 @@ Point TriangleValues::location(std::size_t attribute, int x, int y, int sample) 
              : scene.sample_point(x, y, sample);
 }
 
-std::optional<FractionRange> TriangleValues::value_at(const Quantity& quantity, const Ends& ends,
-                                                      const Point& p, Place place) const {
+std::optional<FractionRange> TriangleValues::value_at(const Quantity& quantity,
+                                                      const FractionRange& ends, const Point& p,
+                                                      Place place) const {
   if (const ProjectiveMap* map = single_map()) {
     // Where the centre lies behind the eye's horizon nothing is defined there, not even an affine
     // value (RULES §4).
@@ -132,7 +137,7 @@ std::optional<FractionRange> TriangleValues::value_at(const Quantity& quantity, 
 /// (RULES §3) and its range over the boxes of the placements is taken at their corners, unless a
 /// pole lies between.
 std::optional<FractionRange> TriangleValues::placed_value(const Quantity& quantity,
-                                                          const Ends& ends, const Point& p,
+                                                          const FractionRange& ends, const Point& p,
                                                           Place place) const {
   const std::size_t corners = triangle_->corner_count();
   const int orientation = triangle_->corner(0).orientation();
@@ -144,13 +149,13 @@ std::optional<FractionRange> TriangleValues::placed_value(const Quantity& quanti
   std::optional<FractionRange> range;
   if (has_pole) {
     if (place == Place::center) return std::nullopt;
-    range = end_range(ends);
+    range = ends;
   } else {
     for (std::size_t k = 0; k < corners; ++k) {
       range = hull(range, single(evaluate(quantity, triangle_->corner(k), p)));
     }
     // Inside a triangle a value is a mean of its vertices' values.
-    if (place == Place::sample) range = intersection(*range, end_range(ends));
+    if (place == Place::sample) range = intersection(*range, ends);
   }
   if (triangle_->scene->contract().basis == cases::Basis::unspecified) {
     const ProjectiveMap& ideal = triangle_->ideal;
@@ -200,8 +205,8 @@ std::optional<OpenValue> TriangleValues::depth(int x, int y, int sample) const {
       value_at(depth_, depth_ends_, scene.sample_point(x, y, sample), Place::sample);
   if (!range) return std::nullopt;
   if (scene.clamps_depth()) {
-    const Fraction nearest = whole(scene.least_depth());
-    const Fraction farthest = whole(scene.greatest_depth());
+    const Fraction nearest{scene.least_depth()};
+    const Fraction farthest{scene.greatest_depth()};
     range->lo = least(greatest(range->lo, nearest), farthest);
     range->hi = least(greatest(range->hi, nearest), farthest);
   }
@@ -213,13 +218,13 @@ std::optional<OpenValue> TriangleValues::attribute(std::size_t index, int x, int
   const Scene& scene = *triangle_->scene;
   const cases::Attribute& declared = scene.source().attributes[index];
   const bool always_open = scene.contract().is_unspecified();
-  const std::array<Ring, 3> values = vertex_values(index);
   if (declared.interpolation == cases::Interpolation::flat) {
-    return OpenValue{single(whole(values[scene.conventions().provoking_vertex])), always_open};
+    const Fraction value{vertex_values(index)[scene.conventions().provoking_vertex]};
+    return OpenValue{single(value), always_open};
   }
 
   const Quantity q = quantity(index);
-  const Ends ends{whole(values[0]), whole(values[1]), whole(values[2])};
+  const FractionRange ends = this->ends(index);
   if (declared.location == cases::Location::centroid) {
     if (scene.conventions().centroid_is_a_sample) {
       std::optional<OpenValue> value = centroid_sample(q, ends, x, y);
@@ -239,8 +244,9 @@ std::optional<OpenValue> TriangleValues::attribute(std::size_t index, int x, int
 
 /// D3D: the centre if all samples are covered, else the first covered sample. Samples that are only
 /// permitted leave several of these open.
-std::optional<OpenValue> TriangleValues::centroid_sample(const Quantity& quantity, const Ends& ends,
-                                                         int x, int y) const {
+std::optional<OpenValue> TriangleValues::centroid_sample(const Quantity& quantity,
+                                                         const FractionRange& ends, int x,
+                                                         int y) const {
   const Scene& scene = *triangle_->scene;
   const int count = scene.source().framebuffer.samples;
   bool all_possible = true;

@@ -59,8 +59,13 @@ class TriangleValues {
   const Quantity& depth_quantity() const { return depth_; }
   /// What derivatives, conditioning and errors take apart.
   Quantity quantity(std::size_t attribute) const;
-  /// The exact vertex values of an attribute.
+  /// The exact vertex values of an attribute, and the largest of their magnitudes.
   std::array<Ring, 3> vertex_values(std::size_t attribute) const;
+  Ring vertex_magnitude(std::size_t attribute) const;
+  /// The least and the greatest value at a vertex, between which those of samples lie: of an
+  /// attribute, and, of shape placed, of the depth.
+  FractionRange ends(std::size_t attribute) const;
+  const FractionRange& depth_ends() const { return depth_ends_; }
   /// Whether the rules define the attribute at its location p: not at a centre with 1/w <= 0 there.
   bool is_defined_at(std::size_t attribute, const Point& p) const;
   /// The point an attribute of a fragment is evaluated at; for a centroid that is a range of
@@ -86,21 +91,20 @@ class TriangleValues {
 
  private:
   enum class Place { sample, center };
-  using Ends = std::array<Fraction, 3>;
 
-  std::optional<FractionRange> value_at(const Quantity& quantity, const Ends& ends, const Point& p,
-                                        Place place) const;
-  std::optional<FractionRange> placed_value(const Quantity& quantity, const Ends& ends,
+  std::optional<FractionRange> value_at(const Quantity& quantity, const FractionRange& ends,
+                                        const Point& p, Place place) const;
+  std::optional<FractionRange> placed_value(const Quantity& quantity, const FractionRange& ends,
                                             const Point& p, Place place) const;
   std::optional<FractionRange> cut_value(const Quantity& quantity, const Point& p,
                                          Place place) const;
-  std::optional<OpenValue> centroid_sample(const Quantity& quantity, const Ends& ends, int x,
-                                           int y) const;
+  std::optional<OpenValue> centroid_sample(const Quantity& quantity, const FractionRange& ends,
+                                           int x, int y) const;
   std::optional<FractionRange> centroid_range(const Quantity& quantity, int x, int y) const;
 
   const TriangleSetup* triangle_;
   Quantity depth_;
-  Ends depth_ends_;
+  FractionRange depth_ends_;
 
   /// The regions that were asked for last: several samples and attributes ask for the same.
   struct CentroidRegion {
