@@ -127,11 +127,8 @@ ScaleExponent exponent_of(const Ring& n, const Ring& d) {
 JudgedDerivative judge_one(const RingDerivative& exact, const Ring& denominator, float computed,
                            float bound) {
   if (std::isnan(computed)) return {FragmentClass::not_a_number, std::nullopt};
-  constexpr double kBeyondFloat = 0x1p128;
   const bool is_infinite = std::isinf(computed);
-  const Ring taken_for =
-      is_infinite ? Ring(computed > 0 ? kBeyondFloat : -kBeyondFloat) : exact_ring(computed);
-  const UlpError error(taken_for, {exact.numerator, denominator},
+  const UlpError error(computed_ring(computed), {exact.numerator, denominator},
                        exponent_of(exact.scale, denominator));
   const records::Enclosure rough = error.enclosure();
   const bool is_within = std::max(std::abs(rough.lo), std::abs(rough.hi)) <= double{bound} ||

@@ -1,6 +1,5 @@
 #include "oracle/triangle_truth.h"
 
-
 #include "oracle/internal/coverage.h"
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/scene.h"

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 
+#include "oracle/internal/float_ulp.h"
 #include "oracle/internal/rational_number.h"
 
 namespace rastercheck::oracle {
 namespace {
 
 Field ulp_of(const Field& x) {
-  constexpr long kLeastExponent = -126;
-  constexpr long kFractionBits = 23;
-  const long exponent = sign_of(x) == 0 ? kLeastExponent : std::max(floor_log2(x), kLeastExponent);
-  return power_of_two(exponent - kFractionBits);
+  return power_of_two(sign_of(x) == 0 ? kLeastUlpExponent : ulp_exponent_at(floor_log2(x)));
 }
 
 records::Enclosure error_in(const Field& unit, float computed, const Field& exact) {

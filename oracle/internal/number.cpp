@@ -8,14 +8,14 @@
 #include <cstdint>
 #include <limits>
 
+#include "oracle/internal/float_ulp.h"
+
 namespace rastercheck::oracle {
 namespace {
 
-constexpr int kFractionBits = std::numeric_limits<float>::digits - 1;  // 23
 constexpr std::uint32_t kFractionMask = (1U << kFractionBits) - 1;
 constexpr std::uint32_t kSignBit = 1U << 31;
 constexpr std::uint32_t kInfinityBits = 0xffU << kFractionBits;
-constexpr long kLeastUlpExponent = -149;
 
 /// An integer with GMP's lifetime rules wrapped up.
 class Integer {
@@ -130,7 +130,7 @@ float nearest_float(const Field& value) {
   if (exponent > std::numeric_limits<float>::max_exponent) {
     return std::bit_cast<float>(sign | kInfinityBits);
   }
-  const long ulp_exponent = std::max(exponent - kFractionBits, kLeastUlpExponent);
+  const long ulp_exponent = ulp_exponent_at(exponent);
   const Field in_ulps = magnitude(value) * power_of_two(-ulp_exponent);
   long count = floor_to_long(in_ulps);
   const Field rest = in_ulps - Field(count);

@@ -1,14 +1,15 @@
 #include "oracle/internal/ulp_error.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "oracle/internal/float_ulp.h"
 
 namespace rastercheck::oracle {
 namespace {
 
-constexpr long kLeastExponent = -126;
-constexpr long kFractionBits = 23;
+/// What an infinite value is taken for: the number after the largest float32.
+constexpr double kBeyondFloat = 0x1p128;
 
 Ring ring_power_of_two(long exponent) { return {std::ldexp(1.0, static_cast<int>(exponent))}; }
 
@@ -20,7 +21,7 @@ long ulp_exponent(const Fraction& exact, const ScaleExponent& scale) {
   if (size >= exact.denominator * ring_power_of_two(exponent + 1)) {
     exponent = floor_log2(quotient(size, exact.denominator));
   }
-  return std::max(exponent, kLeastExponent) - kFractionBits;
+  return ulp_exponent_at(exponent);
 }
 
 /// Doubles around n/d from doubles around n and d. The division is faithful in every rounding mode,
@@ -43,6 +44,11 @@ std::optional<records::Enclosure> quick_quotient(const Ring& n, const Ring& d) {
 }
 
 }  // namespace
+
+Ring computed_ring(float computed) {
+  if (std::isinf(computed)) return {computed > 0 ? kBeyondFloat : -kBeyondFloat};
+  return exact_ring(computed);
+}
 
 std::optional<FractionRange> hull(const std::optional<FractionRange>& a,
                                   const std::optional<FractionRange>& b) {

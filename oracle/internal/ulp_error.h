@@ -32,6 +32,9 @@ struct FractionRange {
 std::optional<FractionRange> hull(const std::optional<FractionRange>& a,
                                   const std::optional<FractionRange>& b);
 
+/// Exactly a computed value that is not NaN; of an infinity ±2^128, which it stands for.
+Ring computed_ring(float computed);
+
 /// The sign of computed − exact.
 int compare(const Ring& computed, const Fraction& exact);
 /// The sign of a − b.

@@ -1,11 +1,10 @@
 #include "oracle/internal/value_cascade.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
-#include "oracle/internal/triangle_filter.h"
+#include "oracle/internal/float_ulp.h"
 #include "oracle/internal/value_bound.h"
 
 namespace rastercheck::oracle {
@@ -18,11 +17,8 @@ using records::Stratum;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// 1/ulp(magnitude) of float32, a power of two; of 0 that of the least normal number.
-double units_of(float magnitude) {
-  const int exponent_field = static_cast<int>(std::bit_cast<std::uint32_t>(magnitude) >> 23 & 255U);
-  return std::ldexp(1.0, 23 + 127 - std::max(exponent_field, 1));
-}
+/// 1/ulp(magnitude), a power of two.
+double units_of(float magnitude) { return std::ldexp(1.0, -ulp_exponent(magnitude)); }
 
 /// The least magnitude of an enclosed number.
 double least_magnitude(const Enclosure& e) {

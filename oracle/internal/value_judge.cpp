@@ -14,9 +14,6 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// What an infinite value is taken for: the number after the largest float32.
-constexpr double kBeyondFloat = 0x1p128;
-
 /// Whether |excess| is within what the contract promises, exactly.
 bool is_within(const UlpError& excess, const cases::ValueBound& bound, const TriangleTruth& truth,
                const ComputedValue& value) {
@@ -66,11 +63,6 @@ void count(records::Histogram& histogram, const UlpError& error) {
   }
 }
 
-Ring as_ring(float actual) {
-  if (std::isinf(actual)) return {actual > 0 ? kBeyondFloat : -kBeyondFloat};
-  return exact_ring(actual);
-}
-
 /// Keeps an error where it is an extreme. `exact` gives the exact value's text.
 template <typename Text>
 void keep(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& scene,
@@ -112,7 +104,7 @@ std::string text_of(const UlpError& error) {
 
 std::optional<ValueError> errors_of(const TriangleTruth& truth, const ComputedValue& value) {
   return truth.errors().of(value.attribute, static_cast<int>(value.x), static_cast<int>(value.y),
-                           static_cast<int>(value.sample), as_ring(value.actual));
+                           static_cast<int>(value.sample), computed_ring(value.actual));
 }
 
 std::optional<ValueRange> range_of(const TriangleTruth& truth, const ComputedValue& value) {
