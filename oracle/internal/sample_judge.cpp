@@ -67,7 +67,7 @@ void SampleJudge::begin(std::shared_ptr<const TriangleTruth> truth, std::uint32_
                         const TriangleFilter& filter) {
   truth_ = std::move(truth);
   triangle_ = triangle;
-  values_.begin(*truth_, triangle, filter);
+  values_.begin(*truth_, filter);
 }
 
 void SampleJudge::flush() {

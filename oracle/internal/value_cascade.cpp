@@ -81,11 +81,9 @@ ValueCascade::ValueCascade(const SceneTruth& scene, const cases::Framebuffer& dr
       first_level_(options.first_level),
       statistics_(&statistics) {}
 
-void ValueCascade::begin(const TriangleTruth& truth, std::uint32_t triangle,
-                         const TriangleFilter& filter) {
+void ValueCascade::begin(const TriangleTruth& truth, const TriangleFilter& filter) {
   truth_ = &truth;
   triangle_ = &truth.setup();
-  triangle_index_ = triangle;
   coverage_ = &filter;
   is_prepared_ = false;
 }
@@ -390,11 +388,9 @@ Enclosure ValueCascade::by_interval(const Subject& subject, std::size_t lane, fl
 
 void ValueCascade::judge_exactly(const Subject& subject, std::size_t column, std::size_t lane,
                                  std::size_t fragment) {
-  const ComputedValue value{triangle_index_,     drawn_->x[fragment],
-                            drawn_->y[fragment], drawn_->sample[fragment],
-                            subject.attribute,   judged_.columns_[column].actual[lane]};
   const auto judged =
-      judge_value(*scene_, *truth_, value, case_index_, stratum_, subject.is_single, *statistics_);
+      judge_value(*scene_, *truth_, computed_value(*drawn_, fragment, subject.attribute),
+                  case_index_, stratum_, subject.is_single, *statistics_);
   if (!judged) return;
   ++statistics_->levels().values.exact;
   judged_.is_wrong_[lane] =

@@ -63,7 +63,7 @@ class ValueCascade {
 
   /// Begins a triangle, which must outlive its batches, as must the filter of its coverage; all its
   /// samples lie in the filter's box.
-  void begin(const TriangleTruth& truth, std::uint32_t triangle, const TriangleFilter& filter);
+  void begin(const TriangleTruth& truth, const TriangleFilter& filter);
 
   /// Judges all values of up to kBatchSize fragments (indices into the framebuffer), whose samples
   /// are required or permitted. The result holds until the next call.
@@ -124,7 +124,6 @@ class ValueCascade {
   const TriangleTruth* truth_ = nullptr;
   const TriangleSetup* triangle_ = nullptr;
   const TriangleFilter* coverage_ = nullptr;
-  std::uint32_t triangle_index_ = 0;
   bool is_prepared_ = false;  ///< what follows is of this triangle
   records::Stratum stratum_ = records::Stratum::ordinary;
   const ProjectiveMap* map_ = nullptr;  ///< what the first two levels evaluate; nullptr: nothing

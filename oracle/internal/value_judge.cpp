@@ -1,6 +1,7 @@
 #include "oracle/internal/value_judge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "oracle/internal/rational_number.h"
@@ -14,21 +15,26 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 
+/// The x, y and sample of its place.
+std::array<int, 3> sample_of(const ComputedValue& value) {
+  return {static_cast<int>(value.place.x), static_cast<int>(value.place.y),
+          static_cast<int>(value.place.sample)};
+}
+
 /// Whether |excess| is within what the contract promises, exactly.
 bool is_within(const UlpError& excess, const cases::ValueBound& bound, const TriangleTruth& truth,
                const ComputedValue& value) {
   if (excess.is_zero()) return true;
   if (records::magnitude_bound(excess.enclosure()) <= double{bound.constant}) return true;
-  const std::optional<Rational> most =
-      truth.value_bound(value.attribute, static_cast<int>(value.x), static_cast<int>(value.y),
-                        static_cast<int>(value.sample));
+  const auto [x, y, sample] = sample_of(value);
+  const std::optional<Rational> most = truth.value_bound(value.attribute, x, y, sample);
   return !most || magnitude(excess.value()) <= to_field(*most);
 }
 
 /// Whether all three vertices have the same zero, and the value is the other one.
 bool is_other_zero(const cases::Case& source, const ComputedValue& value) {
   if (!value.attribute || value.actual != 0) return false;
-  const cases::Triangle& triangle = source.triangles[value.triangle];
+  const cases::Triangle& triangle = source.triangles[value.place.triangle];
   return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t vertex) {
     const float at_vertex = source.attributes_of(vertex)[*value.attribute];
     return at_vertex == 0 && std::signbit(at_vertex) != std::signbit(value.actual);
@@ -76,10 +82,10 @@ void keep(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& s
   worst.actual = value.actual;
   worst.case_index = case_index;
   worst.case_name = scene.source().name;
-  worst.triangle = value.triangle;
-  worst.x = value.x;
-  worst.y = value.y;
-  worst.sample = value.sample;
+  worst.triangle = value.place.triangle;
+  worst.x = value.place.x;
+  worst.y = value.place.y;
+  worst.sample = value.place.sample;
   worst.attribute = value.attribute;
   records::keep(sizes.extremes, worst);
 }
@@ -103,18 +109,23 @@ std::string text_of(const UlpError& error) {
 }
 
 std::optional<ValueError> errors_of(const TriangleTruth& truth, const ComputedValue& value) {
-  return truth.errors().of(value.attribute, static_cast<int>(value.x), static_cast<int>(value.y),
-                           static_cast<int>(value.sample), computed_ring(value.actual));
+  const auto [x, y, sample] = sample_of(value);
+  return truth.errors().of(value.attribute, x, y, sample, computed_ring(value.actual));
 }
 
 std::optional<ValueRange> range_of(const TriangleTruth& truth, const ComputedValue& value) {
-  const auto x = static_cast<int>(value.x);
-  const auto y = static_cast<int>(value.y);
-  const auto s = static_cast<int>(value.sample);
-  return value.attribute ? truth.attribute(*value.attribute, x, y, s) : truth.depth(x, y, s);
+  const auto [x, y, sample] = sample_of(value);
+  return value.attribute ? truth.attribute(*value.attribute, x, y, sample)
+                         : truth.depth(x, y, sample);
 }
 
 }  // namespace
+
+ComputedValue computed_value(const cases::Framebuffer& drawn, std::size_t fragment,
+                             std::optional<std::uint32_t> attribute) {
+  return {place_of(drawn, fragment), attribute,
+          attribute ? drawn.attributes_of(fragment)[*attribute] : drawn.depth[fragment]};
+}
 
 AttributeKind kind_of(const cases::Case& source, std::optional<std::uint32_t> attribute) {
   if (!attribute) return AttributeKind::depth;
@@ -168,16 +179,11 @@ void settle_extremes(const SceneTruth& scene, const cases::Framebuffer& drawn,
   std::optional<TriangleTruth> truth;
   std::optional<std::uint32_t> prepared;
   for (const ExtremeCandidate& candidate : errors.candidates()) {
-    const SamplePlace& place = candidate.place;
-    if (prepared != place.triangle) {
-      truth.emplace(scene, place.triangle);
-      prepared = place.triangle;
+    const ComputedValue value = computed_value(drawn, candidate.fragment, candidate.attribute);
+    if (prepared != value.place.triangle) {
+      truth.emplace(scene, value.place.triangle);
+      prepared = value.place.triangle;
     }
-    const std::size_t i = candidate.fragment;
-    const float actual =
-        candidate.attribute ? drawn.attributes_of(i)[*candidate.attribute] : drawn.depth[i];
-    const ComputedValue value{place.triangle,      place.x, place.y, place.sample,
-                              candidate.attribute, actual};
     const std::optional<ValueError> error = errors_of(*truth, value);
     if (!error || !error->ideal) continue;  // cannot be: it was enclosed
     keep(errors.sizes, *error->ideal, scene, value, case_index,

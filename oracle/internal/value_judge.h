@@ -7,6 +7,7 @@
 
 #include "cases/contract.h"
 #include "cases/framebuffer.h"
+#include "oracle/internal/sample_place.h"
 #include "oracle/internal/value_statistics.h"
 #include "oracle/judge.h"
 #include "oracle/triangle_truth.h"
@@ -15,13 +16,12 @@ namespace rastercheck::oracle {
 
 /// What is judged: one value of one drawn sample.
 struct ComputedValue {
-  std::uint32_t triangle = 0;
-  std::uint32_t x = 0;
-  std::uint32_t y = 0;
-  std::uint32_t sample = 0;
+  SamplePlace place;
   std::optional<std::uint32_t> attribute;  ///< nothing for the depth
   float actual = 0;
 };
+ComputedValue computed_value(const cases::Framebuffer& drawn, std::size_t fragment,
+                             std::optional<std::uint32_t> attribute);
 
 /// The kind of the attribute, or of the depth where there is none.
 records::AttributeKind kind_of(const cases::Case& source, std::optional<std::uint32_t> attribute);
