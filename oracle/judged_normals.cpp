@@ -6,13 +6,14 @@
 // that is (f − h) L − m_i <= β P and m_i − (f + h) L <= β P. m_i, L² and P² are in the ring, and
 // a √X + b <= c √Y is decided there by squaring, twice.
 
+#include "oracle/judged_normals.h"
+
 #include <array>
 #include <cmath>
 
 #include "oracle/internal/float_ulp.h"
 #include "oracle/internal/floating_point.h"
 #include "oracle/internal/number.h"
-#include "oracle/transform.h"
 
 namespace rastercheck::oracle {
 namespace {

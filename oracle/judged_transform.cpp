@@ -1,12 +1,13 @@
 // Computed clip positions against the exact ones (cases::Contract::transform_bound). Positions, and
 // the sizes |P| |V| |M| |p| of what they are sums of, are in the ring: nothing is divided.
 
+#include "oracle/judged_transform.h"
+
 #include <cmath>
 
 #include "oracle/internal/floating_point.h"
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/scene.h"
-#include "oracle/transform.h"
 
 namespace rastercheck::oracle {
 namespace {

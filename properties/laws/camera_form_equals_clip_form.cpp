@@ -41,6 +41,7 @@
 #include <vector>
 
 #include "cases/sample_pattern.h"
+#include "oracle/judged_transform.h"
 #include "oracle/transform.h"
 #include "properties/internal/camera_matrices.h"
 #include "properties/internal/close_drawings.h"

@@ -28,6 +28,7 @@
 #include <string>
 #include <utility>
 
+#include "oracle/judged_transform.h"
 #include "oracle/transform.h"
 #include "properties/internal/camera_matrices.h"
 #include "properties/internal/changed_picture.h"

@@ -20,7 +20,7 @@
 #include <string>
 #include <utility>
 
-#include "oracle/transform.h"
+#include "oracle/judged_normals.h"
 #include "properties/internal/camera_matrices.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"

@@ -13,6 +13,7 @@
 #include "backends/backend.h"
 #include "cases/case_reader.h"
 #include "oracle/fragments.h"
+#include "oracle/judged_transform.h"
 #include "oracle/transform.h"
 #include "oracle/ulp.h"
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "oracle/fragments.h"
+#include "oracle/judged_transform.h"
 #include "oracle/referee.h"
 #include "oracle/transform.h"
 #include "oracle/ulp.h"
