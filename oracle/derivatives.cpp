@@ -1,46 +1,150 @@
-// Screen derivatives of attributes (RULES §4). With r = N/D, N and D affine in (u, v):
+// Screen derivatives of attributes (RULES §4), and computed ones against them
+// (cases::Contract::derivative_bound). With E_i affine in (u, v), r = N/D, N = Σ n_i E_i and D the
+// divisor, Σ E_i or the constant |det M|:
 //
-//   ∂r/∂u = (N_u D − N D_u)/D² = (N_u − r D_u)/D
+//   ∂r/∂u = (N_u D − N D_u) / D²        scale = max|r_i| Σ|E_i,u| D / D²
+//
+// so that numerators and the one denominator stay in the ring. Where D is constant both are taken
+// over D alone, and the scale is Σ|n_i E_i,u| / D.
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
+#include "oracle/internal/coverage.h"
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/triangle_setup.h"
+#include "oracle/internal/ulp_error.h"
 #include "oracle/internal/values.h"
 #include "oracle/triangle_truth.h"
 
 namespace rastercheck::oracle {
 namespace {
 
-struct FieldDerivatives {
-  Field du;
-  Field dv;
+using records::FragmentClass;
+using records::Verdict;
+
+/// One derivative and its scale, over a common denominator.
+struct RingDerivative {
+  Ring numerator{0};
+  Ring scale{0};
 };
 
-bool is_flat(const TriangleSetup& setup, std::size_t attribute) {
-  return setup.scene->source().attributes[attribute].interpolation == cases::Interpolation::flat;
+/// Those along u and v; the denominator is positive.
+struct RingDerivatives {
+  std::array<RingDerivative, 2> along;
+  Ring denominator{1};
+};
+
+Ring coefficient(const Line& line, std::size_t axis) { return axis == 0 ? line.a : line.b; }
+
+RingDerivatives smooth_derivatives(const ProjectiveMap& map, const std::array<Ring, 3>& r,
+                                   const Point& p) {
+  const Line numerator = map.combine(r);
+  const Ring n = numerator.at(p);
+  const Ring d = map.inverse_w().at(p);
+  const Ring most = std::max({magnitude(r[0]), magnitude(r[1]), magnitude(r[2])});
+  RingDerivatives found;
+  found.denominator = d * d;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    Ring sizes(0);
+    for (std::size_t i = 0; i < 3; ++i) sizes += magnitude(coefficient(map.edge(i), axis));
+    found.along[axis].numerator =
+        coefficient(numerator, axis) * d - n * coefficient(map.inverse_w(), axis);
+    found.along[axis].scale = most * sizes * d;
+  }
+  return found;
 }
 
-std::optional<FieldDerivatives> derivatives_at(const TriangleSetup& setup,
-                                               const TriangleValues& values, std::size_t attribute,
-                                               const Point& p) {
-  if (is_flat(setup, attribute)) return FieldDerivatives{Field(0), Field(0)};
-  if (!values.is_defined_at(attribute, p)) return std::nullopt;
-  const ProjectiveMap* map = values.single_map();
+RingDerivatives affine_derivatives(const ProjectiveMap& map, const std::array<Ring, 3>& n) {
+  RingDerivatives found;
+  found.denominator = map.determinant();
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Ring term = n[i] * coefficient(map.edge(i), axis);
+      found.along[axis].numerator += term;
+      found.along[axis].scale += magnitude(term);
+    }
+  }
+  return found;
+}
+
+/// D3D: the centre if all samples are covered, else the first covered one; nothing where a sample
+/// that is only permitted leaves that open.
+std::optional<Point> centroid(const TriangleSetup& setup, int x, int y) {
+  const int count = setup.scene->source().framebuffer.samples;
+  std::optional<int> first;
+  bool are_all_covered = true;
+  for (int s = 0; s < count; ++s) {
+    const Verdict verdict = decide(setup, x, y, s).verdict;
+    if (verdict == Verdict::permitted) return std::nullopt;
+    are_all_covered = are_all_covered && verdict == Verdict::required;
+    if (!first && verdict == Verdict::required) first = s;
+  }
+  if (are_all_covered) return Scene::center_point(x, y);
+  if (!first) return std::nullopt;
+  return setup.scene->sample_point(x, y, *first);
+}
+
+/// Where an attribute of a fragment is evaluated, if that is one point.
+std::optional<Point> place_of(const TriangleSetup& setup, const TriangleValues& values,
+                              std::size_t attribute, int x, int y, int sample) {
+  const Scene& scene = *setup.scene;
+  const cases::Attribute& declared = scene.source().attributes[attribute];
+  const bool is_centroid = declared.location == cases::Location::centroid &&
+                           declared.interpolation != cases::Interpolation::flat &&
+                           scene.source().framebuffer.samples > 1;
+  if (!is_centroid) return values.location(attribute, x, y, sample);
+  if (!scene.conventions().centroid_is_a_sample) return std::nullopt;
+  return centroid(setup, x, y);
+}
+
+std::optional<RingDerivatives> derivatives_at(const TriangleSetup& setup,
+                                              const TriangleValues& values, std::size_t attribute,
+                                              const std::optional<Point>& p) {
+  const cases::Attribute& declared = setup.scene->source().attributes[attribute];
+  if (declared.interpolation == cases::Interpolation::flat) return RingDerivatives{};
+  if (!p || !values.is_defined_at(attribute, *p)) return std::nullopt;
+  const ProjectiveMap& map = *values.single_map();
   const Quantity quantity = values.quantity(attribute);
-  const std::optional<Field> r = quantity.at(*map, p);
-  if (!r) return std::nullopt;
-  const Line numerator = map->combine(quantity.numerators);
-  const Line denominator =
-      quantity.is_perspective ? map->inverse_w() : Line{Ring(0), Ring(0), map->determinant()};
-  const Field d(denominator.at(p));
-  return FieldDerivatives{(Field(numerator.a) - *r * Field(denominator.a)) / d,
-                          (Field(numerator.b) - *r * Field(denominator.b)) / d};
+  if (!quantity.is_perspective) return affine_derivatives(map, quantity.numerators);
+  if (sign_of(map.inverse_w().at(*p)) <= 0) return std::nullopt;
+  return smooth_derivatives(map, quantity.numerators, *p);
 }
 
-Derivatives to_public(const FieldDerivatives& derivatives) {
-  return {to_rational(derivatives.du), to_rational(derivatives.dv)};
+/// One of a derivative's numbers along both axes, divided.
+Derivatives divided(const RingDerivatives& found, Ring RingDerivative::*number) {
+  const auto over = [&found](const Ring& n) { return to_rational(quotient(n, found.denominator)); };
+  const auto& [u, v] = found.along;
+  return {over(u.*number), over(v.*number)};
+}
+
+/// floor(log2(n/d)); doubles mostly know it.
+ScaleExponent exponent_of(const Ring& n, const Ring& d) {
+  if (sign_of(n) == 0) return std::nullopt;
+  const records::Enclosure rough = enclose(Fraction{n, d});
+  constexpr double kLeast = 0x1p-1000;
+  constexpr double kMost = 0x1p1000;
+  if (rough.lo > kLeast && rough.hi < kMost && std::ilogb(rough.lo) == std::ilogb(rough.hi)) {
+    return std::ilogb(rough.lo);
+  }
+  return floor_log2(quotient(n, d));
+}
+
+JudgedDerivative judge_one(const RingDerivative& exact, const Ring& denominator, float computed,
+                           float bound) {
+  if (std::isnan(computed)) return {FragmentClass::not_a_number, std::nullopt};
+  const bool is_infinite = std::isinf(computed);
+  const UlpError error(computed_ring(computed), {exact.numerator, denominator},
+                       exponent_of(exact.scale, denominator));
+  const records::Enclosure rough = error.enclosure();
+  const bool is_within = std::max(std::abs(rough.lo), std::abs(rough.hi)) <= double{bound} ||
+                         magnitude(error.value()) <= exact_field(bound);
+  if (is_infinite) {
+    const bool lies_farther = computed > 0 ? rough.hi < 0 : rough.lo > 0;
+    return {is_within || lies_farther ? FragmentClass::correct : FragmentClass::infinite,
+            std::nullopt};
+  }
+  return {is_within ? FragmentClass::correct : FragmentClass::beyond_bound, rough};
 }
 
 }  // namespace
@@ -50,47 +154,29 @@ std::optional<Derivatives> TriangleTruth::derivatives(std::size_t attribute, int
   const auto found =
       derivatives_at(*setup_, values(), attribute, values().location(attribute, x, y, sample));
   if (!found) return std::nullopt;
-  return to_public(*found);
+  return divided(*found, &RingDerivative::numerator);
 }
 
-std::optional<Derivatives> TriangleTruth::quad_differences(std::size_t attribute, int x, int y,
-                                                           int sample) const {
-  if (is_flat(*setup_, attribute)) return to_public({Field(0), Field(0)});
-  const Quantity quantity = values().quantity(attribute);
-  const auto value = [&](int px, int py) -> std::optional<Field> {
-    const Point p = values().location(attribute, px, py, sample);
-    if (!values().is_defined_at(attribute, p)) return std::nullopt;
-    return quantity.at(*values().single_map(), p);
-  };
-  const int left = x - x % 2;
-  const int low = y - y % 2;
-  const std::optional<Field> at_left = value(left, y);
-  const std::optional<Field> at_right = value(left + 1, y);
-  const std::optional<Field> at_low = value(x, low);
-  const std::optional<Field> at_high = value(x, low + 1);
-  if (!at_left || !at_right || !at_low || !at_high) return std::nullopt;
-  return to_public({*at_right - *at_left, *at_high - *at_low});
+std::optional<ScaledDerivatives> TriangleTruth::scaled_derivatives(std::size_t attribute, int x,
+                                                                   int y, int sample) const {
+  const auto found = derivatives_at(*setup_, values(), attribute,
+                                    place_of(*setup_, values(), attribute, x, y, sample));
+  if (!found) return std::nullopt;
+  return ScaledDerivatives{divided(*found, &RingDerivative::numerator),
+                           divided(*found, &RingDerivative::scale)};
 }
 
-std::optional<records::Enclosure> TriangleTruth::level_of_detail(std::size_t s, std::size_t t,
-                                                                 int width, int height, int x,
-                                                                 int y, int sample) const {
-  const auto ds = derivatives_at(*setup_, values(), s, values().location(s, x, y, sample));
-  const auto dt = derivatives_at(*setup_, values(), t, values().location(t, x, y, sample));
-  if (!ds || !dt) return std::nullopt;
-  const auto square_length = [width, height](const Field& s_slope, const Field& t_slope) {
-    const Field s_texels = s_slope * Field(width);
-    const Field t_texels = t_slope * Field(height);
-    return Field(s_texels * s_texels + t_texels * t_texels);
-  };
-  const Field square = std::max(square_length(ds->du, dt->du), square_length(ds->dv, dt->dv));
-  if (sign_of(square) == 0) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    return records::Enclosure{-kInfinity, -kInfinity};
+std::optional<std::array<JudgedDerivative, 2>> TriangleTruth::judge_derivatives(
+    std::size_t attribute, int x, int y, int sample, std::span<const float, 2> computed,
+    float bound) const {
+  const auto found = derivatives_at(*setup_, values(), attribute,
+                                    place_of(*setup_, values(), attribute, x, y, sample));
+  if (!found) return std::nullopt;
+  std::array<JudgedDerivative, 2> judged;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    judged[axis] = judge_one(found->along[axis], found->denominator, computed[axis], bound);
   }
-  // log2(ρ) = log2(ρ²)/2; halving a double in this range is exact.
-  const records::Enclosure twice = enclose_log2(square);
-  return records::Enclosure{twice.lo / 2, twice.hi / 2};
+  return judged;
 }
 
 }  // namespace rastercheck::oracle

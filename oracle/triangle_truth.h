@@ -68,7 +68,8 @@ struct ScaledDerivatives {
 /// A computed derivative: correct, beyond the bound, infinite or NaN.
 struct JudgedDerivative {
   records::FragmentClass fragment_class = records::FragmentClass::correct;
-  std::optional<records::Enclosure> error;  ///< signed; nothing of an infinity and of NaN
+  /// Signed, in ulp(max(|exact|, scale)); nothing of an infinity and of NaN.
+  std::optional<records::Enclosure> error;
 };
 
 enum class WindowAxis { x, y };
@@ -140,27 +141,18 @@ class TriangleTruth {
   std::optional<ScaledDerivatives> scaled_derivatives(std::size_t attribute, int x, int y,
                                                       int sample) const;
 
-  /// Computed ∂r/∂u and ∂r/∂v against these, in ulp(max(|exact|, scale)) and decided exactly. An
+  /// Computed ∂r/∂u and ∂r/∂v against these, decided exactly; the bound is in the errors' unit. An
   /// infinity stands for 2^128; it is correct where the exact value lies beyond that.
   std::optional<std::array<JudgedDerivative, 2>> judge_derivatives(
       std::size_t attribute, int x, int y, int sample, std::span<const float, 2> computed,
       float bound) const;
 
-  /// What an API's dFdx and dFdy are: exact differences across the even-aligned 2×2 quad of pixels
-  /// that holds (x, y), in its row and in its column; helper pixels extrapolate.
-  std::optional<Derivatives> quad_differences(std::size_t attribute, int x, int y,
-                                              int sample) const;
-
-  /// The difference along an axis for the fragment at (x, y), and how far it may be off. Nothing
-  /// where either value is undefined (1/w <= 0 there), of centroids of several samples, and where
-  /// the contract leaves several placements.
+  /// What an API's dFdx or dFdy is for the fragment at (x, y), and how far it may be off: the
+  /// difference along an axis across the even-aligned 2×2 quad of pixels that holds (x, y); helper
+  /// pixels extrapolate. Nothing where either value is undefined (1/w <= 0 there), of centroids of
+  /// several samples, and where the contract leaves several placements.
   std::optional<QuadDifference> quad_difference(std::size_t attribute, WindowAxis axis, int x,
                                                 int y, int sample, float quad_share) const;
-
-  /// log2 of the larger of the two lengths of the screen derivatives of texture position
-  /// (s · width, t · height), certified; −infinity where both are zero.
-  std::optional<records::Enclosure> level_of_detail(std::size_t s, std::size_t t, int width,
-                                                    int height, int x, int y, int sample) const;
 
   /// Nothing of a flat attribute, of an undefined value, or where several placements are open.
   std::optional<Conditioning> conditioning(std::size_t attribute, int x, int y, int sample) const;

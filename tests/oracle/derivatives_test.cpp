@@ -74,7 +74,7 @@ TEST(Derivatives, AreNotGivenWhereTheValueIsUndefined) {
     const Truth truth(c);
     EXPECT_FALSE(truth->attribute(0, 2, 0, 0));
     EXPECT_FALSE(truth->derivatives(0, 2, 0, 0));
-    EXPECT_FALSE(truth->quad_differences(0, 2, 0, 0));
+    EXPECT_FALSE(truth->quad_difference(0, WindowAxis::x, 2, 0, 0, 1));
     EXPECT_FALSE(truth->conditioning(0, 2, 0, 0));
   }
 }
@@ -164,18 +164,22 @@ TEST(JudgedDerivatives, BeyondFloatHaveToBeInfinite) {
   EXPECT_EQ(class_of(0x1.fffffep127F), records::FragmentClass::beyond_bound);
 }
 
-TEST(QuadDifferences, AreTakenAcrossTheEvenAlignedQuad) {
-  const Truth truth(corner(2, {{{0}, {1}, {0}}}));
-  // r(3/2) − r(1/2) = 3/13 − 1/15, for both pixels of the quad.
-  EXPECT_EQ(truth->quad_differences(0, 0, 0, 0)->du.to_string(), "32/195");
-  EXPECT_EQ(truth->quad_differences(0, 1, 0, 0)->du.to_string(), "32/195");
-  EXPECT_EQ(truth->quad_differences(0, 1, 1, 0)->dv.to_string(), "0");
+Rational difference(const Truth& truth, int x, int y, WindowAxis axis) {
+  return truth->quad_difference(0, axis, x, y, 0, 1).value().exact;
 }
 
-TEST(QuadDifferences, ExtrapolateToHelperPixels) {
+TEST(QuadDifference, IsTakenAcrossTheEvenAlignedQuad) {
+  const Truth truth(corner(2, {{{0}, {1}, {0}}}));
+  // r(3/2) − r(1/2) = 3/13 − 1/15, for both pixels of the quad.
+  EXPECT_EQ(difference(truth, 0, 0, WindowAxis::x).to_string(), "32/195");
+  EXPECT_EQ(difference(truth, 1, 0, WindowAxis::x).to_string(), "32/195");
+  EXPECT_EQ(difference(truth, 1, 1, WindowAxis::y).to_string(), "0");
+}
+
+TEST(QuadDifference, ExtrapolatesToHelperPixels) {
   const Truth truth(corner(1, {{{0}, {1}, {2}}}));
   EXPECT_EQ(truth->judge(3, 1, 0).verdict, records::Verdict::forbidden);
-  EXPECT_EQ(truth->quad_differences(0, 2, 0, 0)->du.to_string(), "1/4");
+  EXPECT_EQ(difference(truth, 2, 0, WindowAxis::x).to_string(), "1/4");
 }
 
 // r = u/(8 − u) is 5/11 in column 2 and 7/9 in column 3; 1/w is (8 − u)/8, and max|r_i| = 1.
@@ -218,17 +222,6 @@ TEST(QuadDifference, OfAFlatAttributeIsZero) {
   ASSERT_TRUE(difference);
   EXPECT_EQ(difference->exact, Rational(0));
   EXPECT_EQ(difference->allowed, Rational(0));
-}
-
-TEST(LevelOfDetail, CountsTexelsPerPixelInPowersOfTwo) {
-  // s = u/4 over 16 texels is 4 texels per pixel; t is constant.
-  const Truth truth(corner(1, {{{0, 5}, {1, 5}, {0, 5}}}));
-  EXPECT_EQ(*truth->level_of_detail(0, 1, 16, 16, 0, 0, 0), (records::Enclosure{2, 2}));
-}
-
-TEST(LevelOfDetail, IsMinusInfinityForAConstant) {
-  const Truth truth(corner(1, {{{5}, {5}, {5}}}));
-  EXPECT_LT(truth->level_of_detail(0, 0, 16, 16, 0, 0, 0)->hi, -1e300);
 }
 
 }  // namespace

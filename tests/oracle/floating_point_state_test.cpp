@@ -7,10 +7,12 @@
 #include <bit>
 #include <cfenv>
 #include <cstdint>
+#include <vector>
 
 #include "oracle/fragments.h"
 #include "oracle/judged_transform.h"
 #include "oracle/referee.h"
+#include "oracle/texture_truth.h"
 #include "oracle/transform.h"
 #include "oracle/ulp.h"
 #include "tests/oracle/small_case.h"
@@ -28,13 +30,18 @@ void use_everything() {
   c.attributes[0].location = cases::Location::centroid;
   c.coverage = cases::Snapping{4, cases::Rounding::unspecified, 0.5F};
   c.basis = cases::Basis::unspecified;
+  cases::Texturing texturing;
+  texturing.texture = {8, 8, std::vector<std::uint8_t>(256)};
+  const TextureTruth texture(texturing);
   for (const auto& coverage : {c.coverage, cases::Coverage{}}) {
     c.coverage = coverage;
     const SceneTruth scene(c, cases::contract_of(c));
     for_each_fragment(scene, [](const Fragment& f, const TriangleTruth& truth) {
       truth.distance(f.x, f.y, f.sample);
       truth.derivatives(0, f.x, f.y, f.sample);
-      truth.level_of_detail(0, 0, 8, 8, f.x, f.y, f.sample);
+      if (const auto slopes = truth.scaled_derivatives(0, f.x, f.y, f.sample)) {
+        texture.level_of_detail(*slopes, *slopes, {});
+      }
       truth.conditioning(0, f.x, f.y, f.sample);
       if (f.depth) local_ulp_error(0.5F, f.depth->lo);
       return true;

@@ -109,12 +109,14 @@ TEST(TextureTruth, RoundsHalvesUp) {
       "1/255");
 }
 
+// At 0.625 level 0 is 0, level 1, of 0 and 128, is 96, and level 2 is 64: 48 at λ = 1/2, 80 at 3/2.
 TEST(TextureTruth, TakesInWholeLevelsOfARange) {
-  const TextureTruth truth(gray(4, 1, {0, 0, 255, 0}, Filter::trilinear));
+  const TextureTruth truth(gray(4, 1, {0, 0, 0, 255}, Filter::trilinear));
   const auto range =
       truth.trilinear(Rational(0.625), Rational(0.5), {0.5, 1.5}, {}, units(0))[0].exact;
   EXPECT_TRUE(range.is_open);
-  EXPECT_LT(range.lo, range.hi);
+  EXPECT_EQ(range.lo.to_string(), "16/85");
+  EXPECT_EQ(range.hi.to_string(), "32/85");
 }
 
 TEST(TextureTruth, EnclosesTheLevelOfDetail) {
@@ -122,6 +124,7 @@ TEST(TextureTruth, EnclosesTheLevelOfDetail) {
   const ScaledDerivatives s{{Rational(0.25), Rational(0)}, {Rational(1), Rational(0)}};
   const ScaledDerivatives t{{Rational(0), Rational(-0.5)}, {Rational(0), Rational(1)}};
   EXPECT_EQ(truth.level_of_detail(s, t, {}), (records::Enclosure{2, 2}));
+  EXPECT_EQ(truth.level_of_detail({}, {}, {}), (records::Enclosure{0, 0}));
   cases::TextureBounds bounds;
   bounds.derivative_share = 0.25F;  // of the scale, 4 times the slope: from 0 to 8 texels
   const records::Enclosure wide = truth.level_of_detail(s, t, bounds);
