@@ -8,10 +8,31 @@
 #include "oracle/internal/rational_number.h"
 
 namespace rastercheck::oracle {
+
+using FieldVector4 = Eigen::Matrix<Field, 4, 1>;
+
+struct Referee::Plane {
+  std::array<FieldVector4, 3> clip;
+  FieldMatrix3 q;
+
+  Field e(Eigen::Index i, const Field& u, const Field& v) const {
+    return q(i, 0) * u + q(i, 1) * v + q(i, 2);
+  }
+  /// s-weighted sums of the rows of Q: the slopes and the value of Σ s_i e_i.
+  Field slope_u(const std::array<Field, 3>& s) const {
+    return s[0] * q(0, 0) + s[1] * q(1, 0) + s[2] * q(2, 0);
+  }
+  Field slope_v(const std::array<Field, 3>& s) const {
+    return s[0] * q(0, 1) + s[1] * q(1, 1) + s[2] * q(2, 1);
+  }
+  Field sum(const std::array<Field, 3>& s, const Field& u, const Field& v) const {
+    return s[0] * e(0, u, v) + s[1] * e(1, u, v) + s[2] * e(2, u, v);
+  }
+};
+
 namespace {
 
 using cases::Rules;
-using FieldVector4 = Eigen::Matrix<Field, 4, 1>;
 using FieldMatrix4 = Eigen::Matrix<Field, 4, 4>;
 
 FieldMatrix4 exact_matrix(const cases::Matrix4& rows) {
@@ -55,30 +76,6 @@ int perturbed_sign(const Field& value, const Field& slope_u, const Field& slope_
   return v_up ? sign_of(slope_v) : -sign_of(slope_v);
 }
 
-}  // namespace
-
-/// Everything about one triangle that the formulas below name.
-struct Referee::Plane {
-  std::array<FieldVector4, 3> clip;
-  FieldMatrix3 q;
-
-  Field e(Eigen::Index i, const Field& u, const Field& v) const {
-    return q(i, 0) * u + q(i, 1) * v + q(i, 2);
-  }
-  /// s-weighted sums of the rows of Q: the slopes and the value of Σ s_i e_i.
-  Field slope_u(const std::array<Field, 3>& s) const {
-    return s[0] * q(0, 0) + s[1] * q(1, 0) + s[2] * q(2, 0);
-  }
-  Field slope_v(const std::array<Field, 3>& s) const {
-    return s[0] * q(0, 1) + s[1] * q(1, 1) + s[2] * q(2, 1);
-  }
-  Field sum(const std::array<Field, 3>& s, const Field& u, const Field& v) const {
-    return s[0] * e(0, u, v) + s[1] * e(1, u, v) + s[2] * e(2, u, v);
-  }
-};
-
-namespace {
-
 bool is_drawn_facing(const cases::Case& c, int facing) {
   if (c.cull == cases::Cull::none) return true;
   const bool y_up = c.rules == Rules::opengl;
@@ -96,8 +93,7 @@ bool is_inside_viewport(const cases::Case& c, const Field& u, const Field& v) {
   return within(u, c.viewport.x, c.viewport.width) && within(v, c.viewport.y, c.viewport.height);
 }
 
-template <typename Plane>
-bool is_covered(const cases::Case& c, const cases::Triangle& indices, const Plane& plane,
+bool is_covered(const cases::Case& c, const cases::Triangle& indices, const Referee::Plane& plane,
                 const Field& u, const Field& v) {
   // Top-left: a sample is moved to the right and, by far less, downwards; bottom-left: upwards.
   const bool moved_up = c.fill_rule == cases::TieRule::bottom_left;
@@ -133,9 +129,8 @@ bool is_covered(const cases::Case& c, const cases::Triangle& indices, const Plan
 }
 
 /// r at (u, v), by k and l.
-template <typename Plane>
 std::optional<Field> value_at(const cases::Attribute& attribute, const std::array<Field, 3>& r,
-                              const Plane& plane, const Field& u, const Field& v) {
+                              const Referee::Plane& plane, const Field& u, const Field& v) {
   const Field one_over_w = plane.sum({Field(1), Field(1), Field(1)}, u, v);
   if (sign_of(one_over_w) <= 0) return std::nullopt;
   if (attribute.interpolation == cases::Interpolation::noperspective) {
@@ -149,8 +144,7 @@ std::optional<Field> value_at(const cases::Attribute& attribute, const std::arra
   return r[0] + (r[1] - r[0]) * k + (r[2] - r[0]) * l;
 }
 
-template <typename Plane>
-Field depth_at(const cases::Case& c, const Plane& plane, const Field& u, const Field& v) {
+Field depth_at(const cases::Case& c, const Referee::Plane& plane, const Field& u, const Field& v) {
   const Field ndc = plane.sum({plane.clip[0][2], plane.clip[1][2], plane.clip[2][2]}, u, v);
   const Field n = exact_field(c.viewport.min_depth);
   const Field f = exact_field(c.viewport.max_depth);

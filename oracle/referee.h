@@ -11,7 +11,8 @@
 //
 // A clip position (x, y, w) is taken for V − C, and the image plane is the viewport's: a, b, c are
 // the columns of the inverse of the viewport transform. Nothing here is shared with the fast path
-// but the number type: no adjugate, no folded viewport, no edge function.
+// but the number type and cases' table of sample positions: no adjugate, no folded viewport, no edge
+// function.
 
 #include <memory>
 #include <optional>
@@ -36,6 +37,9 @@ struct RefereeFragment {
 /// The referee for one triangle of a case, which outlives it.
 class Referee {
  public:
+  /// What its formulas name of a triangle; defined inside the oracle only.
+  struct Plane;
+
   Referee(const cases::Case& c, std::size_t triangle);
   ~Referee();
 
@@ -43,8 +47,6 @@ class Referee {
   std::optional<RefereeFragment> at(int x, int y, int sample) const;
 
  private:
-  struct Plane;
-
   const cases::Case* case_;
   std::size_t triangle_;
   std::unique_ptr<Plane> plane_;  ///< nothing where the triangle covers nothing
