@@ -53,24 +53,24 @@ void TriangleSetup::set_up_clipping() {
   const cases::Case& source = scene->source();
   if (!source.camera && source.clip_distance_count == 0) {
     // Comparing is exact, of doubles even where the processor takes subnormal floats for zero.
-    for (const std::uint32_t vertex : indices) {
-      if (source.depth_clamp) break;
-      const cases::ClipVertex& p = source.positions[vertex];
+    for (std::size_t i = 0; i < 3 && !source.depth_clamp; ++i) {
+      const cases::ClipVertex& p = source.positions[indices[i]];
       const double z = exact_double(p.z);
       const double w = exact_double(p.w);
       const double near = scene->conventions().near_z == 0 ? 0.0 : -w;
-      has_clipped_vertex = has_clipped_vertex || z < near || z > w;
+      is_clipped[i] = z < near || z > w;
     }
-    is_cut_by_planes = has_clipped_vertex;
-    return;
+  } else {
+    for_each_clip_plane([this](const std::array<Ring, 3>& values, bool, bool is_user_distance) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int sign = sign_of(values[i]);
+        is_clipped[i] = is_clipped[i] || sign < 0;
+        is_cut_by_planes = is_cut_by_planes || (sign == 0 && is_user_distance);
+      }
+    });
   }
-  for_each_clip_plane([this](const std::array<Ring, 3>& values, bool, bool is_user_distance) {
-    for (const Ring& value : values) {
-      const int sign = sign_of(value);
-      has_clipped_vertex = has_clipped_vertex || sign < 0;
-      is_cut_by_planes = is_cut_by_planes || sign < 0 || (sign == 0 && is_user_distance);
-    }
-  });
+  has_clipped_vertex = is_clipped[0] || is_clipped[1] || is_clipped[2];
+  is_cut_by_planes = is_cut_by_planes || has_clipped_vertex;
 }
 
 const std::vector<ClipFunctional>& TriangleSetup::clip_functionals() const {
@@ -98,26 +98,16 @@ bool TriangleSetup::is_deeper_than_reach() const {
   return !core.is_empty();
 }
 
-bool TriangleSetup::is_vertex_clipped(std::size_t corner) const {
-  const RingVector3& column = columns[corner];
-  if (sign_of(column[2]) <= 0) return true;
+bool TriangleSetup::is_beyond_guard_band(std::size_t vertex) const {
+  const RingVector3& column = columns[vertex];
   const Ring band = exact_ring(scene->contract().guard_band) * column[2];
-  if (magnitude(column[0]) > band || magnitude(column[1]) > band) return true;
-
-  const cases::Case& source = scene->source();
-  if (!source.depth_clamp) {
-    const RingVector4 p = scene->clip_position(indices[corner]);
-    if (p[2] < Ring(scene->conventions().near_z) * p[3] || p[2] > p[3]) return true;
-  }
-  const auto distances = source.clip_distances_of(indices[corner]);
-  return std::any_of(distances.begin(), distances.end(),
-                     [](float d) { return sign_of(exact_ring(d)) < 0; });
+  return magnitude(column[0]) > band || magnitude(column[1]) > band;
 }
 
 void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
   shape = Shape::placed;
   for (std::size_t i = 0; i < 3; ++i) {
-    is_clipped[i] = is_vertex_clipped(i);
+    is_clipped[i] = is_clipped[i] || sign_of(columns[i][2]) <= 0 || is_beyond_guard_band(i);
     if (is_clipped[i]) {
       shape = Shape::cut;
     } else {

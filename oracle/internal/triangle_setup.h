@@ -49,6 +49,8 @@ struct TriangleSetup {
   /// Whether some vertex lies beyond a clip plane or clip distance.
   bool has_clipped_vertex = false;
   Shape shape = Shape::exact;
+  /// The vertices that lie beyond a clip plane or clip distance; and, in shapes placed and cut,
+  /// behind the eye or beyond the guard band.
   std::array<bool, 3> is_clipped{};
 
   /// Shape placed and cut: the grid points of each vertex that is not clipped.
@@ -123,7 +125,9 @@ struct TriangleSetup {
   void set_up_clipping();
   void set_up_snapping(const cases::Snapping& snapping);
   bool is_deeper_than_reach() const;
-  bool is_vertex_clipped(std::size_t corner) const;
+  bool is_beyond_guard_band(std::size_t vertex) const;
+  /// The corners of the clipped triangle within the guard band, without the ends of an edge.
+  std::vector<HomogeneousPoint> corners_beside(std::size_t edge) const;
 
   std::array<std::vector<RingVector3>, 3> extreme_columns_;
   mutable std::optional<NearPositions> near_positions_;
@@ -131,9 +135,6 @@ struct TriangleSetup {
   mutable std::vector<std::optional<ProjectiveMap>> corners_;
   mutable std::optional<std::vector<ProjectiveMap>> placements_;
   mutable std::array<std::optional<std::vector<SnappedEdge>>, 3> snapped_edges_;
-
-  /// The corners of the clipped triangle within the guard band, without the ends of an edge.
-  std::vector<HomogeneousPoint> corners_beside(std::size_t edge) const;
 };
 
 /// The closed square of half-width `reach` around a point.
