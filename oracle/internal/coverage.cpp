@@ -117,14 +117,11 @@ bool is_outside_hull(const Point& p, const std::vector<Point>& points) {
 /// The corners of the boxes that hold the three vertices' placements, in pixels.
 std::vector<Point> box_corners(const TriangleSetup& triangle) {
   const int bits = triangle.scene->contract().coverage->subpixel_bits;
-  const auto in_pixels = [bits](long coordinate) {
-    return Ring(std::ldexp(static_cast<double>(coordinate), -bits));
-  };
   std::vector<Point> corners;
   for (const auto& vertex : triangle.snapped) {
     for (const long x : {vertex->x.first, vertex->x.last}) {
       for (const long y : {vertex->y.first, vertex->y.last}) {
-        corners.push_back({in_pixels(x), in_pixels(y)});
+        corners.push_back({pixels_of(x, bits), pixels_of(y, bits)});
       }
     }
   }

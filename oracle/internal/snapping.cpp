@@ -40,6 +40,11 @@ GridRange candidates(const Field& coordinate, const cases::Snapping& snapping) {
   return {rounded, rounded};
 }
 
+Ring pixels_of(long coordinate, int subpixel_bits) {
+  // Below 2^53 (a guard band of 2^15 pixels at 16 bits), so this is exact.
+  return {std::ldexp(static_cast<double>(coordinate), -subpixel_bits)};
+}
+
 SnappedVertex snap(const RingVector3& window_column, const cases::Snapping& snapping) {
   const Ring& w = window_column[2];
   return {candidates(quotient(window_column[0], w), snapping),
@@ -47,10 +52,7 @@ SnappedVertex snap(const RingVector3& window_column, const cases::Snapping& snap
 }
 
 RingVector3 placed_column(const SnappedVertex& vertex, long x, long y, int subpixel_bits) {
-  // Grid coordinates stay below 2^53 (a guard band of 2^15 pixels at 16 bits), so these are exact.
-  const Ring u(std::ldexp(static_cast<double>(x), -subpixel_bits));
-  const Ring v(std::ldexp(static_cast<double>(y), -subpixel_bits));
-  return {u * vertex.w, v * vertex.w, vertex.w};
+  return {pixels_of(x, subpixel_bits) * vertex.w, pixels_of(y, subpixel_bits) * vertex.w, vertex.w};
 }
 
 std::vector<RingVector3> placed_columns(const SnappedVertex& vertex, int subpixel_bits,

@@ -27,6 +27,9 @@ GridRange candidates(const Field& coordinate, const cases::Snapping& snapping);
 /// The farthest, in grid units per axis, that a placement may lie from the position.
 Ring candidate_radius(const cases::Snapping& snapping);
 
+/// A grid coordinate in pixels.
+Ring pixels_of(long coordinate, int subpixel_bits);
+
 /// A vertex that is not clipped, with w > 0, and the grid points it may be placed on.
 struct SnappedVertex {
   GridRange x;
