@@ -31,6 +31,7 @@
 #include <vector>
 
 #include "cases/framebuffer.h"
+#include "oracle/level.h"
 #include "oracle/triangle_truth.h"
 #include "records/judgement.h"
 #include "records/verdict.h"
@@ -66,13 +67,11 @@ struct JudgedSample {
 /// triangle, y, x, sample; with a depth test by y, x, sample, triangle.
 using JudgeSink = std::function<void(const JudgedSample&, const TriangleTruth*)>;
 
-/// A level of the cascade (docs/oracle.md).
-enum class Level { filter, interval, exact };
-
 struct JudgeOptions {
   bool judges_values = true;     ///< else coverage only
   std::uint64_t case_index = 0;  ///< for WorstError
-  /// Share of the fragments held against the referee, which takes a thousand times as long.
+  /// One in so many fragments is held against the referee, which takes a thousand times as long; of
+  /// 0 none.
   std::uint64_t self_check_one_in = 16384;
   /// Whether the sink is handed samples of which there is nothing to say: strictly inside, drawn,
   /// and all values right.

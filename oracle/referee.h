@@ -11,8 +11,8 @@
 //
 // A clip position (x, y, w) is taken for V − C, and the image plane is the viewport's: a, b, c are
 // the columns of the inverse of the viewport transform. Nothing here is shared with the fast path
-// but the number type and cases' table of sample positions: no adjugate, no folded viewport, no edge
-// function.
+// but the number type and cases' table of sample positions: no adjugate, no folded viewport, no
+// edge function.
 
 #include <memory>
 #include <optional>

@@ -11,7 +11,7 @@
 #include "oracle/internal/filter_kernels.h"
 #include "oracle/internal/intervals.h"
 #include "oracle/internal/triangle_setup.h"
-#include "oracle/judge.h"
+#include "oracle/level.h"
 
 namespace rastercheck::oracle {
 

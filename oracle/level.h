@@ -1,0 +1,8 @@
+#pragma once
+
+namespace rastercheck::oracle {
+
+/// A level of the cascade (docs/oracle.md).
+enum class Level { filter, interval, exact };
+
+}  // namespace rastercheck::oracle
