@@ -12,7 +12,7 @@ void for_each_alone(const SceneTruth& scene, const FragmentSink& sink) {
   const int samples = scene.source().framebuffer.samples;
   for (std::size_t t = 0; t < scene.source().triangles.size(); ++t) {
     const TriangleTruth truth(scene, t);
-    const Pixels pixels = truth.pixels();
+    const PixelBox pixels = truth.pixels();
     for (int y = pixels.y0; y < pixels.y1; ++y) {
       for (int x = pixels.x0; x < pixels.x1; ++x) {
         for (int s = 0; s < samples; ++s) {

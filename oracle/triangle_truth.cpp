@@ -30,10 +30,7 @@ TriangleTruth::TriangleTruth(const SceneTruth& scene, std::size_t triangle)
 
 TriangleTruth::~TriangleTruth() = default;
 
-Pixels TriangleTruth::pixels() const {
-  const PixelBox box = setup_->pixels();
-  return {box.x0, box.y0, box.x1, box.y1};
-}
+PixelBox TriangleTruth::pixels() const { return setup_->pixels(); }
 
 int TriangleTruth::orientation() const { return setup_->ideal.orientation(); }
 

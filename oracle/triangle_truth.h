@@ -12,6 +12,7 @@
 
 #include "cases/case.h"
 #include "cases/contract.h"
+#include "oracle/pixel_box.h"
 #include "oracle/rational.h"
 #include "records/enclosure.h"
 #include "records/judgement.h"
@@ -41,14 +42,6 @@ class SceneTruth {
   cases::Case source_;
   cases::Contract contract_;
   std::unique_ptr<Scene> scene_;
-};
-
-/// Pixels x0 <= x < x1, y0 <= y < y1; empty where x1 <= x0 or y1 <= y0.
-struct Pixels {
-  int x0 = 0;
-  int y0 = 0;
-  int x1 = 0;
-  int y1 = 0;
 };
 
 /// Partial derivatives of an attribute at its location.
@@ -98,7 +91,7 @@ class TriangleTruth {
   ~TriangleTruth();
 
   /// The pixels whose samples may be other than forbidden.
-  Pixels pixels() const;
+  PixelBox pixels() const;
 
   /// sign(det M): +1, −1, or 0 for a triangle seen edge-on (it covers nothing).
   int orientation() const;

@@ -31,7 +31,7 @@ NearestJudge::NearestJudge(const JudgeContext& context, const JudgeSink& sink)
   const std::size_t triangles = context.scene->source().triangles.size();
   rows_.reserve(triangles);
   for (std::size_t t = 0; t < triangles; ++t) {
-    const Pixels pixels = TriangleTruth(*context.scene, t).pixels();
+    const PixelBox pixels = TriangleTruth(*context.scene, t).pixels();
     const int past = pixels.x0 < pixels.x1 ? std::max(pixels.y0, pixels.y1) : pixels.y0;
     rows_.emplace_back(pixels.y0, past);
   }

@@ -11,17 +11,9 @@
 #include "cases/sample_pattern.h"
 #include "oracle/internal/number.h"
 #include "oracle/internal/projective_map.h"
+#include "oracle/pixel_box.h"
 
 namespace rastercheck::oracle {
-
-/// A half-open box of pixels: x0 <= x < x1, y0 <= y < y1.
-struct PixelBox {
-  int x0 = 0;
-  int y0 = 0;
-  int x1 = 0;
-  int y1 = 0;
-  bool operator==(const PixelBox&) const = default;
-};
 
 PixelBox intersection(const PixelBox& a, const PixelBox& b);
 

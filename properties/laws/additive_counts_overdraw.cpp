@@ -78,7 +78,7 @@ class OverdrawCheck {
  private:
   void add(std::uint32_t triangle) {
     const oracle::TriangleTruth truth(scene_, triangle);
-    const oracle::Pixels pixels = truth.pixels();
+    const oracle::PixelBox pixels = truth.pixels();
     const int samples = case_->framebuffer.samples;
     for (int y = pixels.y0; y < pixels.y1; ++y) {
       for (int x = pixels.x0; x < pixels.x1; ++x) {

@@ -149,10 +149,10 @@ class SharedEdgeCheck {
   /// Samples of the quadrilateral's inside that are drawn by neither.
   void find_gaps(const Pair& pair, const oracle::TriangleTruth& a, const oracle::TriangleTruth& c,
                  const oracle::TriangleTruth& d) {
-    const oracle::Pixels of_c = c.pixels();
-    const oracle::Pixels of_d = d.pixels();
-    const oracle::Pixels pixels{std::min(of_c.x0, of_d.x0), std::min(of_c.y0, of_d.y0),
-                                std::max(of_c.x1, of_d.x1), std::max(of_c.y1, of_d.y1)};
+    const oracle::PixelBox of_c = c.pixels();
+    const oracle::PixelBox of_d = d.pixels();
+    const oracle::PixelBox pixels{std::min(of_c.x0, of_d.x0), std::min(of_c.y0, of_d.y0),
+                                  std::max(of_c.x1, of_d.x1), std::max(of_c.y1, of_d.y1)};
     for (int y = pixels.y0; y < pixels.y1; ++y) {
       for (int x = pixels.x0; x < pixels.x1; ++x) {
         for (int s = 0; s < case_->framebuffer.samples; ++s) {

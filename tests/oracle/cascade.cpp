@@ -108,7 +108,7 @@ std::string miscounted_levels(const SceneTruth& scene, const records::Judgement&
   std::uint64_t samples = 0;
   for (std::size_t t = 0; t < scene.source().triangles.size(); ++t) {
     const TriangleTruth truth(scene, t);
-    const Pixels box = truth.pixels();
+    const PixelBox box = truth.pixels();
     if (box.x1 <= box.x0 || box.y1 <= box.y0) continue;
     samples += static_cast<std::uint64_t>((box.x1 - box.x0) * (box.y1 - box.y0)) *
                static_cast<std::uint64_t>(scene.source().framebuffer.samples);

@@ -115,7 +115,7 @@ Close close_samples(const Case& c) {
   const auto pattern = cases::standard_pattern(c.framebuffer.samples);
   for (std::size_t t = 0; t < c.triangles.size(); ++t) {
     const oracle::TriangleTruth truth(scene, t);
-    const oracle::Pixels pixels = truth.pixels();
+    const oracle::PixelBox pixels = truth.pixels();
     for (int y = pixels.y0; y < pixels.y1; ++y) {
       for (int x = pixels.x0; x < pixels.x1; ++x) {
         for (int s = 0; s < c.framebuffer.samples; ++s) {
@@ -233,7 +233,7 @@ TEST(Hairline, HasPlanesOfOneDepthMidwayBetweenFloats) {
 /// than 2^-20 of what it is the sum of.
 bool draws_beside_horizon(const Case& c, const cases::Triangle& triangle,
                           const oracle::TriangleTruth& truth) {
-  const oracle::Pixels pixels = truth.pixels();
+  const oracle::PixelBox pixels = truth.pixels();
   for (int y = pixels.y0; y < pixels.y1; ++y) {
     for (int x = pixels.x0; x < pixels.x1; ++x) {
       const RoughWeights weights(corners_of(c, triangle), ray_through(c, {x + 0.5, y + 0.5}));
@@ -288,7 +288,7 @@ TEST(NearMisses, AreDrawnByDeterminantsAndEdgesThatADoubleCannotTell) {
       const RoughWeights whole(p, {p[2].x, p[2].y, p[2].w});
       const bool is_thin = std::abs(whole.e[2]) <= 0x1p-20 * whole.size[2];
       const oracle::TriangleTruth truth(scene, t);
-      const oracle::Pixels pixels = truth.pixels();
+      const oracle::PixelBox pixels = truth.pixels();
       for (int y = pixels.y0; y < pixels.y1; ++y) {
         for (int x = pixels.x0; x < pixels.x1; ++x) {
           for (int s = 0; s < c.framebuffer.samples; ++s) {

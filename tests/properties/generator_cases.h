@@ -32,7 +32,7 @@ inline cases::Contract exact_contract(const cases::Case& c) {
 inline bool any_sample(const oracle::SceneTruth& scene, std::size_t triangle,
                        const std::function<bool(const records::SampleVerdict&)>& question) {
   const oracle::TriangleTruth truth(scene, triangle);
-  const oracle::Pixels pixels = truth.pixels();
+  const oracle::PixelBox pixels = truth.pixels();
   for (int y = pixels.y0; y < pixels.y1; ++y) {
     for (int x = pixels.x0; x < pixels.x1; ++x) {
       for (int s = 0; s < scene.source().framebuffer.samples; ++s) {

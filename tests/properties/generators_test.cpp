@@ -127,7 +127,7 @@ Samples drawn_by(const Generator& generator, std::uint64_t cases_count) {
     const oracle::SceneTruth scene(c, cases::contract_of(c));
     for (std::size_t t = 0; t < c.triangles.size(); ++t) {
       const oracle::TriangleTruth truth(scene, t);
-      const oracle::Pixels pixels = truth.pixels();
+      const oracle::PixelBox pixels = truth.pixels();
       for (int y = pixels.y0; y < pixels.y1; ++y) {
         for (int x = pixels.x0; x < pixels.x1; ++x) {
           for (int s = 0; s < c.framebuffer.samples; ++s) {
@@ -260,7 +260,7 @@ TEST(OnGrid, AsksTheTieRule) {
     bool has_tie = false;
     for (std::size_t t = 0; t < c.triangles.size(); ++t) {
       const oracle::TriangleTruth truth(scene, t);
-      const oracle::Pixels pixels = truth.pixels();
+      const oracle::PixelBox pixels = truth.pixels();
       for (int y = pixels.y0; y < pixels.y1; ++y) {
         for (int x = pixels.x0; x < pixels.x1; ++x) {
           for (int s = 0; s < c.framebuffer.samples; ++s) {
@@ -341,7 +341,7 @@ TEST(Wide, HasPixelsBeyondTheFirst64OfARow) {
     bool is_beyond = false;
     for (std::size_t t = 0; t < c.triangles.size(); ++t) {
       const oracle::TriangleTruth truth(scene, t);
-      const oracle::Pixels pixels = truth.pixels();
+      const oracle::PixelBox pixels = truth.pixels();
       for (int y = pixels.y0; y < pixels.y1; ++y) {
         for (int x = std::max(pixels.x0, 64); x < pixels.x1; ++x) {
           is_beyond = is_beyond || truth.judge(x, y, 0).verdict == records::Verdict::required;

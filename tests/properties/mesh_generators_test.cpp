@@ -67,7 +67,7 @@ std::vector<int> times_covered(const Case& c) {
   const oracle::SceneTruth scene(c, exact_contract(c));
   for (std::size_t t = 0; t < c.triangles.size(); ++t) {
     const oracle::TriangleTruth truth(scene, t);
-    const oracle::Pixels pixels = truth.pixels();
+    const oracle::PixelBox pixels = truth.pixels();
     for (int y = pixels.y0; y < pixels.y1; ++y) {
       for (int x = pixels.x0; x < pixels.x1; ++x) {
         if (truth.judge(x, y, 0).verdict != Verdict::required) continue;

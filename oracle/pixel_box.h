@@ -1,0 +1,13 @@
+#pragma once
+
+namespace rastercheck::oracle {
+
+/// Pixels x0 <= x < x1, y0 <= y < y1 of a framebuffer; empty where x1 <= x0 or y1 <= y0.
+struct PixelBox {
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = 0;
+  int y1 = 0;
+};
+
+}  // namespace rastercheck::oracle
