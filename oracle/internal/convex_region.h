@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "oracle/internal/line.h"
 #include "oracle/internal/number.h"
-#include "oracle/internal/projective_map.h"
 
 namespace rastercheck::oracle {
 

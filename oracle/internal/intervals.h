@@ -9,7 +9,7 @@
 
 #include <CGAL/Interval_nt.h>
 
-#include "oracle/internal/projective_map.h"
+#include "oracle/internal/number.h"
 #include "records/enclosure.h"
 
 namespace rastercheck::oracle {

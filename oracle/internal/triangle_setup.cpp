@@ -288,8 +288,4 @@ ConvexRegion guard_band_of(const Scene& scene) {
   return {Point{-band, -band}, Point{band, band}};
 }
 
-Ring band_of(const Line& line, const Ring& reach) {
-  return reach * (magnitude(line.a) + magnitude(line.b));
-}
-
 }  // namespace rastercheck::oracle

@@ -142,7 +142,4 @@ ConvexRegion box_around(const Point& p, const Ring& reach);
 /// The closed square in which a contract leaves vertices unclipped.
 ConvexRegion guard_band_of(const Scene& scene);
 
-/// How much a line changes where a point moves by `reach` along both axes.
-Ring band_of(const Line& line, const Ring& reach);
-
 }  // namespace rastercheck::oracle

@@ -1,4 +1,4 @@
-# Where Line::certain_side (projective_map.cpp) answers, the line's exact value has the sign that it
+# Where Line::certain_side (line.cpp) answers, the line's exact value has the sign that it
 # has in doubles, by more than it changes where the point is moved.
 #
 # What is computed, with a, b, c, u, v and r for the doubles near coefficients, point and reach:

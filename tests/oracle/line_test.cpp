@@ -1,11 +1,11 @@
 // The side of a line on which a point lies, as doubles tell it: never wrong, and seldom open.
 
+#include "oracle/internal/line.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
-
-#include "oracle/internal/projective_map.h"
 
 namespace rastercheck::oracle {
 namespace {
