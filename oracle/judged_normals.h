@@ -27,7 +27,8 @@ struct JudgedNormal {
 };
 
 /// Judges unit normals, one for each normal in object space, by Contract::normal_bound, which is
-/// not negative: decided by squares, without a root.
+/// not negative: decided by squares, without a root. A normal whose image is zero has to come out
+/// as zeros of either sign.
 std::vector<JudgedNormal> judge_normals(const cases::Matrix4& model,
                                         std::span<const cases::Normal> normals,
                                         std::span<const cases::Normal> computed,

@@ -13,7 +13,8 @@
 namespace rastercheck::oracle {
 namespace {
 
-/// The points an attribute of a fragment may be evaluated at.
+/// The points an attribute of a fragment may be evaluated at; of a centroid, which OpenGL and
+/// Vulkan let be anywhere in pixel and triangle, the centre and the samples that may be covered.
 std::vector<Point> locations(const TriangleSetup& triangle, const cases::Attribute& attribute,
                              int x, int y, int sample) {
   const Scene& scene = *triangle.scene;

@@ -12,7 +12,7 @@ DepthFilter::DepthFilter(const TriangleSetup& triangle, const TriangleFilter& co
   // undefined.
   if (map == nullptr || coverage.edges_of(map) == nullptr) return;
   const Scene& scene = *triangle.scene;
-  // Sums of the line are multiples of 2^-660 (triangle_filter.cpp), their band is at least 2^-651
+  // Sums of the line are multiples of 2^-656 (triangle_filter.cpp), their band is at least 2^-651
   // or 0: within these limits both stay normal doubles when divided.
   constexpr double kLeast = 0x1p-300;
   constexpr double kMost = 0x1p300;

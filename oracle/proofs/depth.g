@@ -7,7 +7,7 @@
 #
 # Assumes: |e - N*| <= band, band = 8u size, where each is computed in a few roundings and |e| <=
 # (1 + 2^-40) size (edge.g: the sum of the terms' sizes); Den is within 2^-51 of Den*, relative to
-# itself (limbs.g). Nothing underflows: e is 0 or at least 2^-660, and so is the band, and Den lies
+# itself (limbs.g). Nothing underflows: e is 0 or at least 2^-656 (roundings.g), and so is the band, and Den lies
 # between 2^-300 and 2^300.
 #
 # In units of size/Den, which so drops out: e = s, band = w, N* = s + w r with |r| <= 1, and

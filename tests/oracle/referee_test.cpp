@@ -81,7 +81,7 @@ RC_GTEST_PROP(Referee, AgreesWithTheRingPathThroughACamera, ()) {
 }
 
 TEST(Referee, IsNotVacuous) {
-  // Seed 001's triangle as a small case: half of an 4 × 4 square, 6 or 10 of 16 samples.
+  // Seed 001's triangle as a small case: half of a 4 × 4 square, 6 or 10 of 16 samples.
   const cases::Case c =
       small_case(cases::Rules::vulkan, 4, 4, {{{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1}}},
                  {{{0}, {1}, {2}}});

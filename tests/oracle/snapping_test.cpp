@@ -121,12 +121,11 @@ TEST(Basis, DecidesWhereAttributesComeFrom) {
 }
 
 TEST(Clipping, PermitsSamplesWithinAGridUnitOfWhatWasCut) {
-  // One vertex behind the eye: the edges to it are cut. They are the lines from window (2,0)
-  // through (0,2) and (4,2); a sample on one is open.
   cases::Case c =
       small_case(cases::Rules::vulkan, 8, 4, {{{0, 1, 0, -1}, {-0.5F, 0, 0, 1}, {0.5F, 0, 0, 1}}});
   c.coverage = Snapping{4, Rounding::nearest_even, 0};
-  // Window: (4, 0) behind, (2, 2) and (6, 2): the cut edge u + v = 4 passes through (1.5, 2.5).
+  // One vertex behind the eye, at window (4, 0), the others at (2, 2) and (6, 2): the edges to it
+  // are cut. One is the line u + v = 4, on which the sample at (1.5, 2.5) is open.
   EXPECT_EQ(judge(c, 1, 2).verdict, Verdict::permitted);
   EXPECT_EQ(judge(c, 1, 2).reason, Reason::nonpositive_w);
   EXPECT_EQ(judge(c, 2, 2).verdict, Verdict::required);

@@ -57,7 +57,7 @@ TEST(UlpErrors, AreMeasuredInUlpOfTheScale) {
   EXPECT_FALSE(error.is_zero());
 }
 
-// 3/2 · 2^-126 is subnormal's neighbour, and zeros have the least ulp there is.
+// Below 2^-126, and of zeros, it is 2^-149.
 TEST(UlpErrors, HaveALeastUnit) {
   const UlpError of_zero(ring(0x1p-149), Fraction{}, scale_exponent(ring(0)));
   EXPECT_EQ(of_zero.value(), Field(1));

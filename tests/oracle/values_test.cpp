@@ -68,7 +68,7 @@ TEST(Center, ExtrapolatesWhereItIsNotCovered) {
 }
 
 TEST(Center, IsUndefinedBehindTheHorizon) {
-  // w = 1 − (6/7)(u' …): 1/w = e0 + e1/w1 + e2 with w1 = −1: D = 1 − u/2, zero at u = 2.
+  // With w1 = −1 1/w is 1 at the left border and −1 at the right one: 1 − u/2, zero at u = 2.
   auto c = corner(Rules::vulkan, {{{0}, {1}, {0}}}, {}, -1);
   c.attributes[0].location = Location::center;
   EXPECT_EQ(attribute(c, 2, 0), "undefined");
