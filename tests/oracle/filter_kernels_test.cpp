@@ -139,7 +139,7 @@ TEST_P(FilterKernels, NoSampleIsOnTheOtherSideOfALineThatItIsClassifiedBy) {
 }
 
 // Coefficients from 2^-600 to 2^600, and 0.
-TEST(FilterLines, AreMadeOfTameCoefficientsOnly) {
+TEST(FilterLines, AreMadeOfCoefficientsWithinTheLimitsOnly) {
   const PixelBox box{0, 0, 8, 8};
   const auto is_made = [&box](const Ring& a, const Ring& b, const Ring& c) {
     return filter_line({a, b, c}, box).has_value();
