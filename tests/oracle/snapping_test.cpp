@@ -106,6 +106,30 @@ TEST(Snapping, OffTheGridLeavesOpenWhatNoPlacementDecides) {
   }
 }
 
+// By hand, in whole pixels. (0, 0), (1, 0), (0, 1) lie on the grid, nowhere else to be placed,
+// though the mean is not farther from the edges than vertices may be from their positions; beside
+// the grid the second may come to lie on the first.
+TEST(Orientation, IsCertainWhereNoPlacementTurnsTheTriangle) {
+  const auto is_certain = [](float u, float z, const cases::Coverage& coverage) {
+    cases::Case c = small_case(cases::Rules::vulkan, 4, 4,
+                               {{{-1, -1, 0, 1}, {u / 2 - 1, -1, z, 1}, {-1, -0.5F, 0, 1}}});
+    c.coverage = coverage;
+    const SceneTruth scene(c, cases::contract_of(c));
+    return TriangleTruth(scene, 0).has_certain_orientation();
+  };
+  const Snapping named{0, Rounding::nearest_even, 0};
+  const Snapping unspecified{0, Rounding::unspecified, 0};
+  for (const cases::Coverage& coverage : {cases::Coverage(), cases::Coverage(named)}) {
+    EXPECT_TRUE(is_certain(1, 0, coverage));
+    EXPECT_FALSE(is_certain(1, -0.5F, coverage));  // clipped
+    EXPECT_FALSE(is_certain(0, 0, coverage));      // without area
+  }
+  EXPECT_TRUE(is_certain(1, 0, unspecified));
+  EXPECT_TRUE(is_certain(3.75F, 0, unspecified));
+  EXPECT_FALSE(is_certain(0.75F, 0, unspecified));
+  EXPECT_FALSE(is_certain(0.25F, 0, named));
+}
+
 TEST(Basis, DecidesWhereAttributesComeFrom) {
   const auto value = [](cases::Basis basis) {
     const auto c = near_column(Snapping{4, Rounding::nearest_even, 0}, basis);
