@@ -159,6 +159,14 @@ std::optional<SampleVerdict> decide_by_distance(const TriangleSetup& triangle, c
                   : SampleVerdict{Verdict::forbidden, Reason::culled};
 }
 
+/// The three conditions of a point inside the triangle, without ties.
+bool strictly_inside(const ProjectiveMap& map, const Point& p) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (map.edge(i).sign_at(p) <= 0) return false;
+  }
+  return map.orientation() != 0;
+}
+
 /// What the boxes of the placements settle without looking at each: an edge function is affine in
 /// every vertex coordinate, so its least value over the boxes is taken at corners, and whatever is
 /// covered in some placement lies in the hull of the boxes.

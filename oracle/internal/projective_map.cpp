@@ -29,11 +29,4 @@ Line ProjectiveMap::combine(const std::array<Ring, 3>& s) const {
           e.c * s[0] + f.c * s[1] + g.c * s[2]};
 }
 
-bool strictly_inside(const ProjectiveMap& map, const Point& p) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (map.edge(i).sign_at(p) <= 0) return false;
-  }
-  return map.orientation() != 0;
-}
-
 }  // namespace rastercheck::oracle

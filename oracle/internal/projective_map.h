@@ -41,7 +41,4 @@ class ProjectiveMap {
   int orientation_;
 };
 
-/// The three conditions of a point inside the triangle, without ties.
-bool strictly_inside(const ProjectiveMap& map, const Point& p);
-
 }  // namespace rastercheck::oracle

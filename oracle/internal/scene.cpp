@@ -46,12 +46,6 @@ RingVector4 exact_position(const cases::ClipVertex& p) {
   return {exact_ring(p.x), exact_ring(p.y), exact_ring(p.z), exact_ring(p.w)};
 }
 
-}  // namespace
-
-PixelBox intersection(const PixelBox& a, const PixelBox& b) {
-  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
-}
-
 Conventions conventions_of(cases::Rules rules) {
   switch (rules) {
     case cases::Rules::opengl:
@@ -86,6 +80,12 @@ Conventions conventions_of(cases::Rules rules) {
           .clip_distance_zero_inside = true,
           .far_border_permitted = false,
           .centroid_is_a_sample = true};
+}
+
+}  // namespace
+
+PixelBox intersection(const PixelBox& a, const PixelBox& b) {
+  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
 std::vector<RingVector4> clip_positions(const cases::Case& c) {

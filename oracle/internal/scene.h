@@ -33,7 +33,6 @@ struct Conventions {
   bool far_border_permitted;       ///< else the far border of the viewport is outside
   bool centroid_is_a_sample;       ///< D3D names the location; else any point of the pixel
 };
-Conventions conventions_of(cases::Rules rules);
 
 /// Exact clip positions of every vertex: projection · view · model · position, or the positions
 /// themselves where the case has no camera.

@@ -51,10 +51,6 @@ SnappedVertex snap(const RingVector3& window_column, const cases::Snapping& snap
           candidates(quotient(window_column[1], w), snapping), w};
 }
 
-RingVector3 placed_column(const SnappedVertex& vertex, long x, long y, int subpixel_bits) {
-  return {pixels_of(x, subpixel_bits) * vertex.w, pixels_of(y, subpixel_bits) * vertex.w, vertex.w};
-}
-
 std::vector<RingVector3> placed_columns(const SnappedVertex& vertex, int subpixel_bits,
                                         bool corners_only) {
   const auto step = [corners_only](const GridRange& range) {
@@ -63,7 +59,8 @@ std::vector<RingVector3> placed_columns(const SnappedVertex& vertex, int subpixe
   std::vector<RingVector3> columns;
   for (long y = vertex.y.first; y <= vertex.y.last; y += step(vertex.y)) {
     for (long x = vertex.x.first; x <= vertex.x.last; x += step(vertex.x)) {
-      columns.push_back(placed_column(vertex, x, y, subpixel_bits));
+      columns.emplace_back(pixels_of(x, subpixel_bits) * vertex.w,
+                           pixels_of(y, subpixel_bits) * vertex.w, vertex.w);
     }
   }
   return columns;

@@ -40,10 +40,8 @@ struct SnappedVertex {
 };
 SnappedVertex snap(const RingVector3& window_column, const cases::Snapping& snapping);
 
-/// (x w, y w, w) of a vertex placed on a grid point, with x and y in pixels.
-RingVector3 placed_column(const SnappedVertex& vertex, long x, long y, int subpixel_bits);
-
-/// All columns a vertex may have; `corners_only`: those of its extreme placements.
+/// All columns (x w, y w, w) a vertex may have, x and y in pixels; `corners_only`: those of its
+/// extreme placements.
 std::vector<RingVector3> placed_columns(const SnappedVertex& vertex, int subpixel_bits,
                                         bool corners_only);
 

@@ -37,13 +37,15 @@ bool may_be_extreme(const records::Extremes& seen, const Enclosure& error,
          limit_of(seen.most_negative).lets(-error.lo, place);
 }
 
-}  // namespace
-
+/// What makes a triangle's fragments hard (records::Stratum); window positions in double are near
+/// enough.
 Stratum stratum_of(const TriangleSetup& triangle) {
+  constexpr double kHorizon = 16;  // greatest w over least
+  constexpr double kSliver = 64;   // longest edge over least height
   if (triangle.has_nonpositive_w || triangle.has_clipped_vertex) return Stratum::clipped;
   const auto& [w, u, v] = triangle.near_positions();
   const auto [least_w, greatest_w] = std::minmax({w[0], w[1], w[2]});
-  if (greatest_w > 16 * least_w) return Stratum::near_horizon;
+  if (greatest_w > kHorizon * least_w) return Stratum::near_horizon;
   double longest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const double du = u[(i + 1) % 3] - u[i];
@@ -51,10 +53,12 @@ Stratum stratum_of(const TriangleSetup& triangle) {
     longest = std::max(longest, du * du + dv * dv);
   }
   const double area = std::abs((u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]));
-  if (area * 64 < longest) return Stratum::sliver;  // height = twice the area / longest edge
+  if (area * kSliver < longest) return Stratum::sliver;  // height = twice the area / longest edge
   return triangle.scene->source().framebuffer.samples > 1 ? Stratum::multisampled
                                                           : Stratum::ordinary;
 }
+
+}  // namespace
 
 std::vector<JudgedValue> JudgedBatch::values_of(std::size_t lane) const {
   std::vector<JudgedValue> values;

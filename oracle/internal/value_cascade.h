@@ -24,9 +24,6 @@
 
 namespace rastercheck::oracle {
 
-/// What makes a triangle's fragments hard; window positions in double are near enough.
-records::Stratum stratum_of(const TriangleSetup& triangle);
-
 /// How the values of a batch came out.
 class JudgedBatch {
  public:
