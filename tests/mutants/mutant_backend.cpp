@@ -78,7 +78,12 @@ Result<std::unique_ptr<backends::Backend>> make(const std::string& name) {
   if (library == nullptr) return tl::unexpected(cannot_load(name));
   void* symbol = dlsym(library.get(), "rastercheck_make_mutant");
   if (symbol == nullptr) return tl::unexpected(cannot_load(name));
-  std::unique_ptr<backends::Backend> backend(reinterpret_cast<backends::Backend* (*)()>(symbol)());
+  const std::string of = header_of(name).of;
+  const auto make_mutant = reinterpret_cast<backends::Backend* (*)(const char*)>(symbol);
+  std::unique_ptr<backends::Backend> backend(make_mutant(of.c_str()));
+  if (backend == nullptr) {
+    return tl::unexpected(Error{"mutant:" + name, "", "its 'Of: " + of + "' is no backend"});
+  }
   return std::make_unique<MutantBackend>(std::move(library), std::move(backend));
 }
 

@@ -1,18 +1,13 @@
-// Compiled into every mutant, with the damaged rasterizer and its backend: the one function that
-// its module exports. RASTERCHECK_MUTANT_METHOD is the textbook method that the patch damages,
-// empty where that is the rasterizer proper; RASTERCHECK_MUTANT_PRECISION, …_OUTPUT and …_THREADS
-// how it draws, as backends::RasterizerOptions has it.
+// Part of every mutant, with the damaged rasterizer and the backends that draw with it: the one
+// function that its module exports.
 
 #include "backends/backend.h"
-#include "backends/cpu/rasterizer_backend.h"
 
-/// The caller deletes it. Its virtual functions, the destructor among them, are the module's.
+/// Makes the backend of a specification as the program itself does, of the damaged sources; null
+/// where there is none. The caller deletes it. Its virtual functions, the destructor among them,
+/// are the module's.
 extern "C" __attribute__((visibility("default"))) rastercheck::backends::Backend*
-rastercheck_make_mutant() {
-  using rastercheck::backends::Output;
-  using rastercheck::rasterizer::Precision;
-  return rastercheck::backends::make_rasterizer_backend(
-             {RASTERCHECK_MUTANT_METHOD, Precision::RASTERCHECK_MUTANT_PRECISION,
-              Output::RASTERCHECK_MUTANT_OUTPUT, RASTERCHECK_MUTANT_THREADS})
-      .release();
+rastercheck_make_mutant(const char* specification) {
+  auto backend = rastercheck::backends::make_backend(specification);
+  return backend ? backend->release() : nullptr;
 }
