@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <string>
 
 #include "cli/command.h"
 #include "cli/output.h"
@@ -13,12 +15,10 @@
 namespace rastercheck::cli {
 namespace {
 
-/// CLI11's messages may have several lines; ours have one.
-std::string one_line(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  for (char& c : text) {
-    if (c == '\n') c = ' ';
-  }
+/// CLI11's messages may have several lines.
+std::string joined_lines(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  text.erase(text.find_last_not_of(' ') + 1);
   return text;
 }
 
@@ -38,9 +38,9 @@ int run(int argc, char** argv) {
     if (outcome.get_exit_code() == 0) return app.exit(outcome);  // --help, --version
     const auto chosen = app.get_subcommands();
     const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
-    fmt::print(stderr, "rastercheck: {} (see rastercheck{} --help)\n", one_line(outcome.what()),
-               command);
-    return static_cast<int>(ExitCode::usage);
+    return static_cast<int>(fail(
+        {"", "",
+         fmt::format("{} (see rastercheck{} --help)", joined_lines(outcome.what()), command)}));
   }
 
   const ExitCode code = actions.at(app.get_subcommands().front())();
@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using rastercheck::cli::ExitCode;
+  // Without fail_internally(), which may want memory that there is none of.
   try {
     return rastercheck::cli::run(argc, argv);
   } catch (const std::exception& problem) {

@@ -2,7 +2,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "cases/error.h"
 
@@ -11,9 +10,6 @@ namespace rastercheck::cli {
 /// Pushes out what was printed. Fails where standard output could not take it all (a full disk, a
 /// closed pipe), so that a cut result is never taken for a whole one.
 Result<void> flush_standard_output();
-
-/// A table for people: columns as wide as their widest cell, the header first.
-std::string table(const std::vector<std::vector<std::string>>& rows);
 
 /// The line that ends a command that wrote a run's folder: the page to look at, or, where HTML is
 /// not among the formats, the folder.

@@ -15,23 +15,6 @@ namespace {
 using cases::JsonNode;
 using nlohmann::json;
 
-json json_of(const Violation& violation) {
-  json object{{"class", to_string(violation.fragment_class)},
-              {"kind", to_string(violation.kind)},
-              {"triangle", violation.triangle},
-              {"x", violation.x},
-              {"y", violation.y},
-              {"sample", violation.sample},
-              {"exact", violation.exact},
-              {"actual", violation.actual},
-              {"note", violation.note}};
-  if (violation.attribute) object["attribute"] = *violation.attribute;
-  if (violation.error) object["error"] = enclosure_to_json(*violation.error);
-  if (violation.bound) object["bound"] = enclosure_to_json(*violation.bound);
-  if (violation.distance) object["distance"] = enclosure_to_json(*violation.distance);
-  return object;
-}
-
 Violation read_violation(const JsonNode& node) {
   node.expect_object({"class", "kind", "triangle", "x", "y", "sample", "exact", "actual", "note"},
                      {"attribute", "error", "bound", "distance"});
@@ -54,13 +37,30 @@ Violation read_violation(const JsonNode& node) {
 
 }  // namespace
 
+json violation_to_json(const Violation& violation) {
+  json object{{"class", to_string(violation.fragment_class)},
+              {"kind", to_string(violation.kind)},
+              {"triangle", violation.triangle},
+              {"x", violation.x},
+              {"y", violation.y},
+              {"sample", violation.sample},
+              {"exact", violation.exact},
+              {"actual", violation.actual},
+              {"note", violation.note}};
+  if (violation.attribute) object["attribute"] = *violation.attribute;
+  if (violation.error) object["error"] = enclosure_to_json(*violation.error);
+  if (violation.bound) object["bound"] = enclosure_to_json(*violation.bound);
+  if (violation.distance) object["distance"] = enclosure_to_json(*violation.distance);
+  return object;
+}
+
 json counterexample_to_json(const Counterexample& counterexample) {
   // The writer's own text is what a case file holds, so that the two cannot drift apart.
   const Result<json> source =
       cases::parse_json(cases::to_json(counterexample.source), "counterexample");
   json violations = json::array();
   for (const Violation& violation : counterexample.violations) {
-    violations.push_back(json_of(violation));
+    violations.push_back(violation_to_json(violation));
   }
   json object{{"case", source.value_or(json())},
               {"violation_count", counterexample.violation_count},

@@ -18,6 +18,7 @@
 
 namespace rastercheck::records {
 
+nlohmann::json violation_to_json(const Violation& violation);
 nlohmann::json counterexample_to_json(const Counterexample& counterexample);
 
 /// Refuses unknown and missing keys, and whatever a case file may not have. Older files have no

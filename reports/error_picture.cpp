@@ -1,4 +1,4 @@
-// The picture of an error map, and its legend.
+#include "reports/error_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
+#include "reports/internal/canvas.h"
 #include "reports/internal/lettering.h"
 #include "reports/internal/log2.h"
-#include "reports/picture.h"
 
 namespace rastercheck::reports {
 namespace {
@@ -17,7 +17,6 @@ namespace {
 using records::ErrorMap;
 using records::PixelState;
 
-constexpr Color kBackground{242, 242, 238};
 constexpr Color kInk{40, 40, 40};
 /// Not on the ramp, which has no red.
 constexpr Color kViolated{235, 0, 50};
@@ -94,7 +93,7 @@ void draw_legend(Image& image, int top) {
 
 }  // namespace
 
-Image draw_error_map(const ErrorMap& map, bool y_up) {
+Image draw_error_map(const ErrorMap& map, cases::Rules rules) {
   assert(map.states.size() ==
          static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
   assert(map.errors.size() == map.states.size());
@@ -107,8 +106,7 @@ Image draw_error_map(const ErrorMap& map, bool y_up) {
       for (int x = 0; x < map.width; ++x) {
         const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
                               static_cast<std::size_t>(x);
-        const int row = y_up ? map.height - 1 - y : y;
-        if (map.states[i] == wanted) paint(left + x, row, map.errors[i]);
+        if (map.states[i] == wanted) paint(left + x, row_of(y, map.height, rules), map.errors[i]);
       }
     }
   };

@@ -26,6 +26,9 @@ struct Format {
 /// All formats, in the order of their names.
 const std::vector<Format>& formats();
 
+/// The same, "html" and so on.
+std::vector<std::string> format_names();
+
 /// The error names those there are.
 Result<Format> find_format(std::string_view name);
 

@@ -16,12 +16,13 @@
 #include <optional>
 #include <span>
 
+#include "reports/internal/canvas.h"
+
 namespace rastercheck::reports {
 namespace {
 
 using Triple = std::array<double, 3>;
 
-constexpr Color kBackground{242, 242, 238};
 constexpr Color kNoNumber{255, 0, 255};
 
 // The corners of the colour plane, as (attribute 0, attribute 1): calm, and apart in lightness too.
@@ -65,11 +66,9 @@ class Pixels {
         height_(c.framebuffer.height),
         drawn_(&drawn),
         fragments_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), kNone) {
-    // Window y points up in OpenGL, down elsewhere.
-    const bool y_up = c.rules == cases::Rules::opengl;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       if (drawn.x[i] >= width_ || drawn.y[i] >= height_) continue;
-      std::size_t& shown = slot(drawn.x[i], y_up ? height_ - 1 - drawn.y[i] : drawn.y[i]);
+      std::size_t& shown = slot(drawn.x[i], row_of(drawn.y[i], height_, c.rules));
       if (shown == kNone || goes_before(i, shown)) shown = i;
     }
   }

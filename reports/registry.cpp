@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "reports/format.h"
@@ -22,14 +24,19 @@ FormatRegistration::FormatRegistration(const Format& format) {
 
 const std::vector<Format>& formats() { return registry(); }
 
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const Format& format : registry()) names.emplace_back(format.name);
+  return names;
+}
+
 Result<Format> find_format(std::string_view name) {
-  std::string known;
   for (const Format& format : registry()) {
     if (format.name == name) return format;
-    known += (known.empty() ? "" : ", ") + std::string(format.name);
   }
-  return tl::unexpected(
-      Error{std::string(name), "", "no report format of that name; there are: " + known});
+  return tl::unexpected(Error{std::string(name), "",
+                              fmt::format("no report format of that name; there are: {}",
+                                          fmt::join(format_names(), ", "))});
 }
 
 }  // namespace rastercheck::reports

@@ -10,9 +10,9 @@
 #include "cases/names.h"
 #include "cases/sample_pattern.h"
 #include "cli/command.h"
-#include "cli/output.h"
 #include "properties/generator.h"
 #include "properties/law.h"
+#include "reports/text_table.h"
 
 namespace rastercheck::cli {
 namespace {
@@ -117,7 +117,7 @@ void print_table(const Kind& kind, bool quiet) {
     cells.push_back(std::move(values));
   }
   if (!quiet) fmt::print("{}:{}\n", kind.name, cells.empty() ? " none in this version" : "");
-  fmt::print("{}", table(cells));
+  fmt::print("{}", reports::text_table(cells));
 }
 
 struct Options {

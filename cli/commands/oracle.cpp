@@ -11,6 +11,7 @@
 #include "cases/mesh_reader.h"
 #include "cases/names.h"
 #include "cli/command.h"
+#include "cli/sample_limit.h"
 #include "oracle/fragment_json.h"
 #include "oracle/fragments.h"
 #include "oracle/self_check.h"
@@ -31,13 +32,6 @@ struct Options {
   bool quiet = false;
   bool all = false;
 };
-
-/// More samples than this are asked for by --all, so that nobody waits for them by mistake.
-constexpr std::int64_t kManySamples = std::int64_t{1} << 26;
-
-std::int64_t sample_count(const cases::FramebufferSize& size) {
-  return std::int64_t{size.width} * size.height * size.samples;
-}
 
 /// Of every so many fragments one is held against the referee, beside the first ones.
 constexpr std::size_t kCheckedFirst = 16;
@@ -144,10 +138,8 @@ ExitCode run(const Options& options) {
   Result<cases::Case> c = cases::read_case(options.file);
   if (c && options.clip) c = oracle::to_clip_case(*c, options.file);
   if (!c) return fail(c.error());
-  const std::int64_t samples = sample_count(c->framebuffer);
-  if (samples > kManySamples && !options.all) {
-    return fail({options.file, "/framebuffer",
-                 fmt::format("{} samples are more than 2^26; --all looks at them", samples)});
+  if (const auto few = check_sample_count(*c, options.file, options.all); !few) {
+    return fail(few.error());
   }
   const oracle::SceneTruth scene(*c, cases::contract_of(*c));
   const auto checked = options.json ? print_json(scene, options) : print_table(scene, options);

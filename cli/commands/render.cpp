@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <cstdio>
 #include <memory>
 
@@ -13,6 +12,7 @@
 #include "cases/json.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
+#include "cli/sample_limit.h"
 #include "oracle/transform.h"
 #include "properties/law.h"
 #include "reports/picture.h"
@@ -29,9 +29,6 @@ struct Options {
   bool json = false;
   bool quiet = false;
 };
-
-/// More samples than this are drawn with --all, so that nobody waits for them by mistake.
-constexpr std::int64_t kManySamples = std::int64_t{1} << 26;
 
 /// CONTRACT, `oracle` and `render` output.
 void print_json(const std::string& backend, const cases::Framebuffer& drawn) {
@@ -78,11 +75,8 @@ ExitCode run(const Options& options) {
   Result<cases::Case> c = cases::read_case(options.file);
   if (c) c = oracle::to_clip_case(*c, options.file);
   if (!c) return fail(c.error());
-  const cases::FramebufferSize& size = c->framebuffer;
-  const std::int64_t samples = std::int64_t{size.width} * size.height * size.samples;
-  if (samples > kManySamples && !options.all) {
-    return fail({options.file, "/framebuffer",
-                 fmt::format("{} samples are more than 2^26; --all draws them", samples)});
+  if (const auto few = check_sample_count(*c, options.file, options.all); !few) {
+    return fail(few.error());
   }
   const Result<cases::Framebuffer> drawn = properties::draw(*c, **backend);
   if (!drawn) return fail({options.file, drawn.error().place, drawn.error().reason});

@@ -12,11 +12,11 @@
 #include "cases/json.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
-#include "cli/counterexample_text.h"
-#include "cli/output.h"
 #include "oracle/transform.h"
 #include "properties/campaign.h"
 #include "properties/close_up.h"
+#include "records/counterexample_json.h"
+#include "reports/counterexample_text.h"
 
 namespace rastercheck::cli {
 namespace {
@@ -59,27 +59,6 @@ Result<std::vector<const properties::Law*>> laws_for(const cases::Case& c,
   return chosen;
 }
 
-std::string enclosure_text(const std::optional<records::Enclosure>& enclosure) {
-  return enclosure ? records::to_decimal(*enclosure, 6) : "-";
-}
-
-void print_violations(const Outcome& outcome) {
-  std::vector<std::vector<std::string>> rows{{"  class", "of", "triangle", "x", "y", "s", "exact",
-                                              "actual", "error", "bound", "distance", "note"}};
-  for (const records::Violation& v : outcome.check.violations) {
-    const std::string of = v.attribute ? fmt::format("{} [{}]", to_string(v.kind), *v.attribute)
-                                       : std::string(to_string(v.kind));
-    rows.push_back({"  " + std::string(to_string(v.fragment_class)), of, std::to_string(v.triangle),
-                    std::to_string(v.x), std::to_string(v.y), std::to_string(v.sample), v.exact,
-                    v.actual, enclosure_text(v.error), enclosure_text(v.bound),
-                    enclosure_text(v.distance), cases::printable(v.note)});
-  }
-  fmt::print("{}", table(rows));
-  if (outcome.check.violation_count > outcome.check.violations.size()) {
-    fmt::print("  … {} in all\n", outcome.check.violation_count);
-  }
-}
-
 void print_outcome(const Outcome& outcome, bool quiet) {
   std::string note;
   if (!outcome.found.empty()) {
@@ -90,26 +69,10 @@ void print_outcome(const Outcome& outcome, bool quiet) {
   fmt::print("{}: {}, {}: {}{}\n", outcome.file, outcome.law, outcome.backend, outcome.verdict(),
              note);
   if (quiet || outcome.check.violation_count == 0) return;
-  print_violations(outcome);
+  const properties::Check& check = outcome.check;
+  fmt::print("{}", reports::violations_text(check.violations, check.violation_count));
   for (const std::string& line : outcome.close_up) fmt::print("    {}\n", line);
-  fmt::print("{}", case_text(*outcome.source));
-}
-
-nlohmann::ordered_json violation_json(const records::Violation& v) {
-  nlohmann::ordered_json json{{"class", to_string(v.fragment_class)},
-                              {"kind", to_string(v.kind)},
-                              {"triangle", v.triangle},
-                              {"x", v.x},
-                              {"y", v.y},
-                              {"sample", v.sample},
-                              {"exact", v.exact},
-                              {"actual", v.actual}};
-  if (v.attribute) json["attribute"] = *v.attribute;
-  if (v.error) json["error"] = {v.error->lo, v.error->hi};
-  if (v.bound) json["bound"] = {v.bound->lo, v.bound->hi};
-  if (v.distance) json["distance"] = {v.distance->lo, v.distance->hi};
-  if (!v.note.empty()) json["note"] = v.note;
-  return json;
+  fmt::print("{}", reports::case_text(*outcome.source));
 }
 
 void print_json(const std::vector<Outcome>& outcomes) {
@@ -123,7 +86,7 @@ void print_json(const std::vector<Outcome>& outcomes) {
                                 {"violations", nlohmann::ordered_json::array()}};
     if (!outcome.found.empty()) json["found"] = outcome.found;
     for (const records::Violation& v : outcome.check.violations) {
-      json["violations"].push_back(violation_json(v));
+      json["violations"].push_back(records::violation_to_json(v));
     }
     all.push_back(std::move(json));
   }

@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/output.h"
+#include "reports/format.h"
 #include "reports/run_reader.h"
 #include "reports/write.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 struct Options {
   std::string directory;
-  std::vector<std::string> formats{"json", "html", "markdown"};
+  std::vector<std::string> formats = reports::format_names();
   bool quiet = false;
 };
 
@@ -30,7 +31,7 @@ ExitCode run(const Options& options) {
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("DIR", options->directory, "Output folder of a run")->required();
-  app.add_option("--format", options->formats, "Reports to write, as json,html,markdown")
+  app.add_option("--format", options->formats, "Reports to write, with commas between them")
       ->delimiter(',')
       ->capture_default_str();
   app.add_flag("-q,--quiet", options->quiet, "Prints nothing");

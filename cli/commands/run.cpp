@@ -2,40 +2,32 @@
 
 #include "records/run.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fnmatch.h>
-#include <sys/utsname.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <future>
 #include <memory>
 #include <random>
 
-#include "backends/backend.h"
-#include "cases/case_reader.h"
-#include "cases/json.h"
-#include "cases/mesh_reader.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
 #include "cli/corpus_folder.h"
-#include "cli/counterexample_text.h"
+#include "cli/environment.h"
 #include "cli/interrupt.h"
-#include "cli/mesh_file.h"
 #include "cli/output.h"
 #include "cli/own_program.h"
 #include "cli/progress.h"
-#include "cli/scene_pictures.h"
-#include "cli/summary_table.h"
+#include "cli/run_results.h"
+#include "cli/scene.h"
 #include "cli/whole_number.h"
-#include "oracle/transform.h"
 #include "properties/campaign_run.h"
-#include "records/share.h"
+#include "records/summary.h"
 #include "reports/format.h"
+#include "reports/summary_table.h"
 #include "reports/write.h"
 
 namespace rastercheck::cli {
@@ -50,7 +42,7 @@ struct Options {
   int scene_size = 512;
   std::string corpus;
   std::string output = "rastercheck-out";
-  std::vector<std::string> formats{"json", "html", "markdown"};
+  std::vector<std::string> formats = reports::format_names();
   std::uint64_t shrink_tries = properties::ShrinkBudget().tries;
   std::optional<double> shrink_seconds;
   bool resume = false;
@@ -76,20 +68,6 @@ std::vector<std::string> without_repetitions(const std::vector<std::string>& all
     if (std::find(once.begin(), once.end(), one) == once.end()) once.push_back(one);
   }
   return once;
-}
-
-/// The scene's clip case, under the name of its file if it has no other.
-Result<cases::Case> read_scene(const std::string& file, int size) {
-  const bool is_mesh = cases::is_mesh_file(file);
-  Result<cases::Case> scene =
-      is_mesh ? case_from_mesh_file(file, "", {size, size, cases::Rules::vulkan})
-              : cases::read_case(file);
-  if (scene) scene = oracle::to_clip_case(*scene, file);
-  if (scene && (is_mesh || scene->name.empty())) {
-    scene->name = file == "-" ? "standard input"
-                              : cases::valid_utf8(std::filesystem::path(file).filename().string());
-  }
-  return scene;
 }
 
 /// What the options ask for.
@@ -153,11 +131,11 @@ Result<void> find(const Options& options, std::vector<cases::Case> corpus,
   Result<properties::Findings> of_scene;
   Result<void> checked;
   if (options.jobs == 1) {
-    if (scene) of_scene = judge_scenes(*scene, 1, run);
+    if (scene) of_scene = judge_scene_of(run, *scene, 1);
     if (of_scene) checked = check_cases();
   } else {
     auto dispatched = std::async(std::launch::async, check_cases);
-    if (scene) of_scene = judge_scenes(*scene, static_cast<unsigned>(options.jobs), run);
+    if (scene) of_scene = judge_scene_of(run, *scene, static_cast<unsigned>(options.jobs));
     checked = dispatched.get();
   }
   if (!of_scene) return tl::unexpected(of_scene.error());
@@ -165,88 +143,6 @@ Result<void> find(const Options& options, std::vector<cases::Case> corpus,
   campaign.add_scene(*std::move(of_scene));
   if (campaign.findings().fault) return {};
   return campaign.shrink(execute, &is_interrupted, progress_of("counterexamples shrunk"));
-}
-
-/// What of a run depends on machine and time.
-std::map<std::string, std::string> environment(const Options& options, double seconds) {
-  utsname machine{};
-  ::uname(&machine);
-  const std::time_t now = std::time(nullptr);
-  return {{"version", RASTERCHECK_VERSION},
-          {"compiler", RASTERCHECK_COMPILER},
-          {"build", RASTERCHECK_BUILD_TYPE},
-          {"machine", fmt::format("{} {} {}", machine.sysname, machine.release, machine.machine)},
-          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))},
-          {"jobs", std::to_string(options.jobs)},
-          {"seconds", fmt::format("{:.1f}", seconds)}};
-}
-
-/// Whether the row's law had to check something: some laws are about what not every backend
-/// promises.
-bool is_promised(const records::LawSummary& row) {
-  const properties::Law* law = properties::find_law(row.law);
-  const auto backend = backends::make_backend(row.backend);
-  return law == nullptr || !backend || properties::is_promised(*law, **backend);
-}
-
-/// The exit code of a run without faults. Where several apply: violated, then nothing checked.
-ExitCode outcome(const std::vector<records::LawSummary>& rows) {
-  using records::LawSummary;
-  using records::LawVerdict;
-  const auto is = [](LawVerdict verdict) {
-    return [verdict](const LawSummary& row) { return row.verdict == verdict; };
-  };
-  if (std::any_of(rows.begin(), rows.end(), is(LawVerdict::violated))) return ExitCode::violated;
-  const bool is_missing = std::any_of(rows.begin(), rows.end(), [](const LawSummary& row) {
-    return row.verdict == LawVerdict::not_checked && is_promised(row);
-  });
-  const bool has_held = std::any_of(rows.begin(), rows.end(), is(LawVerdict::held));
-  return is_missing || !has_held ? ExitCode::nothing_checked : ExitCode::ok;
-}
-
-void print_results(const Options& options, const records::Run& run,
-                   const std::vector<records::LawSummary>& rows, double seconds, bool is_written) {
-  if (options.json) {
-    fmt::print("{}\n", summary_json(run, rows));
-    return;
-  }
-  fmt::print("{}", summary_table(rows, options.quiet));
-  for (const records::UnreachedLabel& label : run.unreached) {
-    fmt::print("{}\n", records::unreached_sentence(label));
-  }
-  if (options.quiet) return;
-  records::Counts counts;
-  records::Levels levels;
-  for (const records::LawSummary& row : rows) {
-    records::merge(counts, row.counts);
-    records::merge(levels, row.levels);
-  }
-  fmt::print("\nSamples: {} required, {} forbidden, {} permitted, {} undecided.\n", counts.required,
-             counts.forbidden, counts.permitted, counts.undecided);
-  const std::string decided = records::decided_sentence(levels, counts.undecided);
-  if (!decided.empty()) fmt::print("{}\n", decided);
-  const auto file_of = [&options](const records::Counterexample& one) {
-    return (std::filesystem::path(options.output) / records::file_of(one)).string();
-  };
-  for (const records::Counterexample& found : run.counterexamples) {
-    fmt::print("{}", counterexample_text(found, file_of(found)));
-  }
-  if (!run.counterexamples.empty()) {
-    const auto is_violated = [](const records::LawSummary& row) {
-      return row.verdict == records::LawVerdict::violated;
-    };
-    fmt::print("\nViolated: {} of {} checks. Counterexamples above, one of each way to fail: {}.\n",
-               std::count_if(rows.begin(), rows.end(), is_violated), rows.size(),
-               run.counterexamples.size());
-    const std::size_t first = properties::first_to_read(run.counterexamples);
-    fmt::print("Begin with: rastercheck replay {}\n", file_of(run.counterexamples[first]));
-  }
-  for (const std::string& caveat : records::caveats(run)) fmt::print("{}\n", caveat);
-  if (run.cases_left > 0) {
-    fmt::print("`rastercheck run --resume --output {}` goes on.\n", options.output);
-  }
-  fmt::print("Seed {}, {:.1f} s.{}", run.seed, seconds,
-             is_written ? " " + where_reports_are(options.output, options.formats) : "\n");
 }
 
 /// Whether reports can be written there; asked before the work rather than after it.
@@ -340,15 +236,23 @@ ExitCode run_campaign(const Options& options) {
   run.cases_left = campaign.cases_left();
   run.unreached = properties::unreached_labels(plan.campaign, run.records);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  run.environment = environment(options, seconds.count());
+  run.environment = environment(options.jobs, seconds.count());
 
   const std::vector<records::LawSummary> rows = records::summarize(run);
   const Result<void> written = reports::write_reports(run, options.output, options.formats);
-  print_results(options, run, rows, seconds.count(), written.has_value());
+  if (options.json) {
+    fmt::print("{}\n", reports::summary_json(run, rows));
+  } else {
+    print_results(run, rows, options.output, options.quiet);
+    if (!options.quiet) {
+      fmt::print("Seed {}, {:.1f} s.{}", run.seed, seconds.count(),
+                 written ? " " + where_reports_are(options.output, options.formats) : "\n");
+    }
+  }
   if (!written) return fail_to_write(options, written.error());
   const bool is_whole = run.cases_left == 0 && campaign.is_shrunk();
   if (is_whole) campaign.remove();
-  const ExitCode code = outcome(rows);
+  const ExitCode code = exit_code_of(rows);
   return is_whole || code == ExitCode::violated ? code : ExitCode::interrupted;
 }
 
@@ -372,7 +276,7 @@ Action set_up(CLI::App& app) {
   app.add_option("--corpus", options->corpus,
                  "Folder of case files that takes the place of the project's own");
   app.add_option("--output", options->output, "Folder for the results")->capture_default_str();
-  app.add_option("--format", options->formats, "Reports to write, as json,html,markdown")
+  app.add_option("--format", options->formats, "Reports to write, with commas between them")
       ->delimiter(',')
       ->capture_default_str();
   app.add_option("--shrink-tries", options->shrink_tries,

@@ -54,13 +54,13 @@ std::string table_of(const std::vector<LawSummary>& rows) {
       "<table class=\"verdicts\">\n<thead><tr><th>law</th><th>backend</th><th>verdict</th>"
       "<th class=\"number\">worst<br><small>scale ULP</small></th>"
       "<th class=\"number\">p99<br><small>scale ULP</small></th>"
-      "<th class=\"number\">worst excess<br><small>scale ULP</small></th>"
+      "<th class=\"number\">beyond contract<br><small>scale ULP</small></th>"
       "<th class=\"number\">cases</th><th class=\"number\">fragments</th></tr></thead>\n<tbody>\n";
   for (const LawSummary& row : rows) {
     text += "<tr>" + cell(html(row.law)) + cell(html(row.backend)) + cell(verdict_mark(row)) +
             number_cell("worst ULP", number_text(row.ideal.worst)) +
             number_cell("p99 ULP", at_most_text(row.ideal.p99)) +
-            number_cell("worst excess", number_text(row.excess.worst)) +
+            number_cell("beyond contract", number_text(row.excess.worst)) +
             number_cell("cases", grouped(row.cases.checked)) +
             number_cell("fragments", grouped(row.fragments)) + "</tr>\n";
   }

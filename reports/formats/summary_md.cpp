@@ -36,7 +36,7 @@ std::string command_block(std::string_view command) {
 
 std::string table_of(const std::vector<LawSummary>& rows) {
   std::string text =
-      "| law | backend | cases | fragments | worst ULP | p99 ULP | worst excess | verdict |\n"
+      "| law | backend | cases | fragments | worst ULP | p99 ULP | beyond contract | verdict |\n"
       "|---|---|--:|--:|--:|--:|--:|---|\n";
   for (const LawSummary& row : rows) {
     text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", markdown(row.law),

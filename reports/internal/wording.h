@@ -21,9 +21,9 @@ inline constexpr std::string_view kUnitSentence =
     "that a correctly rounded value is off by at most 0.5; depth counts the spacing at the "
     "greater end of the depth range.";
 inline constexpr std::string_view kExcessSentence =
-    "Worst and p99 are against the exact triangle, and 99 of 100 errors are at most p99; worst "
-    "excess is against all that the backend's contract leaves open, and is what its bounds are "
-    "held against.";
+    "Worst and p99 are against the exact triangle, and 99 of 100 errors are at most p99; beyond "
+    "contract is the worst against all that the backend's contract leaves open, and is what its "
+    "bounds are held against.";
 
 inline constexpr std::string_view kPrecisionSentence =
     "Precision is against the exact triangle. Min and max are the largest errors below and above "
@@ -66,7 +66,8 @@ std::string_view stratum_text(const records::Precision& precision);
 /// fractions may have hundreds of digits; run.json has all of them. Characters of UTF-8 stay whole.
 std::string elided(std::string_view text, std::size_t most);
 
-/// What does the same run again, as a line for a shell.
+/// What does the run again, as a line for a shell: with the same backends, cases, seed and scene.
+/// Which of the laws were asked for, another corpus, a size of the scene, run.json does not hold.
 std::string run_command(const records::Run& run);
 std::string replay_command(const records::Counterexample& counterexample);
 

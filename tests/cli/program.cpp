@@ -140,6 +140,12 @@ std::string square_case(const std::string& more_keys) {
     "triangles": [[0, 1, 2], [2, 1, 3]]})";
 }
 
+std::string without_environment(const std::string& run_json) {
+  const std::size_t start = run_json.find("\n\"environment\": {");
+  if (start == std::string::npos) return "no environment";
+  return run_json.substr(0, start) + run_json.substr(run_json.find('\n', start + 1));
+}
+
 std::string source_file(const std::string& relative) {
   return std::string(RASTERCHECK_SOURCE_DIR) + "/" + relative;
 }

@@ -52,6 +52,9 @@ std::ostream& operator<<(std::ostream& stream, const Outcome& outcome);
 /// attributes x, the window x, and one, which is 1. Its name is "square".
 std::string square_case(const std::string& more_keys = "");
 
+/// A run.json without the line of its environment, the only one that is another each time.
+std::string without_environment(const std::string& run_json);
+
 /// A file of the source tree.
 std::string source_file(const std::string& relative);
 

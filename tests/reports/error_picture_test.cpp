@@ -1,15 +1,14 @@
-// draw_error_map.
+#include "reports/error_picture.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <utility>
 
-#include "reports/picture.h"
-
 namespace rastercheck::reports {
 namespace {
 
+using cases::Rules;
 using records::ErrorMap;
 using records::PixelState;
 
@@ -32,7 +31,7 @@ ErrorMap one_error(float error, PixelState state = PixelState::correct) {
   return map;
 }
 
-Color color_of(float error) { return draw_error_map(one_error(error), false).at(7, 4); }
+Color color_of(float error) { return draw_error_map(one_error(error), Rules::vulkan).at(7, 4); }
 
 // The ends of the ramp, and its fifths: 2^(-6 + 16/5 k) lies between control points by the linear
 // logarithm. 2^2 is halfway. Kills: a ramp over other exponents.
@@ -62,7 +61,7 @@ TEST(DrawErrorMap, GrowsLighterWithTheError) {
 TEST(DrawErrorMap, ViolatedPixelsAreCrossesOverEverythingElse) {
   ErrorMap map = one_error(0, PixelState::violated);
   map.states[4 * 400 + 8] = PixelState::correct;
-  const Image image = draw_error_map(map, false);
+  const Image image = draw_error_map(map, Rules::vulkan);
   for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
     EXPECT_EQ(image.at(7 + dx, 4 + dy), kRed);
   }
@@ -73,18 +72,19 @@ TEST(DrawErrorMap, ViolatedPixelsAreCrossesOverEverythingElse) {
 TEST(DrawErrorMap, HasRowZeroWhereYPointsTo) {
   ErrorMap map = one_error(0);
   std::swap(map.states[4 * 400 + 7], map.states[7]);
-  EXPECT_EQ(draw_error_map(map, false).at(7, 0), kLeast);
-  EXPECT_EQ(draw_error_map(map, true).at(7, 8), kLeast);
-  EXPECT_EQ(draw_error_map(map, true).at(7, 0), kBackground);
+  EXPECT_EQ(draw_error_map(map, Rules::vulkan).at(7, 0), kLeast);
+  EXPECT_EQ(draw_error_map(map, Rules::d3d).at(7, 0), kLeast);
+  EXPECT_EQ(draw_error_map(map, Rules::opengl).at(7, 8), kLeast);
+  EXPECT_EQ(draw_error_map(map, Rules::opengl).at(7, 0), kBackground);
 }
 
 // Kills: a legend that a narrow map cuts off.
 TEST(DrawErrorMap, HasALegendThatFits) {
-  const Image wide = draw_error_map(one_error(0), false);
+  const Image wide = draw_error_map(one_error(0), Rules::vulkan);
   EXPECT_EQ(wide.width, 400);
   EXPECT_GT(wide.height, 9);
   const Image narrow =
-      draw_error_map({2, 1, {PixelState::correct, PixelState::empty}, {1, 0}}, false);
+      draw_error_map({2, 1, {PixelState::correct, PixelState::empty}, {1, 0}}, Rules::vulkan);
   EXPECT_EQ(narrow.width, 264);
   EXPECT_EQ(narrow.height, wide.height - 8);
   EXPECT_EQ(narrow.at(131, 0), color_of(1));  // in the middle

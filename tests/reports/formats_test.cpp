@@ -41,7 +41,7 @@ TEST_P(ApprovedFormat, WritesWhatWasApproved) {
                                 << approved.substr(std::min(offset, approved.size()), 200);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, ApprovedFormat, ::testing::Values("html", "json", "markdown"),
+INSTANTIATE_TEST_SUITE_P(Formats, ApprovedFormat, ::testing::ValuesIn(format_names()),
                          [](const auto& format) { return format.param; });
 
 // Kills: a text that goes into the page as it is.

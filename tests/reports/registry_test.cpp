@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -9,23 +12,39 @@
 namespace rastercheck::reports {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::IsSupersetOf;
+using ::testing::StartsWith;
+
 // Kills: a registrar that the linker dropped; an order that is the linker's.
 TEST(Formats, AreListedByName) {
-  std::vector<std::string_view> listed;
+  const std::vector<std::string> names = format_names();
+  EXPECT_THAT(names, IsSupersetOf({"html", "json", "markdown"}));
+  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+  ASSERT_EQ(formats().size(), names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(formats()[i].name, names[i]);
+}
+
+// Kills: two formats of which one writes over the other's file.
+TEST(Formats, HaveAFileEach) {
+  std::set<std::string_view> files;
   for (const Format& format : formats()) {
-    listed.push_back(format.name);
-    listed.push_back(format.file_name);
+    EXPECT_TRUE(files.insert(format.file_name).second) << format.file_name;
   }
-  EXPECT_EQ(listed, (std::vector<std::string_view>{"html", "report.html", "json", "run.json",
-                                                   "markdown", "summary.md"}));
 }
 
 TEST(FindFormat, KnowsNamesOnly) {
+  EXPECT_EQ(find_format("html").value().file_name, "report.html");
   EXPECT_EQ(find_format("json").value().file_name, "run.json");
+  EXPECT_EQ(find_format("markdown").value().file_name, "summary.md");
   const Result<Format> none = find_format("run.json");
   ASSERT_FALSE(none.has_value());
-  EXPECT_EQ(to_string(none.error()),
-            "run.json: no report format of that name; there are: html, json, markdown");
+  EXPECT_EQ(none.error().file, "run.json");
+  EXPECT_THAT(none.error().reason,
+              AllOf(StartsWith("no report format of that name; there are: html, json"),
+                    EndsWith(format_names().back())));
 }
 
 }  // namespace

@@ -3,17 +3,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "cases/case_reader.h"
 #include "cases/case_writer.h"
 #include "cases/json.h"
+#include "reports/format.h"
 #include "reports/run_reader.h"
+#include "tests/reports/report_files.h"
 #include "tests/reports/sample_run.h"
+#include "tests/temporary_folder.h"
 
 namespace rastercheck::reports {
 namespace {
@@ -21,40 +22,19 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
-const std::vector<std::string> kAll{"json", "html", "markdown"};
-
-/// A folder of its own for every test, which is not there yet.
+/// A run's folder, which is not there yet.
 class WriteReports : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    root_ = fs::path(::testing::TempDir()) / (std::string("rastercheck-") + test->name());
-    fs::remove_all(root_);
-  }
-  void TearDown() override { fs::remove_all(root_); }
+  std::string directory() const { return folder_.path("out"); }
 
-  std::string directory() const { return (root_ / "out").string(); }
-
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::recursive_directory_iterator(root_)) {
-      if (entry.is_regular_file()) {
-        names.push_back(entry.path().lexically_relative(root_ / "out").generic_string());
-      }
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-  }
+  std::vector<std::string> files() const { return folder_.files("out"); }
 
   void put(const std::string& name, const std::string& content) const {
-    const fs::path file = root_ / "out" / name;
-    fs::create_directories(file.parent_path());
-    std::ofstream(file) << content;
+    folder_.put("out/" + name, content);
   }
 
-  fs::path root_;
+  TemporaryFolder folder_;
 };
 
 constexpr const char* kThird =
@@ -65,8 +45,8 @@ constexpr const char* kEarlierThird =
     "counterexamples/earlier/values-are-within-bounds-method-float32-beyond-bound.json";
 
 TEST_F(WriteReports, WritesWhatTheContractLists) {
-  ASSERT_TRUE(write_reports(sample_run(), directory(), kAll).has_value());
-  EXPECT_THAT(files(), ElementsAre(kThird, kOther, "report.html", "run.json", "summary.md"));
+  ASSERT_TRUE(write_reports(sample_run(), directory(), format_names()).has_value());
+  EXPECT_EQ(files(), with_reports({kThird, kOther}));
   EXPECT_EQ(read_run(directory() + "/run.json").value(), sample_run());
   EXPECT_EQ(cases::read_case(directory() + "/" + kThird).value(),
             sample_run().counterexamples[0].source);
@@ -87,7 +67,7 @@ TEST_F(WriteReports, AMisspeltFormatStopsItBeforeAnythingIsWritten) {
 
 // Kills: counterexamples of an earlier run that look like today's, or are lost.
 TEST_F(WriteReports, PutsTheCounterexamplesOfEarlierRunsAside) {
-  ASSERT_TRUE(write_reports(sample_run(), directory(), kAll).has_value());
+  ASSERT_TRUE(write_reports(sample_run(), directory(), format_names()).has_value());
   records::Run later = sample_run();
   later.laws = {"values are within bounds"};
   later.backends = {"method:float32"};
@@ -95,9 +75,9 @@ TEST_F(WriteReports, PutsTheCounterexamplesOfEarlierRunsAside) {
   records::Run interrupted = later;
   interrupted.cases_left = 1;  // perhaps these
   ASSERT_TRUE(write_reports(interrupted, directory(), {}).has_value());
-  EXPECT_THAT(files(), ElementsAre(kThird, kOther, "report.html", "run.json", "summary.md"));
-  ASSERT_TRUE(write_reports(later, directory(), kAll).has_value());
-  EXPECT_THAT(files(), ElementsAre(kEarlierThird, kOther, "report.html", "run.json", "summary.md"));
+  EXPECT_EQ(files(), with_reports({kThird, kOther}));
+  ASSERT_TRUE(write_reports(later, directory(), format_names()).has_value());
+  EXPECT_EQ(files(), with_reports({kEarlierThird, kOther}));
 }
 
 // Kills: what other laws and backends broke put aside by a run that did not look at it.
@@ -137,7 +117,7 @@ TEST_F(WriteReports, LeavesWhatItDidNotWrite) {
 
 TEST_F(WriteReports, NamesTheFileThatCannotBeWritten) {
   put("summary.md/in-the-way", "");
-  const Result<void> done = write_reports(sample_run(), directory(), kAll);
+  const Result<void> done = write_reports(sample_run(), directory(), format_names());
   ASSERT_FALSE(done.has_value());
   EXPECT_EQ(to_string(done.error()),
             directory() + "/summary.md: cannot be written: Is a directory");
@@ -146,9 +126,8 @@ TEST_F(WriteReports, NamesTheFileThatCannotBeWritten) {
 }
 
 TEST_F(WriteReports, NamesAFolderThatCannotBeMade) {
-  fs::create_directories(root_);
-  std::ofstream(root_ / "out") << "a file";
-  const Result<void> done = write_reports(sample_run(), directory(), kAll);
+  folder_.put("out", "a file");
+  const Result<void> done = write_reports(sample_run(), directory(), format_names());
   ASSERT_FALSE(done.has_value());
   EXPECT_EQ(to_string(done.error()), directory() + ": cannot be made: Not a directory");
 }

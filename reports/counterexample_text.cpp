@@ -1,4 +1,4 @@
-#include "cli/counterexample_text.h"
+#include "reports/counterexample_text.h"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include "cases/float_text.h"
 #include "cases/json.h"
 #include "cases/names.h"
-#include "cli/output.h"
 #include "records/enclosure.h"
+#include "reports/text_table.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::reports {
 namespace {
 
 using records::Counterexample;
@@ -21,6 +21,7 @@ using records::Violation;
 
 /// Vertices and triangles that are shown; of more the file is to be looked at.
 constexpr std::size_t kMostShown = 12;
+constexpr int kDigits = 6;  ///< of errors and distances, at most
 
 /// "0x1.8p-2 (0.375)"; small whole numbers as they are.
 std::string number_text(float value) {
@@ -73,10 +74,10 @@ std::string violation_text(const Violation& v, const cases::Case& c) {
     text += fmt::format("{} is {}\n    exactly {}", what, cases::printable(v.actual),
                         exact_text(v.exact));
   }
-  if (v.error) text += fmt::format("; off by {} scale ULP", records::to_decimal(*v.error, 6));
-  if (v.bound) text += fmt::format(", {} allowed", records::to_decimal(*v.bound, 6));
+  if (v.error) text += fmt::format("; off by {} scale ULP", records::to_decimal(*v.error, kDigits));
+  if (v.bound) text += fmt::format(", {} allowed", records::to_decimal(*v.bound, kDigits));
   if (v.distance) {
-    text += fmt::format("; {} pixels from the boundary", records::to_decimal(*v.distance, 6));
+    text += fmt::format("; {} pixels from the boundary", records::to_decimal(*v.distance, kDigits));
   }
   text += "\n";
   if (!v.note.empty()) text += fmt::format("    {}\n", cases::printable(v.note));
@@ -168,7 +169,27 @@ std::string attribute_header(const cases::Attribute& attribute, std::size_t inde
   return text;
 }
 
+std::string enclosure_text(const std::optional<records::Enclosure>& enclosure) {
+  return enclosure ? records::to_decimal(*enclosure, kDigits) : "-";
+}
+
 }  // namespace
+
+std::string violations_text(std::span<const Violation> violations, std::uint64_t all) {
+  std::vector<std::vector<std::string>> rows{{"  class", "of", "triangle", "x", "y", "s", "exact",
+                                              "actual", "error", "bound", "distance", "note"}};
+  for (const Violation& v : violations) {
+    const std::string of = v.attribute ? fmt::format("{} [{}]", to_string(v.kind), *v.attribute)
+                                       : std::string(to_string(v.kind));
+    rows.push_back({fmt::format("  {}", to_string(v.fragment_class)), of,
+                    std::to_string(v.triangle), std::to_string(v.x), std::to_string(v.y),
+                    std::to_string(v.sample), v.exact, v.actual, enclosure_text(v.error),
+                    enclosure_text(v.bound), enclosure_text(v.distance), cases::printable(v.note)});
+  }
+  std::string text = text_table(rows);
+  if (all > violations.size()) text += fmt::format("  … {} in all\n", all);
+  return text;
+}
 
 std::string case_text(const cases::Case& c) {
   std::string text = state_text(c);
@@ -195,7 +216,7 @@ std::string case_text(const cases::Case& c) {
     for (const float distance : c.clip_distances_of(vertex)) row.push_back(number_text(distance));
     rows.push_back(std::move(row));
   }
-  text += table(rows);
+  text += text_table(rows);
   if (c.positions.size() > kMostShown) {
     text += fmt::format("  … {} vertices in all\n", c.positions.size());
   }
@@ -222,4 +243,4 @@ std::string counterexample_text(const Counterexample& counterexample, const std:
   return text + fmt::format("  Again: rastercheck replay {}\n", file);
 }
 
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::reports

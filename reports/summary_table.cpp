@@ -1,48 +1,40 @@
-#include "cli/summary_table.h"
+#include "reports/summary_table.h"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-#include "cli/output.h"
 #include "records/enclosure_json.h"
+#include "records/share.h"
+#include "reports/internal/wording.h"
+#include "reports/text_table.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::reports {
 namespace {
-
-std::string worst_text(const records::SizeSummary& sizes) {
-  return sizes.worst ? records::to_decimal(*sizes.worst, 4) : "-";
-}
-
-/// A quantile is known to a bucket: its upper border is what it does not exceed.
-std::string quantile_text(const records::SizeSummary& sizes) {
-  if (!sizes.p99) return "-";
-  return sizes.p99->hi == 0 ? "0" : fmt::format("<= {:.4g}", sizes.p99->hi);
-}
-
-nlohmann::ordered_json sizes_json(const records::SizeSummary& sizes) {
-  nlohmann::ordered_json json{{"values", sizes.values}, {"worst", nullptr}, {"p99", nullptr}};
-  if (sizes.worst) json["worst"] = {sizes.worst->lo, sizes.worst->hi};
-  if (sizes.p99) json["p99"] = {sizes.p99->lo, sizes.p99->hi};
-  return json;
-}
 
 nlohmann::ordered_json enclosure_json(const std::optional<records::Enclosure>& enclosure) {
   if (!enclosure) return nullptr;
   return records::enclosure_to_json(*enclosure);
 }
 
+nlohmann::ordered_json sizes_json(const records::SizeSummary& sizes) {
+  return {{"values", sizes.values},
+          {"worst", enclosure_json(sizes.worst)},
+          {"p99", enclosure_json(sizes.p99)}};
+}
+
 nlohmann::ordered_json precision_json(const records::Precision& precision) {
-  nlohmann::ordered_json json{{"kind", to_string(precision.kind)}, {"stratum", nullptr}};
+  nlohmann::ordered_json json{{"kind", to_string(precision.kind)},
+                              {"stratum", nullptr},
+                              {"values", precision.values},
+                              {"min", enclosure_json(precision.min)},
+                              {"max", enclosure_json(precision.max)},
+                              {"mean", enclosure_json(precision.mean)},
+                              {"p50", enclosure_json(precision.p50)},
+                              {"p99", enclosure_json(precision.p99)},
+                              {"p99.9", enclosure_json(precision.p999)},
+                              {"misrounded", precision.misrounded}};
   if (precision.stratum) json["stratum"] = to_string(*precision.stratum);
-  json["values"] = precision.values;
-  json["min"] = enclosure_json(precision.min);
-  json["max"] = enclosure_json(precision.max);
-  json["mean"] = enclosure_json(precision.mean);
-  json["p50"] = enclosure_json(precision.p50);
-  json["p99"] = enclosure_json(precision.p99);
-  json["p99.9"] = enclosure_json(precision.p999);
-  json["misrounded"] = precision.misrounded;
   return json;
 }
 
@@ -58,7 +50,7 @@ nlohmann::ordered_json levels_json(const records::LevelCounts& levels) {
 
 }  // namespace
 
-std::string summary_table(std::span<const records::LawSummary> rows, bool quiet) {
+std::string summary_table(const std::vector<records::LawSummary>& rows, bool quiet) {
   std::vector<std::vector<std::string>> cells;
   if (!quiet) {
     cells.push_back({"law", "backend", "cases", "fragments", "worst ULP", "p99 ULP",
@@ -66,13 +58,23 @@ std::string summary_table(std::span<const records::LawSummary> rows, bool quiet)
   }
   for (const records::LawSummary& row : rows) {
     cells.push_back({row.law, row.backend, std::to_string(row.cases.checked),
-                     std::to_string(row.fragments), worst_text(row.ideal), quantile_text(row.ideal),
-                     worst_text(row.excess), std::string(to_string(row.verdict))});
+                     std::to_string(row.fragments), number_text(row.ideal.worst),
+                     at_most_text(row.ideal.p99), number_text(row.excess.worst),
+                     std::string(to_string(row.verdict))});
   }
-  return table(cells);
+  return text_table(cells);
 }
 
-std::string summary_json(const records::Run& run, std::span<const records::LawSummary> rows) {
+std::string summary_counts(const std::vector<records::LawSummary>& rows) {
+  const records::LawSummary total = totals(rows);
+  const records::Counts& counts = total.counts;
+  const std::string decided = records::decided_sentence(total.levels, counts.undecided);
+  return fmt::format("Samples: {} required, {} forbidden, {} permitted, {} undecided.\n",
+                     counts.required, counts.forbidden, counts.permitted, counts.undecided) +
+         (decided.empty() ? "" : decided + "\n");
+}
+
+std::string summary_json(const records::Run& run, const std::vector<records::LawSummary>& rows) {
   nlohmann::ordered_json json{{"seed", run.seed}, {"laws", nlohmann::ordered_json::array()}};
   for (const records::LawSummary& row : rows) {
     nlohmann::ordered_json unreached = nlohmann::ordered_json::array();
@@ -99,4 +101,4 @@ std::string summary_json(const records::Run& run, std::span<const records::LawSu
   return json.dump();
 }
 
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::reports

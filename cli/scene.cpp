@@ -1,4 +1,4 @@
-#include "cli/scene_pictures.h"
+#include "cli/scene.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,13 @@
 #include <utility>
 
 #include "backends/backend.h"
+#include "cases/case_reader.h"
+#include "cases/json.h"
+#include "cases/mesh_reader.h"
+#include "cli/mesh_file.h"
+#include "oracle/transform.h"
 #include "properties/scene.h"
+#include "reports/error_picture.h"
 #include "reports/picture.h"
 #include "reports/png.h"
 
@@ -24,8 +30,21 @@ Result<records::Picture> picture(std::string name, std::string caption,
 
 }  // namespace
 
-Result<properties::Findings> judge_scenes(const cases::Case& scene, unsigned jobs,
-                                          records::Run& run) {
+Result<cases::Case> read_scene(const std::string& file, int size) {
+  const bool is_mesh = cases::is_mesh_file(file);
+  Result<cases::Case> scene =
+      is_mesh ? case_from_mesh_file(file, "", {size, size, cases::Rules::vulkan})
+              : cases::read_case(file);
+  if (scene) scene = oracle::to_clip_case(*scene, file);
+  if (scene && (is_mesh || scene->name.empty())) {
+    scene->name = file == "-" ? "standard input"
+                              : cases::valid_utf8(std::filesystem::path(file).filename().string());
+  }
+  return scene;
+}
+
+Result<properties::Findings> judge_scene_of(records::Run& run, const cases::Case& scene,
+                                            unsigned jobs) {
   properties::Findings all;
   for (const std::string& specification : run.backends) {
     auto backend = backends::make_backend(specification);
@@ -35,15 +54,13 @@ Result<properties::Findings> judge_scenes(const cases::Case& scene, unsigned job
     if (!found) return tl::unexpected(found.error());
     const std::string stem =
         std::filesystem::path(scene.name).stem().string() + "-" + specification;
-    const bool y_up = found->source.rules == cases::Rules::opengl;
     const Result<records::Picture> drawn =
         picture(stem, fmt::format("{} as {} drew it.", scene.name, specification),
                 reports::draw_picture(found->source, found->drawn));
     const Result<records::Picture> errors = picture(
         stem + "-errors",
-        fmt::format("Its errors: the largest of each pixel's attributes against the exact value, "
-                    "in scale ULP."),
-        reports::draw_error_map(found->map, y_up));
+        "Its errors: the largest of each pixel's attributes against the exact value, in scale ULP.",
+        reports::draw_error_map(found->map, found->source.rules));
     if (!drawn) return tl::unexpected(drawn.error());
     if (!errors) return tl::unexpected(errors.error());
     run.pictures.push_back(*drawn);

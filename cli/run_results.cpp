@@ -1,0 +1,73 @@
+#include "cli/run_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "backends/backend.h"
+#include "properties/findings.h"
+#include "properties/law.h"
+#include "reports/counterexample_text.h"
+#include "reports/summary_table.h"
+
+namespace rastercheck::cli {
+namespace {
+
+using records::LawSummary;
+using records::LawVerdict;
+
+auto has_verdict(LawVerdict verdict) {
+  return [verdict](const LawSummary& row) { return row.verdict == verdict; };
+}
+
+/// Whether the row's law had to check something: some laws are about what not every backend
+/// promises.
+bool is_promised(const LawSummary& row) {
+  const properties::Law* law = properties::find_law(row.law);
+  const auto backend = backends::make_backend(row.backend);
+  return law == nullptr || !backend || properties::is_promised(*law, **backend);
+}
+
+void print_counterexamples(const records::Run& run, const std::vector<LawSummary>& rows,
+                           const std::string& output) {
+  if (run.counterexamples.empty()) return;
+  const auto file_of = [&output](const records::Counterexample& one) {
+    return (std::filesystem::path(output) / records::file_of(one)).string();
+  };
+  for (const records::Counterexample& found : run.counterexamples) {
+    fmt::print("{}", reports::counterexample_text(found, file_of(found)));
+  }
+  fmt::print("\nViolated: {} of {} checks. Counterexamples above, one of each way to fail: {}.\n",
+             std::count_if(rows.begin(), rows.end(), has_verdict(LawVerdict::violated)),
+             rows.size(), run.counterexamples.size());
+  const std::size_t first = properties::first_to_read(run.counterexamples);
+  fmt::print("Begin with: rastercheck replay {}\n", file_of(run.counterexamples[first]));
+}
+
+}  // namespace
+
+void print_results(const records::Run& run, const std::vector<LawSummary>& rows,
+                   const std::string& output, bool quiet) {
+  fmt::print("{}", reports::summary_table(rows, quiet));
+  for (const records::UnreachedLabel& label : run.unreached) {
+    fmt::print("{}\n", records::unreached_sentence(label));
+  }
+  if (quiet) return;
+  fmt::print("\n{}", reports::summary_counts(rows));
+  print_counterexamples(run, rows, output);
+  for (const std::string& caveat : records::caveats(run)) fmt::print("{}\n", caveat);
+  if (run.cases_left > 0) fmt::print("`rastercheck run --resume --output {}` goes on.\n", output);
+}
+
+ExitCode exit_code_of(const std::vector<LawSummary>& rows) {
+  const auto some = [&rows](const auto& is) { return std::any_of(rows.begin(), rows.end(), is); };
+  if (some(has_verdict(LawVerdict::violated))) return ExitCode::violated;
+  const bool is_missing = some([](const LawSummary& row) {
+    return row.verdict == LawVerdict::not_checked && is_promised(row);
+  });
+  return is_missing || !some(has_verdict(LawVerdict::held)) ? ExitCode::nothing_checked
+                                                            : ExitCode::ok;
+}
+
+}  // namespace rastercheck::cli

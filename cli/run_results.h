@@ -1,0 +1,22 @@
+#pragma once
+
+// How `rastercheck run` ends: what it prints, and its exit code.
+
+#include <string>
+#include <vector>
+
+#include "cli/exit_code.h"
+#include "records/run.h"
+#include "records/summary.h"
+
+namespace rastercheck::cli {
+
+/// Prints the table of the run, what was not reached, and, unless `quiet`, its counts, its
+/// counterexamples, which are saved in the folder `output`, and what else is to be known of it.
+void print_results(const records::Run& run, const std::vector<records::LawSummary>& rows,
+                   const std::string& output, bool quiet);
+
+/// Of a run without faults. Where several apply: violated, then nothing checked.
+ExitCode exit_code_of(const std::vector<records::LawSummary>& rows);
+
+}  // namespace rastercheck::cli

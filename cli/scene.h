@@ -1,0 +1,23 @@
+#pragma once
+
+// What `rastercheck run --scene` is about: one mesh or case, drawn and judged whole.
+
+#include <string>
+
+#include "cases/case.h"
+#include "cases/error.h"
+#include "properties/findings.h"
+#include "records/run.h"
+
+namespace rastercheck::cli {
+
+/// The clip case of a mesh or case file, "-" for a case on standard input, under the name of its
+/// file if it has no other. A mesh's picture has `size` · `size` pixels.
+Result<cases::Case> read_scene(const std::string& file, int size);
+
+/// Judges the scene with each of the run's backends, in `jobs` threads, and adds what was drawn and
+/// its error map to the run's pictures.
+Result<properties::Findings> judge_scene_of(records::Run& run, const cases::Case& scene,
+                                            unsigned jobs);
+
+}  // namespace rastercheck::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+// Counterexamples for people, on a terminal.
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "records/counterexample.h"
+
+namespace rastercheck::reports {
+
+/// A counterexample over several lines: what failed and where, exact and actual value, the pixels
+/// around it, the case's state and vertices, and the command that checks it again. `file` is where
+/// it is saved.
+std::string counterexample_text(const records::Counterexample& counterexample,
+                                const std::string& file);
+
+/// The part of it that shows the case: pixels, state, vertices, triangles; indented lines.
+std::string case_text(const cases::Case& c);
+
+/// Violations as a table, indented; `all` is how many there are, of which these are the first.
+std::string violations_text(std::span<const records::Violation> violations, std::uint64_t all);
+
+}  // namespace rastercheck::reports

@@ -1,0 +1,72 @@
+#include "reports/summary_table.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "tests/reports/sample_run.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A law whose p99 lies in a bucket that ends just above 0.4585.
+records::LawSummary row() {
+  records::LawSummary row;
+  row.law = "constants stay constant";
+  row.backend = "cpu";
+  row.cases = {12, 3, 1};
+  row.fragments = 1000;
+  row.counts = {1, 2, 3, 4};
+  row.levels.samples = {3, 1, 0};
+  row.ideal.worst = {0.5, 0.5};
+  row.ideal.p99 = {0.4204482076268573, 0.4585020216023356};
+  row.verdict = records::LawVerdict::violated;
+  return row;
+}
+
+// Kills: an upper bound that is rounded down.
+TEST(SummaryTable, HasARowForEachLawAndBackend) {
+  EXPECT_EQ(summary_table({row()}, true),
+            "constants stay constant  cpu  12  1000  0.5  ≤ 0.459  –  violated\n");
+  EXPECT_THAT(summary_table({row()}, false), StartsWith("law  "));
+}
+
+TEST(SummaryCounts, AddUpAllRows) {
+  const std::string text = summary_counts({row(), row()});
+  EXPECT_THAT(text, StartsWith("Samples: 2 required, 4 forbidden, 6 permitted, 8 undecided.\n"));
+  EXPECT_THAT(text, HasSubstr("Samples decided: "));
+  EXPECT_EQ(summary_counts({}), "Samples: 0 required, 0 forbidden, 0 permitted, 0 undecided.\n");
+}
+
+// Kills: an infinite end, which JSON has no number for, left out.
+TEST(SummaryJson, HasTheEndsOfEnclosures) {
+  records::LawSummary infinite = row();
+  infinite.ideal.p99 = {0x1p40, std::numeric_limits<double>::infinity()};
+  const json law = json::parse(summary_json(sample_run(), {infinite})).at("laws").at(0);
+  EXPECT_EQ(law.at("ideal_error").at("worst"), (json{0.5, 0.5}));
+  EXPECT_EQ(law.at("ideal_error").at("p99"), (json{0x1p40, "inf"}));
+  EXPECT_EQ(law.at("beyond_contract").at("worst"), nullptr);
+  EXPECT_EQ(law.at("violations"), 1);
+  EXPECT_EQ(law.at("verdict"), "violated");
+}
+
+TEST(SummaryJson, HasPrecisionByKindAndStratum) {
+  const records::Run run = sample_run();
+  const json document = json::parse(summary_json(run, records::summarize(run)));
+  EXPECT_EQ(document.at("seed"), run.seed);
+  const json precision = document.at("laws").at(0).at("precision");
+  ASSERT_EQ(precision.size(), 3U);
+  EXPECT_EQ(precision.at(0).at("stratum"), nullptr);
+  EXPECT_EQ(precision.at(0).at("mean"), (json{0.125, 0.125}));
+  EXPECT_EQ(precision.at(1).at("kind"), "smooth");
+  EXPECT_EQ(precision.at(1).at("stratum"), "near horizon");
+}
+
+}  // namespace
+}  // namespace rastercheck::reports
