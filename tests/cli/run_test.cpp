@@ -2,10 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/approved_file.h"
 #include "tests/cli/program.h"
 #include "tests/reports/report_files.h"
 #include "tests/temporary_folder.h"
@@ -177,15 +176,7 @@ TEST_F(Run, OfASmallCampaignGivesTheApprovedRecords) {
                                        "--output", folder_.path("out"), "--quiet"});
   ASSERT_EQ(outcome.code, 0) << outcome;
   const std::string text = without_environment(folder_.content("out/run.json"));
-  const std::string file = source_file("tests/cli/approved/small_campaign.json");
-  if (std::getenv("UPDATE_APPROVED") != nullptr) std::ofstream(file, std::ios::binary) << text;
-  std::ifstream stream(file, std::ios::binary);
-  const std::string approved(std::istreambuf_iterator<char>(stream), {});
-  const auto at = std::mismatch(text.begin(), text.end(), approved.begin(), approved.end()).first;
-  const auto offset = static_cast<std::size_t>(at - text.begin());
-  EXPECT_TRUE(text == approved) << file << " differs from byte " << offset << ":\n"
-                                << text.substr(offset, 300) << "\ninstead of\n"
-                                << approved.substr(std::min(offset, approved.size()), 300);
+  EXPECT_TRUE(is_approved(text, source_file("tests/cli/approved/small_campaign.json")));
 }
 
 TEST_F(Run, WithoutASeedNamesTheOneItTook) {

@@ -4,13 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "reports/format.h"
+#include "tests/approved_file.h"
 #include "tests/reports/sample_run.h"
 
 namespace rastercheck::reports {
@@ -29,16 +26,7 @@ TEST_P(ApprovedFormat, WritesWhatWasApproved) {
   const Format format = find_format(GetParam()).value();
   const std::string file = std::string(RASTERCHECK_SOURCE_DIR "/tests/reports/approved/") +
                            std::string(format.file_name);
-  const std::string text = format.write(sample_run());
-  if (std::getenv("UPDATE_APPROVED") != nullptr) std::ofstream(file, std::ios::binary) << text;
-  std::ifstream stream(file, std::ios::binary);
-  const std::string approved(std::istreambuf_iterator<char>(stream), {});
-  // No diff of whole pages: where they part says more.
-  const auto at = std::mismatch(text.begin(), text.end(), approved.begin(), approved.end()).first;
-  const auto offset = static_cast<std::size_t>(at - text.begin());
-  EXPECT_TRUE(text == approved) << file << " differs from byte " << offset << ":\n"
-                                << text.substr(offset, 200) << "\ninstead of\n"
-                                << approved.substr(std::min(offset, approved.size()), 200);
+  EXPECT_TRUE(is_approved(format.write(sample_run()), file));
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, ApprovedFormat, ::testing::ValuesIn(format_names()),
