@@ -191,6 +191,18 @@ Result<Work> prepare(const Options& options) {
   return work;
 }
 
+/// What is known of a run before it begins.
+records::Run planned(const properties::RunPlan& plan) {
+  records::Run run;
+  run.seed = plan.campaign.seed;
+  run.cases_per_law = plan.campaign.cases_per_law;
+  run.backends = plan.campaign.backends;
+  run.laws = plan.campaign.laws;
+  run.scene = plan.scene;
+  run.shrink_seconds = plan.campaign.shrinking.seconds;
+  return run;
+}
+
 /// Ends a run whose results cannot be written: what it found is on the terminal already.
 ExitCode fail_to_write(const Options& options, const Error& error) {
   const ExitCode code = fail(error);
@@ -212,13 +224,7 @@ ExitCode run_campaign(const Options& options) {
     return code;
   }
 
-  records::Run run;
-  run.seed = plan.campaign.seed;
-  run.cases_per_law = plan.campaign.cases_per_law;
-  run.backends = plan.campaign.backends;
-  run.laws = plan.campaign.laws;
-  run.scene = plan.scene;
-  run.shrink_seconds = plan.campaign.shrinking.seconds;
+  records::Run run = planned(plan);
   const InterruptWatch watch(
       fmt::format("\nrastercheck: ending; once more ends at once. `rastercheck run --resume "
                   "--output {}` goes on.\n",
