@@ -11,10 +11,6 @@
 namespace rastercheck::backends::gl {
 namespace {
 
-tl::unexpected<Error> failure(std::string reason) {
-  return tl::unexpected(Error{"gl", "", std::move(reason)});
-}
-
 /// EGL's error code, as its specification lists them.
 tl::unexpected<Error> egl_failure(const std::string& what) {
   return failure(what + " failed (EGL error " + hexadecimal(static_cast<GLenum>(eglGetError())) +

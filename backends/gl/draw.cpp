@@ -62,17 +62,16 @@ void bind_floats(const Object& vertex_array, GLuint location, const Object& buff
 }
 
 Result<void> validate(const MeshView& view) {
-  const auto fault = [](const char* reason) { return tl::unexpected(Error{"gl", "", reason}); };
   if (view.attributes.size() != kAttributes * view.positions.size()) {
-    return fault("not two attributes for every vertex");
+    return failure("not two attributes for every vertex");
   }
   for (const cases::Triangle& triangle : view.triangles) {
     if (*std::max_element(triangle.begin(), triangle.end()) >= view.positions.size()) {
-      return fault("a vertex index beyond the positions");
+      return failure("a vertex index beyond the positions");
     }
   }
   if (view.triangles.size() > std::numeric_limits<GLsizei>::max() / 3) {
-    return fault("more indices than one draw takes");
+    return failure("more indices than one draw takes");
   }
   return {};
 }
@@ -104,10 +103,7 @@ Result<Mesh> Mesh::upload(const Context& /*context*/, const MeshView& view) {
   bind_floats(impl->vertex_array, 0, impl->positions, 4);
   bind_floats(impl->vertex_array, 1, impl->attributes, static_cast<GLint>(kAttributes));
   glVertexArrayElementBuffer(impl->vertex_array.name(), impl->indices.name());
-  if (const Result<void> uploaded = check("uploading a mesh"); !uploaded) {
-    return tl::unexpected(uploaded.error());
-  }
-  return Mesh(std::move(impl));
+  return check("uploading a mesh").map([&] { return Mesh(std::move(impl)); });
 }
 
 struct Program::Impl {

@@ -30,9 +30,8 @@ Result<Object> make_image(const TargetShape& shape, GLenum format) {
   GLint samples = 0;
   glGetTextureLevelParameteriv(image.name(), 0, GL_TEXTURE_SAMPLES, &samples);
   if (samples != shape.samples) {
-    return tl::unexpected(Error{"gl", "",
-                                "asked for " + std::to_string(shape.samples) +
-                                    " samples, the driver takes " + std::to_string(samples)});
+    return failure("asked for " + std::to_string(shape.samples) + " samples, the driver takes " +
+                   std::to_string(samples));
   }
   return image;
 }
@@ -56,10 +55,10 @@ unsigned Target::framebuffer() const { return impl_->framebuffer.name(); }
 
 Result<Target> Target::create(const Context& /*context*/, const TargetShape& shape) {
   if (shape.width < 1 || shape.height < 1 || shape.samples < 1) {
-    return tl::unexpected(Error{"gl", "", "no target of " + to_string(shape)});
+    return failure("no target of " + to_string(shape));
   }
   Result<Object> color =
-      make_image(shape, shape.color == ColorFormat::rgba8 ? GL_RGBA8 : GL_RGBA32F);
+      make_image(shape, shape.color == cases::ColorFormat::rgba8 ? GL_RGBA8 : GL_RGBA32F);
   if (!color) return tl::unexpected(color.error());
   Result<Object> depth = make_image(shape, GL_DEPTH_COMPONENT32F);
   if (!depth) return tl::unexpected(depth.error());
@@ -68,7 +67,7 @@ Result<Target> Target::create(const Context& /*context*/, const TargetShape& sha
   glNamedFramebufferTexture(framebuffer.name(), GL_DEPTH_ATTACHMENT, depth->name(), 0);
   if (glCheckNamedFramebufferStatus(framebuffer.name(), GL_DRAW_FRAMEBUFFER) !=
       GL_FRAMEBUFFER_COMPLETE) {
-    return tl::unexpected(Error{"gl", "", "the driver does not draw into " + to_string(shape)});
+    return failure("the driver does not draw into " + to_string(shape));
   }
   return Target(std::make_unique<Impl>(
       Impl{shape, *std::move(color), *std::move(depth), std::move(framebuffer)}));

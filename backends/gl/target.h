@@ -6,24 +6,25 @@
 
 #include "backends/gl/context.h"
 #include "cases/error.h"
+#include "cases/picture.h"
 
 namespace rastercheck::backends::gl {
-
-enum class ColorFormat { rgba8, rgba32f };
 
 /// What a target is. Its depth is float32 throughout.
 struct TargetShape {
   int width = 0;    ///< in pixels
   int height = 0;   ///< in pixels
   int samples = 1;  ///< of a pixel
-  ColorFormat color = ColorFormat::rgba32f;
+  cases::ColorFormat color = cases::ColorFormat::float32;
 };
+
+/// Red, green, blue and alpha; bytes as multiples of 1/255.
+using Color = std::array<float, 4>;
 
 /// A target's content. Row 0 is that of the least window y.
 struct Picture {
   TargetShape shape;
-  std::vector<std::array<float, 4>>
-      color;                 ///< [y][x][sample], r g b a; bytes as multiples of 1/255
+  std::vector<Color> color;  ///< [y][x][sample]
   std::vector<float> depth;  ///< [y][x][sample]
 };
 

@@ -10,18 +10,17 @@ namespace rastercheck::backends::gl {
 namespace {
 
 Result<void> validate(std::span<const TextureLevel> levels) {
-  const auto fault = [](const char* reason) { return tl::unexpected(Error{"gl", "", reason}); };
-  if (levels.empty()) return fault("a texture without a level");
+  if (levels.empty()) return failure("a texture without a level");
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const TextureLevel& level = levels[i];
     if (level.width < 1 || level.height < 1 ||
         level.texels.size() !=
             static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height)) {
-      return fault("a level of a texture that has not its size's texels");
+      return failure("a level of a texture that has not its size's texels");
     }
     if (i > 0 && (level.width != std::max(levels[i - 1].width / 2, 1) ||
                   level.height != std::max(levels[i - 1].height / 2, 1))) {
-      return fault("a level of a texture that is not half of that before");
+      return failure("a level of a texture that is not half of that before");
     }
   }
   return {};
@@ -50,10 +49,7 @@ Result<Texture> Texture::upload(const Context& /*context*/, std::span<const Text
     glTextureSubImage2D(name, static_cast<GLint>(i), 0, 0, levels[i].width, levels[i].height,
                         GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV, levels[i].texels.data());
   }
-  if (const Result<void> uploaded = check("uploading a texture"); !uploaded) {
-    return tl::unexpected(uploaded.error());
-  }
-  return Texture(std::move(impl));
+  return check("uploading a texture").map([&] { return Texture(std::move(impl)); });
 }
 
 }  // namespace rastercheck::backends::gl

@@ -22,6 +22,8 @@
 namespace rastercheck::backends::gl {
 namespace {
 
+using cases::ColorFormat;
+
 constexpr int kSize = 16;
 
 /// llvmpipe evaluates planes in float32, as sums of a few terms that on a target of 16 × 16 with
@@ -94,7 +96,7 @@ void expect_one_triangle(const Picture& picture, float color_tolerance) {
       const float v = (static_cast<float>(y) + 0.5F - 2) / 12;
       const float least = std::min({u, v, 1 - u - v});
       for (int s = 0; s < samples; ++s, ++i) {
-        const std::array<float, 4>& color = picture.color[i];
+        const Color& color = picture.color[i];
         if (least > 0.12F) {
           ++inside;
           EXPECT_NEAR(color[0], u, color_tolerance + reach) << x << ", " << y;
@@ -103,7 +105,7 @@ void expect_one_triangle(const Picture& picture, float color_tolerance) {
           EXPECT_EQ(color[3], 1);
           EXPECT_NEAR(picture.depth[i], 0.25F, kTolerance);
         } else if (least < -0.12F) {
-          EXPECT_EQ(color, (std::array<float, 4>{})) << x << ", " << y;
+          EXPECT_EQ(color, (Color{})) << x << ", " << y;
           EXPECT_EQ(picture.depth[i], 1);
         }
       }
@@ -113,7 +115,7 @@ void expect_one_triangle(const Picture& picture, float color_tolerance) {
 }
 
 TEST_F(Gl, DrawsATriangle) {
-  expect_one_triangle(draw(OneTriangle().view(), {kSize, kSize, 1, ColorFormat::rgba32f}),
+  expect_one_triangle(draw(OneTriangle().view(), {kSize, kSize, 1, ColorFormat::float32}),
                       kTolerance);
 }
 
@@ -124,7 +126,7 @@ TEST_F(Gl, DrawsATriangleInBytes) {
 }
 
 TEST_F(Gl, ReadsEverySample) {
-  const Picture picture = draw(OneTriangle().view(), {kSize, kSize, 4, ColorFormat::rgba32f});
+  const Picture picture = draw(OneTriangle().view(), {kSize, kSize, 4, ColorFormat::float32});
   expect_one_triangle(picture, kTolerance);
   // Along an edge some pixels have samples on both sides.
   int split = 0;
@@ -162,8 +164,8 @@ TEST_F(Gl, KeepsFloatsBeyondOne) {
   const std::array<cases::Triangle, 1> triangles = {{{0, 1, 2}}};
   for (const int samples : {1, 4}) {
     const Picture picture =
-        draw({positions, attributes, triangles}, {4, 4, samples, ColorFormat::rgba32f});
-    for (const std::array<float, 4>& color : picture.color) {
+        draw({positions, attributes, triangles}, {4, 4, samples, ColorFormat::float32});
+    for (const Color& color : picture.color) {
       EXPECT_NEAR(color[0], -5, 8 * kTolerance);
       EXPECT_NEAR(color[1], 7, 8 * kTolerance);
     }
@@ -171,8 +173,8 @@ TEST_F(Gl, KeepsFloatsBeyondOne) {
 }
 
 TEST_F(Gl, ClearsTheTarget) {
-  const Picture picture = draw({}, {3, 2, 1, ColorFormat::rgba32f});
-  EXPECT_EQ(picture.color, std::vector(6, std::array<float, 4>{}));
+  const Picture picture = draw({}, {3, 2, 1, ColorFormat::float32});
+  EXPECT_EQ(picture.color, std::vector(6, Color{}));
   EXPECT_EQ(picture.depth, std::vector(6, 1.0F));
 }
 
@@ -198,8 +200,6 @@ struct Layers {
   std::vector<cases::Triangle> triangles;
 };
 
-using Color = std::array<float, 4>;
-
 void expect_color(const Color& color, const Color& expected, float tolerance) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(color[i], expected[i], tolerance) << i;
 }
@@ -207,7 +207,7 @@ void expect_color(const Color& color, const Color& expected, float tolerance) {
 TEST_F(Gl, BlendsInSubmissionOrder) {
   // A byte rounds after each of two layers.
   for (const auto& [format, tolerance] :
-       {std::pair{ColorFormat::rgba32f, kTolerance}, {ColorFormat::rgba8, 2.0F / 255}}) {
+       {std::pair{ColorFormat::float32, kTolerance}, {ColorFormat::rgba8, 2.0F / 255}}) {
     DrawState state;
     state.depth_function = cases::DepthFunction::always;
     state.writes_depth = false;

@@ -82,7 +82,7 @@ class GlPeer {
                                       });
     if (!program) return tl::unexpected(program.error());
     program_ = *std::move(program);
-    const auto format = color == "rgba8" ? gl::ColorFormat::rgba8 : gl::ColorFormat::rgba32f;
+    const auto format = color == "rgba8" ? cases::ColorFormat::rgba8 : cases::ColorFormat::float32;
     Result<gl::Target> target =
         gl::Target::create(*context_, {scene->size.x, scene->size.y, samples, format});
     if (!target) return tl::unexpected(target.error());

@@ -24,7 +24,7 @@ Result<void> check_status(GLuint name, GLenum status, const char* what, GetParam
   if (is_good != 0) return {};
   std::array<char, 4096> log{};
   get_log(name, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  return tl::unexpected(Error{"gl", "", what + (": " + first_line(log.data()))});
+  return failure(what + (": " + first_line(log.data())));
 }
 
 Result<Object> make_shader(GLenum stage, const char* source) {
@@ -82,6 +82,10 @@ Result<Object> make_program(const char* vertex_shader, const char* fragment_shad
       .map([&] { return std::move(program); });
 }
 
+tl::unexpected<Error> failure(std::string reason) {
+  return tl::unexpected(Error{"gl", "", std::move(reason)});
+}
+
 Result<void> check(const std::string& what) {
   const GLenum first = glGetError();
   if (first == GL_NO_ERROR) return {};
@@ -89,7 +93,7 @@ Result<void> check(const std::string& what) {
   // context tells the same for ever.
   for (int flags = 0; flags < 16 && glGetError() != GL_NO_ERROR; ++flags) {
   }
-  return tl::unexpected(Error{"gl", "", what + " failed (GL error " + hexadecimal(first) + ")"});
+  return failure(what + " failed (GL error " + hexadecimal(first) + ")");
 }
 
 std::string hexadecimal(GLenum code) { return fmt::format("{:#x}", code); }

@@ -47,6 +47,9 @@ Object make_vertex_array();
 /// A linked program, or what the compiler or the linker said.
 Result<Object> make_program(const char* vertex_shader, const char* fragment_shader);
 
+/// An error of drivers, in one line.
+tl::unexpected<Error> failure(std::string reason);
+
 /// The first error that GL noted since the last call, as "`what` failed (GL error 0x…)".
 Result<void> check(const std::string& what);
 

@@ -62,7 +62,7 @@ Result<Picture> read_samples(const TargetShape& shape, GLuint color, GLuint dept
   Picture picture{shape, {}, {}};
   picture.color.resize(pixels * samples);
   picture.depth.resize(pixels * samples);
-  std::vector<std::array<float, 4>> color_plane(pixels);
+  std::vector<Color> color_plane(pixels);
   std::vector<float> depth_plane(pixels);
   for (std::size_t sample = 0; sample < samples; ++sample) {
     glUniform1i(0, static_cast<GLint>(sample));
