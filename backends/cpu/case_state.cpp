@@ -62,6 +62,68 @@ ras::Convention convention(cases::Rules rules) {
   return ras::Convention::d3d;
 }
 
+ras::DepthTest depth_test(cases::DepthFunction function) {
+  switch (function) {
+    case cases::DepthFunction::always:
+      return ras::DepthTest::always;
+    case cases::DepthFunction::never:
+      return ras::DepthTest::never;
+    case cases::DepthFunction::less:
+      return ras::DepthTest::less;
+    case cases::DepthFunction::equal:
+      return ras::DepthTest::equal;
+    case cases::DepthFunction::less_or_equal:
+      return ras::DepthTest::less_or_equal;
+    case cases::DepthFunction::greater:
+      return ras::DepthTest::greater;
+    case cases::DepthFunction::not_equal:
+      return ras::DepthTest::not_equal;
+    case cases::DepthFunction::greater_or_equal:
+      break;
+  }
+  return ras::DepthTest::greater_or_equal;
+}
+
+ras::Blend blend(cases::Blend blend) {
+  switch (blend) {
+    case cases::Blend::off:
+      return ras::Blend::off;
+    case cases::Blend::over:
+      return ras::Blend::over;
+    case cases::Blend::additive:
+      break;
+  }
+  return ras::Blend::additive;
+}
+
+ras::Wrap wrap(cases::Wrap wrap) {
+  switch (wrap) {
+    case cases::Wrap::repeat:
+      return ras::Wrap::repeat;
+    case cases::Wrap::clamp:
+      return ras::Wrap::clamp;
+    case cases::Wrap::mirror:
+      break;
+  }
+  return ras::Wrap::mirror;
+}
+
+ras::Filter filter(cases::Filter filter) {
+  switch (filter) {
+    case cases::Filter::nearest:
+      return ras::Filter::nearest;
+    case cases::Filter::bilinear:
+      return ras::Filter::bilinear;
+    case cases::Filter::trilinear:
+      break;
+  }
+  return ras::Filter::trilinear;
+}
+
+ras::ColorFormat format(cases::ColorFormat format) {
+  return format == cases::ColorFormat::rgba8 ? ras::ColorFormat::rgba8 : ras::ColorFormat::float32;
+}
+
 int subpixel_bits(const cases::Snapping& snapping) {
   return std::clamp(snapping.subpixel_bits, ras::kLeastSubpixelBits, ras::kMostSubpixelBits);
 }

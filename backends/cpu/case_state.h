@@ -8,11 +8,20 @@
 
 #include "cases/case.h"
 #include "cases/error.h"
+#include "cases/picture.h"
 #include "rasterizer/rasterizer.h"
+#include "rasterizer/texture.h"
 
 namespace rastercheck::backends {
 
 rasterizer::Convention convention(cases::Rules rules);
+
+// Parts of a pipeline (cases/picture.h).
+rasterizer::DepthTest depth_test(cases::DepthFunction function);
+rasterizer::Blend blend(cases::Blend blend);
+rasterizer::ColorFormat format(cases::ColorFormat format);
+rasterizer::Wrap wrap(cases::Wrap wrap);
+rasterizer::Filter filter(cases::Filter filter);
 
 /// The grid that the rasterizer snaps to where a case asks for one.
 int subpixel_bits(const cases::Snapping& snapping);

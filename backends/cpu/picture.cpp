@@ -17,64 +17,6 @@ namespace {
 
 namespace ras = rasterizer;
 
-ras::DepthTest depth_test(cases::DepthFunction function) {
-  switch (function) {
-    case cases::DepthFunction::always:
-      return ras::DepthTest::always;
-    case cases::DepthFunction::never:
-      return ras::DepthTest::never;
-    case cases::DepthFunction::less:
-      return ras::DepthTest::less;
-    case cases::DepthFunction::equal:
-      return ras::DepthTest::equal;
-    case cases::DepthFunction::less_or_equal:
-      return ras::DepthTest::less_or_equal;
-    case cases::DepthFunction::greater:
-      return ras::DepthTest::greater;
-    case cases::DepthFunction::not_equal:
-      return ras::DepthTest::not_equal;
-    case cases::DepthFunction::greater_or_equal:
-      break;
-  }
-  return ras::DepthTest::greater_or_equal;
-}
-
-ras::Blend blend(cases::Blend blend) {
-  switch (blend) {
-    case cases::Blend::off:
-      return ras::Blend::off;
-    case cases::Blend::over:
-      return ras::Blend::over;
-    case cases::Blend::additive:
-      break;
-  }
-  return ras::Blend::additive;
-}
-
-ras::Wrap wrap(cases::Wrap wrap) {
-  switch (wrap) {
-    case cases::Wrap::repeat:
-      return ras::Wrap::repeat;
-    case cases::Wrap::clamp:
-      return ras::Wrap::clamp;
-    case cases::Wrap::mirror:
-      break;
-  }
-  return ras::Wrap::mirror;
-}
-
-ras::Filter filter(cases::Filter filter) {
-  switch (filter) {
-    case cases::Filter::nearest:
-      return ras::Filter::nearest;
-    case cases::Filter::bilinear:
-      return ras::Filter::bilinear;
-    case cases::Filter::trilinear:
-      break;
-  }
-  return ras::Filter::trilinear;
-}
-
 /// Differences of attributes from a quad's even column to its odd one, or from row to row, each
 /// rounded to float32 once.
 struct QuadDifferences {
@@ -127,10 +69,6 @@ std::optional<ras::Error> draw_untextured(const FrameDraw& draw, cases::Shading 
       break;
   }
   return draw.by();
-}
-
-ras::ColorFormat format(cases::ColorFormat format) {
-  return format == cases::ColorFormat::rgba8 ? ras::ColorFormat::rgba8 : ras::ColorFormat::float32;
 }
 
 std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline& pipeline,

@@ -15,6 +15,7 @@
 #include <tuple>
 #include <utility>
 
+#include "backends/cpu/case_state.h"
 #include "rasterizer/shading.h"
 #include "rasterizer/texture.h"
 #include "tests/bench/draw_kinds.h"
@@ -43,59 +44,13 @@ struct ColorShader {
   }
 };
 
-rasterizer::DepthTest depth_test(cases::DepthFunction function) {
-  switch (function) {
-    case cases::DepthFunction::always:
-      return rasterizer::DepthTest::always;
-    case cases::DepthFunction::never:
-      return rasterizer::DepthTest::never;
-    case cases::DepthFunction::less:
-      return rasterizer::DepthTest::less;
-    case cases::DepthFunction::equal:
-      return rasterizer::DepthTest::equal;
-    case cases::DepthFunction::less_or_equal:
-      return rasterizer::DepthTest::less_or_equal;
-    case cases::DepthFunction::greater:
-      return rasterizer::DepthTest::greater;
-    case cases::DepthFunction::not_equal:
-      return rasterizer::DepthTest::not_equal;
-    case cases::DepthFunction::greater_or_equal:
-      return rasterizer::DepthTest::greater_or_equal;
-  }
-  return rasterizer::DepthTest::always;
-}
-
-rasterizer::Blend blend(cases::Blend blend) {
-  switch (blend) {
-    case cases::Blend::off:
-      return rasterizer::Blend::off;
-    case cases::Blend::over:
-      return rasterizer::Blend::over;
-    case cases::Blend::additive:
-      return rasterizer::Blend::additive;
-  }
-  return rasterizer::Blend::off;
-}
-
-rasterizer::Filter filter(cases::Filter filter) {
-  switch (filter) {
-    case cases::Filter::nearest:
-      return rasterizer::Filter::nearest;
-    case cases::Filter::bilinear:
-      return rasterizer::Filter::bilinear;
-    case cases::Filter::trilinear:
-      return rasterizer::Filter::trilinear;
-  }
-  return rasterizer::Filter::nearest;
-}
-
 rasterizer::State state_of(const DrawKind& kind, const Scene& scene) {
   rasterizer::State state;
   state.viewport.size = scene.size;
   state.attributes.resize(2);
-  state.depth_test = depth_test(kind.depth_function);
+  state.depth_test = backends::depth_test(kind.depth_function);
   state.depth_write = kind.writes_depth;
-  state.blend = blend(kind.blend);
+  state.blend = backends::blend(kind.blend);
   return state;
 }
 
@@ -114,7 +69,7 @@ std::string draw_frame(const DrawKind& kind, const Scene& scene,
   const Result<rasterizer::Texture>& texture = bench_texture();
   if (!texture) return to_string(texture.error());
   return draw_by(rasterizer::TexturedShader{.texture = &*texture,
-                                            .sampler = {.filter = filter(*kind.filter)},
+                                            .sampler = {.filter = backends::filter(*kind.filter)},
                                             .discard_below = kind.discard_below});
 }
 
