@@ -15,7 +15,6 @@ namespace {
 struct Scalar {
   BlockCoverage coverage;
   std::array<std::array<double, kBlockSize>, 3> e{};
-  std::array<double, kBlockSize> sum{};
 
   Scalar(const EdgeRow& row, int first, int count) {
     for (int j = 0; j < count; ++j) {
@@ -28,16 +27,9 @@ struct Scalar {
         is_possible = is_possible && value >= -row.band[i];
         is_sure = is_sure && value > row.band[i];
       }
-      sum[static_cast<std::size_t>(j)] = e[0][static_cast<std::size_t>(j)] +
-                                         e[1][static_cast<std::size_t>(j)] +
-                                         e[2][static_cast<std::size_t>(j)];
       coverage.possible |= std::uint64_t{is_possible} << j;
       coverage.sure |= std::uint64_t{is_sure} << j;
     }
-  }
-
-  double combine(const std::array<double, 3>& k, std::size_t j) const {
-    return k[0] * e[0][j] + k[1] * e[1][j] + k[2] * e[2][j];
   }
 };
 
