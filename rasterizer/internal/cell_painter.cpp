@@ -5,6 +5,16 @@
 #include <cmath>
 
 namespace rastercheck::rasterizer {
+namespace {
+
+/// The sample of a cell's lane (shading.h).
+LanePlace place_of(const FragmentBatch::Cell& cell, std::size_t lane) {
+  return {cell.sample, cell.x + static_cast<int>(lane % FragmentBatch::kCellWidth),
+          cell.y + static_cast<int>(lane / FragmentBatch::kCellWidth),
+          (cell.covered >> lane & 1) != 0, false};
+}
+
+}  // namespace
 
 PaintSetting paint_setting(const ShaderView& shader, const State& state, const Mesh& mesh,
                            const Framebuffer& framebuffer) {
@@ -163,20 +173,17 @@ void CellPainter::draw_two_rows(std::uint32_t triangle, std::size_t sample, int 
 void CellPainter::add_lanes(std::uint32_t triangle, std::size_t sample, const TileCell& cell,
                             std::uint16_t at_vertex) {
   const std::size_t first = batch_.count * FragmentBatch::kCellLanes;
-  const int left = tile_->columns().begin + cell.column;
-  const int top = tile_->rows().begin + cell.row;
+  FragmentBatch::Cell& added = batch_.cells[batch_.count++];
+  added = {triangle, cell.covered, static_cast<std::uint16_t>(tile_->columns().begin + cell.column),
+           static_cast<std::uint16_t>(tile_->rows().begin + cell.row),
+           static_cast<std::uint16_t>(sample)};
   lanes_->begin(triangle);  // a shader may have asked for another
   for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; ++lane) {
-    const auto bit = [lane](std::uint16_t bits) { return (bits >> lane & 1) != 0; };
-    const LanePlace place{sample, left + static_cast<int>(lane % FragmentBatch::kCellWidth),
-                          top + static_cast<int>(lane / FragmentBatch::kCellWidth),
-                          bit(cell.covered), bit(at_vertex)};
+    LanePlace place = place_of(added, lane);
+    place.is_at_vertex = (at_vertex >> lane & 1) != 0;
     lanes_->evaluate(place,
                      {batch_.depth, batch_.values, batch_.along_u, batch_.along_v, first + lane});
   }
-  batch_.cells[batch_.count++] = {triangle, cell.covered, static_cast<std::uint16_t>(left),
-                                  static_cast<std::uint16_t>(top),
-                                  static_cast<std::uint16_t>(sample)};
   if (batch_.is_full()) flush(paint_.merging);
 }
 
@@ -200,11 +207,8 @@ void CellPainter::flush(const Merging& merging) {
 
 double CellPainter::floor(std::size_t attribute, std::size_t lane, double scale, double period) {
   const FragmentBatch::Cell& cell = batch_.cells[lane / FragmentBatch::kCellLanes];
-  const std::size_t of_cell = lane % FragmentBatch::kCellLanes;
   if (!lanes_->begin(cell.triangle)) return 0;  // it is drawn, or it would have no lane
-  const LanePlace place{cell.sample, cell.x + static_cast<int>(of_cell % FragmentBatch::kCellWidth),
-                        cell.y + static_cast<int>(of_cell / FragmentBatch::kCellWidth), true,
-                        false};
+  const LanePlace place = place_of(cell, lane % FragmentBatch::kCellLanes);
   return lanes_->floor(place, attribute, scale, period);
 }
 
