@@ -54,7 +54,4 @@ void evaluate_affine(const PlaneRow& plane, int count, const BlockWeights& weigh
 void evaluate_depth(const PlaneRow& plane, double least, double greatest, int count,
                     const BlockWeights& weights, float* out);
 
-/// How a value comes from the weights: not at all, as evaluate_smooth or as evaluate_affine has it.
-enum class ValueKind { copied, smooth, affine };
-
 }  // namespace rastercheck::rasterizer
