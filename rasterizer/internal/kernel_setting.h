@@ -92,21 +92,22 @@ struct TriangleNumbers {
   static constexpr std::size_t kFar = 4;
   static constexpr std::size_t kDenominator = 5;  ///< TrianglePlanes::kSum
   static constexpr std::size_t kA = 0;            ///< of each
-  static constexpr std::size_t kB = 6;
-  static constexpr std::size_t kC = 12;  ///< times T
+  static constexpr std::size_t kB = kHalfPlanes;
+  static constexpr std::size_t kC = 2 * kHalfPlanes;  ///< times T
   /// A sample is surely within where a U + (b V + c) is above this: its band, or, where nothing is
   /// rounded, what lies just below the least number that samples within may have.
-  static constexpr std::size_t kSure = 18;
+  static constexpr std::size_t kSure = 3 * kHalfPlanes;
   /// A sample is surely beyond unless it is above this.
-  static constexpr std::size_t kPossible = 24;
-  static constexpr std::size_t kPlanes = 30;  ///< TrianglePlanes; with makes_cells kSum as well
+  static constexpr std::size_t kPossible = 4 * kHalfPlanes;
+  /// TrianglePlanes; with makes_cells kSum as well.
+  static constexpr std::size_t kPlanes = 5 * kHalfPlanes;
   static constexpr std::size_t kDepth = kPlanes + TrianglePlanes::kDepth;
   static constexpr std::size_t kValues = kPlanes + TrianglePlanes::kValues;
 
   static constexpr std::size_t count(std::size_t attributes) {
     return kPlanes + TrianglePlanes::count(attributes);
   }
-  static constexpr std::size_t kMost = kPlanes + TrianglePlanes::kValues + 3 * kMaxAttributes;
+  static constexpr std::size_t kMost = kPlanes + TrianglePlanes::count(kMaxAttributes);
 };
 
 }  // namespace rastercheck::rasterizer
