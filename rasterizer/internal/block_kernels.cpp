@@ -8,24 +8,11 @@
 // After foreach_target.h, as Highway wants it.
 #include <hwy/highway.h>
 
-#include "rasterizer/internal/rounding-inl.h"
+#include "rasterizer/internal/vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Doubles = hn::CappedTag<double, kBlockSize>;
-
-template <class D, class M>
-std::uint64_t bits_of([[maybe_unused]] D d, M mask) {
-  alignas(64) std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(d, mask, bytes.data());
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) bits |= std::uint64_t{bytes[i]} << (8 * i);
-  return bits & ((std::uint64_t{1} << hn::Lanes(d)) - 1);
-}
 
 BlockCoverage EvaluateEdges(const EdgeRow& row, int first, int count, BlockWeights& weights) {
   const Doubles d;
@@ -47,15 +34,15 @@ BlockCoverage EvaluateEdges(const EdgeRow& row, int first, int count, BlockWeigh
       possible = hn::And(possible, hn::Ge(e, hn::Neg(band)));
       sure = hn::And(sure, hn::Gt(e, band));
     }
-    coverage.possible |= bits_of(d, possible) << j;
-    coverage.sure |= bits_of(d, sure) << j;
+    coverage.possible |= BitsOf(d, possible) << j;
+    coverage.sure |= BitsOf(d, sure) << j;
   }
   return coverage;
 }
 
 /// The plane's values for the samples from j.
-template <class D>
-auto Along([[maybe_unused]] D d, const PlaneRow& plane, const BlockWeights& weights, int j) {
+HWY_INLINE Vector Along(const PlaneRow& plane, const BlockWeights& weights, int j) {
+  const Doubles d;
   const auto u = hn::Load(d, weights.u.data() + j);
   return hn::Add(hn::Mul(hn::Set(d, plane.a), u), hn::Set(d, plane.row));
 }
@@ -65,17 +52,15 @@ std::uint64_t SumWeights(const PlaneRow& plane, double least, int count, BlockWe
   const int lanes = static_cast<int>(hn::Lanes(d));
   std::uint64_t above = 0;
   for (int j = 0; j < count; j += lanes) {
-    const auto sum = Along(d, plane, weights, j);
+    const auto sum = Along(plane, weights, j);
     hn::Store(hn::Div(hn::Set(d, 1.0), sum), d, weights.reciprocal.data() + j);
-    above |= bits_of(d, hn::Gt(sum, hn::Set(d, least))) << j;
+    above |= BitsOf(d, hn::Gt(sum, hn::Set(d, least))) << j;
   }
   return above;
 }
 
-template <class D, class V>
-void StoreRounded([[maybe_unused]] D d, V value, float* out) {
-  const hn::Rebind<float, D> floats;
-  hn::StoreU(RoundToFloats(floats, value), floats, out);
+HWY_INLINE void StoreRounded(Vector value, float* out) {
+  hn::StoreU(RoundToFloats(value), Halves(), out);
 }
 
 void EvaluateSmooth(const PlaneRow& numerator, int count, const BlockWeights& weights, float* out) {
@@ -83,14 +68,14 @@ void EvaluateSmooth(const PlaneRow& numerator, int count, const BlockWeights& we
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int j = 0; j < count; j += lanes) {
     const auto reciprocal = hn::Load(d, weights.reciprocal.data() + j);
-    StoreRounded(d, hn::Mul(Along(d, numerator, weights, j), reciprocal), out + j);
+    StoreRounded(hn::Mul(Along(numerator, weights, j), reciprocal), out + j);
   }
 }
 
 void EvaluateAffine(const PlaneRow& plane, int count, const BlockWeights& weights, float* out) {
   const Doubles d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int j = 0; j < count; j += lanes) StoreRounded(d, Along(d, plane, weights, j), out + j);
+  for (int j = 0; j < count; j += lanes) StoreRounded(Along(plane, weights, j), out + j);
 }
 
 void EvaluateDepth(const PlaneRow& plane, double least, double greatest, int count,
@@ -98,8 +83,8 @@ void EvaluateDepth(const PlaneRow& plane, double least, double greatest, int cou
   const Doubles d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int j = 0; j < count; j += lanes) {
-    const auto depth = hn::Max(Along(d, plane, weights, j), hn::Set(d, least));
-    StoreRounded(d, hn::Min(depth, hn::Set(d, greatest)), out + j);
+    const auto depth = hn::Max(Along(plane, weights, j), hn::Set(d, least));
+    StoreRounded(hn::Min(depth, hn::Set(d, greatest)), out + j);
   }
 }
 

@@ -13,31 +13,16 @@
 #include <hwy/highway.h>
 
 #include "rasterizer/internal/cells-inl.h"
+#include "rasterizer/internal/tile_spans-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
 /// Columns begin … end − 1, both within a tile.
 inline Mask ColumnsFrom(std::int32_t begin, std::int32_t end) {
   if (begin >= end) return 0;
   return ~Mask{0} >> (kTileSize - (end - begin)) << begin;
-}
-
-/// Whether what is there is nowhere behind any of the triangle (tile_kernels.cpp).
-inline bool IsHidden(const KernelSetting& setting, DepthTest test, const Depths& depths,
-                     const TileArea& area, const TilePart& part) {
-  if (test == DepthTest::never) return true;
-  if (!lets_fall(test)) return false;
-  const auto least = static_cast<float>(
-      std::min(std::max(depths.least, setting.depth_least), setting.depth_greatest));
-  for (int band = part.rows.begin / kBandSize; band * kBandSize < part.rows.end; ++band) {
-    const float greatest = area.greatest[band];
-    if (!(test == DepthTest::less ? least >= greatest : least > greatest)) return false;
-  }
-  return true;
 }
 
 Mask FindCells(const KernelSetting& setting, const double* numbers, DepthTest test,
@@ -95,7 +80,7 @@ class Evaluator {
   HWY_INLINE std::uint16_t PutDepths(DepthTest test, const TileCell& cell, float* depths) const {
     const Halves floats;
     const bool tests = lets_fall(test) || lets_rise(test);
-    std::uint16_t passing = 0;
+    std::uint64_t passing = 0;
     for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; lane += hn::Lanes(floats)) {
       const auto depth = DepthAt(cell, lane);
       hn::StoreU(depth, floats, depths + lane);
@@ -103,10 +88,9 @@ class Evaluator {
       const auto column = static_cast<std::size_t>(cell.column);
       const auto row = static_cast<std::size_t>(cell.row);
       const auto old = hn::LoadU(floats, depths_ + PlaceOf(column, row, lane));
-      passing =
-          static_cast<std::uint16_t>(passing | BitsAt(Passes(floats, test, depth, old), lane));
+      passing |= BitsOf(floats, Passes(floats, test, depth, old)) << lane;
     }
-    return tests ? passing : std::uint16_t{0xffff};
+    return tests ? static_cast<std::uint16_t>(passing) : std::uint16_t{0xffff};
   }
 
   /// The values, and their derivatives, of a cell whose lanes are those from `first` on.
@@ -125,11 +109,11 @@ class Evaluator {
   }
 
  private:
-  HWY_INLINE PlaneOf PlaneOfAttribute(std::size_t a) const {
+  HWY_INLINE Plane PlaneOfAttribute(std::size_t a) const {
     return PlaneAt(planes_of_, TrianglePlanes::kValues + 3 * a);
   }
 
-  HWY_INLINE Vector At(const PlaneOf& plane, const TileCell& cell, std::size_t lane) const {
+  HWY_INLINE Vector At(const Plane& plane, const TileCell& cell, std::size_t lane) const {
     const Doubles d;
     const auto u = hn::LoadU(d, u_ + cell.column + lane % kWidth);
     const double v = v_[cell.row + static_cast<int>(lane / kWidth)];
@@ -141,7 +125,7 @@ class Evaluator {
                            Vector reciprocal, const CellBatch& batch) const {
     const Doubles d;
     const auto interpolation = kAttributes > 0 ? Interpolation::smooth : setting_.interpolation[a];
-    const PlaneOf plane = kAttributes > 0 ? planes_[a] : PlaneOfAttribute(a);
+    const Plane plane = kAttributes > 0 ? planes_[a] : PlaneOfAttribute(a);
     const bool is_flat = interpolation == Interpolation::flat;
     auto value = is_flat ? hn::Set(d, plane.c) : At(plane, cell, lane);
     if (interpolation == Interpolation::smooth) value = hn::Mul(value, reciprocal);
@@ -164,9 +148,9 @@ class Evaluator {
   const double* const u_;  ///< of columns
   const double* const v_;  ///< of rows
   const float* const depths_;
-  const PlaneOf depth_;
-  const PlaneOf sum_;
-  PlaneOf planes_[std::max<std::size_t>(kAttributes, 1)];  ///< of attributes
+  const Plane depth_;
+  const Plane sum_;
+  Plane planes_[std::max<std::size_t>(kAttributes, 1)];  ///< of attributes
 };
 
 HWY_INLINE FragmentBatch::Cell PlaceIn(const CellSource& source, std::uint32_t triangle,
@@ -242,14 +226,12 @@ std::size_t EvaluateMarked(const KernelSetting& setting, std::span<const MarkedT
   });
 }
 
-using Marks = hn::Rebind<std::uint32_t, Halves>;
-
 bool MarkCells(const KernelSetting& setting, const double* planes, const Merging& merging,
                const TileArea& area, std::span<const TileCell> cells, std::uint32_t mark,
                std::uint32_t* marks) {
   const Halves floats;
   const Evaluator<0, false> evaluator(setting, planes, area);
-  const Marks tag;
+  const HalfWords tag;
   const auto marked = hn::Set(tag, mark);
   auto any = hn::FirstN(floats, 0);
   for (const TileCell& cell : cells) {
@@ -271,12 +253,10 @@ bool MarkCells(const KernelSetting& setting, const double* planes, const Merging
 
 /// The marks of a cell's columns in one row.
 HWY_INLINE std::uint64_t BitsOfMark(const std::uint32_t* marks, std::uint32_t mark) {
-  const Marks d;
+  const HalfWords d;
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < kWidth; i += hn::Lanes(d)) {
-    alignas(8) std::array<std::uint8_t, 8> bytes{};
-    hn::StoreMaskBits(d, hn::Eq(hn::LoadU(d, marks + i), hn::Set(d, mark)), bytes.data());
-    bits |= std::uint64_t{bytes[0]} << i;
+    bits |= BitsOf(d, hn::Eq(hn::LoadU(d, marks + i), hn::Set(d, mark))) << i;
   }
   return bits;
 }

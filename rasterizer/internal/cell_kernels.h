@@ -39,15 +39,6 @@ struct TileCells {
   std::span<const TileCell> all() const { return {cells.data(), count}; }
 };
 
-/// Whether a test leaves ever lesser depths in a framebuffer (or, `Rises`, ever greater ones), so
-/// that a fragment that fails it now will fail it later.
-constexpr bool lets_fall(DepthTest test) {
-  return test == DepthTest::less || test == DepthTest::less_or_equal;
-}
-constexpr bool lets_rise(DepthTest test) {
-  return test == DepthTest::greater || test == DepthTest::greater_or_equal;
-}
-
 /// Finds the cells of what of a triangle with these numbers (TriangleNumbers) lies in that part of
 /// a tile. Returns the rows, both of a cell or neither, for which double is not enough, or where a
 /// sample is at a vertex; their cells are left out. `area.greatest` has to be that of the tile

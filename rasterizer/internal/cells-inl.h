@@ -1,6 +1,5 @@
 // Lanes of cells, and depth tests of them. Included once for each SIMD target, as Highway has it.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -13,7 +12,8 @@
 
 #include <hwy/highway.h>
 
-#include "rasterizer/internal/tile_spans-inl.h"
+#include "rasterizer/internal/tile_kernels.h"
+#include "rasterizer/internal/vectors-inl.h"
 #include "rasterizer/shading.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -49,17 +49,7 @@ HWY_INLINE hn::Mask<D> Passes(D d, DepthTest test, hn::Vec<D> depth, hn::Vec<D> 
 /// Lanes of a cell from `lane` on, as its bits have them.
 template <class D>
 HWY_INLINE hn::Mask<D> LanesOf(D d, std::uint16_t bits, std::size_t lane) {
-  const auto here = static_cast<std::uint64_t>(bits) >> lane;
-  const std::uint64_t wanted = here & ((std::uint64_t{1} << hn::Lanes(d)) - 1);
-  alignas(8) std::array<std::uint8_t, 8> bytes{};
-  bytes[0] = static_cast<std::uint8_t>(wanted);
-  bytes[1] = static_cast<std::uint8_t>(wanted >> 8);
-  return hn::LoadMaskBits(d, bytes.data());
-}
-HWY_INLINE std::uint16_t BitsAt(hn::Mask<Halves> lanes, std::size_t lane) {
-  alignas(8) std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(Halves(), lanes, bytes.data());
-  return static_cast<std::uint16_t>(bytes[0] << lane);
+  return MaskOf(d, std::uint64_t{bits} >> lane);
 }
 
 /// Where a cell's lanes from `lane` on are in a tile's arrays.

@@ -10,13 +10,11 @@
 // After foreach_target.h, as Highway wants it.
 #include <hwy/highway.h>
 
+#include "rasterizer/internal/vectors-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, kBlockSize>;
 
 /// factor · E_i of the samples from j in float32, 0 where it is not positive. What lies beyond
 /// `count` is not read by more than a vector of doubles: nobody has filled it.
@@ -41,8 +39,8 @@ auto Share(D floats, const double* e, double factor, int j, [[maybe_unused]] int
   return hn::IfThenElseZero(hn::Gt(share, hn::Zero(floats)), share);
 }
 
-/// Shares factors_i · E_i, divided by their sum where `is_smooth`.
-template <bool is_smooth>
+/// Shares factors_i · E_i, divided by their sum where `kIsSmooth`.
+template <bool kIsSmooth>
 void SetUpWeights(const BlockWeights& weights, const std::array<double, 3>& factors, int count,
                   FloatWeights& out) {
   const Floats d;
@@ -63,7 +61,7 @@ void SetUpWeights(const BlockWeights& weights, const std::array<double, 3>& fact
     // The shares of the vertices one and two after it.
     auto next = hn::IfThenElse(is_2, f0, hn::IfThenElse(is_1, f2, f1));
     auto last = hn::IfThenElse(is_2, f1, hn::IfThenElse(is_1, f0, f2));
-    if constexpr (is_smooth) {
+    if constexpr (kIsSmooth) {
       const auto pivot = hn::IfThenElse(is_2, f2, hn::IfThenElse(is_1, f1, f0));
       const auto sum = hn::Add(hn::Add(next, last), pivot);
       next = hn::Div(next, sum);

@@ -262,7 +262,7 @@ class FrameDrawing {
 
   /// Draws one sample of the pixels of a part; returns the rows that it left out.
   Mask draw_sample(const BinnedTriangle& binned, const TilePart& part, const TileArea& area) const {
-    const Undrawn undrawn = shade_triangle(*kernel_, binned.numbers, area, part);
+    const Undrawn undrawn = draw_part(*kernel_, binned.numbers, area, part);
     for (std::size_t i = 0; i < undrawn.vertex_count; ++i) {
       const VertexSample& sample = undrawn.vertices[i];
       const glm::uvec3& corners = mesh_.triangles[binned.triangle];

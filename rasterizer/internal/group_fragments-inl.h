@@ -14,7 +14,8 @@
 
 #include "rasterizer/internal/group_lanes-inl.h"
 #include "rasterizer/internal/masks.h"
-#include "rasterizer/internal/rounding-inl.h"
+#include "rasterizer/internal/tile_kernels.h"
+#include "rasterizer/internal/vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
@@ -108,18 +109,83 @@ HWY_INLINE Cover CoverBoxes(const KernelSetting& setting, const Part& part, cons
   return cover;
 }
 
-/// A fragment of the group: its lane and its bit.
+/// A fragment of the group: its lane, and its bit in what that covers.
 using Code = std::uint32_t;
+constexpr int kCodeLane = 6;
 
-/// Depth and attributes of the fragments in `codes`, whose arrays have room for whole vectors.
-HWY_INLINE void Shade(const KernelSetting& setting, const Part& part, std::size_t sample,
-                      const Code* codes, std::size_t count, std::uint32_t first,
-                      FragmentList& out) {
+/// Bits of a column, or a row, of a tile.
+constexpr int kTileBits = 6;
+static_assert(1 << kTileBits == kTileSize);
+
+/// Puts depth and attributes of a vector of fragments at U, V, of triangles in these lanes.
+HWY_INLINE void PutValues(const KernelSetting& setting, const Part& part, hn::Vec<HalfWords> lane,
+                          Vector u, Vector v, std::size_t at, FragmentList& out) {
   const Doubles d;
   const Halves floats;
+  const auto of_lane = hn::IndicesFromVec(d, hn::PromoteTo(Words(), lane));
+  const auto plane = [&](std::size_t at_a, std::size_t at_b, std::size_t at_c) HWY_ATTR {
+    const auto a = hn::TableLookupLanes(part.Get(at_a), of_lane);
+    const auto b = hn::TableLookupLanes(part.Get(at_b), of_lane);
+    const auto c = hn::TableLookupLanes(part.Get(at_c), of_lane);
+    return hn::Add(hn::Mul(a, u), hn::Add(hn::Mul(b, v), c));
+  };
+  const auto plane_at = [&](std::size_t number)
+                            HWY_ATTR { return plane(number, number + 1, number + 2); };
+  const auto depth = hn::Min(hn::Max(plane_at(Numbers::kDepth), hn::Set(d, setting.depth_least)),
+                             hn::Set(d, setting.depth_greatest));
+  hn::StoreU(hn::DemoteTo(floats, depth), floats, out.depth.data() + at);
+  auto reciprocal = hn::Zero(d);
+  if (setting.has_smooth) {
+    constexpr std::size_t kAt = Numbers::kDenominator;
+    const auto sum = plane(Numbers::kA + kAt, Numbers::kB + kAt, Numbers::kC + kAt);
+    reciprocal = hn::Div(hn::Set(d, 1.0), sum);
+  }
+  for (std::size_t a = 0; a < setting.attributes; ++a) {
+    const std::size_t number = Numbers::kValues + 3 * a;
+    Vector value;
+    switch (setting.interpolation[a]) {
+      case Interpolation::smooth:
+        value = hn::Mul(plane_at(number), reciprocal);
+        break;
+      case Interpolation::noperspective:
+        value = plane_at(number);
+        break;
+      case Interpolation::flat:
+        value = hn::TableLookupLanes(part.Get(number + 2), of_lane);
+        break;
+    }
+    hn::StoreU(RoundToFloats(value), floats, out.attributes[a].data() + at);
+  }
+}
+
+/// Puts tiles and keys of a vector of fragments. `places`: pixels, the column in the low half, as
+/// no coordinate has more than 14 bits.
+HWY_INLINE void PutKeys(const KernelSetting& setting, hn::Vec<HalfWords> triangle,
+                        std::size_t sample, hn::Vec<Ints> places, std::size_t at,
+                        FragmentList& out) {
   const Ints ints;
-  const Words words;
-  const hn::Rebind<std::uint32_t, Doubles> codes_tag;
+  const HalfWords words;
+  const auto column = hn::And(places, hn::Set(ints, 0xffff));
+  const auto row = hn::ShiftRight<16>(places);
+  const auto tile_column = hn::ShiftRight<kTileBits>(column);
+  const auto tile_row = hn::ShiftRight<kTileBits>(row);
+  const auto tile = hn::Add(hn::Mul(tile_row, hn::Set(ints, setting.tile_columns)), tile_column);
+  const auto last = hn::Set(ints, kTileSize - 1);
+  const auto in_tile = hn::Or(hn::ShiftLeft<kTileBits>(hn::And(row, last)), hn::And(column, last));
+  hn::StoreU(hn::BitCast(words, tile), words, out.tile.data() + at);
+  const auto of_sample = hn::Set(words, fragment_key(0, static_cast<std::uint32_t>(sample), 0));
+  const auto key =
+      hn::Or(hn::ShiftLeft<kKeyTriangle>(triangle), hn::Or(of_sample, hn::BitCast(words, in_tile)));
+  hn::StoreU(key, words, out.key.data() + at);
+}
+
+/// Puts the fragments in `codes`, whose arrays have room for whole vectors.
+HWY_INLINE void PutFragments(const KernelSetting& setting, const Part& part, std::size_t sample,
+                             const Code* codes, std::size_t count, std::uint32_t first,
+                             FragmentList& out) {
+  const Doubles d;
+  const Ints ints;
+  const HalfWords words;
   alignas(64) std::array<std::int32_t, kGroup> corner{};
   alignas(64) std::array<double, kGroup> u_corner{};
   alignas(64) std::array<double, kGroup> v_corner{};
@@ -132,67 +198,22 @@ HWY_INLINE void Shade(const KernelSetting& setting, const Part& part, std::size_
   const auto corners = hn::Load(ints, corner.data());
   const auto u_corners = hn::Load(d, u_corner.data());
   const auto v_corners = hn::Load(d, v_corner.data());
-  const std::size_t at = out.size;
   for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
-    const auto code = hn::LoadU(codes_tag, codes + k);
-    const auto lane = hn::ShiftRight<6>(code);
-    const auto of_lane = hn::IndicesFromVec(d, hn::PromoteTo(words, lane));
-    const auto x = hn::BitCast(ints, hn::And(code, hn::Set(codes_tag, 7)));
-    const auto y = hn::BitCast(ints, hn::And(hn::ShiftRight<3>(code), hn::Set(codes_tag, 7)));
+    const auto code = hn::LoadU(words, codes + k);
+    const auto lane = hn::ShiftRight<kCodeLane>(code);
+    const auto of_lane = hn::IndicesFromVec(d, hn::PromoteTo(Words(), lane));
+    const auto of_half = hn::IndicesFromVec(ints, hn::BitCast(ints, lane));
+    const auto x = hn::BitCast(ints, hn::And(code, hn::Set(words, 7)));
+    const auto y = hn::BitCast(ints, hn::And(hn::ShiftRight<3>(code), hn::Set(words, 7)));
     const auto u = hn::Add(hn::TableLookupLanes(u_corners, of_lane),
                            hn::Mul(hn::PromoteTo(d, x), hn::Set(d, setting.u_step)));
     const auto v = hn::Add(hn::TableLookupLanes(v_corners, of_lane),
                            hn::Mul(hn::PromoteTo(d, y), hn::Set(d, setting.v_step)));
-    const auto plane = [&](std::size_t at_a, std::size_t at_b, std::size_t at_c) HWY_ATTR {
-      const auto a = hn::TableLookupLanes(part.Get(at_a), of_lane);
-      const auto b = hn::TableLookupLanes(part.Get(at_b), of_lane);
-      const auto c = hn::TableLookupLanes(part.Get(at_c), of_lane);
-      return hn::Add(hn::Mul(a, u), hn::Add(hn::Mul(b, v), c));
-    };
-    const auto plane_at = [&](std::size_t number)
-                              HWY_ATTR { return plane(number, number + 1, number + 2); };
-    const auto depth = hn::Min(hn::Max(plane_at(Numbers::kDepth), hn::Set(d, setting.depth_least)),
-                               hn::Set(d, setting.depth_greatest));
-    hn::StoreU(hn::DemoteTo(floats, depth), floats, out.depth.data() + at + k);
-    auto reciprocal = hn::Zero(d);
-    if (setting.has_smooth) {
-      constexpr std::size_t kAt = Numbers::kDenominator;
-      const auto sum = plane(Numbers::kA + kAt, Numbers::kB + kAt, Numbers::kC + kAt);
-      reciprocal = hn::Div(hn::Set(d, 1.0), sum);
-    }
-    for (std::size_t a = 0; a < setting.attributes; ++a) {
-      const std::size_t number = Numbers::kValues + 3 * a;
-      Vector value;
-      switch (setting.interpolation[a]) {
-        case Interpolation::smooth:
-          value = hn::Mul(plane_at(number), reciprocal);
-          break;
-        case Interpolation::noperspective:
-          value = plane_at(number);
-          break;
-        case Interpolation::flat:
-          value = hn::TableLookupLanes(part.Get(number + 2), of_lane);
-          break;
-      }
-      hn::StoreU(RoundToFloats(floats, value), floats, out.attributes[a].data() + at + k);
-    }
-    // Where it is: no coordinate has more than 14 bits.
-    const auto of_half = hn::IndicesFromVec(ints, hn::BitCast(ints, lane));
-    const auto place =
+    PutValues(setting, part, lane, u, v, out.size + k, out);
+    const auto places =
         hn::Add(hn::TableLookupLanes(corners, of_half), hn::Or(x, hn::ShiftLeft<16>(y)));
-    const auto column = hn::And(place, hn::Set(ints, 0xffff));
-    const auto row = hn::ShiftRight<16>(place);
-    const auto tile = hn::Add(hn::Mul(hn::ShiftRight<6>(row), hn::Set(ints, setting.tile_columns)),
-                              hn::ShiftRight<6>(column));
-    const auto in_tile = hn::Or(hn::ShiftLeft<6>(hn::And(row, hn::Set(ints, 63))),
-                                hn::And(column, hn::Set(ints, 63)));
-    const auto triangle = hn::Add(hn::Set(codes_tag, first), lane);
-    hn::StoreU(hn::BitCast(codes_tag, tile), codes_tag, out.tile.data() + at + k);
-    const auto of_sample =
-        hn::Set(codes_tag, fragment_key(0, static_cast<std::uint32_t>(sample), 0));
-    const auto key = hn::Or(hn::ShiftLeft<kKeyTriangle>(triangle),
-                            hn::Or(of_sample, hn::BitCast(codes_tag, in_tile)));
-    hn::StoreU(key, codes_tag, out.key.data() + at + k);
+    const auto triangle = hn::Add(hn::Set(words, first), lane);
+    PutKeys(setting, triangle, sample, places, out.size + k, out);
   }
   out.size += count;
 }
@@ -225,22 +246,21 @@ struct SmallCover {
   using PerSample = std::array<T, DrawBounds::kMaxSamples>;
   alignas(64) PerSample<std::array<std::uint64_t, kGroup>> covered;
   alignas(64) PerSample<std::array<std::uint64_t, kGroup>> at_vertex;
-  std::uint32_t ties;  ///< lanes with samples on edges, or next to them
+  Mask ties;  ///< lanes with samples on edges, or next to them
 };
 
-/// Covers the small triangles among `small_bits`. Returns those that it did not: where double is
+/// Covers the `small` triangles. Returns those that it did not: where double is
 /// not enough for the denominator, or a sample is within the band of an edge. `is_exact`: whether
 /// edges without a band have their limits, which they are given where there is need.
-HWY_INLINE std::uint32_t CoverSmall(const KernelSetting& setting, const std::array<Corner, 3>& p,
-                                    const Part& part, const SmallBoxes& boxes,
-                                    std::uint32_t small_bits, bool& is_exact, SmallCover& out) {
+HWY_INLINE Mask CoverSmall(const KernelSetting& setting, const Corners& p, const Part& part,
+                           const SmallBoxes& boxes, Mask small, bool& is_exact, SmallCover& out) {
   const Doubles d;
   const auto one = hn::Set(d, 1.0);
   const Extent& columns = boxes.columns;
   const Extent& rows = boxes.rows;
-  std::uint32_t left_bits = 0;
+  Mask left = 0;
   out.ties = 0;
-  for (std::size_t s = 0; s < setting.samples && small_bits != 0; ++s) {
+  for (std::size_t s = 0; s < setting.samples && small != 0; ++s) {
     const auto u_step = hn::Set(d, setting.u_step);
     const auto v_step = hn::Set(d, setting.v_step);
     const auto u_first = hn::Set(d, setting.u_first[s]);
@@ -258,13 +278,13 @@ HWY_INLINE std::uint32_t CoverSmall(const KernelSetting& setting, const std::arr
       const auto least_sum =
           hn::Add(hn::Min(hn::Mul(a, u), hn::Mul(a, u_last)), hn::Add(along_v, c));
       const auto least = part.Get(Numbers::kSure + Numbers::kDenominator);
-      const std::uint32_t is_above = BitsOf(hn::Gt(least_sum, least));
-      left_bits |= small_bits & ~is_above;
-      small_bits &= is_above;
+      const Mask is_above = BitsOf(d, hn::Gt(least_sum, least));
+      left |= small & ~is_above;
+      small &= is_above;
     }
     const Words words;
     const auto lane_bits = [&](Bits bits) HWY_ATTR {
-      return BitsOf(hn::RebindMask(d, hn::Ne(bits, hn::Zero(words)))) & small_bits;
+      return BitsOf(d, hn::RebindMask(d, hn::Ne(bits, hn::Zero(words)))) & small;
     };
     Cover cover = CoverBoxes(setting, part, boxes, u, v, is_exact);
     if (!is_exact && lane_bits(cover.doubtful) != 0) {
@@ -272,19 +292,19 @@ HWY_INLINE std::uint32_t CoverSmall(const KernelSetting& setting, const std::arr
       is_exact = SetExactLimits(setting, part, p);
       if (is_exact) cover = CoverBoxes(setting, part, boxes, u, v, true);
     }
-    const std::uint32_t doubtful = lane_bits(cover.doubtful);
-    out.ties |= BitsOf(cover.has_ties) & small_bits;
-    left_bits |= doubtful;
-    small_bits &= ~doubtful;
+    const Mask doubtful = lane_bits(cover.doubtful);
+    out.ties |= BitsOf(d, cover.has_ties) & small;
+    left |= doubtful;
+    small &= ~doubtful;
     hn::Store(cover.covered, words, out.covered[s].data());
     hn::Store(cover.at_vertex, words, out.at_vertex[s].data());
   }
-  return left_bits;
+  return left;
 }
 
-/// Appends the fragments of the small triangles.
+/// Appends the fragments of the `small` triangles.
 inline void AppendFragments(const KernelSetting& setting, const GroupInput& input, const Part& part,
-                            const SmallCover& cover, std::uint32_t small_bits, std::uint32_t first,
+                            const SmallCover& cover, Mask small, std::uint32_t first,
                             FragmentList& fragments) {
   const Doubles d;
   const GroupOutput& output = *part.output;
@@ -298,9 +318,9 @@ inline void AppendFragments(const KernelSetting& setting, const GroupInput& inpu
     std::size_t vertex_count = 0;
     std::array<Code, kGroup * 64 + kGroup> codes;
     std::size_t count = 0;
-    for_each_bit(small_bits, [&](int bit) {
+    for_each_bit(small, [&](int bit) {
       const auto lane = static_cast<std::size_t>(bit);
-      const Code of_lane = static_cast<Code>(lane) << 6;
+      const Code of_lane = static_cast<Code>(lane) << kCodeLane;
       const std::uint64_t bits = cover.covered[s][lane];
       for_each_bit(cover.at_vertex[s][lane], [&](int place) {
         const std::uint64_t before = bits & ((std::uint64_t{1} << place) - 1);
@@ -321,8 +341,8 @@ inline void AppendFragments(const KernelSetting& setting, const GroupInput& inpu
     if (count == 0) continue;
     for (std::size_t i = 0; i < hn::Lanes(d); ++i) codes[count + i] = 0;
     const std::size_t at = fragments.size;
-    Shade(setting, part, s, codes.data(), count, first + static_cast<std::uint32_t>(part.from),
-          fragments);
+    PutFragments(setting, part, s, codes.data(), count,
+                 first + static_cast<std::uint32_t>(part.from), fragments);
     for (std::size_t i = 0; i < vertex_count; ++i) {
       PutVertexValues(setting, input, output, s, part.from + vertices[i].lane, vertices[i].bit,
                       at + vertices[i].fragment, fragments);

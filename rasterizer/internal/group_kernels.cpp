@@ -2,6 +2,7 @@
 
 #include "rasterizer/internal/group_kernels.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -63,73 +64,95 @@ HWY_INLINE Lanes AreCopied(const Three& r) {
   return hn::Or(not_finite, hn::And(is(all), is(any)));
 }
 
-/// Puts the half-planes and planes of triangles, but where all are small not the half-planes of
-/// depth planes, as they cut none of these. Returns those whose values double holds.
-HWY_INLINE Lanes PutNumbers(const KernelSetting& setting, const GroupInput& input, const Part& part,
-                            const std::array<Corner, 3>& p, const Outline& outline,
-                            bool all_are_small) {
+/// Puts the half-planes of triangles: those of depth planes that cut none just where some
+/// `may_be_numbered`.
+HWY_INLINE void PutHalfPlanes(const KernelSetting& setting, const Part& part,
+                              const Outline& outline, bool may_be_numbered) {
   const Doubles d;
-  const auto zero = hn::Zero(d);
-  const auto one = hn::Set(d, 1.0);
-  const auto t = hn::Set(d, setting.t);
-  const Lanes all = hn::FirstN(d, hn::Lanes(d));
-  const Edges& edges = outline.edges;
-  const Three& band = outline.band;
-  const auto det_t = outline.det_t;
-  const Lanes in_front = outline.in_front;
-  const Three z{p[0].z, p[1].z, p[2].z};
-  const Three w{p[0].w, p[1].w, p[2].w};
+  const Edges& lines = outline.lines;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Edges& lines = outline.lines;
     PutHalfPlane(part, i, {lines.a[i], lines.b[i], lines.c[i]}, outline.sure[i],
                  outline.possible[i]);
   }
-  if (BitsOf(hn::Not(outline.is_whole)) != 0) {
-    PutClip(part, Numbers::kNear, outline.near, edges, band, t);
-    PutClip(part, Numbers::kFar, outline.far, edges, band, t);
-  } else if (!all_are_small) {
+  const auto zero = hn::Zero(d);
+  const auto one = hn::Set(d, 1.0);
+  const auto t = hn::Set(d, setting.t);
+  if (BitsOf(d, hn::Not(outline.is_whole)) != 0) {
+    PutClip(part, Numbers::kNear, outline.near, outline.edges, outline.band, t);
+    PutClip(part, Numbers::kFar, outline.far, outline.edges, outline.band, t);
+  } else if (may_be_numbered) {
     PutHalfPlane(part, Numbers::kNear, {zero, zero, one}, zero, zero);
     PutHalfPlane(part, Numbers::kFar, {zero, zero, one}, zero, zero);
   }
-  const auto scale = hn::Div(one, det_t);
-  const auto depth_error = SumOfSizes(z, band);
-  Lanes certain = hn::Le(hn::Mul(depth_error, hn::Set(d, kDepthCertainty)), det_t);
-  PlaneOf depth = Collect(edges, z, t, hn::Mul(hn::Set(d, setting.depth_span), scale),
-                          hn::Set(d, setting.depth_low));
+}
+
+/// The depth of a plane of equal depth: that of the vertex with the greatest |w|.
+HWY_INLINE Vector LevelDepth(const KernelSetting& setting, const Corners& p) {
+  const Doubles d;
+  auto z = p.z[0];
+  auto w = p.w[0];
+  for (std::size_t i = 1; i < 3; ++i) {
+    const Lanes is_greater = hn::Gt(hn::Abs(p.w[i]), hn::Abs(w));
+    z = hn::IfThenElse(is_greater, p.z[i], z);
+    w = hn::IfThenElse(is_greater, p.w[i], w);
+  }
+  return hn::Add(hn::Set(d, setting.depth_low),
+                 hn::Mul(hn::Set(d, setting.depth_span), hn::Div(z, w)));
+}
+
+/// Puts the planes of depths; `scale` is 1 / (|det| T). Returns the triangles for which double
+/// holds them (certificates.h).
+HWY_INLINE Lanes PutDepth(const KernelSetting& setting, const Part& part, const Corners& p,
+                          const Outline& outline, Vector scale) {
+  const Doubles d;
+  const Three& z = p.z;
+  const Three& w = p.w;
+  const auto error = SumOfSizes(z, outline.band);
+  Lanes certain = hn::Le(hn::Mul(error, hn::Set(d, kDepthCertainty)), outline.det_t);
+  PlaneLanes depth =
+      Collect(outline.edges, z, hn::Set(d, setting.t),
+              hn::Mul(hn::Set(d, setting.depth_span), scale), hn::Set(d, setting.depth_low));
   const Lanes is_level = All(hn::Eq(hn::Mul(z[0], w[1]), hn::Mul(z[1], w[0])),
                              hn::Eq(hn::Mul(z[1], w[2]), hn::Mul(z[2], w[1])),
                              hn::Eq(hn::Mul(z[2], w[0]), hn::Mul(z[0], w[2])));
-  if (BitsOf(is_level) != 0) {
-    const Lanes second = hn::Gt(hn::Abs(w[1]), hn::Abs(w[0]));
-    auto z_most = hn::IfThenElse(second, z[1], z[0]);
-    auto w_most = hn::IfThenElse(second, w[1], w[0]);
-    const Lanes third = hn::Gt(hn::Abs(w[2]), hn::Abs(w_most));
-    z_most = hn::IfThenElse(third, z[2], z_most);
-    w_most = hn::IfThenElse(third, w[2], w_most);
-    const auto level = hn::Add(hn::Set(d, setting.depth_low),
-                               hn::Mul(hn::Set(d, setting.depth_span), hn::Div(z_most, w_most)));
-    depth = Constant(is_level, level, depth);
+  if (BitsOf(d, is_level) != 0) {
+    depth = Constant(is_level, LevelDepth(setting, p), depth);
     certain = hn::Or(certain, is_level);
   }
   PutPlane(part, Numbers::kDepth, depth);
+  return certain;
+}
 
-  // Denominator and numerators.
-  const Lanes has_one_w = All(hn::Eq(w[0], w[1]), hn::Eq(w[1], w[2]), in_front);
-  const auto affine_error = SumOfSizes(w, band);
-  const Lanes is_affine_certain =
-      hn::And(in_front, hn::Le(hn::Mul(affine_error, hn::Set(d, kAffineCertainty)), det_t));
-  if (setting.has_affine) certain = hn::And(certain, is_affine_certain);
-  PlaneOf denominator{zero, zero, one};
+/// Puts denominators: Σ E_i, or 1 where no smooth value is divided.
+HWY_INLINE void PutDenominator(const KernelSetting& setting, const Part& part,
+                               const Outline& outline, Lanes has_one_w) {
+  const Doubles d;
+  const auto zero = hn::Zero(d);
+  const auto one = hn::Set(d, 1.0);
+  const Three& band = outline.band;
+  PlaneLanes denominator{zero, zero, one};
   auto least = zero;
   if (setting.has_smooth) {
-    certain = hn::And(certain, hn::Or(hn::Not(has_one_w), is_affine_certain));
-    denominator = Constant(has_one_w, one, Collect(edges, {one, one, one}, t, one, zero));
+    const auto t = hn::Set(d, setting.t);
+    denominator = Constant(has_one_w, one, Collect(outline.edges, {one, one, one}, t, one, zero));
     least = hn::Mul(hn::Set(d, kSmoothCertainty), hn::Add(hn::Add(band[0], band[1]), band[2]));
     least = hn::IfThenZeroElse(has_one_w, least);
   }
   if (setting.makes_cells) PutPlane(part, Numbers::kPlanes + TrianglePlanes::kSum, denominator);
   PutHalfPlane(part, Numbers::kDenominator, denominator, least,
                hn::Set(d, -std::numeric_limits<double>::infinity()));
+}
+
+/// Puts the planes of attributes, `scale` as PutDepth() has it. Returns the triangles of which one
+/// is to be copied as it is.
+HWY_INLINE Lanes PutAttributes(const KernelSetting& setting, const GroupInput& input,
+                               const Part& part, const Three& w, const Edges& edges, Vector scale,
+                               Lanes has_one_w) {
+  const Doubles d;
+  const auto zero = hn::Zero(d);
+  const auto one = hn::Set(d, 1.0);
+  const auto t = hn::Set(d, setting.t);
+  const Lanes all = hn::FirstN(d, hn::Lanes(d));
   Lanes copied = Never();
   for (std::size_t a = 0; a < setting.attributes; ++a) {
     const std::size_t number = Numbers::kValues + 3 * a;
@@ -148,6 +171,28 @@ HWY_INLINE Lanes PutNumbers(const KernelSetting& setting, const GroupInput& inpu
     for (std::size_t i = 0; i < 3; ++i) k[i] = hn::IfThenElse(weighed, hn::Mul(r[i], w[i]), r[i]);
     PutPlane(part, number, Collect(edges, k, t, hn::IfThenElse(weighed, scale, one), zero));
   }
+  return copied;
+}
+
+/// Puts half-planes and planes of triangles, the former as PutHalfPlanes() has it. Returns those
+/// whose values double holds.
+HWY_INLINE Lanes PutNumbers(const KernelSetting& setting, const GroupInput& input, const Part& part,
+                            const Corners& p, const Outline& outline, bool may_be_numbered) {
+  const Doubles d;
+  const Three& w = p.w;
+  PutHalfPlanes(setting, part, outline, may_be_numbered);
+  const auto scale = hn::Div(hn::Set(d, 1.0), outline.det_t);
+  Lanes certain = PutDepth(setting, part, p, outline, scale);
+  const Lanes has_one_w = All(hn::Eq(w[0], w[1]), hn::Eq(w[1], w[2]), outline.in_front);
+  const auto affine_error = SumOfSizes(w, outline.band);
+  const Lanes is_affine_certain = hn::And(
+      outline.in_front, hn::Le(hn::Mul(affine_error, hn::Set(d, kAffineCertainty)), outline.det_t));
+  if (setting.has_affine) certain = hn::And(certain, is_affine_certain);
+  if (setting.has_smooth) {
+    certain = hn::And(certain, hn::Or(hn::Not(has_one_w), is_affine_certain));
+  }
+  PutDenominator(setting, part, outline, has_one_w);
+  const Lanes copied = PutAttributes(setting, input, part, w, outline.edges, scale, has_one_w);
   return hn::AndNot(copied, certain);
 }
 
@@ -168,26 +213,31 @@ HWY_INLINE void PutBoxes(const Part& part, const Extent& columns, const Extent& 
   }
 }
 
-/// Calls `visit` with the bits between one of `borders` and the next, in ascending order, unless
+/// Calls `visit` with the lanes between one of `borders` and the next, in ascending order, unless
 /// there are none. Fragments go sample by sample, so that those of triangles on either side of one
 /// that is drawn tile by tile are to be appended apart.
 template <typename Visit>
-void for_each_run(std::uint32_t bits, std::uint32_t borders, const Visit& visit) {
-  while (bits != 0) {
-    const int first = std::countr_zero(bits);
-    const int border = std::countr_zero(borders >> first) + first;
-    const std::uint64_t run = bits & ((std::uint64_t{1} << border) - 1);
-    visit(static_cast<std::uint32_t>(run));
-    bits &= ~static_cast<std::uint32_t>(run);
+void for_each_run(Mask lanes, Mask borders, const Visit& visit) {
+  while (lanes != 0) {
+    const Mask beyond = borders & ~Mask{0} << std::countr_zero(lanes);
+    const Mask run = lanes & ~beyond & (beyond - 1);  // before the first of them
+    visit(run);
+    lanes &= ~run;
   }
 }
 
-/// What small triangles cover, for those lanes that are to become cells: what covers nothing is
+HWY_INLINE void PutFate(const Part& part, Mask lanes, LaneFate fate) {
+  for_each_bit(lanes, [&](int lane) {
+    part.output->fate[part.from + static_cast<std::size_t>(lane)] = fate;
+  });
+}
+
+/// What `small` triangles cover, for those lanes that are to become cells: what covers nothing is
 /// hidden. Those with a sample at a vertex are drawn by numbers, as values there are the vertex's.
 HWY_INLINE void PutCovers(const KernelSetting& setting, const Part& part, const SmallCover& cover,
-                          std::uint32_t small_bits) {
+                          Mask small) {
   GroupOutput& output = *part.output;
-  for_each_bit(small_bits, [&](int bit) {
+  for_each_bit(small, [&](int bit) {
     const auto lane = static_cast<std::size_t>(bit);
     std::uint64_t any = 0;
     std::uint64_t at_vertex = 0;
@@ -203,30 +253,23 @@ HWY_INLINE void PutCovers(const KernelSetting& setting, const Part& part, const 
 
 /// Numbers and fates of the lanes of a part, of which `live` are triangles; and the fragments of
 /// the small ones.
-void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part& part, Lanes live,
+void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part& part, Mask live,
                std::uint32_t first, FragmentList& fragments) {
   const Doubles d;
   GroupOutput& output = *part.output;
-  const std::array<Corner, 3> p{LoadCorner(input, 0, part.from), LoadCorner(input, 1, part.from),
-                                LoadCorner(input, 2, part.from)};
+  const Corners p = LoadCorners(input, part.from);
   const Outline outline = setting.snaps ? SnappedOutline(setting, p) : ExactOutline(setting, p);
-  const std::uint32_t live_bits = BitsOf(live);
-  const std::uint32_t finite_bits = BitsOf(AreFinite(p)) & live_bits;
-  std::uint32_t left_bits = finite_bits & BitsOf(outline.left);
-  std::uint32_t kept_bits = finite_bits & ~left_bits & ~BitsOf(outline.hidden);
+  const Mask finite = BitsOf(d, AreFinite(p)) & live;
+  Mask left = finite & BitsOf(d, outline.left);
+  Mask kept = finite & ~left & ~BitsOf(d, outline.hidden);
   // Only of what is left, as many meshes have none. On the grid others are degenerate.
-  const std::uint32_t degenerate_bits =
-      left_bits == 0 || setting.snaps ? 0 : left_bits & BitsOf(HaveTwins(p));
-  left_bits &= ~degenerate_bits;
-  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-    const std::uint32_t bit = 1U << lane;
-    LaneFate fate = LaneFate::hidden;
-    if ((live_bits & ~finite_bits & bit) != 0) fate = LaneFate::not_finite;
-    if ((degenerate_bits & bit) != 0) fate = LaneFate::degenerate;
-    if ((left_bits & bit) != 0) fate = LaneFate::left;
-    output.fate[part.from + lane] = fate;
-  }
-  if (kept_bits == 0) return;
+  const Mask degenerate = left == 0 || setting.snaps ? 0 : left & BitsOf(d, HaveTwins(p));
+  left &= ~degenerate;
+  std::fill_n(output.fate.data() + part.from, hn::Lanes(d), LaneFate::hidden);
+  PutFate(part, live & ~finite, LaneFate::not_finite);
+  PutFate(part, degenerate, LaneFate::degenerate);
+  PutFate(part, left, LaneFate::left);
+  if (kept == 0) return;
 
   // What is small, and how large the largest of that is.
   const Extent& columns = outline.columns;
@@ -236,41 +279,34 @@ void SetUpPart(const KernelSetting& setting, const GroupInput& input, const Part
   const auto most = hn::Set(d, kSmallBox);
   const Lanes is_small =
       All(hn::Le(widths, most), hn::Le(heights, most), hn::And(outline.in_front, outline.is_whole));
-  const std::uint32_t small_of_all = BitsOf(is_small);
-  const bool all_are_small = (kept_bits & ~small_of_all) == 0;
+  const Mask small_of_all = BitsOf(d, is_small);
   // Of what becomes cells, some small ones may have to be drawn by their numbers yet.
-  const bool may_be_numbered = !all_are_small || setting.makes_cells;
-  const std::uint32_t trusted =
-      BitsOf(PutNumbers(setting, input, part, p, outline, !may_be_numbered));
-  left_bits |= kept_bits & ~trusted;
-  kept_bits &= trusted;
-  std::uint32_t small_bits = kept_bits & small_of_all;
+  const bool may_be_numbered = (kept & ~small_of_all) != 0 || setting.makes_cells;
+  const Mask trusted = BitsOf(d, PutNumbers(setting, input, part, p, outline, may_be_numbered));
+  left |= kept & ~trusted;
+  kept &= trusted;
+  Mask small = kept & small_of_all;
   const auto greatest_of = [&](Vector v) HWY_ATTR {
     return static_cast<int>(hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(is_small, v))));
   };
   const SmallBoxes boxes{columns, rows, greatest_of(widths), greatest_of(heights)};
   PutBoxes(part, columns, rows);
-  std::uint32_t large_bits = kept_bits & ~small_bits;
+  Mask large = kept & ~small;
   // Where the last ones had ties, these will.
-  const bool needs_limits = !setting.snaps && (large_bits != 0 || output.had_ties);
+  const bool needs_limits = !setting.snaps && (large != 0 || output.had_ties);
   bool is_exact = needs_limits ? SetExactLimits(setting, part, p) : setting.snaps;
 
   SmallCover cover;
-  if (small_bits != 0) {
-    const std::uint32_t uncovered =
-        CoverSmall(setting, p, part, boxes, small_bits, is_exact, cover);
+  if (small != 0) {
+    const Mask uncovered = CoverSmall(setting, p, part, boxes, small, is_exact, cover);
     output.had_ties = cover.ties != 0;
-    (setting.makes_cells ? large_bits : left_bits) |= uncovered;
-    small_bits &= ~uncovered;
+    (setting.makes_cells ? large : left) |= uncovered;
+    small &= ~uncovered;
   }
-  for_each_bit(left_bits, [&](int bit) {
-    output.fate[part.from + static_cast<std::size_t>(bit)] = LaneFate::left;
-  });
-  for_each_bit(large_bits, [&](int bit) {
-    output.fate[part.from + static_cast<std::size_t>(bit)] = LaneFate::numbered;
-  });
-  if (setting.makes_cells) return PutCovers(setting, part, cover, small_bits);
-  for_each_run(small_bits, left_bits | large_bits, [&](std::uint32_t run) {
+  PutFate(part, left, LaneFate::left);
+  PutFate(part, large, LaneFate::numbered);
+  if (setting.makes_cells) return PutCovers(setting, part, cover, small);
+  for_each_run(small, left | large, [&](Mask run) {
     AppendFragments(setting, input, part, cover, run, first, fragments);
   });
 }
@@ -279,7 +315,8 @@ void SetUpGroup(const KernelSetting& setting, const GroupInput& input, std::size
                 std::uint32_t first, GroupOutput& output, FragmentList& fragments) {
   const Doubles d;
   for (std::size_t from = 0; from < count; from += hn::Lanes(d)) {
-    SetUpPart(setting, input, {from, &output}, hn::FirstN(d, count - from), first, fragments);
+    const Mask live = BitsOf(d, hn::FirstN(d, count - from));
+    SetUpPart(setting, input, {from, &output}, live, first, fragments);
   }
 }
 

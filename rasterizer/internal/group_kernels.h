@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "rasterizer/internal/kernel_setting.h"

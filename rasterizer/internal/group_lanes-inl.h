@@ -16,28 +16,18 @@
 #include <hwy/highway.h>
 
 #include "rasterizer/internal/group_kernels.h"
+#include "rasterizer/internal/vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
+static_assert(hn::MaxLanes(Doubles()) <= kGroup);
 
-using Doubles = hn::CappedTag<double, kGroup>;
-using Words = hn::RebindToUnsigned<Doubles>;
-using Halves = hn::Rebind<float, Doubles>;
-using Ints = hn::Rebind<std::int32_t, Doubles>;
-using Vector = hn::Vec<Doubles>;
 using Bits = hn::Vec<Words>;
 using Lanes = hn::Mask<Doubles>;
 using Three = std::array<Vector, 3>;
 using Numbers = TriangleNumbers;
-
-HWY_INLINE std::uint32_t BitsOf(Lanes lanes) {
-  alignas(8) std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(Doubles(), lanes, bytes.data());
-  return bytes[0];
-}
 
 HWY_INLINE Lanes Never() { return hn::FirstN(Doubles(), 0); }
 
@@ -57,41 +47,48 @@ struct Part {
   }
 };
 
-struct Corner {
-  Vector x;
-  Vector y;
-  Vector z;
-  Vector w;
+/// Clip positions, [vertex].
+struct Corners {
+  Three x;
+  Three y;
+  Three z;
+  Three w;
 };
 
-HWY_INLINE Corner LoadCorner(const GroupInput& input, std::size_t vertex, std::size_t from) {
+HWY_INLINE Corners LoadCorners(const GroupInput& input, std::size_t from) {
   const Doubles d;
-  const Halves floats;
-  hn::Vec<Halves> x;
-  hn::Vec<Halves> y;
-  hn::Vec<Halves> z;
-  hn::Vec<Halves> w;
-  hn::LoadInterleaved4(floats, &input.positions[vertex][from].x, x, y, z, w);
-  return {hn::PromoteTo(d, x), hn::PromoteTo(d, y), hn::PromoteTo(d, z), hn::PromoteTo(d, w)};
+  Corners p;
+  for (std::size_t i = 0; i < 3; ++i) {
+    hn::Vec<Halves> x;
+    hn::Vec<Halves> y;
+    hn::Vec<Halves> z;
+    hn::Vec<Halves> w;
+    hn::LoadInterleaved4(Halves(), &input.positions[i][from].x, x, y, z, w);
+    p.x[i] = hn::PromoteTo(d, x);
+    p.y[i] = hn::PromoteTo(d, y);
+    p.z[i] = hn::PromoteTo(d, z);
+    p.w[i] = hn::PromoteTo(d, w);
+  }
+  return p;
 }
 
 /// Whether no term is infinite or not a number: those times 0 are not 0.
-HWY_INLINE Lanes AreFinite(const std::array<Corner, 3>& p) {
+HWY_INLINE Lanes AreFinite(const Corners& p) {
   const auto zero = hn::Zero(Doubles());
   auto sum = zero;
-  for (const Corner& corner : p) {
-    sum = hn::Add(sum,
-                  hn::Mul(zero, hn::Add(hn::Add(corner.x, corner.y), hn::Add(corner.z, corner.w))));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto terms = hn::Add(hn::Add(p.x[i], p.y[i]), hn::Add(p.z[i], p.w[i]));
+    sum = hn::Add(sum, hn::Mul(zero, terms));
   }
   return hn::Eq(sum, zero);
 }
 
 /// Whether two corners are the same but for z, so that the determinant is 0.
-HWY_INLINE Lanes HaveTwins(const std::array<Corner, 3>& p) {
-  const auto are_same = [](const Corner& q, const Corner& r) HWY_ATTR {
-    return All(hn::Eq(q.x, r.x), hn::Eq(q.y, r.y), hn::Eq(q.w, r.w));
+HWY_INLINE Lanes HaveTwins(const Corners& p) {
+  const auto are_same = [&p](std::size_t q, std::size_t r) HWY_ATTR {
+    return All(hn::Eq(p.x[q], p.x[r]), hn::Eq(p.y[q], p.y[r]), hn::Eq(p.w[q], p.w[r]));
   };
-  return hn::Or(are_same(p[0], p[1]), hn::Or(are_same(p[1], p[2]), are_same(p[2], p[0])));
+  return hn::Or(are_same(0, 1), hn::Or(are_same(1, 2), are_same(2, 0)));
 }
 
 /// The edges' coefficients, not yet turned by the orientation.
@@ -101,14 +98,14 @@ struct Edges {
   Three c;
 };
 
-HWY_INLINE Edges EdgesOf(const std::array<Corner, 3>& p) {
+HWY_INLINE Edges EdgesOf(const Corners& p) {
   Edges edges;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Corner& q = p[(i + 1) % 3];
-    const Corner& r = p[(i + 2) % 3];
-    edges.a[i] = hn::Sub(hn::Mul(q.y, r.w), hn::Mul(q.w, r.y));
-    edges.b[i] = hn::Sub(hn::Mul(q.w, r.x), hn::Mul(q.x, r.w));
-    edges.c[i] = hn::Sub(hn::Mul(q.x, r.y), hn::Mul(q.y, r.x));
+    const std::size_t q = (i + 1) % 3;
+    const std::size_t r = (i + 2) % 3;
+    edges.a[i] = hn::Sub(hn::Mul(p.y[q], p.w[r]), hn::Mul(p.w[q], p.y[r]));
+    edges.b[i] = hn::Sub(hn::Mul(p.w[q], p.x[r]), hn::Mul(p.x[q], p.w[r]));
+    edges.c[i] = hn::Sub(hn::Mul(p.x[q], p.y[r]), hn::Mul(p.y[q], p.x[r]));
   }
   return edges;
 }
@@ -123,33 +120,34 @@ HWY_INLINE Vector SumOfSizes(const Three& k, const Three& t) {
                  hn::Abs(hn::Mul(k[2], t[2])));
 }
 
-struct PlaneOf {
+/// Plane (plane.h) in every lane.
+struct PlaneLanes {
   Vector a;
   Vector b;
   Vector c;
 };
 
 /// plane_of (plane.h).
-HWY_INLINE PlaneOf Collect(const Edges& edges, const Three& k, Vector t, Vector scale,
-                           Vector offset) {
+HWY_INLINE PlaneLanes Collect(const Edges& edges, const Three& k, Vector t, Vector scale,
+                              Vector offset) {
   return {hn::Mul(Sum(k, edges.a), scale), hn::Mul(Sum(k, edges.b), scale),
           hn::Add(hn::Mul(hn::Mul(Sum(k, edges.c), t), scale), offset)};
 }
 
 /// In some lanes the same everywhere.
-HWY_INLINE PlaneOf Constant(Lanes lanes, Vector constant, const PlaneOf& plane) {
+HWY_INLINE PlaneLanes Constant(Lanes lanes, Vector constant, const PlaneLanes& plane) {
   return {hn::IfThenZeroElse(lanes, plane.a), hn::IfThenZeroElse(lanes, plane.b),
           hn::IfThenElse(lanes, constant, plane.c)};
 }
 
-HWY_INLINE void PutPlane(const Part& part, std::size_t number, const PlaneOf& plane) {
+HWY_INLINE void PutPlane(const Part& part, std::size_t number, const PlaneLanes& plane) {
   part.Put(number, plane.a);
   part.Put(number + 1, plane.b);
   part.Put(number + 2, plane.c);
 }
 
-HWY_INLINE void PutHalfPlane(const Part& part, std::size_t index, const PlaneOf& plane, Vector sure,
-                             Vector possible) {
+HWY_INLINE void PutHalfPlane(const Part& part, std::size_t index, const PlaneLanes& plane,
+                             Vector sure, Vector possible) {
   part.Put(Numbers::kA + index, plane.a);
   part.Put(Numbers::kB + index, plane.b);
   part.Put(Numbers::kC + index, plane.c);
@@ -202,7 +200,7 @@ HWY_INLINE void PutClip(const Part& part, std::size_t index, const Clip& clip, c
   const auto one = hn::Set(d, 1.0);
   const auto zero = hn::Zero(d);
   const auto error = hn::Mul(hn::Set(d, 2.0), SumOfSizes(clip.g, band));
-  const PlaneOf plane = Constant(clip.is_away, one, Collect(edges, clip.g, t, one, zero));
+  const PlaneLanes plane = Constant(clip.is_away, one, Collect(edges, clip.g, t, one, zero));
   PutHalfPlane(part, index, plane, hn::IfThenZeroElse(clip.is_away, error),
                hn::IfThenZeroElse(clip.is_away, BeyondBand(error)));
 }
@@ -279,24 +277,24 @@ HWY_INLINE Vector LimitOf(const KernelSetting& setting, Vector a, Vector b) {
 
 /// Gives edges in which nothing is rounded their limits (is_exact of edge_functions.cpp). Returns
 /// whether there are any.
-HWY_INLINE bool SetExactLimits(const KernelSetting& setting, const Part& part,
-                               const std::array<Corner, 3>& p) {
+HWY_INLINE bool SetExactLimits(const KernelSetting& setting, const Part& part, const Corners& p) {
   const Doubles d;
   bool any = false;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Corner& q = p[(i + 1) % 3];
-    const Corner& r = p[(i + 2) % 3];
+    const std::size_t q = (i + 1) % 3;
+    const std::size_t r = (i + 2) % 3;
     const auto a = part.Get(Numbers::kA + i);
     const auto b = part.Get(Numbers::kB + i);
-    const auto c = hn::Sub(hn::Mul(q.x, r.y), hn::Mul(q.y, r.x));
+    const auto c = hn::Sub(hn::Mul(p.x[q], p.y[r]), hn::Mul(p.y[q], p.x[r]));
     auto exact =
-        All(IsExact(q.y, r.w, q.w, r.y), IsExact(q.w, r.x, q.x, r.w), IsExact(q.x, r.y, q.y, r.x));
+        All(IsExact(p.y[q], p.w[r], p.w[q], p.y[r]), IsExact(p.w[q], p.x[r], p.x[q], p.w[r]),
+            IsExact(p.x[q], p.y[r], p.y[q], p.x[r]));
     const auto grain = hn::Min(hn::Min(hn::Mul(LowestBit(a), hn::Set(d, setting.u_grain)),
                                        hn::Mul(LowestBit(b), hn::Set(d, setting.v_grain))),
                                hn::Mul(LowestBit(c), hn::Set(d, setting.t_grain)));
     const auto twice = hn::Mul(hn::Set(d, 2.0), GreatestOf(setting, a, b, c));
     exact = hn::And(exact, hn::Lt(twice, hn::Mul(grain, hn::Set(d, 0x1p53))));
-    if (BitsOf(exact) == 0) continue;
+    if (BitsOf(d, exact) == 0) continue;
     any = true;
     const auto limit = LimitOf(setting, a, b);
     part.Put(Numbers::kSure + i, hn::IfThenElse(exact, limit, part.Get(Numbers::kSure + i)));

@@ -51,15 +51,12 @@ HWY_INLINE Lanes IsEmpty(const Extent& columns, const Extent& rows) {
 }
 
 /// That of the clip positions, exactly.
-HWY_INLINE Outline ExactOutline(const KernelSetting& setting, const std::array<Corner, 3>& p) {
+HWY_INLINE Outline ExactOutline(const KernelSetting& setting, const Corners& p) {
   const Doubles d;
   const auto zero = hn::Zero(d);
   const auto one = hn::Set(d, 1.0);
   const auto t = hn::Set(d, setting.t);
-  const Three x{p[0].x, p[1].x, p[2].x};
-  const Three y{p[0].y, p[1].y, p[2].y};
-  const Three z{p[0].z, p[1].z, p[2].z};
-  const Three w{p[0].w, p[1].w, p[2].w};
+  const Three& w = p.w;
   Outline out;
   out.edges = EdgesOf(p);
   const auto determinant = Sum(w, out.edges.c);
@@ -83,10 +80,10 @@ HWY_INLINE Outline ExactOutline(const KernelSetting& setting, const std::array<C
   }
 
   // With all w <= 0 no weights E_i >= 0 make a point in front of the eye.
-  out.hidden = hn::Or(IsBeside(w, x, y), IsCulled(setting, determinant));
+  out.hidden = hn::Or(IsBeside(w, p.x, p.y), IsCulled(setting, determinant));
   out.hidden = hn::Or(out.hidden, All(hn::Le(w[0], zero), hn::Le(w[1], zero), hn::Le(w[2], zero)));
-  out.near = ClipBy(Distances(w, z, setting.near_w, 1));
-  out.far = ClipBy(Distances(w, z, 1, -1));
+  out.near = ClipBy(Distances(w, p.z, setting.near_w, 1));
+  out.far = ClipBy(Distances(w, p.z, 1, -1));
   out.is_whole = hn::FirstN(d, hn::Lanes(d));
   if (setting.clips_depth) {
     out.hidden = hn::Or(out.hidden, hn::Or(out.near.hides, out.far.hides));
@@ -95,9 +92,9 @@ HWY_INLINE Outline ExactOutline(const KernelSetting& setting, const std::array<C
   // What reaches behind the eye may touch any pixel.
   out.in_front = All(hn::Gt(w[0], zero), hn::Gt(w[1], zero), hn::Gt(w[2], zero));
   const Three share{hn::Div(one, w[0]), hn::Div(one, w[1]), hn::Div(one, w[2])};
-  out.columns = ExtentOf(setting, out.in_front, x, share, setting.u_middle, setting.u_half,
+  out.columns = ExtentOf(setting, out.in_front, p.x, share, setting.u_middle, setting.u_half,
                          setting.bounds.columns);
-  out.rows = ExtentOf(setting, out.in_front, y, share, setting.v_middle, setting.v_half,
+  out.rows = ExtentOf(setting, out.in_front, p.y, share, setting.v_middle, setting.v_half,
                       setting.bounds.rows);
   out.hidden = hn::Or(out.hidden, IsEmpty(out.columns, out.rows));
   // What is hidden need not be known but for its sign, off by less than 8u.
@@ -133,17 +130,16 @@ HWY_INLINE Vector SnappedTo(const GridAxis& axis, double half_units, Vector coor
 
 /// That of the snapped vertices, with their weights (weights.h, "placed"): only where nothing is
 /// clipped. With kMostKernelBits lines are whole numbers that double holds.
-HWY_INLINE Outline SnappedOutline(const KernelSetting& setting, const std::array<Corner, 3>& p) {
+HWY_INLINE Outline SnappedOutline(const KernelSetting& setting, const Corners& p) {
   const Doubles d;
   const auto zero = hn::Zero(d);
   const auto one = hn::Set(d, 1.0);
   const Lanes all = hn::FirstN(d, hn::Lanes(d));
-  const Three z{p[0].z, p[1].z, p[2].z};
-  const Three w{p[0].w, p[1].w, p[2].w};
+  const Three& w = p.w;
   Outline out;
   out.in_front = All(hn::Gt(w[0], zero), hn::Gt(w[1], zero), hn::Gt(w[2], zero));
-  out.near = ClipBy(Distances(w, z, setting.near_w, 1));
-  out.far = ClipBy(Distances(w, z, 1, -1));
+  out.near = ClipBy(Distances(w, p.z, setting.near_w, 1));
+  out.far = ClipBy(Distances(w, p.z, 1, -1));
   Lanes certain = out.in_front;
   if (setting.clips_depth) {
     certain = hn::And(certain, hn::And(out.near.is_away, out.far.is_away));
@@ -152,8 +148,8 @@ HWY_INLINE Outline SnappedOutline(const KernelSetting& setting, const std::array
   Three x;
   Three y;
   for (std::size_t i = 0; i < 3; ++i) {
-    x[i] = SnappedTo(setting.grid.x, setting.units / 2, p[i].x, w[i], certain);
-    y[i] = SnappedTo(setting.grid.y, setting.units / 2, p[i].y, w[i], certain);
+    x[i] = SnappedTo(setting.grid.x, setting.units / 2, p.x[i], w[i], certain);
+    y[i] = SnappedTo(setting.grid.y, setting.units / 2, p.y[i], w[i], certain);
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t q = (i + 1) % 3;

@@ -1,6 +1,7 @@
 #pragma once
 
-// Sets of samples of a block: bit j is pixel `first + j`.
+// Sets as words of bits: of samples of a block, where bit j is pixel `first + j`, of a tile's rows,
+// of lanes.
 
 #include <algorithm>
 #include <bit>

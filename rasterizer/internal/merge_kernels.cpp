@@ -3,6 +3,8 @@
 #include "rasterizer/internal/merge_kernels.h"
 
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <type_traits>
 
 #undef HWY_TARGET_INCLUDE
@@ -12,17 +14,15 @@
 #include <hwy/highway.h>
 
 #include "rasterizer/internal/cells-inl.h"
-#include "rasterizer/internal/rounding-inl.h"
+#include "rasterizer/internal/vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Ints = hn::Rebind<std::int32_t, Doubles>;
-using Words = hn::Rebind<std::uint32_t, Doubles>;
-using Word = hn::Vec<Words>;
+// A sample's four bytes as a word, red lowest.
+using Pixels = hn::RebindToUnsigned<Floats>;
+using Word = hn::Vec<HalfWords>;
 
 /// Held to [0, 1], NaN as 0.
 template <class D>
@@ -31,9 +31,7 @@ HWY_INLINE hn::Vec<D> Held(D d, hn::Vec<D> value) {
   return hn::Min(positive, hn::Set(d, 1.0F));
 }
 
-using Texels = hn::RebindToUnsigned<Floats>;
-
-/// The nearest whole number of x as the last bits of what comes out, the rest being kSumOfRests'.
+/// Added to a number in [0, 255] it leaves the nearest whole number as the last bits of the sum.
 constexpr float kOnes = 0x1.8p23F;
 
 /// 255 s as kOnes has it, s in [0, 1]: nearest, ties to even.
@@ -63,11 +61,11 @@ HWY_INLINE hn::Vec<Floats> NearestByte(hn::Vec<Floats> held) {
 }
 
 /// The word of four bytes as kOnes has them.
-HWY_INLINE hn::Vec<Texels> WordOf(hn::Vec<Floats> red, hn::Vec<Floats> green, hn::Vec<Floats> blue,
+HWY_INLINE hn::Vec<Pixels> WordOf(hn::Vec<Floats> red, hn::Vec<Floats> green, hn::Vec<Floats> blue,
                                   hn::Vec<Floats> alpha) {
-  const Texels d;
+  const Pixels d;
   // The bits of kOnes, added up in the four places.
-  constexpr std::uint32_t kOnesBits = 0x4b400000;
+  constexpr auto kOnesBits = std::bit_cast<std::uint32_t>(kOnes);
   constexpr std::uint32_t kRest =
       kOnesBits + (kOnesBits << 8) + (kOnesBits << 16) + (kOnesBits << 24);
   const auto low = hn::Add(hn::BitCast(d, red), hn::ShiftLeft<8>(hn::BitCast(d, green)));
@@ -87,27 +85,27 @@ HWY_INLINE HeldColor HeldAt(const CellBatch& batch, std::size_t at) {
   return {{held(0), held(1), held(2), held(3)}};
 }
 
-HWY_INLINE hn::Vec<Texels> WordsOf(const HeldColor& color) {
+HWY_INLINE hn::Vec<Pixels> WordsOf(const HeldColor& color) {
   return WordOf(NearestByte(color.channel[0]), NearestByte(color.channel[1]),
                 NearestByte(color.channel[2]), NearestByte(color.channel[3]));
 }
 
 /// 1 in the byte of a channel where it is 1/2.
 template <int kByte>
-HWY_INLINE hn::Vec<Texels> HalvesOf(hn::Vec<Floats> held) {
+HWY_INLINE hn::Vec<Pixels> OneWhereHalf(hn::Vec<Floats> held) {
   const Floats d;
-  const Texels tag;
+  const Pixels tag;
   const auto is_half = hn::RebindMask(tag, hn::Eq(held, hn::Set(d, 0.5F)));
   return hn::IfThenElseZero(is_half, hn::Set(tag, std::uint32_t{1} << 8 * kByte));
 }
 
 /// The sums of words' bytes, at most 255.
-HWY_INLINE hn::Vec<Texels> SumOfBytes(hn::Vec<Texels> a, hn::Vec<Texels> b) {
-  const Texels d;
+HWY_INLINE hn::Vec<Pixels> SumOfBytes(hn::Vec<Pixels> a, hn::Vec<Pixels> b) {
+  const Pixels d;
 #if HWY_TARGET == HWY_SCALAR
   const auto every_other = hn::Set(d, std::uint32_t{0x00ff00ff});
   const auto carries = hn::Set(d, std::uint32_t{0x01000100});
-  const auto sum = [&](hn::Vec<Texels> x, hn::Vec<Texels> y) HWY_ATTR {
+  const auto sum = [&](hn::Vec<Pixels> x, hn::Vec<Pixels> y) HWY_ATTR {
     const auto of_both = hn::Add(hn::And(x, every_other), hn::And(y, every_other));
     const auto carried = hn::And(of_both, carries);
     return hn::And(hn::Or(of_both, hn::Sub(carried, hn::ShiftRight<8>(carried))), every_other);
@@ -115,7 +113,7 @@ HWY_INLINE hn::Vec<Texels> SumOfBytes(hn::Vec<Texels> a, hn::Vec<Texels> b) {
   const auto high = sum(hn::ShiftRight<8>(a), hn::ShiftRight<8>(b));
   return hn::Or(sum(a, b), hn::ShiftLeft<8>(high));
 #else
-  const hn::Repartition<std::uint8_t, Texels> bytes;
+  const hn::Repartition<std::uint8_t, Pixels> bytes;
   return hn::BitCast(d, hn::SaturatedAdd(hn::BitCast(bytes, a), hn::BitCast(bytes, b)));
 #endif
 }
@@ -123,15 +121,15 @@ HWY_INLINE hn::Vec<Texels> SumOfBytes(hn::Vec<Texels> a, hn::Vec<Texels> b) {
 /// min(255, 255 s + d), ties to even. 255 s is halfway between bytes for s = 1/2 alone, as 255 has
 /// to divide 510 s: there 128 is one too much beside an odd d. Anywhere else the sum's nearest byte
 /// is that of 255 s, and d.
-HWY_INLINE hn::Vec<Texels> AddedWords(const HeldColor& color, hn::Vec<Texels> old) {
-  const auto low = hn::Or(HalvesOf<0>(color.channel[0]), HalvesOf<1>(color.channel[1]));
-  const auto high = hn::Or(HalvesOf<2>(color.channel[2]), HalvesOf<3>(color.channel[3]));
+HWY_INLINE hn::Vec<Pixels> AddedWords(const HeldColor& color, hn::Vec<Pixels> old) {
+  const auto low = hn::Or(OneWhereHalf<0>(color.channel[0]), OneWhereHalf<1>(color.channel[1]));
+  const auto high = hn::Or(OneWhereHalf<2>(color.channel[2]), OneWhereHalf<3>(color.channel[3]));
   return SumOfBytes(hn::Sub(WordsOf(color), hn::And(hn::Or(low, high), old)), old);
 }
 
 /// Bytes of s over d as float32 has them, and the lanes of which it does not tell one.
 struct NearlyOver {
-  hn::Vec<Texels> words;
+  hn::Vec<Pixels> words;
   hn::Mask<Floats> is_open;
 };
 
@@ -147,12 +145,12 @@ struct NearlyOverChannel {
 /// from the middle between two bytes both are nearest to the same, whichever roundings a fused
 /// operation leaves out.
 template <int kByte>
-HWY_INLINE NearlyOverChannel NearlyOverByte(const HeldColor& color, hn::Vec<Texels> old) {
+HWY_INLINE NearlyOverChannel NearlyOverByte(const HeldColor& color, hn::Vec<Pixels> old) {
   const Floats d;
   const hn::RebindToSigned<Floats> ints;
   const auto ones = hn::Set(d, kOnes);
   auto byte = hn::ShiftRight<8 * kByte>(old);
-  if (kByte != 3) byte = hn::And(byte, hn::Set(Texels(), 255));
+  if (kByte != 3) byte = hn::And(byte, hn::Set(Pixels(), 255));
   const auto under = hn::ConvertTo(d, hn::BitCast(ints, byte));
   const auto most = hn::Set(d, 255.0F);
   const auto more =
@@ -172,7 +170,7 @@ HWY_INLINE hn::Mask<Floats> IsWhole256th(hn::Vec<Floats> x) {
   return hn::Eq(hn::Round(parts), parts);
 }
 
-HWY_INLINE NearlyOver NearlyOverWords(const HeldColor& color, hn::Vec<Texels> old) {
+HWY_INLINE NearlyOver NearlyOverWords(const HeldColor& color, hn::Vec<Pixels> old) {
   const Floats d;
   const NearlyOverChannel red = NearlyOverByte<0>(color, old);
   const NearlyOverChannel green = NearlyOverByte<1>(color, old);
@@ -200,7 +198,7 @@ HWY_INLINE NearlyOver NearlyOverWords(const HeldColor& color, hn::Vec<Texels> ol
 /// A byte of words as a number.
 template <int kByte>
 HWY_INLINE Vector ByteOf(Word word) {
-  const Words words;
+  const HalfWords words;
   const auto byte = hn::And(hn::ShiftRight<8 * kByte>(word), hn::Set(words, 255));
   return hn::PromoteTo(Doubles(), hn::BitCast(Ints(), byte));
 }
@@ -223,16 +221,16 @@ HWY_INLINE Word OverByte(const CellBatch& batch, std::size_t at, Vector alpha, W
   const auto color = hn::Mul(hn::PromoteTo(d, held), hn::Set(d, 255.0));  // exact
   const auto value = Blended<Blend::over, kByte == 3>(alpha, color, ByteOf<kByte>(old));
   const auto nearest = hn::Round(hn::Min(value, hn::Set(d, 255.0)));
-  const auto byte = hn::BitCast(Words(), hn::DemoteTo(Ints(), nearest));
+  const auto byte = hn::BitCast(HalfWords(), hn::DemoteTo(Ints(), nearest));
   return hn::ShiftLeft<8 * kByte>(byte);
 }
 
 /// Words of s over d, of the lanes from `at` on of the batch. Nearly never needed: not inlined.
-HWY_NOINLINE hn::Vec<Texels> OverWords(const CellBatch& batch, std::size_t at,
+HWY_NOINLINE hn::Vec<Pixels> OverWords(const CellBatch& batch, std::size_t at,
                                        const std::uint32_t* old) {
   const Halves floats;
-  const Words tag;
-  const Texels all;
+  const HalfWords tag;
+  const Pixels all;
   alignas(64) std::array<std::uint32_t, FragmentBatch::kCellLanes> words;
   for (std::size_t lane = 0; lane < hn::Lanes(all); lane += hn::Lanes(tag)) {
     const std::size_t from = at + lane;
@@ -266,7 +264,7 @@ HWY_INLINE void PutFloats(const CellBatch& batch, std::size_t from, hn::Mask<Hal
       const auto old = hn::PromoteTo(d, hn::LoadU(floats, out));
       const auto value = k == 3 ? Blended<kBlend, true>(alpha, color, old)
                                 : Blended<kBlend, false>(alpha, color, old);
-      result = RoundToFloats(floats, value);
+      result = RoundToFloats(value);
     }
     PutWhere(floats, kept, result, out);
   }
@@ -296,15 +294,15 @@ HWY_INLINE void StorePart(hn::Vec<Floats> value, float* out, std::size_t place) 
 
 /// The words that a vector of the batch's lanes, those from `at` on, leaves where `old` are.
 template <Blend kBlend>
-HWY_INLINE hn::Vec<Texels> MergedWords(const CellBatch& batch, std::size_t at,
-                                       hn::Vec<Texels> old) {
+HWY_INLINE hn::Vec<Pixels> MergedWords(const CellBatch& batch, std::size_t at,
+                                       hn::Vec<Pixels> old) {
   const HeldColor color = HeldAt(batch, at);
   if (kBlend == Blend::off) return WordsOf(color);
   if (kBlend == Blend::additive) return AddedWords(color, old);
   const NearlyOver near = NearlyOverWords(color, old);
   if (hn::AllFalse(Floats(), near.is_open)) return near.words;
   alignas(64) std::array<std::uint32_t, FragmentBatch::kCellLanes> under;
-  hn::Store(old, Texels(), under.data());
+  hn::Store(old, Pixels(), under.data());
   return OverWords(batch, at, under.data());
 }
 
@@ -314,7 +312,7 @@ HWY_INLINE void MergeWords(const Merging& merging, const CellBatch& batch, std::
                            std::uint16_t bits, std::size_t column, std::size_t row,
                            const TileArea& area) {
   const Floats d;
-  const Texels tag;
+  const Pixels tag;
   const bool has_depths = needs_depths(merging);
   for (std::size_t lane = 0; lane < FragmentBatch::kCellLanes; lane += hn::Lanes(d)) {
     const std::size_t place = PlaceOf(column, row, lane);

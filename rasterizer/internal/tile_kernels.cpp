@@ -17,21 +17,19 @@
 // After foreach_target.h, as Highway wants it.
 #include <hwy/highway.h>
 
-#include "rasterizer/internal/rounding-inl.h"
 #include "rasterizer/internal/tile_spans-inl.h"
+#include "rasterizer/internal/vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
 
 /// What is the same along each row: B V + C of a plane.
 struct RowsOf {
   alignas(64) std::array<double, kTileSize + kTilePadding> at;
 };
 
-HWY_INLINE void SetRows(const PlaneOf& plane, const TileArea& area, const TilePart& part,
+HWY_INLINE void SetRows(const Plane& plane, const TileArea& area, const TilePart& part,
                         RowsOf& rows) {
   const Doubles d;
   for (int y = part.rows.begin; y < part.rows.end; y += static_cast<int>(hn::Lanes(d))) {
@@ -47,21 +45,21 @@ struct Everywhere {};
 /// Draws samples of a triangle, with `kAttributes` attributes, or as many as the setting says where
 /// it is 0. `kPlain`: all attributes are smooth, and depth is tested.
 template <std::size_t kAttributes, bool kPlain>
-class Shader {
+class PartDrawing {
  public:
-  HWY_INLINE Shader(const KernelSetting& setting, const double* numbers, const TileArea& area,
-                    const TilePart& part)
+  HWY_INLINE PartDrawing(const KernelSetting& setting, const double* numbers, const TileArea& area,
+                         const TilePart& part)
       : setting_(setting), part_(part), u_(area.u), depth_(area.depth) {
-    const PlaneOf sum{numbers[Numbers::kA + Numbers::kDenominator],
-                      numbers[Numbers::kB + Numbers::kDenominator],
-                      numbers[Numbers::kC + Numbers::kDenominator]};
-    const PlaneOf depth = PlaneAt(numbers, Numbers::kDepth);
+    const Plane sum{numbers[Numbers::kA + Numbers::kDenominator],
+                    numbers[Numbers::kB + Numbers::kDenominator],
+                    numbers[Numbers::kC + Numbers::kDenominator]};
+    const Plane depth = PlaneAt(numbers, Numbers::kDepth);
     if (HasSmooth()) SetRows(sum, area, part, sum_rows_);
     SetRows(depth, area, part, depth_rows_);
     sum_a_ = sum.a;
     depth_a_ = depth.a;
     for (std::size_t a = 0; a < Count(); ++a) {
-      const PlaneOf value = PlaneAt(numbers, Numbers::kValues + 3 * a);
+      const Plane value = PlaneAt(numbers, Numbers::kValues + 3 * a);
       SetRows(value, area, part, value_rows_[a]);
       value_a_[a] = IsFlat(a) ? value.c : value.a;
       values_[a] = area.attributes[a];
@@ -69,14 +67,14 @@ class Shader {
   }
 
   /// Rows of the part, each from spans.begin to spans.end.
-  HWY_INLINE void ShadeSpans(const Spans& spans, std::uint64_t rows) const {
+  HWY_INLINE void DrawSpans(const Spans& spans, std::uint64_t rows) const {
     const Halves floats;
     for (; rows != 0; rows &= rows - 1) {
       const auto y = static_cast<std::size_t>(std::countr_zero(rows));
       const std::int32_t end = spans.end[y];
       for (std::int32_t x = spans.begin[y]; x < end; x += kLanes) {
         const auto within = hn::FirstN(floats, static_cast<std::size_t>(end - x));
-        Shade<true>(AlongColumns(x), y, x, within);
+        Draw<true>(AlongColumns(x), y, x, within);
       }
     }
   }
@@ -84,15 +82,15 @@ class Shader {
   /// All of the part: column by column, as what is the same along them are vectors. `kClamps`: a
   /// depth may be out of range.
   template <bool kClamps>
-  HWY_INLINE void ShadeAll() const {
+  HWY_INLINE void DrawAll() const {
     const Halves floats;
     for (std::int32_t x = part_.columns.begin; x < part_.columns.end; x += kLanes) {
       const Along along = AlongColumns(x);
       const std::int32_t rest = part_.columns.end - x;
       if (rest >= kLanes) {
-        ShadeColumns<kClamps>(along, x, Everywhere());
+        DrawColumns<kClamps>(along, x, Everywhere());
       } else {
-        ShadeColumns<true>(along, x, hn::FirstN(floats, static_cast<std::size_t>(rest)));
+        DrawColumns<true>(along, x, hn::FirstN(floats, static_cast<std::size_t>(rest)));
       }
     }
   }
@@ -133,17 +131,17 @@ class Shader {
   }
 
   template <bool kClamps, typename Within>
-  HWY_INLINE void ShadeColumns(const Along& along, std::int32_t x, const Within& within) const {
+  HWY_INLINE void DrawColumns(const Along& along, std::int32_t x, const Within& within) const {
     const auto end = static_cast<std::size_t>(part_.rows.end);
     for (auto y = static_cast<std::size_t>(part_.rows.begin); y < end; ++y) {
-      Shade<kClamps>(along, y, x, within);
+      Draw<kClamps>(along, y, x, within);
     }
   }
 
   /// Those `within` of a vector of samples, from column x of row y.
   template <bool kClamps, typename Within>
-  HWY_INLINE void Shade(const Along& along, std::size_t y, std::int32_t x,
-                        const Within& within) const {
+  HWY_INLINE void Draw(const Along& along, std::size_t y, std::int32_t x,
+                       const Within& within) const {
     const Doubles d;
     const Halves floats;
     const std::size_t at = y * kTileSize + static_cast<std::size_t>(x);
@@ -180,7 +178,7 @@ class Shader {
       auto result = hn::Set(d, value_a_[a]);
       if (!IsFlat(a)) result = hn::Add(along.values[a], hn::Set(d, value_rows_[a].at[y]));
       if (IsSmooth(a)) result = hn::Mul(result, reciprocal);
-      put(RoundToFloats(floats, result), values_[a]);
+      put(RoundToFloats(result), values_[a]);
     }
   }
 
@@ -239,53 +237,41 @@ void FindGreatest(const float* depth, std::span<float, kBands> greatest) {
   }
 }
 
-/// Whether what is there is nowhere behind any of the triangle: neither is it where double is left
-/// to decide, as its depth is this plane's everywhere. Clamping and rounding are monotone too.
-bool IsBehind(const KernelSetting& setting, const Depths& depths, const TileArea& area,
-              const TilePart& part) {
-  if (!setting.tests_depth) return false;
-  const auto least = static_cast<float>(
-      std::min(std::max(depths.least, setting.depth_least), setting.depth_greatest));
-  for (int band = part.rows.begin / kBandSize; band * kBandSize < part.rows.end; ++band) {
-    if (!(least >= area.greatest[band])) return false;
-  }
-  return true;
-}
-
-Undrawn ShadeTriangle(const KernelSetting& setting, const double* numbers, const TileArea& area,
-                      const TilePart& part) {
+Undrawn DrawPart(const KernelSetting& setting, const double* numbers, const TileArea& area,
+                 const TilePart& part) {
   const Position position = PositionOf(numbers, area, part);
   if (position.is_beside) return {};
   const Depths depths = DepthsOf(numbers, area, part);
-  if (IsBehind(setting, depths, area, part)) return {};
+  const DepthTest test = setting.tests_depth ? DepthTest::less : DepthTest::always;
+  if (IsHidden(setting, test, depths, area, part)) return {};
   Spans spans;
   if (position.cuts != 0) FindSpans(setting, numbers, position.cuts, area, part, spans);
   const std::uint64_t rows = spans.touched & ~spans.doubtful;
   Undrawn undrawn;
   undrawn.rows = spans.doubtful;
   for_each_bit(spans.on_two & rows, [&](int y) { TakeVertices(numbers, area, y, spans, undrawn); });
-  const auto shade = [&](auto attributes, auto is_plain) {
-    const Shader<decltype(attributes)::value, decltype(is_plain)::value> shader(setting, numbers,
-                                                                                area, part);
+  const auto draw = [&](auto attributes, auto is_plain) {
+    const PartDrawing<decltype(attributes)::value, decltype(is_plain)::value> drawing(
+        setting, numbers, area, part);
     if (position.cuts != 0) {
-      shader.ShadeSpans(spans, rows);
+      drawing.DrawSpans(spans, rows);
     } else if (depths.least >= setting.depth_least && depths.greatest <= setting.depth_greatest) {
-      shader.template ShadeAll<false>();
+      drawing.template DrawAll<false>();
     } else {
-      shader.template ShadeAll<true>();
+      drawing.template DrawAll<true>();
     }
   };
   using Many = std::integral_constant<std::size_t, 0>;
   if (!setting.is_plain) {
-    shade(Many(), std::false_type());
+    draw(Many(), std::false_type());
   } else if (setting.attributes == 1) {
-    shade(std::integral_constant<std::size_t, 1>(), std::true_type());
+    draw(std::integral_constant<std::size_t, 1>(), std::true_type());
   } else if (setting.attributes == 2) {
-    shade(std::integral_constant<std::size_t, 2>(), std::true_type());
+    draw(std::integral_constant<std::size_t, 2>(), std::true_type());
   } else if (setting.attributes == 4) {
-    shade(std::integral_constant<std::size_t, 4>(), std::true_type());
+    draw(std::integral_constant<std::size_t, 4>(), std::true_type());
   } else {
-    shade(Many(), std::true_type());
+    draw(Many(), std::true_type());
   }
   return undrawn;
 }
@@ -297,16 +283,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rastercheck::rasterizer {
 
-HWY_EXPORT(ShadeTriangle);
+HWY_EXPORT(DrawPart);
 HWY_EXPORT(FindGreatest);
 
 void find_greatest(const float* depth, std::span<float, kBands> greatest) {
   HWY_DYNAMIC_DISPATCH(FindGreatest)(depth, greatest);
 }
 
-Undrawn shade_triangle(const KernelSetting& setting, const double* numbers, const TileArea& area,
-                       const TilePart& part) {
-  return HWY_DYNAMIC_DISPATCH(ShadeTriangle)(setting, numbers, area, part);
+Undrawn draw_part(const KernelSetting& setting, const double* numbers, const TileArea& area,
+                  const TilePart& part) {
+  return HWY_DYNAMIC_DISPATCH(DrawPart)(setting, numbers, area, part);
 }
 
 namespace {

@@ -32,6 +32,15 @@ struct TileArea {
 inline constexpr int kBandSize = 8;
 inline constexpr int kBands = kTileSize / kBandSize;
 
+/// Whether a test leaves ever lesser depths in a framebuffer (lets_rise: ever greater ones), so
+/// that a fragment that fails it now will fail it later.
+constexpr bool lets_fall(DepthTest test) {
+  return test == DepthTest::less || test == DepthTest::less_or_equal;
+}
+constexpr bool lets_rise(DepthTest test) {
+  return test == DepthTest::greater || test == DepthTest::greater_or_equal;
+}
+
 /// The greatest of each band of a tile's depths.
 void find_greatest(const float* depth, std::span<float, kBands> greatest);
 
@@ -57,8 +66,8 @@ struct Undrawn {
 };
 
 /// Draws what of a triangle with these numbers (TriangleNumbers) lies in that part of a tile.
-Undrawn shade_triangle(const KernelSetting& setting, const double* numbers, const TileArea& area,
-                       const TilePart& part);
+Undrawn draw_part(const KernelSetting& setting, const double* numbers, const TileArea& area,
+                  const TilePart& part);
 
 /// Draws the sample at a vertex; values[a] are its attributes.
 void put_vertex(const KernelSetting& setting, const double* numbers, const VertexSample& sample,

@@ -16,35 +16,17 @@
 
 #include <hwy/highway.h>
 
+#include "rasterizer/internal/plane.h"
 #include "rasterizer/internal/tile_kernels.h"
+#include "rasterizer/internal/vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, 16>;
-// At most eight lanes: masks are bytes.
-using Doubles = hn::CappedTag<double, 8>;
-using Halves = hn::Rebind<float, Doubles>;
-using Vector = hn::Vec<Doubles>;
 using Numbers = TriangleNumbers;
 
-HWY_INLINE std::uint64_t BitsOf(hn::Mask<Doubles> lanes) {
-  alignas(8) std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(Doubles(), lanes, bytes.data());
-  return bytes[0];
-}
-
-/// A plane's numbers.
-struct PlaneOf {
-  double a;
-  double b;
-  double c;
-};
-
-HWY_INLINE PlaneOf PlaneAt(const double* numbers, std::size_t at) {
+HWY_INLINE Plane PlaneAt(const double* numbers, std::size_t at) {
   return {numbers[at], numbers[at + 1], numbers[at + 2]};
 }
 
@@ -117,7 +99,7 @@ HWY_INLINE Crossing CrossingAt(const KernelSetting& setting, const double* numbe
 HWY_INLINE void FindSpans(const KernelSetting& setting, const double* numbers, std::uint64_t cuts,
                           const TileArea& area, const TilePart& part, Spans& spans) {
   const Doubles d;
-  const hn::Rebind<std::int32_t, Doubles> ints;
+  const Ints ints;
   const auto first = hn::Set(d, static_cast<double>(part.columns.begin));
   const auto last = hn::Set(d, static_cast<double>(part.columns.end));
   for (int y = part.rows.begin; y < part.rows.end; y += static_cast<int>(hn::Lanes(d))) {
@@ -148,29 +130,13 @@ HWY_INLINE void FindSpans(const KernelSetting& setting, const double* numbers, s
     hn::StoreU(hn::DemoteTo(ints, end), ints, spans.end.data() + y);
     const auto is_same = hn::And(hn::Eq(begin, possible_begin), hn::Eq(end, possible_end));
     const auto of_lanes = (std::uint64_t{1} << hn::Lanes(d)) - 1;
-    spans.touched |= BitsOf(hn::Gt(possible_end, possible_begin)) << y;
-    spans.doubtful |= (~BitsOf(hn::And(is_same, is_sure)) & of_lanes) << y;
-    spans.on_two |= BitsOf(on_two) << y;
+    spans.touched |= BitsOf(d, hn::Gt(possible_end, possible_begin)) << y;
+    spans.doubtful |= (~BitsOf(d, hn::And(is_same, is_sure)) & of_lanes) << y;
+    spans.on_two |= BitsOf(d, on_two) << y;
   }
   const int rows = part.rows.end - part.rows.begin;
   spans.touched &= ~std::uint64_t{0} >> (kTileSize - rows) << part.rows.begin;
   spans.doubtful &= spans.touched;
-}
-
-#if HWY_TARGET <= HWY_AVX3
-constexpr bool kStoresMasked = true;
-#else
-constexpr bool kStoresMasked = false;
-#endif
-
-/// Replaces what `lanes` says.
-template <class D>
-HWY_INLINE void PutWhere(D d, hn::Mask<D> lanes, hn::Vec<D> value, hn::TFromD<D>* out) {
-  if (kStoresMasked) {
-    hn::BlendedStore(value, lanes, d, out);
-  } else {
-    hn::StoreU(hn::IfThenElse(lanes, value, hn::LoadU(d, out)), d, out);
-  }
 }
 
 /// How a triangle's half-planes lie to a part of a tile: those that cut it, or that one has none of
@@ -203,8 +169,8 @@ HWY_INLINE Position PositionOf(const double* numbers, const TileArea& area, cons
     const auto those = hn::FirstN(d, Numbers::kHalfPlanes - i);
     const auto beside = hn::And(those, hn::Not(hn::Gt(greatest, possible)));
     const auto within = hn::Gt(least, hn::Max(sure, hn::Zero(d)));
-    position.is_beside = position.is_beside || BitsOf(beside) != 0;
-    position.cuts |= BitsOf(hn::AndNot(within, those)) << i;
+    position.is_beside = position.is_beside || BitsOf(d, beside) != 0;
+    position.cuts |= BitsOf(d, hn::AndNot(within, those)) << i;
   }
   return position;
 }
@@ -216,12 +182,28 @@ struct Depths {
 };
 
 HWY_INLINE Depths DepthsOf(const double* numbers, const TileArea& area, const TilePart& part) {
-  const PlaneOf plane = PlaneAt(numbers, Numbers::kDepth);
+  const Plane plane = PlaneAt(numbers, Numbers::kDepth);
   const auto [u_least, u_greatest] =
       std::minmax({plane.a * area.u[part.columns.begin], plane.a * area.u[part.columns.end - 1]});
   const auto [v_least, v_greatest] =
       std::minmax({plane.b * area.v[part.rows.begin], plane.b * area.v[part.rows.end - 1]});
   return {u_least + (v_least + plane.c), u_greatest + (v_greatest + plane.c)};
+}
+
+/// Whether no fragment of a triangle with these depths can pass the test in a part. Neither can one
+/// for which double is left to decide what it covers, as its depth is this plane's everywhere.
+/// Clamping and rounding are monotone too.
+HWY_INLINE bool IsHidden(const KernelSetting& setting, DepthTest test, const Depths& depths,
+                         const TileArea& area, const TilePart& part) {
+  if (test == DepthTest::never) return true;
+  if (!lets_fall(test)) return false;
+  const auto least = static_cast<float>(
+      std::min(std::max(depths.least, setting.depth_least), setting.depth_greatest));
+  for (int band = part.rows.begin / kBandSize; band * kBandSize < part.rows.end; ++band) {
+    const float greatest = area.greatest[band];
+    if (!(test == DepthTest::less ? least >= greatest : least > greatest)) return false;
+  }
+  return true;
 }
 
 }  // namespace HWY_NAMESPACE
