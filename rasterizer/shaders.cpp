@@ -2,7 +2,7 @@
 #include <array>
 #include <cassert>
 
-#include "rasterizer/internal/texture_kernels.h"
+#include "rasterizer/internal/color_kernels.h"
 #include "rasterizer/shading.h"
 #include "rasterizer/texture.h"
 

@@ -9,7 +9,8 @@
 #include <new>
 #include <stdexcept>
 
-#include "rasterizer/internal/texture_kernels.h"
+#include "rasterizer/internal/color_kernels.h"
+#include "rasterizer/internal/coordinate_kernels.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -187,7 +188,7 @@ void sample_bilinear(const Texture& texture, const FragmentBatch& in,
   Squares squares;
   find_neighbors(axes[0], in.lanes, squares.columns);
   find_neighbors(axes[1], in.lanes, squares.rows);
-  blend_level(first_level(texture, axes), squares, seen_quads(in), in.lanes, color);
+  filter_bilinear(first_level(texture, axes), squares, seen_quads(in), in.lanes, color);
 }
 
 void sample_trilinear(const Texture& texture, const FragmentBatch& in,
@@ -207,7 +208,7 @@ void sample_trilinear(const Texture& texture, const FragmentBatch& in,
     find_neighbors(axes[1], in.lanes, factor, levels.shrink.data(), of_level.rows);
     factor /= 2;
   }
-  blend_levels(all_levels(texture, axes), levels, squares, seen_quads(in), in.lanes, color);
+  filter_trilinear(all_levels(texture, axes), levels, squares, seen_quads(in), in.lanes, color);
 }
 
 }  // namespace

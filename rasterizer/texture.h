@@ -13,7 +13,7 @@
 //
 // Bilinear: colours are within W (e_s + 2^-51) + H (e_t + 2^-51) + 6 · 2^-24 of those of exact
 // arithmetic, e what coordinates are off by at most (FragmentBatch::errors). A colour changes by at
-// most 1 from one centre to the next; c is off by e + 2^-53 (texture_kernels.h), the product and
+// most 1 from one centre to the next; c is off by e + 2^-53 (coordinate_kernels.h), the product and
 // the difference by half a unit of W each, so that x is off by W (e + 3 · 2^-53). The rest, in
 // units of 2^-24:
 //   - both fractions are rounded to float32, half a unit each: 1;

@@ -1,7 +1,8 @@
 #pragma once
 
-// Texture sampling and rounding of a batch's lanes on the widest vectors that the processor has.
-// All targets compute the same bits: products and sums are rounded one by one and never fused.
+// Texture coordinates of a batch's lanes on the widest vectors that the processor has: the texels
+// that they are in or between, and the level of detail. All targets compute the same bits: products
+// and sums are rounded one by one and never fused.
 //
 // A coordinate is wrapped to c in [0, 1], repeat c = s − ⌊s⌋, mirror m = s − 2 ⌊s/2⌋ and c = m or
 // 2 − m, clamp the nearest number of [0, 1]. Only one sum of these is ever rounded: s + 1 or s + 2
@@ -11,15 +12,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "rasterizer/shading.h"
 #include "rasterizer/texture.h"
 
 namespace rastercheck::rasterizer {
-
-/// Levels of a texture of kMaxSize, and one to spare.
-inline constexpr std::size_t kLevelSlots = 16;
 
 /// A coordinate of a batch.
 struct TextureAxis {
@@ -81,46 +78,5 @@ struct LevelsOfDetail {
 /// 2^-36. It is exact where ρ² is a power of two.
 bool find_levels(const CoordinateSlopes& slopes, double width, double height, int last,
                  std::size_t lanes, LevelsOfDetail& levels);
-
-/// A texture's texels, level after level, and what is beyond its edges.
-struct TexelLevels {
-  const std::uint32_t* texels = nullptr;
-  int width = 1;
-  int height = 1;
-  bool repeats_columns = false;  ///< or they are clamped, mirrored ones too
-  bool repeats_rows = false;
-  alignas(64) std::array<std::int32_t, kLevelSlots> first{};  ///< of each level
-  alignas(64) std::array<std::int32_t, kLevelSlots> next{};   ///< of the one after, if there is one
-};
-
-/// A square of four texels for each lane.
-struct Squares {
-  Neighbors columns;
-  Neighbors rows;
-};
-
-using ColorArrays = std::span<float* const, 4>;
-
-// Of lanes that are not wanted no texels are fetched but the first two of the texture, if it has
-// two.
-
-/// Colours k/255 of texels, correctly rounded: v/255 = q (1 + 2^-16 + 2^-32 + …) with
-/// q = v (2^-8 + 2^-16), exact for whole v, and q (2^-16 + 2^-32) is added to it. What that lacks,
-/// 2^-47, is too little to matter (tests/rasterizer/texture_test.cpp goes through all k).
-void fetch_texels(const TexelLevels& texture, const std::int32_t* columns, const std::int32_t* rows,
-                  const LaneMask& wanted, std::size_t lanes, ColorArrays color);
-
-/// Bilinear in level 0, and trilinear in two. Bounds are derived in texture.h.
-void blend_level(const TexelLevels& texture, const Squares& squares, const LaneMask& wanted,
-                 std::size_t lanes, ColorArrays color);
-void blend_levels(const TexelLevels& texture, const LevelsOfDetail& levels,
-                  const std::array<Squares, 2>& squares, const LaneMask& wanted, std::size_t lanes,
-                  ColorArrays color);
-
-/// Each rounded once.
-void round_lanes(const double* in, std::size_t lanes, float* out);
-
-/// Lanes that are less.
-LaneMask find_below(const float* values, float limit, std::size_t lanes);
 
 }  // namespace rastercheck::rasterizer
