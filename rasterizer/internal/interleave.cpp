@@ -9,21 +9,19 @@
 #include <bit>
 #include <cstdint>
 
+#include "rasterizer/internal/tile_kernels.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/internal/interleave.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, as Highway wants it.
 #include <hwy/highway.h>
 
+#include "rasterizer/internal/vectors-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, 16>;
-using Doubles = hn::CappedTag<double, 8>;
-using Words = hn::Rebind<std::uint32_t, Doubles>;
 
 /// The arrays' rows of that number.
 template <std::size_t kCount>
@@ -55,7 +53,7 @@ HWY_INLINE void InterleaveRow(const std::array<float*, kCount>& in, std::size_t 
 
 /// Copies numbers, whole cache lines past the caches.
 HWY_INLINE void StreamTo(float* out, const float* in, std::size_t count) {
-  const hn::CappedTag<float, 16> d;
+  const Floats d;
   constexpr std::size_t kLine = 64 / sizeof(float);
   const std::size_t beyond = reinterpret_cast<std::uintptr_t>(out) / sizeof(float) % kLine;
   const std::size_t first = std::min((kLine - beyond) % kLine, count);
@@ -69,7 +67,7 @@ HWY_INLINE void StreamTo(float* out, const float* in, std::size_t count) {
 
 template <std::size_t kCount>
 void InterleaveRows(const TileRows& rows, float* out) {
-  for (std::size_t y = 0; y < rows.height; ++y, out += rows.pitch) {
+  for (std::size_t y = 0; y < rows.height; ++y, out += kCount * rows.pitch) {
     const auto in = RowsAt<kCount>(rows, y);
     if (!rows.streams) {
       InterleaveRow<kCount>(in, rows.width, out);
@@ -87,7 +85,7 @@ template <std::size_t kCount>
 void SeparateRows(const float* in, const TileRows& rows) {
   const Floats d;
   const std::size_t whole = rows.width - rows.width % hn::Lanes(d);
-  for (std::size_t y = 0; y < rows.height; ++y, in += rows.pitch) {
+  for (std::size_t y = 0; y < rows.height; ++y, in += kCount * rows.pitch) {
     const auto out = RowsAt<kCount>(rows, y);
     std::size_t i = 0;
     for (; i < whole; i += hn::Lanes(d)) {
@@ -111,27 +109,27 @@ void Interleave(const TileRows& rows, float* out) {
   for (std::size_t y = 0; y < rows.height; ++y) {
     for (std::size_t i = 0; i < rows.width; ++i) {
       for (std::size_t k = 0; k < count; ++k) {
-        out[rows.pitch * y + count * i + k] = rows.arrays[k][kTileSize * y + i];
+        out[count * (rows.pitch * y + i) + k] = rows.arrays[k][kTileSize * y + i];
       }
     }
   }
 }
 
 /// What numbers are as bytes, each in a word of its own.
-HWY_INLINE hn::Vec<Words> BytesOf(const float* in) {
+HWY_INLINE hn::Vec<HalfWords> BytesOf(const float* in) {
   const Doubles d;
   const auto one = hn::Set(d, 1.0);
-  const auto value = hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, Doubles>(), in));
+  const auto value = hn::PromoteTo(d, hn::LoadU(Halves(), in));
   const auto positive = hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value);
   const auto held = hn::IfThenElse(hn::Gt(positive, one), one, positive);
   // The product of a float is exact in double.
   const auto nearest = hn::Round(hn::Mul(held, hn::Set(d, 255.0)));
-  return hn::BitCast(Words(), hn::DemoteTo(hn::Rebind<std::int32_t, Doubles>(), nearest));
+  return hn::BitCast(HalfWords(), hn::DemoteTo(Ints(), nearest));
 }
 
 /// Rows of one sample as words, the first byte lowest.
 void RowsToWords(const TileRows& rows, std::size_t sample, std::size_t y, std::uint32_t* out) {
-  const Words words;
+  const HalfWords words;
   std::array<const float*, 4> in{};
   for (std::size_t k = 0; k < 4; ++k) in[k] = rows.arrays[4 * sample + k] + y * kTileSize;
   for (std::size_t i = 0; i < rows.width; i += hn::Lanes(words)) {
@@ -149,7 +147,7 @@ void Separate(const float* in, const TileRows& rows) {
   for (std::size_t y = 0; y < rows.height; ++y) {
     for (std::size_t i = 0; i < rows.width; ++i) {
       for (std::size_t k = 0; k < count; ++k) {
-        rows.arrays[k][kTileSize * y + i] = in[rows.pitch * y + count * i + k];
+        rows.arrays[k][kTileSize * y + i] = in[count * (rows.pitch * y + i) + k];
       }
     }
   }
@@ -182,10 +180,10 @@ std::uint32_t word_at(const std::uint8_t* in) {
   return word;
 }
 
-/// Where the four bytes of a sample of a row are, from the row's first.
+/// Where the four bytes of a sample are.
 std::size_t place_of(const TileRows& rows, std::size_t samples, std::size_t sample, std::size_t y,
                      std::size_t x) {
-  return rows.pitch * y + 4 * (samples * x + sample);
+  return 4 * (samples * (rows.pitch * y + x) + sample);
 }
 
 /// Calls visit(sample, y, x) for each word.

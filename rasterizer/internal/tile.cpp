@@ -43,7 +43,7 @@ std::size_t Tile::first_pixel(const Framebuffer& framebuffer) const {
 TileRows Tile::rows_of(std::span<float* const> arrays, const Framebuffer& framebuffer) const {
   return {arrays, static_cast<std::size_t>(columns_.end - columns_.begin),
           static_cast<std::size_t>(rows_.end - rows_.begin),
-          static_cast<std::size_t>(framebuffer.size.width) * arrays.size(), false};
+          static_cast<std::size_t>(framebuffer.size.width), false};
 }
 
 void Tile::load(const Framebuffer& framebuffer, int column, int row) {
@@ -51,11 +51,10 @@ void Tile::load(const Framebuffer& framebuffer, int column, int row) {
   is_cleared_ = false;
   const std::size_t first = first_pixel(framebuffer);
   const TileRows depths = rows_of(depth_arrays_, framebuffer);
-  TileRows attributes = rows_of(attribute_arrays_, framebuffer);
+  const TileRows attributes = rows_of(attribute_arrays_, framebuffer);
   separate(framebuffer.depth.data() + first * depths.arrays.size(), depths);
   if (framebuffer.format == ColorFormat::rgba8) {
     const std::uint8_t* const bytes = framebuffer.bytes.data() + first * samples_ * 4;
-    if (has_words_) attributes.pitch *= 4;
     has_words_ ? separate_words(bytes, attributes) : separate(bytes, attributes);
   } else {
     separate(framebuffer.attributes.data() + first * attributes.arrays.size(), attributes);
@@ -71,7 +70,6 @@ void Tile::store(Framebuffer& framebuffer) const {
   interleave(depths, framebuffer.depth.data() + first * depths.arrays.size());
   if (framebuffer.format == ColorFormat::rgba8) {
     std::uint8_t* const bytes = framebuffer.bytes.data() + first * samples_ * 4;
-    if (has_words_) attributes.pitch *= 4;
     has_words_ ? interleave_words(attributes, bytes) : interleave(attributes, bytes);
   } else {
     interleave(attributes, framebuffer.attributes.data() + first * attributes.arrays.size());
