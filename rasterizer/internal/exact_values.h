@@ -37,8 +37,7 @@ namespace rastercheck::rasterizer {
 
 /// One triangle's value, ready to be evaluated.
 struct ValueLine {
-  /// How it comes from the weights: not at all, as evaluate_smooth() or as evaluate_affine() has
-  /// it.
+  /// From the weights not at all, or as evaluate_smooth() or evaluate_affine() has it.
   enum class Kind { copied, smooth, affine };
   Kind kind = Kind::copied;
   /// What the E_i are multiplied with: r_i of a smooth, r_i w_i of an affine value.
