@@ -2,7 +2,7 @@
 
 // Anything that can draw a case. A kind of backend is one file that registers itself:
 //
-//   const BackendRegistration kRegistration({"name", "what it is", &make, &names});
+//   const BackendRegistration kRegistration({"name", &make, &list});
 //
 // A backend is asked for by its specification, KIND or KIND:OPTIONS, as `method:rational-linear`.
 

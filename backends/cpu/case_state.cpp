@@ -128,9 +128,8 @@ int subpixel_bits(const cases::Snapping& snapping) {
   return std::clamp(snapping.subpixel_bits, ras::kLeastSubpixelBits, ras::kMostSubpixelBits);
 }
 
-ras::State state_of(const cases::Case& c, ras::Precision precision) {
+ras::State state_of(const cases::Case& c) {
   ras::State s;
-  s.precision = precision;
   s.convention = convention(c.rules);
   s.viewport = {{c.viewport.x, c.viewport.y},
                 {c.viewport.width, c.viewport.height},

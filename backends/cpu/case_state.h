@@ -27,7 +27,7 @@ rasterizer::Filter filter(cases::Filter filter);
 int subpixel_bits(const cases::Snapping& snapping);
 
 /// All but the depth test.
-rasterizer::State state_of(const cases::Case& c, rasterizer::Precision precision);
+rasterizer::State state_of(const cases::Case& c);
 
 /// A case's triangles, for as long as the case is there.
 class CaseMesh {

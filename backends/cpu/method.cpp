@@ -3,7 +3,7 @@
 #include "rasterizer/methods/method.h"
 
 #include "backends/backend.h"
-#include "backends/cpu/rasterizer_backend.h"
+#include "backends/cpu/method_backend.h"
 
 namespace rastercheck::backends {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 Result<std::unique_ptr<Backend>> make(const std::string& name) {
   std::string known;
   for (const rasterizer::Method& method : rasterizer::methods()) {
-    if (method.name == name) return make_rasterizer_backend({name});
+    if (method.name == name) return make_method_backend(name);
     known += (known.empty() ? "" : ", ") + std::string(method.name);
   }
   return tl::unexpected(Error{"method:" + name, "", "no method of that name; there are: " + known});

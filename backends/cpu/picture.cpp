@@ -74,7 +74,7 @@ std::optional<ras::Error> draw_untextured(const FrameDraw& draw, cases::Shading 
 std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline& pipeline,
                                     std::optional<float> clear_depth, unsigned threads,
                                     ras::Framebuffer& framebuffer) {
-  ras::State state = state_of(c, ras::Precision::float64);
+  ras::State state = state_of(c);
   state.depth_test = depth_test(pipeline.depth_function);
   state.depth_write = pipeline.writes_depth;
   state.blend = blend(pipeline.blend);

@@ -12,13 +12,10 @@
 namespace rastercheck::backends {
 
 /// How a drawing leaves the rasterizer: as a list of fragments, or through the framebuffer that
-/// users draw into, each triangle alone in one, or all by the depth test of the case.
+/// users draw into (framebuffer_drawing.h).
 enum class Output { fragments, framebuffer };
 
 struct RasterizerOptions {
-  /// One of the textbook methods, which have a precision of their own; empty: the rasterizer
-  /// proper.
-  std::string method = {};
   rasterizer::Precision precision = rasterizer::Precision::float64;
   Output output = Output::fragments;
   unsigned threads = 1;  ///< that draw into the framebuffer

@@ -1,0 +1,122 @@
+#include "backends/cpu/framebuffer_drawing.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "backends/cpu/case_state.h"
+#include "rasterizer/rasterizer.h"
+#include "rasterizer/shading.h"
+
+namespace rastercheck::backends {
+namespace {
+
+namespace ras = rasterizer;
+
+/// What no fragment's depth is.
+constexpr float kFarthest = std::numeric_limits<float>::infinity();
+
+/// The number of the triangle that a sample is of, which a float32 has to hold.
+struct TriangleNumber {
+  static constexpr std::size_t kMost = std::size_t{1} << 24;
+
+  std::size_t outputs() const { return 1; }
+  bool discards() const { return false; }
+  void operator()(const ras::FragmentBatch& in, ras::ShadedBatch& out) const {
+    for (std::size_t lane = 0; lane < in.lanes; ++lane) {
+      const auto triangle = in.cells[lane / ras::FragmentBatch::kCellLanes].triangle;
+      out.color[0][lane] = static_cast<float>(triangle);
+    }
+  }
+};
+
+class FramebufferDrawing {
+ public:
+  FramebufferDrawing(const cases::Case& c, unsigned threads)
+      : case_(c), state_(state_of(c)), memory_(c), threads_(threads) {
+    result_.attribute_count = c.attributes.size();
+  }
+
+  Result<cases::Framebuffer> draw() {
+    const bool is_tested = case_.depth_test == cases::DepthTest::less;
+    if (is_tested && case_.triangles.size() > TriangleNumber::kMost) {
+      return tl::unexpected(Error{"", "", "an index of so many triangles is no float32"});
+    }
+    const std::size_t attributes = case_.attributes.size();
+    auto error = ras::clear(framebuffer_, target_size(case_), attributes, kFarthest);
+    if (!error) error = is_tested ? draw_all() : draw_each();
+    if (error) return tl::unexpected(refused(*error));
+    return std::move(result_);
+  }
+
+ private:
+  /// All triangles in one framebuffer, their numbers in another.
+  std::optional<ras::Error> draw_all() {
+    state_.depth_test = ras::DepthTest::less;
+    const ras::Mesh mesh = memory_.mesh();
+    if (const auto error = draw(mesh)) return error;
+    const ras::TargetSize size = target_size(case_);
+    ras::Framebuffer numbers;
+    const auto error =
+        clear_and_draw(state_, mesh, TriangleNumber(), size, kFarthest, numbers, threads_).error;
+    if (error) return error;
+    take([&](std::size_t at) { return static_cast<std::uint32_t>(numbers.attributes[at]); });
+    return std::nullopt;
+  }
+
+  std::optional<ras::Error> draw_each() {
+    const ras::Mesh mesh = memory_.mesh();
+    ras::Mesh drawn = mesh;
+    // No triangle first: arrays that do not fit are refused where there are none, too.
+    drawn.triangles = {};
+    if (const auto error = draw(drawn)) return error;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      drawn.triangles = mesh.triangles.subspan(t, 1);
+      if (const auto error = draw(drawn)) return error;
+      take([t](std::size_t) { return t; });
+    }
+    return std::nullopt;
+  }
+
+  std::optional<ras::Error> draw(const ras::Mesh& mesh) {
+    return ras::draw(state_, mesh, framebuffer_, threads_).error;
+  }
+
+  /// Lists the samples that were drawn and clears them.
+  template <typename TriangleOf>
+  void take(const TriangleOf& triangle_of) {
+    const auto samples = static_cast<std::size_t>(case_.framebuffer.samples);
+    const auto width = static_cast<std::size_t>(case_.framebuffer.width);
+    const std::size_t attributes = case_.attributes.size();
+    for (std::size_t at = 0; at < framebuffer_.depth.size(); ++at) {
+      if (framebuffer_.depth[at] == kFarthest) continue;
+      result_.triangle.push_back(triangle_of(at));
+      result_.x.push_back(static_cast<std::uint16_t>(at / samples % width));
+      result_.y.push_back(static_cast<std::uint16_t>(at / samples / width));
+      result_.sample.push_back(static_cast<std::uint8_t>(at % samples));
+      result_.depth.push_back(framebuffer_.depth[at]);
+      framebuffer_.depth[at] = kFarthest;
+      const auto values =
+          framebuffer_.attributes.begin() + static_cast<std::ptrdiff_t>(at * attributes);
+      result_.attributes.insert(result_.attributes.end(), values,
+                                values + static_cast<std::ptrdiff_t>(attributes));
+    }
+  }
+
+  const cases::Case& case_;
+  ras::State state_;
+  CaseMesh memory_;
+  unsigned threads_;
+  ras::Framebuffer framebuffer_;
+  cases::Framebuffer result_;
+};
+
+}  // namespace
+
+Result<cases::Framebuffer> draw_through_framebuffer(const cases::Case& c, unsigned threads) {
+  return FramebufferDrawing(c, threads).draw();
+}
+
+}  // namespace rastercheck::backends
