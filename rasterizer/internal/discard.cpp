@@ -4,7 +4,9 @@
 #include <cmath>
 
 namespace rastercheck::rasterizer {
+namespace {
 
+/// Whether a vertex's position and clip distances are numbers.
 bool is_finite(const State& state, const Mesh& mesh, std::uint32_t vertex) {
   const glm::vec4& p = mesh.positions[vertex];
   const auto distances =
@@ -12,6 +14,8 @@ bool is_finite(const State& state, const Mesh& mesh, std::uint32_t vertex) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w) &&
          std::all_of(distances.begin(), distances.end(), [](float d) { return std::isfinite(d); });
 }
+
+}  // namespace
 
 std::optional<InputTriangle> input_triangle(const State& state, const Mesh& mesh,
                                             std::size_t index) {

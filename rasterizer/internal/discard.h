@@ -2,7 +2,7 @@
 
 // Which triangles are not drawn at all, whatever the method.
 
-#include <cstdint>
+#include <cstddef>
 #include <optional>
 
 #include "rasterizer/internal/draw_setting.h"
@@ -10,10 +10,7 @@
 
 namespace rastercheck::rasterizer {
 
-/// Whether a vertex's position and clip distances are numbers.
-bool is_finite(const State& state, const Mesh& mesh, std::uint32_t vertex);
-
-/// A triangle of the mesh; nothing where one of its numbers is none.
+/// A triangle of the mesh; nothing where a position or clip distance of it is not finite.
 std::optional<InputTriangle> input_triangle(const State& state, const Mesh& mesh,
                                             std::size_t index);
 

@@ -57,8 +57,6 @@ class ExactCoverage {
   Fate locate(const InputTriangle& triangle);
   /// Prepares a triangle, and the one part that it is drawn in (its values are not set up).
   Fate set_up(const InputTriangle& triangle, std::vector<DrawnPart>& parts);
-  /// Whether clip planes have a say in what the edges leave.
-  bool is_clipped() const { return !clips_.all.empty(); }
 
   /// The pixels that it may touch.
   const PixelBox& box() const { return box_; }

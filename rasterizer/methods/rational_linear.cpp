@@ -71,8 +71,6 @@
 // Triangles with a clip distance that is not finite are counted with those that have such a
 // position.
 
-#include "rasterizer/internal/rational_linear.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -81,6 +79,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "rasterizer/internal/clip_polygon.h"
@@ -88,6 +87,7 @@
 #include "rasterizer/internal/determinant.h"
 #include "rasterizer/internal/discard.h"
 #include "rasterizer/internal/draw_bounds.h"
+#include "rasterizer/internal/draw_setting.h"
 #include "rasterizer/internal/standard_pattern.h"
 #include "rasterizer/methods/method.h"
 
@@ -268,23 +268,15 @@ bool Drawing::has(Location location) const {
 }
 
 void Drawing::draw_triangle(std::size_t index) {
-  const glm::uvec3& corners = mesh_.triangles[index];
-  if (!is_finite(state_, mesh_, corners.x) || !is_finite(state_, mesh_, corners.y) ||
-      !is_finite(state_, mesh_, corners.z)) {
-    ++counts_.discarded_not_finite;
-    return;
-  }
-  const int orientation =
-      viewport_sign_ * determinant_sign(mesh_.positions[corners.x], mesh_.positions[corners.y],
-                                        mesh_.positions[corners.z]);
-  if (orientation == 0) {
-    ++counts_.discarded_degenerate;
-    return;
-  }
+  const std::optional<InputTriangle> triangle = input_triangle(state_, mesh_, index);
+  if (!triangle) return count(Fate::not_finite, counts_);
+  const auto& p = triangle->positions;
+  const int orientation = viewport_sign_ * determinant_sign(p[0], p[1], p[2]);
+  if (orientation == 0) return count(Fate::degenerate, counts_);
   if (is_culled(state_, orientation)) return;
 
-  triangle_ = static_cast<std::uint32_t>(index);
-  load(corners);                                 // steps 1 and 2
+  triangle_ = triangle->index;
+  load(mesh_.triangles[index]);                  // steps 1 and 2
   if (!clip(volume_, clipped_, spare_)) return;  // step 3
   divide(orientation);                           // step 4
   scan();                                        // step 5
@@ -455,15 +447,13 @@ void Drawing::append(int x, int y, std::size_t sample, const ScanParameters& s,
       values.begin() + static_cast<std::ptrdiff_t>(state_.attributes.size()));
 }
 
-const MethodRegistration kRegistration({"rational-linear",
-                                        "seed 002 §3.5 (Heckbert and Moreton, 1991)",
-                                        &draw_rational_linear});
-
-}  // namespace
-
-DrawCounts draw_rational_linear(const State& state, const Mesh& mesh, const TargetSize& size,
-                                Fragments& fragments) {
+DrawCounts draw(const State& state, const Mesh& mesh, const TargetSize& size,
+                Fragments& fragments) {
   return Drawing(state, mesh, size, fragments).draw();
 }
 
+const MethodRegistration kRegistration({"rational-linear",
+                                        "seed 002 §3.5 (Heckbert and Moreton, 1991)", &draw});
+
+}  // namespace
 }  // namespace rastercheck::rasterizer
