@@ -94,6 +94,20 @@ enum class Basis { ideal, snapped };
 /// in float32. Depth is always the former, and so is what goes into framebuffers.
 enum class Precision { float64, float32 };
 
+/// How far values are off at most, in scale ULP: (f − r) / ulp(max(|r|, max |r_i|)), with r what
+/// exact arithmetic makes of the vertices' r_i and the ulp of float32; for depth it is
+/// ulp(max(|min_depth|, |max_depth|)). Half an ULP is the rounding to float32, 2^-7 what double is
+/// off by before it (derived in internal/certificates.h).
+inline constexpr double kValueBound = 0.5 + 0x1p-7;
+/// The same of attributes with Precision::float32: smooth ones, and those that are linear in the
+/// window (noperspective, or smooth where all w are equal). 6 29/36 + 3/128 and 3 11/12 + 3/128,
+/// rounded up (derived in internal/float_kernels.h).
+inline constexpr double kFloatSmoothBound = 6.83;
+inline constexpr double kFloatAffineBound = 3.95;
+/// The same of screen derivatives d, in ulp(max(|d|, M)), M the size of the terms that d is the
+/// difference of (derived in internal/derivatives.h).
+inline constexpr double kDerivativeBound = 0.5 + 0x1p-7 + 0x1p-22;
+
 /// `smooth`: linear in clip space; `noperspective`: linear in window space; `flat`: the provoking
 /// vertex's value.
 enum class Interpolation { smooth, noperspective, flat };

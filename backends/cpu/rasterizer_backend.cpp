@@ -34,17 +34,10 @@ cases::TextureBounds texture_bounds() {
   return bounds;
 }
 
-/// Of what a shader sees of attributes in a quad, derived in rasterizer/internal/certificates.h.
-float quad_share() { return 0x1p-29F; }
-
 /// What the production rasterizer promises: the mathematical triangle, or, where the case asks for
-/// snapping, that of the vertices on such a grid, exactly rounded; and values within 0.51 scale ULP
-/// (the bound derived in rasterizer/internal/certificates.h is 0.5 + 2^-7), attributes in float32
-/// within the bounds derived in rasterizer/internal/float_kernels.h. Constants come back as they
-/// are, and so do the values of vertices (rasterizer/internal/exact_values.h).
-/// Screen derivatives, in either precision, are within 0.51 of their unit
-/// (rasterizer/internal/derivatives.h: 0.5 + 2^-7 + 2^-22). Clip positions and normals
-/// are within the bounds of rasterizer/vertex_stage.h.
+/// snapping, that of the vertices on such a grid, exactly rounded; values, screen derivatives, clip
+/// positions and normals within the bounds of rasterizer/rasterizer.h and vertex_stage.h. Constants
+/// come back as they are, and so do the values of vertices (rasterizer/internal/exact_values.h).
 cases::Contract production_contract(const cases::Case& c, ras::Precision precision) {
   cases::Contract contract;
   contract.tie_rule = c.fill_rule;
@@ -53,9 +46,13 @@ cases::Contract production_contract(const cases::Case& c, ras::Precision precisi
     contract.basis = c.basis == cases::Basis::ideal ? cases::Basis::ideal : cases::Basis::snapped;
     contract.guard_band = ras::kGuardBand;
   }
+  // Rounded up to numbers that people read.
   constexpr float kBound = 0.51F;
-  constexpr float kFloatSmoothBound = 6.84F;  // 6.83 and 3.95 are no floats
+  constexpr float kFloatSmoothBound = 6.84F;
   constexpr float kFloatAffineBound = 3.96F;
+  static_assert(kBound >= ras::kValueBound && kBound >= ras::kDerivativeBound);
+  static_assert(kFloatSmoothBound >= ras::kFloatSmoothBound);
+  static_assert(kFloatAffineBound >= ras::kFloatAffineBound);
   contract.bounds = {{kBound, 0}, {kBound, 0}, {kBound, 0}};
   if (precision == ras::Precision::float32) {
     contract.bounds.smooth.constant = kFloatSmoothBound;
@@ -67,7 +64,7 @@ cases::Contract production_contract(const cases::Case& c, ras::Precision precisi
   contract.derivative_bound = kBound;
   contract.transform_bound = ras::kTransformBound;
   contract.normal_bound = ras::kNormalBound;
-  contract.quad_share = quad_share();
+  contract.quad_share = 0x1p-29F;  // rasterizer/internal/certificates.h, of helper lanes
   contract.texture_bounds = texture_bounds();
   return contract;
 }

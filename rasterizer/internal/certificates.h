@@ -14,6 +14,9 @@
 //            9/8 2^-32, as Σ |z_i| plane_band_i is certified below 2^-32; 2^-33 for the
 //            determinant; 3u for the offset. n, f and f − n are at most max(|n|, |f|).
 //
+// So with half an ULP for the rounding to float32 no value is off by more than kValueBound
+// (rasterizer.h).
+//
 // Helper lanes (shading.h). The S_i that bands are made of are those of the draw's pixels, of which
 // a covered lane's neighbour lies one beyond at most. U (V likewise) is affine: with p and q its
 // values at the two sides of these pixels, q − p at least a pixel d, it is at most max(|p|, |q|) +
@@ -26,8 +29,6 @@
 //
 // M' = max(max|r_i|, |r'|). Beyond that 1/w is about 0 or below, and helpers have some number.
 // Affine ones have 3 2^-33 max|r_i| + 2^-33 |r'|, which is less.
-//
-// With half an ULP for the rounding to float32 no value is off by more than kValueBound.
 
 #include <array>
 

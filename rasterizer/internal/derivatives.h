@@ -18,7 +18,8 @@
 // 2m, so r is off by m (3β + 20u). E_i' has two roundings, a difference of at most 3m, a product
 // and the sums four more: the sum is off by m Σ|E_i'| (3β + 38u), the quotient by
 // M (3β + 38u) + |d| (β + 6u) <= max(|d|, M) (4β + 44u). An ulp is at least 2^-24 of what it is of:
-// that is 2^-7 + 2^-23 of the unit.
+// that is 2^-7 + 2^-23 of the unit, with the rounding to float32 less than kDerivativeBound
+// (rasterizer.h).
 //
 // Without a certificate the quotient rule, by minors: with p_k = (x, y, w) of the corners and
 // (U, V, T) of the sample, E_i' E_j − E_i E_j' = ± |det| U' (w_k V − y_k T), i, j, k in cyclic
@@ -46,9 +47,6 @@
 #include "rasterizer/internal/weights.h"
 
 namespace rastercheck::rasterizer {
-
-/// The most that a derivative is off, in the unit above.
-inline constexpr double kDerivativeBound = 0.5 + 0x1p-7 + 0x1p-22;
 
 /// ∂r/∂u and ∂r/∂v, rounded to float32, and before that.
 using Slopes = std::array<float, 2>;

@@ -24,10 +24,6 @@
 
 namespace rastercheck::rasterizer {
 
-/// The most that a depth or an attribute of Precision::float64 is off, in scale ULP (RULES §5),
-/// derived in certificates.h.
-inline constexpr double kValueBound = 0.5 + 0x1p-7;
-
 /// Appends the fragments of every triangle, as if each were drawn alone. The arguments were
 /// checked.
 DrawCounts draw_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
