@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <span>
 
+#include "rasterizer/internal/coverage.h"
 #include "rasterizer/internal/derivatives.h"
-#include "rasterizer/internal/exact_coverage.h"
 #include "rasterizer/internal/masks.h"
 #include "rasterizer/internal/tile.h"
 #include "rasterizer/rasterizer.h"

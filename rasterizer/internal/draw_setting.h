@@ -26,6 +26,9 @@ struct DrawSetting {
     tie_sign = (state.fill_rule == FillRule::top_left) == v_points_down ? 1 : -1;
   }
 
+  /// Whether the viewport has no area; then the frame means nothing.
+  bool is_empty() const { return state.viewport.size.x == 0 || state.viewport.size.y == 0; }
+
   const State& state;
   std::span<const SampleOffset> pattern;
   DrawBounds bounds;
@@ -37,7 +40,7 @@ struct DrawSetting {
   int tie_sign = 1;
 };
 
-/// A triangle whose numbers are finite.
+/// A triangle whose positions and clip distances are finite.
 struct InputTriangle {
   std::uint32_t index = 0;  ///< in the mesh
   std::array<glm::vec4, 3> positions;

@@ -325,8 +325,7 @@ class TileDrawingBy : public TileDrawing {
   Fate locate(std::size_t triangle, PixelBox& box) override {
     const std::optional<InputTriangle> input = input_triangle(setting_.state, mesh_, triangle);
     if (!input) return Fate::not_finite;
-    const glm::vec2& size = setting_.state.viewport.size;
-    const Fate fate = size.x == 0 || size.y == 0 ? Fate::degenerate : coverage_.locate(*input);
+    const Fate fate = coverage_.locate(*input);
     box = coverage_.box();
     return fate;
   }

@@ -36,6 +36,7 @@ bool is_out_of_sight(const std::array<glm::vec4, 3>& p) {
 }  // namespace
 
 Fate ExactCoverage::locate(const InputTriangle& triangle) {
+  if (setting_.is_empty()) return Fate::degenerate;
   const auto& p = triangle.positions;
   turn_ = determinant_sign(p[0], p[1], p[2]);
   if (turn_ == 0) return Fate::degenerate;

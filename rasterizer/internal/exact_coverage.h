@@ -13,59 +13,25 @@
 
 #include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/clip_functionals.h"
-#include "rasterizer/internal/derivatives.h"
+#include "rasterizer/internal/coverage.h"
 #include "rasterizer/internal/draw_setting.h"
 #include "rasterizer/internal/edge_functions.h"
-#include "rasterizer/internal/exact_values.h"
-#include "rasterizer/internal/grid_piece.h"
-#include "rasterizer/internal/masks.h"
 
 namespace rastercheck::rasterizer {
 
-/// What of a block is covered.
-struct CoveredBlock {
-  Mask covered = 0;
-  Mask in_doubt = 0;  ///< of these, the samples that double alone did not decide
-  /// Of these, the samples that may lie exactly at a vertex, whose value is then to come back as it
-  /// is: two edges are within their bands, or 0.
-  Mask at_vertex = 0;
-  bool is_whole_numbers = false;  ///< decided on the grid
-
-  void keep(Mask wanted) {
-    covered &= wanted;
-    in_doubt &= wanted;
-    at_vertex &= wanted;
-  }
-};
-
-/// One part of what is drawn of a triangle, with weights of its own.
-struct DrawnPart {
-  Weights weights;
-  ValueSource source;
-  TriangleValues values;
-  TriangleDerivatives derivatives;  ///< set up where State::derivatives
-};
-
+/// In one part always.
 class ExactCoverage {
  public:
-  /// Covering a block leaves its weights behind.
   static constexpr bool kLeavesWeights = true;
 
   explicit ExactCoverage(const DrawSetting& setting) : setting_(setting) {}
 
-  /// Whether a triangle is drawn, and if so where: sets box() alone.
   Fate locate(const InputTriangle& triangle);
-  /// Prepares a triangle, and the one part that it is drawn in (its values are not set up).
   Fate set_up(const InputTriangle& triangle, std::vector<DrawnPart>& parts);
-
-  /// The pixels that it may touch.
   const PixelBox& box() const { return box_; }
-  /// Those of a row that it may touch.
   PixelRange span(std::size_t sample, int y) const;
   CoveredBlock cover(std::size_t sample, int y, int first, int count, BlockWeights& weights) const;
-  /// The samples of the last block covered that belong to a part.
   static Mask part_mask(const CoveredBlock& block, std::size_t /*part*/) { return block.covered; }
-  /// The part that a window position belongs to.
   static std::size_t part_at(double /*u*/, double /*v*/) { return 0; }
 
  private:

@@ -9,6 +9,7 @@
 namespace rastercheck::rasterizer {
 
 Fate GridCoverage::locate(const InputTriangle& triangle) {
+  if (setting_.is_empty()) return Fate::degenerate;
   const State& state = setting_.state;
   grid_polygon(state, grid_, triangle.positions, triangle.distances, polygon_);
   if (polygon_.corners.empty()) return Fate::hidden;

@@ -9,8 +9,8 @@
 
 #include <vector>
 
+#include "rasterizer/internal/coverage.h"
 #include "rasterizer/internal/draw_setting.h"
-#include "rasterizer/internal/exact_coverage.h"
 #include "rasterizer/internal/grid_piece.h"
 #include "rasterizer/internal/grid_polygon.h"
 #include "rasterizer/internal/grid_position.h"
@@ -28,7 +28,6 @@ class GridCoverage {
         grid_(grid_of(setting.state)),
         frame_(grid_frame(setting.window, bits_)) {}
 
-  /// Whether a triangle is drawn, and if so where: sets box() alone.
   Fate locate(const InputTriangle& triangle);
   Fate set_up(const InputTriangle& triangle, std::vector<DrawnPart>& parts);
   const PixelBox& box() const { return box_; }

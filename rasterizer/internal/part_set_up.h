@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "rasterizer/internal/coverage.h"
 #include "rasterizer/internal/discard.h"
 #include "rasterizer/internal/draw_setting.h"
-#include "rasterizer/internal/exact_coverage.h"
 #include "rasterizer/rasterizer.h"
 
 namespace rastercheck::rasterizer {
@@ -19,8 +19,7 @@ Fate set_up_parts(const State& state, const Mesh& mesh, std::size_t index, bool 
                   Coverage& coverage, std::vector<DrawnPart>& parts) {
   const std::optional<InputTriangle> triangle = input_triangle(state, mesh, index);
   if (!triangle) return Fate::not_finite;
-  const bool is_empty = state.viewport.size.x == 0 || state.viewport.size.y == 0;
-  const Fate fate = is_empty ? Fate::degenerate : coverage.set_up(*triangle, parts);
+  const Fate fate = coverage.set_up(*triangle, parts);
   if (fate != Fate::drawn) return fate;
   for (DrawnPart& part : parts) {
     set_up_values(state, part.source, part.weights, part.values);

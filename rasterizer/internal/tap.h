@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "rasterizer/internal/block_kernels.h"
-#include "rasterizer/internal/exact_coverage.h"
+#include "rasterizer/internal/coverage.h"
 #include "rasterizer/internal/standard_pattern.h"
 #include "rasterizer/trace.h"
 
