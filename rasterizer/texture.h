@@ -20,8 +20,7 @@
 //   - with texels of 0…255, a + f (b − a) along rows has two roundings of numbers up to 255, 2^-17
 //     each, as b − a is exact; between rows there are three more: 5 · 2^-17 / 255 < 2.52;
 //   - q = v (2^-8 + 2^-16) and q + (2^-16 + 2^-32) q instead of v / 255: two roundings of numbers
-//   up
-//     to 1, and 2^-40: 2.01.
+//     up to 1, and 2^-40: 2.01.
 // Nothing leaves [0, 1]: f is at most 1, |b − a| at most 2^-17 above 255 − a, and 255 + 2^-17
 // rounds to 255. Equal texels give k/255 correctly rounded.
 //

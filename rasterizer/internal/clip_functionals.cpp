@@ -80,7 +80,7 @@ bool is_kept(const ClipFunctional& functional, const EdgeFunctions& edges,
              const std::array<double, 3>& e, const SampleFrame& frame, double u, double v,
              int tie_sign) {
   // Terms g_i E_i: E_i is off by its band, g_i and the product have a rounding each, and there are
-  // two sums: 4 u |g_i E_i|, to first order.
+  // two sums: 4 u |g_i E_i| to first order, for which 8 u is more than all.
   double value = 0;
   double error = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -44,9 +44,9 @@ ClipVertex cut(const ClipVolume& volume, const ClipVertex& a, const ClipVertex& 
 /// Clips by one plane. distance(vertex) is its functional; settle(p, a) makes a vertex p that was
 /// cut from an edge at a lie on it.
 template <class Distance, class Settle>
-class Plane {
+class ClipPlane {
  public:
-  Plane(const ClipVolume& volume, bool closed, Distance distance, Settle settle)
+  ClipPlane(const ClipVolume& volume, bool closed, Distance distance, Settle settle)
       : volume_(volume), closed_(closed), distance_(distance), settle_(settle) {}
 
   /// Leaves the result in `polygon`; `spare` is working memory.
@@ -107,11 +107,11 @@ class Plane {
 void clip_depth(const ClipVolume& volume, ClipPolygon*& polygon, ClipPolygon*& spare) {
   // In units of w: the least depth in the clip volume.
   const double least = volume.convention == Convention::opengl ? -1.0 : 0.0;
-  Plane(
+  ClipPlane(
       volume, true, [least](const ClipVertex& p) { return p.z - least * p.w; },
       [least](ClipVertex& p, bool) { p.z = least * p.w; })
       .clip(polygon, spare);
-  Plane(
+  ClipPlane(
       volume, true, [](const ClipVertex& p) { return p.w - p.z; },
       [](ClipVertex& p, bool) { p.z = p.w; })
       .clip(polygon, spare);
@@ -121,7 +121,7 @@ void clip_depth(const ClipVolume& volume, ClipPolygon*& polygon, ClipPolygon*& s
 /// distance and its negative never draw a sample twice.
 void clip_distances(const ClipVolume& volume, ClipPolygon*& polygon, ClipPolygon*& spare) {
   for (std::size_t i = 0; i < volume.distance_count; ++i) {
-    Plane(
+    ClipPlane(
         volume, volume.convention == Convention::d3d,
         [i](const ClipVertex& p) { return p.distances[i]; },
         [i](ClipVertex& p, bool) { p.distances[i] = 0; })
@@ -133,7 +133,7 @@ void clip_distances(const ClipVolume& volume, ClipPolygon*& polygon, ClipPolygon
 void clip_guard_band(const ClipVolume& volume, double ClipVertex::*axis, ClipPolygon*& polygon,
                      ClipPolygon*& spare) {
   for (const double side : {-1.0, 1.0}) {
-    Plane(
+    ClipPlane(
         volume, false,
         [side, axis](const ClipVertex& p) { return kClipGuardBand * p.w - side * p.*axis; },
         [side, axis](ClipVertex& p, bool same_w) {

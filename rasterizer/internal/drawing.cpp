@@ -73,7 +73,7 @@ class Drawing {
   PlaneRow row_of(const Plane& plane, const BlockPlace& place, const DrawnPart& part) const {
     return plane_row(plane, *part.weights.frame, place.y + setting_.pattern[place.sample].y);
   }
-  void locate(int y, int first, Mask touched);
+  void evaluate_pixels(int y, int first, Mask touched);
   void derive(const BlockPlace& place, const DrawnPart& part, Mask mask);
   Slopes* derivatives_of(std::size_t sample, int column) {
     return derivatives_.data() +
@@ -148,7 +148,7 @@ void Drawing<Coverage, Tap, Output>::draw_block(int y, int first, int count, Mas
     evaluate(place, block);
   }
   if (touched == 0) return;
-  if (blocks_.size() > 1) locate(y, first, touched);
+  if (blocks_.size() > 1) evaluate_pixels(y, first, touched);
   output_.take({triangle_, y, first, touched, blocks_, derivatives_});
 }
 
@@ -263,7 +263,7 @@ Mask Drawing<Coverage, Tap, Output>::evaluate_attribute(const BlockPlace& place,
 /// Attributes that belong to the pixel and not to its samples: at the centre, or, centroid, at the
 /// first covered sample where not all are.
 template <typename Coverage, typename Tap, typename Output>
-void Drawing<Coverage, Tap, Output>::locate(int y, int first, Mask touched) {
+void Drawing<Coverage, Tap, Output>::evaluate_pixels(int y, int first, Mask touched) {
   for (std::size_t a = 0; a < state_.attributes.size(); ++a) {
     const Location location = state_.attributes[a].location;
     if (location == Location::sample) continue;
@@ -353,8 +353,9 @@ DrawCounts draw_with(const State& state, const Mesh& mesh, const TargetSize& siz
                      Fragments& fragments, Tap& tap) {
   const DrawSetting setting(state, size);
   FragmentOutput output(fragments, state.attributes.size());
-  if (state.snapping)
+  if (state.snapping) {
     return Drawing<GridCoverage, Tap, FragmentOutput>(setting, mesh, output, tap).draw();
+  }
   return Drawing<ExactCoverage, Tap, FragmentOutput>(setting, mesh, output, tap).draw();
 }
 

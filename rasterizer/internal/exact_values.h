@@ -6,16 +6,16 @@
 //   noperspective  r = Σ r_i w_i E_i / (|det| T)          r_i w_i is exact in double
 //   depth          z = Σ z_i E_i / (|det| T), then n + (f − n) z, halved for OpenGL
 //
-// All in double, numerators and denominator each collected into one plane (plane.h), where
-// a certificate (certificates.h) shows that that is enough. Where it fails
-// (slivers, the horizon, w of both signs) sums are formed without rounding (exact_sum.h) and
-// divided once: 2^-50 of the value itself.
+// All in double, numerators and denominator each collected into one plane (plane.h), where a
+// certificate (certificates.h) shows that that is enough. Where it fails (slivers, the horizon, w
+// of both signs) sums are formed without rounding (exact_sum.h) and divided once: 2^-50 of the
+// value itself.
 //
 // Constants: with r_i = c the computed value is within 2^-31 of c and rounds to c. The same zero at
 // all vertices is copied, sign included. Of attributes that are not finite every sample has the
-// sum, infinite or no number. A plane of equal depth, z_i w_j = z_j w_i exactly, has one
-// depth for all its samples. Where all w are the same, smooth and noperspective are one, and
-// nothing is divided at a sample (seed 000; seed 002 §3.3).
+// sum, infinite or no number. A plane of equal depth, z_i w_j = z_j w_i exactly, has one depth for
+// all its samples. Where all w are the same, smooth and noperspective are one, and nothing is
+// divided at a sample (seed 000; seed 002 §3.3).
 //
 // A corner that clipping made, with shares s_v of the vertices, has r = Σ s_v r_v and for affine
 // values Σ s_v r_v w_v: shares are within 2^-50 of themselves and none is negative, so that this is

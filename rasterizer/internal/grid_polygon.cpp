@@ -11,7 +11,7 @@ namespace {
 using Distances = std::array<std::span<const float>, 3>;
 
 /// A clip plane: its values at the vertices, exactly.
-struct Plane {
+struct ClipPlane {
   std::array<ExactSum, 3> g;
   bool has_vertex_beyond() const {
     return std::any_of(g.begin(), g.end(), [](const ExactSum& value) { return value.sign() < 0; });
@@ -99,7 +99,7 @@ class Clipping {
 
   template <typename Value>
   void add_plane(const Value& value_at) {
-    Plane plane;
+    ClipPlane plane;
     for (std::size_t i = 0; i < 3; ++i) value_at(plane.g[i], i);
     if (plane.has_vertex_beyond()) planes_.push_back(plane);
   }
@@ -213,7 +213,7 @@ class Clipping {
   const std::array<glm::vec4, 3>& positions_;
   /// The vertices in an order of their own, whichever triangle they belong to.
   std::array<std::size_t, 3> order_{0, 1, 2};
-  std::vector<Plane> planes_;
+  std::vector<ClipPlane> planes_;
 };
 
 bool is_inside_depth_planes(const State& state, const glm::vec4& p) {

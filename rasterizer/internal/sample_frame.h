@@ -59,7 +59,8 @@ struct ExactCoordinate {
 };
 ExactCoordinate exact_at(const AxisFrame& axis, double position);
 
-/// The exponent of the lowest set bit; of 0 the greatest int.
+/// The exponent of the lowest set bit; of 0 a number beyond all exponents, of which two may be
+/// added.
 int lowest_bit(double value);
 
 }  // namespace rastercheck::rasterizer
