@@ -178,20 +178,16 @@ TEST(GridCoverage, AFanAboutAPointCoversWhatItsTriangleDoes) {
   EXPECT_GT(covered, 100'000U);
 }
 
-/// The corners that lie on the edge opposite a vertex, in order of their share of another.
+/// The corners that lie on the edge opposite a vertex.
 std::vector<GridPoint> corners_on_edge(const GridPolygon& polygon, std::size_t opposite) {
-  std::vector<GridCorner> on_edge;
+  std::vector<GridPoint> on_edge;
   for (const GridCorner& corner : polygon.corners) {
-    if (corner.share[opposite] == 0) on_edge.push_back(corner);
+    if (corner.share[opposite] == 0) on_edge.push_back(corner.at);
   }
-  return [&] {
-    std::vector<GridPoint> points;
-    for (const GridCorner& corner : on_edge) points.push_back(corner.at);
-    return points;
-  }();
+  return on_edge;
 }
 
-/// Two triangles on either side of an edge, the planes that cut them different ones.
+// Two triangles on either side of an edge, the planes that cut them different ones.
 // Kills: corners computed from other new corners; an edge's ends taken in the triangle's order.
 TEST(GridPolygon, NeighboursShareTheCornersOfTheirEdge) {
   Random random(5);
@@ -229,7 +225,7 @@ TEST(GridPolygon, NeighboursShareTheCornersOfTheirEdge) {
   EXPECT_GT(compared, 3'000);
 }
 
-/// Every corner of a cut polygon is where its shares put it, and beyond no plane.
+// Every corner of a cut polygon is where its shares put it, and beyond no plane.
 TEST(GridPolygon, CornersLieWithinHalfAUnitOfTheClippedTriangle) {
   Random random(6);
   int compared = 0;

@@ -22,7 +22,7 @@ Viewport random_viewport(Random& random, ViewportKind kind, const TargetSize& si
 /// A triangle with three attributes and the state's clip distances.
 SmallMesh random_mesh(Random& random, const State& state);
 
-/// All of a draw: `kind` or, if not given, any.
+/// All of a draw.
 RandomDraw random_draw(Random& random);
 
 }  // namespace rastercheck::rasterizer
