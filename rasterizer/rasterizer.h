@@ -174,12 +174,12 @@ struct TargetSize {
 
 /// Why a draw was refused; nothing is drawn then, unless memory ran out on the way.
 enum class Error {
-  target_size,           ///< width or height not in 1…kMaxSize
+  target_size,           ///< width or height not in 1…kMaxSize, or arrays of another size
   sample_count,          ///< not 1, 2, 4, 8 or 16
   viewport,              ///< a number that is not finite, or depths outside [0, 1]
   scissor,               ///< a negative size
   subpixel_bits,         ///< not 4…16
-  attribute_count,       ///< more than kMaxAttributes
+  attribute_count,       ///< more than kMaxAttributes, or other than the framebuffer's
   clip_distance_count,   ///< more than kMaxClipDistances
   attribute_values,      ///< not one value for each vertex and attribute
   clip_distance_values,  ///< not one value for each vertex and distance
@@ -196,8 +196,8 @@ std::string_view to_string(Error error);
 
 /// What became of the triangles of a draw.
 struct DrawCounts {
-  std::size_t discarded_not_finite = 0;
-  std::size_t discarded_degenerate = 0;
+  std::size_t discarded_not_finite = 0;  ///< a position or clip distance is infinite or no number
+  std::size_t discarded_degenerate = 0;  ///< without area, edge-on, or in a viewport without area
   bool operator==(const DrawCounts&) const = default;
 };
 

@@ -22,7 +22,9 @@ TEST(Registry, MakesEverythingItListsAsAvailable) {
 TEST(Registry, NamesWhatThereIsWhereAskedForSomethingElse) {
   const auto none = make_backend("gpu:fast");
   ASSERT_FALSE(none);
-  EXPECT_EQ(to_string(none.error()), "gpu:fast: no backend of that name; there are: cpu, method");
+  EXPECT_THAT(to_string(none.error()),
+              testing::StartsWith("gpu:fast: no backend of that name; there are: cpu, "));
+  EXPECT_THAT(to_string(none.error()), testing::HasSubstr(", method"));
   EXPECT_FALSE(make_backend("method:magic"));
   EXPECT_FALSE(make_backend("cpu:magic=1"));
 }
