@@ -5,10 +5,11 @@
 //             "shrink_tries": 1000, "shrink_seconds": 5, "corpus": "…", "corpus_digest": "…",
 //             "scene": "", "scene_size": 512, "program": "0.1.0"},
 //    "saved": [{a case file}, …],
-//    "tasks": 4400, "done": [[0, 17], [19, 20]],      of all tasks, ranges [first, one past the
-//    last) "records": […], "counterexamples": […]}
+//    "tasks": 4400, "done": [[0, 17], [19, 20]],
+//    "records": […], "counterexamples": […]}
 //
-// "shrink_seconds" is absent where there is no such limit.
+// "done" has ranges of all tasks, from the first to one past the last. "shrink_seconds" is absent
+// where there is no such limit.
 
 #include "properties/checkpoint.h"
 

@@ -16,9 +16,8 @@
 // the picture holds:
 //
 //   float32    the nearest float. Nothing is clamped
-//   rgba8     a byte k for k/255. s is held to [0, 1] first, NaN as 0, and what is blended are 255
-//   s
-//              and the byte that is there (s_a is not multiplied); what comes out becomes the
+//   rgba8      a byte k for k/255. s is held to [0, 1] first, NaN as 0; what is blended are 255 s
+//              and the byte that is there (s_a is not multiplied), and what comes out becomes the
 //              nearest whole number, ties to even, at most 255
 //
 // Resolving takes the mean of a pixel's samples: they are added in double, from the first on in the

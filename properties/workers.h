@@ -3,7 +3,6 @@
 // A campaign's tasks spread over processes. RapidCheck is not thread-safe, so parallel work is done
 // by worker processes of the same program, each fed one task at a time over a socket that is its
 // standard input and output.
-
 //
 // Who gives out tasks may be told to end before all are done: what is being worked on is waited
 // for, and shrinking ends with what it has.

@@ -53,9 +53,10 @@ struct Parted {
 /// runs around it (each edge inside is there twice, in opposite directions), and that is the same
 /// for the whole at a point that neither outline passes. So samples are open that are
 ///
-///   within 3 reach, or clip tolerances, of the whole's boundary   (>= 2√2: the oracle's is
-///   snapped) of a triangle some part of which may turn the other way, or is clipped permitted of
-///   the whole permitted of a part under a contract that names no tie rule or keeps no grid
+/// - within 3 reach, or clip tolerances, of the whole's boundary; >= 2√2, the oracle's is snapped
+/// - of a triangle some part of which may turn the other way, or is clipped
+/// - permitted of the whole
+/// - permitted of a part, under a contract that names no tie rule or keeps no grid
 Result<Check> check_parted(const Parted& parted, backends::Backend& backend);
 
 }  // namespace rastercheck::properties
