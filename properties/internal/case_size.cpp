@@ -116,7 +116,7 @@ CaseSize size_of(const cases::Case& c) {
     int bits = 2 * (kMostWindowBits + 1);
     if (vertex.w > 0 && !c.camera) {
       const WindowPoint point = window_point(c.viewport, vertex);
-      bits = window_bits(point.x) + window_bits(point.y);
+      bits = window_bits(point.u) + window_bits(point.v);
     }
     size.off_grid += static_cast<std::uint64_t>(bits);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cases/case.h"
+#include "properties/internal/window_position.h"
 
 namespace rastercheck::properties {
 
@@ -33,12 +34,8 @@ CaseSize size_of(const cases::Case& c);
 /// of two, at most 24.
 int significant_bits(float value);
 
-/// Window x and y of a vertex with w > 0, in pixels, y as the viewport's formula has it for Vulkan;
-/// in double, as a measure of simplicity and no more.
-struct WindowPoint {
-  double x = 0;
-  double y = 0;
-};
+/// Where a vertex with w > 0 appears, y as the viewport's formula has it for Vulkan; in double, as a
+/// measure of simplicity and no more.
 WindowPoint window_point(const cases::Viewport& viewport, const cases::ClipVertex& vertex);
 
 /// The least k <= kMostWindowBits for which a coordinate is a multiple of 2^-k pixels, else one

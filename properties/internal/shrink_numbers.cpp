@@ -57,8 +57,8 @@ void snap(const cases::Viewport& viewport, ClipVertex& vertex, int bits, bool is
     const auto clip = static_cast<float>(ndc * vertex.w);
     return std::isfinite(clip) ? clip : 0;
   };
-  if (is_x) vertex.x = to_clip(point.x, viewport.x, viewport.width);
-  if (is_y) vertex.y = to_clip(point.y, viewport.y, viewport.height);
+  if (is_x) vertex.x = to_clip(point.u, viewport.x, viewport.width);
+  if (is_y) vertex.y = to_clip(point.v, viewport.y, viewport.height);
 }
 
 bool has_grid(const ClipVertex& vertex) { return vertex.w > 0; }

@@ -36,8 +36,8 @@ TEST(WindowBits, CountBehindThePoint) {
 TEST(WindowPointOf, IsWhereTheViewportPutsIt) {
   const cases::Viewport viewport{10, 20, 8, -4};
   const WindowPoint point = window_point(viewport, {-1, 2, 0, 2});
-  EXPECT_EQ(point.x, 10 + 8 * 0.25);
-  EXPECT_EQ(point.y, 20 - 4 * 1.0);
+  EXPECT_EQ(point.u, 10 + 8 * 0.25);
+  EXPECT_EQ(point.v, 20 - 4 * 1.0);
 }
 
 /// Whether the change makes the square larger, and undoing it smaller.
