@@ -22,6 +22,7 @@
 #include "cases/case_writer.h"
 #include "cases/json.h"
 #include "cases/json_node.h"
+#include "properties/draw.h"
 #include "records/counterexample_json.h"
 #include "records/record_json.h"
 
@@ -132,14 +133,9 @@ Checkpoint read_checkpoint(const JsonNode& root) {
 }  // namespace
 
 std::string digest_of(const std::vector<cases::Case>& cases) {
-  // FNV-1a over the cases' files, which differ where the cases do.
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const cases::Case& c : cases) {
-    for (const char byte : cases::to_json(c)) {
-      hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
-    }
-  }
-  return fmt::format("{:016x}", hash);
+  std::string files;  // which differ where the cases do
+  for (const cases::Case& c : cases) files += cases::to_json(c);
+  return fmt::format("{:016x}", fnv1a(files));
 }
 
 std::string checkpoint_file(const std::string& directory) {

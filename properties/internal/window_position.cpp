@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cases/sample_pattern.h"
+#include "properties/internal/exact_sum.h"
 #include "properties/internal/random_state.h"
 
 namespace rastercheck::properties {
@@ -45,29 +46,10 @@ std::int32_t rank_of(float value) {
   return (bits >> 31) != 0 ? -magnitude : magnitude;
 }
 
-/// Whether the terms add up to exactly 0. Each is taken into an expansion, whose components do not
-/// overlap: their sum is 0 only where all of them are (Shewchuk 1997, Grow-Expansion).
-bool is_zero_sum(const std::array<double, 4>& terms) {
-  std::array<double, 4> components{};
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    double rest = terms[i];
-    for (std::size_t j = 0; j < i; ++j) {
-      // Two-Sum: the rounded sum, and exactly what the rounding left out.
-      const double sum = rest + components[j];
-      const double of_component = sum - rest;
-      const double left_out = (rest - (sum - of_component)) + (components[j] - of_component);
-      components[j] = left_out;
-      rest = sum;
-    }
-    components[i] = rest;
-  }
-  return std::all_of(components.begin(), components.end(), [](double part) { return part == 0; });
-}
-
 /// Whether from + (1 + ndc/w) size/2 = at: ndc · size + w (size + 2 from − 2 at) = 0. Products of
 /// two floats are exact in double.
 bool is_coordinate(double ndc, double w, double from, double size, double at) {
-  return is_zero_sum({ndc * size, w * size, w * (2 * from), -(w * (2 * at))});
+  return sign_of_sum(std::array{ndc * size, w * size, w * (2 * from), -(w * (2 * at))}) == 0;
 }
 
 }  // namespace
