@@ -7,19 +7,13 @@
 #include <bit>
 #include <cassert>
 #include <cstdlib>
-#include <limits>
+
+#include "properties/internal/float_numbers.h"
 
 namespace rastercheck::properties {
 namespace {
 
 constexpr int kSizes = 101;
-
-/// 2^e, a normal double.
-double power_of_two(int e) {
-  constexpr int kBias = std::numeric_limits<double>::max_exponent - 1;
-  constexpr int kMantissaBits = std::numeric_limits<double>::digits - 1;
-  return std::bit_cast<double>(static_cast<std::uint64_t>(e + kBias) << kMantissaBits);
-}
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "properties/generator.h"
-#include "properties/internal/floats.h"
+#include "properties/internal/random_floats.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "properties/generator.h"
-#include "properties/internal/exact_parts.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 

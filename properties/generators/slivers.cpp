@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <utility>
 
 #include "properties/generator.h"
@@ -13,9 +12,6 @@
 
 namespace rastercheck::properties {
 namespace {
-
-/// 2^-k.
-double fraction(int k) { return 1.0 / static_cast<double>(std::uint64_t{1} << k); }
 
 /// Where a sliver begins and ends: across the screen, between two samples, or a few pixels long.
 std::array<WindowPoint, 2> random_ends(Draw& draw, const cases::Case& c) {
@@ -54,7 +50,8 @@ void add_sliver(Draw& draw, cases::Case& c) {
   // rounding leaves.
   const double place = draw.pick(std::array{0.0, 0.25, 0.5, 1.0, 2.0});
   const double t = place + double{draw.unit()} / 4;
-  const double thickness = draw.one_in(5) ? 0.0 : fraction(draw.between(0, 2 + draw.size() / 4));
+  const double thickness =
+      draw.one_in(5) ? 0.0 : power_of_two(-draw.between(0, 2 + draw.size() / 4));
   // The larger component as the length: exact up to a factor of √2, without a square root.
   const double length = std::max({along_u, -along_u, along_v, -along_v, 0x1p-20});
   const double off = thickness / length;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "properties/generator.h"
+#include "properties/internal/random_floats.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 

@@ -11,13 +11,11 @@
 namespace rastercheck::properties {
 namespace {
 
-double power_of_half(int k) { return 1.0 / static_cast<double>(std::uint64_t{1} << k); }
-
 /// Three corners within 2^-k pixels of a sample, or of a point near one, which lies inside of about
 /// a quarter of them.
 void add_speck(Draw& draw, cases::Case& c) {
   const WindowPoint sample = visible_sample(draw, c);
-  const double extent = 4 * power_of_half(draw.between(0, 4 + draw.size() / 6));
+  const double extent = 4 * power_of_two(-draw.between(0, 4 + draw.size() / 6));
   const float depth = random_depth(draw, c);
   std::array<cases::ClipVertex, 3> corners;
   for (cases::ClipVertex& corner : corners) {
@@ -68,7 +66,7 @@ void add_about_the_middle(Draw& draw, cases::Case& c) {
 /// A fan of narrow triangles about a hub on a sample, all of it within a pixel or a few.
 void add_fan(Draw& draw, cases::Case& c) {
   const WindowPoint hub = visible_sample(draw, c);
-  const double radius = 4 * power_of_half(draw.between(0, 10));
+  const double radius = 4 * power_of_two(-draw.between(0, 10));
   const float depth = random_depth(draw, c);
   const std::uint32_t centre = add_vertex(c, at_window(c, hub, depth, 1));
   // Corners of a square, and some points on its sides.

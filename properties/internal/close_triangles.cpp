@@ -1,6 +1,6 @@
 #include "properties/internal/close_triangles.h"
 
-#include "properties/internal/exact_parts.h"
+#include "properties/internal/exact_splits.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "properties/internal/floats.h"
+#include "properties/internal/random_floats.h"
 
 namespace rastercheck::properties {
 namespace {

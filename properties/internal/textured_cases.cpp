@@ -5,7 +5,7 @@
 #include <string>
 
 #include "properties/generator.h"
-#include "properties/internal/exact_parts.h"
+#include "properties/internal/random_floats.h"
 #include "properties/internal/window_position.h"
 
 namespace rastercheck::properties {

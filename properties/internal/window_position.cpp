@@ -1,9 +1,7 @@
 #include "properties/internal/window_position.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
-#include <limits>
 
 #include "cases/sample_pattern.h"
 #include "properties/internal/exact_sum.h"
@@ -39,13 +37,6 @@ WindowPoint point_of(Draw& draw, const Box& box) {
   return {box.lo.u + s * (box.hi.u - box.lo.u), box.lo.v + t * (box.hi.v - box.lo.v)};
 }
 
-/// Floats in ascending order as integers; both zeros are 0.
-std::int32_t rank_of(float value) {
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  const auto magnitude = static_cast<std::int32_t>(bits & 0x7fffffffU);
-  return (bits >> 31) != 0 ? -magnitude : magnitude;
-}
-
 /// Whether from + (1 + ndc/w) size/2 = at: ndc · size + w (size + 2 from − 2 at) = 0. Products of
 /// two floats are exact in double.
 bool is_coordinate(double ndc, double w, double from, double size, double at) {
@@ -79,23 +70,6 @@ void add_triangle(cases::Case& c, const cases::ClipVertex& first, const cases::C
   add_vertex(c, second);
   add_vertex(c, third);
   c.triangles.push_back({index, index + 1, index + 2});
-}
-
-float stepped(float value, int steps) {
-  constexpr std::int64_t kMost = 0x7f7fffff;
-  const std::int64_t rank = std::clamp(std::int64_t{rank_of(value)} + steps, -kMost, kMost);
-  const auto magnitude = static_cast<std::uint32_t>(rank < 0 ? -rank : rank);
-  return std::bit_cast<float>(rank < 0 ? magnitude | 0x80000000U : magnitude);
-}
-
-float nudged(Draw& draw, float value) {
-  const int steps = draw.between(-1, 1);
-  return steps == 0 ? value : stepped(value, steps);
-}
-
-float to_float(double value) {
-  constexpr double kMost = std::numeric_limits<float>::max();
-  return static_cast<float>(std::clamp(value, -kMost, kMost));
 }
 
 WindowPoint visible_middle(const cases::Case& c) {

@@ -1,14 +1,15 @@
 #pragma once
 
-// From where a vertex is to appear to the clip position that puts it there, and steps between
-// neighbouring floats. Window positions are in pixels; all arithmetic is +, −, ×, / in double and
-// one rounding to float32, so that a position comes out the same everywhere.
+// From where a vertex is to appear to the clip position that puts it there. Window positions are in
+// pixels; all arithmetic is +, −, ×, / in double and one rounding to float32 (to_float()), so that
+// a position comes out the same everywhere.
 
 #include <array>
 #include <cstdint>
 
 #include "cases/case.h"
 #include "properties/draw.h"
+#include "properties/internal/float_numbers.h"
 
 namespace rastercheck::properties {
 
@@ -32,15 +33,6 @@ std::uint32_t add_vertex(cases::Case& c, const cases::ClipVertex& position);
 /// Appends three vertices and a triangle of them.
 void add_triangle(cases::Case& c, const cases::ClipVertex& first, const cases::ClipVertex& second,
                   const cases::ClipVertex& third);
-
-/// The float32 that lies `steps` floats above (below, where negative) a finite `value`; ±0 count as
-/// one. Held at the largest floats.
-float stepped(float value, int steps);
-/// `value` moved by at most one float, as often up as down as not at all.
-float nudged(Draw& draw, float value);
-
-/// The nearest float32, the largest one of its sign where it is beyond them.
-float to_float(double value);
 
 /// The middle of the part of the framebuffer that the viewport covers.
 WindowPoint visible_middle(const cases::Case& c);

@@ -19,6 +19,7 @@
 
 #include "oracle/judged_transform.h"
 #include "properties/internal/camera_matrices.h"
+#include "properties/internal/random_floats.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"

@@ -15,7 +15,7 @@
 #include "oracle/triangle_truth.h"
 #include "properties/draw.h"
 #include "properties/generator.h"
-#include "properties/internal/exact_parts.h"
+#include "properties/internal/exact_splits.h"
 #include "properties/internal/random_state.h"
 
 namespace rastercheck::properties {

@@ -61,23 +61,6 @@ TEST(IsExactlyAt, LosesNothingBesideLargeNumbers) {
   EXPECT_TRUE(is_exactly_at(c, {0, 0, 0, 0x1p127F}, {6, 12}));
 }
 
-TEST(Stepped, GoesFromFloatToFloat) {
-  EXPECT_EQ(stepped(1, 1), 0x1.000002p+0F);
-  EXPECT_EQ(stepped(1, -1), 0x1.fffffep-1F);
-  EXPECT_EQ(stepped(-1, 1), -0x1.fffffep-1F);
-  EXPECT_EQ(stepped(0, 1), 0x1p-149F);
-  EXPECT_EQ(stepped(-0.0F, -2), -0x1p-148F);
-  EXPECT_EQ(stepped(0x1p-149F, -2), -0x1p-149F);
-  EXPECT_EQ(stepped(kLargest, 1), kLargest);
-  EXPECT_EQ(stepped(-kLargest, -1), -kLargest);
-}
-
-TEST(ToFloat, IsHeldAtTheLargest) {
-  EXPECT_EQ(to_float(1e300), kLargest);
-  EXPECT_EQ(to_float(-1e300), -kLargest);
-  EXPECT_EQ(to_float(0.5), 0.5F);
-}
-
 TEST(VisiblePoint, LiesInViewportAndFramebuffer) {
   Draw draw(1, "a law", 0);
   cases::Case c = screen(cases::Rules::vulkan);

@@ -14,9 +14,6 @@
 
 namespace rastercheck::properties {
 
-/// 2^k, −63 <= k <= 63.
-double power_of_two(int k);
-
 /// x, y and w of a clip position, w > 0, as doubles.
 struct Ray {
   double x = 0;

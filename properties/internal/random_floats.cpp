@@ -1,4 +1,4 @@
-#include "properties/internal/floats.h"
+#include "properties/internal/random_floats.h"
 
 #include <array>
 #include <bit>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "properties/internal/window_position.h"
+#include "properties/internal/float_numbers.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -53,6 +53,11 @@ float float_near(Draw& draw, float target, int most_exponent) {
   const int most = 1 << exponent;
   const int steps = draw.between(-most, most);
   return stepped(target, steps);
+}
+
+float nudged(Draw& draw, float value) {
+  const int steps = draw.between(-1, 1);
+  return steps == 0 ? value : stepped(value, steps);
 }
 
 float any_float(Draw& draw) {

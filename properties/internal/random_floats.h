@@ -2,7 +2,7 @@
 
 // Floats as numbers of any size, not as what everyday drawing has: all finite bit patterns, the
 // smallest and the largest, short mantissas, the neighbours of a number. Draw::spread has those of
-// chosen exponents, window_position.h steps between neighbours.
+// chosen exponents.
 
 #include "properties/draw.h"
 
@@ -21,6 +21,8 @@ float dyadic_float(Draw& draw, int most, int bits);
 /// A float up to 2^most_exponent floats from `target` on either side, as often the target itself
 /// and its neighbours as far ones; 0 <= most_exponent <= 23, with which it is up to twice as large.
 float float_near(Draw& draw, float target, int most_exponent);
+/// `value` moved by at most one float, as often up as down as not at all.
+float nudged(Draw& draw, float value);
 
 /// Any of these.
 float any_float(Draw& draw);

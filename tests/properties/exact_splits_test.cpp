@@ -1,4 +1,4 @@
-#include "properties/internal/exact_parts.h"
+#include "properties/internal/exact_splits.h"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,6 @@ namespace {
 bool is_exact_sum(double a, double b, double sum) {
   const double shadow = sum - a;
   return a + b == sum && (a - (sum - shadow)) + (b - shadow) == 0;
-}
-
-TEST(PowerOfTwo, IsExact) {
-  EXPECT_EQ(power_of_two(0), 1);
-  EXPECT_EQ(power_of_two(63), 0x1p63);
-  EXPECT_EQ(power_of_two(-63), 0x1p-63);
 }
 
 TEST(RayThrough, AppearsAtItsPoint) {

@@ -1,7 +1,6 @@
-#include "properties/internal/exact_parts.h"
+#include "properties/internal/exact_splits.h"
 
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 namespace rastercheck::properties {
@@ -53,11 +52,6 @@ float random_part(Draw& draw, double total) {
 }
 
 }  // namespace
-
-double power_of_two(int k) {
-  const auto power = static_cast<double>(std::uint64_t{1} << (k < 0 ? -k : k));
-  return k < 0 ? 1 / power : power;
-}
 
 Ray ray_through(const cases::Case& c, const WindowPoint& p) {
   const double width{c.viewport.width};
