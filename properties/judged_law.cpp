@@ -200,6 +200,16 @@ void note(Check& check, const records::Violation& violation) {
   if (check.violations.size() < records::kMostViolations) check.violations.push_back(violation);
 }
 
+void report(Check& check, const records::Violation& violation) {
+  ++check.judgement.errors[violation.kind].classes[violation.fragment_class];
+  note(check, violation);
+}
+
+void add_label(Check& check, std::string_view label) {
+  const auto at = std::lower_bound(check.labels.begin(), check.labels.end(), label);
+  if (at == check.labels.end() || *at != label) check.labels.emplace(at, label);
+}
+
 void merge(Check& into, const Check& from) {
   into.violation_count += from.violation_count;
   for (const records::Violation& violation : from.violations) {

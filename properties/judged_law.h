@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "oracle/judge.h"
 #include "properties/law.h"
@@ -48,6 +49,12 @@ std::string value_text(float value);
 
 /// Adds a violation: counted always, kept while few.
 void note(Check& check, const records::Violation& violation);
+
+/// The same of one that no judge has counted in its class.
+void report(Check& check, const records::Violation& violation);
+
+/// Adds a label that the case reached; they stay in order, each once.
+void add_label(Check& check, std::string_view label);
 
 /// Adds what another drawing of the same case gave: statistics, violations, labels.
 void merge(Check& into, const Check& from);

@@ -103,11 +103,6 @@ Check judge_changed(const cases::Case& c, const cases::Contract& contract,
   return check;
 }
 
-void add_label(Check& check, std::string_view label) {
-  const auto at = std::lower_bound(check.labels.begin(), check.labels.end(), label);
-  if (at == check.labels.end() || *at != label) check.labels.emplace(at, label);
-}
-
 void add_to_notes(Check& check, const std::string& note) {
   for (records::Violation& violation : check.violations) {
     violation.note += violation.note.empty() ? "" : "; ";

@@ -4,7 +4,6 @@
 // against what is drawn of the case as it was.
 
 #include <string>
-#include <string_view>
 
 #include "cases/case.h"
 #include "cases/framebuffer.h"
@@ -21,9 +20,6 @@ namespace rastercheck::properties {
 Check judge_changed(const cases::Case& c, const cases::Contract& contract,
                     const cases::Framebuffer& before, const cases::Framebuffer& drawn,
                     const CheckOptions& options);
-
-/// Adds a label, once and in order.
-void add_label(Check& check, std::string_view label);
 
 /// Adds to the note of each violation.
 void add_to_notes(Check& check, const std::string& note);

@@ -63,7 +63,7 @@ class CloseCheck {
       labels_.emplace("permitted");
       return;
     }
-    report(violation_at(place, fragment_class, exact, closeness_->note));
+    report(check_, violation_at(place, fragment_class, exact, closeness_->note));
   }
 
   void see_both(const FragmentPlace& place, std::size_t before, std::size_t now) {
@@ -99,12 +99,7 @@ class CloseCheck {
                                : AttributeKind::depth;
     violation.attribute = attribute;
     violation.actual = value_text(now);
-    report(violation);
-  }
-
-  void report(const records::Violation& violation) {
-    ++check_.judgement.errors[violation.kind].classes[violation.fragment_class];
-    note(check_, violation);
+    report(check_, violation);
   }
 
   const cases::Case* case_;

@@ -5,9 +5,9 @@
 #include <span>
 
 #include "properties/internal/close_drawings.h"
-#include "properties/internal/labels.h"
 #include "properties/internal/verdicts.h"
 #include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
 
 namespace rastercheck::properties {
 namespace {

@@ -16,12 +16,6 @@ using cases::Framebuffer;
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// A violation, counted in its class as well.
-void report(Check& check, const records::Violation& violation) {
-  ++check.judgement.errors[violation.kind].classes[violation.fragment_class];
-  note(check, violation);
-}
-
 bool are_same(const std::vector<float>& a, const std::vector<float>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), &is_same);
 }

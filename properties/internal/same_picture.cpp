@@ -54,9 +54,7 @@ Check compare_pictures(const cases::Case& c, const cases::Picture& expected,
       ++correct;
       return;
     }
-    const records::Violation violation = picture_violation(c, drawn, at, channel, before, note);
-    ++check.judgement.errors[violation.kind].classes[violation.fragment_class];
-    properties::note(check, violation);
+    report(check, picture_violation(c, drawn, at, channel, before, note));
   };
   for (std::size_t at = 0; at < expected.depth.size(); ++at) {
     compare(at, std::nullopt, expected.depth[at], drawn.depth[at]);

@@ -34,9 +34,9 @@
 #include "oracle/transform.h"
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
-#include "properties/internal/labels.h"
 #include "properties/internal/parted_triangles.h"
 #include "properties/internal/verdicts.h"
+#include "properties/judged_law.h"
 
 namespace rastercheck::properties {
 namespace {

@@ -36,7 +36,6 @@
 #include "oracle/transform.h"
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
-#include "properties/internal/labels.h"
 #include "properties/internal/parted_triangles.h"
 #include "properties/internal/same_drawing.h"
 #include "properties/internal/verdicts.h"

@@ -47,7 +47,6 @@
 #include "properties/internal/choices.h"
 #include "properties/internal/close_drawings.h"
 #include "properties/internal/drawn_fragments.h"
-#include "properties/internal/labels.h"
 #include "properties/internal/verdicts.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"

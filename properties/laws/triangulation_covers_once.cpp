@@ -47,7 +47,6 @@
 #include "oracle/transform.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/exact_sum.h"
-#include "properties/internal/labels.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/triangulations.h"
 #include "properties/internal/verdicts.h"
