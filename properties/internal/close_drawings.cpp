@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "properties/internal/float_numbers.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {
@@ -92,14 +93,9 @@ class CloseCheck {
     const double difference = std::abs(number_of(before) - number_of(now));
     if (difference <= most * kRounded) return;  // of NaN it is not
     if (closeness_->is_undefined(place, attribute)) return;
-    records::Violation violation = violation_at(
-        place, class_of_wrong(now, FragmentClass::beyond_bound),
-        fmt::format("at most {:.3g} from {}", most, value_text(before)), closeness_->note);
-    violation.kind = attribute ? records::kind_of(case_->attributes[*attribute].interpolation)
-                               : AttributeKind::depth;
-    violation.attribute = attribute;
-    violation.actual = value_text(now);
-    report(check_, violation);
+    report(check_, violation_at(place, class_of_wrong(now, FragmentClass::beyond_bound),
+                                fmt::format("at most {:.3g} from {}", most, value_text(before)),
+                                closeness_->note, {kind_of(*case_, attribute), attribute, now}));
   }
 
   const cases::Case* case_;

@@ -14,7 +14,6 @@
 #include "cases/case.h"
 #include "cases/framebuffer.h"
 #include "properties/internal/drawn_fragments.h"
-#include "properties/internal/float_numbers.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties {

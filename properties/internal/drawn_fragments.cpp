@@ -3,7 +3,6 @@
 #include <bit>
 #include <cmath>
 #include <span>
-#include <string_view>
 #include <utility>
 
 #include "properties/draw.h"
@@ -15,21 +14,6 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 using records::Violation;
-
-Violation value_violation(const FragmentPlace& place, AttributeKind kind, float expected,
-                          float actual, const std::string& note) {
-  Violation violation;
-  violation.fragment_class = class_of(actual, expected);
-  violation.kind = kind;
-  violation.triangle = place.triangle;
-  violation.x = place.x;
-  violation.y = place.y;
-  violation.sample = place.sample;
-  violation.exact = value_text(expected);
-  violation.actual = value_text(actual);
-  violation.note = note;
-  return violation;
-}
 
 class Hash {
  public:
@@ -95,35 +79,45 @@ Violation violation_at(const FragmentPlace& place, FragmentClass fragment_class,
   return violation;
 }
 
+Violation violation_at(const FragmentPlace& place, FragmentClass fragment_class,
+                       const std::string& exact, const std::string& note, const WrongValue& value) {
+  Violation violation = violation_at(place, fragment_class, exact, note);
+  violation.kind = value.kind;
+  violation.attribute = value.attribute;
+  violation.actual = value_text(value.actual);
+  return violation;
+}
+
+AttributeKind kind_of(const cases::Case& c, std::optional<std::uint32_t> attribute) {
+  return attribute ? records::kind_of(c.attributes[*attribute].interpolation)
+                   : AttributeKind::depth;
+}
+
 std::optional<Violation> find_difference(const cases::Case& c, const cases::Framebuffer& expected,
                                          std::size_t expected_fragment,
                                          const cases::Framebuffer& drawn, std::size_t fragment,
                                          const std::string& note) {
-  const FragmentPlace place = place_of(drawn, fragment);
+  const auto differs = [&](std::optional<std::uint32_t> attribute, float before, float now,
+                           const std::string& why) {
+    return violation_at(place_of(drawn, fragment), class_of(now, before), value_text(before), why,
+                        {kind_of(c, attribute), attribute, now});
+  };
   const float depth = expected.depth[expected_fragment];
   if (!is_same(depth, drawn.depth[fragment])) {
-    return value_violation(place, AttributeKind::depth, depth, drawn.depth[fragment], note);
+    return differs(std::nullopt, depth, drawn.depth[fragment], note);
   }
   const auto before = expected.attributes_of(expected_fragment);
   const auto now = drawn.attributes_of(fragment);
   const bool has_derivatives = !expected.derivatives.empty() && !drawn.derivatives.empty();
   for (std::uint32_t a = 0; a < c.attributes.size(); ++a) {
-    const AttributeKind kind = records::kind_of(c.attributes[a].interpolation);
-    std::optional<Violation> found;
-    if (!is_same(before[a], now[a])) {
-      found = value_violation(place, kind, before[a], now[a], note);
-    }
-    for (std::size_t axis = 0; has_derivatives && !found && axis < 2; ++axis) {
+    if (!is_same(before[a], now[a])) return differs(a, before[a], now[a], note);
+    for (std::size_t axis = 0; has_derivatives && axis < 2; ++axis) {
       const float one = expected.derivatives_of(expected_fragment)[std::size_t{2} * a + axis];
       const float other = drawn.derivatives_of(fragment)[std::size_t{2} * a + axis];
       if (is_same(one, other)) continue;
-      const std::string_view along = axis == 0 ? "x; " : "y; ";
-      found = value_violation(place, kind, one, other,
-                              "the derivative along window " + std::string(along) + note);
+      const std::string along = axis == 0 ? "x; " : "y; ";
+      return differs(a, one, other, "the derivative along window " + along + note);
     }
-    if (!found) continue;
-    found->attribute = a;
-    return found;
   }
   return std::nullopt;
 }

@@ -38,6 +38,21 @@ FragmentMap fragments_by_place(const cases::Framebuffer& drawn);
 records::Violation violation_at(const FragmentPlace& place, records::FragmentClass fragment_class,
                                 const std::string& exact, const std::string& note);
 
+/// A value that was drawn and should not have been.
+struct WrongValue {
+  records::AttributeKind kind = records::AttributeKind::depth;
+  std::optional<std::uint32_t> attribute;  ///< nothing: the depth, or no attribute's
+  float actual = 0;
+};
+
+/// A violation of a value at a place.
+records::Violation violation_at(const FragmentPlace& place, records::FragmentClass fragment_class,
+                                const std::string& exact, const std::string& note,
+                                const WrongValue& value);
+
+/// What an attribute is, or, of none, the depth.
+records::AttributeKind kind_of(const cases::Case& c, std::optional<std::uint32_t> attribute);
+
 /// Whether two values are the same bits; NaNs are alike.
 bool is_same(float a, float b);
 

@@ -20,8 +20,7 @@ bool is_attribute(const cases::Case& c, std::optional<std::uint32_t> channel) {
 }  // namespace
 
 AttributeKind kind_of_channel(const cases::Case& c, std::optional<std::uint32_t> channel) {
-  if (is_attribute(c, channel)) return records::kind_of(c.attributes[*channel].interpolation);
-  return channel ? AttributeKind::flat : AttributeKind::depth;
+  return channel && !is_attribute(c, channel) ? AttributeKind::flat : kind_of(c, channel);
 }
 
 records::Violation picture_violation(const cases::Case& c, const cases::Picture& picture,

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "properties/internal/float_numbers.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {
@@ -26,7 +27,7 @@ float greatest_float(double hi, double bound, double unit) {
 }
 
 ValueFindings::ValueFindings(const cases::Case& c, const cases::Contract& contract)
-    : case_(&c), contract_(&contract) {
+    : case_(&c), contract_(&contract), verdicts_(c, contract) {
   check_.judgement.errors[AttributeKind::coverage];
 }
 
@@ -37,36 +38,18 @@ const cases::ValueBound& ValueFindings::bound_of(std::optional<std::uint32_t> at
              : contract_->bounds.noperspective;
 }
 
-AttributeKind ValueFindings::kind_of(std::optional<std::uint32_t> attribute) const {
-  if (!attribute) return AttributeKind::depth;
-  return records::kind_of(case_->attributes[*attribute].interpolation);
-}
-
-const oracle::TriangleTruth& ValueFindings::truth_of(std::uint32_t triangle) {
-  if (!scene_) scene_ = std::make_unique<oracle::SceneTruth>(*case_, *contract_);
-  if (!truth_ || truth_triangle_ != triangle) {
-    truth_ = std::make_unique<oracle::TriangleTruth>(*scene_, triangle);
-    truth_triangle_ = triangle;
-  }
-  return *truth_;
-}
-
 bool ValueFindings::is_one_plane(std::uint32_t triangle) {
-  return !contract_->coverage || truth_of(triangle).has_certain_orientation();
+  return !contract_->coverage || verdicts_.truth(triangle).has_certain_orientation();
 }
 
 bool ValueFindings::is_required(const FragmentPlace& place) {
-  const records::SampleVerdict decision =
-      truth_of(place.triangle)
-          .judge(static_cast<int>(place.x), static_cast<int>(place.y),
-                 static_cast<int>(place.sample));
-  return decision.verdict == records::Verdict::required;
+  return verdicts_.judge(place.triangle, place).verdict == records::Verdict::required;
 }
 
 std::optional<Promise> ValueFindings::promise_of(const FragmentPlace& place,
                                                  std::optional<std::uint32_t> attribute) {
   if (!is_required(place)) return std::nullopt;
-  const oracle::TriangleTruth& truth = truth_of(place.triangle);
+  const oracle::TriangleTruth& truth = verdicts_.truth(place.triangle);
   if (attribute && truth.is_value_free(*attribute)) return std::nullopt;
   const auto x = static_cast<int>(place.x);
   const auto y = static_cast<int>(place.y);
@@ -90,7 +73,7 @@ std::optional<Promise> ValueFindings::promise_of(const FragmentPlace& place,
 }
 
 void ValueFindings::see(const FragmentPlace& place, std::optional<std::uint32_t> attribute) {
-  ++check_.judgement.errors[kind_of(attribute)].classes[FragmentClass::correct];
+  ++check_.judgement.errors[kind_of(*case_, attribute)].classes[FragmentClass::correct];
   if (last_ == place) return;
   last_ = place;
   triangles_.insert(place.triangle);
@@ -100,17 +83,9 @@ void ValueFindings::see(const FragmentPlace& place, std::optional<std::uint32_t>
 
 void ValueFindings::report(const FragmentPlace& place, std::optional<std::uint32_t> attribute,
                            float actual, const std::string& exact, const std::string& text) {
-  records::Violation violation;
-  violation.fragment_class = class_of_wrong(actual, FragmentClass::beyond_bound);
-  violation.kind = kind_of(attribute);
-  violation.triangle = place.triangle;
-  violation.x = place.x;
-  violation.y = place.y;
-  violation.sample = place.sample;
-  violation.attribute = attribute;
-  violation.exact = exact;
-  violation.actual = value_text(actual);
-  violation.note = text;
+  const records::Violation violation =
+      violation_at(place, class_of_wrong(actual, FragmentClass::beyond_bound), exact, text,
+                   {kind_of(*case_, attribute), attribute, actual});
   auto& classes = check_.judgement.errors[violation.kind].classes;
   --classes[FragmentClass::correct];
   ++classes[violation.fragment_class];

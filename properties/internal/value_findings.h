@@ -7,15 +7,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 
 #include "cases/case.h"
-#include "oracle/triangle_truth.h"
 #include "properties/internal/drawn_fragments.h"
-#include "properties/internal/float_numbers.h"
+#include "properties/internal/verdicts.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties {
@@ -50,7 +48,6 @@ class ValueFindings {
 
   /// The bound without its share for the horizon: of an attribute, or of the depth.
   const cases::ValueBound& bound_of(std::optional<std::uint32_t> attribute) const;
-  records::AttributeKind kind_of(std::optional<std::uint32_t> attribute) const;
 
   /// Whether all of a triangle is one plane wherever the contract lets its vertices be: snapped
   /// ones that are clipped as well are several.
@@ -72,13 +69,9 @@ class ValueFindings {
   Check finish();
 
  private:
-  const oracle::TriangleTruth& truth_of(std::uint32_t triangle);
-
   const cases::Case* case_;
   const cases::Contract* contract_;
-  std::unique_ptr<oracle::SceneTruth> scene_;  ///< made when first asked for
-  std::unique_ptr<oracle::TriangleTruth> truth_;
-  std::uint32_t truth_triangle_ = 0;
+  Verdicts verdicts_;
   std::set<std::string> labels_;
   std::set<std::uint32_t> triangles_;
   std::optional<FragmentPlace> last_;

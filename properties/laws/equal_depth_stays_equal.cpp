@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "oracle/transform.h"
+#include "properties/internal/float_numbers.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/value_findings.h"
 #include "properties/judged_law.h"

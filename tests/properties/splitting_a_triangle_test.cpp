@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "properties/internal/close_drawings.h"
+#include "properties/internal/float_numbers.h"
 #include "properties/internal/parted_triangles.h"
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
