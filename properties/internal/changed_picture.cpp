@@ -5,8 +5,8 @@
 #include <set>
 #include <vector>
 
+#include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
-#include "properties/internal/textured_cases.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {

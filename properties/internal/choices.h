@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace rastercheck::properties {
 
@@ -27,5 +28,18 @@ class Choices {
  private:
   std::uint64_t rest_;
 };
+
+/// At most `most` of these, evenly spread.
+inline std::vector<std::size_t> some_of(const std::vector<std::size_t>& all, std::size_t most) {
+  if (all.size() <= most) return all;
+  std::vector<std::size_t> some;
+  for (std::size_t k = 0; k < most; ++k) {
+    // One of each of as many stretches, not always the same sample of a pixel.
+    const std::size_t begin = k * all.size() / most;
+    const std::size_t end = (k + 1) * all.size() / most;
+    some.push_back(all[begin + k % (end - begin)]);
+  }
+  return some;
+}
 
 }  // namespace rastercheck::properties

@@ -36,6 +36,16 @@ FragmentPlace place_of(const cases::Framebuffer& drawn, std::size_t fragment) {
   return {drawn.triangle[fragment], drawn.y[fragment], drawn.x[fragment], drawn.sample[fragment]};
 }
 
+FragmentPlace place_at(const cases::Picture& picture, std::size_t at) {
+  const auto samples = static_cast<std::size_t>(picture.size.samples);
+  const auto width = static_cast<std::size_t>(picture.size.width);
+  FragmentPlace place;
+  place.x = static_cast<std::uint32_t>(at / samples % width);
+  place.y = static_cast<std::uint32_t>(at / samples / width);
+  place.sample = static_cast<std::uint32_t>(at % samples);
+  return place;
+}
+
 bool is_of_case(const cases::Case& c, const FragmentPlace& place) {
   return place.triangle < c.triangles.size() && std::cmp_less(place.x, c.framebuffer.width) &&
          std::cmp_less(place.y, c.framebuffer.height) &&

@@ -12,6 +12,7 @@
 
 #include "cases/case.h"
 #include "cases/framebuffer.h"
+#include "cases/picture.h"
 #include "records/counterexample.h"
 
 namespace rastercheck::properties {
@@ -26,6 +27,9 @@ struct FragmentPlace {
 };
 
 FragmentPlace place_of(const cases::Framebuffer& drawn, std::size_t fragment);
+
+/// Pixel and sample of an index into a picture; triangle 0.
+FragmentPlace place_at(const cases::Picture& picture, std::size_t at);
 
 /// Whether the case has such a triangle, pixel and sample.
 bool is_of_case(const cases::Case& c, const FragmentPlace& place);

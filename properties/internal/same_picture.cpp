@@ -28,19 +28,9 @@ records::Violation picture_violation(const cases::Case& c, const cases::Picture&
                                      float expected, const std::string& note) {
   const float actual =
       channel ? picture.color[at * picture.channels + *channel] : picture.depth[at];
-  const auto samples = static_cast<std::size_t>(picture.size.samples);
-  const auto width = static_cast<std::size_t>(picture.size.width);
-  records::Violation violation;
-  violation.fragment_class = class_of(actual, expected);
-  violation.kind = kind_of_channel(c, channel);
-  violation.x = static_cast<std::uint32_t>(at / samples % width);
-  violation.y = static_cast<std::uint32_t>(at / samples / width);
-  violation.sample = static_cast<std::uint32_t>(at % samples);
-  if (is_attribute(c, channel)) violation.attribute = channel;
-  violation.exact = value_text(expected);
-  violation.actual = value_text(actual);
-  violation.note = note;
-  return violation;
+  const auto attribute = is_attribute(c, channel) ? channel : std::nullopt;
+  return violation_at(place_at(picture, at), class_of(actual, expected), value_text(expected), note,
+                      {kind_of_channel(c, channel), attribute, actual});
 }
 
 Check compare_pictures(const cases::Case& c, const cases::Picture& expected,

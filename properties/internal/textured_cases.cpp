@@ -1,6 +1,5 @@
 #include "properties/internal/textured_cases.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 
@@ -13,7 +12,6 @@ namespace {
 
 using cases::Filter;
 using cases::Wrap;
-using records::Verdict;
 
 constexpr std::size_t kCoordinates = 2;
 
@@ -171,69 +169,6 @@ std::uint8_t noise_byte(int i, int j, std::size_t channel) {
   // Black and white, as hard an edge as there is, as often as anything between.
   if ((bits & 1U) != 0) return (bits & 2U) != 0 ? 255 : 0;
   return static_cast<std::uint8_t>(bits >> 8);
-}
-
-SeenTriangles::SeenTriangles(const cases::Case& c, const cases::Contract& contract)
-    : scene_(c, contract), truths_(c.triangles.size()) {}
-
-const oracle::TriangleTruth& SeenTriangles::truth(std::uint32_t triangle) {
-  auto& truth = truths_[triangle];
-  if (!truth) truth = std::make_unique<oracle::TriangleTruth>(scene_, triangle);
-  return *truth;
-}
-
-std::optional<FragmentPlace> SeenTriangles::find(const cases::Picture& picture, std::size_t at) {
-  FragmentPlace place = place_at(picture, at);
-  for (place.triangle = static_cast<std::uint32_t>(truths_.size()); place.triangle-- > 0;) {
-    const Verdict verdict = truth(place.triangle)
-                                .judge(static_cast<int>(place.x), static_cast<int>(place.y),
-                                       static_cast<int>(place.sample))
-                                .verdict;
-    if (verdict == Verdict::required) return place;
-    if (verdict == Verdict::permitted) break;
-  }
-  return std::nullopt;
-}
-
-std::optional<oracle::Rational> exact_value(const oracle::TriangleTruth& truth,
-                                            std::size_t attribute, const FragmentPlace& place) {
-  if (truth.is_value_free(attribute)) return std::nullopt;
-  const auto range = truth.attribute(attribute, static_cast<int>(place.x),
-                                     static_cast<int>(place.y), static_cast<int>(place.sample));
-  if (!range || range->lo != range->hi) return std::nullopt;
-  return range->lo;
-}
-
-std::vector<std::size_t> some_of(const std::vector<std::size_t>& all, std::size_t most) {
-  if (all.size() <= most) return all;
-  std::vector<std::size_t> some;
-  for (std::size_t k = 0; k < most; ++k) {
-    // One of each of as many stretches, not always the same sample of a pixel.
-    const std::size_t begin = k * all.size() / most;
-    const std::size_t end = (k + 1) * all.size() / most;
-    some.push_back(all[begin + k % (end - begin)]);
-  }
-  return some;
-}
-
-std::vector<std::size_t> some_drawn_samples(const cases::Picture& picture, std::size_t most) {
-  std::vector<std::size_t> drawn;
-  for (std::size_t at = 0; at < picture.depth.size(); ++at) {
-    const auto first = picture.color.begin() + static_cast<std::ptrdiff_t>(at * picture.channels);
-    const auto end = first + static_cast<std::ptrdiff_t>(picture.channels);
-    if (std::any_of(first, end, [](float color) { return color != 0; })) drawn.push_back(at);
-  }
-  return some_of(drawn, most);
-}
-
-FragmentPlace place_at(const cases::Picture& picture, std::size_t at) {
-  const auto samples = static_cast<std::size_t>(picture.size.samples);
-  const auto width = static_cast<std::size_t>(picture.size.width);
-  FragmentPlace place;
-  place.x = static_cast<std::uint32_t>(at / samples % width);
-  place.y = static_cast<std::uint32_t>(at / samples / width);
-  place.sample = static_cast<std::uint32_t>(at % samples);
-  return place;
 }
 
 bool draws_pictures(const backends::Backend& backend) { return backend.draws_pictures(); }

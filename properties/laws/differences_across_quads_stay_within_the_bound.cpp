@@ -30,7 +30,8 @@
 #include "oracle/judged_number.h"
 #include "oracle/transform.h"
 #include "properties/generator.h"
-#include "properties/internal/textured_cases.h"
+#include "properties/internal/choices.h"
+#include "properties/internal/seen_triangles.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {

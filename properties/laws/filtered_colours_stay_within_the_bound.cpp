@@ -25,6 +25,7 @@
 
 #include "oracle/texture_truth.h"
 #include "oracle/transform.h"
+#include "properties/internal/seen_triangles.h"
 #include "properties/internal/textured_cases.h"
 #include "properties/judged_law.h"
 

@@ -43,7 +43,6 @@
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/exact_sum.h"
 #include "properties/internal/random_state.h"
-#include "properties/internal/textured_cases.h"
 #include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
 
