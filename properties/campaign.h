@@ -8,7 +8,7 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,9 +19,9 @@
 #include "backends/backend.h"
 #include "cases/case.h"
 #include "cases/error.h"
+#include "properties/check_case.h"
 #include "properties/findings.h"
 #include "properties/law.h"
-#include "properties/shrink.h"
 #include "records/counterexample.h"
 #include "records/record.h"
 #include "records/run.h"
@@ -75,24 +75,10 @@ std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_si
 /// The work that remains when all cases are checked: to shrink what was found and was not yet.
 std::vector<Task> shrink_tasks(const Findings& findings);
 
-/// The strata of the corpus and of saved counterexamples in records.
-inline constexpr std::string_view kCorpusStratum = "corpus";
-inline constexpr std::string_view kSavedStratum = "saved";
-/// The stratum of a scene: this and its name.
-inline constexpr std::string_view kSceneStratum = "scene ";
-
 /// The labels that random cases of the laws did not reach often enough (least_reached), by law,
 /// backend and label. What a backend does not promise need not have been reached.
 std::vector<records::UnreachedLabel> unreached_labels(const CampaignOptions& options,
                                                       const records::RecordSet& records);
-
-/// A case to be checked, and where it comes from.
-struct NumberedCase {
-  cases::Case source;
-  std::string stratum;
-  std::uint64_t index = 0;
-  records::Origin origin = records::Origin::random;
-};
 
 /// Runs tasks, one after the other; keeps the backends it has made.
 class TaskRunner {
@@ -102,8 +88,8 @@ class TaskRunner {
   const std::vector<cases::Case>& corpus() const { return corpus_; }
 
   /// What the task found. Fails where there is no such law, backend or corpus case. Shrinking ends
-  /// with what it has when `is_to_end`, which is asked often, says so; it may be empty.
-  Result<Findings> run(const Task& task, const std::function<bool()>& is_to_end = {});
+  /// with what it has when `is_to_end` says so.
+  Result<Findings> run(const Task& task, const IsToEnd& is_to_end = {});
 
  private:
   Result<backends::Backend*> backend(const std::string& specification);
@@ -114,45 +100,5 @@ class TaskRunner {
   ShrinkBudget shrinking_;
   std::map<std::string, std::unique_ptr<backends::Backend>> backends_;
 };
-
-/// Checks a case and adds the outcome to the findings: counts, errors, labels, and, where the law
-/// is violated and no case before it failed in the same way, a counterexample: the one triangle
-/// that suffices, if one does, else the case.
-void check_case(const Law& law, const std::string& specification, backends::Backend& backend,
-                std::uint64_t seed, const NumberedCase& numbered, Findings& findings);
-
-/// A drawing that fails is a violation of whatever was to be checked: what the backend says stands
-/// in its note. Nothing is said of a case with positions beyond float32, which no backend gets.
-Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
-                    const CheckOptions& options);
-
-/// In a word, how a check of a case that the law speaks of came out: the class of its first
-/// violation, or "held".
-std::string verdict_of(const Check& check);
-
-/// Keeps a counterexample of the case in the findings, if none before it failed in the same way.
-void keep_counterexample(const Law& law, const std::string& specification,
-                         backends::Backend& backend, std::uint64_t seed,
-                         const NumberedCase& numbered, const Check& check, Findings& findings);
-
-/// The counterexample made as small as it gets while the law finds the same class of violation, and
-/// looked at closely. `findings` gets it, and a fault where the oracle failed meanwhile.
-void shrink_counterexample(const Law& law, backends::Backend& backend,
-                           const records::Counterexample& found, const ShrinkLimits& limits,
-                           Findings& findings);
-
-/// The case files of a folder (*.json), in the order of their names; a case without a name gets its
-/// file's. Fails at the first that cannot be read.
-Result<std::vector<cases::Case>> read_corpus(const std::string& directory);
-
-/// Saved counterexamples, and what of their folder could not be read.
-struct SavedCases {
-  std::vector<cases::Case> cases;
-  std::vector<Error> unreadable;
-};
-
-/// The case files of a folder that name one of the laws and one of the backends as those that found
-/// them; none where there is no such folder.
-SavedCases read_saved(const std::string& directory, const CampaignOptions& options);
 
 }  // namespace rastercheck::properties

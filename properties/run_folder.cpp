@@ -7,6 +7,7 @@
 #include "cases/case_writer.h"
 #include "cases/files.h"
 #include "cases/json.h"
+#include "properties/corpus.h"
 #include "records/run.h"
 
 namespace rastercheck::properties {
@@ -52,7 +53,7 @@ Result<Checkpoint> begin_run(const RunPlan& plan, const std::string& directory, 
   Checkpoint start;
   start.plan = plan;
   const std::string folder = (fs::path(directory) / "counterexamples").string();
-  SavedCases saved = read_saved(folder, plan.campaign);
+  SavedCases saved = read_saved(folder, plan.campaign.laws, plan.campaign.backends);
   for (const Error& error : saved.unreadable) warn(error);
   start.saved = std::move(saved.cases);
   return start;

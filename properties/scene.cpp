@@ -7,6 +7,7 @@
 
 #include "oracle/judge.h"
 #include "oracle/transform.h"
+#include "properties/check_case.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {

@@ -7,7 +7,7 @@
 #include "backends/backend.h"
 #include "cases/case.h"
 #include "cases/error.h"
-#include "properties/campaign.h"
+#include "properties/findings.h"
 #include "records/error_map.h"
 
 namespace rastercheck::properties {

@@ -25,9 +25,12 @@ namespace rastercheck::properties {
 /// The check of a case that fails as the first did; nothing of one that does not.
 using FailsAlike = std::function<std::optional<Check>(const cases::Case&)>;
 
+/// Asked often; true: to end soon, with what there is. Empty: never.
+using IsToEnd = std::function<bool()>;
+
 struct ShrinkLimits {
-  std::uint64_t tries = 0;          ///< cases that may be checked
-  std::function<bool()> is_to_end;  ///< asked before each; empty: never
+  std::uint64_t tries = 0;  ///< cases that may be checked
+  IsToEnd is_to_end;        ///< asked before each
 };
 
 struct Shrunk {

@@ -19,10 +19,9 @@ namespace rastercheck::properties {
 /// Told of every task that is done, by its place in the list, in whatever order; false: no more
 /// tasks are wanted.
 using TaskDone = std::function<bool(std::size_t task, Findings found)>;
-/// Asked often, by the caller's thread; true: no more tasks are wanted. May be empty.
-using IsToEnd = std::function<bool()>;
 
-/// Runs the tasks one after the other in this process.
+/// Runs the tasks one after the other in this process. No more are begun once `is_to_end`, which
+/// the caller's thread is asked, says so.
 Result<void> run_tasks(TaskRunner& runner, const std::vector<Task>& tasks, const TaskDone& done,
                        const IsToEnd& is_to_end = {});
 

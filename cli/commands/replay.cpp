@@ -13,7 +13,7 @@
 #include "cli/backend_failure.h"
 #include "cli/command.h"
 #include "oracle/transform.h"
-#include "properties/campaign.h"
+#include "properties/check_case.h"
 #include "properties/close_up.h"
 #include "records/counterexample_json.h"
 #include "reports/counterexample_text.h"

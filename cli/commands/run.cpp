@@ -25,6 +25,8 @@
 #include "cli/scene.h"
 #include "cli/whole_number.h"
 #include "properties/campaign_run.h"
+#include "properties/corpus.h"
+#include "records/share.h"
 #include "records/summary.h"
 #include "reports/format.h"
 #include "reports/summary_table.h"

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "properties/corpus.h"
 #include "properties/workers.h"
 
 namespace rastercheck::cli {

@@ -175,6 +175,12 @@ inline cases::Case square() {
   return c;
 }
 
+/// Loses pixel (7, 7) of the square: the last fragment of B, whatever its index is.
+inline void lose_last_corner(const cases::Case& /*c*/, cases::Framebuffer& drawn) {
+  const std::uint32_t last = drawn.triangle.back();
+  if (find(drawn, last, 7, 7) < drawn.size()) drop(drawn, last, 7, 7);
+}
+
 /// What the law of that name finds of a case drawn by a backend that goes wrong so.
 inline Check check_of(std::string_view law, const cases::Case& c, const Damage& damage) {
   DamagedBackend backend(damage);

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cases/case_writer.h"
-#include "properties/campaign.h"
+#include "properties/check_case.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties {

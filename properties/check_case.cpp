@@ -1,0 +1,113 @@
+#include "properties/check_case.h"
+
+#include <optional>
+#include <utility>
+
+#include "oracle/transform.h"
+#include "properties/close_up.h"
+
+namespace rastercheck::properties {
+
+namespace {
+
+using records::Counterexample;
+
+bool fails_with(const Check& check, const std::string& verdict) {
+  return check.is_applicable && check.violation_count > 0 && !check.fault &&
+         verdict_of(check) == verdict;
+}
+
+}  // namespace
+
+std::string verdict_of(const Check& check) {
+  if (check.violation_count == 0) return "held";
+  if (check.violations.empty()) return "violated";
+  return std::string(to_string(check.violations.front().fragment_class));
+}
+
+Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& options) {
+  Result<Check> check = law.check(c, backend, options);
+  if (check) return *std::move(check);
+  // Positions beyond float32 cannot even be handed over: that is nobody's fault.
+  Check failed;
+  failed.is_applicable = oracle::to_clip_case(c, "").has_value();
+  if (!failed.is_applicable) return failed;
+  failed.violation_count = 1;
+  records::Violation violation;
+  violation.fragment_class = records::FragmentClass::missing;
+  violation.exact = "a drawing";
+  violation.actual = "none";
+  violation.note = to_string(check.error());
+  failed.violations = {violation};
+  return failed;
+}
+
+void keep_counterexample(const Law& law, const std::string& specification,
+                         backends::Backend& backend, std::uint64_t seed,
+                         const NumberedCase& numbered, const Check& check, Findings& findings) {
+  cases::Found place{std::string(law.name), specification, verdict_of(check), seed, numbered.index};
+  // A saved counterexample tells where it was found at first.
+  if (numbered.origin == records::Origin::saved && numbered.source.found) {
+    place.seed = numbered.source.found->seed;
+    place.index = numbered.source.found->index;
+  }
+  if (!is_kept(findings, place, numbered.origin, numbered.source.name)) return;
+  Counterexample found{numbered.source, check.violation_count, check.violations, numbered.origin};
+  // Of a scene with many triangles, not the whole is handed around until it is shrunk.
+  if (numbered.source.triangles.size() > 1 && !check.violations.empty()) {
+    const std::size_t triangle = check.violations.front().triangle;
+    if (triangle < numbered.source.triangles.size()) {
+      cases::Case one = with_triangles(numbered.source, {{triangle}});
+      const Check alone = check_or_note(law, one, backend, {numbered.index});
+      if (fails_with(alone, place.verdict)) {
+        found = {std::move(one), alone.violation_count, alone.violations, numbered.origin};
+      }
+    }
+  }
+  found.source.found = place;
+  keep(findings, std::move(found));
+}
+
+void shrink_counterexample(const Law& law, backends::Backend& backend, const Counterexample& found,
+                           const ShrinkLimits& limits, Findings& findings) {
+  const cases::Found place = found.source.found.value_or(cases::Found());
+  const auto fails_alike = [&](const cases::Case& c) -> std::optional<Check> {
+    if (findings.fault) return std::nullopt;  // There is nothing more to be learnt.
+    Check check = check_or_note(law, c, backend, {place.index});
+    findings.fault = check.fault;
+    return fails_with(check, place.verdict) ? std::optional(std::move(check)) : std::nullopt;
+  };
+  Check check;
+  check.violation_count = found.violation_count;
+  check.violations = found.violations;
+  Shrunk shrunk = shrink(found.source, std::move(check), fails_alike, limits);
+  Counterexample least{std::move(shrunk.source), shrunk.check.violation_count,
+                       std::move(shrunk.check.violations), found.origin,
+                       records::Shrinking{shrunk.tries, shrunk.is_least}};
+  if (!least.violations.empty()) {
+    least.close_up = close_up(least.source, backend, least.violations.front());
+  }
+  keep(findings, std::move(least));
+}
+
+void check_case(const Law& law, const std::string& specification, backends::Backend& backend,
+                std::uint64_t seed, const NumberedCase& numbered, Findings& findings) {
+  const Check check = check_or_note(law, numbered.source, backend, {numbered.index});
+  if (check.fault && !findings.fault) findings.fault = check.fault;
+  records::RecordKey key{std::string(law.name), specification, records::AttributeKind::coverage,
+                         numbered.stratum};
+  records::Record& record = findings.records[key];
+  if (!check.is_applicable) {
+    ++record.cases.not_applicable;
+    return;
+  }
+  ++record.cases.checked;
+  for (const std::string& label : check.labels) ++record.labels[label];
+  records::add(findings.records, key, check.judgement);
+  if (check.violation_count == 0) return;
+  ++record.cases.violations;
+  keep_counterexample(law, specification, backend, seed, numbered, check, findings);
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,59 @@
+#pragma once
+
+// What becomes of a case that a law is asked about: it is counted in a record, and where the law is
+// violated, a counterexample is kept and made smaller.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "backends/backend.h"
+#include "cases/case.h"
+#include "properties/findings.h"
+#include "properties/law.h"
+#include "properties/shrink.h"
+#include "records/counterexample.h"
+
+namespace rastercheck::properties {
+
+/// The strata of the corpus and of saved counterexamples in records.
+inline constexpr std::string_view kCorpusStratum = "corpus";
+inline constexpr std::string_view kSavedStratum = "saved";
+/// The stratum of a scene: this and its name.
+inline constexpr std::string_view kSceneStratum = "scene ";
+
+/// A case to be checked, and where it comes from.
+struct NumberedCase {
+  cases::Case source;
+  std::string stratum;
+  std::uint64_t index = 0;
+  records::Origin origin = records::Origin::random;
+};
+
+/// Checks a case and adds the outcome to the findings: counts, errors, labels, and, where the law
+/// is violated and no case before it failed in the same way, a counterexample: the one triangle
+/// that suffices, if one does, else the case.
+void check_case(const Law& law, const std::string& specification, backends::Backend& backend,
+                std::uint64_t seed, const NumberedCase& numbered, Findings& findings);
+
+/// A drawing that fails is a violation of whatever was to be checked: what the backend says stands
+/// in its note. Nothing is said of a case with positions beyond float32, which no backend gets.
+Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& options);
+
+/// In a word, how a check of a case that the law speaks of came out: the class of its first
+/// violation, or "held".
+std::string verdict_of(const Check& check);
+
+/// Keeps a counterexample of the case in the findings, if none before it failed in the same way.
+void keep_counterexample(const Law& law, const std::string& specification,
+                         backends::Backend& backend, std::uint64_t seed,
+                         const NumberedCase& numbered, const Check& check, Findings& findings);
+
+/// The counterexample made as small as it gets while the law finds the same class of violation, and
+/// looked at closely. `findings` gets it, and a fault where the oracle failed meanwhile.
+void shrink_counterexample(const Law& law, backends::Backend& backend,
+                           const records::Counterexample& found, const ShrinkLimits& limits,
+                           Findings& findings);
+
+}  // namespace rastercheck::properties

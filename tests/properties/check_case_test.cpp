@@ -1,0 +1,102 @@
+#include "properties/check_case.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/properties/damaged_backend.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::Counterexample;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr const char* kCoverage = "coverage obeys the contract";
+
+Findings check_square(backends::Backend& backend, cases::Case c = square()) {
+  c.name = "square";
+  Findings findings;
+  check_case(*find_law(kCoverage), "damaged", backend, 7, {std::move(c), "here", 4}, findings);
+  return findings;
+}
+
+TEST(CheckCase, CountsAndSaysWhereItIsFrom) {
+  DamagedBackend backend([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 1, 1); });
+  const Findings findings = check_square(backend);
+  const auto record =
+      findings.records.find({kCoverage, "damaged", records::AttributeKind::coverage, "here"});
+  ASSERT_NE(record, findings.records.end());
+  EXPECT_EQ(record->second.cases, (records::CaseCounts{1, 0, 1}));
+  EXPECT_GE(record->second.counts.required, 56U);  // all but the diagonal, which may be open
+  EXPECT_EQ(record->second.labels.at("drawn"), 1U);
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  EXPECT_EQ(findings.counterexamples[0].source.found,
+            (cases::Found{kCoverage, "damaged", "missing", 7, 4}));
+}
+
+// Kills: the first triangle instead of the guilty one, values left with their old vertices.
+TEST(CheckCase, KeepsTheOneTriangleThatSuffices) {
+  cases::Case c = square();
+  c.clip_distance_count = 1;
+  c.clip_distances = {10, 11, 12, 13};
+  DamagedBackend backend(&lose_last_corner);
+  const Findings findings = check_square(backend, c);
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  const Counterexample& found = findings.counterexamples[0];
+  EXPECT_THAT(found.source.triangles, ElementsAre(cases::Triangle{0, 1, 2}));
+  EXPECT_THAT(found.source.positions, ElementsAre(c.positions[2], c.positions[1], c.positions[3]));
+  EXPECT_THAT(found.source.attribute_values, ElementsAre(0, 1, 0, 8, 1, 0, 8, 1, 0));
+  EXPECT_THAT(found.source.clip_distances, ElementsAre(12, 11, 13));
+  ASSERT_THAT(found.violations, SizeIs(1));
+  EXPECT_EQ(found.violations[0].triangle, 0U);
+  EXPECT_EQ(found.violations[0].x, 7U);
+}
+
+// Kills: a counterexample that holds when it is replayed.
+TEST(CheckCase, KeepsTheWholeCaseWhereNoTriangleSuffices) {
+  DamagedBackend backend([](const cases::Case& c, cases::Framebuffer& drawn) {
+    if (c.triangles.size() > 1) lose_last_corner(c, drawn);
+  });
+  const Findings findings = check_square(backend);
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  EXPECT_THAT(findings.counterexamples[0].source.triangles, SizeIs(2));
+  EXPECT_EQ(findings.counterexamples[0].violations[0].triangle, 1U);
+}
+
+TEST(CheckCase, KeepsTheLowestIndex) {
+  DamagedBackend backend(&lose_last_corner);
+  Findings findings;
+  for (std::uint64_t left = 8; left > 0; --left) {
+    check_case(*find_law(kCoverage), "damaged", backend, 1, {square(), "here", left - 1}, findings);
+  }
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  EXPECT_EQ(findings.counterexamples[0].source.found->index, 0U);
+  EXPECT_EQ(findings.records.begin()->second.cases.violations, 8U);
+}
+
+TEST(CheckCase, HoldsADrawingThatFailsAgainstTheBackend) {
+  const auto backend = backends::make_backend("damaged:refuses").value();
+  const Findings findings = check_square(*backend);
+  EXPECT_EQ(findings.records.begin()->second.cases, (records::CaseCounts{1, 0, 1}));
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  ASSERT_THAT(findings.counterexamples[0].violations, SizeIs(1));
+  EXPECT_EQ(findings.counterexamples[0].violations[0].note, "out of memory");
+  EXPECT_EQ(findings.counterexamples[0].source.found->verdict, "missing");
+}
+
+// Kills: blaming a backend for a case that it never got.
+TEST(CheckCase, SaysNothingOfPositionsBeyondFloat32) {
+  cases::Case c = square();
+  c.camera.emplace();
+  c.camera->model[0] = 0x1p127F;
+  c.camera->view[0] = 4;
+  const auto backend = backends::make_backend("cpu").value();
+  const Findings findings = check_square(*backend, c);
+  EXPECT_EQ(findings.records.begin()->second.cases, (records::CaseCounts{0, 1, 0}));
+  EXPECT_THAT(findings.counterexamples, IsEmpty());
+}
+
+}  // namespace
+}  // namespace rastercheck::properties
