@@ -20,40 +20,6 @@ tl::unexpected<Error> failure(const std::string& what, int problem) {
   return tl::unexpected(Error{what, "", std::strerror(problem)});
 }
 
-/// The end of a pipe, closed when it goes.
-class PipeEnd {
- public:
-  explicit PipeEnd(int number) : number_(number) {}
-  PipeEnd(const PipeEnd&) = delete;
-  PipeEnd& operator=(const PipeEnd&) = delete;
-  ~PipeEnd() { close(); }
-  int number() const { return number_; }
-  void close() {
-    if (number_ >= 0) ::close(std::exchange(number_, -1));
-  }
-
- private:
-  int number_;
-};
-
-/// Starts the command with `output` as its standard output; 0, or why it cannot be started.
-int spawn(const std::vector<std::string>& command, int output, pid_t& process) {
-  std::vector<std::string> words = command;
-  std::vector<char*> arguments;
-  arguments.reserve(words.size() + 1);
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  const int problem =
-      ::posix_spawn(&process, arguments.front(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  return problem;
-}
-
 /// Reads until the other end is closed; false where there is more than `most`.
 bool read_all(int from, std::uint64_t most, std::string& all) {
   std::array<char, 65536> part{};
@@ -75,25 +41,77 @@ std::uint64_t address_space() {
 
 }  // namespace
 
+std::string to_string(const ProcessEnd& end) {
+  if (end.signal != 0) return std::string("ended by signal ") + ::strsignal(end.signal);
+  return "ended with exit code " + std::to_string(end.exit_code);
+}
+
+Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command,
+                                         const ChildStreams& streams, ProcessGroup group) {
+  std::vector<std::string> words = command;
+  std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  if (group == ProcessGroup::own) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  for (const auto& [from, to] :
+       {std::pair(streams.input, STDIN_FILENO), std::pair(streams.output, STDOUT_FILENO),
+        std::pair(streams.error, STDERR_FILENO)}) {
+    if (from != to) posix_spawn_file_actions_adddup2(&actions, from, to);
+  }
+  pid_t process = 0;
+  const int problem =
+      ::posix_spawn(&process, arguments.front(), &actions, &attributes, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  if (problem != 0) {
+    return tl::unexpected(
+        Error{command.front(), "", std::string("cannot be started: ") + std::strerror(problem)});
+  }
+  return ChildProcess(process);
+}
+
+ChildProcess::~ChildProcess() {
+  kill();
+  wait();
+}
+
+void ChildProcess::kill() const {
+  if (process_ != 0) ::kill(process_, SIGKILL);
+}
+
+ProcessEnd ChildProcess::wait() {
+  if (process_ == 0) return end_;
+  int status = 0;
+  while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  process_ = 0;
+  if (WIFSIGNALED(status)) end_.signal = WTERMSIG(status);
+  if (WIFEXITED(status)) end_.exit_code = WEXITSTATUS(status);
+  return end_;
+}
+
 Result<ChildOutcome> run_child(const std::vector<std::string>& command, std::uint64_t most_output) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return failure("pipe", errno);
-  const PipeEnd ours(ends[0]);
-  PipeEnd theirs(ends[1]);
-  pid_t process = 0;
-  if (const int problem = spawn(command, theirs.number(), process); problem != 0) {
-    return failure(command.front(), problem);
-  }
+  const Descriptor ours(ends[0]);
+  Descriptor theirs(ends[1]);
+  const Descriptor nowhere(::open("/dev/null", O_WRONLY | O_CLOEXEC));
+  if (!nowhere.is_open()) return failure("/dev/null", errno);
+  Result<ChildProcess> child = ChildProcess::start(
+      command, {.output = theirs.number(), .error = nowhere.number()}, ProcessGroup::of_parent);
+  if (!child) return tl::unexpected(child.error());
   theirs.close();
 
   ChildOutcome outcome;
   outcome.is_whole = read_all(ours.number(), most_output, outcome.output);
-  if (!outcome.is_whole) ::kill(process, SIGKILL);
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
-  if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
+  if (!outcome.is_whole) child->kill();
+  outcome.end = child->wait();
   return outcome;
 }
 

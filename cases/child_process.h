@@ -1,26 +1,96 @@
 #pragma once
 
-// A child process that is asked one thing.
+// Child processes: started, waited for, limited.
+
+#include <sys/types.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/error.h"
 
 namespace rastercheck::cases {
 
-/// What became of a child process.
-struct ChildOutcome {
-  std::string output;    ///< on standard output
-  bool is_whole = true;  ///< false where it said more than it may, and was ended
-  int signal = 0;        ///< that ended it, 0 where none did
+/// A file descriptor that is closed when it goes.
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+  int number() const { return number_; }
+  bool is_open() const { return number_ >= 0; }
+  void close() {
+    if (is_open()) ::close(std::exchange(number_, -1));
+  }
+
+ private:
+  int number_ = -1;
+};
+
+/// Descriptors of this process that a child gets as its standard streams.
+struct ChildStreams {
+  int input = STDIN_FILENO;
+  int output = STDOUT_FILENO;
+  int error = STDERR_FILENO;
+};
+
+/// Whether Ctrl-C in a terminal, which ends a whole process group, ends a child as well.
+enum class ProcessGroup { of_parent, own };
+
+/// How a process ended.
+struct ProcessEnd {
+  int signal = 0;  ///< that ended it, 0 where none did
   int exit_code = 0;
 };
 
-/// Runs a command (program and arguments) to its end with this process's standard input; what it
-/// says on standard error is dropped. It may say `most_output` bytes. Fails where it cannot be
-/// started.
+/// "ended by signal Killed", "ended with exit code 1".
+std::string to_string(const ProcessEnd& end);
+
+/// A child process; killed, if it has not ended, and waited for when it goes.
+class ChildProcess {
+ public:
+  /// Starts a command: program and arguments. Fails where it cannot be started.
+  static Result<ChildProcess> start(const std::vector<std::string>& command,
+                                    const ChildStreams& streams, ProcessGroup group);
+
+  ChildProcess(ChildProcess&& other) noexcept
+      : process_(std::exchange(other.process_, 0)), end_(other.end_) {}
+  ChildProcess& operator=(ChildProcess&&) = delete;
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+  ~ChildProcess();
+
+  /// Changes nothing of one that has ended.
+  void kill() const;
+  /// Waits until it has ended.
+  ProcessEnd wait();
+
+ private:
+  explicit ChildProcess(pid_t process) : process_(process) {}
+
+  pid_t process_;  ///< 0: it has been waited for
+  ProcessEnd end_;
+};
+
+/// What became of a child process that was asked one thing.
+struct ChildOutcome {
+  std::string output;    ///< on standard output
+  bool is_whole = true;  ///< false where it said more than it may, and was killed
+  ProcessEnd end;
+};
+
+/// Runs a command to its end with this process's standard input, in its process group; what it says
+/// on standard error is dropped. It may say `most_output` bytes. Fails where it cannot be started.
 Result<ChildOutcome> run_child(const std::vector<std::string>& command, std::uint64_t most_output);
 
 /// What a process may use from now on.

@@ -86,13 +86,13 @@ std::uint64_t payload_size(std::uint64_t vertices, std::uint64_t triangles, bool
 /// Why a process that ended badly did.
 std::string reason_of(const ChildOutcome& outcome, const ProcessLimits& limits) {
   if (!outcome.is_whole) return "the mesh reader says more than any mesh has";
-  if (outcome.signal == SIGXCPU) {
+  if (outcome.end.signal == SIGXCPU) {
     return fmt::format("the mesh reader took longer than {} s", limits.seconds);
   }
-  if (outcome.signal != 0) {
-    return fmt::format("the mesh reader crashed ({})", ::strsignal(outcome.signal));
+  if (outcome.end.signal != 0) {
+    return fmt::format("the mesh reader crashed ({})", ::strsignal(outcome.end.signal));
   }
-  return fmt::format("the mesh reader ended with exit code {}", outcome.exit_code);
+  return "the mesh reader " + to_string(outcome.end);
 }
 
 bool write_all(int to, std::string_view bytes) {
@@ -117,7 +117,7 @@ Result<Mesh> mesh_of_process(const std::vector<std::string>& command, const std:
                              const ProcessLimits& limits) {
   const Result<ChildOutcome> outcome = run_child(command, limits.memory);
   if (!outcome) return tl::unexpected(outcome.error());
-  if (!outcome->is_whole || outcome->signal != 0 || outcome->exit_code != 0) {
+  if (!outcome->is_whole || outcome->end.signal != 0 || outcome->end.exit_code != 0) {
     return tl::unexpected(Error{file, "", reason_of(*outcome, limits)});
   }
   return mesh_from_reply(outcome->output, file);

@@ -2,48 +2,23 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cassert>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <memory>
 #include <utility>
 
+#include "cases/child_process.h"
 #include "properties/internal/findings_json.h"
 
 namespace rastercheck::properties {
 namespace {
 
 Error system_error(const std::string& what) { return {what, "", std::strerror(errno)}; }
-
-/// A file descriptor that is closed when it goes.
-class Descriptor {
- public:
-  Descriptor() = default;
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  int number() const { return number_; }
-  bool is_open() const { return number_ >= 0; }
-  void close() { *this = Descriptor(); }
-
- private:
-  int number_ = -1;
-};
 
 /// Lines over a descriptor: sent whole, received as they come.
 class LineChannel {
@@ -108,40 +83,21 @@ class Worker {
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
       return tl::unexpected(system_error("socketpair"));
     }
-    Descriptor ours(ends[0]);
-    const Descriptor theirs(ends[1]);
-    std::vector<std::string> words = command;
-    std::vector<char*> arguments;
-    arguments.reserve(words.size() + 1);
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, theirs.number(), STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, theirs.number(), STDOUT_FILENO);
-    pid_t process = 0;
-    const int problem = ::posix_spawn(&process, words.front().c_str(), &actions, &attributes,
-                                      arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    posix_spawnattr_destroy(&attributes);
-    if (problem != 0) {
-      return tl::unexpected(
-          Error{words.front(), "", std::string("cannot be started: ") + std::strerror(problem)});
-    }
-    return std::unique_ptr<Worker>(new Worker(process, std::move(ours)));
+    cases::Descriptor ours(ends[0]);
+    const cases::Descriptor theirs(ends[1]);
+    Result<cases::ChildProcess> process = cases::ChildProcess::start(
+        command, {theirs.number(), theirs.number()}, cases::ProcessGroup::own);
+    if (!process) return tl::unexpected(process.error());
+    return std::unique_ptr<Worker>(new Worker(*std::move(process), std::move(ours)));
   }
 
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
   /// Closing the socket ends a worker that waits; one that works is killed.
   ~Worker() {
-    if (task_ && process_ != 0) ::kill(process_, SIGKILL);
+    if (task_) process_.kill();
     socket_.close();
-    wait();
+    process_.wait();
   }
 
   int socket() const { return socket_.number(); }
@@ -161,31 +117,17 @@ class Worker {
 
   /// How a worker that hung up ended, in words.
   std::string ending() {
-    // One that hung up and goes on is of no use; of one that has ended this changes nothing.
-    if (process_ != 0) ::kill(process_, SIGKILL);
-    const int status = wait();
+    process_.kill();  // One that hung up and goes on is of no use.
     task_.reset();
-    if (WIFSIGNALED(status)) {
-      return std::string("ended by signal ") + ::strsignal(WTERMSIG(status));
-    }
-    return "ended with exit code " + std::to_string(WEXITSTATUS(status));
+    return to_string(process_.wait());
   }
 
  private:
-  Worker(pid_t process, Descriptor socket)
-      : process_(process), socket_(std::move(socket)), channel_(socket_.number()) {}
+  Worker(cases::ChildProcess process, cases::Descriptor socket)
+      : process_(std::move(process)), socket_(std::move(socket)), channel_(socket_.number()) {}
 
-  int wait() {
-    int status = 0;
-    if (process_ == 0) return status;
-    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-    }
-    process_ = 0;
-    return status;
-  }
-
-  pid_t process_;
-  Descriptor socket_;
+  cases::ChildProcess process_;
+  cases::Descriptor socket_;
   LineChannel channel_;
   std::optional<std::size_t> task_;
 };
@@ -309,7 +251,7 @@ Result<void> run_tasks_in_processes(const std::vector<std::string>& command, int
 
 Result<void> serve_tasks(TaskRunner& runner) {
   // Backends may print; their words are not to get between ours.
-  const Descriptor answers(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3));
+  const cases::Descriptor answers(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3));
   if (!answers.is_open() || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
     return tl::unexpected(system_error("standard output"));
   }

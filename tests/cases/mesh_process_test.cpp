@@ -123,7 +123,8 @@ TEST(MeshProcess, ThatNeverEndsToTalkIsEnded) {
 TEST(MeshProcess, ThatCannotBeStartedIsNamed) {
   const Result<Mesh> mesh = mesh_of_process({"/no/such/program"}, "a.glb", kLimits);
   ASSERT_FALSE(mesh.has_value());
-  EXPECT_EQ(to_string(mesh.error()), "/no/such/program: No such file or directory");
+  EXPECT_EQ(to_string(mesh.error()),
+            "/no/such/program: cannot be started: No such file or directory");
 }
 
 }  // namespace
