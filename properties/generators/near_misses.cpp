@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "cases/sample_pattern.h"
 #include "properties/generator.h"
 #include "properties/internal/close_triangles.h"
 #include "properties/internal/random_state.h"
@@ -19,13 +18,7 @@ namespace {
 /// Moves the viewport by less than a pixel, so that its middle is the place of a sample in some
 /// pixel: clip x and y are 0 there.
 void centre_on_sample(Draw& draw, cases::Case& c) {
-  const auto pattern = cases::standard_pattern(c.framebuffer.samples);
-  const int sample = draw.between(0, c.framebuffer.samples - 1);
-  const cases::SamplePosition at = pattern[static_cast<std::size_t>(sample)];
-  const WindowPoint middle = visible_middle(c);
-  // Not negative, so truncation is rounding down.
-  const WindowPoint place{static_cast<double>(static_cast<int>(middle.u)) + at.x / 16.0,
-                          static_cast<double>(static_cast<int>(middle.v)) + at.y / 16.0};
+  const WindowPoint place = sample_in_pixel(draw, c, visible_middle(c));
   c.viewport.x = static_cast<float>(place.u - double{c.viewport.width} / 2);
   c.viewport.y = static_cast<float>(place.v - double{c.viewport.height} / 2);
 }

@@ -83,6 +83,10 @@ WindowPoint visible_point(Draw& draw, const cases::Case& c) {
 
 WindowPoint visible_sample(Draw& draw, const cases::Case& c) {
   const WindowPoint p = visible_point(draw, c);
+  return sample_in_pixel(draw, c, p);
+}
+
+WindowPoint sample_in_pixel(Draw& draw, const cases::Case& c, const WindowPoint& p) {
   const auto pattern = cases::standard_pattern(c.framebuffer.samples);
   const int sample = draw.between(0, static_cast<int>(pattern.size()) - 1);
   const cases::SamplePosition at = pattern[static_cast<std::size_t>(sample)];

@@ -41,6 +41,8 @@ WindowPoint visible_middle(const cases::Case& c);
 WindowPoint visible_point(Draw& draw, const cases::Case& c);
 /// Exactly where a sample of such a pixel lies.
 WindowPoint visible_sample(Draw& draw, const cases::Case& c);
+/// Where one of the samples lies of the pixel that holds `p`, which is not negative.
+WindowPoint sample_in_pixel(Draw& draw, const cases::Case& c, const WindowPoint& p);
 /// A point of that part made larger by a quarter of its size on every side.
 WindowPoint point_about(Draw& draw, const cases::Case& c);
 
