@@ -1,12 +1,10 @@
 #include "properties/draw.h"
 
 #include <rapidcheck/Random.h>
-#include <rapidcheck/detail/Configuration.h>
 
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <cstdlib>
 
 #include "properties/internal/float_numbers.h"
 
@@ -16,24 +14,6 @@ namespace {
 constexpr int kSizes = 101;
 
 }  // namespace
-
-Result<CheckParameters> with_environment(const CheckParameters& parameters) {
-  constexpr const char* kVariable = "RC_PARAMS";
-  const char* const text = std::getenv(kVariable);
-  if (text == nullptr) return parameters;
-  rc::detail::Configuration defaults;
-  defaults.testParams.seed = parameters.seed;
-  defaults.testParams.maxSuccess = static_cast<int>(parameters.max_success);
-  defaults.testParams.maxSize = parameters.max_size;
-  defaults.testParams.maxDiscardRatio = static_cast<int>(parameters.max_discard_ratio);
-  try {
-    const rc::detail::TestParams read = rc::detail::configFromString(text, defaults).testParams;
-    return CheckParameters{read.seed, static_cast<std::uint64_t>(read.maxSuccess), read.maxSize,
-                           static_cast<std::uint64_t>(read.maxDiscardRatio)};
-  } catch (const rc::detail::ConfigurationException& exception) {
-    return tl::unexpected(Error{kVariable, "", exception.what()});
-  }
-}
 
 std::uint64_t fnv1a(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;

@@ -12,21 +12,7 @@
 #include <span>
 #include <string_view>
 
-#include "cases/error.h"
-
 namespace rastercheck::properties {
-
-/// How much a test of a property checks, in RapidCheck's terms.
-struct CheckParameters {
-  std::uint64_t seed = 0;
-  std::uint64_t max_success = 100;       ///< cases to be checked
-  int max_size = 100;                    ///< larger cases are left out
-  std::uint64_t max_discard_ratio = 10;  ///< cases that say nothing, for each to be checked
-};
-
-/// `parameters` with what the environment's RC_PARAMS changes of them, as in "seed=7
-/// max_success=1000". Fails where RapidCheck cannot read it.
-Result<CheckParameters> with_environment(const CheckParameters& parameters);
 
 /// 64-bit FNV-1a of a text.
 std::uint64_t fnv1a(std::string_view text);

@@ -14,7 +14,6 @@
 // its generator, the corpus, or a saved counterexample.
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>

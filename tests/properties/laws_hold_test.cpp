@@ -3,13 +3,16 @@
 // which seed.
 
 #include <gtest/gtest.h>
+#include <rapidcheck/detail/Configuration.h>
 
 #include <array>
 #include <cctype>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/case_writer.h"
@@ -43,23 +46,24 @@ std::vector<LawOfBackend> promised_laws() {
   return all;
 }
 
+/// How many cases are checked, and of which seed: 100 of seed 0, but for what RC_PARAMS says, as in
+/// "seed=7 max_success=1000". Throws where RapidCheck cannot read that.
+rc::detail::TestParams parameters_of_environment() {
+  const char* const text = std::getenv("RC_PARAMS");
+  return text == nullptr ? rc::detail::TestParams() : rc::detail::configFromString(text).testParams;
+}
+
 class LawTest : public testing::TestWithParam<LawOfBackend> {
  protected:
-  void SetUp() override {
-    const auto read = with_environment({});
-    ASSERT_TRUE(read) << to_string(read.error());
-    parameters_ = *read;
-  }
-
   /// Checks case `index`; false where that is the end of it.
   bool check_case(const Law& law, backends::Backend& backend, std::uint64_t index) {
     Draw draw(parameters_.seed, law.name, index);
-    if (draw.size() > parameters_.max_size) return true;
+    if (draw.size() > parameters_.maxSize) return true;
     const Generated made = law.generate(draw);
     const Check check = check_or_note(law, made.source, backend, {index});
     if (!check.is_applicable) {
       ++discarded_;
-      return discarded_ <= parameters_.max_discard_ratio * parameters_.max_success;
+      return discarded_ <= std::int64_t{parameters_.maxDiscardRatio} * parameters_.maxSuccess;
     }
     ++checked_;
     for (const std::string& label : check.labels) ++labels_[label];
@@ -72,12 +76,12 @@ class LawTest : public testing::TestWithParam<LawOfBackend> {
         << verdict_of(check) << ": " << check.violations.front().note << "\ncase " << index
         << " of seed " << parameters_.seed << ", " << made.stratum << ":\n"
         << cases::to_json(made.source);
-    return !HasFailure() && checked_ < parameters_.max_success;
+    return !HasFailure() && std::cmp_less(checked_, parameters_.maxSuccess);
   }
 
-  CheckParameters parameters_;
+  const rc::detail::TestParams parameters_ = parameters_of_environment();
   std::uint64_t checked_ = 0;
-  std::uint64_t discarded_ = 0;
+  std::int64_t discarded_ = 0;
   std::uint64_t correct_ = 0;
   std::map<std::string, std::uint64_t> labels_;
 };
