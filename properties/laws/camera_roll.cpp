@@ -31,7 +31,7 @@
 #include "oracle/judged_transform.h"
 #include "oracle/transform.h"
 #include "properties/internal/camera_matrices.h"
-#include "properties/internal/changed_picture.h"
+#include "properties/internal/changed_drawing.h"
 #include "properties/internal/quarter_turn.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"

@@ -26,7 +26,7 @@
 #include <string>
 
 #include "oracle/transform.h"
-#include "properties/internal/changed_picture.h"
+#include "properties/internal/changed_drawing.h"
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/same_drawing.h"

@@ -7,7 +7,7 @@
 // the same value of them. Leaving the attributes out instead would renumber the others.
 
 #include "oracle/transform.h"
-#include "properties/internal/changed_picture.h"
+#include "properties/internal/changed_drawing.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {

@@ -27,7 +27,7 @@
 #include <utility>
 
 #include "oracle/transform.h"
-#include "properties/internal/changed_picture.h"
+#include "properties/internal/changed_drawing.h"
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/exact_sum.h"

@@ -1,4 +1,4 @@
-#include "properties/internal/changed_picture.h"
+#include "properties/internal/changed_drawing.h"
 
 #include <algorithm>
 #include <cstddef>
