@@ -10,7 +10,7 @@
 #include "cases/names.h"
 #include "oracle/judge.h"
 #include "oracle/transform.h"
-#include "properties/law.h"
+#include "properties/drawing.h"
 
 namespace rastercheck::properties {
 namespace {

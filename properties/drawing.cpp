@@ -1,11 +1,8 @@
-// draw(), draw_picture(): a case handed to a backend, and whether the backend left the
-// floating-point environment as it found it. The oracle runs in the same process: a backend that
-// leaves another rounding mode behind would falsify every answer after its own.
+#include "properties/drawing.h"
 
 #include <cfenv>
 
 #include "oracle/transform.h"
-#include "properties/law.h"
 
 #if defined(__SSE__)
 #include <xmmintrin.h>

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "oracle/judge.h"
+#include "properties/drawing.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties {

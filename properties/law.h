@@ -104,28 +104,6 @@ struct LawRegistration {
   explicit LawRegistration(const Law& law);
 };
 
-/// Draws the case: its clip positions handed over rounded once (oracle/transform.h). A backend
-/// fails that returns with another rounding mode or, on x86, with another FTZ or DAZ than it was
-/// called with (they are put back), or with arrays that do not fit the case or each other.
-Result<cases::Framebuffer> draw(const cases::Case& c, backends::Backend& backend);
-
-/// The same of what a list, strip or fan of the case's vertices draws.
-Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
-                                          std::span<const std::uint32_t> indices,
-                                          backends::Backend& backend);
-
-/// The clip positions that a backend makes of a case with a camera, watched in the same way.
-Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends::Backend& backend);
-
-/// The unit normals that a backend makes of normals, watched in the same way.
-Result<std::vector<cases::Normal>> transform_normals(const cases::Matrix4& model,
-                                                     std::span<const cases::Normal> normals,
-                                                     backends::Backend& backend);
-
-/// The picture that a case leaves, handed over and held to the same as by draw().
-Result<cases::Picture> draw_picture(const cases::Case& c, backends::Backend& backend,
-                                    const cases::Pipeline& pipeline);
-
 /// A case by one of all generators, each as likely as another; the stratum is the generator's name.
 Generated generate_any(Draw& draw);
 

@@ -14,7 +14,7 @@
 #include "cli/command.h"
 #include "cli/sample_limit.h"
 #include "oracle/transform.h"
-#include "properties/law.h"
+#include "properties/drawing.h"
 #include "reports/picture.h"
 #include "reports/png.h"
 

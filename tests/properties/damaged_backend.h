@@ -16,6 +16,7 @@
 
 #include "backends/backend.h"
 #include "cases/case.h"
+#include "properties/drawing.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties {

@@ -1,4 +1,6 @@
-// draw(): what a backend may not do to the process it runs in, and what it may not hand back.
+// What a backend may not do to the process it runs in, and what it may not hand back.
+
+#include "properties/drawing.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +8,6 @@
 #include <cfenv>
 #include <string>
 
-#include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
 #if defined(__SSE__)
