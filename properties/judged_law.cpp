@@ -195,6 +195,12 @@ records::Violation to_violation(const JudgedSample& sample, const JudgedValue* v
   return violation;
 }
 
+Check not_applicable() {
+  Check none;
+  none.is_applicable = false;
+  return none;
+}
+
 void note(Check& check, const records::Violation& violation) {
   ++check.violation_count;
   if (check.violations.size() < records::kMostViolations) check.violations.push_back(violation);

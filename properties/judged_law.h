@@ -38,6 +38,9 @@ using DrawnCheck =
 /// Draws the case, and says what is found of that. Fails where the backend cannot draw it.
 Result<Check> check_drawn(const cases::Case& c, backends::Backend& backend, const DrawnCheck& find);
 
+/// What a law finds of a case that it says nothing of.
+Check not_applicable();
+
 /// The violation that a judged sample, or one value of it, is. `value` is nullptr where coverage is
 /// meant; `truth` is nullptr where the case has no such triangle.
 records::Violation to_violation(const oracle::JudgedSample& sample,

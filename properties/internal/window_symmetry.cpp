@@ -94,10 +94,4 @@ void shorten_viewport(cases::Case& c) {
   }
 }
 
-Check not_applicable() {
-  Check none;
-  none.is_applicable = false;
-  return none;
-}
-
 }  // namespace rastercheck::properties

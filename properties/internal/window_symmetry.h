@@ -10,7 +10,6 @@
 #include "cases/case.h"
 #include "cases/sample_pattern.h"
 #include "oracle/triangle_truth.h"
-#include "properties/law.h"
 
 namespace rastercheck::properties {
 
@@ -62,8 +61,5 @@ void move_centroids_to_samples(cases::Case& c);
 /// Rounds the viewport's corner and size, of less than 2^12 pixels, to multiples of 2^-10 pixel:
 /// moved by a framebuffer's size they stay float32.
 void shorten_viewport(cases::Case& c);
-
-/// Of a law that does not apply.
-Check not_applicable();
 
 }  // namespace rastercheck::properties

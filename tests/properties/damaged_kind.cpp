@@ -75,9 +75,7 @@ bool is_unseen(const backends::Backend& backend) {
 }
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
-  Check not_applicable;
-  not_applicable.is_applicable = false;
-  if (!is_unseen(backend)) return not_applicable;
+  if (!is_unseen(backend)) return not_applicable();
   return check_judged(c, backend, {}, options);
 }
 
