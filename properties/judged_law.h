@@ -1,6 +1,6 @@
 #pragma once
 
-// What laws have in common that hold a framebuffer against the contract.
+// What laws have in common: a framebuffer held against the contract, and findings put together.
 
 #include <cstdint>
 #include <functional>
