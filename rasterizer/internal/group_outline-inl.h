@@ -18,6 +18,15 @@ HWY_BEFORE_NAMESPACE();
 namespace rastercheck::rasterizer {
 namespace HWY_NAMESPACE {
 
+/// How far sums may be off, as shares of their terms' sizes: a plane of edges (plane.h), one of
+/// snapped vertices' weights (weights.h), a determinant (determinant.cpp), the numerator of a
+/// window coordinate; and the quotient that this is divided to, in half units (grid_position.cpp).
+constexpr double kPlaneError = 8 * 0x1p-53;
+constexpr double kPlacedPlaneError = 10 * 0x1p-53;
+constexpr double kDeterminantError = 8 * 0x1p-53;
+constexpr double kNumeratorError = 0x1p-51;
+constexpr double kQuotientError = 0x1p-20;
+
 /// What triangles cover and what their values are made of, before these are looked at.
 struct Outline {
   Edges lines;  ///< what bounds them, c times T
@@ -74,7 +83,7 @@ HWY_INLINE Outline ExactOutline(const KernelSetting& setting, const Corners& p) 
     out.edges.b[i] = out.lines.b[i] = b;
     out.edges.c[i] = c;
     out.lines.c[i] = hn::Mul(c, t);
-    out.band[i] = hn::Mul(hn::Set(d, 0x1p-50), GreatestOf(setting, a, b, c));  // 8u
+    out.band[i] = hn::Mul(hn::Set(d, kPlaneError), GreatestOf(setting, a, b, c));
     out.sure[i] = out.band[i];
     out.possible[i] = BeyondBand(out.band[i]);
   }
@@ -97,9 +106,9 @@ HWY_INLINE Outline ExactOutline(const KernelSetting& setting, const Corners& p) 
   out.rows = ExtentOf(setting, out.in_front, p.y, share, setting.v_middle, setting.v_half,
                       setting.bounds.rows);
   out.hidden = hn::Or(out.hidden, IsEmpty(out.columns, out.rows));
-  // What is hidden need not be known but for its sign, off by less than 8u.
-  out.left =
-      hn::Not(hn::Or(is_above(1 / kCertainDeterminant), hn::And(out.hidden, is_above(0x1p-50))));
+  // Of what is hidden nothing but the sign has to be known.
+  out.left = hn::Not(
+      hn::Or(is_above(1 / kCertainDeterminant), hn::And(out.hidden, is_above(kDeterminantError))));
   return out;
 }
 
@@ -115,8 +124,8 @@ HWY_INLINE Vector SnappedTo(const GridAxis& axis, double half_units, Vector coor
   const auto sizes = hn::Add(hn::Add(hn::Abs(along), hn::Abs(origin)), hn::Abs(size));
   const auto scale = hn::Set(d, half_units);
   const auto position = hn::Mul(hn::Div(n, w), scale);
-  const auto error =
-      hn::Add(hn::Mul(hn::Div(hn::Mul(hn::Set(d, 0x1p-51), sizes), w), scale), hn::Set(d, 0x1p-20));
+  const auto off = hn::Mul(hn::Set(d, kNumeratorError), sizes);
+  const auto error = hn::Add(hn::Mul(hn::Div(off, w), scale), hn::Set(d, kQuotientError));
   const auto below = hn::Floor(position);
   const auto rest = hn::Sub(position, below);
   const auto half = hn::Set(d, 0.5);
@@ -174,7 +183,7 @@ HWY_INLINE Outline SnappedOutline(const KernelSetting& setting, const Corners& p
     out.edges.a[i] = hn::Mul(a, share);
     out.edges.b[i] = hn::Mul(b, share);
     out.edges.c[i] = hn::Mul(c, share);
-    out.band[i] = hn::Mul(hn::Set(d, 10 * 0x1p-53),
+    out.band[i] = hn::Mul(hn::Set(d, kPlacedPlaneError),
                           GreatestOf(setting, out.edges.a[i], out.edges.b[i], out.edges.c[i]));
   }
   const auto pixels = hn::Set(d, 1 / setting.units);
