@@ -34,8 +34,8 @@ CaseSize size_of(const cases::Case& c);
 /// of two, at most 24.
 int significant_bits(float value);
 
-/// Where a vertex with w > 0 appears, y as the viewport's formula has it for Vulkan; in double, as a
-/// measure of simplicity and no more.
+/// Where a vertex with w > 0 appears, y as the viewport's formula has it for Vulkan; in double, as
+/// a measure of simplicity and no more.
 WindowPoint window_point(const cases::Viewport& viewport, const cases::ClipVertex& vertex);
 
 /// The least k <= kMostWindowBits for which a coordinate is a multiple of 2^-k pixels, else one
