@@ -1,6 +1,7 @@
 #include "properties/internal/findings_json.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cases/error_json.h"
 #include "cases/json_node.h"
@@ -59,9 +60,9 @@ std::string findings_to_line(const Result<Findings>& findings) {
 }
 
 Result<Findings> findings_from_line(const std::string& line) {
-  const Result<Result<Findings>> said = cases::read_json(line, kWorker, &read_findings);
+  Result<Result<Findings>> said = cases::read_json(line, kWorker, &read_findings);
   if (!said) return tl::unexpected(said.error());
-  return *said;
+  return *std::move(said);
 }
 
 std::string task_to_line(const Task& task) {
@@ -75,14 +76,14 @@ std::string task_to_line(const Task& task) {
 }
 
 std::optional<Task> task_from_line(const std::string& line) {
-  const Result<Task> task = cases::read_json(line, kWorker, &read_task);
+  Result<Task> task = cases::read_json(line, kWorker, &read_task);
   if (!task) return std::nullopt;
   // Such a task is about a case of its own, and that one says where it is from.
   const bool has_subject = task->subject && task->subject->source.found;
   if ((task->kind == TaskKind::saved || task->kind == TaskKind::shrink) != has_subject) {
     return std::nullopt;
   }
-  return *task;
+  return *std::move(task);
 }
 
 }  // namespace rastercheck::properties
