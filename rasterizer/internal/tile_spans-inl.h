@@ -1,5 +1,5 @@
-// How a triangle lies to a part of a tile: beside it, over all of it, or in spans of its rows.
-// Included once for each SIMD target, as Highway has it.
+// How a triangle lies to a part of a tile: beside it, over all of it, or in spans of its rows; and
+// whether it is hidden there. Included once for each SIMD target, as Highway has it.
 
 #include <algorithm>
 #include <array>
