@@ -86,7 +86,7 @@ void print_json(const std::vector<Outcome>& outcomes) {
                                 {"violations", nlohmann::ordered_json::array()}};
     if (!outcome.found.empty()) json["found"] = outcome.found;
     for (const records::Violation& v : outcome.check.violations) {
-      json["violations"].push_back(records::violation_to_json(v));
+      json["violations"].push_back(nlohmann::ordered_json(records::violation_to_json(v)));
     }
     all.push_back(std::move(json));
   }
