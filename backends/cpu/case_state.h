@@ -23,7 +23,9 @@ rasterizer::ColorFormat format(cases::ColorFormat format);
 rasterizer::Wrap wrap(cases::Wrap wrap);
 rasterizer::Filter filter(cases::Filter filter);
 
-/// The grid that the rasterizer snaps to where a case asks for one.
+/// The grid that the rasterizer snaps to where a case asks for one: of its subpixel bits the
+/// nearest number that the rasterizer has. Rounding is to nearest even, whatever the case says;
+/// contracts name both.
 int subpixel_bits(const cases::Snapping& snapping);
 
 /// All but the depth test.

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "backends/cpu/case_state.h"
 #include "rasterizer/rasterizer.h"

@@ -3,7 +3,6 @@
 // What the stages of a draw share: its state, and one triangle of it.
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <glm/vec4.hpp>
 #include <span>

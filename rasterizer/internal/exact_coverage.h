@@ -8,7 +8,6 @@
 // is within its band of doubt, a sum without rounding decides, and of a zero the fill rule. So
 // coverage is that of exact arithmetic for every finite input.
 
-#include <array>
 #include <vector>
 
 #include "rasterizer/internal/block_kernels.h"

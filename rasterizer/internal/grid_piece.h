@@ -12,7 +12,6 @@
 // Along a row an edge is one comparison of whole numbers, so its crossing is one division.
 
 #include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 

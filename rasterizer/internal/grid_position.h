@@ -10,7 +10,6 @@
 // few 2^-53 of its terms; where it comes too close to the middle between two points, the sign of
 // N 2^b − (2k + 1) w, a sum without rounding, decides.
 
-#include <array>
 #include <cstdint>
 #include <glm/vec4.hpp>
 

@@ -17,7 +17,6 @@
 // what is rounded of the bound), that is taken; else the sum without rounding.
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <span>
 

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 

@@ -6,9 +6,7 @@
 #include <gmpxx.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <vector>
 
 #include "rasterizer/rasterizer.h"
 #include "tests/rasterizer/failing_allocator.h"
