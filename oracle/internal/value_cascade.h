@@ -16,8 +16,8 @@
 #include "cases/framebuffer.h"
 #include "oracle/internal/filter_kernels.h"
 #include "oracle/internal/intervals.h"
+#include "oracle/internal/prepared_values.h"
 #include "oracle/internal/triangle_filter.h"
-#include "oracle/internal/triangle_setup.h"
 #include "oracle/internal/value_judge.h"
 #include "oracle/internal/value_statistics.h"
 #include "oracle/judge.h"
@@ -67,49 +67,19 @@ class ValueCascade {
   const JudgedBatch& judge(std::span<const std::size_t> fragments);
 
  private:
-  /// How the first two levels know a value: by the triangle's one map, as a copy of a vertex's, or
-  /// not at all.
-  enum class Method { exact, copy, map };
-  enum class Zero { none, positive, negative };
-
-  /// A value of the triangle's fragments.
-  struct Subject {
-    std::optional<std::uint32_t> attribute;
-    records::AttributeKind kind = records::AttributeKind::depth;
-    Method method = Method::exact;
-    bool is_free = false;    ///< not judged
-    bool is_single = false;  ///< excess and ideal error are the same
-    bool at_center = false;  ///< evaluated at the pixel's centre, which is not the sample
-    /// Surely a mean of the vertices' values, depth within its range; else each value is asked.
-    bool is_mean = false;
-    bool is_clamped = false;      ///< the same, of a depth that the rules clamp
-    Zero only_zero = Zero::none;  ///< what all three vertices have
-    double bound = 0;
-    ValueFilter filter;
-    SingleErrors* errors = nullptr;  ///< where it is counted, if by the first two levels
-    /// What a new extreme has to exceed where excess and ideal error differ, of one or the other.
-    const records::Extremes* ideal_extremes = nullptr;
-    const records::Extremes* excess_extremes = nullptr;
-  };
-
-  void prepare();
-  void set_edges();
-  Subject make_subject(std::optional<std::uint32_t> attribute) const;
-  void set_flat_filter(Subject& subject) const;
-  void set_attribute_scale(Subject& subject) const;
-  bool set_filter(Subject& subject) const;
-  bool set_depth_filter(ValueFilter& filter) const;
   void gather(std::span<const std::size_t> fragments);
-  void judge_column(const Subject& subject, std::size_t index,
+  void judge_column(const PreparedValue& prepared, std::size_t index,
                     std::span<const std::size_t> fragments);
-  void filter_column(const Subject& subject, int count, const Batch<float>& actual);
-  static ErrorLimits limits_of(const Subject& subject);
-  bool is_certain(const Subject& subject, float actual, const records::Enclosure& error) const;
-  void count_filtered(const Subject& subject, int count, JudgedBatch::Column& column);
-  bool take(const Subject& subject, float actual, const records::Enclosure& error,
+  void filter_column(const PreparedValue& prepared, int count, const Batch<float>& actual);
+  static ErrorLimits limits_of(const PreparedValue& prepared);
+  bool is_certain(const PreparedValue& prepared, float actual,
+                  const records::Enclosure& error) const;
+  void count_filtered(const PreparedValue& prepared, int count, JudgedBatch::Column& column);
+  bool take(const PreparedValue& prepared, float actual, const records::Enclosure& error,
             std::size_t fragment);
-  records::Enclosure by_interval(const Subject& subject, std::size_t lane, float actual) const;
-  void judge_exactly(const Subject& subject, std::size_t column, std::size_t lane,
+  records::Enclosure by_interval(const PreparedValue& prepared, std::size_t lane,
+                                 float actual) const;
+  void judge_exactly(const PreparedValue& prepared, std::size_t column, std::size_t lane,
                      std::size_t fragment);
 
   const SceneTruth* scene_;
@@ -119,15 +89,10 @@ class ValueCascade {
   ValueStatistics* statistics_;
 
   const TriangleTruth* truth_ = nullptr;
-  const TriangleSetup* triangle_ = nullptr;
   const TriangleFilter* coverage_ = nullptr;
-  bool is_prepared_ = false;  ///< what follows is of this triangle
-  records::Stratum stratum_ = records::Stratum::ordinary;
-  const ProjectiveMap* map_ = nullptr;  ///< what the first two levels evaluate; nullptr: nothing
-  std::array<FilterLine, 3> edges_{};
+  PreparedValues prepared_;
+  bool is_prepared_ = false;  ///< it is of this triangle
   mutable std::optional<std::array<IntervalLine, 3>> interval_edges_;
-  std::vector<Subject> subjects_;
-  bool has_center_ = false;
 
   Batch<double> x_{};  ///< pixels from the corner of the filter's box
   Batch<double> y_{};

@@ -1,6 +1,6 @@
 # [lo, hi] of a flat value holds f - s.
 #
-# Of: filter_column for Method::copy (value_cascade.cpp):
+# Of: filter_column for ValueMethod::copy (value_cascade.cpp):
 #
 #   d = fl(f - s)       slack = 8u |d|, exact       lo, hi = fl(d -+ slack)
 #

@@ -2,7 +2,7 @@
 # u = 2^-53, as nothing is lost to underflow; and products taken for exact are.
 #
 # Of: filter_line (triangle_filter.cpp); ClassifyRow, WeighSamples and, up to `sum_error` and where
-# it multiplies by `units`, ValueErrors (filter_kernels.cpp); Method::copy in filter_column
+# it multiplies by `units`, ValueErrors (filter_kernels.cpp); ValueMethod::copy in filter_column
 # (value_cascade.cpp).
 #
 # FIX(z, k): z is a multiple of 2^k. fl(z) is then one as well, and where k >= -1074, the least

@@ -36,7 +36,7 @@ void use_everything() {
   for (const auto& coverage : {c.coverage, cases::Coverage{}}) {
     c.coverage = coverage;
     const SceneTruth scene(c, cases::contract_of(c));
-    for_each_fragment(scene, [](const Fragment& f, const TriangleTruth& truth) {
+    for_each_fragment(scene, [&texture](const Fragment& f, const TriangleTruth& truth) {
       truth.distance(f.x, f.y, f.sample);
       truth.derivatives(0, f.x, f.y, f.sample);
       if (const auto slopes = truth.scaled_derivatives(0, f.x, f.y, f.sample)) {

@@ -124,7 +124,8 @@ TEST(TextureTruth, EnclosesTheLevelOfDetail) {
   const ScaledDerivatives s{{Rational(0.25), Rational(0)}, {Rational(1), Rational(0)}};
   const ScaledDerivatives t{{Rational(0), Rational(-0.5)}, {Rational(0), Rational(1)}};
   EXPECT_EQ(truth.level_of_detail(s, t, {}), (records::Enclosure{2, 2}));
-  EXPECT_EQ(truth.level_of_detail({}, {}, {}), (records::Enclosure{0, 0}));
+  const Derivatives zero{Rational(0), Rational(0)};
+  EXPECT_EQ(truth.level_of_detail({zero, zero}, {zero, zero}, {}), (records::Enclosure{0, 0}));
   cases::TextureBounds bounds;
   bounds.derivative_share = 0.25F;  // of the scale, 4 times the slope: from 0 to 8 texels
   const records::Enclosure wide = truth.level_of_detail(s, t, bounds);

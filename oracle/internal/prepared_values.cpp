@@ -1,0 +1,180 @@
+#include "oracle/internal/prepared_values.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/internal/float_ulp.h"
+#include "oracle/internal/value_bound.h"
+#include "oracle/internal/value_judge.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+using records::AttributeKind;
+using records::Stratum;
+
+/// 1/ulp(magnitude), a power of two.
+double units_of(float magnitude) { return std::ldexp(1.0, -ulp_exponent(magnitude)); }
+
+/// What makes a triangle's fragments hard (records::Stratum); window positions in double are near
+/// enough.
+Stratum stratum_of(const TriangleSetup& triangle) {
+  constexpr double kHorizon = 16;  // greatest w over least
+  constexpr double kSliver = 64;   // longest edge over least height
+  if (triangle.has_nonpositive_w || triangle.has_clipped_vertex) return Stratum::clipped;
+  const auto& [w, u, v] = triangle.near_positions();
+  const auto [least_w, greatest_w] = std::minmax({w[0], w[1], w[2]});
+  if (greatest_w > kHorizon * least_w) return Stratum::near_horizon;
+  double longest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double du = u[(i + 1) % 3] - u[i];
+    const double dv = v[(i + 1) % 3] - v[i];
+    longest = std::max(longest, du * du + dv * dv);
+  }
+  const double area = std::abs((u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]));
+  if (area * kSliver < longest) return Stratum::sliver;  // height = twice the area / longest edge
+  return triangle.scene->source().framebuffer.samples > 1 ? Stratum::multisampled
+                                                          : Stratum::ordinary;
+}
+
+}  // namespace
+
+void PreparedValues::prepare(const TriangleTruth& truth, const TriangleFilter& coverage) {
+  truth_ = &truth;
+  triangle_ = &truth.setup();
+  coverage_ = &coverage;
+  stratum_ = stratum_of(*triangle_);
+  map_ = triangle_->value_map();
+  // With a camera w is no float32, and what follows counts on that.
+  const bool is_filtered = map_ != nullptr && map_->orientation() != 0 &&
+                           !scene_->source().camera && first_level_ != Level::exact;
+  if (!is_filtered) map_ = nullptr;
+  if (map_ != nullptr) set_edges();
+
+  const std::size_t attributes = scene_->source().attributes.size();
+  values_.resize(1 + attributes);
+  values_[0] = make_value(std::nullopt);
+  for (std::uint32_t a = 0; a < attributes; ++a) values_[1 + a] = make_value(a);
+  has_center_ = std::any_of(values_.begin(), values_.end(),
+                            [](const PreparedValue& value) { return value.at_center; });
+}
+
+/// Sets the edges of the values' map, or gives that map up.
+void PreparedValues::set_edges() {
+  if (const FilterLine* edges = coverage_->edges_of(map_)) {
+    std::copy_n(edges, 3, edges_.begin());
+    return;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::optional<FilterLine> edge = filter_line(map_->edge(i), coverage_->box());
+    if (!edge) {
+      map_ = nullptr;
+      return;
+    }
+    edges_[i] = *edge;
+  }
+}
+
+PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute) const {
+  const cases::Case& source = scene_->source();
+  PreparedValue value;
+  value.attribute = attribute;
+  value.kind = kind_of(source, attribute);
+  value.is_free = attribute && truth_->is_value_free(*attribute);
+  if (value.is_free) return value;
+  value.bound = bound_of(scene_->contract(), source, attribute).constant;
+
+  cases::Attribute declared;  // of the depth: at the sample
+  if (attribute) declared = source.attributes[*attribute];
+  const bool is_flat = declared.interpolation == cases::Interpolation::flat;
+  const bool is_open = declared.location == cases::Location::centroid && !is_flat;
+  value.is_single = !is_open && !scene_->contract().is_unspecified();
+  value.errors = &statistics_->single(value.kind, stratum_);
+  if (!value.is_single) {
+    records::ErrorStatistics& of_kind = statistics_->of(value.kind);
+    value.ideal_extremes = &of_kind.strata[stratum_].extremes;
+    value.excess_extremes = &of_kind.excess.extremes;
+  }
+  if (is_flat) {
+    set_flat_filter(value);
+  } else if (map_ != nullptr && !is_open) {
+    value.at_center =
+        declared.location == cases::Location::center && source.framebuffer.samples > 1;
+    value.is_mean = !value.at_center && coverage_->edges_of(map_) != nullptr;
+    value.method = set_filter(value) ? ValueMethod::map : ValueMethod::exact;
+  }
+  return value;
+}
+
+void PreparedValues::set_flat_filter(PreparedValue& value) const {
+  const std::size_t vertex = triangle_->indices[scene_->scene().conventions().provoking_vertex];
+  value.method = ValueMethod::copy;
+  value.filter.s[0] = scene_->source().attributes_of(vertex)[*value.attribute];
+  set_attribute_scale(value);
+}
+
+/// What depends on the vertices' values alone.
+void PreparedValues::set_attribute_scale(PreparedValue& value) const {
+  std::array<float, 3> values{};
+  float largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    values[i] = scene_->source().attributes_of(triangle_->indices[i])[*value.attribute];
+    largest = std::max(largest, std::abs(values[i]));
+  }
+  value.filter.units = units_of(largest);
+  const bool are_one_zero = largest == 0 && std::signbit(values[0]) == std::signbit(values[1]) &&
+                            std::signbit(values[0]) == std::signbit(values[2]);
+  if (!are_one_zero) return;
+  value.only_zero =
+      std::signbit(values[0]) ? PreparedValue::Zero::negative : PreparedValue::Zero::positive;
+}
+
+bool PreparedValues::set_filter(PreparedValue& value) const {
+  const cases::Case& source = scene_->source();
+  ValueFilter& filter = value.filter;
+  for (std::size_t i = 0; i < 3; ++i) filter.edge_error[i] = edges_[i].band * (1 + 0x1p-40);
+  filter.is_perspective = value.kind == AttributeKind::smooth;
+  if (!filter.is_perspective) {
+    const double determinant = near_double(map_->determinant());
+    // As for the edges' coefficients (triangle_filter.cpp), of degree three in place of two.
+    constexpr double kLeast = 0x1p-900;
+    constexpr double kMost = 0x1p900;
+    if (determinant <= kLeast || determinant >= kMost) return false;
+    filter.determinant = determinant;
+    filter.determinant_error = kNearDoubleError * determinant;
+  }
+  if (!value.attribute) {
+    value.is_clamped = scene_->scene().clamps_depth() && (source.depth_clamp || !value.is_mean);
+    filter.units = units_of(std::max(source.viewport.min_depth, source.viewport.max_depth));
+    return set_depth_filter(filter);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t vertex = triangle_->indices[i];
+    filter.s[i] = source.attributes_of(vertex)[*value.attribute];
+    if (!filter.is_perspective) filter.t[i] = source.positions[vertex].w;
+  }
+  set_attribute_scale(value);
+  return true;
+}
+
+/// False where a vertex's depth · w is no double.
+bool PreparedValues::set_depth_filter(ValueFilter& filter) const {
+  const cases::Case& source = scene_->source();
+  const cases::Viewport& viewport = source.viewport;
+  const bool is_plain = viewport.min_depth == 0 && viewport.max_depth == 1;
+  const bool is_halved = scene_->scene().conventions().depth_is_halved;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const cases::ClipVertex& p = source.positions[triangle_->indices[i]];
+    filter.p[i] = p.w;
+    if (is_plain && !is_halved) {
+      filter.s[i] = p.z;
+      continue;
+    }
+    const records::Enclosure s = enclose(scene_->scene().depth_numerator(triangle_->indices[i]));
+    if (s.lo != s.hi) return false;
+    filter.s[i] = s.lo;
+  }
+  return true;
+}
+
+}  // namespace rastercheck::oracle

@@ -1,0 +1,89 @@
+#pragma once
+
+// What the first two levels of the cascade (docs/oracle.md) know of a triangle's values before any
+// is judged: the map and the numbers that errors are computed with, what has to be asked besides,
+// and where what they decide is counted.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "oracle/internal/filter_kernels.h"
+#include "oracle/internal/triangle_filter.h"
+#include "oracle/internal/triangle_setup.h"
+#include "oracle/internal/value_statistics.h"
+#include "oracle/level.h"
+#include "oracle/triangle_truth.h"
+#include "records/judgement.h"
+
+namespace rastercheck::oracle {
+
+/// How the first two levels know a value: by the triangle's one map, as a copy of a vertex's, or
+/// not at all.
+enum class ValueMethod { exact, copy, map };
+
+/// A value of the triangle's fragments.
+struct PreparedValue {
+  enum class Zero { none, positive, negative };
+
+  std::optional<std::uint32_t> attribute;  ///< nothing for the depth
+  records::AttributeKind kind = records::AttributeKind::depth;
+  ValueMethod method = ValueMethod::exact;
+  bool is_free = false;    ///< not judged
+  bool is_single = false;  ///< excess and ideal error are the same
+  bool at_center = false;  ///< evaluated at the pixel's centre, which is not the sample
+  /// Surely a mean of the vertices' values, depth within its range; else each value is asked.
+  bool is_mean = false;
+  bool is_clamped = false;      ///< the same, of a depth that the rules clamp
+  Zero only_zero = Zero::none;  ///< what all three vertices have
+  double bound = 0;
+  ValueFilter filter;
+  SingleErrors* errors = nullptr;  ///< where it is counted, if by the first two levels
+  /// What a new extreme has to exceed where excess and ideal error differ, of one or the other.
+  const records::Extremes* ideal_extremes = nullptr;
+  const records::Extremes* excess_extremes = nullptr;
+};
+
+/// The values of one triangle after the other.
+class PreparedValues {
+ public:
+  /// All must outlive it.
+  PreparedValues(const SceneTruth& scene, Level first, ValueStatistics& statistics)
+      : scene_(&scene), first_level_(first), statistics_(&statistics) {}
+
+  /// What follows is of this triangle, which must outlive it, as must the filter of its coverage.
+  void prepare(const TriangleTruth& truth, const TriangleFilter& coverage);
+
+  records::Stratum stratum() const { return stratum_; }
+  /// What the first two levels evaluate; nullptr: nothing.
+  const ProjectiveMap* map() const { return map_; }
+  /// That map's, about the corner of the filter's box.
+  const std::array<FilterLine, 3>& edges() const { return edges_; }
+  /// The depth, then the attributes.
+  const std::vector<PreparedValue>& values() const { return values_; }
+  bool has_center() const { return has_center_; }  ///< some value is `at_center`
+
+ private:
+  void set_edges();
+  PreparedValue make_value(std::optional<std::uint32_t> attribute) const;
+  void set_flat_filter(PreparedValue& value) const;
+  void set_attribute_scale(PreparedValue& value) const;
+  bool set_filter(PreparedValue& value) const;
+  bool set_depth_filter(ValueFilter& filter) const;
+
+  const SceneTruth* scene_;
+  Level first_level_;
+  ValueStatistics* statistics_;
+
+  const TriangleTruth* truth_ = nullptr;
+  const TriangleSetup* triangle_ = nullptr;
+  const TriangleFilter* coverage_ = nullptr;
+  records::Stratum stratum_ = records::Stratum::ordinary;
+  const ProjectiveMap* map_ = nullptr;
+  std::array<FilterLine, 3> edges_{};
+  std::vector<PreparedValue> values_;
+  bool has_center_ = false;
+};
+
+}  // namespace rastercheck::oracle
