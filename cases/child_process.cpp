@@ -115,6 +115,14 @@ Result<ChildOutcome> run_child(const std::vector<std::string>& command, std::uin
   return outcome;
 }
 
+Result<Descriptor> take_standard_output() {
+  Descriptor answers(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3));
+  if (!answers.is_open() || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+    return failure("standard output", errno);
+  }
+  return answers;
+}
+
 Result<void> limit_this_process(const ProcessLimits& limits) {
   // Of the address space, because that is what allocations fail by; sanitizers have terabytes of it
   // from the start.

@@ -93,6 +93,10 @@ struct ChildOutcome {
 /// on standard error is dropped. It may say `most_output` bytes. Fails where it cannot be started.
 Result<ChildOutcome> run_child(const std::vector<std::string>& command, std::uint64_t most_output);
 
+/// The standard output of this process, for its answers: what others print from now on goes to
+/// standard error.
+Result<Descriptor> take_standard_output();
+
 /// What a process may use from now on.
 struct ProcessLimits {
   std::uint64_t memory = 0;  ///< bytes beyond those that it has

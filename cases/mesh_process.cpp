@@ -1,6 +1,5 @@
 #include "cases/mesh_process.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -125,15 +124,12 @@ Result<Mesh> mesh_of_process(const std::vector<std::string>& command, const std:
 
 Result<void> serve_mesh(const std::string& file, const std::string& format,
                         const ProcessLimits& limits) {
-  const auto failure = [] {
-    return tl::unexpected(Error{"standard output", "", std::strerror(errno)});
-  };
   // assimp's readers print; their words are not to get into the answer.
-  const int answers = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
-  if (answers < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return failure();
+  const Result<Descriptor> answers = take_standard_output();
+  if (!answers) return tl::unexpected(answers.error());
   return limit_this_process(limits).and_then([&]() -> Result<void> {
-    if (!write_all(answers, mesh_to_reply(read_mesh(file, format)))) return failure();
-    return {};
+    if (write_all(answers->number(), mesh_to_reply(read_mesh(file, format)))) return {};
+    return tl::unexpected(Error{"standard output", "", std::strerror(errno)});
   });
 }
 

@@ -1,6 +1,5 @@
 #include "properties/workers.h"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -251,12 +250,10 @@ Result<void> run_tasks_in_processes(const std::vector<std::string>& command, int
 
 Result<void> serve_tasks(TaskRunner& runner) {
   // Backends may print; their words are not to get between ours.
-  const cases::Descriptor answers(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3));
-  if (!answers.is_open() || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
-    return tl::unexpected(system_error("standard output"));
-  }
+  const Result<cases::Descriptor> answers = cases::take_standard_output();
+  if (!answers) return tl::unexpected(answers.error());
   LineChannel input(STDIN_FILENO);
-  const LineChannel output(answers.number());
+  const LineChannel output(answers->number());
   while (input.receive()) {
     while (const std::optional<std::string> line = input.next_line()) {
       if (line->empty()) continue;  // for a task that had ended
