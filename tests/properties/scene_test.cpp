@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/mesh.h"
+#include "properties/check_case.h"
 #include "records/run.h"
 #include "tests/properties/damaged_backend.h"
 

@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include "cases/case_writer.h"
+#include "properties/corpus.h"
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/gathered.h"
 #include "tests/temporary_folder.h"
