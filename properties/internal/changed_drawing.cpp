@@ -103,11 +103,4 @@ Check judge_changed(const cases::Case& c, const cases::Contract& contract,
   return check;
 }
 
-void add_to_notes(Check& check, const std::string& note) {
-  for (records::Violation& violation : check.violations) {
-    violation.note += violation.note.empty() ? "" : "; ";
-    violation.note += note;
-  }
-}
-
 }  // namespace rastercheck::properties

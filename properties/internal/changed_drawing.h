@@ -3,8 +3,6 @@
 // What laws have in common that draw a case changed so that its truth stays, and hold what is drawn
 // against what is drawn of the case as it was.
 
-#include <string>
-
 #include "cases/case.h"
 #include "cases/framebuffer.h"
 #include "properties/law.h"
@@ -20,8 +18,5 @@ namespace rastercheck::properties {
 Check judge_changed(const cases::Case& c, const cases::Contract& contract,
                     const cases::Framebuffer& before, const cases::Framebuffer& drawn,
                     const CheckOptions& options);
-
-/// Adds to the note of each violation.
-void add_to_notes(Check& check, const std::string& note);
 
 }  // namespace rastercheck::properties

@@ -46,6 +46,12 @@ FragmentPlace place_at(const cases::Picture& picture, std::size_t at) {
   return place;
 }
 
+std::size_t index_at(const cases::Picture& picture, const FragmentPlace& place) {
+  const auto samples = static_cast<std::size_t>(picture.size.samples);
+  const auto width = static_cast<std::size_t>(picture.size.width);
+  return (place.y * width + place.x) * samples + (samples > 1 ? place.sample : 0);
+}
+
 bool is_of_case(const cases::Case& c, const FragmentPlace& place) {
   return place.triangle < c.triangles.size() && std::cmp_less(place.x, c.framebuffer.width) &&
          std::cmp_less(place.y, c.framebuffer.height) &&

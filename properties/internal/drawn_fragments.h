@@ -30,6 +30,8 @@ FragmentPlace place_of(const cases::Framebuffer& drawn, std::size_t fragment);
 
 /// Pixel and sample of an index into a picture; triangle 0.
 FragmentPlace place_at(const cases::Picture& picture, std::size_t at);
+/// The index of a place: of its pixel where the samples have been resolved.
+std::size_t index_at(const cases::Picture& picture, const FragmentPlace& place);
 
 /// Whether the case has such a triangle, pixel and sample.
 bool is_of_case(const cases::Case& c, const FragmentPlace& place);

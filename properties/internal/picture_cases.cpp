@@ -144,4 +144,6 @@ Generated overlapping_case(Draw& draw) {
   return made;
 }
 
+bool draws_pictures(const backends::Backend& backend) { return backend.draws_pictures(); }
+
 }  // namespace rastercheck::properties

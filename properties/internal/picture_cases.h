@@ -10,4 +10,7 @@ namespace rastercheck::properties {
 /// colours in and beyond [0, 1], and depths that are often equal.
 Generated overlapping_case(Draw& draw);
 
+/// Whether a backend promises what laws about pictures are about (Law::is_promised).
+bool draws_pictures(const backends::Backend& backend);
+
 }  // namespace rastercheck::properties

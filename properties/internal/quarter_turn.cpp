@@ -47,8 +47,8 @@ cases::Case turned_window(const cases::Case& c, const QuarterTurn& turn) {
   if (c.scissor) {
     const PixelSpan columns = scissor_columns(c);
     const PixelSpan rows = scissor_rows(c);
-    result.scissor = cases::Scissor{c.framebuffer.height - rows.last, columns.first,
-                                    rows.last - rows.first, columns.last - columns.first};
+    const int height = c.framebuffer.height;
+    result.scissor = rectangle({height - rows.last, height - rows.first}, columns);
   }
   return result;
 }

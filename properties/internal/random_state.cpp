@@ -293,6 +293,12 @@ void ensure_attribute(Case& c) {
   c.attribute_values.assign(c.positions.size(), 0);
 }
 
+void ensure_attribute(Draw& draw, Case& c) {
+  if (!c.attributes.empty()) return;
+  ensure_attribute(c);
+  for (float& value : c.attribute_values) value = draw.spread(-8, 8);
+}
+
 void add_separate_triangles(Case& c) {
   const auto count = static_cast<std::uint32_t>(c.positions.size());
   for (std::uint32_t first = 0; first + 2 < count; first += 3) {

@@ -34,6 +34,8 @@ void add_attribute_values(Draw& draw, cases::Case& c);
 
 /// Gives a case that has no attribute one, of value 0.
 void ensure_attribute(cases::Case& c);
+/// The same, of random values.
+void ensure_attribute(Draw& draw, cases::Case& c);
 
 /// Makes every three vertices in succession a triangle, from the first vertex on.
 void add_separate_triangles(cases::Case& c);

@@ -5,8 +5,21 @@
 #include "properties/internal/choices.h"
 
 namespace rastercheck::properties {
+namespace {
 
 using records::Verdict;
+
+/// The exact value of an attribute of a fragment, where the rules leave no other.
+std::optional<oracle::Rational> exact_value(const oracle::TriangleTruth& truth,
+                                            std::size_t attribute, const FragmentPlace& place) {
+  if (truth.is_value_free(attribute)) return std::nullopt;
+  const auto range = truth.attribute(attribute, static_cast<int>(place.x),
+                                     static_cast<int>(place.y), static_cast<int>(place.sample));
+  if (!range || range->lo != range->hi) return std::nullopt;
+  return range->lo;
+}
+
+}  // namespace
 
 SeenTriangles::SeenTriangles(const cases::Case& c, const cases::Contract& contract)
     : scene_(c, contract), truths_(c.triangles.size()) {}
@@ -30,13 +43,11 @@ std::optional<FragmentPlace> SeenTriangles::find(const cases::Picture& picture, 
   return std::nullopt;
 }
 
-std::optional<oracle::Rational> exact_value(const oracle::TriangleTruth& truth,
-                                            std::size_t attribute, const FragmentPlace& place) {
-  if (truth.is_value_free(attribute)) return std::nullopt;
-  const auto range = truth.attribute(attribute, static_cast<int>(place.x),
-                                     static_cast<int>(place.y), static_cast<int>(place.sample));
-  if (!range || range->lo != range->hi) return std::nullopt;
-  return range->lo;
+std::optional<Coordinates> exact_coordinates(const oracle::TriangleTruth& truth,
+                                             const FragmentPlace& place) {
+  const auto s = exact_value(truth, 0, place);
+  const auto t = exact_value(truth, 1, place);
+  return s && t ? std::optional(Coordinates{*s, *t}) : std::nullopt;
 }
 
 std::vector<std::size_t> some_drawn_samples(const cases::Picture& picture, std::size_t most) {

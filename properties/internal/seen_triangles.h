@@ -31,9 +31,15 @@ class SeenTriangles {
   std::vector<std::unique_ptr<oracle::TriangleTruth>> truths_;
 };
 
-/// The exact value of an attribute of a fragment, where the rules leave no other.
-std::optional<oracle::Rational> exact_value(const oracle::TriangleTruth& truth,
-                                            std::size_t attribute, const FragmentPlace& place);
+/// Where a fragment is in a texture: its attributes 0 and 1.
+struct Coordinates {
+  oracle::Rational s;
+  oracle::Rational t;
+};
+
+/// The exact ones of a fragment, where the rules leave no others.
+std::optional<Coordinates> exact_coordinates(const oracle::TriangleTruth& truth,
+                                             const FragmentPlace& place);
 
 /// At most `most` of the samples of a picture that have been drawn, evenly spread: all channels of
 /// those that have not are 0. Indices count as cases::Picture does.

@@ -171,6 +171,4 @@ std::uint8_t noise_byte(int i, int j, std::size_t channel) {
   return static_cast<std::uint8_t>(bits >> 8);
 }
 
-bool draws_pictures(const backends::Backend& backend) { return backend.draws_pictures(); }
-
 }  // namespace rastercheck::properties

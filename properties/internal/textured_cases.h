@@ -27,7 +27,4 @@ cases::Texturing texturing_of(Choices& choices, TexelBytes bytes);
 /// Texels that are alike nowhere: noise.
 std::uint8_t noise_byte(int i, int j, std::size_t channel);
 
-/// Whether a backend promises what laws about pictures are about (Law::is_promised).
-bool draws_pictures(const backends::Backend& backend);
-
 }  // namespace rastercheck::properties

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 #include "cases/sample_pattern.h"
 #include "properties/internal/exact_sum.h"
@@ -62,6 +63,15 @@ cases::ClipVertex at_window(const cases::Case& c, const WindowPoint& p, float de
 std::uint32_t add_vertex(cases::Case& c, const cases::ClipVertex& position) {
   c.positions.push_back(position);
   return static_cast<std::uint32_t>(c.positions.size() - 1);
+}
+
+std::uint32_t add_vertex_like(cases::Case& c, std::uint32_t like, cases::ClipVertex position) {
+  const auto append = [like](std::vector<float>& numbers, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) numbers.push_back(numbers[like * count + i]);
+  };
+  append(c.attribute_values, c.attributes.size());
+  append(c.clip_distances, c.clip_distance_count);
+  return add_vertex(c, position);
 }
 
 void add_triangle(cases::Case& c, const cases::ClipVertex& first, const cases::ClipVertex& second,

@@ -30,6 +30,8 @@ bool is_exactly_at(const cases::Case& c, const cases::ClipVertex& vertex, const 
 
 /// Appends a vertex and says its index.
 std::uint32_t add_vertex(cases::Case& c, const cases::ClipVertex& position);
+/// The same with the attributes and clip distances of another vertex.
+std::uint32_t add_vertex_like(cases::Case& c, std::uint32_t like, cases::ClipVertex position);
 /// Appends three vertices and a triangle of them.
 void add_triangle(cases::Case& c, const cases::ClipVertex& first, const cases::ClipVertex& second,
                   const cases::ClipVertex& third);

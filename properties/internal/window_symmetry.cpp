@@ -70,6 +70,11 @@ PixelSpan scissor_rows(const cases::Case& c) {
   return held(c.scissor->y, c.scissor->height, size);
 }
 
+cases::Scissor rectangle(const PixelSpan& columns, const PixelSpan& rows) {
+  return {columns.first, rows.first, std::max(columns.last - columns.first, 0),
+          std::max(rows.last - rows.first, 0)};
+}
+
 bool keeps_even_points(const cases::Snapping& grid, int pixels) {
   return grid.rounding != cases::Rounding::nearest_even || grid.subpixel_bits > 0 ||
          pixels % 2 == 0;

@@ -45,6 +45,8 @@ struct PixelSpan {
 /// The columns, and the rows, of the framebuffer that the scissor leaves.
 PixelSpan scissor_columns(const cases::Case& c);
 PixelSpan scissor_rows(const cases::Case& c);
+/// Of no pixels where a span has none.
+cases::Scissor rectangle(const PixelSpan& columns, const PixelSpan& rows);
 
 /// The middle n + 1/2 between two points of the grid goes to the even one: whether that is the same
 /// one after a move by so many pixels, or seen from a border so many pixels away. True of other

@@ -14,15 +14,14 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <string>
-#include <utility>
+#include <vector>
 
 #include "oracle/transform.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/picture_cases.h"
+#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {
@@ -64,15 +63,16 @@ class OverdrawCheck {
  public:
   OverdrawCheck(const cases::Case& c, const cases::Contract& contract,
                 const cases::Picture& picture)
-      : case_(&c), scene_(c, contract), picture_(&picture), overdraw_(picture.depth.size()) {}
+      : case_(&c),
+        scene_(c, contract),
+        picture_(&picture),
+        overdraw_(picture.depth.size()),
+        tally_(c) {}
 
   Check run() {
-    check_.judgement.errors[AttributeKind::coverage];
     for (std::uint32_t t = 0; t < case_->triangles.size(); ++t) add(t);
     for (std::size_t at = 0; at < overdraw_.size(); ++at) compare(at);
-    add_state_labels(*case_, triangles_, labels_);
-    check_.labels.assign(labels_.begin(), labels_.end());
-    return std::move(check_);
+    return tally_.finish();
   }
 
  private:
@@ -94,12 +94,12 @@ class OverdrawCheck {
 
   void see(std::uint32_t triangle, const records::SampleVerdict& decision, Overdraw& overdraw) {
     const bool is_required = decision.verdict == Verdict::required;
-    ++(is_required ? check_.judgement.counts.required : check_.judgement.counts.permitted);
+    ++(is_required ? tally_.counts().required : tally_.counts().permitted);
     ++(is_required ? overdraw.required : overdraw.permitted);
     overdraw.last = triangle;
-    triangles_.insert(triangle);
-    if (!is_required) labels_.emplace("permitted");
-    if (decision.reason == records::Reason::tie) labels_.emplace("tie");
+    tally_.see(triangle);
+    if (!is_required) tally_.label("permitted");
+    if (decision.reason == records::Reason::tie) tally_.label("tie");
   }
 
   void compare(std::size_t at) {
@@ -107,29 +107,24 @@ class OverdrawCheck {
     const float sum = picture_->color[at];
     const auto least = static_cast<float>(overdraw.required);
     const float most = static_cast<float>(overdraw.required + overdraw.permitted);
-    if (most > 1) labels_.emplace("overdraw");
-    if (most > 3) labels_.emplace("much overdraw");
+    if (most > 1) tally_.label("overdraw");
+    if (most > 3) tally_.label("much overdraw");
     FragmentClass found = FragmentClass::correct;
     if (!std::isfinite(sum)) {
-      found = std::isnan(sum) ? FragmentClass::not_a_number : FragmentClass::infinite;
+      found = class_of_wrong(sum, FragmentClass::beyond_bound);
     } else if (sum < least || sum > most) {
       found = sum < least ? FragmentClass::missing : FragmentClass::extra;
     } else if (std::trunc(sum) != sum) {
       found = FragmentClass::beyond_bound;
     }
-    ++check_.judgement.errors[AttributeKind::coverage].classes[found];
-    if (found != FragmentClass::correct) report(at, found, sum);
+    if (found == FragmentClass::correct) return tally_.pass(AttributeKind::coverage);
+    report(at, found, sum);
   }
 
   void report(std::size_t at, FragmentClass found, float sum) {
     const Overdraw& overdraw = overdraw_[at];
-    const auto samples = static_cast<std::size_t>(case_->framebuffer.samples);
-    const auto width = static_cast<std::size_t>(case_->framebuffer.width);
-    FragmentPlace place;
+    FragmentPlace place = place_at(*picture_, at);
     place.triangle = overdraw.last;
-    place.x = static_cast<std::uint32_t>(at / samples % width);
-    place.y = static_cast<std::uint32_t>(at / samples / width);
-    place.sample = static_cast<std::uint32_t>(at % samples);
     records::Violation violation = violation_at(
         place, found,
         fmt::format("{} required, {} permitted", overdraw.required, overdraw.permitted),
@@ -138,27 +133,21 @@ class OverdrawCheck {
       violation.note = "no triangle may be drawn there";
     }
     violation.actual = value_text(sum);
-    note(check_, violation);
+    tally_.report(violation);
   }
 
   const cases::Case* case_;
   oracle::SceneTruth scene_;
   const cases::Picture* picture_;
   std::vector<Overdraw> overdraw_;  ///< [y][x][sample]
-  std::set<std::uint32_t> triangles_;
-  std::set<std::string> labels_;
-  Check check_;
+  Tally tally_;
 };
-
-bool draws_pictures(const backends::Backend& backend) { return backend.draws_pictures(); }
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  Check none;
-  none.is_applicable = backend.draws_pictures() && clip->triangles.size() <= kMostTriangles;
-  if (!none.is_applicable) return none;
+  if (!backend.draws_pictures() || clip->triangles.size() > kMostTriangles) return not_applicable();
   const bool keeps_constants = backend.contract(*clip).keeps_constants;
   const bool is_flat = !keeps_constants || fingerprint(*clip) % 2 == 0;
   const cases::Case counting = counting_case(*clip, is_flat);

@@ -36,6 +36,7 @@
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/picture_cases.h"
 #include "properties/internal/same_picture.h"
+#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {
@@ -214,9 +215,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
-  Check none;
-  none.is_applicable = backend.draws_over() && !clip->triangles.empty();
-  if (!none.is_applicable) return none;
+  if (!backend.draws_over() || clip->triangles.empty()) return not_applicable();
   const cases::Pipeline pipeline = adding_pipeline(*clip);
   const Result<cases::Picture> before = draw_picture(*clip, backend, pipeline);
   if (!before) return tl::unexpected(before.error());

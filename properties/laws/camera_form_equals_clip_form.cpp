@@ -47,6 +47,7 @@
 #include "properties/internal/close_drawings.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/random_state.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/verdicts.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
@@ -174,21 +175,20 @@ using Row = std::array<Sum, 4>;
 
 class RayCheck {
  public:
-  RayCheck(const Forms& forms, const cases::Contract& contract, Check& check)
-      : forms_(&forms), contract_(contract), verdicts_(forms.clip, contract), check_(&check) {}
+  RayCheck(const Forms& forms, const cases::Contract& contract)
+      : forms_(&forms), contract_(contract), verdicts_(forms.clip, contract), tally_(forms.clip) {}
 
-  void run(const cases::Framebuffer& drawn) {
+  Check run(const cases::Framebuffer& drawn) {
+    if (!drawn.triangle.empty()) tally_.label("drawn");
+    if (contract_.coverage) tally_.label("snapped");
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       const FragmentPlace place = place_of(drawn, i);
       if (!is_of_case(forms_->clip, place)) continue;  // a matter of coverage
-      ++check_->judgement.counts.required;
-      ++check_->judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
-      triangles_.insert(place.triangle);
+      tally_.pass_required(place.triangle);
       if (has_promise(place.triangle)) see(place, drawn, i);
     }
+    return tally_.finish();
   }
-
-  const std::set<std::uint32_t>& triangles() const { return triangles_; }
 
  private:
   bool takes_placed_positions() const {
@@ -307,15 +307,13 @@ class RayCheck {
     violation.actual = "(" + value_text(static_cast<float>(seen.p[0])) + ", " +
                        value_text(static_cast<float>(seen.p[1])) + ", " +
                        value_text(static_cast<float>(seen.p[2])) + ")";
-    ++check_->judgement.errors[violation.kind].classes[violation.fragment_class];
-    note(*check_, violation);
+    tally_.report(violation);
   }
 
   const Forms* forms_;
   cases::Contract contract_;
   Verdicts verdicts_;
-  Check* check_;
-  std::set<std::uint32_t> triangles_;
+  Tally tally_;
   std::optional<std::uint32_t> promised_for_;
   bool is_promised_ = false;
 };
@@ -343,9 +341,7 @@ Result<Check> check_forms(const Forms& forms, backends::Backend& backend) {
 Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
   const std::optional<Forms> forms = forms_of(c);
   if (!forms) {
-    Check none;
-    none.is_applicable = false;
-    return none;
+    return not_applicable();
   }
   Result<Check> check = check_forms(*forms, backend);
   if (!check || check->fault) return check;
@@ -358,14 +354,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
     merge(*check, judge_drawn(forms->clip, contract, *drawn, request, options));
     return check;
   }
-  RayCheck rays(*forms, contract, *check);
-  rays.run(*drawn);
-  std::set<std::string> labels;
-  if (!drawn->triangle.empty()) labels.emplace("drawn");
-  if (contract.coverage) labels.emplace("snapped");
-  if (backend.transforms()) labels.emplace("vertex stage");
-  add_state_labels(forms->clip, rays.triangles(), labels);
-  check->labels.assign(labels.begin(), labels.end());
+  merge(*check, RayCheck(*forms, contract).run(*drawn));
+  if (backend.transforms()) add_label(*check, "vertex stage");
   return check;
 }
 

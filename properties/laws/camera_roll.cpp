@@ -34,6 +34,7 @@
 #include "properties/internal/changed_drawing.h"
 #include "properties/internal/quarter_turn.h"
 #include "properties/internal/random_state.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/window_position.h"
 #include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
@@ -107,10 +108,8 @@ Result<Check> check_picture(const cases::Case& upright, const cases::Case& rolle
   if (!drawn) return tl::unexpected(drawn.error());
   Check check =
       judge_changed(upright, *contract, *before, turned_back(upright, *drawn, turn), options);
-  for (records::Violation& violation : check.violations) {
-    violation.note += violation.note.empty() ? "" : "; ";
-    violation.note += turned_note(upright, violation);
-  }
+  add_to_notes(
+      check, [&](const records::Violation& violation) { return turned_note(upright, violation); });
   return check;
 }
 

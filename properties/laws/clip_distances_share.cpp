@@ -19,14 +19,16 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <memory>
+#include <set>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "oracle/transform.h"
 #include "properties/generator.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/random_state.h"
+#include "properties/internal/tally.h"
+#include "properties/internal/verdicts.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
@@ -62,38 +64,27 @@ cases::Case with_opposite(const cases::Case& c, std::size_t index) {
   return changed;
 }
 
-/// One of the three drawings, and the truth of the triangle that is asked about.
+/// One of the three drawings, and what the oracle says of its case.
 class Drawing {
  public:
-  static Result<std::unique_ptr<Drawing>> make(const cases::Case& c, backends::Backend& backend) {
+  /// The case must outlive it.
+  static Result<Drawing> make(const cases::Case& c, backends::Backend& backend) {
     const Result<cases::Framebuffer> drawn = draw(c, backend);
     if (!drawn) return tl::unexpected(drawn.error());
-    return std::unique_ptr<Drawing>(new Drawing(c, backend.contract(c), *drawn));
+    return Drawing(c, backend.contract(c), *drawn);
   }
 
   const std::vector<FragmentPlace>& places() const { return places_; }
-
   bool has(const FragmentPlace& place) const {
     return std::binary_search(places_.begin(), places_.end(), place);
   }
 
-  const oracle::TriangleTruth& truth_of(std::uint32_t triangle) {
-    if (!truth_ || triangle_ != triangle) {
-      truth_ = std::make_unique<oracle::TriangleTruth>(scene_, triangle);
-      triangle_ = triangle;
-    }
-    return *truth_;
-  }
-
-  SampleVerdict judge(const FragmentPlace& place) {
-    return truth_of(place.triangle)
-        .judge(static_cast<int>(place.x), static_cast<int>(place.y),
-               static_cast<int>(place.sample));
-  }
+  SampleVerdict judge(const FragmentPlace& place) { return verdicts_.judge(place.triangle, place); }
+  const oracle::TriangleTruth& truth(std::uint32_t triangle) { return verdicts_.truth(triangle); }
 
  private:
   Drawing(const cases::Case& c, const cases::Contract& contract, const cases::Framebuffer& drawn)
-      : scene_(c, contract) {
+      : verdicts_(c, contract) {
     // What is not of the case, or comes twice, is a matter of coverage.
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       if (is_of_case(c, place_of(drawn, i))) places_.push_back(place_of(drawn, i));
@@ -102,15 +93,13 @@ class Drawing {
     places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
   }
 
-  oracle::SceneTruth scene_;
+  Verdicts verdicts_;
   std::vector<FragmentPlace> places_;  ///< ascending
-  std::unique_ptr<oracle::TriangleTruth> truth_;
-  std::uint32_t triangle_ = 0;
 };
 
 class SharingCheck {
  public:
-  SharingCheck(const cases::Case& c, Check& check) : case_(&c), check_(&check) {}
+  explicit SharingCheck(const cases::Case& c) : tally_(c) {}
 
   void run(std::size_t distance, Drawing& whole, Drawing& kept, Drawing& rest) {
     distance_ = distance;
@@ -125,15 +114,12 @@ class SharingCheck {
     std::vector<std::uint32_t> shared;
     std::set_intersection(of_kept_.begin(), of_kept_.end(), of_rest_.begin(), of_rest_.end(),
                           std::back_inserter(shared));
-    if (!shared.empty()) labels_.emplace("shared triangle");
+    if (!shared.empty()) tally_.label("shared triangle");
     of_kept_.clear();
     of_rest_.clear();
   }
 
-  void finish() {
-    add_state_labels(*case_, triangles_, labels_);
-    check_->labels.assign(labels_.begin(), labels_.end());
-  }
+  Check finish() { return tally_.finish(); }
 
  private:
   void see(const FragmentPlace& place, Drawing& whole, Drawing& kept, Drawing& rest) {
@@ -142,16 +128,15 @@ class SharingCheck {
     const SampleVerdict of_rest = rest.judge(place);
     for (const SampleVerdict& decision : {of_whole, of_kept, of_rest}) {
       if (decision.verdict != Verdict::permitted) continue;
-      ++check_->judgement.counts.permitted;
-      labels_.emplace("permitted");
-      return;
+      ++tally_.counts().permitted;
+      return tally_.label("permitted");
     }
     const bool is_zero = of_whole.reason != Reason::tie &&
                          (of_kept.reason == Reason::tie || of_rest.reason == Reason::tie);
-    if (is_zero) labels_.emplace("zero at a sample");
+    if (is_zero) tally_.label("zero at a sample");
     const bool is_in_both =
         of_kept.verdict == Verdict::required && of_rest.verdict == Verdict::required;
-    if (is_in_both) labels_.emplace("drawn with both");
+    if (is_in_both) tally_.label("drawn with both");
 
     const bool by_kept = kept.has(place);
     const bool by_rest = rest.has(place);
@@ -162,8 +147,8 @@ class SharingCheck {
              by_kept ? "drawn with it" : "drawn with its opposite", whole);
       return;
     }
-    ++check_->judgement.counts.required;
-    triangles_.insert(place.triangle);
+    ++tally_.counts().required;
+    tally_.see(place.triangle);
     if (is_in_both && by_kept != by_rest) {
       report(place, FragmentClass::missing, "required: with the distance and with its opposite",
              by_kept ? "drawn with the distance only" : "drawn with its opposite only", kept);
@@ -174,28 +159,24 @@ class SharingCheck {
       report(place, FragmentClass::extra, "forbidden: with more than one of the two",
              "drawn with the distance and with its opposite", kept);
     } else {
-      ++check_->judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+      tally_.pass(AttributeKind::coverage);
     }
   }
 
   void report(const FragmentPlace& place, FragmentClass fragment_class, const std::string& exact,
               const std::string& what, Drawing& nearest) {
-    ++check_->judgement.errors[AttributeKind::coverage].classes[fragment_class];
     records::Violation violation = violation_at(
         place, fragment_class, exact, "clip distance " + std::to_string(distance_) + ": " + what);
-    violation.distance = nearest.truth_of(place.triangle)
+    violation.distance = nearest.truth(place.triangle)
                              .distance(static_cast<int>(place.x), static_cast<int>(place.y),
                                        static_cast<int>(place.sample));
-    note(*check_, violation);
+    tally_.report(violation);
   }
 
-  const cases::Case* case_;
-  Check* check_;
   std::size_t distance_ = 0;
   std::set<std::uint32_t> of_kept_;  ///< triangles that drew a decided sample
   std::set<std::uint32_t> of_rest_;
-  std::set<std::uint32_t> triangles_;
-  std::set<std::string> labels_;
+  Tally tally_;
 };
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
@@ -203,23 +184,20 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
-  Check check;
-  check.is_applicable = clip->clip_distance_count > 0;
-  if (!check.is_applicable) return check;
-  check.judgement.errors[AttributeKind::coverage];
-
-  SharingCheck sharing(*clip, check);
+  if (clip->clip_distance_count == 0) return not_applicable();
+  SharingCheck sharing(*clip);
   for (std::size_t d = 0; d < clip->clip_distance_count; ++d) {
-    const auto whole = Drawing::make(without_distance(*clip, d), backend);
+    const cases::Case without = without_distance(*clip, d);
+    const cases::Case opposite = with_opposite(*clip, d);
+    Result<Drawing> whole = Drawing::make(without, backend);
     if (!whole) return tl::unexpected(whole.error());
-    const auto kept = Drawing::make(*clip, backend);
+    Result<Drawing> kept = Drawing::make(*clip, backend);
     if (!kept) return tl::unexpected(kept.error());
-    const auto rest = Drawing::make(with_opposite(*clip, d), backend);
+    Result<Drawing> rest = Drawing::make(opposite, backend);
     if (!rest) return tl::unexpected(rest.error());
-    sharing.run(d, **whole, **kept, **rest);
+    sharing.run(d, *whole, *kept, *rest);
   }
-  sharing.finish();
-  return check;
+  return sharing.finish();
 }
 
 // --- the law's own cases: distances whose zeros run through what is drawn -----------------------

@@ -24,7 +24,6 @@
 namespace rastercheck::properties {
 namespace {
 
-using records::AttributeKind;
 using records::FragmentClass;
 
 cases::FrontFace turned_round(cases::FrontFace face) {
@@ -72,20 +71,10 @@ void find_shared(const cases::Framebuffer& of_fronts, const cases::Framebuffer& 
   for (std::size_t i = 0; i < of_backs.size(); ++i) {
     const FragmentPlace place = place_of(of_backs, i);
     if (!fronts.contains(place.triangle) || !reported.insert(place.triangle).second) continue;
-    ++check.judgement.errors[AttributeKind::coverage].classes[FragmentClass::extra];
-    note(check, violation_at(place, FragmentClass::extra,
-                             "forbidden: culling back faces leaves some of this triangle too",
-                             "drawn with front faces culled"));
+    report(check, violation_at(place, FragmentClass::extra,
+                               "forbidden: culling back faces leaves some of this triangle too",
+                               "drawn with front faces culled"));
   }
-}
-
-void add_labels(const cases::Framebuffer& of_fronts, const cases::Framebuffer& of_backs,
-                Check& check) {
-  std::set<std::string> labels(check.labels.begin(), check.labels.end());
-  if (of_fronts.size() > 0) labels.emplace("front faces");
-  if (of_backs.size() > 0) labels.emplace("back faces");
-  if (of_fronts.size() > 0 && of_backs.size() > 0) labels.emplace("both");
-  check.labels.assign(labels.begin(), labels.end());
 }
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
@@ -106,7 +95,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   Check check = compare_drawings(source, *all, both,
                                  "back faces culled and front faces culled, put together");
   find_shared(*fronts, *backs, check);
-  add_labels(*fronts, *backs, check);
+  if (fronts->size() > 0) add_label(check, "front faces");
+  if (backs->size() > 0) add_label(check, "back faces");
+  if (fronts->size() > 0 && backs->size() > 0) add_label(check, "both");
 
   struct Turned {
     Cull cull;

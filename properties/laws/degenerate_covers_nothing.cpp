@@ -38,6 +38,7 @@
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/parted_triangles.h"
 #include "properties/internal/same_drawing.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/verdicts.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
@@ -73,16 +74,6 @@ const char* word_of(Kind kind) {
       break;
   }
   return "vertex in the eye";
-}
-
-/// Appends a vertex with the attributes and clip distances of another.
-std::uint32_t add_like(cases::Case& c, std::uint32_t like, const ClipVertex& position) {
-  const auto append = [like](std::vector<float>& numbers, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) numbers.push_back(numbers[like * count + i]);
-  };
-  append(c.attribute_values, c.attributes.size());
-  append(c.clip_distances, c.clip_distance_count);
-  return add_vertex(c, position);
 }
 
 /// The position times a power of two of either sign; nothing where that is no float32.
@@ -148,7 +139,7 @@ class Degenerates {
   std::optional<Triangle> with(std::uint32_t a, std::uint32_t b,
                                const std::optional<ClipVertex>& third) {
     if (!third) return std::nullopt;
-    const std::uint32_t added = add_like(*case_, a, *third);
+    const std::uint32_t added = add_vertex_like(*case_, a, *third);
     return choices_->pick(
         std::array{Triangle{a, b, added}, Triangle{added, a, b}, Triangle{b, added, a}});
   }
@@ -161,8 +152,8 @@ class Degenerates {
     shorten_positions(corners);
     const auto third = combined(corners[0], corners[1], i, j);
     if (!third) return std::nullopt;
-    const std::uint32_t p = add_like(*case_, a, corners[0]);
-    const std::uint32_t q = add_like(*case_, b, corners[1]);
+    const std::uint32_t p = add_vertex_like(*case_, a, corners[0]);
+    const std::uint32_t q = add_vertex_like(*case_, b, corners[1]);
     return with(p, q, third);
   }
 
@@ -177,7 +168,7 @@ class Degenerates {
                           std::floor(start.v) + 0.5 + (i - 1) * across};
       const ClipVertex vertex = at_window(*case_, p, 0.5F, 1);
       if (!is_exactly_at(*case_, vertex, p)) return std::nullopt;
-      vertices[static_cast<std::size_t>(i)] = add_like(*case_, i == 0 ? a : b, vertex);
+      vertices[static_cast<std::size_t>(i)] = add_vertex_like(*case_, i == 0 ? a : b, vertex);
     }
     return Triangle{vertices[0], vertices[1], vertices[2]};
   }
@@ -187,7 +178,7 @@ class Degenerates {
     for (std::size_t i = 0; i < 3; ++i) {
       ClipVertex p = at(triangle[i]);
       p.w = sign * std::abs(p.w);
-      result[i] = add_like(*case_, triangle[i], p);
+      result[i] = add_vertex_like(*case_, triangle[i], p);
     }
     return result;
   }
@@ -281,10 +272,9 @@ class DegenerateCheck {
       ++found_.judgement.counts.permitted;
       return;
     }
-    ++found_.judgement.errors[records::AttributeKind::coverage].classes[FragmentClass::extra];
     const std::string kind = word_of(mixed_->kinds[place.triangle]);
-    note(found_, violation_at(place, FragmentClass::extra, "forbidden: it has no area",
-                              "a triangle that was added: " + kind));
+    report(found_, violation_at(place, FragmentClass::extra, "forbidden: it has no area",
+                                "a triangle that was added: " + kind));
   }
 
   const Mixed* mixed_;
@@ -297,9 +287,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  Check none;
-  none.is_applicable = false;
-  if (clip->triangles.empty()) return none;
+  if (clip->triangles.empty()) return not_applicable();
   if (backend.contract(*clip).coverage) clip->depth_test = cases::DepthTest::none;
   const Mixed with = mixed(*clip);
   const Result<cases::Framebuffer> before = draw(*clip, backend);

@@ -29,9 +29,10 @@
 
 #include "oracle/judged_number.h"
 #include "oracle/transform.h"
-#include "properties/generator.h"
 #include "properties/internal/choices.h"
+#include "properties/internal/random_state.h"
 #include "properties/internal/seen_triangles.h"
+#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {
@@ -63,11 +64,11 @@ class DifferencesCheck {
         axis_(axis),
         quad_share_(*contract.quad_share),
         seen_(c, contract),
-        picture_(&picture) {}
+        picture_(&picture),
+        tally_(c) {}
 
   Check run() {
-    check_.judgement.errors[AttributeKind::coverage];
-    labels_.emplace(axis_ == WindowAxis::x ? "along x" : "along y");
+    tally_.label(axis_ == WindowAxis::x ? "along x" : "along y");
     std::vector<std::size_t> beside_drawn;
     std::vector<std::size_t> beside_others;
     for (std::size_t at = 0; at < picture_->depth.size(); ++at) {
@@ -79,9 +80,7 @@ class DifferencesCheck {
     for (const std::size_t at : some_of(beside_drawn, kMostSamples - chosen.size())) {
       check_sample(at);
     }
-    add_state_labels(*case_, triangles_, labels_);
-    check_.labels.assign(labels_.begin(), labels_.end());
-    return std::move(check_);
+    return tally_.finish();
   }
 
  private:
@@ -97,19 +96,13 @@ class DifferencesCheck {
   }
 
   bool is_drawn(const FragmentPlace& place) const {
-    if (!is_in_framebuffer(place)) return false;
-    const std::size_t pixel =
-        std::size_t{place.y} * static_cast<std::size_t>(picture_->size.width) + place.x;
-    const std::size_t at = pixel * static_cast<std::size_t>(picture_->size.samples) + place.sample;
-    return picture_->depth[at] != kNotDrawn;
+    return is_in_framebuffer(place) && picture_->depth[index_at(*picture_, place)] != kNotDrawn;
   }
 
   void check_sample(std::size_t at) {
     const auto place = seen_.find(*picture_, at);
     if (!place) return;
-    ++check_.judgement.counts.required;
-    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
-    triangles_.insert(place->triangle);
+    tally_.pass_required(place->triangle);
     add_place_labels(*place);
     const std::size_t count = case_->attributes.size();
     for (std::uint32_t a = 0; a < count; ++a) {
@@ -120,12 +113,12 @@ class DifferencesCheck {
   void add_place_labels(const FragmentPlace& place) {
     const FragmentPlace other = neighbor(place);
     if (!is_in_framebuffer(other)) {
-      labels_.emplace("beyond the framebuffer");
+      tally_.label("beyond the framebuffer");
     } else if (seen_.truth(place.triangle)
                    .judge(static_cast<int>(other.x), static_cast<int>(other.y),
                           static_cast<int>(other.sample))
                    .verdict == records::Verdict::forbidden) {
-      labels_.emplace("beyond the triangle");
+      tally_.label("beyond the triangle");
     }
   }
 
@@ -137,30 +130,21 @@ class DifferencesCheck {
             : truth.quad_difference(attribute, axis_, static_cast<int>(place.x),
                                     static_cast<int>(place.y), static_cast<int>(place.sample),
                                     quad_share_);
-    if (!difference) {
-      labels_.emplace("no one difference");
-      return;
-    }
-    if (difference->is_next_to_horizon) {
-      labels_.emplace("next to the horizon");
-      return;
-    }
+    if (!difference) return tally_.label("no one difference");
+    if (difference->is_next_to_horizon) return tally_.label("next to the horizon");
     const oracle::JudgedNumber judged =
         oracle::judge_number(difference->exact, difference->allowed, computed);
     const AttributeKind kind = records::kind_of(case_->attributes[attribute].interpolation);
-    ++check_.judgement.errors[kind].classes[judged.fragment_class];
-    if (judged.is_cancelled) labels_.emplace("cancellation");
-    if (judged.fragment_class == FragmentClass::correct) return;
+    if (judged.is_cancelled) tally_.label("cancellation");
+    if (judged.fragment_class == FragmentClass::correct) return tally_.pass(kind);
     records::Violation violation =
         violation_at(place, judged.fragment_class, judged.exact.to_string(),
                      fmt::format("the difference along window {} in its quad, errors in its ulp",
-                                 axis_ == WindowAxis::x ? "x" : "y"));
-    violation.kind = kind;
-    violation.attribute = attribute;
-    violation.actual = value_text(computed);
+                                 axis_ == WindowAxis::x ? "x" : "y"),
+                     {kind, attribute, computed});
     violation.error = judged.error;
     violation.bound = judged.bound;
-    note(check_, violation);
+    tally_.report(violation);
   }
 
   const cases::Case* case_;
@@ -168,9 +152,7 @@ class DifferencesCheck {
   float quad_share_;
   SeenTriangles seen_;
   const cases::Picture* picture_;
-  std::set<std::uint32_t> triangles_;
-  std::set<std::string> labels_;
-  Check check_;
+  Tally tally_;
 };
 
 bool is_promised(const backends::Backend& backend) {
@@ -181,9 +163,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  Check none;
-  none.is_applicable = is_promised(backend) && !clip->attributes.empty();
-  if (!none.is_applicable) return none;
+  if (!is_promised(backend) || clip->attributes.empty()) return not_applicable();
   clip->depth_test = cases::DepthTest::none;
   Choices choices(fingerprint(*clip));
   const WindowAxis axis = choices.below(2) == 0 ? WindowAxis::x : WindowAxis::y;
@@ -197,12 +177,7 @@ Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
   cases::Case& c = made.source;
   c.depth_test = cases::DepthTest::none;
-  if (c.attributes.empty()) {
-    c.attributes.push_back({"a0", cases::Interpolation::smooth, cases::Location::sample});
-    for (std::size_t v = 0; v < c.positions.size(); ++v) {
-      c.attribute_values.push_back(draw.spread(-8, 8));
-    }
-  }
+  ensure_attribute(draw, c);
   if (draw.one_in(4)) {
     const int x = draw.between(0, c.framebuffer.width - 1);
     const int y = draw.between(0, c.framebuffer.height - 1);

@@ -27,6 +27,7 @@
 #include "oracle/transform.h"
 #include "properties/internal/picture_cases.h"
 #include "properties/internal/seen_triangles.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/textured_cases.h"
 #include "properties/judged_law.h"
 #include "properties/picture_model.h"
@@ -71,35 +72,27 @@ class DiscardCheck {
         pipeline_(&pipeline),
         truth_(*pipeline.texturing),
         fragments_(&fragments),
-        picture_(&picture) {
+        picture_(&picture),
+        tally_(c) {
     kept_.attribute_count = kChannels;
   }
 
   Check run() {
-    check_.judgement.errors[AttributeKind::coverage];
     std::vector<std::size_t> judged;
     for (const auto& [at, fragments] : some_samples()) {
       if (keep(fragments)) judged.push_back(at);
     }
     compare(judged);
-    add_state_labels(*case_, triangles_, labels_);
-    check_.labels.assign(labels_.begin(), labels_.end());
-    return std::move(check_);
+    return tally_.finish();
   }
 
  private:
-  std::size_t index_of(const FragmentPlace& place) const {
-    const auto samples = static_cast<std::size_t>(picture_->size.samples);
-    const auto width = static_cast<std::size_t>(picture_->size.width);
-    return (place.y * width + place.x) * samples + place.sample;
-  }
-
   /// Samples with most fragments are the likeliest: those that are left have one of each stretch.
   FragmentsAt some_samples() const {
     FragmentsAt all;
     for (std::size_t i = 0; i < fragments_->size(); ++i) {
       const FragmentPlace place = place_of(*fragments_, i);
-      if (is_of_case(*case_, place)) all[index_of(place)].push_back(i);
+      if (is_of_case(*case_, place)) all[index_at(*picture_, place)].push_back(i);
     }
     if (all.size() <= kMostSamples) return all;
     FragmentsAt some;
@@ -122,23 +115,22 @@ class DiscardCheck {
                                    .judge(static_cast<int>(place.x), static_cast<int>(place.y),
                                           static_cast<int>(place.sample))
                                    .verdict != records::Verdict::forbidden;
-      const auto s = is_required ? exact_value(truth, 0, place) : std::nullopt;
-      const auto t = is_required ? exact_value(truth, 1, place) : std::nullopt;
-      if (!s || !t) {
-        labels_.emplace("no one coordinate");
+      const auto exact = is_required ? exact_coordinates(truth, place) : std::nullopt;
+      if (!exact) {
+        tally_.label("no one coordinate");
         return false;
       }
-      colors.push_back(truth_.nearest(*s, *t));
+      colors.push_back(truth_.nearest(exact->s, exact->t));
     }
     for (std::size_t k = 0; k < fragments.size(); ++k) {
-      triangles_.insert(fragments_->triangle[fragments[k]]);
+      tally_.see(fragments_->triangle[fragments[k]]);
       const float alpha = static_cast<float>(colors[k].back()) / 255;
       const float limit = *pipeline_->texturing->discard_below;
-      labels_.emplace(alpha < limit ? "discarded" : "kept");
-      if (alpha == limit) labels_.emplace("exactly the limit");
+      tally_.label(alpha < limit ? "discarded" : "kept");
+      if (alpha == limit) tally_.label("exactly the limit");
       if (alpha >= limit) add_kept(fragments[k], colors[k]);
     }
-    if (fragments.size() > 1) labels_.emplace("overdraw");
+    if (fragments.size() > 1) tally_.label("overdraw");
     return true;
   }
 
@@ -160,8 +152,8 @@ class DiscardCheck {
     untextured.texturing.reset();
     const cases::Picture expected = picture_of(colored, kept_, untextured);
     for (const std::size_t at : judged) {
-      ++check_.judgement.counts.required;
-      ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+      ++tally_.counts().required;
+      tally_.pass(AttributeKind::coverage);
       compare_number(at, std::nullopt, expected.depth[at], picture_->depth[at]);
       for (std::uint32_t channel = 0; channel < kChannels; ++channel) {
         const std::size_t index = at * kChannels + channel;
@@ -175,21 +167,16 @@ class DiscardCheck {
     const AttributeKind kind = channel
                                    ? records::kind_of(case_->attributes[*channel % 2].interpolation)
                                    : AttributeKind::depth;
-    const FragmentClass found = is_same(expected, actual)
-                                    ? FragmentClass::correct
-                                    : class_of_wrong(actual, FragmentClass::beyond_bound);
-    ++check_.judgement.errors[kind].classes[found];
-    if (found == FragmentClass::correct) return;
+    if (is_same(expected, actual)) return tally_.pass(kind);
     const cases::Texturing& texturing = *pipeline_->texturing;
     const std::string what = channel ? fmt::format("channel {}", *channel) : "the depth";
-    records::Violation violation = violation_at(
-        place_at(*picture_, at), found, value_text(expected),
+    const auto attribute = channel ? std::optional(*channel % 2) : std::nullopt;
+    tally_.report(violation_at(
+        place_at(*picture_, at), class_of_wrong(actual, FragmentClass::beyond_bound),
+        value_text(expected),
         fmt::format("{} with a {}×{} texture, alpha below {} discarded", what,
-                    texturing.texture.width, texturing.texture.height, *texturing.discard_below));
-    violation.kind = kind;
-    if (channel) violation.attribute = *channel % 2;
-    violation.actual = value_text(actual);
-    note(check_, violation);
+                    texturing.texture.width, texturing.texture.height, *texturing.discard_below),
+        {kind, attribute, actual}));
   }
 
   const cases::Case* case_;
@@ -199,18 +186,14 @@ class DiscardCheck {
   const cases::Framebuffer* fragments_;
   const cases::Picture* picture_;
   cases::Framebuffer kept_;
-  std::set<std::uint32_t> triangles_;
-  std::set<std::string> labels_;
-  Check check_;
+  Tally tally_;
 };
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  Check none;
-  none.is_applicable = backend.draws_pictures() && clip->attributes.size() >= 2;
-  if (!none.is_applicable) return none;
+  if (!backend.draws_pictures() || clip->attributes.size() < 2) return not_applicable();
   clip->depth_test = cases::DepthTest::none;
   const cases::Pipeline pipeline = pipeline_of(*clip);
   const Result<cases::Framebuffer> fragments = draw(*clip, backend);

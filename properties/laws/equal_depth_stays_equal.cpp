@@ -24,9 +24,9 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/transform.h"
 #include "properties/internal/float_numbers.h"
 #include "properties/internal/random_state.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/value_findings.h"
 #include "properties/judged_law.h"
 
@@ -146,17 +146,13 @@ class EqualDepthCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  const cases::Contract contract = backend.contract(*clip);
-  if (!contract.keeps_equal_depth) {
-    Check not_applicable;
-    not_applicable.is_applicable = false;
-    return not_applicable;
-  }
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
-  if (!drawn) return tl::unexpected(drawn.error());
-  return EqualDepthCheck(*clip, contract, *drawn).run();
+  return check_drawn(c, backend,
+                     [](const cases::Case& clip, const cases::Contract& contract,
+                        const cases::Framebuffer& drawn) {
+                       return contract.keeps_equal_depth
+                                  ? EqualDepthCheck(clip, contract, drawn).run()
+                                  : not_applicable();
+                     });
 }
 
 bool is_promised(const backends::Backend& backend) {

@@ -271,16 +271,12 @@ class PathsCheck {
                         bounds->r * std::abs(number_of(values[m + 1])) +
                         0x1p-50 * std::abs(product);
     if (off <= most * (1 + 0x1p-50)) return;
-    records::Violation violation =
-        violation_at(place, class_of_wrong(values[m], FragmentClass::beyond_bound),
-                     "the quotient of two smooth attributes, " + value_text(values[m + 1]) + " · " +
-                         value_text(r),
-                     "drawn with vertices scaled each by another power of two");
-    violation.kind = records::AttributeKind::smooth;
-    violation.attribute = static_cast<std::uint32_t>(*pair_->quotient_of);
-    violation.actual = value_text(values[m]);
-    ++check.judgement.errors[violation.kind].classes[violation.fragment_class];
-    note(check, violation);
+    const auto attribute = static_cast<std::uint32_t>(*pair_->quotient_of);
+    report(check, violation_at(place, class_of_wrong(values[m], FragmentClass::beyond_bound),
+                               "the quotient of two smooth attributes, " +
+                                   value_text(values[m + 1]) + " · " + value_text(r),
+                               "drawn with vertices scaled each by another power of two",
+                               {records::AttributeKind::smooth, attribute, values[m]}));
   }
 
   const Pair* pair_;

@@ -26,6 +26,7 @@
 #include "oracle/texture_truth.h"
 #include "oracle/transform.h"
 #include "properties/internal/seen_triangles.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/textured_cases.h"
 #include "properties/judged_law.h"
 
@@ -59,12 +60,6 @@ Rational greatest(const cases::Case& c, std::size_t attribute) {
   return Rational(double{most});
 }
 
-/// Where a fragment is in the texture.
-struct Coordinates {
-  Rational s;
-  Rational t;
-};
-
 bool is_within(const oracle::ValueRange& allowed, float color) {
   if (!std::isfinite(color)) return false;
   const Rational exact(double{color});
@@ -81,15 +76,13 @@ class FilterCheck {
         texturing_(&texturing),
         truth_(texturing),
         picture_(&picture),
-        greatest_{greatest(c, 0), greatest(c, 1)} {}
+        greatest_{greatest(c, 0), greatest(c, 1)},
+        tally_(c) {}
 
   Check run() {
-    check_.judgement.errors[AttributeKind::coverage];
-    labels_.emplace(texturing_->filter == Filter::bilinear ? "bilinear" : "trilinear");
+    tally_.label(texturing_->filter == Filter::bilinear ? "bilinear" : "trilinear");
     for (const std::size_t at : some_drawn_samples(*picture_, kMostSamples)) check_sample(at);
-    add_state_labels(*case_, triangles_, labels_);
-    check_.labels.assign(labels_.begin(), labels_.end());
-    return std::move(check_);
+    return tally_.finish();
   }
 
  private:
@@ -97,23 +90,14 @@ class FilterCheck {
     const auto place = seen_.find(*picture_, at);
     if (!place) return;
     const oracle::TriangleTruth& truth = seen_.truth(place->triangle);
-    const auto s = exact_value(truth, 0, *place);
-    const auto t = exact_value(truth, 1, *place);
-    if (!s || !t) {
-      labels_.emplace("no one coordinate");
-      return;
-    }
-    const auto filtered = filter({*s, *t}, truth, *place);
-    if (!filtered) {
-      labels_.emplace("no one derivative");
-      return;
-    }
-    ++check_.judgement.counts.required;
-    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
-    triangles_.insert(place->triangle);
+    const auto exact = exact_coordinates(truth, *place);
+    if (!exact) return tally_.label("no one coordinate");
+    const auto filtered = filter(*exact, truth, *place);
+    if (!filtered) return tally_.label("no one derivative");
+    tally_.pass_required(place->triangle);
     for (std::uint32_t channel = 0; channel < filtered->size(); ++channel) {
       const float actual = picture_->color[at * filtered->size() + channel];
-      compare(*place, channel, (*filtered)[channel], actual, {*s, *t});
+      compare(*place, channel, (*filtered)[channel], actual, *exact);
     }
   }
 
@@ -138,33 +122,27 @@ class FilterCheck {
   void add_level_labels(const records::Enclosure& level) {
     const auto last = static_cast<double>(truth_.level_count() - 1);
     if (level.hi <= 0 || last == 0) {
-      labels_.emplace("level 0");
+      tally_.label("level 0");
     } else if (level.lo >= last) {
-      labels_.emplace("last level");
+      tally_.label("last level");
     } else {
-      labels_.emplace("between levels");
+      tally_.label("between levels");
     }
   }
 
   void compare(const FragmentPlace& place, std::uint32_t channel,
                const oracle::FilteredChannel& filtered, float actual, const Coordinates& at) {
     const AttributeKind kind = records::kind_of(case_->attributes[channel % 2].interpolation);
-    const FragmentClass found = is_within(filtered.allowed, actual)
-                                    ? FragmentClass::correct
-                                    : class_of_wrong(actual, FragmentClass::beyond_bound);
-    ++check_.judgement.errors[kind].classes[found];
-    if (found == FragmentClass::correct) return;
-    records::Violation violation = violation_at(
-        place, found, oracle::to_string(filtered.exact),
+    if (is_within(filtered.allowed, actual)) return tally_.pass(kind);
+    tally_.report(violation_at(
+        place, class_of_wrong(actual, FragmentClass::beyond_bound),
+        oracle::to_string(filtered.exact),
         fmt::format("channel {} of a {}×{} texture, {}, at s = {}, t = {}; allowed is {} to {}",
                     channel, texturing_->texture.width, texturing_->texture.height,
                     texturing_->filter == Filter::bilinear ? "bilinear" : "trilinear",
                     at.s.to_string(), at.t.to_string(), filtered.allowed.lo.enclosure().lo,
-                    filtered.allowed.hi.enclosure().hi));
-    violation.kind = kind;
-    violation.attribute = channel % 2;
-    violation.actual = value_text(actual);
-    note(check_, violation);
+                    filtered.allowed.hi.enclosure().hi),
+        {kind, channel % 2, actual}));
   }
 
   const cases::Case* case_;
@@ -174,9 +152,7 @@ class FilterCheck {
   TextureTruth truth_;
   const cases::Picture* picture_;
   oracle::CoordinateSizes greatest_;
-  std::set<std::uint32_t> triangles_;
-  std::set<std::string> labels_;
-  Check check_;
+  Tally tally_;
 };
 
 bool is_promised(const backends::Backend& backend) {
@@ -187,9 +163,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  Check none;
-  none.is_applicable = is_promised(backend) && clip->attributes.size() >= 2;
-  if (!none.is_applicable) return none;
+  if (!is_promised(backend) || clip->attributes.size() < 2) return not_applicable();
   const cases::Pipeline pipeline = pipeline_of(*clip);
   const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());

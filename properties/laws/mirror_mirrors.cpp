@@ -43,6 +43,7 @@
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/exact_sum.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
 
@@ -158,8 +159,7 @@ std::optional<cases::Case> mirrored_case(const cases::Case& c, const Mirror& mir
     PixelSpan rows = scissor_rows(c);
     if (mirror.is_in_x) columns = mirrored(columns, c.framebuffer.width);
     if (mirror.is_in_y) rows = mirrored(rows, c.framebuffer.height);
-    changed.scissor = cases::Scissor{columns.first, rows.first, columns.last - columns.first,
-                                     rows.last - rows.first};
+    changed.scissor = rectangle(columns, rows);
   }
   return changed;
 }

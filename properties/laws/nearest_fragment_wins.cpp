@@ -24,6 +24,7 @@
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/picture_cases.h"
 #include "properties/internal/sample_place.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
@@ -44,8 +45,8 @@ struct Candidates {
 
 class NearestCheck {
  public:
-  NearestCheck(const cases::Case& c, const cases::Framebuffer& all) : case_(&c), all_(&all) {
-    check_.judgement.errors[AttributeKind::coverage];
+  NearestCheck(const cases::Case& c, const cases::Framebuffer& all)
+      : case_(&c), all_(&all), tally_(c) {
     for (std::size_t i = 0; i < all.size(); ++i) add(i);
   }
 
@@ -55,22 +56,23 @@ class NearestCheck {
       const FragmentPlace place = place_of(tested, i);
       const auto found = candidates_.find(sample_of(place));
       if (!seen.insert(sample_of(place)).second) {
-        report(violation_at(place, FragmentClass::extra, "forbidden: more than one is left", ""));
+        tally_.report(
+            violation_at(place, FragmentClass::extra, "forbidden: more than one is left", ""));
       } else if (found == candidates_.end()) {
-        report(violation_at(place, FragmentClass::extra,
-                            "forbidden: nothing is drawn there without a depth test", ""));
+        tally_.report(violation_at(place, FragmentClass::extra,
+                                   "forbidden: nothing is drawn there without a depth test", ""));
       } else if (!found->second.has_nan) {
         compare(found->second, tested, i);
       }
     }
     for (const auto& [sample, candidates] : candidates_) {
       if (seen.contains(sample) || candidates.has_nan) continue;
-      report(violation_at(place_of(*all_, candidates.nearest), FragmentClass::missing,
-                          "required: it is the nearest there", "nothing is left there"));
+      tally_.report(violation_at(place_of(*all_, candidates.nearest), FragmentClass::missing,
+                                 "required: it is the nearest there", "nothing is left there"));
     }
-    check_.judgement.counts.required = candidates_.size();
+    tally_.counts().required = candidates_.size();
     add_labels();
-    return std::move(check_);
+    return tally_.finish();
   }
 
  private:
@@ -92,43 +94,34 @@ class NearestCheck {
     const FragmentPlace nearest = place_of(*all_, there.nearest);
     if (place.triangle != nearest.triangle) {
       const std::string why = there.is_tied ? " is as near, and drawn first" : " is nearer";
-      return report(violation_at(place, FragmentClass::wrong_triangle,
-                                 "forbidden: triangle " + std::to_string(nearest.triangle) + why,
-                                 "at depth " + value_text(tested.depth[i]) + ", the nearest of " +
-                                     std::to_string(there.count) + " at " +
-                                     value_text(all_->depth[there.nearest])));
+      return tally_.report(violation_at(
+          place, FragmentClass::wrong_triangle,
+          "forbidden: triangle " + std::to_string(nearest.triangle) + why,
+          "at depth " + value_text(tested.depth[i]) + ", the nearest of " +
+              std::to_string(there.count) + " at " + value_text(all_->depth[there.nearest])));
     }
     const auto difference =
         find_difference(*case_, *all_, there.nearest, tested, i,
                         "with a depth test `less`; without one, it was the other");
-    if (difference) return report(*difference);
-    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+    if (difference) return tally_.report(*difference);
+    tally_.pass(AttributeKind::coverage);
   }
 
   void add_labels() {
-    std::set<std::string> labels;
-    std::set<std::uint32_t> triangles;
     for (const auto& [sample, there] : candidates_) {
       const FragmentPlace nearest = place_of(*all_, there.nearest);
-      if (is_of_case(*case_, nearest)) triangles.insert(nearest.triangle);
-      if (there.count > 1) labels.emplace("overdraw");
-      if (there.count > 2) labels.emplace("three and more");
-      if (there.is_tied) labels.emplace("equal nearest");
-      if (there.nearest != there.first) labels.emplace("farther drawn first");
+      if (is_of_case(*case_, nearest)) tally_.see(nearest.triangle);
+      if (there.count > 1) tally_.label("overdraw");
+      if (there.count > 2) tally_.label("three and more");
+      if (there.is_tied) tally_.label("equal nearest");
+      if (there.nearest != there.first) tally_.label("farther drawn first");
     }
-    add_state_labels(*case_, triangles, labels);
-    check_.labels.assign(labels.begin(), labels.end());
-  }
-
-  void report(const records::Violation& violation) {
-    ++check_.judgement.errors[violation.kind].classes[violation.fragment_class];
-    note(check_, violation);
   }
 
   const cases::Case* case_;
   const cases::Framebuffer* all_;
   std::map<SamplePlace, Candidates> candidates_;
-  Check check_;
+  Tally tally_;
 };
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
@@ -149,14 +142,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 /// Appends a triangle's vertices, with their values, and a triangle of them.
 void repeat_triangle(cases::Case& c, const cases::Triangle& triangle) {
   const auto first = static_cast<std::uint32_t>(c.positions.size());
-  const auto append = [](std::vector<float>& values, std::size_t count, std::size_t vertex) {
-    for (std::size_t i = 0; i < count; ++i) values.push_back(values[vertex * count + i]);
-  };
-  for (const std::uint32_t vertex : triangle) {
-    append(c.attribute_values, c.attributes.size(), vertex);
-    append(c.clip_distances, c.clip_distance_count, vertex);
-    add_vertex(c, cases::ClipVertex(c.positions[vertex]));
-  }
+  for (const std::uint32_t vertex : triangle) add_vertex_like(c, vertex, c.positions[vertex]);
   c.triangles.push_back({first, first + 1, first + 2});
 }
 

@@ -24,6 +24,7 @@
 #include "properties/internal/camera_matrices.h"
 #include "properties/internal/random_floats.h"
 #include "properties/internal/random_state.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
@@ -79,11 +80,7 @@ Check judge(const cases::Case& c, const std::vector<Normal>& computed, float bou
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   const std::optional<float> bound = backend.contract(c).normal_bound;
-  if (!c.camera || !backend.transforms() || !bound) {
-    Check not_applicable;
-    not_applicable.is_applicable = false;
-    return not_applicable;
-  }
+  if (!c.camera || !backend.transforms() || !bound) return not_applicable();
   const auto computed = transform_normals(c.camera->model, normals_of(c), backend);
   if (!computed) return tl::unexpected(computed.error());
   return judge(c, *computed, *bound);

@@ -9,10 +9,9 @@
 //
 // and on the far border, which OpenGL and Vulkan leave open, nothing is asked for; v alike. That
 // depends neither on the contract's coverage nor on any grid: the borders are not snapped. u is a
-// multiple of 1/16 below 2^15 and exact in double. The sum x0 + W of two floats need not be: the
-// rounded one decides where it is not u itself, as rounding keeps order, and where it is, the sign
-// of what the rounding left out. The scissor has x <= i < x + width of pixels, in whole numbers; it
-// may reach beyond the framebuffer or have no area.
+// multiple of 1/16 below 2^15 and exact in double; the sum x0 + W of two floats need not be, and is
+// decided as an exact one. The scissor has x <= i < x + width of pixels, in whole numbers; it may
+// reach beyond the framebuffer or have no area.
 //
 // Samples: all those outside, whether anything is near them or not; what is right inside is for
 // other laws. The picture, of backends that draw some, is drawn without a depth test, so that
@@ -22,10 +21,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "cases/names.h"
@@ -33,8 +30,10 @@
 #include "oracle/transform.h"
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
+#include "properties/internal/exact_sum.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/same_picture.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
@@ -44,28 +43,18 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// The sign of from + size − at; two-sum: what the rounding left out is exact.
-int side_of_end(float from, float size, double at) {
-  const double a{from};
-  const double b{size};
-  const double end = a + b;
-  if (end != at) return end > at ? 1 : -1;
-  const double of_b = end - a;
-  const double left_out = (a - (end - of_b)) + (b - of_b);
-  return left_out == 0 ? 0 : (left_out > 0 ? 1 : -1);
-}
+enum class Where { inside, far_border, outside };
 
-enum class Side { inside, far_border, outside };
-
-Side side_of(float from, float size, double at) {
-  const int end = side_of_end(from, size, at);
+/// Where `at` is, of the numbers between from and from + size.
+Where where(float from, float size, double at) {
   const double begin{from};
+  const int end = sign_of_sum(std::array{begin, double{size}, -at});
   if (size >= 0) {
-    if (at < begin || end < 0) return Side::outside;
-    return end == 0 ? Side::far_border : Side::inside;
+    if (at < begin || end < 0) return Where::outside;
+    return end == 0 ? Where::far_border : Where::inside;
   }
-  if (end > 0 || at > begin) return Side::outside;
-  return at == begin ? Side::far_border : Side::inside;
+  if (end > 0 || at > begin) return Where::outside;
+  return at == begin ? Where::far_border : Where::inside;
 }
 
 /// Which samples of a framebuffer may be drawn.
@@ -77,12 +66,12 @@ class Window {
     samples_ = pattern.size();
     for (int x = 0; x < c.framebuffer.width; ++x) {
       for (const cases::SamplePosition& position : pattern) {
-        columns_.push_back(side_of(c.viewport.x, c.viewport.width, x + position.x / 16.0));
+        columns_.push_back(where(c.viewport.x, c.viewport.width, x + position.x / 16.0));
       }
     }
     for (int y = 0; y < c.framebuffer.height; ++y) {
       for (const cases::SamplePosition& position : pattern) {
-        rows_.push_back(side_of(c.viewport.y, c.viewport.height, y + position.y / 16.0));
+        rows_.push_back(where(c.viewport.y, c.viewport.height, y + position.y / 16.0));
       }
     }
   }
@@ -93,8 +82,8 @@ class Window {
                       is_within(y, scissor_->y, scissor_->height))) {
       return "scissor";
     }
-    const Side column = columns_[x * samples_ + sample];
-    const Side row = rows_[y * samples_ + sample];
+    const Where column = columns_[x * samples_ + sample];
+    const Where row = rows_[y * samples_ + sample];
     if (is_outside(column) || is_outside(row)) return "viewport";
     return "";
   }
@@ -104,48 +93,45 @@ class Window {
     const auto pixel = static_cast<std::int64_t>(at);
     return begin <= pixel && pixel < std::int64_t{begin} + size;
   }
-  bool is_outside(Side side) const {
-    return side == Side::outside || (side == Side::far_border && far_is_outside_);
+  bool is_outside(Where at) const {
+    return at == Where::outside || (at == Where::far_border && far_is_outside_);
   }
 
   std::optional<cases::Scissor> scissor_;
   bool far_is_outside_;
   std::size_t samples_ = 1;
-  std::vector<Side> columns_;  ///< [x][sample]
-  std::vector<Side> rows_;     ///< [y][sample]
+  std::vector<Where> columns_;  ///< [x][sample]
+  std::vector<Where> rows_;     ///< [y][sample]
 };
 
 class OutsideCheck {
  public:
-  explicit OutsideCheck(const cases::Case& c) : case_(&c), window_(c) {
-    check_.judgement.errors[AttributeKind::coverage];
-  }
+  explicit OutsideCheck(const cases::Case& c) : case_(&c), window_(c), tally_(c) {}
 
   void see(const cases::Framebuffer& drawn) {
-    std::set<std::uint32_t> triangles;
+    bool is_any_inside = false;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       const FragmentPlace place = place_of(drawn, i);
       // Of no pixel or sample at all: outside of everything.
       const std::string_view what =
           is_of_case(*case_, place) ? window_.outside_of(place.x, place.y, place.sample) : "target";
       if (what.empty()) {
-        triangles.insert(place.triangle);
-        ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+        is_any_inside = true;
+        tally_.see(place.triangle);
+        tally_.pass(AttributeKind::coverage);
       } else {
-        report(violation_at(place, FragmentClass::extra,
-                            "forbidden: outside the " + std::string(what), ""));
+        tally_.report(violation_at(place, FragmentClass::extra,
+                                   "forbidden: outside the " + std::string(what), ""));
       }
     }
-    check_.judgement.counts.required = drawn.size();
-    add_labels(triangles);
+    tally_.counts().required = drawn.size();
+    add_labels(is_any_inside);
   }
 
   void see(const cases::Picture& picture, float clear_depth) {
-    const auto samples = static_cast<std::size_t>(picture.size.samples);
-    const auto width = static_cast<std::size_t>(picture.size.width);
     for (std::size_t at = 0; at < picture.depth.size(); ++at) {
-      const std::size_t pixel = at / samples;
-      const std::string_view what = window_.outside_of(pixel % width, pixel / width, at % samples);
+      const FragmentPlace place = place_at(picture, at);
+      const std::string_view what = window_.outside_of(place.x, place.y, place.sample);
       if (what.empty()) continue;
       const std::string note =
           "in a picture, outside the " + std::string(what) + ", where nothing may be written";
@@ -156,7 +142,7 @@ class OutsideCheck {
     }
   }
 
-  Check finish() { return std::move(check_); }
+  Check finish() { return tally_.finish(); }
 
  private:
   void keep(const cases::Picture& picture, std::size_t at, std::optional<std::uint32_t> channel,
@@ -164,27 +150,18 @@ class OutsideCheck {
     if (is_same(expected, actual)) return;
     records::Violation violation = picture_violation(*case_, picture, at, channel, expected, note);
     violation.fragment_class = FragmentClass::extra;
-    report(violation);
+    tally_.report(violation);
   }
 
-  void report(const records::Violation& violation) {
-    ++check_.judgement.errors[violation.kind].classes[violation.fragment_class];
-    note(check_, violation);
-  }
-
-  void add_labels(const std::set<std::uint32_t>& triangles) {
-    std::set<std::string> labels;
+  void add_labels(bool is_drawn) {
     const cases::Viewport& viewport = case_->viewport;
-    const bool is_drawn = !triangles.empty();
-    if (is_drawn) labels.emplace("drawn");
-    if (is_drawn && case_->scissor) labels.emplace("scissor");
-    if (is_drawn && (viewport.width < 0 || viewport.height < 0)) labels.emplace("negative size");
-    if (is_drawn && has_outside("viewport")) labels.emplace("outside the viewport");
+    if (is_drawn) tally_.label("drawn");
+    if (is_drawn && case_->scissor) tally_.label("scissor");
+    if (is_drawn && (viewport.width < 0 || viewport.height < 0)) tally_.label("negative size");
+    if (is_drawn && has_outside("viewport")) tally_.label("outside the viewport");
     if (case_->scissor && (case_->scissor->width == 0 || case_->scissor->height == 0)) {
-      labels.emplace("scissor without area");
+      tally_.label("scissor without area");
     }
-    add_state_labels(*case_, triangles, labels);
-    check_.labels.assign(labels.begin(), labels.end());
   }
 
   bool has_outside(std::string_view what) const {
@@ -200,7 +177,7 @@ class OutsideCheck {
 
   const cases::Case* case_;
   Window window_;
-  Check check_;
+  Tally tally_;
 };
 
 cases::Pipeline pipeline_without_test(const cases::Case& c) {

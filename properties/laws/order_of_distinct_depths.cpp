@@ -24,6 +24,7 @@
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/sample_place.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
@@ -37,66 +38,62 @@ class OrderCheck {
  public:
   OrderCheck(const cases::Case& c, const cases::Framebuffer& forward,
              const cases::Framebuffer& backward)
-      : case_(&c), forward_(&forward), backward_(&backward) {
-    check_.judgement.errors[AttributeKind::coverage];
-  }
+      : case_(&c), forward_(&forward), backward_(&backward), tally_(c) {}
 
-  Check run() {
+  /// `all`: what there was to choose from.
+  Check run(const cases::Framebuffer& all) {
     const std::map<SamplePlace, std::size_t> first = fragments_by_sample(*forward_);
     const std::map<SamplePlace, std::size_t> second = fragments_by_sample(*backward_);
     for (const auto& [sample, i] : first) {
       const auto other = second.find(sample);
       if (other == second.end()) {
-        report(violation_at(place_of(*forward_, i), FragmentClass::missing,
-                            "required: something is left there in submission order",
-                            "nothing is left there in the reverse order"));
+        tally_.report(violation_at(place_of(*forward_, i), FragmentClass::missing,
+                                   "required: something is left there in submission order",
+                                   "nothing is left there in the reverse order"));
       } else {
         compare(i, other->second);
       }
     }
     for (const auto& [sample, i] : second) {
       if (first.contains(sample)) continue;
-      report(violation_at(place_of(*backward_, i), FragmentClass::extra,
-                          "forbidden: nothing is left there in submission order",
-                          "left in the reverse order"));
+      tally_.report(violation_at(place_of(*backward_, i), FragmentClass::extra,
+                                 "forbidden: nothing is left there in submission order",
+                                 "left in the reverse order"));
     }
-    return std::move(check_);
+    add_labels(all);
+    return tally_.finish();
   }
 
-  /// What there was to choose from.
-  void add_labels(const cases::Framebuffer& all, Check& check) const {
+ private:
+  void add_labels(const cases::Framebuffer& all) {
     std::map<SamplePlace, std::pair<float, int>> depths;  // the least, and how many
-    std::set<std::string> labels;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const float depth = all.depth[i];
       const auto [at, is_first] =
           depths.try_emplace(sample_of(place_of(all, i)), std::pair{depth, 1});
       if (is_first) continue;
-      labels.emplace(depth == at->second.first ? "equal depths" : "distinct depths");
+      tally_.label(depth == at->second.first ? "equal depths" : "distinct depths");
       at->second.first = std::min(at->second.first, depth);
-      if (++at->second.second == 3) labels.emplace("three and more");
+      if (++at->second.second == 3) tally_.label("three and more");
     }
-    add_state_labels(*case_, triangles_, labels);
-    check.labels.assign(labels.begin(), labels.end());
   }
 
- private:
   void compare(std::size_t i, std::size_t j) {
     const FragmentPlace place = place_of(*forward_, i);
     const FragmentPlace other = place_of(*backward_, j);
     const float depth = forward_->depth[i];
     const float other_depth = backward_->depth[j];
-    ++check_.judgement.counts.required;
-    if (is_of_case(*case_, place)) triangles_.insert(place.triangle);
+    ++tally_.counts().required;
+    if (is_of_case(*case_, place)) tally_.see(place.triangle);
     if (place.triangle == other.triangle) {
       const auto difference =
           find_difference(*case_, *forward_, i, *backward_, j,
                           "the triangles drawn in the reverse order; before, it was the other");
-      if (difference) return report(*difference);
+      if (difference) return tally_.report(*difference);
     } else if (depth < other_depth || other_depth < depth) {
-      return report(wrong_triangle(place, depth, other, other_depth));
+      return tally_.report(wrong_triangle(place, depth, other, other_depth));
     }
-    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+    tally_.pass(AttributeKind::coverage);
   }
 
   /// Of the two that were left, the farther one is wrong.
@@ -114,25 +111,17 @@ class OrderCheck {
     return violation;
   }
 
-  void report(const records::Violation& violation) {
-    ++check_.judgement.errors[violation.kind].classes[violation.fragment_class];
-    note(check_, violation);
-  }
-
   const cases::Case* case_;
   const cases::Framebuffer* forward_;
   const cases::Framebuffer* backward_;
-  std::set<std::uint32_t> triangles_;
-  Check check_;
+  Tally tally_;
 };
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  Check none;
-  none.is_applicable = clip->triangles.size() > 1;
-  if (!none.is_applicable) return none;
+  if (clip->triangles.size() < 2) return not_applicable();
   clip->depth_test = cases::DepthTest::none;
   const Result<cases::Framebuffer> all = draw(*clip, backend);
   if (!all) return tl::unexpected(all.error());
@@ -147,10 +136,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   for (std::uint32_t& triangle : backward->triangle) {
     if (triangle < count) triangle = count - 1 - triangle;
   }
-  OrderCheck order(*clip, *forward, *backward);
-  Check check = order.run();
-  order.add_labels(*all, check);
-  return check;
+  return OrderCheck(*clip, *forward, *backward).run(*all);
 }
 
 // --- the law's own cases: triangles that meet each other ----------------------------------------
@@ -162,12 +148,7 @@ std::uint32_t add_at_depth(Draw& draw, cases::Case& c, std::uint32_t vertex) {
   const int eighths = draw.between(1, 7);
   const float free = random_depth(draw, c);
   p.z = to_float(double{p.w} * (draw.one_in(2) ? eighths / 8.0 : double{free}));
-  const auto append = [vertex](std::vector<float>& values, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) values.push_back(values[vertex * count + i]);
-  };
-  append(c.attribute_values, c.attributes.size());
-  append(c.clip_distances, c.clip_distance_count);
-  return add_vertex(c, p);
+  return add_vertex_like(c, vertex, p);
 }
 
 /// Adds triangles of the vertices there are, moved in depth: over those there are, or between them.

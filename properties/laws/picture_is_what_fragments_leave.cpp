@@ -28,29 +28,22 @@
 #include "properties/internal/picture_cases.h"
 #include "properties/internal/pipelines.h"
 #include "properties/internal/same_picture.h"
+#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 #include "properties/picture_model.h"
 
 namespace rastercheck::properties {
 namespace {
 
-using records::AttributeKind;
-using records::FragmentClass;
-
-std::vector<std::string> labels_of(const cases::Case& c, const cases::Pipeline& pipeline,
-                                   const std::set<std::uint32_t>& drawn, std::size_t most) {
-  std::set<std::string> labels;
-  labels.insert("depth " + std::string(word_of(pipeline.depth_function)));
-  labels.insert("blend " + std::string(word_of(pipeline.blend)));
-  if (!pipeline.writes_depth) labels.emplace("depth not written");
+void add_labels(const cases::Case& c, const cases::Pipeline& pipeline, Tally& tally) {
+  tally.label("depth " + std::string(word_of(pipeline.depth_function)));
+  tally.label("blend " + std::string(word_of(pipeline.blend)));
+  if (!pipeline.writes_depth) tally.label("depth not written");
   if (pipeline.shading == cases::Shading::vertex_colors) {
-    labels.emplace(c.attributes.size() == 3 ? "vertex colours without alpha" : "vertex colours");
+    tally.label(c.attributes.size() == 3 ? "vertex colours without alpha" : "vertex colours");
   }
-  if (pipeline.format == cases::ColorFormat::rgba8) labels.emplace("rgba8");
-  if (pipeline.resolves && c.framebuffer.samples > 1) labels.emplace("resolved");
-  if (most > 1) labels.emplace("overdraw");
-  add_state_labels(c, drawn, labels);
-  return {labels.begin(), labels.end()};
+  if (pipeline.format == cases::ColorFormat::rgba8) tally.label("rgba8");
+  if (pipeline.resolves && c.framebuffer.samples > 1) tally.label("resolved");
 }
 
 class PictureCheck {
@@ -61,54 +54,39 @@ class PictureCheck {
         pipeline_(&pipeline),
         expected_(picture_of(c, fragments, pipeline)),
         picture_(&picture),
-        triangles_(expected_.depth.size()) {
+        triangles_(expected_.depth.size()),
+        tally_(c) {
     for (std::size_t i = 0; i < fragments.size(); ++i) {
       const FragmentPlace place = place_of(fragments, i);
       if (!is_of_case(c, place)) continue;
-      triangles_[index_of(place)].push_back(place.triangle);
+      triangles_[index_at(expected_, place)].push_back(place.triangle);
     }
   }
 
   Check run() {
-    check_.judgement.errors[AttributeKind::coverage];
-    std::size_t most = 0;
-    std::set<std::uint32_t> drawn;
+    add_labels(*case_, *pipeline_, tally_);
     for (std::size_t at = 0; at < expected_.depth.size(); ++at) {
-      most = std::max(most, triangles_[at].size());
-      drawn.insert(triangles_[at].begin(), triangles_[at].end());
-      if (!triangles_[at].empty()) {
-        ++check_.judgement.counts.required;
-        ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
-      }
+      if (triangles_[at].size() > 1) tally_.label("overdraw");
+      if (!triangles_[at].empty()) tally_.pass_required(triangles_[at].front());
+      for (const std::uint32_t triangle : triangles_[at]) tally_.see(triangle);
       compare(at, std::nullopt, expected_.depth[at], picture_->depth[at]);
       for (std::uint32_t channel = 0; channel < expected_.channels; ++channel) {
         const std::size_t index = at * expected_.channels + channel;
         compare(at, channel, expected_.color[index], picture_->color[index]);
       }
     }
-    check_.labels = labels_of(*case_, *pipeline_, drawn, most);
-    return std::move(check_);
+    return tally_.finish();
   }
 
  private:
-  /// Of the picture's samples, as it counts them.
-  std::size_t index_of(const FragmentPlace& place) const {
-    const auto samples = static_cast<std::size_t>(expected_.size.samples);
-    const std::size_t pixel =
-        std::size_t{place.y} * static_cast<std::size_t>(expected_.size.width) + place.x;
-    return pixel * samples + (samples > 1 ? place.sample : 0);
-  }
-
   void compare(std::size_t at, std::optional<std::uint32_t> channel, float expected, float actual) {
-    const FragmentClass found = class_of(actual, expected);
-    ++check_.judgement.errors[kind_of_channel(*case_, channel)].classes[found];
-    if (found == FragmentClass::correct) return;
+    if (is_same(actual, expected)) return tally_.pass(kind_of_channel(*case_, channel));
     const std::vector<std::uint32_t>& triangles = triangles_[at];
     records::Violation violation = picture_violation(
         *case_, *picture_, at, channel, expected,
         fmt::format("{} fragments there; {}", triangles.size(), text_of(*pipeline_)));
     violation.triangle = triangles.empty() ? 0 : triangles.back();
-    note(check_, violation);
+    tally_.report(violation);
   }
 
   const cases::Case* case_;
@@ -117,18 +95,14 @@ class PictureCheck {
   const cases::Picture* picture_;
   std::vector<std::vector<std::uint32_t>>
       triangles_;  ///< [sample of the picture]: those drawn there
-  Check check_;
+  Tally tally_;
 };
-
-bool draws_pictures(const backends::Backend& backend) { return backend.draws_pictures(); }
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  Check none;
-  none.is_applicable = backend.draws_pictures();
-  if (!none.is_applicable) return none;
+  if (!backend.draws_pictures()) return not_applicable();
   clip->depth_test = cases::DepthTest::none;
   const cases::Pipeline pipeline = pipeline_of(*clip);
   const Result<cases::Framebuffer> fragments = draw(*clip, backend);

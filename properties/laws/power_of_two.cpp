@@ -26,11 +26,10 @@
 #include <string>
 
 #include "oracle/transform.h"
-#include "properties/internal/changed_drawing.h"
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/same_drawing.h"
-#include "properties/internal/window_symmetry.h"
+#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {

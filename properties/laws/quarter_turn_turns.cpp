@@ -23,6 +23,7 @@
 
 #include "oracle/transform.h"
 #include "properties/internal/quarter_turn.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
 
@@ -43,10 +44,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   const Result<cases::Framebuffer> drawn = draw(changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check check = judge_drawn(*clip, *contract, turned_back(*clip, *drawn, *turn), {}, options);
-  for (records::Violation& violation : check.violations) {
-    violation.note += violation.note.empty() ? "" : "; ";
-    violation.note += turned_note(*clip, violation);
-  }
+  add_to_notes(check,
+               [&](const records::Violation& violation) { return turned_note(*clip, violation); });
   return check;
 }
 

@@ -30,8 +30,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -41,9 +39,12 @@
 #include "oracle/transform.h"
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
+#include "properties/internal/drawn_values.h"
 #include "properties/internal/exact_sum.h"
+#include "properties/internal/float_numbers.h"
 #include "properties/internal/random_state.h"
-#include "properties/internal/window_symmetry.h"
+#include "properties/internal/tally.h"
+#include "properties/internal/verdicts.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {
@@ -113,14 +114,6 @@ cases::Case changed_case(const cases::Case& c, const std::vector<Affine>& maps) 
   return changed;
 }
 
-/// ulp(x) of float32 (RULES §5).
-double ulp_of(double x) {
-  constexpr int kLeastExponent = std::numeric_limits<float>::min_exponent - 1;
-  constexpr int kMantissaBits = std::numeric_limits<float>::digits - 1;
-  const int exponent = x == 0 ? kLeastExponent : std::max(std::ilogb(x), kLeastExponent);
-  return std::ldexp(1.0, exponent - kMantissaBits);
-}
-
 /// What a value may be: lo <= r <= hi, and off by `bound` units.
 struct Allowed {
   double lo = 0;
@@ -139,13 +132,14 @@ class AffinityCheck {
  public:
   AffinityCheck(const cases::Case& c, const cases::Contract& contract, std::vector<Affine> maps,
                 const cases::Framebuffer& before, const cases::Framebuffer& drawn)
-      : scene_(c, contract),
+      : case_(&c),
+        contract_(contract),
         maps_(std::move(maps)),
         before_(&before),
         drawn_(&drawn),
-        places_(fragments_by_place(before)) {
-    check_.judgement.errors[AttributeKind::coverage];
-  }
+        places_(fragments_by_place(before)),
+        verdicts_(c, contract),
+        tally_(c) {}
 
   Check run() {
     std::set<FragmentPlace> seen;
@@ -153,67 +147,63 @@ class AffinityCheck {
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
       const FragmentPlace place = place_of(*drawn_, i);
       if (!places_.contains(place) || !seen.insert(place).second) {
-        report(violation_at(place, FragmentClass::extra, "forbidden: it was not drawn", kNote));
-      } else if (is_of_case(scene_.source(), place)) {
+        tally_.report(
+            violation_at(place, FragmentClass::extra, "forbidden: it was not drawn", kNote));
+      } else if (is_of_case(*case_, place)) {
         same.push_back(i);
-        triangles_.insert(place.triangle);
+        tally_.see(place.triangle);
       }
     }
     for (const auto& [place, index] : places_) {
       if (seen.contains(place)) continue;
-      report(violation_at(place, FragmentClass::missing, "required: it was drawn", kNote));
+      tally_.report(violation_at(place, FragmentClass::missing, "required: it was drawn", kNote));
     }
-    check_.judgement.counts.required = before_->size();
+    tally_.counts().required = before_->size();
     for (const std::size_t i : same) compare(i);
     for (const std::size_t i : some_of(same, kMostAsked)) ask(i);
-    add_state_labels(scene_.source(), triangles_, labels_);
-    check_.labels.assign(labels_.begin(), labels_.end());
-    return std::move(check_);
+    return tally_.finish();
   }
 
  private:
   static constexpr const char* kNote = "with other attribute values";
 
-  const cases::Case& source() const { return scene_.source(); }
   const cases::Triangle& triangle_at(const FragmentPlace& place) const {
-    return source().triangles[place.triangle];
+    return case_->triangles[place.triangle];
   }
 
   /// max |r_i| of the triangle, moved or not.
   double magnitude(const FragmentPlace& place, std::size_t a, const Affine& map) const {
     double most = 0;
     for (const std::uint32_t v : triangle_at(place)) {
-      const double r = source().attributes_of(v)[a];
+      const double r = case_->attributes_of(v)[a];
       most = std::max(most, std::abs(map.alpha * r + map.beta));
     }
     return most;
   }
 
   bool is_free(const FragmentPlace& place, std::size_t a) const {
-    if (source().attributes[a].interpolation != cases::Interpolation::noperspective) return false;
-    return std::any_of(triangle_at(place).begin(), triangle_at(place).end(),
-                       [&](std::uint32_t v) { return source().positions[v].w <= 0; });
+    return case_->attributes[a].interpolation == cases::Interpolation::noperspective &&
+           !all_in_front(*case_, triangle_at(place));
   }
 
   bool has_bits(const FragmentPlace& place, std::size_t a) const {
     return std::all_of(triangle_at(place).begin(), triangle_at(place).end(), [&](std::uint32_t v) {
-      const double r = std::abs(double{source().attributes_of(v)[a]});
+      const double r = std::abs(double{case_->attributes_of(v)[a]});
       return r == 0 || (r >= kLeastOfBits && r <= kMostOfBits);
     });
   }
 
   /// Whether one triangle is named, one point of it, and a bound that is the same everywhere.
   bool is_simple(std::size_t a) const {
-    const cases::Contract& contract = scene_.contract();
-    const bool is_at_sample = source().attributes[a].location == cases::Location::sample ||
-                              source().framebuffer.samples == 1;
-    return !contract.coverage && contract.basis == cases::Basis::ideal && is_at_sample &&
+    const bool is_at_sample =
+        case_->attributes[a].location == cases::Location::sample || case_->framebuffer.samples == 1;
+    return !contract_.coverage && contract_.basis == cases::Basis::ideal && is_at_sample &&
            bound_of(a).per_horizon == 0;
   }
 
   const cases::ValueBound& bound_of(std::size_t a) const {
-    const bool is_smooth = source().attributes[a].interpolation == cases::Interpolation::smooth;
-    const cases::ValueBounds& bounds = scene_.contract().bounds;
+    const bool is_smooth = case_->attributes[a].interpolation == cases::Interpolation::smooth;
+    const cases::ValueBounds& bounds = contract_.bounds;
     return is_smooth ? bounds.smooth : bounds.noperspective;
   }
 
@@ -230,7 +220,7 @@ class AffinityCheck {
       const Affine& map = maps_[a];
       const float f = before_->attributes_of(was)[a];
       const float actual = drawn_->attributes_of(i)[a];
-      if (source().attributes[a].interpolation == cases::Interpolation::flat) {
+      if (case_->attributes[a].interpolation == cases::Interpolation::flat) {
         const auto expected = static_cast<float>(map.alpha * double{f} + map.beta);
         is_right = expect_same(place, a, expected, actual, "flat") && is_right;
       } else if (map.is_identity() || is_free(place, a) || !std::isfinite(f)) {
@@ -249,22 +239,21 @@ class AffinityCheck {
                    is_right;
       }
     }
-    if (is_right)
-      ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+    if (is_right) tally_.pass(AttributeKind::coverage);
   }
 
   /// What the oracle has to say.
   void ask(std::size_t i) {
     const FragmentPlace place = place_of(*drawn_, i);
     for (std::uint32_t a = 0; a < maps_.size(); ++a) {
-      const bool is_flat = source().attributes[a].interpolation == cases::Interpolation::flat;
+      const bool is_flat = case_->attributes[a].interpolation == cases::Interpolation::flat;
       const float f = before_->attributes_of(places_.at(place))[a];
       if (is_flat || is_simple(a) || is_free(place, a) || maps_[a].is_identity()) continue;
       if (!std::isfinite(f) || (maps_[a].beta == 0 && has_bits(place, a))) continue;
       const auto x = static_cast<int>(place.x);
       const auto y = static_cast<int>(place.y);
       const auto s = static_cast<int>(place.sample);
-      const oracle::TriangleTruth& truth = truth_of(place.triangle);
+      const oracle::TriangleTruth& truth = verdicts_.truth(place.triangle);
       if (truth.judge(x, y, s).verdict == records::Verdict::forbidden) continue;
       const auto range = truth.attribute(a, x, y, s);
       const auto bound = truth.value_bound(a, x, y, s);
@@ -283,19 +272,11 @@ class AffinityCheck {
     }
   }
 
-  const oracle::TriangleTruth& truth_of(std::uint32_t triangle) {
-    if (!truth_ || triangle_ != triangle) {
-      truth_ = std::make_unique<oracle::TriangleTruth>(scene_, triangle);
-      triangle_ = triangle;
-    }
-    return *truth_;
-  }
-
   bool expect_same(const FragmentPlace& place, std::uint32_t a, float expected, float actual,
                    const char* label) {
-    labels_.emplace(label);
+    tally_.label(label);
     if (is_same(expected, actual)) return true;
-    const AttributeKind kind = records::kind_of(source().attributes[a].interpolation);
+    const AttributeKind kind = records::kind_of(case_->attributes[a].interpolation);
     report_value(place, kind, expected, actual, note_of(maps_[a]), a);
     return false;
   }
@@ -306,8 +287,8 @@ class AffinityCheck {
     const Affine& map = maps_[a];
     const double alpha = std::abs(map.alpha);
     if (greatest.moved >= kMostMoved) return true;
-    labels_.emplace(map.beta == 0 ? "scaled" : "scaled and moved");
-    if (allowed.is_open) labels_.emplace("open value");
+    tally_.label(map.beta == 0 ? "scaled" : "scaled and moved");
+    if (allowed.is_open) tally_.label("open value");
     const double unit_moved = ulp_of(greatest.moved);
     const auto is_beyond = [&](double sign) {
       const std::array terms{sign * double{actual},
@@ -320,7 +301,7 @@ class AffinityCheck {
       return sign_of_sum(terms) > 0;
     };
     if (std::isfinite(actual) && !is_beyond(1) && !is_beyond(-1)) return true;
-    const AttributeKind kind = records::kind_of(source().attributes[a].interpolation);
+    const AttributeKind kind = records::kind_of(case_->attributes[a].interpolation);
     const auto expected = static_cast<float>(map.alpha * double{f} + map.beta);
     report_value(place, kind, expected, actual,
                  note_of(map) + ", within the bounds of both drawings", a);
@@ -333,29 +314,18 @@ class AffinityCheck {
 
   void report_value(const FragmentPlace& place, AttributeKind kind, float expected, float actual,
                     const std::string& note, std::optional<std::uint32_t> attribute = {}) {
-    const FragmentClass found = class_of(actual, expected);
-    records::Violation violation = violation_at(place, found, value_text(expected), note);
-    violation.kind = kind;
-    violation.attribute = attribute;
-    violation.actual = value_text(actual);
-    report(violation);
+    tally_.report(violation_at(place, class_of(actual, expected), value_text(expected), note,
+                               {kind, attribute, actual}));
   }
 
-  void report(const records::Violation& violation) {
-    ++check_.judgement.errors[violation.kind].classes[violation.fragment_class];
-    note(check_, violation);
-  }
-
-  oracle::SceneTruth scene_;
+  const cases::Case* case_;
+  cases::Contract contract_;
   std::vector<Affine> maps_;  ///< [attribute]
   const cases::Framebuffer* before_;
   const cases::Framebuffer* drawn_;
   FragmentMap places_;
-  Check check_;
-  std::set<std::string> labels_;
-  std::set<std::uint32_t> triangles_;
-  std::unique_ptr<oracle::TriangleTruth> truth_;
-  std::uint32_t triangle_ = 0;
+  Verdicts verdicts_;
+  Tally tally_;
 };
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,

@@ -11,14 +11,16 @@
 // Samples: all, whatever the contract leaves open, values and derivatives too. The column and the
 // row come from the case's numbers, and cut off at least a pixel where there are two.
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "oracle/transform.h"
 #include "properties/internal/drawn_fragments.h"
+#include "properties/internal/tally.h"
+#include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {
@@ -27,29 +29,11 @@ namespace {
 using records::AttributeKind;
 using records::FragmentClass;
 
-/// Pixels begin <= i < end along an axis.
-struct Range {
-  int begin = 0;
-  int end = 0;
-};
-
-Range visible(int size, std::int64_t begin, std::int64_t extent) {
-  const auto held = [size](std::int64_t at) {
-    return static_cast<int>(std::clamp(at, std::int64_t{0}, std::int64_t{size}));
-  };
-  return {held(begin), held(begin + extent)};
-}
-
-/// A line between two pixels of a range, if it has two.
-int cut_of(const Range& range, std::uint64_t number) {
-  const int size = range.end - range.begin;
-  if (size < 2) return range.end;
-  return range.begin + 1 + static_cast<int>(number % static_cast<std::uint64_t>(size - 1));
-}
-
-cases::Scissor rectangle(const Range& columns, const Range& rows) {
-  return {columns.begin, rows.begin, std::max(columns.end - columns.begin, 0),
-          std::max(rows.end - rows.begin, 0)};
+/// A line between two pixels of a span, if it has two.
+int cut_of(const PixelSpan& span, std::uint64_t number) {
+  const int size = span.last - span.first;
+  if (size < 2) return span.last;
+  return span.first + 1 + static_cast<int>(number % static_cast<std::uint64_t>(size - 1));
 }
 
 bool is_within(const cases::Scissor& scissor, const FragmentPlace& place) {
@@ -67,10 +51,8 @@ struct Parting {
 };
 
 Parting parting_of(const cases::Case& c) {
-  const cases::FramebufferSize& size = c.framebuffer;
-  const cases::Scissor all = c.scissor.value_or(cases::Scissor{0, 0, size.width, size.height});
-  const Range columns = visible(size.width, all.x, all.width);
-  const Range rows = visible(size.height, all.y, all.height);
+  const PixelSpan columns = scissor_columns(c);
+  const PixelSpan rows = scissor_rows(c);
   const std::uint64_t number = fingerprint(c);
   const int column = cut_of(columns, number >> 32);
   const int row = cut_of(rows, number & 0xffffffffU);
@@ -78,8 +60,9 @@ Parting parting_of(const cases::Case& c) {
   parting.is_of_case = c.scissor.has_value();
   parting.whole = rectangle(columns, rows);
   std::size_t part = 0;
-  for (const Range& down : {Range{rows.begin, row}, Range{row, rows.end}}) {
-    for (const Range& across : {Range{columns.begin, column}, Range{column, columns.end}}) {
+  for (const PixelSpan& down : {PixelSpan{rows.first, row}, PixelSpan{row, rows.last}}) {
+    for (const PixelSpan& across :
+         {PixelSpan{columns.first, column}, PixelSpan{column, columns.last}}) {
       parting.parts[part++] = rectangle(across, down);
     }
   }
@@ -94,66 +77,60 @@ std::string text_of(const cases::Scissor& scissor) {
 class PartingCheck {
  public:
   PartingCheck(const cases::Case& c, const Parting& parting, const cases::Framebuffer& whole)
-      : case_(&c), parting_(&parting), whole_(&whole), expected_(fragments_by_place(whole)) {
-    check_.judgement.errors[AttributeKind::coverage];
-  }
+      : case_(&c),
+        parting_(&parting),
+        whole_(&whole),
+        expected_(fragments_by_place(whole)),
+        tally_(c) {}
 
   void see(const cases::Scissor& part, const cases::Framebuffer& drawn) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       const FragmentPlace place = place_of(drawn, i);
       const auto expected = expected_.find(place);
       if (!is_within(part, place)) {
-        report(violation_at(place, FragmentClass::extra, "forbidden: outside the scissor",
-                            text_of(part)));
+        tally_.report(violation_at(place, FragmentClass::extra, "forbidden: outside the scissor",
+                                   text_of(part)));
       } else if (expected == expected_.end()) {
-        report(violation_at(place, FragmentClass::extra,
-                            "forbidden: it is not drawn in the whole window", text_of(part)));
+        tally_.report(violation_at(place, FragmentClass::extra,
+                                   "forbidden: it is not drawn in the whole window",
+                                   text_of(part)));
       } else if (!seen_.insert(place).second) {
-        report(
+        tally_.report(
             violation_at(place, FragmentClass::extra, "forbidden: more than once", text_of(part)));
       } else if (const auto difference =
                      find_difference(*case_, *whole_, expected->second, drawn, i,
                                      "another value than in the whole window; " + text_of(part))) {
-        report(*difference);
+        tally_.report(*difference);
       }
     }
     if (!drawn.triangle.empty()) ++parts_drawn_;
   }
 
   Check finish() {
-    std::set<std::uint32_t> triangles;
     for (const auto& [place, index] : expected_) {
       if (!seen_.contains(place)) {
-        report(violation_at(place, FragmentClass::missing,
-                            "required: it is drawn in the whole window", "drawn in no part"));
+        tally_.report(violation_at(place, FragmentClass::missing,
+                                   "required: it is drawn in the whole window",
+                                   "drawn in no part"));
       } else if (is_of_case(*case_, place)) {
-        triangles.insert(place.triangle);
+        tally_.see(place.triangle);
       }
     }
-    check_.judgement.counts.required = expected_.size();
-    auto& classes = check_.judgement.errors[AttributeKind::coverage].classes;
-    classes[FragmentClass::correct] = seen_.size();
-    std::set<std::string> labels;
-    if (parts_drawn_ > 1) labels.emplace("parted");
-    if (parting_->is_of_case) labels.emplace("scissor");
-    add_state_labels(*case_, triangles, labels);
-    check_.labels.assign(labels.begin(), labels.end());
-    return std::move(check_);
+    tally_.counts().required = expected_.size();
+    for (std::size_t i = 0; i < seen_.size(); ++i) tally_.pass(AttributeKind::coverage);
+    if (parts_drawn_ > 1) tally_.label("parted");
+    if (parting_->is_of_case) tally_.label("scissor");
+    return tally_.finish();
   }
 
  private:
-  void report(const records::Violation& violation) {
-    ++check_.judgement.errors[violation.kind].classes[violation.fragment_class];
-    note(check_, violation);
-  }
-
   const cases::Case* case_;
   const Parting* parting_;
   const cases::Framebuffer* whole_;
   FragmentMap expected_;
   std::set<FragmentPlace> seen_;
   int parts_drawn_ = 0;
-  Check check_;
+  Tally tally_;
 };
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,

@@ -30,7 +30,9 @@
 #include <utility>
 
 #include "oracle/transform.h"
+#include "properties/internal/drawn_fragments.h"
 #include "properties/internal/random_state.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
@@ -86,8 +88,11 @@ std::vector<Samples> samples_by_triangle(const cases::Case& c, const cases::Fram
 class SharedEdgeCheck {
  public:
   SharedEdgeCheck(const cases::Case& c, cases::Contract contract, const cases::Framebuffer& drawn)
-      : case_(&c), contract_(contract), samples_(samples_by_triangle(c, drawn)), state_(c) {
-    check_.is_applicable = false;
+      : case_(&c),
+        contract_(contract),
+        samples_(samples_by_triangle(c, drawn)),
+        state_(c),
+        tally_(c) {
     state_.attributes.clear();
     state_.attribute_values.clear();
     state_.clip_distances.clear();
@@ -97,9 +102,7 @@ class SharedEdgeCheck {
 
   Check run() {
     for (const Pair& pair : pairs_of(*case_)) check_pair(pair);
-    if (check_.is_applicable) add_state_labels(*case_, triangles_, labels_);
-    check_.labels.assign(labels_.begin(), labels_.end());
-    return std::move(check_);
+    return has_pairs_ ? tally_.finish() : not_applicable();
   }
 
  private:
@@ -126,12 +129,11 @@ class SharedEdgeCheck {
       if (!truth->has_certain_orientation() || truth->orientation() != a.orientation()) return;
     }
 
-    check_.is_applicable = true;
-    check_.judgement.errors[records::AttributeKind::coverage];
+    has_pairs_ = true;
     const auto& corners = quad.positions;
     if (corners[0].w != corners[1].w || corners[0].w != corners[2].w ||
         corners[0].w != corners[3].w) {
-      labels_.emplace("different w");
+      tally_.label("different w");
     }
     find_doubles(pair, a);
     find_gaps(pair, a, c, d);
@@ -171,59 +173,50 @@ class SharedEdgeCheck {
 
   void see_required(const Pair& pair, const std::array<std::uint32_t, 3>& sample,
                     const oracle::TriangleTruth& a) {
-    ++check_.judgement.counts.required;
+    ++tally_.counts().required;
     const bool by_first =
         std::binary_search(samples_[pair.first].begin(), samples_[pair.first].end(), sample);
     const bool by_second =
         std::binary_search(samples_[pair.second].begin(), samples_[pair.second].end(), sample);
     if (!by_first && !by_second) return report(pair, sample, FragmentClass::missing, a);
-    triangles_.insert(by_first ? pair.first : pair.second);
-    if (by_first != by_second) {
-      ++check_.judgement.errors[records::AttributeKind::coverage].classes[FragmentClass::correct];
-    }
+    tally_.see(by_first ? pair.first : pair.second);
+    if (by_first != by_second) tally_.pass(records::AttributeKind::coverage);
 
     // How close to the shared edge it was.
     const auto [y, x, s] = sample;
     const records::SampleVerdict decision =
         a.judge(static_cast<int>(x), static_cast<int>(y), static_cast<int>(s));
-    if (decision.verdict == Verdict::permitted) labels_.emplace("permitted");
+    if (decision.verdict == Verdict::permitted) tally_.label("permitted");
     if (decision.reason == records::Reason::tie || decision.reason == records::Reason::snapping) {
-      labels_.emplace(records::to_string(decision.reason));
+      tally_.label(records::to_string(decision.reason));
     }
   }
 
   void report(const Pair& pair, const std::array<std::uint32_t, 3>& sample,
               FragmentClass fragment_class, const oracle::TriangleTruth& a) {
-    ++check_.judgement.errors[records::AttributeKind::coverage].classes[fragment_class];
     const auto [y, x, s] = sample;
     const bool is_missing = fragment_class == FragmentClass::missing;
-    records::Violation violation;
-    violation.fragment_class = fragment_class;
-    violation.kind = records::AttributeKind::coverage;
-    violation.triangle = is_missing ? pair.first : pair.second;
-    violation.x = x;
-    violation.y = y;
-    violation.sample = s;
-    violation.exact = is_missing ? "required: of one of two triangles"
-                                 : "forbidden: of more than one of two triangles";
-    violation.actual = is_missing ? "not drawn" : "drawn";
-    violation.distance = a.distance(static_cast<int>(x), static_cast<int>(y), static_cast<int>(s));
     const std::string first = std::to_string(pair.first);
     const std::string second = std::to_string(pair.second);
-    violation.note = is_missing ? "neither triangle " + first + " nor " + second + " draws it"
+    const std::string who = is_missing
+                                ? "neither triangle " + first + " nor " + second + " draws it"
                                 : "triangle " + first + " draws it as well";
-    violation.note += "; they share the edge of vertices " + std::to_string(pair.corners[0]) +
-                      " and " + std::to_string(pair.corners[2]);
-    note(check_, violation);
+    records::Violation violation =
+        violation_at({is_missing ? pair.first : pair.second, y, x, s}, fragment_class,
+                     is_missing ? "required: of one of two triangles"
+                                : "forbidden: of more than one of two triangles",
+                     who + "; they share the edge of vertices " + std::to_string(pair.corners[0]) +
+                         " and " + std::to_string(pair.corners[2]));
+    violation.distance = a.distance(static_cast<int>(x), static_cast<int>(y), static_cast<int>(s));
+    tally_.report(violation);
   }
 
   const cases::Case* case_;
   cases::Contract contract_;
   std::vector<Samples> samples_;  ///< [triangle]
   cases::Case state_;             ///< the case without its vertices
-  Check check_;
-  std::set<std::string> labels_;
-  std::set<std::uint32_t> triangles_;
+  bool has_pairs_ = false;
+  Tally tally_;
 };
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,

@@ -24,6 +24,7 @@
 
 #include "oracle/transform.h"
 #include "properties/internal/random_state.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
@@ -52,10 +53,12 @@ const char* word(Topology topology) {
   return "fan";
 }
 
-/// Numbers that follow from the positions alone (64-bit FNV-1a of their bits, then its steps).
-class Choices {
+/// Choices that follow from the positions alone (64-bit FNV-1a of their bits, then its steps): the
+/// triangles of generated cases follow from them, and so may not be among what they are taken off,
+/// as they are of fingerprint().
+class PositionChoices {
  public:
-  explicit Choices(const cases::Case& c) {
+  explicit PositionChoices(const cases::Case& c) {
     for (const cases::ClipVertex& p : c.positions) {
       for (const float coordinate : {p.x, p.y, p.z, p.w}) {
         take(std::bit_cast<std::uint32_t>(coordinate));
@@ -73,7 +76,7 @@ class Choices {
 };
 
 Indexed indices_of(const cases::Case& c) {
-  Choices choices(c);
+  PositionChoices choices(c);
   Indexed chosen;
   if (choices.one_in(5)) {
     chosen.topology = Topology::triangles;
@@ -143,17 +146,14 @@ std::string index_text(const std::vector<std::uint32_t>& indices) {
   return text;
 }
 
-void add_notes(const cases::Case& expanded, const Indexed& indexed, Check& judged) {
-  for (records::Violation& violation : judged.violations) {
-    violation.note += violation.note.empty() ? "" : "; ";
-    violation.note +=
-        fmt::format("a {} of vertices {} (R: restart) instead of the case's triangles",
-                    word(indexed.topology), index_text(indexed.indices));
-    if (violation.triangle >= expanded.triangles.size()) continue;
-    const auto& [a, b, c] = expanded.triangles[violation.triangle];
-    violation.note +=
-        fmt::format(", its triangle {} of vertices {}, {}, {}", violation.triangle, a, b, c);
-  }
+std::string note_of(const cases::Case& expanded, const Indexed& indexed,
+                    const records::Violation& violation) {
+  std::string text = fmt::format("a {} of vertices {} (R: restart) instead of the case's triangles",
+                                 word(indexed.topology), index_text(indexed.indices));
+  if (violation.triangle >= expanded.triangles.size()) return text;
+  const auto& [a, b, c] = expanded.triangles[violation.triangle];
+  return text +
+         fmt::format(", its triangle {} of vertices {}, {}, {}", violation.triangle, a, b, c);
 }
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
@@ -161,23 +161,20 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   if (!expanded) return tl::unexpected(expanded.error());
   const Indexed indexed = indices_of(*expanded);
   expanded->triangles = triangles_of(c.rules, indexed);
-  if (!backend.assembles() || expanded->triangles.empty()) {
-    Check not_applicable;
-    not_applicable.is_applicable = false;
-    return not_applicable;
-  }
+  if (!backend.assembles() || expanded->triangles.empty()) return not_applicable();
   const Result<cases::Framebuffer> drawn =
       draw_assembled(*expanded, indexed.topology, indexed.indices, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check judged = judge_drawn(*expanded, backend.contract(*expanded), *drawn, {}, options);
-  add_notes(*expanded, indexed, judged);
-  judged.labels.emplace_back(word(indexed.topology));
+  add_to_notes(judged, [&](const records::Violation& violation) {
+    return note_of(*expanded, indexed, violation);
+  });
+  add_label(judged, word(indexed.topology));
   if (std::find(indexed.indices.begin(), indexed.indices.end(), cases::kRestart) !=
       indexed.indices.end()) {
-    judged.labels.emplace_back("restart");
+    add_label(judged, "restart");
   }
-  if (expanded->cull != cases::Cull::none) judged.labels.emplace_back("culled");
-  std::sort(judged.labels.begin(), judged.labels.end());
+  if (expanded->cull != cases::Cull::none) add_label(judged, "culled");
   return judged;
 }
 

@@ -24,7 +24,9 @@
 
 #include "oracle/texture_truth.h"
 #include "oracle/transform.h"
+#include "properties/internal/picture_cases.h"
 #include "properties/internal/seen_triangles.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/textured_cases.h"
 #include "properties/judged_law.h"
 
@@ -75,14 +77,12 @@ class TexelCheck {
         seen_(c, contract),
         texturing_(&texturing),
         truth_(texturing),
-        picture_(&picture) {}
+        picture_(&picture),
+        tally_(c) {}
 
   Check run() {
-    check_.judgement.errors[AttributeKind::coverage];
     for (const std::size_t at : some_drawn_samples(*picture_, kMostSamples)) check_sample(at);
-    add_state_labels(*case_, triangles_, labels_);
-    check_.labels.assign(labels_.begin(), labels_.end());
-    return std::move(check_);
+    return tally_.finish();
   }
 
  private:
@@ -90,58 +90,44 @@ class TexelCheck {
     const auto place = seen_.find(*picture_, at);
     if (!place) return;
     const oracle::TriangleTruth& truth = seen_.truth(place->triangle);
-    const auto s = exact_value(truth, 0, *place);
-    const auto t = exact_value(truth, 1, *place);
-    if (!s || !t) {
-      labels_.emplace("no one coordinate");
-      return;
-    }
-    ++check_.judgement.counts.required;
-    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
-    triangles_.insert(place->triangle);
-    add_labels(*s, texturing_->texture.width, texturing_->wrap_s);
-    add_labels(*t, texturing_->texture.height, texturing_->wrap_t);
-    compare(at, *place, *s, *t);
+    const auto exact = exact_coordinates(truth, *place);
+    if (!exact) return tally_.label("no one coordinate");
+    tally_.pass_required(place->triangle);
+    add_labels(exact->s, texturing_->texture.width, texturing_->wrap_s);
+    add_labels(exact->t, texturing_->texture.height, texturing_->wrap_t);
+    compare(at, *place, *exact);
   }
 
   void add_labels(const oracle::Rational& coordinate, int size, cases::Wrap wrap) {
     const oracle::TexelIndex index = oracle::texel_index(coordinate, size, wrap);
-    if (index.is_on_border) labels_.emplace("texel border");
-    if (index.is_beyond) labels_.emplace("beyond 0 to 1");
-    labels_.emplace(kWrapWords[static_cast<std::size_t>(wrap)]);
+    if (index.is_on_border) tally_.label("texel border");
+    if (index.is_beyond) tally_.label("beyond 0 to 1");
+    tally_.label(kWrapWords[static_cast<std::size_t>(wrap)]);
   }
 
-  void compare(std::size_t at, const FragmentPlace& place, const oracle::Rational& s,
-               const oracle::Rational& t) {
-    const TextureTruth::Color color = truth_.nearest(s, t);
+  void compare(std::size_t at, const FragmentPlace& place, const Coordinates& exact) {
+    const TextureTruth::Color color = truth_.nearest(exact.s, exact.t);
     for (std::uint32_t channel = 0; channel < color.size(); ++channel) {
       const float actual = picture_->color[at * color.size() + channel];
       const float expected = static_cast<float>(color[channel]) / 255;
-      const AttributeKind kind = records::kind_of(case_->attributes[channel % 2].interpolation);
-      const FragmentClass found = is_same(actual, expected)
-                                      ? FragmentClass::correct
-                                      : class_of_wrong(actual, FragmentClass::beyond_bound);
-      ++check_.judgement.errors[kind].classes[found];
-      if (found == FragmentClass::correct) continue;
-      report(place, channel, found, kind, color, s, t, actual);
-      return;  // one texel, one violation
+      // One texel, one violation.
+      if (!is_same(actual, expected)) return report(place, channel, color, exact, actual);
+      tally_.pass(kind_of(*case_, channel % 2));
     }
   }
 
-  void report(const FragmentPlace& place, std::uint32_t channel, FragmentClass found,
-              AttributeKind kind, const TextureTruth::Color& color, const oracle::Rational& s,
-              const oracle::Rational& t, float actual) {
+  void report(const FragmentPlace& place, std::uint32_t channel, const TextureTruth::Color& color,
+              const Coordinates& exact, float actual) {
     records::Violation violation =
-        violation_at(place, found, text_of(color),
+        violation_at(place, class_of_wrong(actual, FragmentClass::beyond_bound), text_of(color),
                      fmt::format("channel {} of a {}×{} texture, {} and {}, at s = {}, t = {}",
                                  channel, texturing_->texture.width, texturing_->texture.height,
                                  kWrapWords[static_cast<std::size_t>(texturing_->wrap_s)],
                                  kWrapWords[static_cast<std::size_t>(texturing_->wrap_t)],
-                                 s.to_string(), t.to_string()));
-    violation.kind = kind;
-    violation.attribute = channel % 2;
+                                 exact.s.to_string(), exact.t.to_string()),
+                     {kind_of(*case_, channel % 2), channel % 2, actual});
     violation.actual = fmt::format("{}, {} of 255", value_text(actual), actual * 255);
-    note(check_, violation);
+    tally_.report(violation);
   }
 
   const cases::Case* case_;
@@ -149,18 +135,14 @@ class TexelCheck {
   const cases::Texturing* texturing_;
   TextureTruth truth_;
   const cases::Picture* picture_;
-  std::set<std::uint32_t> triangles_;
-  std::set<std::string> labels_;
-  Check check_;
+  Tally tally_;
 };
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  Check none;
-  none.is_applicable = backend.draws_pictures() && clip->attributes.size() >= 2;
-  if (!none.is_applicable) return none;
+  if (!backend.draws_pictures() || clip->attributes.size() < 2) return not_applicable();
   const cases::Pipeline pipeline = pipeline_of(*clip);
   const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());

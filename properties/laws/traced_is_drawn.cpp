@@ -16,7 +16,9 @@
 #include <utility>
 
 #include "oracle/transform.h"
+#include "properties/internal/drawn_fragments.h"
 #include "properties/internal/random_state.h"
+#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {
@@ -60,10 +62,9 @@ std::string fault_of_weights(const SampleTrace& trace) {
 class TraceCheck {
  public:
   TraceCheck(const cases::Case& source, backends::Backend& backend, const cases::Framebuffer& drawn)
-      : case_(&source), backend_(&backend), drawn_(&drawn) {}
+      : case_(&source), backend_(&backend), drawn_(&drawn), tally_(source) {}
 
   Result<Check> run() {
-    check_.judgement.errors[AttributeKind::coverage];
     std::map<std::uint32_t, std::vector<std::size_t>> fragments;
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
       // What is not of the case is a matter of coverage.
@@ -75,9 +76,7 @@ class TraceCheck {
       check_triangle(t, fragments[t]);
     }
     if (error_) return tl::unexpected(*error_);
-    add_state_labels(*case_, triangles_, labels_);
-    check_.labels.assign(labels_.begin(), labels_.end());
-    return std::move(check_);
+    return tally_.finish();
   }
 
  private:
@@ -139,18 +138,10 @@ class TraceCheck {
     const SampleAddress at = address_of(i);
     const std::optional<SampleTrace> trace = trace_of(at);
     if (error_) return;
-    ++check_.judgement.counts.required;
-    triangles_.insert(at.triangle);
-    auto& classes = check_.judgement.errors[AttributeKind::coverage].classes;
-    if (!trace) {
-      ++classes[FragmentClass::missing];
-      records::Violation violation = violation_at(at, FragmentClass::missing);
-      violation.exact = "drawn";
-      violation.actual = "no trace";
-      note(check_, violation);
-      return;
-    }
-    ++classes[FragmentClass::correct];
+    ++tally_.counts().required;
+    tally_.see(at.triangle);
+    if (!trace) return report(at, FragmentClass::missing, "drawn", "no trace");
+    tally_.pass(AttributeKind::coverage);
     check_value(at, AttributeKind::depth, std::nullopt, drawn_->depth[i], trace->depth);
     const auto drawn = drawn_->attributes_of(i);
     if (trace->attributes.size() != drawn.size()) {
@@ -168,71 +159,53 @@ class TraceCheck {
   void check_not_drawn(const SampleAddress& at) {
     const std::optional<SampleTrace> trace = trace_of(at);
     if (error_) return;
-    ++check_.judgement.counts.forbidden;
-    labels_.emplace("not drawn");
-    if (!trace) return;
-    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::extra];
-    records::Violation violation = violation_at(at, FragmentClass::extra);
-    violation.exact = "not drawn";
-    violation.actual = "a trace";
-    note(check_, violation);
+    ++tally_.counts().forbidden;
+    tally_.label("not drawn");
+    if (trace) report(at, FragmentClass::extra, "not drawn", "a trace");
   }
 
   void check_value(const SampleAddress& at, AttributeKind kind,
                    std::optional<std::uint32_t> attribute, float drawn, float traced) {
-    const bool is_same = is_same_float(drawn, traced);
-    const FragmentClass found = is_same ? FragmentClass::correct : FragmentClass::beyond_bound;
-    ++check_.judgement.errors[kind].classes[found];
-    if (is_same) return;
-    records::Violation violation = violation_at(at, found);
-    violation.kind = kind;
-    violation.attribute = attribute;
-    violation.exact = value_text(drawn);
-    violation.actual = value_text(traced);
-    violation.note = "the trace has another value than the drawing";
-    note(check_, violation);
+    if (is_same_float(drawn, traced)) return tally_.pass(kind);
+    tally_.report(violation_at(place_of(at), FragmentClass::beyond_bound, value_text(drawn),
+                               "the trace has another value than the drawing",
+                               {kind, attribute, traced}));
   }
 
   void note_fault(const SampleAddress& at, const std::string& fault) {
-    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::beyond_bound];
-    records::Violation violation = violation_at(at, FragmentClass::beyond_bound);
-    violation.exact = "a trace that holds together";
-    violation.actual = "a trace";
-    violation.note = fault;
-    note(check_, violation);
+    report(at, FragmentClass::beyond_bound, "a trace that holds together", "a trace", fault);
   }
 
   /// How the sample was decided, and that values needed more than double.
   void add_labels(const SampleTrace& trace) {
     if (const records::StageTrace* coverage = records::find_stage(trace, "coverage")) {
       for (const records::NamedNumber& decision : coverage->handed_on) {
-        labels_.emplace("decided " + decision.name);
+        tally_.label("decided " + decision.name);
       }
     }
     if (const records::StageTrace* evaluation = records::find_stage(trace, "evaluation")) {
       for (const records::NamedNumber& number : evaluation->handed_on) {
-        if (number.name.ends_with("_is_exact") && number.value != 0) labels_.emplace("exact value");
-        if (number.name.ends_with("_u")) labels_.emplace("located elsewhere");
+        if (number.name.ends_with("_is_exact") && number.value != 0) tally_.label("exact value");
+        if (number.name.ends_with("_u")) tally_.label("located elsewhere");
       }
     }
   }
 
-  static records::Violation violation_at(const SampleAddress& at, FragmentClass found) {
-    records::Violation violation;
-    violation.fragment_class = found;
-    violation.triangle = at.triangle;
-    violation.x = at.x;
-    violation.y = at.y;
-    violation.sample = at.sample;
-    return violation;
+  static FragmentPlace place_of(const SampleAddress& at) {
+    return {at.triangle, at.y, at.x, at.sample};
+  }
+
+  void report(const SampleAddress& at, FragmentClass found, const char* exact, const char* actual,
+              const std::string& note = "") {
+    records::Violation violation = violation_at(place_of(at), found, exact, note);
+    violation.actual = actual;
+    tally_.report(violation);
   }
 
   const cases::Case* case_;
   backends::Backend* backend_;
   const cases::Framebuffer* drawn_;
-  Check check_;
-  std::set<std::string> labels_;
-  std::set<std::uint32_t> triangles_;
+  Tally tally_;
   std::optional<Error> error_;
 };
 
@@ -240,9 +213,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  Check not_applicable;
-  not_applicable.is_applicable = false;
-  if (!backend.traces()) return not_applicable;
+  if (!backend.traces()) return not_applicable();
   clip->depth_test = cases::DepthTest::none;
   const Result<cases::Framebuffer> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());

@@ -48,6 +48,7 @@
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/exact_sum.h"
 #include "properties/internal/random_state.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/triangulations.h"
 #include "properties/internal/verdicts.h"
 #include "properties/judged_law.h"
@@ -253,9 +254,7 @@ class CoveredOnce {
  public:
   CoveredOnce(const cases::Case& c, const cases::Contract& contract, const Screen& screen,
               Verdicts& verdicts)
-      : case_(&c), contract_(contract), screen_(&screen), verdicts_(&verdicts) {
-    check_.judgement.errors[records::AttributeKind::coverage];
-  }
+      : case_(&c), contract_(contract), screen_(&screen), verdicts_(&verdicts), tally_(c) {}
 
   Check run(const cases::Framebuffer& drawn) {
     const cases::FramebufferSize& size = case_->framebuffer;
@@ -271,7 +270,7 @@ class CoveredOnce {
       std::uint8_t& of_sample = times[index_of(place)];
       of_sample = static_cast<std::uint8_t>(std::min(of_sample + 1, 3));
       if (of_sample == 2) see(place, 2);
-      triangles_.insert(place.triangle);
+      tally_.see(place.triangle);
     }
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) {
@@ -282,9 +281,7 @@ class CoveredOnce {
         }
       }
     }
-    add_state_labels(*case_, triangles_, labels_);
-    check_.labels.assign(labels_.begin(), labels_.end());
-    return std::move(check_);
+    return tally_.finish();
   }
 
  private:
@@ -298,19 +295,17 @@ class CoveredOnce {
     const Times wanted = screen_->times(static_cast<int>(place.x), static_cast<int>(place.y),
                                         static_cast<int>(place.sample));
     if (wanted == Times::any) return;
-    if (wanted == Times::once) ++check_.judgement.counts.required;
-    if (wanted == Times::at_most_once) labels_.emplace("sample on the plane");
+    if (wanted == Times::once) ++tally_.counts().required;
+    if (wanted == Times::at_most_once) tally_.label("sample on the plane");
     const bool is_right = wanted == Times::once           ? drawn == 1
                           : wanted == Times::at_most_once ? drawn < 2
                                                           : drawn == 0;
     if (is_right) {
-      if (drawn == 1) {
-        ++check_.judgement.errors[records::AttributeKind::coverage].classes[FragmentClass::correct];
-      }
+      if (drawn == 1) tally_.pass(records::AttributeKind::coverage);
       return;
     }
     if (wanted != Times::none && is_open(place, wanted)) {
-      ++check_.judgement.counts.permitted;
+      ++tally_.counts().permitted;
       return;
     }
     if (drawn == 0) {
@@ -346,17 +341,14 @@ class CoveredOnce {
   }
 
   void report(const FragmentPlace& place, FragmentClass fragment_class, const std::string& exact) {
-    ++check_.judgement.errors[records::AttributeKind::coverage].classes[fragment_class];
-    note(check_, violation_at(place, fragment_class, exact, "in a triangulation of the screen"));
+    tally_.report(violation_at(place, fragment_class, exact, "in a triangulation of the screen"));
   }
 
   const cases::Case* case_;
   cases::Contract contract_;
   const Screen* screen_;
   Verdicts* verdicts_;
-  Check check_;
-  std::set<std::string> labels_;
-  std::set<std::uint32_t> triangles_;
+  Tally tally_;
 };
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
@@ -372,9 +364,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   const auto planes = half_planes_of(*clip);
   const auto screen = planes ? Screen::of(*clip, *planes) : std::nullopt;
   if (!screen || !is_triangulation(*clip, contract, verdicts)) {
-    Check none;
-    none.is_applicable = false;
-    return none;
+    return not_applicable();
   }
   const Result<cases::Framebuffer> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());

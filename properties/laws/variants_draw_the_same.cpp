@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +23,7 @@
 #include "properties/internal/pipelines.h"
 #include "properties/internal/same_drawing.h"
 #include "properties/internal/same_picture.h"
+#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {
@@ -45,16 +45,14 @@ std::vector<std::string> some_of(const std::vector<std::string>& all, const case
 
 /// What a case shows of the ways in which backends part their work.
 void add_labels(const cases::Case& c, const cases::Framebuffer& drawn, Check& check) {
-  std::set<std::string> labels(check.labels.begin(), check.labels.end());
   // More than the tiles and blocks of most rasterizers have.
   constexpr std::uint16_t kSide = 64;
   const auto is_beyond = [](std::uint16_t at) { return at >= kSide; };
   if (std::any_of(drawn.x.begin(), drawn.x.end(), is_beyond) ||
       std::any_of(drawn.y.begin(), drawn.y.end(), is_beyond)) {
-    labels.emplace("beyond 64 pixels");
+    add_label(check, "beyond 64 pixels");
   }
-  if (c.attributes.size() > 2) labels.emplace("three attributes and more");
-  check.labels.assign(labels.begin(), labels.end());
+  if (c.attributes.size() > 2) add_label(check, "three attributes and more");
 }
 
 bool is_promised(const backends::Backend& backend) { return !backend.same_as().empty(); }
@@ -64,9 +62,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   const std::vector<std::string> all = backend.same_as();
-  Check check;
-  check.is_applicable = !all.empty();
-  if (!check.is_applicable) return check;
+  if (all.empty()) return not_applicable();
   const Result<cases::Framebuffer> own = draw(*clip, backend);
   if (!own) return tl::unexpected(own.error());
   const cases::Pipeline pipeline = pipeline_of(*clip);
@@ -76,6 +72,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
     if (!drawn) return tl::unexpected(drawn.error());
     picture = *drawn;
   }
+  Check check;
   for (const std::string& specification : some_of(all, *clip)) {
     const auto variant = backends::make_backend(specification);
     if (!variant) return tl::unexpected(variant.error());

@@ -8,6 +8,7 @@
 
 #include "oracle/transform.h"
 #include "properties/internal/changed_drawing.h"
+#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {

@@ -21,6 +21,7 @@
 #include "properties/internal/camera_matrices.h"
 #include "properties/internal/random_floats.h"
 #include "properties/internal/random_state.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
@@ -83,11 +84,7 @@ Check judge(const cases::Case& c, const std::vector<cases::ClipVertex>& computed
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   const std::optional<float> bound = backend.contract(c).transform_bound;
-  if (!c.camera || !backend.transforms() || !bound) {
-    Check not_applicable;
-    not_applicable.is_applicable = false;
-    return not_applicable;
-  }
+  if (!c.camera || !backend.transforms() || !bound) return not_applicable();
   const Result<std::vector<cases::ClipVertex>> computed = transform(c, backend);
   if (!computed) return tl::unexpected(computed.error());
   return judge(c, *computed, *bound);

@@ -18,14 +18,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "cases/sample_pattern.h"
-#include "oracle/transform.h"
 #include "oracle/ulp.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/random_state.h"
+#include "properties/internal/tally.h"
+#include "properties/internal/verdicts.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
@@ -60,47 +63,31 @@ bool stays_in_place(const cases::Contract& contract, const cases::SamplePosition
   return is_grid_point && contract.is_on_grid && contract.coverage->position_error == 0;
 }
 
-FragmentClass class_of_vertex_value(float actual, float expected) {
-  if (actual == expected) return FragmentClass::correct;
-  return class_of_wrong(actual, FragmentClass::beyond_bound);
-}
-
 class VertexCheck {
  public:
-  VertexCheck(const oracle::SceneTruth& scene, const cases::Framebuffer& drawn)
-      : scene_(&scene),
-        case_(&scene.source()),
+  VertexCheck(const cases::Case& c, const cases::Contract& contract,
+              const cases::Framebuffer& drawn)
+      : case_(&c),
+        contract_(contract),
         drawn_(&drawn),
-        pattern_(cases::standard_pattern(case_->framebuffer.samples)),
-        attributes_(attributes_at_samples(*case_)) {}
+        pattern_(cases::standard_pattern(c.framebuffer.samples)),
+        attributes_(attributes_at_samples(c)),
+        verdicts_(c, contract),
+        tally_(c) {}
 
   Check run() {
-    check_.is_applicable = false;
-    if (attributes_.empty()) return std::move(check_);
     for (std::size_t i = 0; i < drawn_->size(); ++i) check_fragment(i);
-    if (!check_.is_applicable) return std::move(check_);
-    add_state_labels(*case_, triangles_, labels_);
-    if (case_->coverage) labels_.emplace("snapped");
-    check_.labels.assign(labels_.begin(), labels_.end());
-    return std::move(check_);
+    if (tally_.counts().required == 0) return not_applicable();
+    if (case_->coverage) tally_.label("snapped");
+    return tally_.finish();
   }
 
  private:
-  /// Where fragment i is; nothing where it is not of the case, which is a matter of coverage.
-  std::optional<records::SampleAddress> address_of(std::size_t i) const {
-    const records::SampleAddress at{drawn_->triangle[i], drawn_->x[i], drawn_->y[i],
-                                    drawn_->sample[i]};
-    const bool is_of_case =
-        at.triangle < case_->triangles.size() && std::cmp_less(at.x, case_->framebuffer.width) &&
-        std::cmp_less(at.y, case_->framebuffer.height) && at.sample < pattern_.size();
-    return is_of_case ? std::optional(at) : std::nullopt;
-  }
-
   /// The vertex, 0 to 2, that lies exactly at a sample; nothing where none does.
-  std::optional<std::size_t> vertex_at(const records::SampleAddress& at) const {
-    const cases::SamplePosition offset = pattern_[at.sample];
-    const WindowPoint p{at.x + offset.x / 16.0, at.y + offset.y / 16.0};
-    const cases::Triangle& triangle = case_->triangles[at.triangle];
+  std::optional<std::size_t> vertex_at(const FragmentPlace& place) const {
+    const cases::SamplePosition offset = pattern_[place.sample];
+    const WindowPoint p{place.x + offset.x / 16.0, place.y + offset.y / 16.0};
+    const cases::Triangle& triangle = case_->triangles[place.triangle];
     for (std::size_t i = 0; i < 3; ++i) {
       const cases::ClipVertex& vertex = case_->positions[triangle[i]];
       if (vertex.w > 0 && is_exactly_at(*case_, vertex, p)) return i;
@@ -108,66 +95,44 @@ class VertexCheck {
     return std::nullopt;
   }
 
-  const oracle::TriangleTruth& truth_of(std::uint32_t triangle) {
-    if (!truth_ || truth_triangle_ != triangle) {
-      truth_ = std::make_unique<oracle::TriangleTruth>(*scene_, triangle);
-      truth_triangle_ = triangle;
-    }
-    return *truth_;
-  }
-
   void check_fragment(std::size_t i) {
-    const auto at = address_of(i);
-    if (!at || !stays_in_place(scene_->contract(), pattern_[at->sample])) return;
-    const auto vertex = vertex_at(*at);
+    const FragmentPlace place = place_of(*drawn_, i);
+    if (!is_of_case(*case_, place) || !stays_in_place(contract_, pattern_[place.sample])) return;
+    const auto vertex = vertex_at(place);
     if (!vertex) return;
-    const oracle::TriangleTruth& truth = truth_of(at->triangle);
-    const records::SampleVerdict decision =
-        truth.judge(static_cast<int>(at->x), static_cast<int>(at->y), static_cast<int>(at->sample));
+    const records::SampleVerdict decision = verdicts_.judge(place.triangle, place);
     if (decision.verdict != records::Verdict::required) return;
     bool is_judged = false;
     for (const std::uint32_t a : attributes_) {
-      if (truth.is_value_free(a)) continue;
+      if (verdicts_.truth(place.triangle).is_value_free(a)) continue;
       is_judged = true;
-      check_attribute(truth, *at, *vertex, a, drawn_->attributes_of(i)[a]);
+      check_attribute(place, *vertex, a, drawn_->attributes_of(i)[a]);
     }
     if (!is_judged) return;
-    check_.is_applicable = true;
-    ++check_.judgement.counts.required;
-    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
-    triangles_.insert(at->triangle);
+    tally_.pass_required(place.triangle);
     if (decision.reason != records::Reason::inside) {
-      labels_.emplace(records::to_string(decision.reason));
+      tally_.label(records::to_string(decision.reason));
     }
   }
 
-  void check_attribute(const oracle::TriangleTruth& truth, const records::SampleAddress& at,
-                       std::size_t vertex, std::uint32_t attribute, float actual) {
-    const cases::Triangle& triangle = case_->triangles[at.triangle];
+  void check_attribute(const FragmentPlace& place, std::size_t vertex, std::uint32_t attribute,
+                       float actual) {
+    const cases::Triangle& triangle = case_->triangles[place.triangle];
     const float expected = case_->attributes_of(triangle[vertex])[attribute];
     add_value_labels(triangle, attribute, expected);
     const AttributeKind kind = records::kind_of(case_->attributes[attribute].interpolation);
-    const FragmentClass found = class_of_vertex_value(actual, expected);
-    ++check_.judgement.errors[kind].classes[found];
-    if (found == FragmentClass::correct) return;
+    if (actual == expected) return tally_.pass(kind);
     const Rational exact{double{expected}};
-    records::Violation violation;
-    violation.fragment_class = found;
-    violation.kind = kind;
-    violation.triangle = at.triangle;
-    violation.x = at.x;
-    violation.y = at.y;
-    violation.sample = at.sample;
-    violation.attribute = attribute;
-    violation.exact = exact.to_string();
-    violation.actual = value_text(actual);
+    records::Violation violation =
+        violation_at(place, class_of_wrong(actual, FragmentClass::beyond_bound), exact.to_string(),
+                     fmt::format("vertex {} lies exactly there and has {}", triangle[vertex],
+                                 value_text(expected)),
+                     {kind, attribute, actual});
     if (std::isfinite(actual)) {
-      violation.error =
-          oracle::scale_ulp_error(actual, exact, truth.attribute_magnitude(attribute));
+      violation.error = oracle::scale_ulp_error(
+          actual, exact, verdicts_.truth(place.triangle).attribute_magnitude(attribute));
     }
-    violation.note = fmt::format("vertex {} lies exactly there and has {}", triangle[vertex],
-                                 value_text(expected));
-    note(check_, violation);
+    tally_.report(violation);
   }
 
   void add_value_labels(const cases::Triangle& triangle, std::uint32_t attribute, float expected) {
@@ -177,38 +142,30 @@ class VertexCheck {
       greatest = std::max(greatest, std::abs(case_->attributes_of(vertex)[attribute]));
     }
     if (expected == 0) {
-      labels_.emplace("vertex zero");
+      tally_.label("vertex zero");
     } else if (std::abs(expected) < kFarBelow * greatest) {
-      labels_.emplace("vertex value far below the others");
+      tally_.label("vertex value far below the others");
     } else {
-      labels_.emplace("vertex value");
+      tally_.label("vertex value");
     }
   }
 
-  const oracle::SceneTruth* scene_;
   const cases::Case* case_;
+  cases::Contract contract_;
   const cases::Framebuffer* drawn_;
   std::span<const cases::SamplePosition> pattern_;
   std::vector<std::uint32_t> attributes_;
-  Check check_;
-  std::set<std::string> labels_;
-  std::set<std::uint32_t> triangles_;
-  std::unique_ptr<oracle::TriangleTruth> truth_;  ///< of the last triangle; they come in order
-  std::uint32_t truth_triangle_ = 0;
+  Verdicts verdicts_;
+  Tally tally_;
 };
+
+Check find(const cases::Case& c, const cases::Contract& contract, const cases::Framebuffer& drawn) {
+  return contract.keeps_vertex_values ? VertexCheck(c, contract, drawn).run() : not_applicable();
+}
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  Check not_applicable;
-  not_applicable.is_applicable = false;
-  const cases::Contract contract = backend.contract(*clip);
-  if (!contract.keeps_vertex_values) return not_applicable;
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
-  if (!drawn) return tl::unexpected(drawn.error());
-  const oracle::SceneTruth scene(*clip, contract);
-  return VertexCheck(scene, *drawn).run();
+  return check_drawn(c, backend, &find);
 }
 
 bool is_promised(const backends::Backend& backend) {
@@ -400,8 +357,7 @@ const LawRegistration kRegistration(
                    "centroids; backends that do not promise it",
      .generate = &generate,
      .check = &check,
-     .is_promised = &is_promised,
-     .covers = {}});
+     .is_promised = &is_promised});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -31,6 +31,7 @@
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/exact_sum.h"
+#include "properties/internal/tally.h"
 #include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
 
@@ -69,10 +70,6 @@ Move move_of(const cases::Case& c) {
 /// The pixels of `span` that are still within the window after a move; where these are none, none.
 PixelSpan staying(const PixelSpan& span, int by) {
   return {std::min(std::max(span.first, -by), span.last), span.last};
-}
-
-cases::Scissor rectangle(const PixelSpan& columns, const PixelSpan& rows) {
-  return {columns.first, rows.first, columns.last - columns.first, rows.last - rows.first};
 }
 
 /// A case without what the move takes out of the window, and the moved one.

@@ -1,0 +1,50 @@
+#pragma once
+
+// What laws have in common that find what they find themselves, without a judge.
+
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "cases/case.h"
+#include "properties/law.h"
+
+namespace rastercheck::properties {
+
+/// Of a case that a law says nothing of.
+Check not_applicable();
+
+/// Adds to the note of each violation, the same or what there is to say of it.
+void add_to_notes(Check& check, const std::string& text);
+void add_to_notes(Check& check,
+                  const std::function<std::string(const records::Violation&)>& text_of);
+
+/// What a law finds of a case, sample by sample and value by value.
+class Tally {
+ public:
+  /// The case must outlive it.
+  explicit Tally(const cases::Case& c);
+
+  records::Counts& counts() { return check_.judgement.counts; }
+  void label(std::string_view text) { labels_.emplace(text); }
+  /// A triangle that drew something: the labels of the case's state are those of these.
+  void see(std::uint32_t triangle) { triangles_.insert(triangle); }
+  /// A sample, or a value, that is as it should be.
+  void pass(records::AttributeKind kind);
+  /// A required sample that the triangle drew.
+  void pass_required(std::uint32_t triangle);
+  void report(const records::Violation& violation);
+
+  /// With the labels, those of the state too.
+  Check finish();
+
+ private:
+  const cases::Case* case_;
+  std::set<std::string> labels_;
+  std::set<std::uint32_t> triangles_;
+  Check check_;
+};
+
+}  // namespace rastercheck::properties
