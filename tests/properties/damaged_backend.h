@@ -29,6 +29,9 @@ using AssemblyDamage =
     std::function<void(const cases::Case&, cases::Topology&, std::vector<std::uint32_t>& indices)>;
 /// Goes wrong with what was drawn over a picture, and with what is said of it.
 using OverDamage = std::function<void(const cases::Case&, Result<void>& drawn, cases::Picture&)>;
+/// Goes wrong with the pipeline that a picture is drawn by, or with the picture.
+using PipelineDamage = std::function<void(cases::Pipeline&)>;
+using PictureDamage = std::function<void(const cases::Pipeline& asked_for, cases::Picture&)>;
 using TraceDamage =
     std::function<void(const records::SampleAddress&, std::optional<records::SampleTrace>&)>;
 
@@ -85,7 +88,11 @@ class DamagedBackend : public backends::Backend {
   bool draws_pictures() const override { return inner_->draws_pictures(); }
   Result<cases::Picture> draw_picture(const cases::Case& c,
                                       const cases::Pipeline& pipeline) override {
-    return inner_->draw_picture(c, pipeline);
+    cases::Pipeline damaged = pipeline;
+    if (pipeline_damage) pipeline_damage(damaged);
+    Result<cases::Picture> picture = inner_->draw_picture(c, damaged);
+    if (picture && picture_damage) picture_damage(pipeline, *picture);
+    return picture;
   }
 
   bool assembles() const override { return inner_->assembles(); }
@@ -104,6 +111,8 @@ class DamagedBackend : public backends::Backend {
   NormalDamage normal_damage;
   AssemblyDamage assembly_damage;
   OverDamage over_damage;
+  PipelineDamage pipeline_damage;
+  PictureDamage picture_damage;
   std::vector<std::string> same_as_these;
 
  private:
@@ -182,10 +191,16 @@ inline void lose_last_corner(const cases::Case& /*c*/, cases::Framebuffer& drawn
   if (find(drawn, last, 7, 7) < drawn.size()) drop(drawn, last, 7, 7);
 }
 
-/// What the law of that name finds of a case drawn by a backend that goes wrong so.
-inline Check check_of(std::string_view law, const cases::Case& c, const Damage& damage) {
-  DamagedBackend backend(damage);
+/// What the law of that name finds of a case.
+inline Check check_of(std::string_view law, const cases::Case& c, backends::Backend& backend) {
   return find_law(law)->check(c, backend, {}).value();
+}
+
+/// The same, drawn by a backend that goes wrong so.
+inline Check check_of(std::string_view law, const cases::Case& c, const Damage& damage,
+                      const std::string& specification = "method:rational-linear") {
+  DamagedBackend backend(damage, specification);
+  return check_of(law, c, backend);
 }
 
 }  // namespace rastercheck::properties

@@ -24,6 +24,12 @@ TEST(Stepped, GoesFromFloatToFloat) {
   EXPECT_EQ(stepped(-kLargest, -1), -kLargest);
 }
 
+TEST(UlpOf, IsThatOfFloat32) {
+  EXPECT_EQ(ulp_of(0), 0x1p-149);
+  EXPECT_EQ(ulp_of(-1.5), 0x1p-23);
+  EXPECT_EQ(ulp_of(0x1p-130), 0x1p-149);
+}
+
 TEST(ToFloat, IsHeldAtTheLargest) {
   EXPECT_EQ(to_float(1e300), kLargest);
   EXPECT_EQ(to_float(-1e300), -kLargest);

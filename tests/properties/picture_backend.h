@@ -1,19 +1,14 @@
 #pragma once
 
-// Backends that draw pictures by the laws' own model, and then go wrong in one way: in what the
-// pipeline says, or in the picture.
+// A backend that draws pictures by the laws' own model, whatever it draws fragments with, and then
+// goes wrong in one way: in the fragments, in what the pipeline says, or in the picture.
 
-#include <functional>
 #include <string>
-#include <utility>
 
 #include "properties/picture_model.h"
 #include "tests/properties/damaged_backend.h"
 
 namespace rastercheck::properties {
-
-using PipelineDamage = std::function<void(cases::Pipeline&)>;
-using PictureDamage = std::function<void(const cases::Case&, cases::Picture&)>;
 
 class PictureBackend : public DamagedBackend {
  public:
@@ -31,13 +26,11 @@ class PictureBackend : public DamagedBackend {
     cases::Pipeline damaged = pipeline;
     if (pipeline_damage) pipeline_damage(damaged);
     cases::Picture picture = picture_of(alone, *drawn, damaged);
-    if (picture_damage) picture_damage(c, picture);
+    if (picture_damage) picture_damage(pipeline, picture);
     return picture;
   }
 
   Damage fragment_damage;  ///< of pictures alone
-  PipelineDamage pipeline_damage;
-  PictureDamage picture_damage;
 };
 
 }  // namespace rastercheck::properties

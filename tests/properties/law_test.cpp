@@ -1,0 +1,167 @@
+// Laws are known by their names, make valid cases, and say nothing where nothing is promised. What
+// each of them catches: tests/properties/laws/.
+
+#include "properties/law.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/case_reader.h"
+#include "cases/case_writer.h"
+#include "tests/properties/damaged_backend.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Case;
+using cases::Framebuffer;
+
+/// The square with a clip distance that is positive everywhere, so that each law on fragments has
+/// something to say.
+Case kept_square() {
+  Case c = square();
+  c.clip_distance_count = 1;
+  c.clip_distances = {1, 1, 1, 1};
+  return c;
+}
+
+TEST(Laws, AreKnownByTheirNames) {
+  std::vector<std::string_view> names;
+  for (const Law& law : laws()) {
+    names.push_back(law.name);
+    EXPECT_EQ(find_law(law.name)->name, law.name);
+    EXPECT_NE(law.reason, "") << law.name;
+    EXPECT_NE(law.exceptions, "") << law.name;
+  }
+  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+  EXPECT_EQ(find_law("a law"), nullptr);
+}
+
+TEST(Laws, AskForNoMoreThanChanceAllows) {
+  EXPECT_EQ(least_reached(cover(10, "tie"), 0), 0U);
+  EXPECT_EQ(least_reached(cover(10, "tie"), 100), 0U);    // 10 − √276
+  EXPECT_EQ(least_reached(cover(10, "tie"), 1000), 48U);  // 100 − √2763 = 47.4…
+  EXPECT_EQ(least_reached(cover(100, "tie"), 1000000), 994744U);
+}
+
+// Kills: a backend that leaves ties or placements open, and has to reach what it leaves open.
+TEST(Laws, KnowWhichBackendsDrawWhatIsAskedFor) {
+  const auto draws = [](const char* specification) {
+    return draws_what_is_asked_for(*backends::make_backend(specification).value());
+  };
+  EXPECT_TRUE(draws("cpu"));
+  EXPECT_TRUE(draws("cpu:precision=float32"));
+  EXPECT_FALSE(draws("method:rational-linear"));
+  DamagedBackend snapped({}, "cpu");
+  snapped.promised = cases::Contract();
+  snapped.promised->coverage = cases::Snapping();
+  EXPECT_FALSE(draws_what_is_asked_for(snapped));
+}
+
+TEST(Laws, MakeCasesThatComeBackFromTheirFilesAndNameTheirStratum) {
+  for (const Law& law : laws()) {
+    std::set<std::string> strata;
+    for (std::uint64_t i = 0; i < 200; ++i) {
+      Draw first(7, law.name, i);
+      Draw second(7, law.name, i);
+      const Generated made = law.generate(first);
+      EXPECT_EQ(made.source, law.generate(second).source) << law.name << i;
+      const Result<Case> read = cases::parse_case(cases::to_json(made.source), "");
+      ASSERT_TRUE(read.has_value()) << law.name << i << ": " << to_string(read.error());
+      EXPECT_EQ(*read, made.source) << law.name << i;
+      strata.insert(made.stratum);
+    }
+    EXPECT_GE(strata.size(), 3U) << law.name;
+    EXPECT_FALSE(strata.contains("")) << law.name;
+  }
+}
+
+// Of what the textbook method promises, and of what only `cpu` does.
+TEST(Laws, HoldOfTheSquare) {
+  int checked = 0;
+  for (const Law& law : laws()) {
+    DamagedBackend method;
+    DamagedBackend cpu({}, "cpu");
+    DamagedBackend& backend = is_promised(law, method) ? method : cpu;
+    const Check check = law.check(kept_square(), backend, {}).value();
+    EXPECT_EQ(check.violation_count, 0U) << law.name;
+    EXPECT_TRUE(std::is_sorted(check.labels.begin(), check.labels.end())) << law.name;
+    if (!check.is_applicable) continue;
+    ++checked;
+    EXPECT_GT(check.judgement.counts.required, 0U) << law.name;
+  }
+  EXPECT_GE(checked, 12);
+}
+
+TEST(Laws, SayNothingOfWhatIsNotPromised) {
+  const auto method = backends::make_backend("method:rational-linear").value();
+  std::vector<std::string_view> not_promised;
+  for (const Law& law : laws()) {
+    if (is_promised(law, *method)) continue;
+    not_promised.push_back(law.name);
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      Draw draw(1, law.name, i);
+      const Case c = law.generate(draw).source;
+      EXPECT_FALSE(law.check(c, *method, {i}).value().is_applicable) << law.name << i;
+    }
+  }
+  EXPECT_THAT(
+      not_promised,
+      testing::IsSupersetOf(
+          {"a picture is what its fragments leave", "additive blending counts overdraw",
+           "differences across quads stay within the bound",
+           "discarding draws what keeping the kept texels draws",
+           "filtered colours stay within the bound", "normals stay within their bound",
+           "screen derivatives stay within the bound", "strips and fans are their triangles",
+           "texels are those of the exact coordinates", "the traced value is the drawn value",
+           "the vertex stage stays within its bound", "values at vertices come back"}));
+}
+
+TEST(Laws, PassOnWhatABackendCannotDraw) {
+  class Refuses : public DamagedBackend {
+   public:
+    Refuses() : DamagedBackend({}, "cpu") {}
+    Result<Framebuffer> draw(const Case& /*c*/) override {
+      return tl::unexpected(Error{"", "", "no triangles today"});
+    }
+    Result<Framebuffer> draw_assembled(const Case& c, cases::Topology /*topology*/,
+                                       std::span<const std::uint32_t> /*indices*/) override {
+      return draw(c);
+    }
+    Result<cases::Picture> draw_picture(const Case& c,
+                                        const cases::Pipeline& /*pipeline*/) override {
+      return tl::unexpected(draw(c).error());
+    }
+    Result<std::vector<cases::ClipVertex>> transform(const Case& c) override {
+      return tl::unexpected(draw(c).error());
+    }
+    Result<std::vector<cases::Normal>> transform_normals(
+        const cases::Matrix4& /*model*/, std::span<const cases::Normal> /*normals*/) override {
+      return tl::unexpected(draw({}).error());
+    }
+  };
+  Case c = kept_square();
+  c.camera.emplace();
+  int asked = 0;
+  for (const Law& law : laws()) {
+    Refuses backend;
+    if (!is_promised(law, backend)) continue;
+    const Result<Check> check = law.check(c, backend, {});
+    if (check && !check->is_applicable) continue;
+    ASSERT_FALSE(check.has_value()) << law.name;
+    EXPECT_EQ(check.error().reason, "no triangles today");
+    ++asked;
+  }
+  EXPECT_GE(asked, 12);
+}
+
+}  // namespace
+}  // namespace rastercheck::properties

@@ -1,0 +1,114 @@
+// The law on differences across quads: held by `cpu`, broken by helpers that are not on the
+// triangle's own map, silent of what the map says nothing about.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "properties/law.h"
+#include "tests/properties/damaged_backend.h"
+#include "tests/properties/laws/own_cases.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Case;
+using cases::Picture;
+using cases::Pipeline;
+using cases::Shading;
+using records::AttributeKind;
+using records::FragmentClass;
+
+constexpr std::string_view kLaw = "differences across quads stay within the bound";
+
+/// How many of a hundred cases of the law a backend breaks.
+int broken(DamagedBackend& backend) { return check_own_cases(kLaw, backend, 100).violated; }
+
+TEST(QuadDifferences, HoldOfCpuAndMeetWhatTheyAreAbout) {
+  const FoundInOwnCases found = check_own_cases(kLaw, "cpu", 300);
+  EXPECT_EQ(found.violated, 0);
+  EXPECT_THAT(found.labels(),
+              testing::IsSupersetOf({"along x", "along y", "beyond the framebuffer",
+                                     "beyond the triangle", "no one difference", "cancellation",
+                                     "next to the horizon", "several samples", "w <= 0"}));
+}
+
+// Attribute 0 is the window x: differences are 1, or 0 along y. Pixels of even x have theirs with
+// the next, those of odd x with the one before, of the other triangle too: it has the same map.
+TEST(QuadDifferences, OfTheSquareAreOneOrZero) {
+  DamagedBackend backend({}, "cpu");
+  bool is_along_x = false;
+  backend.picture_damage = [&is_along_x](const Pipeline& pipeline, Picture& picture) {
+    is_along_x = pipeline.shading == Shading::differences_along_x;
+    picture.color[3 * 9] = std::nextafter(is_along_x ? 1.0F : 0.0F, 2.0F);
+    picture.color[3 * 10 + 1] = std::numeric_limits<float>::quiet_NaN();
+  };
+  const Check check = check_of(kLaw, square(), backend);
+  EXPECT_EQ(check.judgement.counts.required, 64U);
+  // An ulp of 1 is more than half an ulp and 16 · 2^-29; 2^-149 is less.
+  ASSERT_EQ(check.violation_count, is_along_x ? 2U : 1U);
+  const records::Violation& last = check.violations.back();
+  EXPECT_EQ(last.fragment_class, FragmentClass::not_a_number);
+  EXPECT_EQ(last.kind, AttributeKind::smooth);
+  EXPECT_EQ(last.attribute, 1U);
+  EXPECT_EQ(last.x, 2U);
+  EXPECT_EQ(last.y, 1U);
+  EXPECT_EQ(last.exact, "0");
+}
+
+TEST(QuadDifferences, ShowTheOtherAxisAndTheOtherDirection) {
+  DamagedBackend other_axis({}, "cpu");
+  other_axis.pipeline_damage = [](Pipeline& pipeline) {
+    pipeline.shading = pipeline.shading == Shading::differences_along_x
+                           ? Shading::differences_along_y
+                           : Shading::differences_along_x;
+  };
+  EXPECT_GT(broken(other_axis), 50);
+  DamagedBackend backwards({}, "cpu");
+  backwards.picture_damage = [](const Pipeline&, Picture& picture) {
+    for (float& color : picture.color) color = -color;
+  };
+  EXPECT_GT(broken(backwards), 50);
+}
+
+// Helpers that have the value of the fragment beside them.
+TEST(QuadDifferences, ShowHelpersThatAreHeldToTheEdge) {
+  DamagedBackend backend({}, "cpu");
+  backend.picture_damage = [](const Pipeline& pipeline, Picture& picture) {
+    const auto samples = static_cast<std::size_t>(picture.size.samples);
+    const auto width = static_cast<std::size_t>(picture.size.width);
+    const bool is_along_x = pipeline.shading == Shading::differences_along_x;
+    for (std::size_t at = 0; at < picture.depth.size(); ++at) {
+      const std::size_t x = at / samples % width;
+      const std::size_t y = at / samples / width;
+      const std::size_t other_x = is_along_x ? x ^ 1 : x;
+      const std::size_t other_y = is_along_x ? y : y ^ 1;
+      const std::size_t other = (other_y * width + other_x) * samples + at % samples;
+      const bool is_drawn =
+          other_x < width && other < picture.depth.size() && std::isfinite(picture.depth[other]);
+      for (std::size_t k = 0; !is_drawn && k < picture.channels; ++k) {
+        picture.color[at * picture.channels + k] = 0;
+      }
+    }
+  };
+  EXPECT_GT(broken(backend), 40);
+}
+
+TEST(QuadDifferences, AreOfBackendsThatPromiseThem) {
+  DamagedBackend backend({}, "cpu");
+  EXPECT_TRUE(is_promised(*find_law(kLaw), backend));
+  EXPECT_TRUE(check_of(kLaw, square(), backend).is_applicable);
+  Case c = square();
+  c.attributes.clear();
+  c.attribute_values.clear();
+  EXPECT_FALSE(check_of(kLaw, c, backend).is_applicable);
+  backend.promised = backend.contract(square());
+  backend.promised->quad_share.reset();
+  EXPECT_FALSE(is_promised(*find_law(kLaw), backend));
+  EXPECT_FALSE(check_of(kLaw, square(), backend).is_applicable);
+}
+
+}  // namespace
+}  // namespace rastercheck::properties
