@@ -9,12 +9,6 @@ namespace rastercheck::properties {
 using records::AttributeKind;
 using records::FragmentClass;
 
-Check not_applicable() {
-  Check none;
-  none.is_applicable = false;
-  return none;
-}
-
 void add_to_notes(Check& check, const std::string& text) {
   add_to_notes(check, [&text](const records::Violation& /*violation*/) { return text; });
 }

@@ -13,9 +13,6 @@
 
 namespace rastercheck::properties {
 
-/// Of a case that a law says nothing of.
-Check not_applicable();
-
 /// Adds to the note of each violation, the same or what there is to say of it.
 void add_to_notes(Check& check, const std::string& text);
 void add_to_notes(Check& check,

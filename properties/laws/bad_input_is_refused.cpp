@@ -36,7 +36,6 @@
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/picture_cases.h"
 #include "properties/internal/same_picture.h"
-#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {

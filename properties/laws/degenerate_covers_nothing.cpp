@@ -38,7 +38,6 @@
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/parted_triangles.h"
 #include "properties/internal/same_drawing.h"
-#include "properties/internal/tally.h"
 #include "properties/internal/verdicts.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"

@@ -26,7 +26,6 @@
 
 #include "properties/internal/float_numbers.h"
 #include "properties/internal/random_state.h"
-#include "properties/internal/tally.h"
 #include "properties/internal/value_findings.h"
 #include "properties/judged_law.h"
 

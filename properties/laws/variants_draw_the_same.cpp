@@ -23,7 +23,6 @@
 #include "properties/internal/pipelines.h"
 #include "properties/internal/same_drawing.h"
 #include "properties/internal/same_picture.h"
-#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {

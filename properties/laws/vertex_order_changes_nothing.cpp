@@ -3,6 +3,10 @@
 // it was, so that set-up code that is good for one order only shows; and what is drawn with the
 // third one first, where it differs from that.
 //
+// Why. Rotating the columns of M permutes the rows of Q and leaves det M as it is (RULES §1): the
+// edge functions are the same in another order, and facing, 1/w, N/D and z/w, which are sums over
+// all three, are the same.
+//
 // Flat attributes come from the provoking vertex, which a rotation changes: all vertices are given
 // the same value of them. Leaving the attributes out instead would renumber the others.
 

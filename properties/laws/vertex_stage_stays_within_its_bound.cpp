@@ -21,7 +21,6 @@
 #include "properties/internal/camera_matrices.h"
 #include "properties/internal/random_floats.h"
 #include "properties/internal/random_state.h"
-#include "properties/internal/tally.h"
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 

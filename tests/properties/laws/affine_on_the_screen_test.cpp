@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <vector>
 
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
