@@ -36,9 +36,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <utility>
+#include <span>
 
-#include "oracle/transform.h"
 #include "properties/internal/drawn_values.h"
 #include "properties/internal/fragment_lines.h"
 #include "properties/internal/random_state.h"

@@ -35,9 +35,8 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <set>
+#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "cases/sample_pattern.h"

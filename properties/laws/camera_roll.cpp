@@ -24,8 +24,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
-#include <string>
 #include <utility>
 
 #include "oracle/judged_transform.h"

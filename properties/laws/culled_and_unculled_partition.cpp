@@ -14,7 +14,6 @@
 
 #include <cstdint>
 #include <set>
-#include <string>
 
 #include "oracle/transform.h"
 #include "properties/internal/drawn_fragments.h"

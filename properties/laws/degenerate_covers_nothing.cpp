@@ -22,13 +22,11 @@
 // that is there twice, and collinear points of the grid, which stay so, all; and the depth test is
 // left out, as they may hide others. Neighbours: all, to the bit.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>

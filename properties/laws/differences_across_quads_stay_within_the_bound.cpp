@@ -20,11 +20,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <set>
-#include <string>
 #include <utility>
 
 #include "oracle/judged_number.h"

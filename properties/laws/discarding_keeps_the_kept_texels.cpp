@@ -16,12 +16,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 #include <string>
-#include <utility>
 
 #include "oracle/texture_truth.h"
 #include "oracle/transform.h"

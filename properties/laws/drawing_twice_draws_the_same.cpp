@@ -12,8 +12,6 @@
 // middle, which has the same case before it, is what the other two are held against.
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>

@@ -21,7 +21,6 @@
 #include <bit>
 #include <cmath>
 #include <map>
-#include <utility>
 #include <vector>
 
 #include "properties/internal/float_numbers.h"

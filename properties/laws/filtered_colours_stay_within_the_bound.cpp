@@ -18,10 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
-#include <string>
-#include <string_view>
-#include <utility>
 
 #include "oracle/texture_truth.h"
 #include "oracle/transform.h"

@@ -14,9 +14,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
-#include "oracle/transform.h"
 #include "properties/internal/value_findings.h"
 #include "properties/judged_law.h"
 

@@ -33,7 +33,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -18,7 +18,6 @@
 #include <map>
 #include <set>
 #include <string>
-#include <utility>
 
 #include "oracle/transform.h"
 #include "properties/internal/drawn_fragments.h"

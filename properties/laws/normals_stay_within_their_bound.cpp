@@ -18,7 +18,6 @@
 #include <cmath>
 #include <set>
 #include <string>
-#include <utility>
 
 #include "oracle/judged_normals.h"
 #include "properties/internal/camera_matrices.h"

@@ -14,7 +14,6 @@
 // alone.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -22,7 +21,6 @@
 
 #include "oracle/transform.h"
 #include "properties/internal/drawn_fragments.h"
-#include "properties/internal/random_state.h"
 #include "properties/internal/sample_place.h"
 #include "properties/internal/tally.h"
 #include "properties/internal/window_position.h"

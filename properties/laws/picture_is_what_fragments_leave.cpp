@@ -18,10 +18,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
-#include <utility>
 
 #include "oracle/transform.h"
 #include "properties/internal/drawn_fragments.h"

@@ -25,11 +25,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <utility>
+#include <span>
 
 #include "cases/names.h"
 #include "cases/sample_pattern.h"
-#include "oracle/transform.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/value_findings.h"
 #include "properties/internal/window_position.h"

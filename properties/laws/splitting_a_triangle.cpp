@@ -20,9 +20,7 @@
 // vertices that are snapped, and of a point that is snapped between them, lie in other planes.
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "oracle/transform.h"

@@ -17,10 +17,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <set>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "oracle/texture_truth.h"
 #include "oracle/transform.h"

@@ -10,14 +10,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
 #include "oracle/transform.h"
 #include "properties/internal/drawn_fragments.h"
-#include "properties/internal/random_state.h"
 #include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 

@@ -25,11 +25,10 @@
 #include <cmath>
 #include <utility>
 
-#include "oracle/transform.h"
 #include "properties/internal/drawn_values.h"
+#include "properties/internal/float_numbers.h"
 #include "properties/internal/random_state.h"
 #include "properties/internal/value_findings.h"
-#include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
 namespace rastercheck::properties {

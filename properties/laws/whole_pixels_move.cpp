@@ -21,10 +21,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
-#include <set>
-#include <utility>
 
 #include "oracle/transform.h"
 #include "properties/internal/changed_drawing.h"
