@@ -261,6 +261,11 @@ Case random_state(Draw& draw, const StateRequest& request) {
   return c;
 }
 
+void set_snapped_coverage(Draw& draw, Case& c) {
+  c.coverage = cases::Snapping{draw.between(4, cases::kMaxSubpixelBits)};
+  c.basis = draw.pick(std::array{cases::Basis::ideal, cases::Basis::snapped});
+}
+
 void add_attribute_values(Draw& draw, Case& c) {
   const std::size_t count = c.attributes.size();
   c.attribute_values.assign(c.positions.size() * count, 0.0F);

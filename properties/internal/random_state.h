@@ -28,6 +28,9 @@ struct StateRequest {
 /// set, the distances are not.
 cases::Case random_state(Draw& draw, const StateRequest& request = {});
 
+/// Snaps vertices to a grid of 2^-4 pixels or finer; values come from either basis.
+void set_snapped_coverage(Draw& draw, cases::Case& c);
+
 /// Gives every vertex its attribute values: of each attribute of one kind, as constants, zeros,
 /// small integers, huge or tiny or mixed numbers.
 void add_attribute_values(Draw& draw, cases::Case& c);

@@ -179,10 +179,7 @@ Generated generate(Draw& draw) {
       c.attribute_values[v * count + a] = constant;
     }
   }
-  if (draw.one_in(3)) {
-    c.coverage = cases::Snapping{draw.between(4, cases::kMaxSubpixelBits)};
-    c.basis = draw.pick(std::array{cases::Basis::ideal, cases::Basis::snapped});
-  }
+  if (draw.one_in(3)) set_snapped_coverage(draw, c);
   return made;
 }
 

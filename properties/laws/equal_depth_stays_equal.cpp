@@ -17,7 +17,6 @@
 // − n) z/w = 1/2 + k/2 with k an odd multiple of 2^-24.
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <map>
@@ -192,10 +191,7 @@ Generated generate(Draw& draw) {
     c.clip_distance_count = 1;
     add_clip_distances(draw, c);
   }
-  if (draw.one_in(3)) {
-    c.coverage = cases::Snapping{draw.between(4, cases::kMaxSubpixelBits)};
-    c.basis = draw.pick(std::array{cases::Basis::ideal, cases::Basis::snapped});
-  }
+  if (draw.one_in(3)) set_snapped_coverage(draw, c);
   return made;
 }
 

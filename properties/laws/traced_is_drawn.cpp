@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <map>
 #include <set>
@@ -20,6 +19,7 @@
 
 #include "oracle/transform.h"
 #include "properties/internal/drawn_fragments.h"
+#include "properties/internal/random_state.h"
 #include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
@@ -227,10 +227,7 @@ bool is_promised(const backends::Backend& backend) { return backend.traces(); }
 /// Any case, in half of them with snapped vertices.
 Generated generate(Draw& draw) {
   Generated made = generate_any(draw);
-  if (draw.one_in(2)) {
-    made.source.coverage = cases::Snapping{draw.between(4, cases::kMaxSubpixelBits)};
-    made.source.basis = draw.pick(std::array{cases::Basis::ideal, cases::Basis::snapped});
-  }
+  if (draw.one_in(2)) set_snapped_coverage(draw, made.source);
   return made;
 }
 

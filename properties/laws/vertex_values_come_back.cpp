@@ -196,10 +196,7 @@ Canvas random_canvas(Draw& draw) {
     c.viewport.y += static_cast<float>(y) / 4096;
     canvas.weight_bits = 6;
   }
-  if (draw.one_in(2)) {
-    c.coverage = cases::Snapping{draw.between(4, cases::kMaxSubpixelBits)};
-    c.basis = draw.pick(std::array{cases::Basis::ideal, cases::Basis::snapped});
-  }
+  if (draw.one_in(2)) set_snapped_coverage(draw, c);
   // Otherwise what a case has to say is mostly lost.
   if (!draw.one_in(4)) c.cull = cases::Cull::none;
   if (!draw.one_in(4)) c.scissor.reset();
