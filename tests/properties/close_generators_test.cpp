@@ -12,37 +12,15 @@
 #include <string_view>
 
 #include "cases/sample_pattern.h"
-#include "oracle/triangle_truth.h"
-#include "properties/draw.h"
-#include "properties/generator.h"
 #include "properties/internal/exact_splits.h"
 #include "properties/internal/random_state.h"
+#include "tests/properties/generator_cases.h"
 
 namespace rastercheck::properties {
 namespace {
 
 using cases::Case;
 using cases::ClipVertex;
-using Corners = std::array<ClipVertex, 3>;
-
-constexpr std::uint64_t kSeed = 1;
-
-Case make(std::string_view generator, std::uint64_t index) {
-  Draw draw(kSeed, generator, index);
-  return find_generator(generator)->make(draw);
-}
-
-Corners corners_of(const Case& c, const cases::Triangle& triangle) {
-  return {c.positions[triangle[0]], c.positions[triangle[1]], c.positions[triangle[2]]};
-}
-
-/// The contract of the mathematical triangle, whatever the case asks for.
-cases::Contract exact_contract(const Case& c) {
-  cases::Contract contract = cases::contract_of(c);
-  contract.coverage.reset();
-  contract.basis = cases::Basis::ideal;
-  return contract;
-}
 
 // --- hairline ------------------------------------------------------------------------------------
 
@@ -141,7 +119,7 @@ Close close_samples(const Case& c) {
 TEST(Hairline, HasSamplesOnBoundariesAndBesideThem) {
   Close cases_with;
   for (std::uint64_t i = 0; i < 100; ++i) {
-    const Close close = close_samples(make("hairline", i));
+    const Close close = close_samples(make_case("hairline", i));
     cases_with.on_edges += close.on_edges > 0 ? 1 : 0;
     cases_with.by_edges += close.by_edges > 0 ? 1 : 0;
     cases_with.on_planes += close.on_planes > 0 ? 1 : 0;
@@ -156,15 +134,10 @@ TEST(Hairline, HasSamplesOnBoundariesAndBesideThem) {
 /// How many of 200 cases have a triangle for which `question` is true.
 int count(std::string_view generator,
           const std::function<bool(const Case&, const cases::Triangle&)>& question) {
-  int yes = 0;
-  for (std::uint64_t i = 0; i < 200; ++i) {
-    const Case c = make(generator, i);
-    yes += std::any_of(c.triangles.begin(), c.triangles.end(),
-                       [&](const cases::Triangle& t) { return question(c, t); })
-               ? 1
-               : 0;
-  }
-  return yes;
+  return count_cases(generator, [&](const Case& c) {
+    return std::any_of(c.triangles.begin(), c.triangles.end(),
+                       [&](const cases::Triangle& t) { return question(c, t); });
+  });
 }
 
 TEST(Hairline, HasEdgesThatNoDoubleHolds) {
@@ -190,7 +163,7 @@ TEST(Hairline, HasDeterminantsThatAreZeroOrNextToIt) {
   int zero = 0;
   int next_to_zero = 0;
   for (std::uint64_t i = 0; i < 200; ++i) {
-    const Case c = make("hairline", i);
+    const Case c = make_case("hairline", i);
     const oracle::SceneTruth scene(c, exact_contract(c));
     bool has_zero = false;
     bool has_next = false;
@@ -254,7 +227,7 @@ bool draws_beside_horizon(const Case& c, const cases::Triangle& triangle,
 TEST(Hairline, HasCentresNextToTheHorizon) {
   int cases_with = 0;
   for (std::uint64_t i = 0; i < 200; ++i) {
-    const Case c = make("hairline", i);
+    const Case c = make_case("hairline", i);
     if (c.framebuffer.samples == 1 || c.attributes.empty() ||
         c.attributes[0].location != cases::Location::center ||
         c.attributes[0].interpolation != cases::Interpolation::smooth) {
@@ -278,7 +251,7 @@ TEST(NearMisses, AreDrawnByDeterminantsAndEdgesThatADoubleCannotTell) {
   int thin = 0;
   int edges = 0;
   for (std::uint64_t i = 0; i < 200; ++i) {
-    const Case c = make("near-misses", i);
+    const Case c = make_case("near-misses", i);
     const auto pattern = cases::standard_pattern(c.framebuffer.samples);
     const oracle::SceneTruth scene(c, exact_contract(c));
     bool has_thin = false;
@@ -315,10 +288,8 @@ TEST(NearMisses, AreDrawnByDeterminantsAndEdgesThatADoubleCannotTell) {
 /// Window coordinates in grid units, for w > 0: exact where the coordinates are short.
 std::array<double, 2> grid_units(const Case& c, const ClipVertex& p) {
   const double grid = power_of_two(c.coverage->subpixel_bits);
-  const double y = double{p.y} / double{p.w} * (c.rules == cases::Rules::d3d ? -1 : 1);
-  return {(double{c.viewport.x} + (double{p.x} / double{p.w} + 1) * double{c.viewport.width} / 2) *
-              grid,
-          (double{c.viewport.y} + (y + 1) * double{c.viewport.height} / 2) * grid};
+  const auto pixels = window(c, p);
+  return {pixels[0] * grid, pixels[1] * grid};
 }
 
 bool is_midway(double units) { return units - std::floor(units) == 0.5; }
@@ -326,7 +297,7 @@ bool is_midway(double units) { return units - std::floor(units) == 0.5; }
 TEST(SnapTies, AreAlwaysSnapped) {
   std::array<int, cases::kMaxSubpixelBits + 1> bits{};
   for (std::uint64_t i = 0; i < 400; ++i) {
-    const Case c = make("snap-ties", i);
+    const Case c = make_case("snap-ties", i);
     ASSERT_TRUE(c.coverage.has_value());
     EXPECT_EQ(c.coverage->rounding, cases::Rounding::nearest_even);
     EXPECT_EQ(c.coverage->position_error, 0);
@@ -360,7 +331,7 @@ TEST(SnapTies, HaveVerticesMidwayAndAFloatBeside) {
   int beside = 0;
   int all = 0;
   for (std::uint64_t i = 0; i < 200; ++i) {
-    const Case c = make("snap-ties", i);
+    const Case c = make_case("snap-ties", i);
     for (const ClipVertex& p : c.positions) {
       if (p.w <= 0) continue;
       ++all;
@@ -439,9 +410,7 @@ TEST(SnapTies, ReachTheGuardBandAndBeyondTheEye) {
 
 TEST(SnapTies, ShareVerticesInMeshes) {
   const auto is_mesh = [](const Case& c) { return c.positions.size() < 3 * c.triangles.size(); };
-  int meshes = 0;
-  for (std::uint64_t i = 0; i < 200; ++i) meshes += is_mesh(make("snap-ties", i)) ? 1 : 0;
-  EXPECT_GT(meshes, 100);
+  EXPECT_GT(count_cases("snap-ties", is_mesh), 100);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 // What tests of generators have in common: their cases, and counts of what those reach by the exact
 // oracle.
 
-#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string_view>
@@ -18,6 +18,19 @@ namespace rastercheck::properties {
 inline cases::Case make_case(std::string_view generator, std::uint64_t index) {
   Draw draw(1, generator, index);
   return find_generator(generator)->make(draw);
+}
+
+using Corners = std::array<cases::ClipVertex, 3>;
+
+inline Corners corners_of(const cases::Case& c, const cases::Triangle& triangle) {
+  return {c.positions[triangle[0]], c.positions[triangle[1]], c.positions[triangle[2]]};
+}
+
+/// Window x and y of a vertex with w != 0, in pixels, rounded as double rounds.
+inline std::array<double, 2> window(const cases::Case& c, const cases::ClipVertex& p) {
+  const double y = double{p.y} / double{p.w} * (c.rules == cases::Rules::d3d ? -1 : 1);
+  return {double{c.viewport.x} + (double{p.x} / double{p.w} + 1) * double{c.viewport.width} / 2,
+          double{c.viewport.y} + (y + 1) * double{c.viewport.height} / 2};
 }
 
 /// The contract of the mathematical triangle, whatever the case asks for.

@@ -14,10 +14,8 @@
 
 #include "cases/case_reader.h"
 #include "cases/case_writer.h"
-#include "oracle/triangle_truth.h"
-#include "properties/draw.h"
-#include "properties/generator.h"
 #include "properties/law.h"
+#include "tests/properties/generator_cases.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -27,34 +25,10 @@ using cases::ClipVertex;
 
 constexpr std::uint64_t kSeed = 1;
 
-Case make(const Generator& generator, std::uint64_t index) {
-  Draw draw(kSeed, generator.name, index);
-  return generator.make(draw);
-}
-
-Case make(std::string_view name, std::uint64_t index) { return make(*find_generator(name), index); }
-
 using Question = std::function<bool(const Case&)>;
-
-/// How many of 200 cases answer yes.
-int count(std::string_view generator, const Question& question) {
-  int yes = 0;
-  for (std::uint64_t i = 0; i < 200; ++i) yes += question(make(generator, i)) ? 1 : 0;
-  return yes;
-}
 
 bool any_vertex(const Case& c, const std::function<bool(const ClipVertex&)>& question) {
   return std::any_of(c.positions.begin(), c.positions.end(), question);
-}
-
-/// Window coordinates of a vertex with w != 0, in pixels, rounded as double rounds.
-double window_u(const Case& c, const ClipVertex& p) {
-  const double x = double{p.x} / double{p.w};
-  return double{c.viewport.x} + (x + 1) * double{c.viewport.width} / 2;
-}
-double window_v(const Case& c, const ClipVertex& p) {
-  const double y = double{p.y} / double{p.w} * (c.rules == cases::Rules::d3d ? -1 : 1);
-  return double{c.viewport.y} + (y + 1) * double{c.viewport.height} / 2;
 }
 
 TEST(Generators, AreKnownByTheirNames) {
@@ -72,7 +46,7 @@ TEST(Generators, AreKnownByTheirNames) {
 TEST(Generators, MakeCasesThatComeBackFromTheirFiles) {
   for (const Generator& generator : generators()) {
     for (std::uint64_t i = 0; i < 300; ++i) {
-      const Case c = make(generator, i);
+      const Case c = make_case(generator.name, i);
       const Result<Case> read = cases::parse_case(cases::to_json(c), "");
       ASSERT_TRUE(read.has_value()) << generator.name << i << ": " << to_string(read.error());
       EXPECT_EQ(*read, c) << generator.name << i;
@@ -86,8 +60,8 @@ TEST(Generators, MakeCasesThatComeBackFromTheirFiles) {
 
 TEST(Generators, DependOnTheDrawAlone) {
   for (const Generator& generator : generators()) {
-    EXPECT_EQ(make(generator, 77), make(generator, 77)) << generator.name;
-    EXPECT_NE(make(generator, 77), make(generator, 78)) << generator.name;
+    EXPECT_EQ(make_case(generator.name, 77), make_case(generator.name, 77)) << generator.name;
+    EXPECT_NE(make_case(generator.name, 77), make_case(generator.name, 78)) << generator.name;
   }
 }
 
@@ -97,7 +71,7 @@ TEST(Generators, MakeTheSameCasesEverywhere) {
   std::map<std::string, std::uint64_t> hashes;
   for (const Generator& generator : generators()) {
     std::string all;
-    for (std::uint64_t i = 0; i < 101; ++i) all += cases::to_json(make(generator, i));
+    for (std::uint64_t i = 0; i < 101; ++i) all += cases::to_json(make_case(generator.name, i));
     hashes[std::string(generator.name)] = fnv1a(all);
   }
   const std::map<std::string, std::uint64_t> expected{
@@ -114,39 +88,28 @@ TEST(Generators, MakeTheSameCasesEverywhere) {
   EXPECT_EQ(hashes, expected);
 }
 
-struct Samples {
-  long required = 0;
-  long all = 0;
-};
-
-/// How many samples the exact triangles of the first cases require, and how many were asked.
-Samples drawn_by(const Generator& generator, std::uint64_t cases_count) {
-  Samples total;
-  for (std::uint64_t i = 0; i < cases_count; ++i) {
-    const Case c = make(generator, i);
+/// How many samples the triangles of a generator's first 100 cases require.
+int required_samples(const Generator& generator) {
+  int required = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    const Case c = make_case(generator.name, i);
     const oracle::SceneTruth scene(c, cases::contract_of(c));
     for (std::size_t t = 0; t < c.triangles.size(); ++t) {
-      const oracle::TriangleTruth truth(scene, t);
-      const oracle::PixelBox pixels = truth.pixels();
-      for (int y = pixels.y0; y < pixels.y1; ++y) {
-        for (int x = pixels.x0; x < pixels.x1; ++x) {
-          for (int s = 0; s < c.framebuffer.samples; ++s) {
-            ++total.all;
-            if (truth.judge(x, y, s).verdict == records::Verdict::required) ++total.required;
-          }
-        }
-      }
+      any_sample(scene, t, [&required](const records::SampleVerdict& sample) {
+        required += sample.verdict == records::Verdict::required ? 1 : 0;
+        return false;
+      });
     }
   }
-  return total;
+  return required;
 }
 
 TEST(Generators, DrawSomethingButNotTooMuch) {
   for (const Generator& generator : generators()) {
-    const Samples drawn = drawn_by(generator, 100);
-    RecordProperty(std::string(generator.name) + "-required", std::to_string(drawn.required));
-    EXPECT_GT(drawn.required, 100 * 5) << generator.name;
-    EXPECT_LT(drawn.required, 100 * 1500) << generator.name;
+    const int required = required_samples(generator);
+    RecordProperty(std::string(generator.name) + "-required", required);
+    EXPECT_GT(required, 100 * 5) << generator.name;
+    EXPECT_LT(required, 100 * 1500) << generator.name;
   }
 }
 
@@ -155,7 +118,7 @@ TEST(Generators, VaryTheState) {
   for (const Generator& generator : generators()) {
     std::map<std::string, int> seen;
     for (std::uint64_t i = 0; i < 400; ++i) {
-      const Case c = make(generator, i);
+      const Case c = make_case(generator.name, i);
       const cases::Viewport& viewport = c.viewport;
       seen["opengl"] += c.rules == cases::Rules::opengl ? 1 : 0;
       seen["vulkan"] += c.rules == cases::Rules::vulkan ? 1 : 0;
@@ -189,18 +152,20 @@ TEST(Ordinary, HasOneToFourTrianglesOfPositiveWeight) {
     return c.triangles.size() <= 4 &&
            !any_vertex(c, [](const ClipVertex& p) { return p.w < 0.125F || p.w > 8; });
   };
-  EXPECT_EQ(count("ordinary", obeys), 200);
-  EXPECT_GT(count("ordinary", [](const Case& c) { return c.triangles.size() == 4; }), 3);
+  EXPECT_EQ(count_cases("ordinary", obeys), 200);
+  EXPECT_GT(count_cases("ordinary", [](const Case& c) { return c.triangles.size() == 4; }), 3);
 }
 
 TEST(ThroughEye, MostlyHasAWeightOfZeroOrLess) {
   const auto reaches_behind = [](const ClipVertex& p) { return p.w <= 0; };
-  EXPECT_GT(count("through-eye", [&](const Case& c) { return any_vertex(c, reaches_behind); }),
-            150);
+  EXPECT_GT(
+      count_cases("through-eye", [&](const Case& c) { return any_vertex(c, reaches_behind); }),
+      150);
   const auto is_last_float = [](const ClipVertex& p) { return std::abs(p.w) == 0x1p-149F; };
-  EXPECT_GT(count("through-eye", [&](const Case& c) { return any_vertex(c, is_last_float); }), 10);
+  EXPECT_GT(count_cases("through-eye", [&](const Case& c) { return any_vertex(c, is_last_float); }),
+            10);
   const auto is_zero = [](const ClipVertex& p) { return p.w == 0; };
-  EXPECT_GT(count("through-eye", [&](const Case& c) { return any_vertex(c, is_zero); }), 20);
+  EXPECT_GT(count_cases("through-eye", [&](const Case& c) { return any_vertex(c, is_zero); }), 20);
 }
 
 /// The least height of the window triangle over its longest side, in double.
@@ -208,8 +173,9 @@ double least_height(const Case& c, const cases::Triangle& triangle) {
   std::array<double, 3> u{};
   std::array<double, 3> v{};
   for (std::size_t i = 0; i < 3; ++i) {
-    u[i] = window_u(c, c.positions[triangle[i]]);
-    v[i] = window_v(c, c.positions[triangle[i]]);
+    const auto at = window(c, c.positions[triangle[i]]);
+    u[i] = at[0];
+    v[i] = at[1];
   }
   double longest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -225,7 +191,7 @@ TEST(Slivers, AreThin) {
   int below_a_pixel = 0;
   int below_a_grid_step = 0;
   for (std::uint64_t i = 0; i < 200; ++i) {
-    const Case c = make("slivers", i);
+    const Case c = make_case("slivers", i);
     for (const cases::Triangle& triangle : c.triangles) {
       const double height = least_height(c, triangle);
       ++all;
@@ -244,30 +210,25 @@ TEST(OnGrid, MostlyHasItsCornersOnThe256Grid) {
   };
   const Question obeys = [&](const Case& c) {
     return !any_vertex(c, [&](const ClipVertex& p) {
-      return !is_on_grid(window_u(c, p)) || !is_on_grid(window_v(c, p));
+      const auto at = window(c, p);
+      return !is_on_grid(at[0]) || !is_on_grid(at[1]);
     });
   };
   // The others have edges through samples from vertices whose weights are no powers of two.
-  EXPECT_GT(count("on-grid", obeys), 70);
-  EXPECT_LT(count("on-grid", obeys), 190);
+  EXPECT_GT(count_cases("on-grid", obeys), 70);
+  EXPECT_LT(count_cases("on-grid", obeys), 190);
 }
 
 TEST(OnGrid, AsksTheTieRule) {
   int ties = 0;
   for (std::uint64_t i = 0; i < 400; ++i) {
-    const Case c = make("on-grid", i);
+    const Case c = make_case("on-grid", i);
     const oracle::SceneTruth scene(c, cases::contract_of(c));
     bool has_tie = false;
     for (std::size_t t = 0; t < c.triangles.size(); ++t) {
-      const oracle::TriangleTruth truth(scene, t);
-      const oracle::PixelBox pixels = truth.pixels();
-      for (int y = pixels.y0; y < pixels.y1; ++y) {
-        for (int x = pixels.x0; x < pixels.x1; ++x) {
-          for (int s = 0; s < c.framebuffer.samples; ++s) {
-            has_tie = has_tie || truth.judge(x, y, s).reason == records::Reason::tie;
-          }
-        }
-      }
+      has_tie = has_tie || any_sample(scene, t, [](const records::SampleVerdict& sample) {
+                  return sample.reason == records::Reason::tie;
+                });
     }
     if (has_tie) ++ties;
   }
@@ -284,59 +245,60 @@ TEST(Tiny, ReachesBelowThePixelTheGridAndTheFloats) {
       });
     };
   };
-  EXPECT_GT(count("tiny", has(0.1, 8)), 100);
-  EXPECT_GT(count("tiny", has(0x1p-12, 0x1p-8)), 50);
-  EXPECT_GT(count("tiny", has(0, 0x1p-30)), 50);
+  EXPECT_GT(count_cases("tiny", has(0.1, 8)), 100);
+  EXPECT_GT(count_cases("tiny", has(0x1p-12, 0x1p-8)), 50);
+  EXPECT_GT(count_cases("tiny", has(0, 0x1p-30)), 50);
   const auto is_subnormal = [](const ClipVertex& p) {
     return p.x != 0 && std::abs(p.x) < 0x1p-126F;
   };
-  EXPECT_GT(count("tiny", [&](const Case& c) { return any_vertex(c, is_subnormal); }), 40);
+  EXPECT_GT(count_cases("tiny", [&](const Case& c) { return any_vertex(c, is_subnormal); }), 40);
 }
 
 TEST(Huge, ReachesBeyondTheGuardBandAnd2To31) {
   const auto beyond = [](double pixels) {
     return [pixels](const Case& c) {
-      return any_vertex(c, [&](const ClipVertex& p) { return std::abs(window_u(c, p)) >= pixels; });
+      return any_vertex(c,
+                        [&](const ClipVertex& p) { return std::abs(window(c, p)[0]) >= pixels; });
     };
   };
-  EXPECT_GT(count("huge", beyond(0x1p15)), 100);
-  EXPECT_GT(count("huge", beyond(0x1p31)), 30);
+  EXPECT_GT(count_cases("huge", beyond(0x1p15)), 100);
+  EXPECT_GT(count_cases("huge", beyond(0x1p31)), 30);
   const Question has_wide_weights = [](const Case& c) {
     const auto& p = c.positions;
     const float least = std::min({p[0].w, p[1].w, p[2].w});
     const float most = std::max({p[0].w, p[1].w, p[2].w});
     return double{most} / double{least} >= 0x1p20;
   };
-  EXPECT_GT(count("huge", has_wide_weights), 5);
+  EXPECT_GT(count_cases("huge", has_wide_weights), 5);
   const auto is_far_out = [](const ClipVertex& p) { return std::abs(p.x) >= 0x1p90F; };
-  EXPECT_GT(count("huge", [&](const Case& c) { return any_vertex(c, is_far_out); }), 5);
+  EXPECT_GT(count_cases("huge", [&](const Case& c) { return any_vertex(c, is_far_out); }), 5);
 }
 
 TEST(Grazing, HasVerticesOnAndBesideThePlanes) {
   const auto is_on_plane = [](const ClipVertex& p) {
     return std::abs(p.x) == p.w || std::abs(p.y) == p.w || std::abs(p.z) == p.w;
   };
-  EXPECT_GT(count("grazing", [&](const Case& c) { return any_vertex(c, is_on_plane); }), 150);
+  EXPECT_GT(count_cases("grazing", [&](const Case& c) { return any_vertex(c, is_on_plane); }), 150);
   const auto is_beside = [](const ClipVertex& p) {
     return std::abs(p.z) != p.w && std::abs(std::abs(p.z) - p.w) <= p.w * 0x1p-23F;
   };
-  EXPECT_GT(count("grazing", [&](const Case& c) { return any_vertex(c, is_beside); }), 20);
+  EXPECT_GT(count_cases("grazing", [&](const Case& c) { return any_vertex(c, is_beside); }), 20);
   const Question has_zero_distance = [](const Case& c) {
     return std::find(c.clip_distances.begin(), c.clip_distances.end(), 0.0F) !=
            c.clip_distances.end();
   };
-  EXPECT_GT(count("grazing", has_zero_distance), 30);
+  EXPECT_GT(count_cases("grazing", has_zero_distance), 30);
 }
 
 TEST(Wide, HasPixelsBeyondTheFirst64OfARow) {
   const Question is_wide = [](const Case& c) {
     return c.framebuffer.width > 64 && c.framebuffer.width <= 200 && c.framebuffer.height <= 12;
   };
-  EXPECT_EQ(count("wide", is_wide), 200);
-  EXPECT_GT(count("wide", [](const Case& c) { return c.framebuffer.width > 128; }), 40);
+  EXPECT_EQ(count_cases("wide", is_wide), 200);
+  EXPECT_GT(count_cases("wide", [](const Case& c) { return c.framebuffer.width > 128; }), 40);
   int drawn_beyond = 0;
   for (std::uint64_t i = 0; i < 400; ++i) {
-    const Case c = make("wide", i);
+    const Case c = make_case("wide", i);
     const oracle::SceneTruth scene(c, cases::contract_of(c));
     bool is_beyond = false;
     for (std::size_t t = 0; t < c.triangles.size(); ++t) {

@@ -18,11 +18,6 @@ namespace {
 using cases::Case;
 using cases::ClipVertex;
 using cases::Triangle;
-using Corners = std::array<ClipVertex, 3>;
-
-Corners corners_of(const Case& c, const Triangle& triangle) {
-  return {c.positions[triangle[0]], c.positions[triangle[1]], c.positions[triangle[2]]};
-}
 
 // --- any-floats ----------------------------------------------------------------------------------
 
