@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <new>
-#include <stdexcept>
+
+#include "rasterizer/internal/try_allocating.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -52,13 +52,7 @@ std::optional<Error> assemble(Topology topology, std::span<const std::uint32_t> 
   for_each_run(indices, [&](Indices run) { count += triangle_count(topology, run.size()); });
   const std::size_t before = triangles.size();
   if (before > kMaxTriangles || count > kMaxTriangles - before) return Error::triangle_count;
-  try {
-    triangles.resize(before + count);
-  } catch (const std::bad_alloc&) {
-    return Error::out_of_memory;
-  } catch (const std::length_error&) {  // more than a vector can ever hold
-    return Error::out_of_memory;
-  }
+  if (const auto error = try_allocating([&] { triangles.resize(before + count); })) return error;
   auto next = triangles.begin() + static_cast<std::ptrdiff_t>(before);
   for_each_run(indices, [&](Indices run) {
     for (std::size_t i = 0; i < triangle_count(topology, run.size()); ++i) {

@@ -1,21 +1,20 @@
 #include "rasterizer/rasterizer.h"
 
 #include <algorithm>
-#include <new>
-#include <stdexcept>
 
 #include "rasterizer/internal/checked_draw.h"
 #include "rasterizer/internal/checked_frame.h"
 #include "rasterizer/internal/drawing.h"
+#include "rasterizer/internal/try_allocating.h"
 #include "rasterizer/trace.h"
 
 namespace rastercheck::rasterizer {
+
 std::string_view to_string(Error error) {
   switch (error) {
     case Error::target_size:
       return "the width or height of the target is not within 1 to 16384, or a framebuffer's "
-             "arrays "
-             "do not have its size";
+             "arrays do not have its size";
     case Error::sample_count:
       return "the samples per pixel of the target are not 1, 2, 4, 8 or 16";
     case Error::viewport:
@@ -67,13 +66,9 @@ TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize&
   alone.triangles = mesh.triangles.subspan(address.triangle, 1);
   SampleAddress of_alone = address;
   of_alone.triangle = 0;
-  try {
-    return {std::nullopt, trace_mesh(state, alone, size, of_alone)};
-  } catch (const std::bad_alloc&) {
-    return {Error::out_of_memory, std::nullopt};
-  } catch (const std::length_error&) {  // more than a vector can ever hold
-    return {Error::out_of_memory, std::nullopt};
-  }
+  TraceResult result;
+  result.error = try_allocating([&] { result.trace = trace_mesh(state, alone, size, of_alone); });
+  return result;
 }
 
 std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,
@@ -86,24 +81,12 @@ std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,
 }
 
 DrawResult draw(const State& state, const Mesh& mesh, Framebuffer& framebuffer, unsigned threads) {
-  std::optional<Error> error = check_state(state);
-  if (!error) error = check_framebuffer(framebuffer);
-  if (!error && framebuffer.attribute_count != state.attributes.size()) {
-    error = Error::attribute_count;
-  }
-  if (!error) error = check_channels(state, framebuffer.format, state.attributes.size());
-  if (!error) error = check_mesh(state, mesh);
-  if (error) return {error, {}};
-  return draw_checked_frame(state, mesh, framebuffer, {threads, std::nullopt, nullptr});
+  return draw_checked_frame(nullptr, state, mesh, framebuffer, threads);
 }
 
 DrawResult clear_and_draw(const State& state, const Mesh& mesh, const TargetSize& size, float depth,
                           Framebuffer& framebuffer, unsigned threads) {
-  std::optional<Error> error = check_draw(state, mesh, size);
-  if (!error) error = check_channels(state, framebuffer.format, state.attributes.size());
-  if (!error) error = resize(framebuffer, size, state.attributes.size());
-  if (error) return {error, {}};
-  return draw_checked_frame(state, mesh, framebuffer, {threads, depth, nullptr});
+  return clear_and_draw_checked_frame(nullptr, state, mesh, size, depth, framebuffer, threads);
 }
 
 }  // namespace rastercheck::rasterizer

@@ -6,11 +6,10 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <new>
-#include <stdexcept>
 
 #include "rasterizer/internal/color_kernels.h"
 #include "rasterizer/internal/coordinate_kernels.h"
+#include "rasterizer/internal/try_allocating.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -219,7 +218,7 @@ std::optional<Error> Texture::make(int width, int height, std::span<const std::u
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if (rgba.size() != 4 * count) return Error::attribute_values;
   Texture made;
-  try {
+  const auto error = try_allocating([&] {
     Level level{width, height, 0};
     std::size_t total = count;
     made.levels_.push_back(level);
@@ -229,11 +228,8 @@ std::optional<Error> Texture::make(int width, int height, std::span<const std::u
       total += static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height);
     }
     made.texels_.resize(total);
-  } catch (const std::bad_alloc&) {
-    return Error::out_of_memory;
-  } catch (const std::length_error&) {  // more than a vector can ever hold
-    return Error::out_of_memory;
-  }
+  });
+  if (error) return error;
   for (std::size_t i = 0; i < count; ++i) {
     made.texels_[i] = texel_of(rgba.subspan(4 * i).first<4>());
   }

@@ -3,12 +3,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <new>
-#include <stdexcept>
 
 #include "rasterizer/internal/determinant.h"
 #include "rasterizer/internal/exact_sum.h"
+#include "rasterizer/internal/try_allocating.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -53,14 +51,7 @@ Column in_double(const glm::vec3& p) { return {double{p.x}, double{p.y}, double{
 /// Makes room behind what is there; an error where memory runs out, and all is as it was.
 template <typename T>
 std::optional<Error> append_room(std::vector<T>& all, std::size_t count) {
-  try {
-    all.resize(all.size() + count);
-  } catch (const std::bad_alloc&) {
-    return Error::out_of_memory;
-  } catch (const std::length_error&) {  // more than a vector can ever hold
-    return Error::out_of_memory;
-  }
-  return std::nullopt;
+  return try_allocating([&] { all.resize(all.size() + count); });
 }
 
 template <typename Position>

@@ -3,10 +3,9 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/vec3.hpp>
-#include <new>
-#include <stdexcept>
 
 #include "rasterizer/internal/standard_pattern.h"
+#include "rasterizer/internal/try_allocating.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -83,17 +82,10 @@ DrawResult draw_checked(DrawFragments draw, const State& state, const Mesh& mesh
 
   const std::size_t before = fragments.size();
   const FloatCounts floats_before{fragments.attributes.size(), fragments.derivatives.size()};
-  std::optional<DrawCounts> counts;
-  try {
-    counts = draw(state, mesh, size, fragments);
-  } catch (const std::bad_alloc&) {
-    counts.reset();
-  } catch (const std::length_error&) {  // more than a vector can ever hold
-    counts.reset();
-  }
-  if (counts) return {std::nullopt, *counts};
-  cut_back(fragments, before, floats_before);
-  return {Error::out_of_memory, {}};
+  DrawResult result;
+  result.error = try_allocating([&] { result.counts = draw(state, mesh, size, fragments); });
+  if (result.error) cut_back(fragments, before, floats_before);
+  return result;
 }
 
 }  // namespace rastercheck::rasterizer

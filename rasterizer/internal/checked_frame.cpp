@@ -1,11 +1,9 @@
 #include "rasterizer/internal/checked_frame.h"
 
-#include <new>
-#include <stdexcept>
-
 #include "rasterizer/internal/checked_draw.h"
 #include "rasterizer/internal/frame_drawing.h"
 #include "rasterizer/internal/parallel.h"
+#include "rasterizer/internal/try_allocating.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -43,6 +41,37 @@ void move_into(Array& array, Array& room, std::size_t size) {
   array.resize(size);
 }
 
+/// How many channels a draw fills in.
+std::size_t channel_count(const ShaderView* shader, const State& state) {
+  return shader == nullptr ? state.attributes.size() : shader->outputs;
+}
+
+/// What is wrong where their number is.
+Error wrong_count(const ShaderView* shader) {
+  return shader == nullptr ? Error::attribute_count : Error::output_count;
+}
+
+/// Whether so many channels can be held, and blended as the state has it.
+std::optional<Error> check_channels(const ShaderView* shader, const State& state,
+                                    ColorFormat format) {
+  const std::size_t channels = channel_count(shader, state);
+  if (channels > kMaxAttributes) return wrong_count(shader);
+  const bool needs_four = state.blend == Blend::over || format == ColorFormat::rgba8;
+  if (needs_four && channels != 4) return Error::color_format;
+  return std::nullopt;
+}
+
+DrawResult draw_allocating(const ShaderView* shader, const State& state, const Mesh& mesh,
+                           Framebuffer& framebuffer, unsigned threads,
+                           std::optional<float> clear_depth) {
+  DrawResult result;
+  result.error = try_allocating([&] {
+    result.counts =
+        draw_frame(state, mesh, framebuffer, worker_count(threads), clear_depth, shader);
+  });
+  return result;
+}
+
 }  // namespace
 
 std::optional<Error> check_framebuffer(const Framebuffer& framebuffer) {
@@ -60,19 +89,13 @@ std::optional<Error> check_framebuffer(const Framebuffer& framebuffer) {
   return std::nullopt;
 }
 
-std::optional<Error> check_channels(const State& state, ColorFormat format, std::size_t channels) {
-  const bool needs_four = state.blend == Blend::over || format == ColorFormat::rgba8;
-  if (needs_four && channels != 4) return Error::color_format;
-  return std::nullopt;
-}
-
 std::optional<Error> resize(Framebuffer& framebuffer, const TargetSize& size,
                             std::size_t attribute_count) {
   if (const std::optional<Error> error = check_size(size)) return error;
   if (attribute_count > kMaxAttributes) return Error::attribute_count;
   if (framebuffer.format == ColorFormat::rgba8 && attribute_count != 4) return Error::color_format;
   const Sizes sizes = sizes_of(size, attribute_count, framebuffer.format);
-  try {
+  return try_allocating([&] {
     // All of the new memory before any of the old is lost.
     auto depth = room_for(sizes.depth, framebuffer.depth);
     auto attributes = room_for(sizes.attributes, framebuffer.attributes);
@@ -82,24 +105,30 @@ std::optional<Error> resize(Framebuffer& framebuffer, const TargetSize& size,
     move_into(framebuffer.bytes, bytes, sizes.bytes);
     framebuffer.size = size;
     framebuffer.attribute_count = attribute_count;
-  } catch (const std::bad_alloc&) {
-    return Error::out_of_memory;
-  } catch (const std::length_error&) {  // more than a vector can ever hold
-    return Error::out_of_memory;
-  }
-  return std::nullopt;
+  });
 }
 
-DrawResult draw_checked_frame(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
-                              const FrameOptions& options) {
-  try {
-    return {std::nullopt, draw_frame(state, mesh, framebuffer, worker_count(options.threads),
-                                     options.clear_depth, options.shader)};
-  } catch (const std::bad_alloc&) {
-    return {Error::out_of_memory, {}};
-  } catch (const std::length_error&) {  // more than a vector can ever hold
-    return {Error::out_of_memory, {}};
+DrawResult draw_checked_frame(const ShaderView* shader, const State& state, const Mesh& mesh,
+                              Framebuffer& framebuffer, unsigned threads) {
+  std::optional<Error> error = check_state(state);
+  if (!error) error = check_framebuffer(framebuffer);
+  if (!error && framebuffer.attribute_count != channel_count(shader, state)) {
+    error = wrong_count(shader);
   }
+  if (!error) error = check_channels(shader, state, framebuffer.format);
+  if (!error) error = check_mesh(state, mesh);
+  if (error) return {error, {}};
+  return draw_allocating(shader, state, mesh, framebuffer, threads, std::nullopt);
+}
+
+DrawResult clear_and_draw_checked_frame(const ShaderView* shader, const State& state,
+                                        const Mesh& mesh, const TargetSize& size, float depth,
+                                        Framebuffer& framebuffer, unsigned threads) {
+  std::optional<Error> error = check_draw(state, mesh, size);
+  if (!error) error = check_channels(shader, state, framebuffer.format);
+  if (!error) error = resize(framebuffer, size, channel_count(shader, state));
+  if (error) return {error, {}};
+  return draw_allocating(shader, state, mesh, framebuffer, threads, depth);
 }
 
 }  // namespace rastercheck::rasterizer

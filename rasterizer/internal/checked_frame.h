@@ -13,23 +13,18 @@ namespace rastercheck::rasterizer {
 
 /// Whether its arrays have its own size.
 std::optional<Error> check_framebuffer(const Framebuffer& framebuffer);
-/// Whether so many channels can be held, and blended as the state has it.
-std::optional<Error> check_channels(const State& state, ColorFormat format, std::size_t channels);
 
 /// Gives it memory of that size and of its own format, if that can hold so many channels; what it
-/// holds is any. It keeps what it had
-/// where memory runs out.
+/// holds is any. It keeps what it had where memory runs out.
 std::optional<Error> resize(Framebuffer& framebuffer, const TargetSize& size,
                             std::size_t attribute_count);
 
-struct FrameOptions {
-  unsigned threads = 1;              ///< 0: as many as the machine has
-  std::optional<float> clear_depth;  ///< cleared to that first
-  const ShaderView* shader = nullptr;
-};
-
-/// The arguments were checked.
-DrawResult draw_checked_frame(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
-                              const FrameOptions& options);
+/// Draws what a shader makes of the attributes, or, where that is nullptr, these.
+DrawResult draw_checked_frame(const ShaderView* shader, const State& state, const Mesh& mesh,
+                              Framebuffer& framebuffer, unsigned threads);
+/// The same with all samples cleared to that depth before.
+DrawResult clear_and_draw_checked_frame(const ShaderView* shader, const State& state,
+                                        const Mesh& mesh, const TargetSize& size, float depth,
+                                        Framebuffer& framebuffer, unsigned threads);
 
 }  // namespace rastercheck::rasterizer
