@@ -66,9 +66,10 @@ TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize&
   alone.triangles = mesh.triangles.subspan(address.triangle, 1);
   SampleAddress of_alone = address;
   of_alone.triangle = 0;
-  TraceResult result;
-  result.error = try_allocating([&] { result.trace = trace_mesh(state, alone, size, of_alone); });
-  return result;
+  std::optional<Trace> trace;
+  const auto error = try_allocating([&] { trace = trace_mesh(state, alone, size, of_alone); });
+  if (error) return {error, std::nullopt};
+  return {std::nullopt, trace};
 }
 
 std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,

@@ -82,10 +82,11 @@ DrawResult draw_checked(DrawFragments draw, const State& state, const Mesh& mesh
 
   const std::size_t before = fragments.size();
   const FloatCounts floats_before{fragments.attributes.size(), fragments.derivatives.size()};
-  DrawResult result;
-  result.error = try_allocating([&] { result.counts = draw(state, mesh, size, fragments); });
-  if (result.error) cut_back(fragments, before, floats_before);
-  return result;
+  DrawCounts counts;
+  const auto error = try_allocating([&] { counts = draw(state, mesh, size, fragments); });
+  if (!error) return {std::nullopt, counts};
+  cut_back(fragments, before, floats_before);
+  return {error, {}};
 }
 
 }  // namespace rastercheck::rasterizer

@@ -64,12 +64,12 @@ std::optional<Error> check_channels(const ShaderView* shader, const State& state
 DrawResult draw_allocating(const ShaderView* shader, const State& state, const Mesh& mesh,
                            Framebuffer& framebuffer, unsigned threads,
                            std::optional<float> clear_depth) {
-  DrawResult result;
-  result.error = try_allocating([&] {
-    result.counts =
-        draw_frame(state, mesh, framebuffer, worker_count(threads), clear_depth, shader);
+  DrawCounts counts;
+  const auto error = try_allocating([&] {
+    counts = draw_frame(state, mesh, framebuffer, worker_count(threads), clear_depth, shader);
   });
-  return result;
+  if (error) return {error, {}};
+  return {std::nullopt, counts};
 }
 
 }  // namespace
