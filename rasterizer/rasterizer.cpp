@@ -67,7 +67,7 @@ TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize&
   SampleAddress of_alone = address;
   of_alone.triangle = 0;
   std::optional<Trace> trace;
-  const auto error = try_allocating([&] { trace = trace_mesh(state, alone, size, of_alone); });
+  error = try_allocating([&] { trace = trace_mesh(state, alone, size, of_alone); });
   if (error) return {error, std::nullopt};
   return {std::nullopt, trace};
 }
