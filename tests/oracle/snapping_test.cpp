@@ -83,7 +83,8 @@ TEST(Snapping, ManyPlacementsAreBoundedByTheirBoxes) {
 
 // A point may be covered by the triangle of some positions between grid points and by none of the
 // grid points': where vertices need not be on the grid it is permitted. An apex at (1/2, 3/2) grid
-// units from the sample, about a degree wide.
+// units from the sample, about a degree wide: on the grid it passes the sample by, or has it on its
+// right edge, which owns nothing.
 TEST(Snapping, OffTheGridLeavesOpenWhatNoPlacementDecides) {
   constexpr float kUnit = 0x1p-8F;  // in NDC of a target of 2 pixels: 2^-8 pixels
   cases::Case c = small_case(cases::Rules::vulkan, 2, 2,
@@ -92,7 +93,7 @@ TEST(Snapping, OffTheGridLeavesOpenWhatNoPlacementDecides) {
                                {-0.5F, -1, 0, 1}}});
   cases::Contract contract;
   contract.coverage = cases::Snapping{8, cases::Rounding::unspecified, 0};
-  contract.tie_rule = cases::TieRule::unspecified;
+  contract.tie_rule = cases::TieRule::top_left;
   const SceneTruth on_grid(c, contract);
   contract.is_on_grid = false;
   const SceneTruth off_grid(c, contract);
