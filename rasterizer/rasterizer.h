@@ -96,8 +96,8 @@ enum class Precision { float64, float32 };
 
 /// How far values are off at most, in scale ULP: (f − r) / ulp(max(|r|, max |r_i|)), with r what
 /// exact arithmetic makes of the vertices' r_i and the ulp of float32; for depth max(|min_depth|,
-/// |max_depth|) takes the place of max |r_i|. Half an ULP is the rounding to float32, 2^-7 what double is
-/// off by before it (derived in internal/certificates.h).
+/// |max_depth|) takes the place of max |r_i|. Half an ULP is the rounding to float32, 2^-7 what
+/// double is off by before it (derived in internal/certificates.h).
 inline constexpr double kValueBound = 0.5 + 0x1p-7;
 /// The same of attributes with Precision::float32: smooth ones, and those that are linear in the
 /// window (noperspective, or smooth where all w are equal). 6 29/36 + 3/128 and 3 11/12 + 3/128,

@@ -6,16 +6,20 @@
 //
 //   smooth   |δr| <= (max|r_i| + |r|) (Σ plane_band_i / D) + 4u |r| (plane.h), so that
 //            D >= 2^32 (1 + 2^-8) Σ plane_band_i leaves less than 2^-31 max(|r_i|, |r|); an ulp of
-//            that is at least 2^-24 of it, hence at most 2^-7 scale ULP. For one sample, from its
+//            that is at least 2^-24 of it, hence at most 2^-7 scale ULP. D is the computed one, so
+//            nothing is left out as of second order; the 2^-8 pays for 4u. For one sample, from its
 //            E_i: band_i for plane_band_i, besides roundings of 8u Σ|E_i|.
 //   affine   |δr| <= max|r_i| Σ |w_i| plane_band_i / (|det| T), certified below 2^-33, and 2^-33
-//            for the determinant.
+//            for the determinant: together 2^-32.
 //   depth    |δz| <= Σ |z_i| (9u S_i and what U and V are off by) / (|det| T), below
-//            9/8 2^-32, as Σ |z_i| plane_band_i is certified below 2^-32; 2^-33 for the
-//            determinant; 3u for the offset. n, f and f − n are at most max(|n|, |f|).
+//            9/8 2^-32, as Σ |z_i| plane_band_i is certified below 2^-32; 2^-34 |z| for the
+//            determinant, whose 4u are half of what is certified (weights.h); 3u for the offset.
+//            n, f and f − n are at most max(|n|, |f|); where vertices are snapped and z leaves
+//            [0, 1], |(f − n) z| <= 2 max(|n|, |f|, |depth|). Together below 2^-31 of that.
 //
 // So with half an ULP for the rounding to float32 no value is off by more than kValueBound
-// (rasterizer.h).
+// (rasterizer.h). A value that rounding takes to the next power of two is nearer to it than half
+// the ulp below.
 //
 // Helper lanes (shading.h). The S_i that bands are made of are those of the draw's pixels, of which
 // a covered lane's neighbour lies one beyond at most. U (V likewise) is affine: with p and q its
