@@ -189,7 +189,9 @@ const LawRegistration kRegistration(
      .exceptions = "values whose bound is wider than that, unless the contract promises to keep "
                    "constants; flat attributes, which are copies",
      .generate = &generate,
-     .check = &check});
+     .check = &check,
+     .covers = {cover(13, "clipped"), cover(43, "constant attribute"), cover(14, "constant zero"),
+                cover(17, "several samples"), cover(8, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

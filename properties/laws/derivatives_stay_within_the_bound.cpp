@@ -122,7 +122,9 @@ const LawRegistration kRegistration(
                    "that the contract leaves in a range; backends that promise no derivatives",
      .generate = &generate,
      .check = &check,
-     .is_promised = &is_promised});
+     .is_promised = &is_promised,
+     .covers = {cover(12, "clipped"), cover(5, "no one derivative"), cover(17, "several samples"),
+                cover(8, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -354,7 +354,9 @@ const LawRegistration kRegistration(
                    "centroids; backends that do not promise it",
      .generate = &generate,
      .check = &check,
-     .is_promised = &is_promised});
+     .is_promised = &is_promised,
+     .covers = {cover(17, "several samples"), cover(30, "snapped"), cover(44, "vertex value"),
+                cover(30, "vertex value far below the others"), cover(11, "vertex zero")}});
 
 }  // namespace
 }  // namespace rastercheck::properties
