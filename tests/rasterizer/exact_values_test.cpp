@@ -215,8 +215,7 @@ void expect_certified(const Prepared& p, const SampleOffset& at, Certified& coun
   }
 }
 
-// Where a certificate says that double is enough, it is. Kills: a certificate with a power of two
-// too few, or that forgets w.
+// Where a certificate says that double is enough, it is. Kills: a certificate that forgets w.
 TEST(ExactValues, CertificatesHold) {
   Random random(73);
   Certified count;
