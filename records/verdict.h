@@ -20,7 +20,7 @@ enum class Reason {
               ///< or on the far border of the viewport
   nonpositive_w,  ///< permitted: the same, of a triangle cut because some w <= 0
   depth,          ///< permitted: which of several fragments is nearest is left open
-  outside,        ///< forbidden: beyond an edge
+  outside,        ///< forbidden: beyond an edge, or on one that does not own it
   clipped,        ///< forbidden: beyond a clip plane or a clip distance
   viewport,       ///< forbidden: outside the viewport, scissor or framebuffer
   culled,         ///< forbidden: the triangle faces the wrong way
