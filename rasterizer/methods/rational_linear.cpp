@@ -65,8 +65,9 @@
 // What it does not do: snap positions to a subpixel grid; decide coverage exactly (ties come out
 // right where positions lie on a coarse grid, see internal/convex_scan.h, but not always on an edge
 // that clipping has cut, whose new end is rounded); draw a triangle that touches a clip plane in
-// one point only; bound its errors. Seed 002's reciprocal and products in place of the n divisions
-// per pixel are not taken: they cost a rounding more.
+// one point only; keep one whose plane passes through the eye but for roundings, which clipping may
+// lose whole; bound its errors. Seed 002's reciprocal and products in place of the n divisions per
+// pixel are not taken: they cost a rounding more.
 //
 // Triangles with a clip distance that is not finite are counted with those that have such a
 // position.

@@ -316,5 +316,28 @@ TEST_P(RationalLinearDepth, APlaneOfEqualDepthHasOneDepth) {
   expect_one_depth();
 }
 
+// Behind the eye and beyond the window, at every location: what is cut and what is extrapolated.
+// Both are within an ulp or two of what is exact; values are below 8, whose ulp is 2^-21.
+TEST(RationalLinearMethod, DrawsWhatTheRasterizerDoesOfAClippedTriangle) {
+  State state = small_state(4, 4);
+  state.attributes = {{Interpolation::smooth, Location::sample},
+                      {Interpolation::smooth, Location::center},
+                      {Interpolation::noperspective, Location::centroid}};
+  SmallMesh mesh = triangle(state, {0, 0}, {4, 0}, {0, 4});
+  mesh.positions = {{-1, -2, 0.5F, 1}, {3, -1, 0.5F, 1}, {1, 4, -1, -0.5F}};
+  mesh.attributes = {1, 1, 1, 2, 2, 2, 4, 4, 4};
+  Fragments expected;
+  ASSERT_FALSE(draw_fragments(state, mesh.mesh(), {4, 4, 4}, expected).error);
+  ASSERT_GT(expected.size(), 0U);
+  Fragments fragments;
+  ASSERT_FALSE(
+      draw_fragments_by("rational-linear", state, mesh.mesh(), {4, 4, 4}, fragments).error);
+  ASSERT_EQ(fragments.size(), expected.size());
+  for (std::size_t i = 0; i < expected.attributes.size(); ++i) {
+    ASSERT_LT(std::abs(expected.attributes[i]), 8);
+    EXPECT_NEAR(fragments.attributes[i], expected.attributes[i], 2 * 0x1p-21);
+  }
+}
+
 }  // namespace
 }  // namespace rastercheck::rasterizer
