@@ -32,7 +32,6 @@ namespace rastercheck::properties {
 namespace {
 
 using oracle::TextureTruth;
-using records::AttributeKind;
 using records::FragmentClass;
 
 /// At most so many samples of a case are judged.
