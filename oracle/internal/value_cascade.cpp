@@ -53,9 +53,9 @@ ValueCascade::ValueCascade(const SceneTruth& scene, const cases::Framebuffer& dr
     : scene_(&scene),
       drawn_(&drawn),
       case_index_(options.case_index),
-      first_level_(options.first_level),
       statistics_(&statistics),
-      prepared_(scene, options.first_level, statistics) {}
+      prepared_(scene, options.first_level, statistics),
+      first_level_(options.first_level) {}
 
 void ValueCascade::begin(const TriangleTruth& truth, const TriangleFilter& filter) {
   truth_ = &truth;

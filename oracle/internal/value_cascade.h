@@ -82,30 +82,31 @@ class ValueCascade {
   void judge_exactly(const PreparedValue& prepared, std::size_t column, std::size_t lane,
                      std::size_t fragment);
 
+  // What wants the widest alignment comes first, what wants the least last.
+  BatchWeights at_sample_{};
+  BatchWeights at_center_{};
+  mutable std::optional<std::array<IntervalLine, 3>> interval_edges_;
+
   const SceneTruth* scene_;
   const cases::Framebuffer* drawn_;
   std::uint64_t case_index_;
-  Level first_level_;
   ValueStatistics* statistics_;
-
   const TriangleTruth* truth_ = nullptr;
   const TriangleFilter* coverage_ = nullptr;
+  std::vector<std::size_t> open_;  ///< lanes that a level left open
+  JudgedBatch judged_;
   PreparedValues prepared_;
-  bool is_prepared_ = false;  ///< it is of this triangle
-  mutable std::optional<std::array<IntervalLine, 3>> interval_edges_;
 
   Batch<double> x_{};  ///< pixels from the corner of the filter's box
   Batch<double> y_{};
   Batch<double> center_x_{};
   Batch<double> center_y_{};
-  BatchWeights at_sample_{};
-  BatchWeights at_center_{};
   Batch<double> computed_{};
   Batch<double> lo_{};  ///< of a column's errors
   Batch<double> hi_{};
   CountedErrors counted_{};
-  std::vector<std::size_t> open_;  ///< lanes that a level left open
-  JudgedBatch judged_;
+  Level first_level_;
+  bool is_prepared_ = false;  ///< prepared_ is of this triangle
 };
 
 }  // namespace rastercheck::oracle
