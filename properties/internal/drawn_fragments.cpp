@@ -1,5 +1,7 @@
 #include "properties/internal/drawn_fragments.h"
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cmath>
 #include <span>
@@ -131,8 +133,9 @@ std::optional<Violation> find_difference(const cases::Case& c, const cases::Fram
       const float one = expected.derivatives_of(expected_fragment)[std::size_t{2} * a + axis];
       const float other = drawn.derivatives_of(fragment)[std::size_t{2} * a + axis];
       if (is_same(one, other)) continue;
-      const std::string along = axis == 0 ? "x; " : "y; ";
-      return differs(a, one, other, "the derivative along window " + along + note);
+      return differs(
+          a, one, other,
+          fmt::format("the derivative along window {}; {}", axis == 0 ? 'x' : 'y', note));
     }
   }
   return std::nullopt;
