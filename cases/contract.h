@@ -10,17 +10,43 @@ namespace rastercheck::cases {
 
 struct Case;
 
+/// What smooth values are held against: what is linear in clip space, as the rules have it (RULES
+/// §1), or, of a method that never divides, what is linear in window space, as if they were
+/// noperspective.
+enum class Claim { perspective, affine };
+
 /// How far a value may be beyond what coverage and basis leave open, in scale ULP (RULES §5):
 ///
-///   constant + per_horizon · g,    g = the greatest 1/w of what is drawn of the triangle / 1/w
+///   constant + per_horizon · g + per_condition · K + range_share · (max r_i − min r_i)/ulp
 ///
-/// where 1/w is the fragment's own and g is 1 for noperspective values and depth. Interpolating r/w
-/// and 1/w is off by a share of the greatest 1/w, and so loses digits of r towards the horizon,
-/// where 1/w is small.
+/// g = the greatest 1/w of what is drawn of the triangle / 1/w, where 1/w is the fragment's own,
+/// and 1 for what is linear in window space. Interpolating r/w and 1/w is off by a share of the
+/// greatest 1/w, and so loses digits of r towards the horizon, where 1/w is small.
+///
+/// K is how much of its digits a weight E_i loses that is evaluated as the plane A u + B v + C,
+/// with coefficients that are differences of products: with |X|_i = |x_i W/2| + |w_i| (|x0| +
+/// |W/2|), |Y|_i alike, and |E|_i(u, v) what E_i is made of,
+///
+///   |E|_i = (|Y|_j |w_k| + |Y|_k |w_j|) |u| + (|X|_j |w_k| + |X|_k |w_j|) |v|
+///           + |X|_j |Y|_k + |X|_k |Y|_j,
+///   K = Σ |E|_i / Σ E_i,   of what is linear in window space Σ |w_i| |E|_i / Σ w_i E_i.
+///
+/// It has no bound for slivers and towards the horizon; where per_condition · K reaches 2^24 all
+/// digits of a value may be lost, and nothing is promised.
+///
+/// The last part is for what is an approximation by design: a share of the range of the vertices'
+/// values, in ulp(max |r_i|).
+///
+/// Of depth the constant alone counts.
 struct ValueBound {
   float constant = 0.5F;
   float per_horizon = 0;
+  float per_condition = 0;
+  float range_share = 0;
   bool operator==(const ValueBound&) const = default;
+
+  /// Whether it is the same everywhere on a triangle.
+  bool is_uniform() const { return per_horizon == 0 && per_condition == 0; }
 };
 
 /// Flat attributes are copies and have no bound but 0.
@@ -64,6 +90,7 @@ struct Contract {
   /// How far an edge that was cut by a clip plane, and the clip edge itself, may be off, in grid
   /// units per axis. Only where `coverage` is snapped.
   float clip_tolerance = 1;
+  Claim claims = Claim::perspective;
   ValueBounds bounds;
   /// Whether triangles of one plane, z/w the same at all vertices, have one depth (RULES §6); the
   /// bound alone allows two where the exact depth lies near the middle between two floats.
@@ -112,6 +139,10 @@ struct Contract {
   std::optional<TextureBounds> texture_bounds;
   bool operator==(const Contract&) const = default;
 
+  /// Whether smooth values are meant to be what the rules say, but for roundings.
+  bool is_perspective() const {
+    return claims == Claim::perspective && bounds.smooth.range_share == 0;
+  }
   /// Whether it leaves more than one answer open, so that values are ranges.
   bool is_unspecified() const {
     return basis == Basis::unspecified ||

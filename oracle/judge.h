@@ -13,7 +13,8 @@
 // in scale ULP (oracle/ulp.h) of the end it lies beyond; it is held against the contract's bound.
 // The *ideal* error is (f − r)/ulp, r the value there of the triangle that the contract's basis
 // names, the exact one or that of snapped vertices; of the exact one where the basis leaves
-// several. It says how precise the backend is, whatever its contract leaves open. Both are
+// several; as the rules interpolate, whatever the contract claims. It says how precise the backend
+// is, whatever its contract leaves open. Both are
 // certified, and decided exactly in the last resort; none is left undecided.
 //
 // What is no number is a class. An infinite f counts as ±2^128, the number after the largest

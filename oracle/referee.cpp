@@ -129,12 +129,12 @@ bool is_covered(const cases::Case& c, const cases::Triangle& indices, const Refe
 }
 
 /// r at (u, v), by k and l.
-std::optional<Field> value_at(const cases::Attribute& attribute, const std::array<Field, 3>& r,
+std::optional<Field> value_at(bool is_linear_in_window, const std::array<Field, 3>& r,
                               const Referee::Plane& plane, const Field& u, const Field& v) {
   const Field one_over_w = plane.sum({Field(1), Field(1), Field(1)}, u, v);
   if (sign_of(one_over_w) <= 0) return std::nullopt;
-  if (attribute.interpolation == cases::Interpolation::noperspective) {
-    // Linear in window space: the weights e_i w_i sum to 1.
+  if (is_linear_in_window) {
+    // The weights e_i w_i sum to 1.
     return plane.sum({r[0] * plane.clip[0][3], r[1] * plane.clip[1][3], r[2] * plane.clip[2][3]}, u,
                      v);
   }
@@ -156,7 +156,8 @@ Field depth_at(const cases::Case& c, const Referee::Plane& plane, const Field& u
 
 }  // namespace
 
-Referee::Referee(const cases::Case& c, std::size_t triangle) : case_(&c), triangle_(triangle) {
+Referee::Referee(const cases::Case& c, std::size_t triangle, cases::Claim claims)
+    : case_(&c), triangle_(triangle), claims_(claims) {
   const cases::Triangle& indices = c.triangles[triangle];
   const std::optional<ImagePlane> image = image_plane(c);
   if (!image) return;
@@ -193,13 +194,17 @@ std::optional<RefereeFragment> Referee::at(int x, int y, int sample) const {
     const cases::Attribute& attribute = c.attributes[a];
     std::array<Field, 3> r;
     for (std::size_t i = 0; i < 3; ++i) r[i] = exact_field(c.attributes_of(indices[i])[a]);
+    const bool is_linear_in_window =
+        attribute.interpolation == cases::Interpolation::noperspective ||
+        claims_ == cases::Claim::affine;
     std::optional<Field> value;
     if (attribute.interpolation == cases::Interpolation::flat) {
       value = c.rules == Rules::opengl ? r[2] : r[0];
     } else if (attribute.location == cases::Location::sample) {
-      value = value_at(attribute, r, *plane_, u, v);
+      value = value_at(is_linear_in_window, r, *plane_, u, v);
     } else if (attribute.location == cases::Location::center) {
-      value = value_at(attribute, r, *plane_, Field(x) + Field(1, 2), Field(y) + Field(1, 2));
+      value =
+          value_at(is_linear_in_window, r, *plane_, Field(x) + Field(1, 2), Field(y) + Field(1, 2));
     }
     fragment.attributes.push_back(value ? std::optional(to_rational(*value)) : std::nullopt);
   }
@@ -207,8 +212,8 @@ std::optional<RefereeFragment> Referee::at(int x, int y, int sample) const {
 }
 
 std::optional<RefereeFragment> referee(const cases::Case& c, std::size_t triangle, int x, int y,
-                                       int sample) {
-  return Referee(c, triangle).at(x, y, sample);
+                                       int sample, cases::Claim claims) {
+  return Referee(c, triangle, claims).at(x, y, sample);
 }
 
 }  // namespace rastercheck::oracle

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "cases/case.h"
+#include "cases/contract.h"
 #include "oracle/rational.h"
 
 namespace rastercheck::oracle {
@@ -40,7 +41,9 @@ class Referee {
   /// What its formulas name of a triangle; defined inside the oracle only.
   struct Plane;
 
-  Referee(const cases::Case& c, std::size_t triangle);
+  /// `claims`: what smooth values are taken to be.
+  Referee(const cases::Case& c, std::size_t triangle,
+          cases::Claim claims = cases::Claim::perspective);
   ~Referee();
 
   /// Its answer for a sample; nothing where it is not covered.
@@ -49,11 +52,12 @@ class Referee {
  private:
   const cases::Case* case_;
   std::size_t triangle_;
+  cases::Claim claims_;
   std::unique_ptr<Plane> plane_;  ///< nothing where the triangle covers nothing
 };
 
 /// The referee's answer for one sample of one triangle; nothing where it is not covered.
 std::optional<RefereeFragment> referee(const cases::Case& c, std::size_t triangle, int x, int y,
-                                       int sample);
+                                       int sample, cases::Claim claims = cases::Claim::perspective);
 
 }  // namespace rastercheck::oracle

@@ -25,8 +25,8 @@ std::optional<std::string> self_check(const SceneTruth& scene, const Fragment& f
   const auto differs = [&fragment](const std::string& what) {
     return difference(fragment.triangle, fragment.x, fragment.y, fragment.sample, what);
   };
-  const std::optional<RefereeFragment> second =
-      referee(scene.source(), fragment.triangle, fragment.x, fragment.y, fragment.sample);
+  const std::optional<RefereeFragment> second = referee(
+      scene.source(), fragment.triangle, fragment.x, fragment.y, fragment.sample, contract.claims);
   if (!second) return differs("covered or not");
   if (!fragment.depth || fragment.depth->lo != second->depth) return differs("depth");
   for (std::size_t a = 0; a < fragment.attributes.size(); ++a) {

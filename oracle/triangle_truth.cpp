@@ -54,8 +54,7 @@ std::optional<ValueRange> TriangleTruth::attribute(std::size_t attribute, int x,
 }
 
 bool TriangleTruth::is_value_free(std::size_t attribute) const {
-  return setup_->has_nonpositive_w && setup_->scene->source().attributes[attribute].interpolation ==
-                                          cases::Interpolation::noperspective;
+  return setup_->has_nonpositive_w && setup_->scene->is_affine(attribute);
 }
 
 const TriangleValues& TriangleTruth::values() const {

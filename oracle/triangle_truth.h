@@ -112,7 +112,8 @@ class TriangleTruth {
   std::optional<ValueRange> attribute(std::size_t attribute, int x, int y, int sample) const;
 
   /// Whether the APIs leave an attribute's value open, so that an implementation may give any
-  /// (RULES §3): noperspective where some w_i <= 0. `attribute` gives the continuation then.
+  /// (RULES §3): noperspective where some w_i <= 0, and smooth that is claimed to be the same.
+  /// `attribute` gives the continuation then.
   bool is_value_free(std::size_t attribute) const;
 
   /// The most that a value may be beyond what the contract leaves open, in scale ULP: of an

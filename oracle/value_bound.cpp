@@ -3,12 +3,15 @@
 #include "oracle/internal/value_bound.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "oracle/internal/coverage.h"
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/ulp_error.h"
+#include "oracle/internal/values.h"
 #include "oracle/triangle_truth.h"
+#include "oracle/ulp.h"
 
 namespace rastercheck::oracle {
 namespace {
@@ -62,23 +65,91 @@ std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const Point& p
   return quotient(most.numerator, most.denominator * here);
 }
 
+std::optional<Field> condition(const TriangleSetup& triangle, bool is_affine, const Point& p) {
+  const ProjectiveMap& map = triangle.ideal;
+  if (map.orientation() == 0) return std::nullopt;
+  const cases::Viewport& viewport = triangle.scene->source().viewport;
+  const std::array<float, 2> origin{viewport.x, viewport.y};
+  const std::array<float, 2> extent{viewport.width, viewport.height};
+  std::array<std::array<Ring, 3>, 3> size;  // [vertex]: |X|, |Y|, |w|
+  for (std::size_t i = 0; i < 3; ++i) {
+    const RingVector4 clip = triangle.scene->clip_position(triangle.indices[i]);
+    size[i][2] = magnitude(clip[3]);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const Ring half = magnitude(exact_ring(extent[axis])) * exact_ring(0.5F);
+      size[i][axis] = magnitude(clip[static_cast<Eigen::Index>(axis)]) * half +
+                      size[i][2] * (magnitude(exact_ring(origin[axis])) + half);
+    }
+  }
+  Ring sizes(0);
+  Ring weights(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& [x_j, y_j, w_j] = size[(i + 1) % 3];
+    const auto& [x_k, y_k, w_k] = size[(i + 2) % 3];
+    const Ring e = (y_j * w_k + y_k * w_j) * magnitude(p.u) +
+                   (x_j * w_k + x_k * w_j) * magnitude(p.v) + x_j * y_k + x_k * y_j;
+    sizes += is_affine ? size[i][2] * e : e;
+    weights += is_affine ? triangle.columns[i][2] * map.edge(i).at(p) : map.edge(i).at(p);
+  }
+  if (sign_of(weights) <= 0) return std::nullopt;
+  return quotient(sizes, weights);
+}
+
+namespace {
+
+/// (max r_i − min r_i) / ulp(max |r_i|).
+Field range_in_ulps(const TriangleSetup& triangle, std::size_t attribute) {
+  const TriangleValues values(triangle);
+  const FractionRange ends = values.ends(attribute);
+  const Rational unit = ulp(to_rational(Field(values.vertex_magnitude(attribute))));
+  return (ends.hi.value() - ends.lo.value()) / to_field(unit);
+}
+
+}  // namespace
+
+double least_bound(const TriangleSetup& triangle, std::optional<std::size_t> attribute) {
+  const cases::ValueBound bound =
+      bound_of(triangle.scene->contract(), triangle.scene->source(), attribute);
+  if (!attribute) return bound.constant;
+  // K >= 1, as |E_i| <= |E|_i.
+  Field least = exact_field(bound.constant) + exact_field(bound.per_condition);
+  if (bound.range_share > 0) {
+    least += exact_field(bound.range_share) * range_in_ulps(triangle, *attribute);
+  }
+  return enclose(least).lo;
+}
+
 std::optional<Rational> TriangleTruth::value_bound(std::optional<std::size_t> attribute, int x,
                                                    int y, int sample) const {
   const cases::Case& source = setup_->scene->source();
   const cases::ValueBound bound = bound_of(setup_->scene->contract(), source, attribute);
-  const Field constant = exact_field(bound.constant);
-  // Of a triangle that has no area until its vertices are snapped there is no ratio to speak of.
-  const bool has_horizon =
-      attribute && source.attributes[*attribute].interpolation == cases::Interpolation::smooth &&
-      bound.per_horizon > 0 && setup_->ideal.orientation() != 0;
-  if (!has_horizon) return to_rational(constant);
-  Field greatest(1);
-  for (const Point& p : locations(*setup_, source.attributes[*attribute], x, y, sample)) {
-    const std::optional<Field> ratio = horizon_ratio(*setup_, p);
-    if (!ratio) return std::nullopt;
-    greatest = std::max(greatest, *ratio);
+  Field fixed = exact_field(bound.constant);
+  if (!attribute) return to_rational(fixed);
+  if (bound.range_share > 0) {
+    fixed += exact_field(bound.range_share) * range_in_ulps(*setup_, *attribute);
   }
-  return to_rational(constant + exact_field(bound.per_horizon) * greatest);
+  // Of a triangle that has no area until its vertices are snapped nothing else can be said.
+  if (bound.is_uniform() || setup_->ideal.orientation() == 0) return to_rational(fixed);
+
+  const bool is_affine = setup_->scene->is_affine(*attribute);
+  Field greatest(0);
+  for (const Point& p : locations(*setup_, source.attributes[*attribute], x, y, sample)) {
+    Field here(0);
+    if (bound.per_horizon > 0) {
+      const std::optional<Field> ratio = is_affine ? Field(1) : horizon_ratio(*setup_, p);
+      if (!ratio) return std::nullopt;
+      here += exact_field(bound.per_horizon) * *ratio;
+    }
+    if (bound.per_condition > 0) {
+      const std::optional<Field> of_weights = condition(*setup_, is_affine, p);
+      if (!of_weights) return std::nullopt;
+      const Field lost = exact_field(bound.per_condition) * *of_weights;
+      if (lost >= Field(1 << 24)) return std::nullopt;
+      here += lost;
+    }
+    greatest = std::max(greatest, here);
+  }
+  return to_rational(fixed + greatest);
 }
 
 }  // namespace rastercheck::oracle

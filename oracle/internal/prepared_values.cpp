@@ -82,13 +82,15 @@ PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute)
   value.kind = kind_of(source, attribute);
   value.is_free = attribute && truth_->is_value_free(*attribute);
   if (value.is_free) return value;
-  value.bound = bound_of(scene_->contract(), source, attribute).constant;
+  value.bound = least_bound(*triangle_, attribute);
 
   cases::Attribute declared;  // of the depth: at the sample
   if (attribute) declared = source.attributes[*attribute];
   const bool is_flat = declared.interpolation == cases::Interpolation::flat;
   const bool is_open = declared.location == cases::Location::centroid && !is_flat;
-  value.is_single = !is_open && !scene_->contract().is_unspecified();
+  const bool is_claimed_otherwise =
+      value.kind == AttributeKind::smooth && scene_->contract().claims != cases::Claim::perspective;
+  value.is_single = !is_open && !is_claimed_otherwise && !scene_->contract().is_unspecified();
   value.errors = &statistics_->single(value.kind, stratum_);
   if (!value.is_single) {
     records::ErrorStatistics& of_kind = statistics_->of(value.kind);
@@ -97,7 +99,7 @@ PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute)
   }
   if (is_flat) {
     set_flat_filter(value);
-  } else if (map_ != nullptr && !is_open) {
+  } else if (map_ != nullptr && !is_open && !is_claimed_otherwise) {
     value.at_center =
         declared.location == cases::Location::center && source.framebuffer.samples > 1;
     value.is_mean = !value.at_center && coverage_->edges_of(map_) != nullptr;

@@ -81,6 +81,9 @@ class Scene {
   const Ring& greatest_depth() const { return greatest_depth_; }
   bool clamps_depth() const;
 
+  /// Whether an attribute that is not flat is claimed to be linear in window space.
+  bool is_affine(std::size_t attribute) const;
+
  private:
   const cases::Case* case_;
   const cases::Contract* contract_;

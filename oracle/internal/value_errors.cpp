@@ -76,6 +76,10 @@ ValueErrors::Subject ValueErrors::depth_subject() const {
 ValueErrors::Subject ValueErrors::attribute_subject(std::size_t attribute) const {
   Subject subject;
   subject.quantity = values_->quantity(attribute);
+  const auto declared = triangle_->scene->source().attributes[attribute].interpolation;
+  if (declared == cases::Interpolation::smooth && !subject.quantity.is_perspective) {
+    subject.perspective = values_->perspective_quantity(attribute);
+  }
   subject.scale = scale_exponent(values_->vertex_magnitude(attribute));
   subject.ends = values_->ends(attribute);
   subject.corners.resize(triangle_->corner_count());
@@ -216,6 +220,9 @@ std::optional<UlpError> ValueErrors::ideal_error(const Subject& subject, const P
     map = &triangle_->ideal;
   }
   if (map->orientation() == 0 || sign_of(map->inverse_w().at(p)) <= 0) return std::nullopt;
+  if (subject.perspective) {
+    return UlpError(computed, subject.perspective->on(*map).at(p), subject.scale);
+  }
   const Reading& reading = map == &triangle_->ideal ? ideal(subject) : corner(subject, 0);
   return UlpError(computed, clamped(subject, reading.at(p)), subject.scale);
 }

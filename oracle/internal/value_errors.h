@@ -45,10 +45,12 @@ class ValueErrors {
  private:
   struct Subject {
     Quantity quantity;
+    std::optional<Quantity> perspective;  ///< what `ideal` is about, where that is not the claim
     ScaleExponent scale;
-    FractionRange ends;                    ///< TriangleValues::ends
-    bool is_clamped = false;               ///< depth that the rules clamp
-    mutable std::optional<Reading> ideal;  ///< made when first asked for, as the corners are
+    FractionRange ends;       ///< TriangleValues::ends
+    bool is_clamped = false;  ///< depth that the rules clamp
+    // Made when first asked for.
+    mutable std::optional<Reading> ideal;
     mutable std::vector<std::optional<Reading>> corners;
   };
   enum class Place { sample, center };

@@ -89,10 +89,13 @@ FractionRange TriangleValues::ends(std::size_t attribute) const {
           {std::max({values[0], values[1], values[2]})}};
 }
 
+Quantity TriangleValues::perspective_quantity(std::size_t attribute) const {
+  return {vertex_values(attribute), true};
+}
+
 Quantity TriangleValues::quantity(std::size_t attribute) const {
-  Quantity quantity{vertex_values(attribute), true};
-  if (triangle_->scene->source().attributes[attribute].interpolation ==
-      cases::Interpolation::noperspective) {
+  Quantity quantity = perspective_quantity(attribute);
+  if (triangle_->scene->is_affine(attribute)) {
     quantity.is_perspective = false;
     for (std::size_t i = 0; i < 3; ++i) {
       quantity.numerators[i] = quantity.numerators[i] * triangle_->columns[i][2];

@@ -57,8 +57,11 @@ class TriangleValues {
   std::optional<OpenValue> attribute(std::size_t index, int x, int y, int sample) const;
 
   const Quantity& depth_quantity() const { return depth_; }
-  /// What derivatives, conditioning and errors take apart.
+  /// What the contract claims of an attribute: what derivatives, conditioning and errors take
+  /// apart.
   Quantity quantity(std::size_t attribute) const;
+  /// What the rules say of a smooth attribute, whatever is claimed.
+  Quantity perspective_quantity(std::size_t attribute) const;
   /// The exact vertex values of an attribute, and the largest of their magnitudes.
   std::array<Ring, 3> vertex_values(std::size_t attribute) const;
   Ring vertex_magnitude(std::size_t attribute) const;

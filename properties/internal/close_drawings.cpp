@@ -113,7 +113,7 @@ class CloseCheck {
 
 Allowance depth_allowance(const cases::Case& c, const cases::Contract& contract) {
   const cases::ValueBound& bound = contract.bounds.depth;
-  return {double{bound.constant} + double{bound.per_horizon},
+  return {double{bound.constant},
           double{std::max(std::abs(c.viewport.min_depth), std::abs(c.viewport.max_depth))}};
 }
 
@@ -132,14 +132,16 @@ std::optional<Allowance> value_allowance(const cases::Case& c, const cases::Cont
     greatest_w = std::max(greatest_w, double{c.positions[vertex].w});
   }
   const bool is_smooth = interpolation == Interpolation::smooth;
-  if (least_w <= 0 && !is_smooth) return std::nullopt;
+  const bool is_affine = !is_smooth || contract.claims == cases::Claim::affine;
+  if (least_w <= 0 && is_affine) return std::nullopt;
   const cases::ValueBound& bound =
       is_smooth ? contract.bounds.smooth : contract.bounds.noperspective;
+  if (bound.per_condition > 0 || bound.range_share > 0) return std::nullopt;
   allowance.units = double{bound.constant};
   if (bound.per_horizon > 0) {
     const bool is_covered = !contract.coverage || contract.basis == cases::Basis::snapped;
     if (least_w <= 0 || !is_covered) return std::nullopt;
-    allowance.units += double{bound.per_horizon} * (is_smooth ? greatest_w / least_w : 1.0);
+    allowance.units += double{bound.per_horizon} * (is_affine ? 1.0 : greatest_w / least_w);
   }
   return allowance;
 }

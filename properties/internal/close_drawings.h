@@ -27,9 +27,10 @@ struct Allowance {
 
 Allowance depth_allowance(const cases::Case& c, const cases::Contract& contract);
 
-/// Of an attribute located at the sample. Nothing where it is free, or where the bound grows
-/// towards a horizon that may be anywhere, as some w <= 0 or the sample need not be covered;
-/// elsewhere 1/w is a mean of the vertices' and the horizon ratio at most max w / min w.
+/// Of an attribute located at the sample. Nothing where it is free, where the bound is not of the
+/// vertices' values and w alone (cases::ValueBound), or where it grows towards a horizon that may
+/// be anywhere, as some w <= 0 or the sample need not be covered; elsewhere 1/w is a mean of the
+/// vertices' and the horizon ratio at most max w / min w.
 std::optional<Allowance> value_allowance(const cases::Case& c, const cases::Contract& contract,
                                          const cases::Triangle& triangle, std::size_t attribute);
 

@@ -51,7 +51,7 @@ TEST(ValueBound, GrowsTowardsTheHorizon) {
   const TriangleTruth truth(scene, 0);
   EXPECT_EQ(truth.value_bound(0, 4, 4, 0)->to_string(), "9/10");
   EXPECT_EQ(truth.value_bound(1, 4, 4, 0)->to_string(), "0");
-  EXPECT_EQ(truth.value_bound(2, 4, 4, 0)->to_string(), "3");
+  EXPECT_EQ(truth.value_bound(2, 4, 4, 0)->to_string(), "13/4");
   EXPECT_EQ(truth.value_bound(std::nullopt, 4, 4, 0)->to_string(), "2");
 }
 
