@@ -9,9 +9,11 @@ namespace rastercheck::backends {
 namespace {
 
 Result<std::unique_ptr<Backend>> make(const std::string& name) {
+  if (const rasterizer::Method* method = rasterizer::find_method(name)) {
+    return make_method_backend(*method);
+  }
   std::string known;
   for (const rasterizer::Method& method : rasterizer::methods()) {
-    if (method.name == name) return make_method_backend(name);
     known += (known.empty() ? "" : ", ") + std::string(method.name);
   }
   return tl::unexpected(Error{"method:" + name, "", "no method of that name; there are: " + known});

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "backends/cpu/case_state.h"
 #include "backends/cpu/fragments.h"
@@ -30,25 +29,26 @@ double clip_amplification(const cases::Case& c) {
   return std::max(largest / least_w, 1.0);
 }
 
-/// What is promised of every method: that it clips, transforms and interpolates in double and
-/// rounds nothing to a grid. The figures are those of rational-linear, derived in
-/// rasterizer/methods/rational_linear.cpp.
+cases::ValueBound value_bound(const ras::MethodBound& bound) {
+  return {static_cast<float>(bound.constant), static_cast<float>(bound.per_horizon),
+          static_cast<float>(bound.per_condition), static_cast<float>(bound.range_share)};
+}
+
+/// What scan conversion in double of clipped polygons makes of a contract.
 ///
 /// Positions. Vertices are off by a few roundings of a double, and crossings with rows by
-/// 11 · 2^-53 of the edge's farthest coordinate, which lies within 2^10 half widths around the
-/// viewport's middle. The position error granted, 2^-24 pixels, takes that in for viewports up to
-/// 2^14; the grid of 2^-16 pixels is only how the contract says where vertices may be. What
-/// clipping adds grows with the amplification A of the triangle's numbers, 2^-50 A half widths for
-/// a new vertex: the clip tolerance. An edge carries its values along, so what its errors do to
-/// values lies within the range that moving the vertices leaves open.
+/// 11 · 2^-53 of the edge's farthest coordinate (rasterizer/internal/convex_scan.h), which lies
+/// within 2^10 half widths around the viewport's middle. The position error granted, 2^-24 pixels,
+/// takes that in for viewports up to 2^14; the grid of 2^-16 pixels is only how the contract says
+/// where vertices may be. What clipping adds grows with the amplification A of the triangle's
+/// numbers, 2^-50 A half widths for a new vertex: the clip tolerance. An edge carries its values
+/// along, so what its errors do to values lies within the range that moving the vertices leaves
+/// open.
 ///
-/// Values. Besides one rounding to float32, half an ULP, means of s = r/w and of 1/w are off by
-/// 11 · 2^-53 of the greatest; for r that is 23 · 2^-53 max|r_i| g, g the horizon ratio, or, with
-/// ulp(m) >= 2^-24 m, less than 2^-24 g scale ULP. Depth and noperspective divide nothing: g is 1.
-/// A clipped vertex has r w and z off by 2^-60 A of themselves, the guard band being 2^10, so that
-/// A 2^-34 scale ULP come on top.
-cases::Contract double_precision_contract(const cases::Case& c) {
-  cases::Contract contract;
+/// Values. A clipped vertex has r w and z off by 2^-60 A of themselves, the guard band being 2^10,
+/// so that A 2^-34 scale ULP come on top of what is off anyhow; of depth that is, besides the
+/// rounding to float32, less than 2^-24.
+void add_scan_conversion(const cases::Case& c, cases::Contract& contract) {
   contract.coverage = cases::Snapping{16, cases::Rounding::unspecified, 0x1p-8F};
   contract.is_on_grid = false;
   contract.basis = cases::Basis::unspecified;
@@ -63,36 +63,61 @@ cases::Contract double_precision_contract(const cases::Case& c) {
   contract.clip_tolerance = static_cast<float>(
       std::clamp(0x1p-50 * amplification * double{half_width} * kGridUnits, 1.0, 0x1p60));
   const auto clipped = static_cast<float>(std::min(0x1p-34 * amplification, 0x1p60));
-  constexpr float kInterpolation = 0x1p-24F;
-  contract.bounds.smooth = {0.5F + kInterpolation + clipped, kInterpolation};
-  contract.bounds.noperspective = {0.5F + kInterpolation + clipped, 0};
-  contract.bounds.depth = {0.5F + kInterpolation + clipped, 0};
+  contract.bounds.depth.constant = 0.5F + 0x1p-24F;
+  for (cases::ValueBound* bound :
+       {&contract.bounds.smooth, &contract.bounds.noperspective, &contract.bounds.depth}) {
+    bound->constant += clipped;
+  }
+}
+
+/// What the rasterizer promises of coverage and of all but smooth values.
+void add_exact_coverage(const cases::Case& c, cases::Contract& contract) {
+  constexpr float kBound = 0.51F;
+  static_assert(kBound >= ras::kValueBound);
+  contract.tie_rule = c.fill_rule;
+  contract.bounds.noperspective = {kBound};
+  contract.bounds.depth = {kBound};
+  contract.keeps_equal_depth = true;
+}
+
+cases::Contract contract_of(const cases::Case& c, const ras::Promise& promise) {
+  cases::Contract contract;
+  contract.claims =
+      promise.claims == ras::Claim::affine ? cases::Claim::affine : cases::Claim::perspective;
+  contract.bounds.smooth = value_bound(promise.smooth);
+  contract.bounds.noperspective = value_bound(promise.noperspective);
+  if (promise.scan == ras::ScanKind::scanned) {
+    add_scan_conversion(c, contract);
+  } else {
+    add_exact_coverage(c, contract);
+  }
   return contract;
 }
 
 class MethodBackend : public Backend {
  public:
-  explicit MethodBackend(std::string name) : name_(std::move(name)) {}
+  explicit MethodBackend(const ras::Method& method) : method_(&method) {}
 
   cases::Contract contract(const cases::Case& c) const override {
-    return double_precision_contract(c);
+    const CaseMesh memory(c);
+    return contract_of(c, method_->promise(state_of(c), memory.mesh(), target_size(c)));
   }
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
     const CaseMesh memory(c);
     ras::Fragments fragments;
-    const ras::DrawResult drawn =
-        ras::draw_fragments_by(name_, state_of(c), memory.mesh(), target_size(c), fragments);
+    const ras::DrawResult drawn = ras::draw_fragments_by(method_->name, state_of(c), memory.mesh(),
+                                                         target_size(c), fragments);
     return drawn_fragments(c, drawn, fragments);
   }
 
  private:
-  std::string name_;
+  const ras::Method* method_;
 };
 
 }  // namespace
 
-std::unique_ptr<Backend> make_method_backend(const std::string& name) {
-  return std::make_unique<MethodBackend>(name);
+std::unique_ptr<Backend> make_method_backend(const ras::Method& method) {
+  return std::make_unique<MethodBackend>(method);
 }
 
 }  // namespace rastercheck::backends

@@ -453,8 +453,20 @@ DrawCounts draw(const State& state, const Mesh& mesh, const TargetSize& size,
   return Drawing(state, mesh, size, fragments).draw();
 }
 
-const MethodRegistration kRegistration({"rational-linear",
-                                        "seed 002 §3.5 (Heckbert and Moreton, 1991)", &draw});
+/// The derivation above with u = 2^-53: 23 u max|r_i| g is less than 2^-24 g scale ULP, as ulp(m)
+/// >= 2^-24 m. Depth and noperspective values divide nothing.
+Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& /*size*/) {
+  Promise promise;
+  promise.scan = ScanKind::scanned;
+  promise.smooth = {.constant = 0.5 + 0x1p-24, .per_horizon = 0x1p-24};
+  promise.noperspective = {.constant = 0.5 + 0x1p-24};
+  return promise;
+}
+
+const MethodRegistration kRegistration({.name = "rational-linear",
+                                        .source = "seed 002 §3.5 (Heckbert and Moreton, 1991)",
+                                        .draw = &draw,
+                                        .promise = &promise});
 
 }  // namespace
 }  // namespace rastercheck::rasterizer

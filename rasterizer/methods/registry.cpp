@@ -25,12 +25,17 @@ MethodRegistration::MethodRegistration(const Method& method) {
 
 std::span<const Method> methods() { return registered(); }
 
+const Method* find_method(std::string_view name) {
+  const auto found = std::find_if(registered().begin(), registered().end(),
+                                  [name](const Method& method) { return method.name == name; });
+  return found == registered().end() ? nullptr : &*found;
+}
+
 DrawResult draw_fragments_by(std::string_view method, const State& state, const Mesh& mesh,
                              const TargetSize& size, Fragments& fragments) {
-  for (const Method& candidate : methods()) {
-    if (candidate.name == method) return draw_checked(candidate.draw, state, mesh, size, fragments);
-  }
-  return {Error::unknown_method, {}};
+  const Method* found = find_method(method);
+  if (found == nullptr) return {Error::unknown_method, {}};
+  return draw_checked(found->draw, state, mesh, size, fragments);
 }
 
 }  // namespace rastercheck::rasterizer

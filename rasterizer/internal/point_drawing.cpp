@@ -1,0 +1,175 @@
+#include "rasterizer/internal/point_drawing.h"
+
+#include <cmath>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "rasterizer/internal/drawing.h"
+#include "rasterizer/internal/standard_pattern.h"
+
+namespace rastercheck::rasterizer {
+namespace {
+
+/// The state for draw_mesh, which draws all but the smooth attributes: these it may copy.
+State without_smooth(const State& state) {
+  State others = state;
+  others.snapping.reset();
+  others.precision = Precision::float64;
+  for (Qualifier& qualifier : others.attributes) {
+    if (qualifier.interpolation == Interpolation::smooth) {
+      qualifier.interpolation = Interpolation::flat;
+    }
+  }
+  return others;
+}
+
+/// Puts smooth values into the fragments of a draw, triangle by triangle.
+class PointDrawing {
+ public:
+  PointDrawing(const State& state, const Mesh& mesh, const TargetSize& size, PointFormula& formula,
+               Fragments& fragments)
+      : mesh_(mesh),
+        formula_(formula),
+        fragments_(fragments),
+        pattern_(standard_pattern(size.samples)),
+        attribute_count_(state.attributes.size()),
+        half_width_(double{state.viewport.size.x} / 2),
+        half_height_(double{state.viewport.size.y} / 2),
+        center_u_(double{state.viewport.origin.x} + half_width_),
+        center_v_(double{state.viewport.origin.y} + half_height_) {
+    if (state.convention == Convention::d3d) half_height_ = -half_height_;
+    for (std::size_t i = 0; i < attribute_count_; ++i) {
+      if (state.attributes[i].interpolation != Interpolation::smooth) continue;
+      smooth_[smooth_count_++] = {i, state.attributes[i].location};
+    }
+  }
+
+  /// Fills in the fragments from `begin` on.
+  void fill(std::size_t begin) {
+    if (smooth_count_ == 0) return;
+    while (begin < fragments_.size()) {
+      const std::size_t end = end_of_pixel(begin);
+      if (!is_set_ || triangle_ != fragments_.triangle[begin]) set(fragments_.triangle[begin]);
+      fill_pixel(begin, end);
+      begin = end;
+    }
+  }
+
+ private:
+  struct Smooth {
+    std::size_t attribute = 0;
+    Location location = Location::sample;
+    /// Whether all three values are the same zero, whose sign sums may lose.
+    bool is_zero = false;
+  };
+
+  std::size_t end_of_pixel(std::size_t begin) const {
+    std::size_t end = begin + 1;
+    while (end < fragments_.size() && fragments_.triangle[end] == fragments_.triangle[begin] &&
+           fragments_.y[end] == fragments_.y[begin] && fragments_.x[end] == fragments_.x[begin]) {
+      ++end;
+    }
+    return end;
+  }
+
+  float value_of(std::uint32_t vertex, std::size_t attribute) const {
+    return mesh_.attributes[vertex * attribute_count_ + attribute];
+  }
+
+  void set(std::uint32_t triangle) {
+    triangle_ = triangle;
+    is_set_ = true;
+    const glm::uvec3& corners = mesh_.triangles[triangle];
+    const std::array<std::uint32_t, 3> indices{corners.x, corners.y, corners.z};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const glm::vec4& p = mesh_.positions[indices[i]];
+      PointVertex& vertex = vertices_[i];
+      vertex.w = p.w;
+      vertex.x = p.x * half_width_ + vertex.w * center_u_;
+      vertex.y = p.y * half_height_ + vertex.w * center_v_;
+      for (std::size_t k = 0; k < smooth_count_; ++k) {
+        vertex.values[k] = value_of(indices[i], smooth_[k].attribute);
+      }
+    }
+    for (std::size_t k = 0; k < smooth_count_; ++k) {
+      const float first = value_of(indices[0], smooth_[k].attribute);
+      smooth_[k].is_zero = first == 0;
+      for (const std::uint32_t vertex : indices) {
+        const float value = value_of(vertex, smooth_[k].attribute);
+        if (value != 0 || std::signbit(value) != std::signbit(first)) smooth_[k].is_zero = false;
+      }
+    }
+    formula_.set(vertices_, smooth_count_);
+  }
+
+  /// The fragments of one triangle in one pixel.
+  void fill_pixel(std::size_t begin, std::size_t end) {
+    const double x = fragments_.x[begin];
+    const double y = fragments_.y[begin];
+    const auto evaluate = [&](const SampleOffset& offset, Location location, std::size_t from,
+                              std::size_t to) {
+      if (!has(location)) return;
+      std::array<double, kMaxAttributes> values;
+      formula_.at(x + offset.x, y + offset.y, std::span(values.data(), smooth_count_));
+      for (std::size_t k = 0; k < smooth_count_; ++k) {
+        if (smooth_[k].location != location) continue;
+        const bool is_copied = smooth_[k].is_zero || std::isnan(values[k]);
+        const auto value = static_cast<float>(is_copied ? vertices_[0].values[k] : values[k]);
+        for (std::size_t i = from; i < to; ++i) {
+          fragments_.attributes[i * attribute_count_ + smooth_[k].attribute] = value;
+        }
+      }
+    };
+    for (std::size_t i = begin; i < end; ++i) {
+      evaluate(pattern_[fragments_.sample[i]], Location::sample, i, i + 1);
+    }
+    evaluate(kPixelCenter, Location::center, begin, end);
+    const bool is_whole = end - begin == pattern_.size();
+    evaluate(is_whole ? kPixelCenter : pattern_[fragments_.sample[begin]], Location::centroid,
+             begin, end);
+  }
+
+  bool has(Location location) const {
+    for (std::size_t k = 0; k < smooth_count_; ++k) {
+      if (smooth_[k].location == location) return true;
+    }
+    return false;
+  }
+
+  const Mesh& mesh_;
+  PointFormula& formula_;
+  Fragments& fragments_;
+  std::span<const SampleOffset> pattern_;
+  std::size_t attribute_count_;
+  double half_width_;
+  double half_height_;
+  double center_u_;
+  double center_v_;
+  std::array<Smooth, kMaxAttributes> smooth_;
+  std::size_t smooth_count_ = 0;
+  bool is_set_ = false;
+  std::uint32_t triangle_ = 0;
+  std::array<PointVertex, 3> vertices_;
+};
+
+}  // namespace
+
+DrawCounts draw_points(const State& state, const Mesh& mesh, const TargetSize& size,
+                       PointFormula& formula, Fragments& fragments) {
+  const std::size_t begin = fragments.size();
+  const State others = without_smooth(state);
+  const DrawCounts counts = draw_mesh(others, mesh, size, fragments);
+  PointDrawing(state, mesh, size, formula, fragments).fill(begin);
+  return counts;
+}
+
+std::array<PointVertex, 3> counted_triangle() {
+  std::array<PointVertex, 3> vertices;
+  vertices[0] = {.x = 0, .y = 0, .w = 1, .values = {0.125, 0.25}};
+  vertices[1] = {.x = 16, .y = 0, .w = 2, .values = {0.875, 0.375}};
+  vertices[2] = {.x = 0, .y = 32, .w = 4, .values = {0.5, 0.75}};
+  return vertices;
+}
+
+}  // namespace rastercheck::rasterizer
