@@ -296,5 +296,54 @@ TEST(JudgeInThreads, PassesOnWhatASinkThrows) {
   }
 }
 
+// By hand: w = 1 at u = 0 and 2 at u = 4, where the attribute is 0 and 1. Linear in the window it
+// is u/4, which is what is claimed; in perspective it is u/(8 − u). At u = 1/2 that is 1/8 and
+// 1/15.
+TEST(JudgeOfAClaim, HoldsValuesAgainstItAndTellsTheErrorOfPerspective) {
+  const cases::Case c =
+      small_case(cases::Rules::vulkan, 4, 4, {{{-1, -1, 0, 1}, {2, -2, 0, 2}, {-1, 1, 0, 1}}},
+                 {{{0}, {1}, {0}}});
+  cases::Contract contract = cases::contract_of(c);
+  contract.claims = cases::Claim::affine;
+  contract.bounds.smooth = {0};
+  const SceneTruth scene(c, contract);
+  cases::Framebuffer drawn;
+  push(drawn, 0, 0, 0, 0, 0, {0.125F});
+  JudgeOptions options;
+  options.self_check_one_in = 1;
+  std::optional<JudgedValue> judged;
+  const Judged result =
+      judge(scene, drawn, options, [&](const JudgedSample& sample, const TriangleTruth*) {
+        for (const JudgedValue& value : sample.values) {
+          if (value.attribute) judged = value;
+        }
+      });
+  EXPECT_FALSE(result.fault) << *result.fault;
+  ASSERT_TRUE(judged);
+  EXPECT_EQ(judged->fragment_class, FragmentClass::correct);
+  EXPECT_EQ(judged->excess, (records::Enclosure{0, 0}));
+  const double error = (7 / 120.0) * 0x1p23;  // (1/8 − 1/15) in ulp(1)
+  EXPECT_NEAR(judged->ideal->lo, error, 1e-6);
+  EXPECT_NEAR(judged->ideal->hi, error, 1e-6);
+
+  contract.claims = cases::Claim::perspective;
+  const SceneTruth perspective(c, contract);
+  EXPECT_EQ(judge(perspective, drawn)
+                .judgement.errors[AttributeKind::smooth]
+                .classes[FragmentClass::beyond_bound],
+            1U);
+}
+
+// Window positions of vertices are none where w <= 0, so that nothing is linear between them.
+TEST(JudgeOfAClaim, LeavesAffineValuesFreeWhereSomeWIsNotPositive) {
+  const cases::Case c =
+      small_case(cases::Rules::vulkan, 4, 4, {{{-1, -1, 0, 1}, {2, -2, 0, -2}, {-1, 1, 0, 1}}},
+                 {{{0}, {1}, {0}}});
+  cases::Contract contract = cases::contract_of(c);
+  EXPECT_FALSE(TriangleTruth(SceneTruth(c, contract), 0).is_value_free(0));
+  contract.claims = cases::Claim::affine;
+  EXPECT_TRUE(TriangleTruth(SceneTruth(c, contract), 0).is_value_free(0));
+}
+
 }  // namespace
 }  // namespace rastercheck::oracle

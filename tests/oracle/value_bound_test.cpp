@@ -66,5 +66,61 @@ TEST(ValueBound, IsTheConstantWhereTheExactTriangleIsDegenerate) {
   EXPECT_EQ(TriangleTruth(scene, 0).value_bound(0, 4, 4, 0)->to_string(), "1/2");
 }
 
+/// In perspective: (X, Y, w) = (0, 0, 1), (4, 0, 1), (0, 8, 2), whose edges are E_0 = 32 − 8 u − 8
+/// v, E_1 = 8 u and E_2 = 4 v, |det M| = 32.
+cases::Case in_perspective(float largest) {
+  cases::Case c =
+      small_case(cases::Rules::vulkan, 4, 4, {{{-1, -1, 0, 1}, {1, -1, 0, 1}, {-2, 2, 0, 2}}},
+                 {{{-1, 0}, {largest, 0}, {0, 1}}});
+  c.attributes[1].interpolation = cases::Interpolation::noperspective;
+  return c;
+}
+
+// By hand, at (1, 1). Magnitudes (|X|, |Y|, |w|): (4, 4, 1), (4, 4, 1) and (8, 8, 2), so |E|_0 =
+// |E|_1 = 16 + 16 + 64 and |E|_2 = 8 + 8 + 32; E = 16, 8, 4. K = 240/28; Σ |w||E| = 288 of 32.
+TEST(Condition, IsWhatTheWeightsAreMadeOfOverWhatTheyAre) {
+  const cases::Case c = in_perspective(3);
+  const SceneTruth truth(c, cases::contract_of(c));
+  const TriangleSetup setup(truth.scene(), c.triangles[0]);
+  const Point p{Ring(1), Ring(1)};
+  EXPECT_EQ(condition(setup, false, p).value(), Field(60, 7));
+  EXPECT_EQ(condition(setup, true, p).value(), Field(9));
+  EXPECT_FALSE(condition(setup, false, {Ring(0), Ring(8)}).has_value());  // ΣE = 0
+}
+
+// The pixel's centre is at (1/2, 1/2): |E| = 80, 80, 40 and E = 24, 4, 2, K = 20/3. The range of
+// the values −1, 3 and 0 is 4, in ulp(3) = 2^-22.
+TEST(ValueBound, GrowsWithTheConditionAndWithTheRange) {
+  const cases::Case c = in_perspective(3);
+  cases::Contract contract;
+  contract.bounds.smooth = {0.5F, 0, 3, 0x1p-24F};
+  const SceneTruth scene(c, contract);
+  const TriangleTruth truth(scene, 0);
+  EXPECT_EQ(truth.value_bound(0, 0, 0, 0)->to_string(), "43/2");  // 1/2 + 20 + 1
+  EXPECT_EQ(least_bound(truth.setup(), 0), 4.5);                  // K >= 1
+}
+
+// Kills: a promise about values all of whose digits may be lost.
+TEST(ValueBound, IsNoneWhereAllDigitsMayBeLost) {
+  const cases::Case c = in_perspective(3);
+  cases::Contract contract;
+  contract.bounds.smooth = {0.5F, 0, 0x1p22F, 0};
+  EXPECT_FALSE(TriangleTruth(SceneTruth(c, contract), 0).value_bound(0, 0, 0, 0).has_value());
+  contract.bounds.smooth.per_condition = 0x1p21F;
+  EXPECT_TRUE(TriangleTruth(SceneTruth(c, contract), 0).value_bound(0, 0, 0, 0).has_value());
+}
+
+// What is claimed to be linear in the window has the condition of what is.
+TEST(ValueBound, OfAnAffineClaimIsThatOfANoperspectiveValue) {
+  const cases::Case c = in_perspective(3);
+  cases::Contract contract;
+  contract.claims = cases::Claim::affine;
+  contract.bounds.smooth = {0.5F, 2, 1, 0};
+  contract.bounds.noperspective = contract.bounds.smooth;
+  const SceneTruth scene(c, contract);
+  const TriangleTruth truth(scene, 0);
+  EXPECT_EQ(truth.value_bound(0, 0, 0, 0)->to_string(), truth.value_bound(1, 0, 0, 0)->to_string());
+}
+
 }  // namespace
 }  // namespace rastercheck::oracle
