@@ -4,6 +4,11 @@
 
 namespace rastercheck::cases {
 
+bool Contract::is_affine(Interpolation declared) const {
+  return declared == Interpolation::noperspective ||
+         (declared == Interpolation::smooth && claims == Claim::affine);
+}
+
 Contract contract_of(const Case& c) {
   Contract contract;
   contract.coverage = c.coverage;

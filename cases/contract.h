@@ -9,6 +9,7 @@
 namespace rastercheck::cases {
 
 struct Case;
+enum class Interpolation;
 
 /// What smooth values are held against: what is linear in clip space, as the rules have it (RULES
 /// §1), or, of a method that never divides, what is linear in window space, as if they were
@@ -47,6 +48,8 @@ struct ValueBound {
 
   /// Whether it is the same everywhere on a triangle.
   bool is_uniform() const { return per_horizon == 0 && per_condition == 0; }
+  /// Whether it is `constant` everywhere.
+  bool is_constant() const { return is_uniform() && range_share == 0; }
 };
 
 /// Flat attributes are copies and have no bound but 0.
@@ -139,10 +142,8 @@ struct Contract {
   std::optional<TextureBounds> texture_bounds;
   bool operator==(const Contract&) const = default;
 
-  /// Whether smooth values are meant to be what the rules say, but for roundings.
-  bool is_perspective() const {
-    return claims == Claim::perspective && bounds.smooth.range_share == 0;
-  }
+  /// Whether values of attributes declared so are claimed to be linear in window space.
+  bool is_affine(Interpolation declared) const;
   /// Whether it leaves more than one answer open, so that values are ranges.
   bool is_unspecified() const {
     return basis == Basis::unspecified ||

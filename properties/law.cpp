@@ -50,7 +50,8 @@ bool draws_what_is_asked_for(const backends::Backend& backend) {
       c.coverage = coverage;
       const cases::Contract promised = backend.contract(c);
       const cases::Contract asked_for = cases::contract_of(c);
-      if (promised.coverage != asked_for.coverage || promised.tie_rule != asked_for.tie_rule) {
+      if (promised.coverage != asked_for.coverage || promised.tie_rule != asked_for.tie_rule ||
+          promised.claims != asked_for.claims) {
         return false;
       }
       if (coverage && promised.basis != asked_for.basis) return false;

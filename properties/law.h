@@ -88,8 +88,8 @@ struct Law {
 /// more than that share of them; 0 of few cases.
 std::uint64_t least_reached(const Cover& cover, std::uint64_t checked);
 
-/// Whether a backend promises the coverage, basis and tie rule that a case names: not one that
-/// rounds positions in its own way, or leaves ties open.
+/// Whether a backend promises the coverage, basis and tie rule that a case names, and values in
+/// perspective: not one that rounds positions in its own way, or leaves ties open.
 bool draws_what_is_asked_for(const backends::Backend& backend);
 
 /// Whether the law has something to say of a backend.

@@ -1,6 +1,7 @@
 #include "backends/cpu/method_backend.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -13,20 +14,63 @@ namespace {
 
 namespace ras = rasterizer;
 
-/// How much more than ordinary ones the numbers of clipped vertices may be off: a vertex that
-/// clipping makes has coordinates and w that come from the triangle's by cancellation, and are off
-/// by a rounding of the largest of these, relative to a w that may be as small as the least. With
-/// some w <= 0 the new w is at least what the guard band leaves of x and y, which this leaves out.
-double clip_amplification(const cases::Case& c) {
+/// The magnitudes of the terms of x_a y_b − x_b y_a.
+double minor_terms(float x_a, float y_a, float x_b, float y_b) {
+  return std::abs(double{x_a} * double{y_b}) + std::abs(double{x_b} * double{y_a});
+}
+
+/// How much more than ordinary ones the numbers of clipped vertices of a triangle may be off. A
+/// vertex that clipping makes has coordinates and w that come from the triangle's by cancellation,
+/// and are off by a rounding of the largest of these, m, relative to its own w. That is at least
+/// the least w > 0 of the triangle where all are positive. Otherwise new vertices lie as near the
+/// eye as the triangle's plane does, at (x, y, w) = 0: their distance from it is at least |det| /
+/// |N|, N the plane's normal with components that are sums of minors, and their w that over 2 G, as
+/// the guard band leaves |x|, |y| <= G w:
+///
+///   A = m · 2 G |N| / |det|
+///
+/// where det itself is off by a share of its terms' magnitudes, of which a few roundings are taken
+/// away; of what is then not positive nothing is certain.
+double clip_amplification(const cases::ClipVertex& a, const cases::ClipVertex& b,
+                          const cases::ClipVertex& c) {
+  constexpr double kGuardBand = 0x1p10;  // rasterizer/internal/clip_polygon.h
   double largest = 0;
   double least_w = std::numeric_limits<double>::infinity();
-  for (const cases::ClipVertex& p : c.positions) {
+  for (const cases::ClipVertex& p : {a, b, c}) {
     for (const float part : {p.x, p.y, p.z, p.w}) {
       largest = std::max(largest, std::abs(double{part}));
     }
-    if (p.w > 0) least_w = std::min(least_w, double{p.w});
+    least_w = std::min(least_w, double{p.w});
   }
-  return std::max(largest / least_w, 1.0);
+  if (least_w > 0) return std::max(largest / least_w, 1.0);
+
+  double normal = 0;
+  double determinant = 0;
+  double terms = 0;
+  const std::array<const cases::ClipVertex*, 3> p{&a, &b, &c};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const cases::ClipVertex& q = *p[(i + 1) % 3];
+    const cases::ClipVertex& r = *p[(i + 2) % 3];
+    const double w = p[i]->w;
+    determinant += w * (double{q.x} * double{r.y} - double{r.x} * double{q.y});
+    terms += std::abs(w) * minor_terms(q.x, q.y, r.x, r.y);
+    normal += minor_terms(q.x, q.y, r.x, r.y) + minor_terms(q.x, q.w, r.x, r.w) +
+              minor_terms(q.y, q.w, r.y, r.w);
+  }
+  const double least = std::abs(determinant) - 0x1p-50 * terms;
+  if (!(least > 0)) return std::numeric_limits<double>::infinity();
+  return std::max(largest * (2 * kGuardBand * normal / least), 1.0);
+}
+
+/// The greatest of a case's triangles.
+double clip_amplification(const cases::Case& c) {
+  double greatest = 1;
+  for (const cases::Triangle& triangle : c.triangles) {
+    greatest =
+        std::max(greatest, clip_amplification(c.positions[triangle[0]], c.positions[triangle[1]],
+                                              c.positions[triangle[2]]));
+  }
+  return greatest;
 }
 
 cases::ValueBound value_bound(const ras::MethodBound& bound) {

@@ -179,9 +179,7 @@ Ring Scene::depth_numerator(std::size_t vertex) const {
 bool Scene::clamps_depth() const { return case_->depth_clamp || conventions_.depth_always_clamped; }
 
 bool Scene::is_affine(std::size_t attribute) const {
-  const cases::Interpolation declared = case_->attributes[attribute].interpolation;
-  return declared == cases::Interpolation::noperspective ||
-         (declared == cases::Interpolation::smooth && contract_->claims == cases::Claim::affine);
+  return contract_->is_affine(case_->attributes[attribute].interpolation);
 }
 
 }  // namespace rastercheck::oracle

@@ -132,7 +132,7 @@ std::optional<Allowance> value_allowance(const cases::Case& c, const cases::Cont
     greatest_w = std::max(greatest_w, double{c.positions[vertex].w});
   }
   const bool is_smooth = interpolation == Interpolation::smooth;
-  const bool is_affine = !is_smooth || contract.claims == cases::Claim::affine;
+  const bool is_affine = contract.is_affine(interpolation);
   if (least_w <= 0 && is_affine) return std::nullopt;
   const cases::ValueBound& bound =
       is_smooth ? contract.bounds.smooth : contract.bounds.noperspective;

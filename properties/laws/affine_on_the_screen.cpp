@@ -105,7 +105,7 @@ class AffineCheck {
     if (!is_clamped) affine.emplace_back(std::nullopt);
     if (!all_in_front(*case_, values_.corners(line.front().fragment))) return affine;
     for (std::uint32_t a = 0; a < case_->attributes.size(); ++a) {
-      const bool is_affine = case_->attributes[a].interpolation == Interpolation::noperspective;
+      const bool is_affine = findings_.contract().is_affine(case_->attributes[a].interpolation);
       if (is_affine && is_at_sample(*case_, a)) affine.emplace_back(a);
     }
     return affine;
@@ -158,6 +158,7 @@ class AffineCheck {
   }
 
   void check_quotients() {
+    if (findings_.contract().claims != cases::Claim::perspective) return;
     std::optional<std::uint32_t> triangle;
     bool has_one = false;
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
@@ -252,10 +253,11 @@ const LawRegistration kRegistration(
     {.name = "1/w and r/w are affine on the screen",
      .reason = "The e_i are affine in window coordinates, and r = (r/w) / (1/w).",
      .exceptions = "noperspective values where some w <= 0; clamped depths; values that are not "
-                   "at samples; chords of snapped triangles that are clipped",
+                   "at samples; chords of snapped triangles that are clipped; quotients of "
+                   "backends that claim smooth values to be affine themselves",
      .generate = &generate,
      .check = &check,
-     .covers = {cover(49, "quotient"), cover(39, "noperspective"), cover(31, "depth"),
+     .covers = {cover_decided(49, "quotient"), cover(39, "noperspective"), cover(31, "depth"),
                 cover(21, "long line"), cover(19, "several samples"), cover(13, "snapped"),
                 cover(26, "clipped")}});
 

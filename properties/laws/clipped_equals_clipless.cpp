@@ -238,7 +238,7 @@ const LawRegistration kRegistration(
      .generate = &generate_any,
      .check = &check,
      .covers = {cover(5, "clip distance"), cover(5, "far plane"), cover(5, "near plane"),
-                cover(12, "side of the viewport"), cover(15, "snapped"),
+                cover(12, "side of the viewport"), cover_decided(15, "snapped"),
                 cover(5, "through the eye"), cover(10, "w <= 0")}});
 
 }  // namespace

@@ -41,9 +41,11 @@ bool is_constant(const cases::Case& c, const cases::Triangle& triangle, std::siz
          is_same(first, c.attributes_of(triangle[2])[attribute]);
 }
 
-/// Whether the promise is strong enough anywhere: g >= 1 but for extrapolated centres.
+/// Whether the promise is strong enough anywhere: g >= 1 but for extrapolated centres, K >= 1, and
+/// the range of a constant is 0.
 bool may_be_exact(const cases::ValueBound& bound) {
-  return double{bound.constant} + double{bound.per_horizon} < kMostBound;
+  return double{bound.constant} + double{bound.per_horizon} + double{bound.per_condition} <
+         kMostBound;
 }
 
 /// Indices of what of one triangle the law speaks about.

@@ -321,8 +321,9 @@ const LawRegistration kRegistration(
      .check = &check,
      .covers = {cover(15, "all w = 0"), cover(15, "behind the eye"), cover(5, "collinear samples"),
                 cover(15, "collinear vertices"), cover(20, "culling"),
-                cover(15, "opposite vertices"), cover(15, "repeated vertex"), cover(15, "snapped"),
-                cover(15, "vertex in the eye"), cover(15, "vertex twice")}});
+                cover(15, "opposite vertices"), cover(15, "repeated vertex"),
+                cover_decided(15, "snapped"), cover(15, "vertex in the eye"),
+                cover(15, "vertex twice")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -307,7 +307,7 @@ const LawRegistration kRegistration(
      .generate = &generate_any,
      .check = &check,
      .covers = {cover(10, "clipped"), cover_decided(20, "quotient"), cover(15, "several samples"),
-                cover(15, "snapped")}});
+                cover_decided(15, "snapped")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

@@ -182,7 +182,7 @@ class AffinityCheck {
   }
 
   bool is_free(const FragmentPlace& place, std::size_t a) const {
-    return case_->attributes[a].interpolation == cases::Interpolation::noperspective &&
+    return contract_.is_affine(case_->attributes[a].interpolation) &&
            !all_in_front(*case_, triangle_at(place));
   }
 
@@ -198,7 +198,7 @@ class AffinityCheck {
     const bool is_at_sample =
         case_->attributes[a].location == cases::Location::sample || case_->framebuffer.samples == 1;
     return !contract_.coverage && contract_.basis == cases::Basis::ideal && is_at_sample &&
-           bound_of(a).per_horizon == 0;
+           bound_of(a).is_constant();
   }
 
   const cases::ValueBound& bound_of(std::size_t a) const {

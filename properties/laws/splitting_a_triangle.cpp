@@ -103,7 +103,7 @@ const LawRegistration kRegistration(
                    "and flat attributes, which are made smooth",
      .generate = &generate_any,
      .check = &check,
-     .covers = {cover(10, "clipped"), cover(15, "several samples"), cover(15, "snapped"),
+     .covers = {cover(10, "clipped"), cover(15, "several samples"), cover_decided(15, "snapped"),
                 cover(7, "w <= 0")}});
 
 }  // namespace

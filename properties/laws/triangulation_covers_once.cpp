@@ -383,7 +383,7 @@ const LawRegistration kRegistration(
      .generate = &triangulated_screen,
      .check = &check,
      .covers = {cover(8, "clip distances"), cover_decided(6, "half of the screen"),
-                cover(15, "several samples"), cover(11, "snapped")}});
+                cover(15, "several samples"), cover_decided(11, "snapped")}});
 
 }  // namespace
 }  // namespace rastercheck::properties

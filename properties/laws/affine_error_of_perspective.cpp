@@ -1,0 +1,179 @@
+// What is linear on the screen is off perspective by no more than the w of the vertices allow:
+//
+//   |f − r| <= κ (max r_i − min r_i) + bound,     κ = (√ρ − 1)/(√ρ + 1),   ρ = max w_i / min w_i
+//
+// for f that is meant to be the affine Σ λ_i r_i, with r = Σ b_i r_i in perspective and all w_i >
+// 0.
+//
+// b_i = (λ_i/w_i)/Σ(λ_j/w_j). r − Σ λ_i r_i = Σ (b_i − λ_i) r_i, and as Σ (b_i − λ_i) = 0, it is at
+// most the range of the r_i times the sum of those b_i − λ_i that are positive. Let these i have
+// weights that add up to λ, and take them for one point whose 1/w is the mean of theirs, and the
+// others for another; with ρ' the ratio of the two w, 1 <= ρ' <= ρ,
+//
+//   b − λ = λ (1 − λ)(ρ' − 1)/(λ ρ' + 1 − λ),
+//
+// whose derivative in λ is 0 where λ² ρ' = (1 − λ)²: at λ = 1/(√ρ' + 1), where it is κ of ρ', and
+// that grows with ρ'. On an edge whose ends have the extreme w and r it is attained (seed 000,
+// A 6.3; seed 002, §2.1: the rubber sheet).
+//
+// κ = (max w − min w)/(√max w + √min w)², in double off by a share of a few 2^-53.
+//
+// Samples: those that are required, of triangles that are all in front of the eye. Attributes:
+// smooth ones at samples and centroids, and centres of one sample; elsewhere λ_i may be negative.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "properties/internal/drawn_values.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/value_findings.h"
+#include "properties/internal/verdicts.h"
+#include "properties/internal/window_position.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Interpolation;
+using cases::Location;
+
+// --- The law -------------------------------------------------------------------------------------
+
+/// κ of a triangle, none too small.
+double greatest_share(const cases::Case& c, const cases::Triangle& triangle) {
+  const auto w = [&](std::size_t i) { return double{c.positions[triangle[i]].w}; };
+  const auto [least, greatest] = std::minmax({w(0), w(1), w(2)});
+  const double roots = std::sqrt(least) + std::sqrt(greatest);
+  return (greatest - least) / (roots * roots) * (1 + 0x1p-48);
+}
+
+double range_of(const cases::Case& c, const cases::Triangle& triangle, std::uint32_t attribute) {
+  const auto r = [&](std::size_t i) { return double{c.attributes_of(triangle[i])[attribute]}; };
+  const auto [least, greatest] = std::minmax({r(0), r(1), r(2)});
+  return greatest - least;
+}
+
+cases::Contract in_perspective(cases::Contract contract) {
+  contract.claims = cases::Claim::perspective;
+  return contract;
+}
+
+class AffineErrorCheck {
+ public:
+  AffineErrorCheck(const cases::Case& c, const cases::Contract& contract,
+                   const cases::Framebuffer& drawn)
+      : case_(&c),
+        drawn_(&drawn),
+        findings_(c, contract),
+        perspective_(c, in_perspective(contract)) {}
+
+  Check run() {
+    for (std::size_t i = 0; i < drawn_->size(); ++i) {
+      const FragmentPlace place = place_of(*drawn_, i);
+      if (!is_of_case(*case_, place)) continue;
+      const cases::Triangle& triangle = case_->triangles[place.triangle];
+      if (!all_in_front(*case_, triangle)) continue;
+      const double share = greatest_share(*case_, triangle);
+      for (std::uint32_t a = 0; a < case_->attributes.size(); ++a) {
+        if (!is_inside(case_->attributes[a])) continue;
+        check_value(place, a, share * range_of(*case_, triangle, a), drawn_->attributes_of(i)[a]);
+      }
+    }
+    return findings_.finish();
+  }
+
+ private:
+  bool is_inside(const cases::Attribute& attribute) const {
+    return attribute.interpolation == Interpolation::smooth &&
+           (attribute.location != Location::center || case_->framebuffer.samples == 1);
+  }
+
+  void check_value(const FragmentPlace& place, std::uint32_t attribute, double most, float actual) {
+    const std::optional<Promise> promise = findings_.promise_of(place, attribute);
+    const auto exact = perspective_.truth(place.triangle)
+                           .attribute(attribute, static_cast<int>(place.x),
+                                      static_cast<int>(place.y), static_cast<int>(place.sample));
+    if (!promise || !exact) return;
+    findings_.see(place, attribute);
+    const double lo = exact->lo.enclosure().lo;
+    const double hi = exact->hi.enclosure().hi;
+    const double off = std::max(double{actual} - hi, lo - double{actual});
+    if (most > 0 && off >= kNear * most) findings_.label("near what w allows");
+    if (off <= most + promise->bound * promise->unit) return;
+    findings_.report(place, attribute, actual,
+                     "[" + value_text(static_cast<float>(lo - most)) + ", " +
+                         value_text(static_cast<float>(hi + most)) + "]",
+                     "farther from perspective than a ratio of w allows");
+  }
+
+  static constexpr double kNear = 0.9;
+
+  const cases::Case* case_;
+  const cases::Framebuffer* drawn_;
+  ValueFindings findings_;
+  Verdicts perspective_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  return check_drawn(c, backend,
+                     [](const cases::Case& clip, const cases::Contract& contract,
+                        const cases::Framebuffer& drawn) {
+                       return AffineErrorCheck(clip, contract, drawn).run();
+                     });
+}
+
+/// Backends that claim smooth values to be affine, be it only where nothing is clipped.
+bool is_promised(const backends::Backend& backend) {
+  return backend.contract({}).claims == cases::Claim::affine;
+}
+
+// --- Its cases -----------------------------------------------------------------------------------
+
+/// Triangles in front of the eye, two of whose vertices have the extreme w and values.
+Generated generate(Draw& draw) {
+  Generated made{random_state(draw), ""};
+  cases::Case& c = made.source;
+  for (cases::Attribute& attribute : c.attributes) attribute.interpolation = Interpolation::smooth;
+  ensure_attribute(draw, c);
+  c.attributes[0].interpolation = Interpolation::smooth;
+  const int most = draw.pick(std::array{1, 4, 16, 1024});
+  made.stratum = "w up to " + std::to_string(most);
+  const int triangles = draw.between(1, 2 + draw.size() / 50);
+  const std::size_t others = c.attributes.size() - 1;
+  c.attribute_values.clear();
+  for (int i = 0; i < triangles; ++i) {
+    const float nearest = draw.uniform(1, 2);
+    const float farthest = nearest * static_cast<float>(most);
+    const float middle = draw.one_in(2) ? nearest : farthest;
+    for (const float w : {nearest, farthest, middle}) {
+      const WindowPoint p = point_about(draw, c);
+      const float depth = random_depth(draw, c);
+      add_vertex(c, at_window(c, p, depth, w));
+      c.attribute_values.push_back(w == nearest ? 0.0F : 1.0F);
+      for (std::size_t a = 0; a < others; ++a) {
+        const float value = draw.uniform(-1, 1);
+        c.attribute_values.push_back(value);
+      }
+    }
+  }
+  add_separate_triangles(c);
+  add_clip_distances(draw, c);
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "affine values are off perspective by no more than w allows",
+     .reason = "A mean of two values with weights λ and 1 − λ, and one with weights divided by w, "
+               "differ by at most (√ρ − 1)/(√ρ + 1) of their difference, ρ the ratio of the w.",
+     .exceptions =
+         "backends that claim perspective; triangles with some w <= 0; centres of several "
+         "samples, which may lie outside",
+     .generate = &generate,
+     .check = &check,
+     .is_promised = &is_promised,
+     .covers = {cover(5, "near what w allows")}});
+
+}  // namespace
+}  // namespace rastercheck::properties

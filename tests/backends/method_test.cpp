@@ -1,0 +1,63 @@
+// What the backends `method:NAME` promise, by hand.
+
+#include <gtest/gtest.h>
+
+#include "backends/backend.h"
+#include "cases/case.h"
+#include "cases/contract.h"
+
+namespace rastercheck::backends {
+namespace {
+
+/// A triangle into 2×2 pixels.
+cases::Case small_case(const cases::ClipVertex& a, const cases::ClipVertex& b,
+                       const cases::ClipVertex& c) {
+  cases::Case made;
+  made.framebuffer = {2, 2, 1};
+  made.viewport.width = 2;
+  made.viewport.height = 2;
+  made.positions = {a, b, c};
+  made.triangles = {{0, 1, 2}};
+  return made;
+}
+
+cases::Contract contract_of(const char* name, const cases::Case& c) {
+  return (*make_backend(name))->contract(c);
+}
+
+TEST(MethodContract, OfAnOrdinaryTriangleGrantsTheLeast) {
+  const cases::Case c = small_case({-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1});
+  const cases::Contract contract = contract_of("method:rational-linear", c);
+  EXPECT_EQ(contract.clip_tolerance, 1);
+  EXPECT_EQ(contract.bounds.smooth.constant, 0.5F + 0x1p-24F);
+  EXPECT_EQ(contract.claims, cases::Claim::perspective);
+}
+
+// By hand: of (x, y, w) = (−1/2, −2^-65, −3/2), (1, 1/4, 1), (−1, −1/2, 1) twice the second, the
+// third and twice the first are 0 but for 2^-64 along y, so that all that is left of the triangle
+// lies some 2^-65 from the eye, and doubles of ordinary size know nothing of it.
+// Kills: a tolerance of ordinary triangles for one whose plane all but passes through the eye.
+TEST(MethodContract, OfATriangleAllButThroughTheEyeGrantsAnything) {
+  const cases::Case c =
+      small_case({-0.5F, -0x1p-65F, 0, -1.5F}, {1, 0.25F, 0, 1}, {-1, -0.5F, 0, 1});
+  EXPECT_EQ(contract_of("method:rational-linear", c).clip_tolerance, 0x1p60F);
+}
+
+// One that crosses the eye's plane well away from the eye is as certain as any other.
+TEST(MethodContract, OfATriangleWellPastTheEyeGrantsTheLeast) {
+  const cases::Case c = small_case({-1, -1, 0, 1}, {1, -1, 0, 1}, {0, 2, 0, -1});
+  const cases::Contract contract = contract_of("method:rational-linear", c);
+  EXPECT_EQ(contract.clip_tolerance, 1);
+  EXPECT_LT(contract.bounds.smooth.constant, 0.51F);
+}
+
+TEST(MethodContract, SaysWhatAMethodClaims) {
+  const cases::Case c = small_case({-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1});
+  const cases::Contract contract = contract_of("method:screen-linear", c);
+  EXPECT_EQ(contract.claims, cases::Claim::affine);
+  EXPECT_FALSE(contract.coverage);
+  EXPECT_GT(contract.bounds.smooth.per_condition, 0);
+}
+
+}  // namespace
+}  // namespace rastercheck::backends
