@@ -1,0 +1,111 @@
+// q-matrix and q-matrix-float: the parameters k and l of a place, by the q-matrix (seed 001, pp.
+// 6–7), in double and with the precision of float32.
+//
+// The mathematics is that of rasterizer/methods/q_matrix.h, in clip form: with the homogeneous
+// window coordinates (X_i, Y_i, w_i) of the vertices
+//
+//   E_i = A_i u + B_i v + C_i,   (A_i, B_i, C_i) the rows of |det M| M^-1,   D = E_1 + E_2 + E_3
+//   k = E_2/D,   l = E_3/D,   r = r_1 + (r_2 − r_1) k + (r_3 − r_1) l.
+//
+// D is evaluated by the sums of the rows' coefficients, as p. 7 has it. No w_i is divided by, so
+// vertices with w <= 0 are no different.
+//
+// Error. Notation of internal/point_drawing.h: u the unit roundoff, S = Σ|E|_i, K = S/D. In double
+// X and Y are off by 3 u already, and each further operation adds 1 u: A_i and B_i 5 u, C_i 8 u,
+// E_i 9 u; the sums of A_i 7 u and of C_i 10 u, D 11 u. In float X and Y come from double and are
+// rounded once: A_i and B_i 3 u, C_i 4 u, E_i 6 u; the sums 5 u and 6 u, D 8 u. All of these times
+// the terms' magnitudes, so of S. What comes out is
+//
+//   r' = r_1 + Σ (r_i − r_1)(1 + η_i) E'_i/D',      E' = E + δE, D' = D + δD, |η_i| <= 5 u,
+//
+// with a difference, a quotient, a product and two sums in η_i, and two roundings more of r_1.
+// Without these
+//
+//   r' − r = (Σ (r_i − r_1) δE_i − (r − r_1) δD) / D'
+//
+// (the first sum by Σ (r_i − r_1) E_i = (r − r_1) D), and |r_i − r_1|, |r − r_1| <= 2 M. With E_i
+// off by e u and D by d u that is at most (2 e + 2 d) u M S/D', to which the roundings add
+// 2 M 5 u S/D' + 2 u M. So n + d of point_bound() is 2 e + 2 d + 12, and 1 more takes in all that
+// is of second order:
+//
+//   double   e = 9, d = 11:  n = 42         float   e = 6, d = 8:  n = 33
+//
+// Range. In double no E_i overflows, being below 2^520, or underflows, being a multiple of 2^-602
+// as its terms are; a quotient that does is far below a share of M. In float32 products of clip
+// coordinates do both. Scaling each vertex by a power of two, with the factor put back into the
+// E_i, is not enough: the triangle with clip positions (−2^127, 0, w), (2^127, −2w, w) and (2^127,
+// 2w, w), w = 2^-73, covers a window of 8 by 8 pixels and has K <= 3 1/4 in it, but where 2^127 is
+// scaled to 1, y and w are 0 in float32, and the three vertices are one. So the second method has
+// float32's precision with exponents of its own (internal/wide_float.h), which differs from float32
+// only where a product leaves its range.
+//
+// What it does not do: give constants and vertex values back to the bit.
+
+#include "rasterizer/methods/q_matrix.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "rasterizer/internal/point_drawing.h"
+#include "rasterizer/internal/wide_float.h"
+#include "rasterizer/methods/method.h"
+
+namespace rastercheck::rasterizer {
+namespace {
+
+template <class T>
+class InTrianglePlane {
+ public:
+  void set_vertex(std::size_t i, const PointVertex& vertex, std::size_t count) {
+    columns_[i] = {T(vertex.x), T(vertex.y), T(vertex.w)};
+    for (std::size_t k = 0; k < count; ++k) values_[i][k] = T(vertex.values[k]);
+  }
+
+  void set_up(std::size_t count) {
+    q_ = q_matrix_of_columns(columns_);
+    for (std::size_t k = 0; k < count; ++k) {
+      along_k_[k] = values_[1][k] - values_[0][k];
+      along_l_[k] = values_[2][k] - values_[0][k];
+    }
+  }
+
+  void at(T u, T v, std::span<T> values) const {
+    const T d = q_.denominator(u, v);
+    const T k = plane_at(q_.rows[1], u, v) / d;
+    const T l = plane_at(q_.rows[2], u, v) / d;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = values_[0][i] + along_k_[i] * k + along_l_[i] * l;
+    }
+  }
+
+ private:
+  std::array<Triple<T>, 3> columns_;
+  std::array<std::array<T, kMaxAttributes>, 3> values_;
+  std::array<T, kMaxAttributes> along_k_;
+  std::array<T, kMaxAttributes> along_l_;
+  QMatrix<T> q_;
+};
+
+Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& /*size*/) {
+  return {.smooth = point_bound(42, 11, kDoubleRoundoff)};
+}
+
+Promise float_promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& /*size*/) {
+  return {.smooth = point_bound(33, 8, kFloatRoundoff)};
+}
+
+const MethodRegistration kDouble({.name = "q-matrix",
+                                  .source = "seed 001 pp. 6–7",
+                                  .draw = &draw_by_formula<InTrianglePlane, double>,
+                                  .promise = &promise,
+                                  .operations = &count_formula<InTrianglePlane>});
+
+const MethodRegistration kFloat({.name = "q-matrix-float",
+                                 .source = "seed 001 pp. 6–7, in float32",
+                                 .draw = &draw_by_formula<InTrianglePlane, WideFloat>,
+                                 .promise = &float_promise,
+                                 .operations = &count_formula<InTrianglePlane>});
+
+}  // namespace
+}  // namespace rastercheck::rasterizer
