@@ -107,11 +107,10 @@ DrawCounts draw_by_formula(const State& state, const Mesh& mesh, const TargetSiz
 /// A triangle in perspective, w = 1, 2 and 4, with two attributes.
 std::array<PointVertex, 3> counted_triangle();
 
-/// Method::operations of a formula.
+/// What a formula takes on a triangle with two attributes.
 template <template <class> class Formula>
-OperationCounts count_formula() {
+OperationCounts count_formula_on(const std::array<PointVertex, 3>& vertices) {
   constexpr std::size_t kCount = 2;
-  const std::array<PointVertex, 3> vertices = counted_triangle();
   Formula<Counted> formula;
   OperationCounts counts;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -121,6 +120,12 @@ OperationCounts count_formula() {
   std::array<Counted, kCount> values;
   counts.per_pixel = count_operations([&] { formula.at(Counted(2.5), Counted(1.5), values); });
   return counts;
+}
+
+/// Method::operations of a formula.
+template <template <class> class Formula>
+OperationCounts count_formula() {
+  return count_formula_on<Formula>(counted_triangle());
 }
 
 }  // namespace rastercheck::rasterizer

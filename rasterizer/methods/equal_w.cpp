@@ -1,0 +1,100 @@
+// equal-w: no division at a place where the three w are equal (seed 000, Appendix 5, "that cases
+// have an unique signature"; seed 002, §3.3); the general form elsewhere.
+//
+// The mathematics. With the planes of methods/clipless_homogeneous.cpp
+//
+//   r = (a u + b v + c) / (a_1 u + b_1 v + c_1),
+//
+//   a_1 = Σ (Y_j w_k − Y_k w_j),   b_1 = Σ (w_j X_k − w_k X_j),   c_1 = Σ (X_j Y_k − X_k Y_j).
+//
+// Where w_1 = w_2 = w_3 the sums a_1 and b_1 are 0 and the divisor is c_1, everywhere: w² times
+// twice the triangle's area. The division is done once, in the set-up, of a, b and c, and r is
+// affine in the window:
+//
+//   r = a/c_1 u + b/c_1 v + c/c_1.
+//
+// For n parameters that costs 3 n divisions for the triangle and saves n, and two products and two
+// sums, at each place.
+//
+// Error (internal/point_drawing.h), u = 2^-53. In general as in methods/clipless_homogeneous.cpp, n
+// = 13, d = 12. Where w is equal the three quotients add 1 u to the 12 u of the numerator, and c_1,
+// three terms C_i that are off by 8 u and two sums, is off by 10 u Σ|C|_i <= 10 u Σ|E|_i; with one
+// more each for what is of second order n = 14, d = 11. The exact value is the same, and K, too: so
+// each way is within 50 u K + u of it in units of M = max(|r|, max|r_i|), and the two ways differ
+// by at most
+//
+//   (100 u K + 2 u) M,    that is (25 · 2^-27 K + 2^-28) scale ULP,
+//
+// before they are rounded to float32, which may add one ULP.
+//
+// Range. As |X|_i >= |w_i| |W|/2, W being the viewport's width and at least 2^-149, the terms of
+// a_i are at most 2^150 times those of c_1 (b_i likewise): a quotient overflows only where K is far
+// beyond what anything is promised for, and what underflows is far below a share of M.
+//
+// What it does not do: take w that are nearly equal for equal, which would be off by a share of the
+// range of the r_i (screen_linear.cpp).
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "rasterizer/internal/homogeneous_planes.h"
+#include "rasterizer/internal/point_drawing.h"
+#include "rasterizer/methods/method.h"
+
+namespace rastercheck::rasterizer {
+namespace {
+
+template <class T>
+class EitherPlanes {
+ public:
+  void set_vertex(std::size_t i, const PointVertex& vertex, std::size_t count) {
+    w_[i] = vertex.w;
+    undivided_.set_vertex(i, vertex, count);
+    general_.set_vertex(i, vertex, count);
+  }
+
+  void set_up(std::size_t count) {
+    is_equal_ = w_[0] == w_[1] && w_[1] == w_[2];
+    if (is_equal_) {
+      undivided_.set_up(count);
+    } else {
+      general_.set_up(count);
+    }
+  }
+
+  void at(T u, T v, std::span<T> values) const {
+    if (is_equal_) {
+      undivided_.at(u, v, values);
+    } else {
+      general_.at(u, v, values);
+    }
+  }
+
+ private:
+  std::array<double, 3> w_{};
+  bool is_equal_ = false;
+  UndividedPlanes<T> undivided_;
+  HomogeneousPlanes<T> general_;
+};
+
+Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& /*size*/) {
+  static_assert(13 + 12 == 14 + 11);
+  return {.smooth = point_bound(14, 11, kDoubleRoundoff)};
+}
+
+/// Where w is equal.
+OperationCounts operations() {
+  std::array<PointVertex, 3> vertices = counted_triangle();
+  for (PointVertex& vertex : vertices) vertex.w = 1;
+  return count_formula_on<EitherPlanes>(vertices);
+}
+
+const MethodRegistration kRegistration({.name = "equal-w",
+                                        .source = "seeds 000 Appendix 5, 002 §3.3",
+                                        .draw = &draw_by_formula<EitherPlanes, double>,
+                                        .promise = &promise,
+                                        .operations = &operations});
+
+}  // namespace
+}  // namespace rastercheck::rasterizer
