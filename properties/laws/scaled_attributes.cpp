@@ -13,7 +13,7 @@
 //   |f' − (α f + β)| <= b U' + |α| b U + |α| (hi − lo)
 //
 // Under a contract that names one triangle lo and hi are the same, and r of a covered sample is
-// between the r_i: U = ulp(max|r_i|). Elsewhere, and where b grows towards the horizon, the oracle
+// between the r_i: U = ulp(max|r_i|). Elsewhere, and where b is not the same everywhere, the oracle
 // is asked, of some fragments: U = ulp(max(|r_i|, |lo|, |hi|)), U' the same of α r + β. All of it
 // is decided by exact sums.
 //

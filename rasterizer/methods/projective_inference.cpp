@@ -27,9 +27,10 @@
 // Operations. Seed 002 counts 133 for a polygon and 12 for a vertex, "multiplies and adds", and
 // does not say which. With
 //
-//   inference      4 + 6 differences, det 3, ∂P/∂s and ∂P/∂t 9 each, origin 12:  43, and 6
-//   divisions concatenation  of a whole 3 × 4 with a whole 4 × 3 matrix, 9 (4 + 3):         63
-//   adjoint        9 (2 + 1):                                                     27
+//   inference      4 + 6 differences, det 3, ∂P/∂s and ∂P/∂t 9 each, origin 12     43
+//                  (and 6 divisions)
+//   concatenation  of a whole 3 × 4 with a whole 4 × 3 matrix, 9 (4 + 3)            63
+//   adjoint        9 (2 + 1)                                                        27
 //
 // they are 133 if the divisions, which are neither, do not count; and (x, y, 1) times a 3 × 3
 // matrix is 3 (2 + 2) = 12. The method's own code has these counts. (A concatenation that knows the
@@ -50,16 +51,15 @@
 //
 //   R = the greatest of 2 h_α h_β / Σ_{j≠k} |α|_j |β|_k for αβ = XY, Xw, Yw,     Π <= R Σ|E|_i.
 //
+// Off are
+//
 //   ∂P/∂s          differences 4 u and 1 u, product and difference 2 u, det 4 κ u, quotient 1 u:
-//   off
 //                  by 12 κ u of 2 b h/|det|; ∂P/∂t by 12 κ u of 2 a h/|det|
-//   origin         off by 17 κ u of ω h, ω = 1 + 2 κ (|s_0|/a + |t_0|/b)
+//   origin         by 17 κ u of ω h, ω = 1 + 2 κ (|s_0|/a + |t_0|/b)
 //   concatenation  exact, with 0 and 1
-//   q              a product of two, 2 u, and 3 u for the place: off by 29 κ u of 4 a b/det² Π, so
-//   by
+//   q              a product of two, 2 u, and 3 u for the place: by 29 κ u of 4 a b/det² Π, so by
 //                  116 κ² R u Σ|E|_i/|det|; and q = D/det
-//   s q            off by 34 κ u of 2 a ω/|det| Π, so by 68 κ ω a R u Σ|E|_i/|det|, a <= 4 M; t q
-//                  alike
+//   s q            by 34 κ u of 2 a ω/|det| Π, so by 68 κ ω a R u Σ|E|_i/|det|, a <= 4 M; t q alike
 //
 // and s is off as a quotient with n = 272 κ ω R and d = 116 κ² R. These are of the triangle and its
 // texture, so the promise is one of the draw: n + d = 4 κ (70 ω + 30 κ) R, the greatest there is.
