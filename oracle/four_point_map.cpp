@@ -37,6 +37,12 @@ tl::expected<Shares, FourPointError> shares_of(const Columns& p, Side side) {
 
 }  // namespace
 
+std::optional<std::array<Rational, 2>> position_of(const PlanePoint& p) {
+  const Field& t = to_field(p.t);
+  if (sign_of(t) == 0) return std::nullopt;
+  return std::array{to_rational(to_field(p.x) / t), to_rational(to_field(p.y) / t)};
+}
+
 tl::expected<FourPointMap, FourPointError> FourPointMap::infer(const FourPoints& from,
                                                                const FourPoints& to) {
   const Columns p = columns_of(from);
@@ -75,10 +81,7 @@ PlanePoint FourPointMap::at(const PlanePoint& p) const {
 }
 
 std::optional<std::array<Rational, 2>> FourPointMap::at(double x, double y) const {
-  const PlanePoint image = at({Rational(x), Rational(y)});
-  const Field& t = to_field(image.t);
-  if (sign_of(t) == 0) return std::nullopt;
-  return std::array{to_rational(to_field(image.x) / t), to_rational(to_field(image.y) / t)};
+  return position_of(at({Rational(x), Rational(y)}));
 }
 
 }  // namespace rastercheck::oracle

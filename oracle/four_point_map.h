@@ -29,6 +29,9 @@ struct PlanePoint {
   Rational t = Rational(1);
 };
 
+/// (x/t, y/t); nothing at infinity.
+std::optional<std::array<Rational, 2>> position_of(const PlanePoint& p);
+
 using FourPoints = std::array<PlanePoint, 4>;
 
 /// Why there is no map: three points of a side, in ascending order, that lie on a line. Two that
@@ -52,7 +55,7 @@ class FourPointMap {
 
   /// The matrix times (x, y, t).
   PlanePoint at(const PlanePoint& p) const;
-  /// The image of (x, y), which are finite; nothing where it lies at infinity.
+  /// The position of the image of (x, y), which are finite.
   std::optional<std::array<Rational, 2>> at(double x, double y) const;
 
  private:

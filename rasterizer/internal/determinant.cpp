@@ -1,4 +1,4 @@
-// The sign of a 3x3 determinant of float32, exactly.
+// A 3x3 determinant of float32, its sign exactly.
 //
 //   det = x_a (y_b w_c − y_c w_b) + x_b (y_c w_a − y_a w_c) + x_c (y_a w_b − y_b w_a)
 //
@@ -34,7 +34,7 @@ void add_product(ExactSum& sum, float x, float y, float w, double s) {
   sum.add_product(s * double{x}, double{y} * double{w});
 }
 
-int exact_determinant_sign(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c) {
+ExactSum exact_determinant(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c) {
   ExactSum sum;
   add_product(sum, a.x, b.y, c.w, 1);
   add_product(sum, a.x, c.y, b.w, -1);
@@ -42,7 +42,7 @@ int exact_determinant_sign(const glm::vec4& a, const glm::vec4& b, const glm::ve
   add_product(sum, b.x, a.y, c.w, -1);
   add_product(sum, c.x, a.y, b.w, 1);
   add_product(sum, c.x, b.y, a.w, -1);
-  return sum.sign();
+  return sum;
 }
 
 /// y_p w_q − y_q w_p, with one rounding.
@@ -59,7 +59,11 @@ int determinant_sign(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c)
   const double determinant = from_a + from_b + from_c;
   const double magnitude = std::abs(from_a) + std::abs(from_b) + std::abs(from_c);
   if (std::abs(determinant) > determinant_error(magnitude)) return sign(determinant);
-  return exact_determinant_sign(a, b, c);
+  return exact_determinant(a, b, c).sign();
+}
+
+double determinant(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c) {
+  return exact_determinant(a, b, c).nearest();
 }
 
 }  // namespace rastercheck::rasterizer
