@@ -76,7 +76,7 @@ std::optional<Error> check_draw(const State& state, const Mesh& mesh, const Targ
   return error;
 }
 
-DrawResult draw_checked(DrawFragments draw, const State& state, const Mesh& mesh,
+DrawResult draw_checked(const DrawCall& draw, const State& state, const Mesh& mesh,
                         const TargetSize& size, Fragments& fragments) {
   if (const std::optional<Error> error = check_draw(state, mesh, size)) return {error, {}};
 

@@ -3,9 +3,9 @@
 // What every way of drawing fragments has in common: its arguments are checked first, and where
 // memory runs out the fragments are those of before.
 
+#include <functional>
 #include <optional>
 
-#include "rasterizer/methods/method.h"
 #include "rasterizer/rasterizer.h"
 
 namespace rastercheck::rasterizer {
@@ -18,9 +18,13 @@ std::optional<Error> check_mesh(const State& state, const Mesh& mesh);
 /// All three.
 std::optional<Error> check_draw(const State& state, const Mesh& mesh, const TargetSize& size);
 
+/// What draws, as DrawFragments does.
+using DrawCall = std::function<DrawCounts(const State& state, const Mesh& mesh,
+                                          const TargetSize& size, Fragments& fragments)>;
+
 /// Checks the arguments, then draws; Error::out_of_memory, with `fragments` as before, where an
 /// allocation failed.
-DrawResult draw_checked(DrawFragments draw, const State& state, const Mesh& mesh,
+DrawResult draw_checked(const DrawCall& draw, const State& state, const Mesh& mesh,
                         const TargetSize& size, Fragments& fragments);
 
 }  // namespace rastercheck::rasterizer

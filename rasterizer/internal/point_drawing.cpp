@@ -85,6 +85,7 @@ class PointDrawing {
     for (std::size_t i = 0; i < 3; ++i) {
       const glm::vec4& p = mesh_.positions[indices[i]];
       PointVertex& vertex = vertices_[i];
+      vertex.index = indices[i];
       vertex.w = p.w;
       vertex.x = p.x * half_width_ + vertex.w * center_u_;
       vertex.y = p.y * half_height_ + vertex.w * center_v_;

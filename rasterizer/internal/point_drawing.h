@@ -40,6 +40,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "rasterizer/internal/counted.h"
@@ -54,6 +55,7 @@ struct PointVertex {
   double y = 0;
   double w = 0;
   std::array<double, kMaxAttributes> values{};
+  std::uint32_t index = 0;  ///< of the mesh
 };
 
 /// Unit roundoffs.
