@@ -13,18 +13,11 @@ double crossing(const ScanSpan::Edge& edge, double v) {
   return a.u + (v - a.v) * (b.u - a.u) / (b.v - a.v);
 }
 
-/// The value at x of the line through (x_a, a) and (x_b, b). The weights are differences from the
-/// nearer end as well as from the farther one, so between the ends each has a small relative error
-/// and a value of one sign loses no digits, however different the ends.
-double linear(double a, double b, double x, double x_a, double x_b) {
-  if (a == b || x_a == x_b) return a;
-  return ((x_b - x) * a + (x - x_a) * b) / (x_b - x_a);
-}
-
-void parameters_at(const ScanSpan::Edge& edge, double v, std::size_t count, ScanParameters& s) {
+void parameters_at(const ScanSpan::Edge& edge, double v, std::size_t count, Parameters<double>& s) {
   const WindowVertex& a = *edge.low;
   const WindowVertex& b = *edge.high;
-  for (std::size_t i = 0; i < count; ++i) s[i] = linear(a.s[i], b.s[i], v, a.v, b.v);
+  const Weights<double> weights({v, a.v, b.v});
+  for (std::size_t i = 0; i < count; ++i) s[i] = weights.mean(a.s[i], b.s[i]);
 }
 
 }  // namespace
@@ -87,16 +80,17 @@ ScanSpan ConvexScan::span(double v) const {
   return span;
 }
 
-void ConvexScan::set_ends(const ScanSpan& span, SpanEnds& ends) const {
+void ConvexScan::set_ends(const ScanSpan& span, SpanEnds<double>& ends) const {
   ends.left_u = span.left_u;
   ends.right_u = span.right_u;
   parameters_at(*span.left, span.v, polygon_.parameter_count, ends.left);
   parameters_at(*span.right, span.v, polygon_.parameter_count, ends.right);
 }
 
-void ConvexScan::interpolate(const SpanEnds& ends, double u, ScanParameters& s) const {
+void ConvexScan::interpolate(const SpanEnds<double>& ends, double u, Parameters<double>& s) const {
+  const Weights<double> weights({u, ends.left_u, ends.right_u});
   for (std::size_t i = 0; i < polygon_.parameter_count; ++i) {
-    s[i] = linear(ends.left[i], ends.right[i], u, ends.left_u, ends.right_u);
+    s[i] = weights.mean(ends.left[i], ends.right[i]);
   }
 }
 

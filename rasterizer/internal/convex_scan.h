@@ -34,13 +34,44 @@
 
 namespace rastercheck::rasterizer {
 
-inline constexpr std::size_t kMaxScanParameters = kMaxAttributes + 2;
-using ScanParameters = std::array<double, kMaxScanParameters>;
+/// What is interpolated, of doubles or of numbers that count (counted.h).
+template <class T>
+using Parameters = std::array<T, kMaxAttributes + 1>;
+
+/// A place x between two others.
+template <class T>
+struct Place {
+  T x{};
+  T x_a{};
+  T x_b{};
+};
+
+/// The line through (x_a, a) and (x_b, b), at x. The weights are differences from the nearer end as
+/// well as from the farther one, so between the ends each has a small relative error and a value of
+/// one sign loses no digits, however different the ends.
+template <class T>
+class Weights {
+ public:
+  explicit Weights(const Place<T>& place)
+      : of_a_(place.x_b - place.x), of_b_(place.x - place.x_a), sum_(place.x_b - place.x_a) {}
+
+  /// Equal ends give exactly their value.
+  T mean(T a, T b) const {
+    if (a == b || sum_ == T(0)) return a;
+    return (of_a_ * a + of_b_ * b) / sum_;
+  }
+
+ private:
+  T of_a_;
+  T of_b_;
+  T sum_;
+};
 
 struct WindowVertex {
   double u = 0;
   double v = 0;
-  ScanParameters s{};   ///< what is linear in window space
+  Parameters<double> s{};       ///< what is linear in window space
+  Parameters<double> smooth{};  ///< what a method makes of smooth attributes (polygon_drawing.h)
   bool closed = false;  ///< of the edge to the next vertex: samples exactly on it are inside
 };
 
@@ -72,11 +103,12 @@ struct ScanSpan::Edge {
 };
 
 /// The parameters at both ends of a span.
+template <class T>
 struct SpanEnds {
-  double left_u = 0;
-  double right_u = 0;
-  ScanParameters left{};
-  ScanParameters right{};
+  T left_u{};
+  T right_u{};
+  Parameters<T> left{};
+  Parameters<T> right{};
 };
 
 class ConvexScan {
@@ -90,10 +122,10 @@ class ConvexScan {
   ScanSpan span(double v) const;
 
   /// `span` met two edges.
-  void set_ends(const ScanSpan& span, SpanEnds& ends) const;
+  void set_ends(const ScanSpan& span, SpanEnds<double>& ends) const;
 
-  /// Linear between the ends of a span. Equal ends give exactly their value.
-  void interpolate(const SpanEnds& ends, double u, ScanParameters& s) const;
+  /// Linear between the ends of a span.
+  void interpolate(const SpanEnds<double>& ends, double u, Parameters<double>& s) const;
 
  private:
   void add_edge(const WindowVertex& from, const WindowVertex& to);

@@ -1,0 +1,472 @@
+#include "rasterizer/internal/polygon_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+#include <optional>
+
+#include "rasterizer/internal/clip_polygon.h"
+#include "rasterizer/internal/determinant.h"
+#include "rasterizer/internal/discard.h"
+#include "rasterizer/internal/draw_bounds.h"
+#include "rasterizer/internal/draw_setting.h"
+#include "rasterizer/internal/standard_pattern.h"
+
+namespace rastercheck::rasterizer {
+namespace {
+
+// Of what is linear in window space at a vertex: z/w, then one for each noperspective attribute.
+constexpr std::size_t kDepth = 0;
+constexpr std::size_t kFirstNoperspective = 1;
+
+using Values = std::array<float, kMaxAttributes>;
+
+/// The nearest float32; beyond them infinity.
+float rounded(double value) {
+  static_assert(std::numeric_limits<float>::is_iec559);
+  return static_cast<float>(value);
+}
+
+int sign(float value) { return (value > 0) - (value < 0); }
+
+/// How the window positions turn for clip positions that turn from x to y.
+int viewport_sign(const State& state) {
+  const int turned = state.convention == Convention::d3d ? -1 : 1;
+  return turned * sign(state.viewport.size.x) * sign(state.viewport.size.y);
+}
+
+/// Whether the rows belong to the edges of least v: so it is where those are displayed as the rule
+/// says.
+bool least_v_included(const State& state) {
+  const bool v_points_down = state.convention != Convention::opengl;
+  return (state.fill_rule == FillRule::top_left) == v_points_down;
+}
+
+/// Window depth from z/w.
+class DepthMap {
+ public:
+  explicit DepthMap(const State& state)
+      : near_(state.viewport.min_depth),
+        far_(state.viewport.max_depth),
+        from_minus_one_(state.convention == Convention::opengl) {}
+
+  float operator()(double z) const {
+    const double fraction = from_minus_one_ ? (z + 1) / 2 : z;
+    const double depth = near_ + (far_ - near_) * fraction;
+    return rounded(std::clamp(depth, std::min(near_, far_), std::max(near_, far_)));
+  }
+
+ private:
+  double near_;
+  double far_;
+  bool from_minus_one_;
+};
+
+/// A window position times w.
+struct Numerators {
+  double x = 0;
+  double y = 0;
+};
+
+/// X_a Y_b − X_b Y_a.
+double cross(const Numerators& a, const Numerators& b) { return a.x * b.y - b.x * a.y; }
+
+/// Clip positions to window vertices.
+class WindowMap {
+ public:
+  explicit WindowMap(const State& state)
+      : half_width_(double{state.viewport.size.x} / 2),
+        half_height_(double{state.viewport.size.y} /
+                     (state.convention == Convention::d3d ? -2 : 2)),
+        center_u_(double{state.viewport.origin.x} + double{state.viewport.size.x} / 2),
+        center_v_(double{state.viewport.origin.y} + double{state.viewport.size.y} / 2) {}
+
+  /// Step 4, of positions.
+  void divide(const ClipVertex& from, WindowVertex& to) const {
+    to.u = (from.x * half_width_ + from.w * center_u_) / from.w;
+    to.v = (from.y * half_height_ + from.w * center_v_) / from.w;
+    to.s[kDepth] = from.z / from.w;
+    to.closed = from.closed;
+  }
+
+  /// The window position times w, with the origin at (u, v).
+  Numerators numerators(const ClipVertex& from, double u, double v) const {
+    return {from.x * half_width_ + from.w * (center_u_ - u),
+            from.y * half_height_ + from.w * (center_v_ - v)};
+  }
+
+ private:
+  double half_width_;
+  double half_height_;
+  double center_u_;
+  double center_v_;
+};
+
+/// What an attribute is made of.
+struct Source {
+  Interpolation interpolation = Interpolation::flat;
+  Location location = Location::sample;
+  std::size_t index = 0;  ///< among the smooth or among the noperspective ones
+};
+
+/// What is found at a place, before it is rounded.
+struct PlaceValues {
+  double depth = 0;
+  std::array<double, kMaxAttributes> attributes{};
+};
+
+/// One draw: what stays the same for its polygons, and working memory.
+class Drawing {
+ public:
+  Drawing(const State& state, const Mesh& mesh, const TargetSize& size,
+          ScanFormula<double>& formula, Claim claims, Fragments& fragments)
+      : state_(state),
+        mesh_(mesh),
+        formula_(formula),
+        claims_(claims),
+        fragments_(fragments),
+        pattern_(standard_pattern(size.samples)),
+        bounds_(draw_bounds(state, size)),
+        window_bounds_(draw_bounds_of_window(state, size)),
+        window_map_(state),
+        depth_map_(state),
+        has_location_{has(Location::sample), has(Location::center), has(Location::centroid)},
+        viewport_sign_(viewport_sign(state)),
+        least_v_included_(least_v_included(state)) {
+    for (std::size_t i = 0; i < state.attributes.size(); ++i) {
+      const Qualifier& qualifier = state.attributes[i];
+      const bool is_smooth = qualifier.interpolation == Interpolation::smooth;
+      const bool is_noperspective = qualifier.interpolation == Interpolation::noperspective;
+      sources_[i] = {qualifier.interpolation, qualifier.location,
+                     is_smooth ? smooth_count_ : noperspective_count_};
+      smooth_count_ += is_smooth ? 1 : 0;
+      noperspective_count_ += is_noperspective ? 1 : 0;
+    }
+    volume_ = {state.convention, state.depth_clamp, smooth_count_ + noperspective_count_,
+               state.clip_distance_count};
+  }
+
+  DrawCounts draw_triangles() {
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) draw_triangle(i);
+    return counts_;
+  }
+
+ private:
+  static constexpr std::size_t kMaxSamples = DrawBounds::kMaxSamples;
+
+  /// The samples at `v` and `offset` from the left of their pixels.
+  struct RowPlace {
+    double v = 0;
+    double offset = 0;
+    PixelRange columns;  ///< that may be drawn
+    PixelRange window;   ///< that might be without a scissor
+  };
+
+  /// One row of samples: those with the same index, of one row of pixels.
+  struct SampleRow {
+    PixelRange columns;         ///< covered
+    SpanEnds<double> ends;      ///< defined where there are columns
+    SpanEnds<double> smooth{};  ///< the formula's
+  };
+
+  bool has(Location location) const;
+  void draw_triangle(std::size_t index);
+  void load(std::span<const std::uint32_t> corners);
+  void load_vertex(std::uint32_t vertex, ClipVertex& to) const;
+  void divide(int orientation);
+  void scan();
+  void scan_row(const ConvexScan& scan, int y);
+  void set_row(const ConvexScan& scan, const RowPlace& place, SampleRow& row) const;
+  void set_smooth_ends(const ScanSpan& span, double first, SampleRow& row) const;
+  void draw_pixel(const ConvexScan& scan, int x, int y);
+  void interpolate(const ConvexScan& scan, SampleRow& row, double u, PlaceValues& at) const;
+  void center_values(const ConvexScan& scan, int x, int y, PlaceValues& at);
+  void extrapolate(double u, double v, PlaceValues& at) const;
+  void round(Location location, const PlaceValues& at, Values& values) const;
+  void append(int x, int y, std::size_t sample, double depth, const Values& values);
+
+  const State& state_;
+  const Mesh& mesh_;
+  ScanFormula<double>& formula_;
+  Claim claims_;
+  Fragments& fragments_;
+  std::span<const SampleOffset> pattern_;
+  DrawBounds bounds_;
+  DrawBounds window_bounds_;  ///< without a scissor
+  ClipVolume volume_;
+  WindowMap window_map_;
+  DepthMap depth_map_;
+  std::array<Source, kMaxAttributes> sources_;  ///< [attribute]
+  std::size_t smooth_count_ = 0;
+  std::size_t noperspective_count_ = 0;
+  std::array<bool, 3> has_location_;  ///< [location]: whether an attribute is evaluated there
+  int viewport_sign_;
+  bool least_v_included_;
+  DrawCounts counts_;
+
+  // Of the polygon at hand.
+  std::uint32_t triangle_ = 0;
+  /// Its corners' parameters are the smooth attributes, then the noperspective ones times w.
+  ClipPolygon clipped_;
+  std::array<ClipVertex, 3> corners_;  ///< before clipping
+  ClipPolygon spare_;
+  WindowPolygon window_;
+  Values flat_{};  ///< [attribute]: the provoking vertex's value
+  /// [attribute]: whether all values are the same zero. Sums and products of zeros may come out as
+  /// the other one.
+  std::array<bool, kMaxAttributes> is_zero_{};
+  // Of the row of pixels at hand.
+  std::array<SampleRow, kMaxSamples> rows_;
+  SampleRow center_row_;
+};
+
+bool Drawing::has(Location location) const {
+  return std::any_of(
+      state_.attributes.begin(), state_.attributes.end(), [location](const Qualifier& qualifier) {
+        return qualifier.interpolation != Interpolation::flat && qualifier.location == location;
+      });
+}
+
+void Drawing::draw_triangle(std::size_t index) {
+  const std::optional<InputTriangle> triangle = input_triangle(state_, mesh_, index);
+  if (!triangle) return count(Fate::not_finite, counts_);
+  const auto& p = triangle->positions;
+  const int orientation = viewport_sign_ * determinant_sign(p[0], p[1], p[2]);
+  if (orientation == 0) return count(Fate::degenerate, counts_);
+  if (is_culled(state_, orientation)) return;
+
+  triangle_ = triangle->index;
+  const glm::uvec3& corners = mesh_.triangles[index];
+  load(std::array{corners.x, corners.y, corners.z});  // steps 1 and 2
+  if (!clip(volume_, clipped_, spare_)) return;       // step 3
+  divide(orientation);                                // step 4
+  scan();                                             // step 5
+}
+
+void Drawing::load(std::span<const std::uint32_t> corners) {
+  clipped_.size = corners.size();
+  for (std::size_t i = 0; i < corners.size(); ++i) load_vertex(corners[i], clipped_.vertices[i]);
+  std::copy_n(clipped_.vertices.begin(), corners_.size(), corners_.begin());
+  const std::uint32_t provoking =
+      state_.convention == Convention::opengl ? corners.back() : corners.front();
+  const std::size_t count = state_.attributes.size();
+  std::copy_n(mesh_.attributes.begin() + static_cast<std::ptrdiff_t>(provoking * count), count,
+              flat_.begin());
+  for (std::size_t i = 0; i < count; ++i) {
+    is_zero_[i] = std::all_of(corners.begin(), corners.end(), [&](std::uint32_t vertex) {
+      const float value = mesh_.attributes[vertex * count + i];
+      return value == 0 && std::signbit(value) == std::signbit(flat_[i]);
+    });
+  }
+}
+
+void Drawing::load_vertex(std::uint32_t vertex, ClipVertex& to) const {
+  const glm::vec4& p = mesh_.positions[vertex];
+  to.x = p.x;
+  to.y = p.y;
+  to.z = p.z;
+  to.w = p.w;
+  to.closed = false;
+  const std::size_t count = state_.attributes.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double r = mesh_.attributes[vertex * count + i];
+    const Source& source = sources_[i];
+    if (source.interpolation == Interpolation::smooth) to.parameters[source.index] = r;
+    if (source.interpolation == Interpolation::noperspective) {
+      to.parameters[smooth_count_ + source.index] = r * to.w;
+    }
+  }
+  for (std::size_t i = 0; i < state_.clip_distance_count; ++i) {
+    to.distances[i] = mesh_.clip_distances[vertex * state_.clip_distance_count + i];
+  }
+}
+
+void Drawing::divide(int orientation) {
+  window_.size = clipped_.size;
+  window_.parameter_count = kFirstNoperspective + noperspective_count_;
+  window_.positive = orientation > 0;
+  std::array<ScanVertex<double>, ClipPolygon::kCapacity> vertices;
+  for (std::size_t i = 0; i < clipped_.size; ++i) {
+    const ClipVertex& from = clipped_.vertices[i];
+    vertices[i] = {from.w, std::span(from.parameters).first(smooth_count_)};
+  }
+  formula_.set_polygon(std::span(vertices).first(clipped_.size), smooth_count_);
+  for (std::size_t i = 0; i < clipped_.size; ++i) {
+    const ClipVertex& from = clipped_.vertices[i];
+    WindowVertex& to = window_.vertices[i];
+    window_map_.divide(from, to);
+    for (std::size_t k = 0; k < noperspective_count_; ++k) {
+      to.s[kFirstNoperspective + k] = from.parameters[smooth_count_ + k] / from.w;
+    }
+    formula_.set_vertex(vertices[i], to.smooth);
+  }
+}
+
+void Drawing::scan() {
+  const ConvexScan scan(window_, least_v_included_);
+  const double first = std::floor(scan.least_v());
+  const PixelRange rows = pixels_from_through(bounds_.rows, 0, first, scan.greatest_v());
+  for (int y = rows.begin; y < rows.end; ++y) scan_row(scan, y);
+}
+
+void Drawing::scan_row(const ConvexScan& scan, int y) {
+  PixelRange columns{std::numeric_limits<int>::max(), 0};
+  for (std::size_t i = 0; i < pattern_.size(); ++i) {
+    const bool in_viewport = bounds_.sample_rows[i].contains(y);
+    set_row(
+        scan,
+        {y + pattern_[i].y, pattern_[i].x, in_viewport ? bounds_.sample_columns[i] : PixelRange{},
+         window_bounds_.sample_columns[i]},
+        rows_[i]);
+    if (rows_[i].columns.empty()) continue;
+    columns.begin = std::min(columns.begin, rows_[i].columns.begin);
+    columns.end = std::max(columns.end, rows_[i].columns.end);
+  }
+  if (columns.empty()) return;
+  if (has_location_[static_cast<std::size_t>(Location::center)] ||
+      has_location_[static_cast<std::size_t>(Location::centroid)]) {
+    set_row(scan, {y + kPixelCenter.y, kPixelCenter.x, bounds_.columns, window_bounds_.columns},
+            center_row_);
+  }
+  for (int x = columns.begin; x < columns.end; ++x) draw_pixel(scan, x, y);
+}
+
+void Drawing::set_row(const ConvexScan& scan, const RowPlace& place, SampleRow& row) const {
+  row.columns = {};
+  if (place.columns.empty()) return;
+  const ScanSpan span = scan.span(place.v);
+  if (span.left == nullptr || span.right == nullptr) return;
+  const auto covered = span.right->closed ? pixels_from_through : pixels_from_to;
+  row.columns = covered(place.columns, place.offset, span.left_u, span.right_u);
+  if (row.columns.empty()) return;
+  scan.set_ends(span, row.ends);
+  // Where the scissor begins is no business of what a formula does along a span.
+  const PixelRange whole = covered(place.window, place.offset, span.left_u, span.right_u);
+  set_smooth_ends(span, whole.begin + place.offset, row);
+}
+
+void Drawing::set_smooth_ends(const ScanSpan& span, double first, SampleRow& row) const {
+  const auto along = [&](const ScanSpan::Edge& edge, Parameters<double>& s) {
+    formula_.along_edge({span.v, edge.low->v, edge.high->v}, edge.low->smooth, edge.high->smooth,
+                        s);
+  };
+  row.smooth.left_u = span.left_u;
+  row.smooth.right_u = span.right_u;
+  along(*span.left, row.smooth.left);
+  along(*span.right, row.smooth.right);
+  formula_.set_span(row.smooth, first);
+}
+
+void Drawing::draw_pixel(const ConvexScan& scan, int x, int y) {
+  std::array<std::size_t, kMaxSamples> covered{};
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < pattern_.size(); ++i) {
+    if (rows_[i].columns.contains(x)) covered[count++] = i;
+  }
+  if (count == 0) return;
+
+  Values values = flat_;
+  PlaceValues at;
+  if (has_location_[static_cast<std::size_t>(Location::center)]) {
+    center_values(scan, x, y, at);
+    round(Location::center, at, values);
+  }
+  if (has_location_[static_cast<std::size_t>(Location::centroid)]) {
+    if (count == pattern_.size()) {
+      center_values(scan, x, y, at);
+    } else {
+      interpolate(scan, rows_[covered[0]], x + pattern_[covered[0]].x, at);
+    }
+    round(Location::centroid, at, values);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t sample = covered[i];
+    interpolate(scan, rows_[sample], x + pattern_[sample].x, at);
+    if (has_location_[static_cast<std::size_t>(Location::sample)]) {
+      round(Location::sample, at, values);
+    }
+    append(x, y, sample, at.depth, values);
+  }
+}
+
+/// What is on the span of a row.
+void Drawing::interpolate(const ConvexScan& scan, SampleRow& row, double u, PlaceValues& at) const {
+  Parameters<double> linear;
+  scan.interpolate(row.ends, u, linear);
+  at.depth = linear[kDepth];
+  Parameters<double> s;
+  std::array<double, kMaxAttributes> smooth;
+  formula_.along_span(row.smooth, u, s);
+  formula_.values(s, std::span(smooth).first(smooth_count_));
+  for (std::size_t i = 0; i < state_.attributes.size(); ++i) {
+    const Source& source = sources_[i];
+    if (source.interpolation == Interpolation::flat) continue;
+    at.attributes[i] = source.interpolation == Interpolation::smooth
+                           ? smooth[source.index]
+                           : linear[kFirstNoperspective + source.index];
+  }
+}
+
+void Drawing::center_values(const ConvexScan& scan, int x, int y, PlaceValues& at) {
+  if (center_row_.columns.contains(x)) {
+    interpolate(scan, center_row_, x + kPixelCenter.x, at);
+  } else {
+    extrapolate(x + kPixelCenter.x, y + kPixelCenter.y, at);
+  }
+}
+
+/// The attributes at a point of the window by the triangle's plane.
+void Drawing::extrapolate(double u, double v, PlaceValues& at) const {
+  const auto& [a, b, c] = corners_;
+  const Numerators at_a = window_map_.numerators(a, u, v);
+  const Numerators at_b = window_map_.numerators(b, u, v);
+  const Numerators at_c = window_map_.numerators(c, u, v);
+  const double e_a = cross(at_b, at_c);
+  const double e_b = cross(at_c, at_a);
+  const double e_c = cross(at_a, at_b);
+  const double determinant = a.w * e_a + b.w * e_b + c.w * e_c;
+  const double reciprocal_w = (e_a + e_b + e_c) / determinant;
+  for (std::size_t i = 0; i < state_.attributes.size(); ++i) {
+    const Source& source = sources_[i];
+    if (source.interpolation == Interpolation::flat) continue;
+    const bool is_smooth = source.interpolation == Interpolation::smooth;
+    const std::size_t k = is_smooth ? source.index : smooth_count_ + source.index;
+    const bool is_affine = is_smooth && claims_ == Claim::affine;
+    const auto part = [&](const ClipVertex& corner) {
+      return is_affine ? corner.parameters[k] * corner.w : corner.parameters[k];
+    };
+    const double s = (part(a) * e_a + part(b) * e_b + part(c) * e_c) / determinant;
+    at.attributes[i] = is_smooth && !is_affine ? s / reciprocal_w : s;
+  }
+}
+
+/// Writes the attributes that are evaluated at this location.
+void Drawing::round(Location location, const PlaceValues& at, Values& values) const {
+  for (std::size_t i = 0; i < state_.attributes.size(); ++i) {
+    const bool is_copied = sources_[i].interpolation == Interpolation::flat || is_zero_[i];
+    if (!is_copied && sources_[i].location == location) values[i] = rounded(at.attributes[i]);
+  }
+}
+
+void Drawing::append(int x, int y, std::size_t sample, double depth, const Values& values) {
+  fragments_.triangle.push_back(triangle_);
+  fragments_.x.push_back(static_cast<std::uint16_t>(x));
+  fragments_.y.push_back(static_cast<std::uint16_t>(y));
+  fragments_.sample.push_back(static_cast<std::uint8_t>(sample));
+  fragments_.depth.push_back(depth_map_(depth));
+  fragments_.attributes.insert(
+      fragments_.attributes.end(), values.begin(),
+      values.begin() + static_cast<std::ptrdiff_t>(state_.attributes.size()));
+}
+
+}  // namespace
+
+DrawCounts scan_triangles(const State& state, const Mesh& mesh, const TargetSize& size,
+                          ScanFormula<double>& formula, Claim claims, Fragments& fragments) {
+  return Drawing(state, mesh, size, formula, claims, fragments).draw_triangles();
+}
+
+}  // namespace rastercheck::rasterizer
