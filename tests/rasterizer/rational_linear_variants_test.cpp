@@ -1,13 +1,37 @@
-// rational-linear and the methods that differ from it in a step: what they cost.
+// rational-linear and the methods that differ from it in a step: what they cost, and what float32
+// and additions along the rows do to values.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string_view>
+#include <vector>
+
 #include "rasterizer/methods/method.h"
+#include "tests/rasterizer/small_draw.h"
 
 namespace rastercheck::rasterizer {
 namespace {
 
-OperationCounts operations_of(const char* name) { return find_method(name)->operations(); }
+constexpr std::string_view kNames[] = {"rational-linear", "rational-linear-float",
+                                       "rational-linear-incremental"};
+
+Fragments drawn_by(std::string_view method, const State& state, const SmallMesh& mesh,
+                   const TargetSize& size) {
+  Fragments fragments;
+  EXPECT_FALSE(draw_fragments_by(method, state, mesh.mesh(), size, fragments).error);
+  return fragments;
+}
+
+/// The units that a promise counts in.
+double scale_ulp(double greatest) {
+  return std::ldexp(1.0, std::max(std::ilogb(greatest), -126) - 23);
+}
+
+OperationCounts operations_of(std::string_view name) { return find_method(name)->operations(); }
 
 // Seed 002 §4: n + 1 divisions per vertex, none per polygon, n divisions per pixel. By hand: three
 // parameters; the weights of a place take three differences, a mean of two ends two products, a sum
@@ -18,6 +42,149 @@ TEST(RationalLinearOperations, AreThoseOfThePaperAndOfTheMeans) {
   EXPECT_EQ(counts.per_vertex, (Operations{0, 0, 3}));
   EXPECT_EQ(counts.per_row, (Operations{2 * (3 + 3), 2 * 6, 2 * 3}));
   EXPECT_EQ(counts.per_pixel, (Operations{3 + 3, 6, 3 + 2}));
+}
+
+// The weights are two quotients of differences, so that a mean divides nothing.
+TEST(RationalLinearOperations, InFloat32DivideOnceForAPlace) {
+  const OperationCounts counts = operations_of("rational-linear-float");
+  EXPECT_EQ(counts.per_polygon, (Operations{0, 0, 0}));
+  EXPECT_EQ(counts.per_vertex, (Operations{0, 0, 3}));
+  EXPECT_EQ(counts.per_row, (Operations{2 * (3 + 3), 2 * 6, 2 * 2}));
+  EXPECT_EQ(counts.per_pixel, (Operations{3 + 3, 6, 2 + 2}));
+}
+
+// Seed 002 §3.1: "a per pixel cost of three additions, two divisions, and a texture access". A row
+// sets up its first sample, its width and three steps besides the ends.
+TEST(RationalLinearOperations, OfIncrementsAreThreeAdditionsAndTwoDivisionsAPixel) {
+  const OperationCounts counts = operations_of("rational-linear-incremental");
+  EXPECT_EQ(counts.per_vertex, (Operations{0, 0, 3}));
+  EXPECT_EQ(counts.per_row, (Operations{12 + (3 + 3) + (1 + 3), 12 + 6, 4 + 2 + 3}));
+  EXPECT_EQ(counts.per_pixel, (Operations{3, 0, 2}));
+}
+
+// w = 1 at u = 0 and 2 at u = 4, the attribute 0 and 1: u/8 over (8 − u)/8, all of it dyadic, so
+// that only the last division rounds.
+TEST(RationalLinearVariants, AreExactWhereNothingRounds) {
+  State state = small_state(4, 4);
+  state.attributes = {{}};
+  SmallMesh mesh;
+  mesh.positions = {at(state, 0, 0, 1), at(state, 4, 0, 2), at(state, 0, 4, 1)};
+  mesh.attributes = {0, 1, 0};
+  mesh.triangles = {{0, 1, 2}};
+  for (const std::string_view name : kNames) {
+    const Fragments fragments = drawn_by(name, state, mesh, {4, 4, 1});
+    ASSERT_EQ(fragments.size(), 6U);
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
+      const float u = static_cast<float>(fragments.x[i]) + 0.5F;
+      EXPECT_EQ(fragments.attributes[i], u / (8 - u)) << name;
+    }
+  }
+}
+
+// Kills: r/w and 1/w put into float32 as they are, where they overflow and underflow.
+TEST(RationalLinearVariants, HoldForTheGreatestAndTheLeastNumbers) {
+  State state = small_state(4, 4);
+  state.attributes = {{}};
+  for (const float w : {0x1p-100F, 0x1p100F}) {
+    for (const float r : {0x1p-120F, 0x1p120F}) {
+      SmallMesh mesh;
+      mesh.positions = {at(state, 0, 0, w), at(state, 4, 0, 2 * w), at(state, 0, 4, w)};
+      mesh.attributes = {0, r, 0};
+      mesh.triangles = {{0, 1, 2}};
+      for (const std::string_view name : kNames) {
+        const Fragments fragments = drawn_by(name, state, mesh, {4, 4, 1});
+        ASSERT_EQ(fragments.size(), 6U);
+        for (std::size_t i = 0; i < fragments.size(); ++i) {
+          const float u = static_cast<float>(fragments.x[i]) + 0.5F;
+          EXPECT_EQ(fragments.attributes[i] / r, u / (8 - u)) << name;
+        }
+      }
+    }
+  }
+}
+
+/// The worst difference from rational-linear in scale ULP, over random triangles of a target of
+/// `width` x 4 pixels, w from 1 to `ratio`, and the greatest 1/w of each over that of its
+/// fragments.
+struct Differences {
+  double greatest = 0;
+  double greatest_beyond = -std::numeric_limits<double>::infinity();  ///< what is promised
+};
+
+Differences differences(std::string_view method, int width, float ratio, std::size_t triangles) {
+  std::mt19937 random(20260901);
+  const auto between = [&random](float low, float high) {
+    return low + (high - low) * static_cast<float>(random() >> 8) * 0x1p-24F;
+  };
+  State state = small_state(width, 4);
+  // The second attribute is w itself.
+  state.attributes = {{}, {}};
+  const TargetSize size{width, 4, 1};
+  Differences found;
+  for (std::size_t k = 0; k < triangles; ++k) {
+    SmallMesh mesh;
+    double least_w = ratio;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const float w = between(1, ratio);
+      least_w = std::min(least_w, double{w});
+      mesh.positions.push_back(at(state, between(0, static_cast<float>(width)), between(-4, 8), w));
+      mesh.attributes.insert(mesh.attributes.end(), {between(-1, 1), w});
+    }
+    mesh.triangles = {{0, 1, 2}};
+    const MethodBound bound = find_method(method)->promise(state, mesh.mesh(), size).smooth;
+    const Fragments expected = drawn_by("rational-linear", state, mesh, size);
+    const Fragments fragments = drawn_by(method, state, mesh, size);
+    EXPECT_EQ(fragments.size(), expected.size());
+    double greatest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      greatest = std::max(greatest, std::abs(double{mesh.attributes[2 * i]}));
+    }
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
+      const double off =
+          std::abs(double{fragments.attributes[2 * i]} - double{expected.attributes[2 * i]}) /
+          scale_ulp(greatest);
+      const double g = double{expected.attributes[2 * i + 1]} / least_w;
+      found.greatest = std::max(found.greatest, off);
+      found.greatest_beyond =
+          std::max(found.greatest_beyond, off - bound.constant - 0.51 - bound.per_horizon * g);
+    }
+  }
+  return found;
+}
+
+// Kills: parameters in double by another name; a promise that the horizon breaks.
+TEST(RationalLinearFloat, IsOffByUnitsAndNotMoreTowardsTheHorizon) {
+  for (const float ratio : {1.5F, 0x1p20F}) {
+    const Differences found = differences("rational-linear-float", 256, ratio, 300);
+    EXPECT_GT(found.greatest, 1.5);
+    EXPECT_LE(found.greatest_beyond, 0);
+  }
+}
+
+// Kills: an increment that is not added but multiplied, whose error does not grow.
+TEST(RationalLinearIncremental, DriftsWithTheWidth) {
+  const Differences narrow = differences("rational-linear-incremental", 64, 4, 100);
+  const Differences wide = differences("rational-linear-incremental", 8192, 4, 100);
+  EXPECT_LE(narrow.greatest_beyond, 0);
+  EXPECT_LE(wide.greatest_beyond, 0);
+  EXPECT_GT(narrow.greatest, 3);
+  EXPECT_GT(wide.greatest, 10 * narrow.greatest);
+}
+
+// Kills: values of a denominator that has drifted to nothing.
+TEST(RationalLinearIncremental, StaysInTheRangeOfTheVertices) {
+  State state = small_state(4096, 4);
+  state.attributes = {{}};
+  SmallMesh mesh;
+  mesh.positions = {at(state, 0, -4, 1), at(state, 4096, -4, 0x1p40F), at(state, 0, 8, 1)};
+  mesh.attributes = {1, 2, 1};
+  mesh.triangles = {{0, 1, 2}};
+  const Fragments fragments = drawn_by("rational-linear-incremental", state, mesh, {4096, 4, 1});
+  ASSERT_GT(fragments.size(), 4096U);
+  const auto [least, greatest] =
+      std::minmax_element(fragments.attributes.begin(), fragments.attributes.end());
+  EXPECT_GE(*least, 1);
+  EXPECT_LE(*greatest, 2);
 }
 
 }  // namespace
