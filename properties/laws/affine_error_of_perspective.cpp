@@ -120,6 +120,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   return check_drawn(c, backend,
                      [](const cases::Case& clip, const cases::Contract& contract,
                         const cases::Framebuffer& drawn) {
+                       if (contract.claims != cases::Claim::affine) return not_applicable();
                        return AffineErrorCheck(clip, contract, drawn).run();
                      });
 }
