@@ -21,13 +21,9 @@
 // however the mean is formed, as long as nothing is beyond the exponents. Judged so are attributes
 // with 0 or 2^-40 <= |r_i| <= 2^40 and values of more than 2^-100; zeros of either sign are alike.
 //
-// Where another attribute is moved it is the bound that counts: weights may be found from two
-// attributes at a time, as texture coordinates, and then round otherwise.
-//
 // α and β come from the case's numbers, for each attribute others: such that all α r_i + β are
-// float32 without rounding; β is 0 where that takes it, and in a third of the cases, and an
-// attribute stays as it is where no α does. Not judged: values that the rules leave free, or leave
-// undefined.
+// float32 without rounding; β is 0 where that takes it, and an attribute stays as it is where no α
+// does. Not judged: values that the rules leave free, or leave undefined.
 
 #include <fmt/format.h>
 
@@ -87,11 +83,11 @@ bool is_exact(const cases::Case& c, std::size_t attribute, const Affine& map) {
   return true;
 }
 
-Affine map_of(const cases::Case& c, std::size_t attribute, bool is_moved, Choices& choices) {
+Affine map_of(const cases::Case& c, std::size_t attribute, Choices& choices) {
   constexpr std::array kAlphas{-4.0, -2.0, -1.0, -0.5, -0.0625, 0.125, 0.5, 2.0, 4.0, 16.0};
   Affine map;
   map.alpha = choices.pick(kAlphas);
-  if (is_moved) map.beta = (static_cast<double>(choices.below(257)) - 128) / 4;
+  if (choices.below(3) > 0) map.beta = (static_cast<double>(choices.below(257)) - 128) / 4;
   if (is_exact(c, attribute, map)) return map;
   map.beta = 0;
   return is_exact(c, attribute, map) ? map : Affine{};
@@ -99,12 +95,11 @@ Affine map_of(const cases::Case& c, std::size_t attribute, bool is_moved, Choice
 
 std::vector<Affine> maps_of(const cases::Case& c) {
   Choices choices(fingerprint(c));
-  const bool are_moved = choices.below(3) > 0;
   std::vector<Affine> maps;
   // Few numbers of a hash are many attributes': each has a part of its own.
   for (std::size_t a = 0; a < c.attributes.size(); ++a) {
-    if (a % 4 == 0) choices = Choices(fingerprint(c) + 1 + a);
-    maps.push_back(map_of(c, a, are_moved, choices));
+    if (a % 4 == 0) choices = Choices(fingerprint(c) + a);
+    maps.push_back(map_of(c, a, choices));
   }
   return maps;
 }
@@ -142,8 +137,6 @@ class AffinityCheck {
         maps_(std::move(maps)),
         before_(&before),
         drawn_(&drawn),
-        is_moved_(std::any_of(maps_.begin(), maps_.end(),
-                              [](const Affine& map) { return map.beta != 0; })),
         places_(fragments_by_place(before)),
         verdicts_(c, contract),
         tally_(c) {}
@@ -193,11 +186,6 @@ class AffinityCheck {
            !all_in_front(*case_, triangle_at(place));
   }
 
-  /// Whether the value is scaled without any rounding.
-  bool is_to_the_bit(const FragmentPlace& place, std::size_t a) const {
-    return !is_moved_ && has_bits(place, a);
-  }
-
   bool has_bits(const FragmentPlace& place, std::size_t a) const {
     return std::all_of(triangle_at(place).begin(), triangle_at(place).end(), [&](std::uint32_t v) {
       const double r = std::abs(double{case_->attributes_of(v)[a]});
@@ -237,7 +225,7 @@ class AffinityCheck {
         is_right = expect_same(place, a, expected, actual, "flat") && is_right;
       } else if (map.is_identity() || is_free(place, a) || !std::isfinite(f)) {
         continue;
-      } else if (is_to_the_bit(place, a)) {
+      } else if (map.beta == 0 && has_bits(place, a)) {
         const double expected = map.alpha * double{f};
         // A zero may be what is left of a value below all floats.
         if (f != 0 && std::abs(expected) < kLeastValueOfBits) continue;
@@ -261,7 +249,7 @@ class AffinityCheck {
       const bool is_flat = case_->attributes[a].interpolation == cases::Interpolation::flat;
       const float f = before_->attributes_of(places_.at(place))[a];
       if (is_flat || is_simple(a) || is_free(place, a) || maps_[a].is_identity()) continue;
-      if (!std::isfinite(f) || is_to_the_bit(place, a)) continue;
+      if (!std::isfinite(f) || (maps_[a].beta == 0 && has_bits(place, a))) continue;
       const auto x = static_cast<int>(place.x);
       const auto y = static_cast<int>(place.y);
       const auto s = static_cast<int>(place.sample);
@@ -335,7 +323,6 @@ class AffinityCheck {
   std::vector<Affine> maps_;  ///< [attribute]
   const cases::Framebuffer* before_;
   const cases::Framebuffer* drawn_;
-  bool is_moved_;  ///< some attribute is
   FragmentMap places_;
   Verdicts verdicts_;
   Tally tally_;

@@ -22,7 +22,9 @@
 // place is transformed, and nothing is clipped. A draw has no object positions: object space is
 // that of the homogeneous window coordinates (X, Y, w), of which clip space and every object space
 // are linear images, and the object-to-screen matrix, which the method multiplies with all the
-// same, is the identity.
+// same, is the identity. The texture's origin is moved to the first vertex, s_i − s_0 and t_i − t_0
+// in place of s_i and t_i, and s_0 and t_0 are added at the place: a texture far from its origin
+// costs no digits, and what is drawn of s knows nothing of t_0.
 //
 // Operations. Seed 002 counts 133 for a polygon and 12 for a vertex, "multiplies and adds", and
 // does not say which. With
@@ -33,8 +35,8 @@
 //   adjoint        9 (2 + 1)                                                        27
 //
 // they are 133 if the divisions, which are neither, do not count; and (x, y, 1) times a 3 × 3
-// matrix is 3 (2 + 2) = 12. The method's own code has these counts. (A concatenation that knows the
-// last column would take 48.)
+// matrix is 3 (2 + 2) = 12. The method's own code has these counts, and 4 for moving the origin. (A
+// concatenation that knows the last column would take 48.)
 //
 // What pairs. Smooth attributes are taken in order, each with the next. The inference has no
 // inverse where the three (s_i, t_i) lie on a line, and is of no use where they nearly do: where
@@ -45,7 +47,7 @@
 // it gets a second coordinate t = (0, −s_20, s_10), which makes det = s_10² + s_20² and κ <= 2. One
 // that is equal at the three vertices needs no map and is given as it is.
 //
-// Error (internal/point_drawing.h), u = 2^-53, for first order; the factors at the end take in the
+// Error (internal/point_drawing.h), u = 2^-53, for first order; the factor at the end takes in the
 // rest. Let a = |s_10| + |s_20|, b = |t_10| + |t_20|, so ab = κ |det|, κ >= 1; h the greatest of
 // |X|_i, of |Y|_i, of |w_i|; Π the terms' magnitudes in (h × h) · (x, y, 1); and
 //
@@ -55,24 +57,24 @@
 //
 //   ∂P/∂s          differences 4 u and 1 u, product and difference 2 u, det 4 κ u, quotient 1 u:
 //                  by 12 κ u of 2 b h/|det|; ∂P/∂t by 12 κ u of 2 a h/|det|
-//   origin         by 17 κ u of ω h, ω = 1 + 2 κ (|s_0|/a + |t_0|/b)
+//   origin         P_0, by 3 u of h
 //   concatenation  exact, with 0 and 1
 //   q              a product of two, 2 u, and 3 u for the place: by 29 κ u of 4 a b/det² Π, so by
 //                  116 κ² R u Σ|E|_i/|det|; and q = D/det
-//   s q            by 34 κ u of 2 a ω/|det| Π, so by 68 κ ω a R u Σ|E|_i/|det|, a <= 4 M; t q alike
+//   (s − s_0) q    by 20 κ u of 2 a/|det| Π, so by 40 κ a R u Σ|E|_i/|det|, a <= 4 M; t alike
 //
-// and s is off as a quotient with n = 272 κ ω R and d = 116 κ² R. These are of the triangle and its
-// texture, so the promise is one of the draw: n + d = 4 κ (70 ω + 30 κ) R, the greatest there is.
-// R is about 1 where the vertices' w are alike, ω and κ are some units where the texture's origin
-// is near and its triangle is fat. Barycentric coordinates in place of the texture's (as q-matrix
-// has them) would divide κ and ω out; that is not how this method is meant.
+// As |s − s_0| <= 2 M that is 160 κ R + 2 · 116 κ² R in place of n + d, to which the quotient and
+// the sum with s_0 add 1 <= 3 R: less than 400 κ² R together. R is of the triangle and κ of its
+// texture, so the promise is one of the draw, with the greatest there is. R is 1/3 where the
+// vertices' coordinates have one size, and κ some units where the texture's triangle is fat.
+// Barycentric coordinates in place of the texture's, as q-matrix has them, would divide κ out; that
+// is not how this method is meant.
 //
-// Range. As κ <= 2^10 and |s_0| <= 2^24 a, neither ∂P/∂s <= 2 κ h/a nor the origin, nor products of
-// the two, come near 2^1023; the terms' magnitudes, where they are not 0, are at least 2^-860, so
-// that what underflows is nothing beside their roundings.
+// Range. As κ <= 2^10, neither ∂P/∂s <= 2 κ h/a nor products of it come near 2^1023; the terms'
+// magnitudes, where they are not 0, are at least 2^-860, so that what underflows is nothing beside
+// their roundings.
 //
-// What it does not do: draw from object positions and clip; promise more than the above of textures
-// far from their origin.
+// What it does not do: draw from object positions and clip.
 
 #include "rasterizer/internal/projective_inference.h"
 
@@ -157,11 +159,12 @@ class TextureMaps {
       if (map.part.kind == Part::Kind::constant) {
         values[k] = T(values_[k][0]);
       } else if (map.part.kind == Part::Kind::alone) {
-        values[k] = plane_at(map.planes[0], u, v) / plane_at(map.planes[2], u, v);
+        values[k] =
+            T(values_[k][0]) + plane_at(map.planes[0], u, v) / plane_at(map.planes[2], u, v);
       } else {
         const Triple<T> texture = transform(map.planes, u, v);
-        values[k] = texture[0] / texture[2];
-        values[k + 1] = texture[1] / texture[2];
+        values[k] = T(values_[k][0]) + texture[0] / texture[2];
+        values[k + 1] = T(values_[k + 1][0]) + texture[1] / texture[2];
       }
     }
   }
@@ -180,16 +183,16 @@ class TextureMaps {
     return matrix;
   }
 
+  /// s_i − s_0.
+  Triple<T> moved(std::size_t attribute) const {
+    const Triple<double>& s = values_[attribute];
+    return {T(0), T(s[1]) - T(s[0]), T(s[2]) - T(s[0])};
+  }
+
   TextureTriangle<T> texture_of(const Part& part) const {
-    const auto converted = [](const Triple<double>& s) {
-      return Triple<T>{T(s[0]), T(s[1]), T(s[2])};
-    };
-    const Triple<double>& s = values_[part.attribute];
-    if (part.kind == Part::Kind::pair) {
-      return {converted(s), converted(values_[part.attribute + 1])};
-    }
-    const Differences differences(s);
-    return {converted(s), converted({0, -differences.second, differences.first})};
+    const Triple<T> s = moved(part.attribute);
+    if (part.kind == Part::Kind::pair) return {s, moved(part.attribute + 1)};
+    return {s, {T(0), -s[2], s[1]}};
   }
 
   std::array<Triple<T>, 3> positions_;
@@ -216,20 +219,12 @@ double spread(const std::array<Triple<double>, 3>& sizes) {
   return greatest;
 }
 
-/// 4 κ (70 ω + 30 κ), the greatest of a triangle's parts.
-double amplification(std::span<const Triple<double>> values) {
+/// The greatest κ of a triangle's parts; 0 where all are constant.
+double greatest_condition(std::span<const Triple<double>> values) {
   double greatest = 0;
   for (std::size_t k = 0; k < values.size();) {
     const Part part = part_at(k, values);
-    double offset = 0;
-    for (std::size_t i = k; i < k + part.width(); ++i) {
-      const double size = Differences(values[i]).size();
-      if (size > 0) offset += std::abs(values[i][0]) / size;
-    }
-    const double kappa = part.condition;
-    if (part.kind != Part::Kind::constant) {
-      greatest = std::max(greatest, 4 * kappa * (70 * (1 + 2 * kappa * offset) + 30 * kappa));
-    }
+    if (part.kind != Part::Kind::constant) greatest = std::max(greatest, part.condition);
     k += part.width();
   }
   return greatest;
@@ -272,7 +267,8 @@ double terms(const State& state, const Mesh& mesh, const glm::uvec3& triangle) {
     sizes[vertex] = sizes_of(corners[vertex], state.viewport);
   }
   if (determinant_sign(corners[0], corners[1], corners[2]) == 0) return 0;
-  return amplification(std::span(values.data(), smooth)) * spread(sizes);
+  const double kappa = greatest_condition(std::span(values.data(), smooth));
+  return 400 * kappa * kappa * spread(sizes);
 }
 
 Promise promise(const State& state, const Mesh& mesh, const TargetSize& /*size*/) {

@@ -49,7 +49,7 @@ TEST(ProjectiveInference, TakesTheWindowBackToTheTexture) {
 }
 
 // Seed 002 §3.1: "133 arithmetic operations (multiplies and adds) per polygon, plus 12 arithmetic
-// operations per vertex".
+// operations per vertex". The method moves the texture's origin besides, and back at each place.
 TEST(ProjectiveInference, TakesTheOperationsOfThePaper) {
   const auto number = [](double value) { return Counted(value); };
   TextureTriangle<Counted> texture;
@@ -79,9 +79,9 @@ TEST(ProjectiveInference, TakesTheOperationsOfThePaper) {
   EXPECT_EQ(multiplies_and_adds(vertex), 12U);
   const OperationCounts counts = operations_of(kMethod);
   EXPECT_EQ(counts.per_vertex, Operations{});
-  EXPECT_EQ(multiplies_and_adds(counts.per_polygon), 133U);
+  EXPECT_EQ(multiplies_and_adds(counts.per_polygon), 133U + 4);
   EXPECT_EQ(counts.per_polygon.divisions, 6U);
-  EXPECT_EQ(counts.per_pixel, (Operations{6, 6, 2}));
+  EXPECT_EQ(counts.per_pixel, (Operations{6 + 2, 6, 2}));
 }
 
 /// kPositions with these attributes, [vertex][attribute].
@@ -144,19 +144,34 @@ double promised(State& state, const std::vector<float>& values) {
   return find_method(kMethod)->promise(state, mesh.mesh(), kEight).smooth.per_condition * 0x1p28;
 }
 
-// w = 1: |X| = |Y| = 8 and |w| = 1 at all vertices, R = 2/6. The promise is 2^-28 times n + d.
-//   (0, 0), (1, 0), (0, 1)  κ = ω = 1:                     4 (70 + 30)/3
-//   (1, 0), (2, 0), (1, 1)  ω = 1 + 2:                     4 (210 + 30)/3
-//   (0, 0), (1, 1), (0, 1)  κ = 1 · 2/1, ω = 1:            8 (70 + 60)/3
-//   r = 3, 7, 3             κ = 16/16, ω = 1 + 2 · 3/4:    4 (175 + 30)/3
-//   det = 2^-20             both alone: κ = 2² / 2, ω = 1: 8 (70 + 60)/3
+// w = 1: |X| = |Y| = 8 and |w| = 1 at all vertices, R = 2/6. The promise is 2^-28 · 400 κ² R.
+//   (0, 0), (1, 0), (0, 1)  κ = 1, and wherever it is
+//   (0, 0), (1, 1), (0, 1)  κ = 1 · 2/1
+//   r = 3, 7, 3             alone: κ = 4²/4²
+//   det = 2^-20             both alone, the first with κ = 2²/2
+//   all equal               nothing but roundings to float32
 TEST(ProjectiveInference, PromisesWhatTheTextureIsGoodFor) {
   State state = small_state(8, 8);
   EXPECT_DOUBLE_EQ(promised(state, {0, 0, 1, 0, 0, 1}), 400.0 / 3);
-  EXPECT_DOUBLE_EQ(promised(state, {1, 0, 2, 0, 1, 1}), 960.0 / 3);
-  EXPECT_DOUBLE_EQ(promised(state, {0, 0, 1, 1, 0, 1}), 1040.0 / 3);
-  EXPECT_DOUBLE_EQ(promised(state, {3, 7, 3}), 820.0 / 3);
-  EXPECT_NEAR(promised(state, {0, 0, 1, 1, 1, 1 + 0x1p-20F}), 1040.0 / 3, 1e-3);
+  EXPECT_DOUBLE_EQ(promised(state, {4096, 0, 4097, 0, 4096, 1}), 400.0 / 3);
+  EXPECT_DOUBLE_EQ(promised(state, {0, 0, 1, 1, 0, 1}), 1600.0 / 3);
+  EXPECT_DOUBLE_EQ(promised(state, {3, 7, 3}), 400.0 / 3);
+  EXPECT_DOUBLE_EQ(promised(state, {0, 0, 1, 1, 1, 1 + 0x1p-20F}), 1600.0 / 3);
+  EXPECT_EQ(promised(state, {3, 3, 3}), 0);
+}
+
+// The second attribute's values are far from 0, and the first's are those of a picture without it.
+// Kills: an origin of the texture that costs digits of both.
+TEST(ProjectiveInference, WhereTheTextureIsCostsNothing) {
+  State state = small_state(8, 8);
+  const Fragments near =
+      drawn_by(kMethod, state, with_values(state, 2, {2, 0, 8, 1, 24, 0}), kEight);
+  const Fragments far = drawn_by(
+      kMethod, state, with_values(state, 2, {2, 0x1p23F, 8, 0x1p23F + 1, 24, 0x1p23F}), kEight);
+  ASSERT_EQ(near.size(), 28U);
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    EXPECT_EQ(near.attributes[2 * i], far.attributes[2 * i]);
+  }
 }
 
 }  // namespace
