@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "rasterizer/internal/clip_polygon.h"
@@ -14,6 +15,7 @@
 #include "rasterizer/internal/draw_bounds.h"
 #include "rasterizer/internal/draw_setting.h"
 #include "rasterizer/internal/standard_pattern.h"
+#include "rasterizer/methods/polygon.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -154,6 +156,13 @@ class Drawing {
     return counts_;
   }
 
+  DrawCounts draw_polygon() {
+    std::array<std::uint32_t, kMaxPolygonCorners> corners{};
+    std::iota(corners.begin(), corners.end(), 0U);
+    draw_corners(std::span(corners).first(mesh_.positions.size()), polygon_orientation());
+    return counts_;
+  }
+
  private:
   static constexpr std::size_t kMaxSamples = DrawBounds::kMaxSamples;
 
@@ -173,7 +182,9 @@ class Drawing {
   };
 
   bool has(Location location) const;
+  int polygon_orientation() const;
   void draw_triangle(std::size_t index);
+  void draw_corners(std::span<const std::uint32_t> corners, int orientation);
   void load(std::span<const std::uint32_t> corners);
   void load_vertex(std::uint32_t vertex, ClipVertex& to) const;
   void divide(int orientation);
@@ -209,7 +220,7 @@ class Drawing {
 
   // Of the polygon at hand.
   std::uint32_t triangle_ = 0;
-  /// Its corners' parameters are the smooth attributes, then the noperspective ones times w.
+  /// The parameters of its vertices are the smooth attributes, then the noperspective ones times w.
   ClipPolygon clipped_;
   std::array<ClipVertex, 3> corners_;  ///< before clipping
   ClipPolygon spare_;
@@ -234,16 +245,34 @@ void Drawing::draw_triangle(std::size_t index) {
   const std::optional<InputTriangle> triangle = input_triangle(state_, mesh_, index);
   if (!triangle) return count(Fate::not_finite, counts_);
   const auto& p = triangle->positions;
-  const int orientation = viewport_sign_ * determinant_sign(p[0], p[1], p[2]);
+  const glm::uvec3& corners = mesh_.triangles[index];
+  triangle_ = triangle->index;
+  draw_corners(std::array{corners.x, corners.y, corners.z},
+               viewport_sign_ * determinant_sign(p[0], p[1], p[2]));
+}
+
+/// Of a convex polygon, whose triangles all turn the same way.
+int Drawing::polygon_orientation() const {
+  const std::span<const glm::vec4> p = mesh_.positions;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (std::size_t j = i + 1; j < p.size(); ++j) {
+      for (std::size_t k = j + 1; k < p.size(); ++k) {
+        const int turn = determinant_sign(p[i], p[j], p[k]);
+        if (turn != 0) return viewport_sign_ * turn;
+      }
+    }
+  }
+  return 0;
+}
+
+void Drawing::draw_corners(std::span<const std::uint32_t> corners, int orientation) {
   if (orientation == 0) return count(Fate::degenerate, counts_);
   if (is_culled(state_, orientation)) return;
 
-  triangle_ = triangle->index;
-  const glm::uvec3& corners = mesh_.triangles[index];
-  load(std::array{corners.x, corners.y, corners.z});  // steps 1 and 2
-  if (!clip(volume_, clipped_, spare_)) return;       // step 3
-  divide(orientation);                                // step 4
-  scan();                                             // step 5
+  load(corners);                                 // steps 1 and 2
+  if (!clip(volume_, clipped_, spare_)) return;  // step 3
+  divide(orientation);                           // step 4
+  scan();                                        // step 5
 }
 
 void Drawing::load(std::span<const std::uint32_t> corners) {
@@ -462,11 +491,51 @@ void Drawing::append(int x, int y, std::size_t sample, double depth, const Value
       values.begin() + static_cast<std::ptrdiff_t>(state_.attributes.size()));
 }
 
+/// Whether clipping changes a triangle and leaves something to draw.
+bool is_clipped(const ClipVolume& volume, const InputTriangle& triangle) {
+  const auto& positions = triangle.positions;
+  if (determinant_sign(positions[0], positions[1], positions[2]) == 0) return false;
+  ClipPolygon polygon;
+  polygon.size = 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    ClipVertex& corner = polygon.vertices[i];
+    const glm::vec4& p = positions[i];
+    corner.x = p.x;
+    corner.y = p.y;
+    corner.z = p.z;
+    corner.w = p.w;
+    std::copy(triangle.distances[i].begin(), triangle.distances[i].end(), corner.distances.begin());
+  }
+  ClipPolygon spare;
+  if (!clip(volume, polygon, spare)) return false;
+  if (polygon.size != 3) return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ClipVertex& left = polygon.vertices[i];
+    const glm::vec4& p = positions[i];
+    if (left.x != p.x || left.y != p.y || left.z != p.z || left.w != p.w) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 DrawCounts scan_triangles(const State& state, const Mesh& mesh, const TargetSize& size,
                           ScanFormula<double>& formula, Claim claims, Fragments& fragments) {
   return Drawing(state, mesh, size, formula, claims, fragments).draw_triangles();
+}
+
+DrawCounts scan_polygon(const State& state, const Mesh& mesh, const TargetSize& size,
+                        ScanFormula<double>& formula, Fragments& fragments) {
+  return Drawing(state, mesh, size, formula, Claim::perspective, fragments).draw_polygon();
+}
+
+bool is_any_clipped(const State& state, const Mesh& mesh) {
+  const ClipVolume volume{state.convention, state.depth_clamp, 0, state.clip_distance_count};
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::optional<InputTriangle> triangle = input_triangle(state, mesh, i);
+    if (triangle && is_clipped(volume, *triangle)) return true;
+  }
+  return false;
 }
 
 }  // namespace rastercheck::rasterizer

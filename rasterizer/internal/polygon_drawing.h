@@ -129,6 +129,12 @@ class LinearFormula : public ScanFormula<T> {
 /// scale ULP, as ulp(m) >= 2^-24 m.
 inline constexpr MethodBound kScannedLinearBound{.constant = 0.5 + 0x1p-24};
 
+/// Of quotients r_i = s_i / s_{n+1} of two such, |δr_i| <= (|δs_i| + |r_i| |δs_{n+1}|) / s_{n+1} +
+/// u |r_i| <= 23 u max|r_i| g, which is less than 2^-24 g; so centres that are not covered have it
+/// where Claim::perspective is claimed.
+inline constexpr MethodBound kScannedPerspectiveBound{.constant = 0.5 + 0x1p-24,
+                                                      .per_horizon = 0x1p-24};
+
 /// The promise of a formula that claims this of smooth attributes.
 constexpr Promise scanned_promise(Claim claims, const MethodBound& smooth) {
   return {.claims = claims,
@@ -149,6 +155,23 @@ DrawCounts scan_triangles_by(const State& state, const Mesh& mesh, const TargetS
   Formula<double> formula;
   return scan_triangles(state, mesh, size, formula, Claim::perspective, fragments);
 }
+
+/// Appends the fragments of one polygon, as those of triangle 0: the mesh's vertices in their
+/// order, which is convex as seen from the eye and has no attributes but at samples
+/// (methods/polygon.h).
+DrawCounts scan_polygon(const State& state, const Mesh& mesh, const TargetSize& size,
+                        ScanFormula<double>& formula, Fragments& fragments);
+
+/// Method::draw_polygon of a formula.
+template <template <class> class Formula>
+DrawCounts scan_polygon_by(const State& state, const Mesh& mesh, const TargetSize& size,
+                           Fragments& fragments) {
+  Formula<double> formula;
+  return scan_polygon(state, mesh, size, formula, fragments);
+}
+
+/// Whether clipping takes a part away from a triangle of the mesh: not all of it.
+bool is_any_clipped(const State& state, const Mesh& mesh);
 
 /// Method::operations of a formula: a row between two edges of a triangle in perspective, w = 1, 2
 /// and 4, with two attributes, and on it the step from a pixel to the next.

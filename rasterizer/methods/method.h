@@ -87,6 +87,9 @@ struct Method {
   DrawFragments draw = nullptr;
   Promise (*promise)(const State& state, const Mesh& mesh, const TargetSize& size) = nullptr;
   OperationCounts (*operations)() = nullptr;
+  /// Of what scan-converts polygons (polygon.h): draws the mesh's vertices in their order as one,
+  /// triangle 0, once they were checked.
+  DrawFragments draw_polygon = nullptr;
 };
 
 /// All methods, in the order of their names.

@@ -226,13 +226,12 @@ class RationalLinearIncremental : public SingleFormula<T> {
   std::array<T, kMaxAttributes> greatest_{};
 };
 
-// The derivations above. 23 u max|r_i| g with u = 2^-53 is less than 2^-24 g scale ULP, as ulp(m)
-// >= 2^-24 m; centres that are not covered have that of rational-linear in all three.
-constexpr double kPerHorizon = 0x1p-24;
+// The derivations above. Centres that are not covered are what rational-linear makes them, in all
+// three.
+constexpr double kPerHorizon = kScannedPerspectiveBound.per_horizon;
 
 Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& /*size*/) {
-  return scanned_promise(Claim::perspective,
-                         {.constant = 0.5 + 0x1p-24, .per_horizon = kPerHorizon});
+  return scanned_promise(Claim::perspective, kScannedPerspectiveBound);
 }
 
 Promise promise_float(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& /*size*/) {
@@ -252,19 +251,23 @@ const MethodRegistration kRegistration({.name = "rational-linear",
                                         .source = "seed 002 §3.5 (Heckbert and Moreton, 1991)",
                                         .draw = &scan_triangles_by<RationalLinear>,
                                         .promise = &promise,
-                                        .operations = &count_scan<RationalLinear>});
+                                        .operations = &count_scan<RationalLinear>,
+                                        .draw_polygon = &scan_polygon_by<RationalLinear>});
 
 const MethodRegistration kFloat({.name = "rational-linear-float",
                                  .source = "seed 002 §3.5, in float32",
                                  .draw = &scan_triangles_by<RationalLinearFloat>,
                                  .promise = &promise_float,
-                                 .operations = &count_scan<RationalLinearFloat>});
+                                 .operations = &count_scan<RationalLinearFloat>,
+                                 .draw_polygon = &scan_polygon_by<RationalLinearFloat>});
 
-const MethodRegistration kIncremental({.name = "rational-linear-incremental",
-                                       .source = "seed 002 §3.1, §3.5, in float32",
-                                       .draw = &scan_triangles_by<RationalLinearIncremental>,
-                                       .promise = &promise_incremental,
-                                       .operations = &count_scan<RationalLinearIncremental>});
+const MethodRegistration kIncremental(
+    {.name = "rational-linear-incremental",
+     .source = "seed 002 §3.1, §3.5, in float32",
+     .draw = &scan_triangles_by<RationalLinearIncremental>,
+     .promise = &promise_incremental,
+     .operations = &count_scan<RationalLinearIncremental>,
+     .draw_polygon = &scan_polygon_by<RationalLinearIncremental>});
 
 }  // namespace
 }  // namespace rastercheck::rasterizer
