@@ -1,0 +1,185 @@
+// edge-then-span and edge-then-span-plane: perspective-correct interpolation of MIT's 6.837, Fall
+// 2000, lecture 18 (seed 004), slides 7 to 13. w is 1/z there, here 1 over the w of clip space; it
+// is written q below.
+//
+// edge-then-span. Between two ends the share t of the way in the window and the share s of the way
+// in space are related by (slide 11)
+//
+//   s = t q_2 / (q_1 + t (q_2 − q_1)),
+//
+// and any parameter is u = u_1 + s (u_2 − u_1) (slide 12); q itself is q_1 + t (q_2 − q_1). So: the
+// ends of a row's span are found on the edges, with their q, and then what is between them. The
+// polygon may be what clipping left (internal/polygon_drawing.h): it is a plane's.
+//
+// Error, first order, roundoff e = 2^-53, M = max|r_i|, Q = the greatest q of the polygon, D = q at
+// a place, g = Q/D. t has three roundings, so that D is off by 5 e t |q_2 − q_1| + e D <= 6 e Q,
+// and s by s (5 e + 6 e Q/D) <= 11 e g. Ends that are off by ε add ε to D, and to s no more than
+//
+//   t (1 − t) (q_1 + q_2) ε / D²  <=  ε / D,      as t (1 − t) (q_1 + q_2) <= (1 − t) q_1 + t q_2.
+//
+// u_1 + s (u_2 − u_1) is off by 2 M |δs| + 5 e M. Along an edge ε = e Q: D is off by 7 e Q, s by 12
+// e g, r by 29 e M g. Along a span ε = 7 e Q: s is off by 18 e g, and r by 41 e M g; what the ends'
+// own values are off by enters with the shares 1 − s = (1 − t) q_1/D and s = t q_2/D, and (1 − t)
+// q_1/D · 29 e M Q/q_1 + t q_2/D · 29 e M Q/q_2 = 29 e M g. Together 70 e M g, less than 2^-22 g
+// scale ULP. Of the products of errors, which are more where g nears 1/e, that has room for 4/5: s
+// is held to [0, 1], so r is never off by more than 2 M, and 2^-22 g is more than that from g =
+// 2^47 on, where D is off by 13 e g < 1/4 of itself.
+//
+// edge-then-span-plane. Slide 13 puts the premultiplied parameters u q, and q, into plane equations
+// over the window, and divides at each pixel. With window positions (u_i, v_i) and the rows
+//
+//   A_i = v_j − v_k,   B_i = u_k − u_j,   C_i = u_j v_k − u_k v_j,   det = C_0 + C_1 + C_2
+//
+// a plane through p_i is (Σ p_i A_i, Σ p_i B_i, Σ p_i C_i)/det. It needs no clipping, and holds for
+// w_i < 0: then (u_i, v_i) and p_i change sign as the fraction p = (r/w) does. It does not for w_i
+// = 0, which has no place in the window, and of a draw with such a triangle nothing is promised.
+//
+// Error (internal/point_drawing.h). Divided by w_0 w_1 w_2, E_i is q_i times the row above. u_i is
+// off by 4 e |X|_i/|w_i|, A_i and B_i by 5 e and C_i by 10 e of their terms' magnitudes; q_i has
+// one rounding, r_i q_i two, the sum of products three, the division one, evaluation three. det is
+// the same for all planes, so what it is off by goes out of the quotient: n = 2 + 10 + 3 + 1 + 3 =
+// 19, d = 18.
+//
+// What they do not do: 1/z as the slides have it, of a camera's z; that is w up to a factor, which
+// no quotient shows. (Their last triangle's "uPlane" and "vPlane" are any two attributes.)
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "rasterizer/internal/point_drawing.h"
+#include "rasterizer/internal/polygon_drawing.h"
+#include "rasterizer/methods/method.h"
+
+namespace rastercheck::rasterizer {
+namespace {
+
+/// How far a place is from one end to the other, in the window and in space.
+template <class T>
+class Share {
+ public:
+  Share(const Place<T>& place, T q_1, T q_2) : q_(q_1), s_(T(0)) {
+    const T length = place.x_b - place.x_a;
+    if (length == T(0)) return;
+    const T t = (place.x - place.x_a) / length;
+    const T numerator = t * q_2;
+    q_ = q_1 + t * (q_2 - q_1);
+    s_ = numerator < q_ ? numerator / q_ : T(1);
+  }
+
+  T q() const { return q_; }
+  T between(T a, T b) const { return a + s_ * (b - a); }
+
+ private:
+  T q_;
+  T s_;
+};
+
+/// Parameters: the attributes themselves, then q.
+template <class T>
+class EdgeThenSpan : public ScanFormula<T> {
+ public:
+  void set_vertex(const ScanVertex<T>& vertex, Parameters<T>& s) const override {
+    std::copy_n(vertex.r.begin(), this->count_, s.begin());
+    s[this->count_] = T(1) / vertex.w;
+  }
+  void along_edge(const Place<T>& place, const Parameters<T>& a, const Parameters<T>& b,
+                  Parameters<T>& s) const override {
+    const Share<T> share(place, a[this->count_], b[this->count_]);
+    for (std::size_t i = 0; i < this->count_; ++i) s[i] = share.between(a[i], b[i]);
+    s[this->count_] = share.q();
+  }
+  void along_span(SpanEnds<T>& ends, T u, Parameters<T>& s) const override {
+    along_edge({u, ends.left_u, ends.right_u}, ends.left, ends.right, s);
+  }
+  void values(const Parameters<T>& s, std::span<T> r) const override {
+    std::copy_n(s.begin(), this->count_, r.begin());
+  }
+};
+
+/// Slide 13.
+template <class T>
+class Planes {
+ public:
+  void set_vertex(std::size_t i, const PointVertex& vertex, std::size_t count) {
+    const T q = T(1) / T(vertex.w);
+    u_[i] = T(vertex.x) / T(vertex.w);
+    v_[i] = T(vertex.y) / T(vertex.w);
+    for (std::size_t k = 0; k < count; ++k) premultiplied_[i][k] = T(vertex.values[k]) * q;
+    premultiplied_[i][count] = q;
+  }
+
+  void set_up(std::size_t count) {
+    std::array<Plane, 3> rows;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const std::size_t k = (i + 2) % 3;
+      rows[i] = {v_[j] - v_[k], u_[k] - u_[j], u_[j] * v_[k] - u_[k] * v_[j]};
+    }
+    T determinant = rows[0].c + rows[1].c + rows[2].c;
+    if (determinant == T(0)) determinant = T(1);  // rounded away
+    for (std::size_t k = 0; k <= count; ++k) {
+      const auto through = [&](T Plane::*part) {
+        return (premultiplied_[0][k] * rows[0].*part + premultiplied_[1][k] * rows[1].*part +
+                premultiplied_[2][k] * rows[2].*part) /
+               determinant;
+      };
+      planes_[k] = {through(&Plane::a), through(&Plane::b), through(&Plane::c)};
+    }
+  }
+
+  void at(T u, T v, std::span<T> values) const {
+    const T q = planes_[values.size()].at(u, v);
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = planes_[k].at(u, v) / q;
+  }
+
+ private:
+  struct Plane {
+    T a;
+    T b;
+    T c;
+    T at(T u, T v) const { return a * u + b * v + c; }
+  };
+
+  std::array<T, 3> u_;
+  std::array<T, 3> v_;
+  std::array<std::array<T, kMaxAttributes + 1>, 3> premultiplied_;
+  std::array<Plane, kMaxAttributes + 1> planes_;
+};
+
+Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& /*size*/) {
+  return scanned_promise(Claim::perspective, {.constant = 0.5 + 0x1p-24, .per_horizon = 0x1p-22});
+}
+
+/// Nothing is promised where this times K >= 1 is.
+constexpr double kNothingPromised = 0x1p24;
+
+Promise promise_planes(const State& /*state*/, const Mesh& mesh, const TargetSize& /*size*/) {
+  const auto is_nowhere = [&mesh](std::uint32_t vertex) { return mesh.positions[vertex].w == 0; };
+  Promise promise{.smooth = point_bound(19, 18, kDoubleRoundoff)};
+  for (const glm::uvec3& corners : mesh.triangles) {
+    if (is_nowhere(corners.x) || is_nowhere(corners.y) || is_nowhere(corners.z)) {
+      promise.smooth.per_condition = kNothingPromised;
+    }
+  }
+  return promise;
+}
+
+const MethodRegistration kShares({.name = "edge-then-span",
+                                  .source = "seed 004, slides 7–12",
+                                  .draw = &scan_triangles_by<EdgeThenSpan>,
+                                  .promise = &promise,
+                                  .operations = &count_scan<EdgeThenSpan>,
+                                  .draw_polygon = &scan_polygon_by<EdgeThenSpan>});
+
+const MethodRegistration kPlanes({.name = "edge-then-span-plane",
+                                  .source = "seed 004, slide 13",
+                                  .draw = &draw_by_formula<Planes, double>,
+                                  .promise = &promise_planes,
+                                  .operations = &count_formula<Planes>});
+
+}  // namespace
+}  // namespace rastercheck::rasterizer

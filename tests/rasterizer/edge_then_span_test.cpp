@@ -1,0 +1,138 @@
+// edge-then-span and edge-then-span-plane by hand.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "rasterizer/methods/method.h"
+#include "tests/rasterizer/small_draw.h"
+
+namespace rastercheck::rasterizer {
+namespace {
+
+constexpr TargetSize kEight{8, 8, 1};
+constexpr std::string_view kNames[] = {"edge-then-span", "edge-then-span-plane"};
+
+Fragments drawn_by(std::string_view method, const State& state, const SmallMesh& mesh,
+                   const TargetSize& size = kEight) {
+  Fragments fragments;
+  EXPECT_FALSE(draw_fragments_by(method, state, mesh.mesh(), size, fragments).error);
+  return fragments;
+}
+
+State with_one_attribute() {
+  State state = small_state(8, 8);
+  state.attributes = {{}};
+  return state;
+}
+
+/// Window positions (0, 0), (8, 0), (0, 8) with these w and values.
+SmallMesh corner(const State& state, const std::vector<float>& w, const std::vector<float>& r) {
+  SmallMesh mesh;
+  mesh.positions = {at(state, 0, 0, w[0]), at(state, 8, 0, w[1]), at(state, 0, 8, w[2])};
+  mesh.attributes = r;
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+// Along spans: q = 1 and 1/2, so s = t/2 / (1 − t/2) = u/(16 − u).
+TEST(EdgeThenSpan, AlongARowIsTheSharesFormula) {
+  const State state = with_one_attribute();
+  for (const std::string_view name : kNames) {
+    expect_values(drawn_by(name, state, corner(state, {1, 2, 1}, {0, 1, 0})),
+                  [](double u, double) { return u / (16 - u); });
+  }
+}
+
+// Along edges: q = 1 and 1/4, so s = t/4 / (1 − 3 t/4) = v/(32 − 3 v); both ends of a row have it.
+TEST(EdgeThenSpan, AlongEdgesIsTheSharesFormula) {
+  const State state = with_one_attribute();
+  for (const std::string_view name : kNames) {
+    expect_values(drawn_by(name, state, corner(state, {1, 1, 4}, {0, 0, 1})),
+                  [](double, double v) { return v / (32 - 3 * v); });
+  }
+}
+
+// Kills: q along edges by s, or not interpolated. With w = 1, 2, 4: 1/w = 1 − u/16 − 3 v/32.
+TEST(EdgeThenSpan, AlongBothCarriesQAcross) {
+  const State state = with_one_attribute();
+  for (const std::string_view name : kNames) {
+    expect_values(drawn_by(name, state, corner(state, {1, 2, 4}, {0, 2, 0})),
+                  [](double u, double v) { return u / 8 / (1 - u / 16 - 3 * v / 32); });
+  }
+}
+
+TEST(EdgeThenSpan, ConstantsComeOutExactlyOfShares) {
+  const State state = with_one_attribute();
+  const Fragments fragments =
+      drawn_by("edge-then-span", state, corner(state, {0.7F, 1.9F, 3.1F}, {0.1F, 0.1F, 0.1F}));
+  ASSERT_GT(fragments.size(), 20U);
+  EXPECT_EQ(fragments.attributes, std::vector<float>(fragments.size(), 0.1F));
+}
+
+// Kills: shares beyond 1, or no numbers, where q of an end is nothing beside the other's.
+TEST(EdgeThenSpan, SharesStayBetweenTheEnds) {
+  const State state = with_one_attribute();
+  const Fragments fragments =
+      drawn_by("edge-then-span", state, corner(state, {0x1p-120F, 0x1p120F, 1}, {1, 2, 1.5F}));
+  ASSERT_GT(fragments.size(), 20U);
+  for (const float value : fragments.attributes) {
+    EXPECT_GE(value, 1);
+    EXPECT_LE(value, 2);
+  }
+}
+
+// A vertex behind the eye has a window position, its mirror's: (0, 16) here, below w = 1 at (0, 8)
+// and (8, 8), so that all above v = 8 is drawn. 1/w = 3 − v/4, r/w = (8 − v)/8.
+TEST(EdgeThenSpan, PlanesHoldBehindTheEye) {
+  const State state = with_one_attribute();
+  SmallMesh mesh = corner(state, {1, 1, 1}, {0, 0, 1});
+  mesh.positions = {at(state, 0, 8, 1), at(state, 8, 8, 1), at(state, 0, 16, -1)};
+  const Fragments fragments = drawn_by("edge-then-span-plane", state, mesh);
+  ASSERT_EQ(fragments.size(), 64U);
+  expect_values(fragments, [](double, double v) { return (8 - v) / (24 - 2 * v); });
+}
+
+// Kills: no number where the window positions lie in line but for what rounding takes away. Between
+// the first and the third vertex, at (1, 0) and (1, 2) with w = 1, r is v/2; the second lies behind
+// the eye, beside that line by 2^-69.
+TEST(EdgeThenSpan, PlanesHoldWhereTheDeterminantIsRoundedAway) {
+  State state = small_state(2, 2);
+  state.attributes = {{}};
+  SmallMesh mesh;
+  mesh.positions = {{0, -1, 0, 1}, {0x1p-69F, 0, 0, -1}, {0, 1, 0, 1}};
+  mesh.attributes = {0, 0, 1};
+  mesh.triangles = {{0, 1, 2}};
+  const Fragments fragments = drawn_by("edge-then-span-plane", state, mesh, {2, 2, 1});
+  ASSERT_EQ(fragments.size(), 2U);
+  EXPECT_FLOAT_EQ(value_at(fragments, 1, 0), 0.25F);
+}
+
+TEST(EdgeThenSpan, PlanesPromiseNothingOfAVertexWithoutAPlace) {
+  const State state = with_one_attribute();
+  SmallMesh mesh = corner(state, {1, 2, 4}, {0, 1, 0});
+  const Method& method = *find_method("edge-then-span-plane");
+  EXPECT_LT(method.promise(state, mesh.mesh(), kEight).smooth.per_condition, 1);
+  mesh.positions[1].w = 0;
+  EXPECT_GE(method.promise(state, mesh.mesh(), kEight).smooth.per_condition, 0x1p24);
+}
+
+// By hand: a share takes 4 additions, 2 products and 2 divisions with its q; a parameter a
+// difference, a product and a sum.
+TEST(EdgeThenSpan, OperationsAreThoseOfTheSlides) {
+  const OperationCounts shares = find_method("edge-then-span")->operations();
+  EXPECT_EQ(shares.per_polygon, (Operations{0, 0, 0}));
+  EXPECT_EQ(shares.per_vertex, (Operations{0, 0, 1}));
+  EXPECT_EQ(shares.per_row, (Operations{2 * 8, 2 * 4, 2 * 2}));
+  EXPECT_EQ(shares.per_pixel, (Operations{8, 4, 2}));
+  // Rows: 3 · 3 additions, 3 · 2 products; det 2; 9 coefficients of 2 additions, 3 products and a
+  // division. At a pixel 3 planes and 2 divisions.
+  const OperationCounts planes = find_method("edge-then-span-plane")->operations();
+  EXPECT_EQ(planes.per_polygon, (Operations{9 + 2 + 18, 6 + 27, 9}));
+  EXPECT_EQ(planes.per_vertex, (Operations{0, 2, 3}));
+  EXPECT_EQ(planes.per_pixel, (Operations{6, 6, 2}));
+}
+
+}  // namespace
+}  // namespace rastercheck::rasterizer
