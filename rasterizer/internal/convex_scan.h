@@ -109,6 +109,7 @@ struct SpanEnds {
   T right_u{};
   Parameters<T> left{};
   Parameters<T> right{};
+  std::array<Parameters<T>, 2> more{};  ///< for what a method makes of a span (polygon_drawing.h)
 };
 
 class ConvexScan {
