@@ -12,6 +12,7 @@
 #include "cli/command.h"
 #include "properties/generator.h"
 #include "properties/law.h"
+#include "rasterizer/methods/method.h"
 #include "reports/text_table.h"
 
 namespace rastercheck::cli {
@@ -60,14 +61,24 @@ std::vector<ordered_json> generator_rows() {
   return rows;
 }
 
-/// The textbook methods are the backends of one kind.
+ordered_json to_json(const rasterizer::Operations& operations) {
+  return {{"additions", operations.additions},
+          {"multiplications", operations.multiplications},
+          {"divisions", operations.divisions}};
+}
+
 std::vector<ordered_json> method_rows() {
-  constexpr std::string_view kPrefix = "method:";
   std::vector<ordered_json> rows;
-  for (const backends::Listing& listing : backends::list_backends()) {
-    if (!listing.specification.starts_with(kPrefix)) continue;
-    rows.push_back(
-        {{"name", listing.specification.substr(kPrefix.size())}, {"source", listing.summary}});
+  for (const rasterizer::Method& method : rasterizer::methods()) {
+    const rasterizer::OperationCounts counts = method.operations();
+    rows.push_back({{"name", method.name},
+                    {"source", method.source},
+                    {"fails", method.fails},
+                    {"operations",
+                     {{"pixel", to_json(counts.per_pixel)},
+                      {"row", to_json(counts.per_row)},
+                      {"vertex", to_json(counts.per_vertex)},
+                      {"polygon", to_json(counts.per_polygon)}}}});
   }
   return rows;
 }
@@ -95,7 +106,7 @@ std::vector<ordered_json> pattern_rows() {
 constexpr std::array<Kind, 6> kKinds{{{"backends", &backend_rows},
                                       {"properties", &property_rows, 1},
                                       {"generators", &generator_rows},
-                                      {"methods", &method_rows},
+                                      {"methods", &method_rows, 3},
                                       {"rules", &rules_rows},
                                       {"patterns", &pattern_rows}}};
 

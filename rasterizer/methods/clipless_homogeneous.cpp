@@ -43,11 +43,13 @@ Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& 
   return {.smooth = point_bound(13, 12, kDoubleRoundoff)};
 }
 
-const MethodRegistration kRegistration({.name = "clipless-homogeneous",
-                                        .source = "seed 000 A 6.7–A 6.9; Olano and Greer",
-                                        .draw = &draw_by_formula<HomogeneousPlanes, double>,
-                                        .promise = &promise,
-                                        .operations = &count_formula<HomogeneousPlanes>});
+const MethodRegistration kRegistration(
+    {.name = "clipless-homogeneous",
+     .source = "seed 000 A 6.7–A 6.9; Olano and Greer",
+     .fails = "where the weights cancel: slivers, and towards the horizon",
+     .draw = &draw_by_formula<HomogeneousPlanes, double>,
+     .promise = &promise,
+     .operations = &count_formula<HomogeneousPlanes>});
 
 }  // namespace
 }  // namespace rastercheck::rasterizer

@@ -168,18 +168,22 @@ Promise promise_planes(const State& /*state*/, const Mesh& mesh, const TargetSiz
   return promise;
 }
 
-const MethodRegistration kShares({.name = "edge-then-span",
-                                  .source = "seed 004, slides 7–12",
-                                  .draw = &scan_triangles_by<EdgeThenSpan>,
-                                  .promise = &promise,
-                                  .operations = &count_scan<EdgeThenSpan>,
-                                  .draw_polygon = &scan_polygon_by<EdgeThenSpan>});
+const MethodRegistration kShares(
+    {.name = "edge-then-span",
+     .source = "seed 004, slides 7–12",
+     .fails = "towards the horizon, where 1/w is small; samples within roundings of an edge",
+     .draw = &scan_triangles_by<EdgeThenSpan>,
+     .promise = &promise,
+     .operations = &count_scan<EdgeThenSpan>,
+     .draw_polygon = &scan_polygon_by<EdgeThenSpan>});
 
-const MethodRegistration kPlanes({.name = "edge-then-span-plane",
-                                  .source = "seed 004, slide 13",
-                                  .draw = &draw_by_formula<Planes, double>,
-                                  .promise = &promise_planes,
-                                  .operations = &count_formula<Planes>});
+const MethodRegistration kPlanes(
+    {.name = "edge-then-span-plane",
+     .source = "seed 004, slide 13",
+     .fails = "where the weights cancel; w = 0 has no place in the window",
+     .draw = &draw_by_formula<Planes, double>,
+     .promise = &promise_planes,
+     .operations = &count_formula<Planes>});
 
 }  // namespace
 }  // namespace rastercheck::rasterizer

@@ -90,11 +90,13 @@ OperationCounts operations() {
   return count_formula_on<EitherPlanes>(vertices);
 }
 
-const MethodRegistration kRegistration({.name = "equal-w",
-                                        .source = "seeds 000 Appendix 5, 002 §3.3",
-                                        .draw = &draw_by_formula<EitherPlanes, double>,
-                                        .promise = &promise,
-                                        .operations = &operations});
+const MethodRegistration kRegistration(
+    {.name = "equal-w",
+     .source = "seeds 000 Appendix 5, 002 §3.3",
+     .fails = "where the weights cancel, as the general form does",
+     .draw = &draw_by_formula<EitherPlanes, double>,
+     .promise = &promise,
+     .operations = &operations});
 
 }  // namespace
 }  // namespace rastercheck::rasterizer

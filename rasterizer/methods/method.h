@@ -84,6 +84,7 @@ struct OperationCounts {
 struct Method {
   std::string_view name;    ///< as in `method:NAME`
   std::string_view source;  ///< the text it comes from: seed and section
+  std::string_view fails;   ///< where: "in perspective", or "at the end of long rows"
   DrawFragments draw = nullptr;
   Promise (*promise)(const State& state, const Mesh& mesh, const TargetSize& size) = nullptr;
   OperationCounts (*operations)() = nullptr;

@@ -201,11 +201,13 @@ Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& 
   return {.smooth = point_bound(15, 14, kDoubleRoundoff)};
 }
 
-const MethodRegistration kRegistration({.name = "object-projective",
-                                        .source = "seed 002 §3.4",
-                                        .draw = &draw_by_formula<ProjectivePlanes, double>,
-                                        .promise = &promise,
-                                        .operations = &count_formula<ProjectivePlanes>});
+const MethodRegistration kRegistration(
+    {.name = "object-projective",
+     .source = "seed 002 §3.4",
+     .fails = "where the weights cancel; a w_r of both signs in a triangle is refused",
+     .draw = &draw_by_formula<ProjectivePlanes, double>,
+     .promise = &promise,
+     .operations = &count_formula<ProjectivePlanes>});
 
 }  // namespace
 

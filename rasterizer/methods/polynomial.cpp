@@ -165,19 +165,23 @@ Promise promise(const State& /*state*/, const Mesh& mesh, const TargetSize& /*si
   return scanned_promise(Claim::perspective, bound);
 }
 
-const MethodRegistration kQuadratic({.name = "polynomial-quadratic",
-                                     .source = "seed 002 §2.1 (Wolberg, 1990)",
-                                     .draw = &scan_triangles_by<Quadratic>,
-                                     .promise = &promise<2>,
-                                     .operations = &count_scan<Quadratic>,
-                                     .draw_polygon = &scan_polygon_by<Quadratic>});
+const MethodRegistration kQuadratic(
+    {.name = "polynomial-quadratic",
+     .source = "seed 002 §2.1 (Wolberg, 1990)",
+     .fails = "near the pole: between nodes where w changes much along a row",
+     .draw = &scan_triangles_by<Quadratic>,
+     .promise = &promise<2>,
+     .operations = &count_scan<Quadratic>,
+     .draw_polygon = &scan_polygon_by<Quadratic>});
 
-const MethodRegistration kCubic({.name = "polynomial-cubic",
-                                 .source = "seed 002 §2.1 (Wolberg, 1990)",
-                                 .draw = &scan_triangles_by<Cubic>,
-                                 .promise = &promise<3>,
-                                 .operations = &count_scan<Cubic>,
-                                 .draw_polygon = &scan_polygon_by<Cubic>});
+const MethodRegistration kCubic(
+    {.name = "polynomial-cubic",
+     .source = "seed 002 §2.1 (Wolberg, 1990)",
+     .fails = "near the pole: between nodes where w changes much along a row",
+     .draw = &scan_triangles_by<Cubic>,
+     .promise = &promise<3>,
+     .operations = &count_scan<Cubic>,
+     .draw_polygon = &scan_polygon_by<Cubic>});
 
 }  // namespace
 }  // namespace rastercheck::rasterizer

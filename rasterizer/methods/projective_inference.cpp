@@ -282,11 +282,13 @@ Promise promise(const State& state, const Mesh& mesh, const TargetSize& /*size*/
   return {.smooth = bound};
 }
 
-const MethodRegistration kRegistration({.name = "projective-inference",
-                                        .source = "seed 002 §3.1; Heckbert 1983 and 1989",
-                                        .draw = &draw_by_formula<TextureMaps, double>,
-                                        .promise = &promise,
-                                        .operations = &count_formula<TextureMaps>});
+const MethodRegistration kRegistration(
+    {.name = "projective-inference",
+     .source = "seed 002 §3.1; Heckbert 1983 and 1989",
+     .fails = "textures whose triangle is thin, besides where the weights cancel",
+     .draw = &draw_by_formula<TextureMaps, double>,
+     .promise = &promise,
+     .operations = &count_formula<TextureMaps>});
 
 }  // namespace
 }  // namespace rastercheck::rasterizer

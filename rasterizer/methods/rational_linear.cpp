@@ -249,6 +249,8 @@ Promise promise_incremental(const State& state, const Mesh& /*mesh*/, const Targ
 
 const MethodRegistration kRegistration({.name = "rational-linear",
                                         .source = "seed 002 §3.5 (Heckbert and Moreton, 1991)",
+                                        .fails = "samples within roundings of an edge; triangles "
+                                                 "whose plane all but passes through the eye",
                                         .draw = &scan_triangles_by<RationalLinear>,
                                         .promise = &promise,
                                         .operations = &count_scan<RationalLinear>,
@@ -256,6 +258,7 @@ const MethodRegistration kRegistration({.name = "rational-linear",
 
 const MethodRegistration kFloat({.name = "rational-linear-float",
                                  .source = "seed 002 §3.5, in float32",
+                                 .fails = "towards the horizon, where 1/w has lost its digits",
                                  .draw = &scan_triangles_by<RationalLinearFloat>,
                                  .promise = &promise_float,
                                  .operations = &count_scan<RationalLinearFloat>,
@@ -264,6 +267,7 @@ const MethodRegistration kFloat({.name = "rational-linear-float",
 const MethodRegistration kIncremental(
     {.name = "rational-linear-incremental",
      .source = "seed 002 §3.1, §3.5, in float32",
+     .fails = "at the end of long rows: roundings add up with every step",
      .draw = &scan_triangles_by<RationalLinearIncremental>,
      .promise = &promise_incremental,
      .operations = &count_scan<RationalLinearIncremental>,

@@ -70,12 +70,14 @@ DrawCounts draw(const State& state, const Mesh& mesh, const TargetSize& size,
   return scan_triangles(state, mesh, size, formula, promise(state, mesh, size).claims, fragments);
 }
 
-const MethodRegistration kRegistration({.name = "scanline-linear",
-                                        .source = "seed 002 §2, §2.1",
-                                        .draw = &draw,
-                                        .promise = &promise,
-                                        .operations = &count_scan<ScanlineLinear>,
-                                        .draw_polygon = &scan_polygon_by<ScanlineLinear>});
+const MethodRegistration kRegistration(
+    {.name = "scanline-linear",
+     .source = "seed 002 §2, §2.1",
+     .fails = "in perspective; and quads and clipped triangles as the view turns",
+     .draw = &draw,
+     .promise = &promise,
+     .operations = &count_scan<ScanlineLinear>,
+     .draw_polygon = &scan_polygon_by<ScanlineLinear>});
 
 }  // namespace
 }  // namespace rastercheck::rasterizer

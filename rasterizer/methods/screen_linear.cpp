@@ -131,12 +131,14 @@ Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& 
 
 const MethodRegistration kPlane({.name = "screen-linear",
                                  .source = "seeds 000 A 6.3, 001 pp. 3–5, 002 §2",
+                                 .fails = "in perspective; has no meaning where some w <= 0",
                                  .draw = &draw_by_formula<Plane, double>,
                                  .promise = &promise,
                                  .operations = &count_formula<Plane>});
 
 const MethodRegistration kBarycentric({.name = "screen-linear-barycentric",
                                        .source = "seed 001 p. 5",
+                                       .fails = "in perspective; has no meaning where some w <= 0",
                                        .draw = &draw_by_formula<Barycentric, double>,
                                        .promise = &promise,
                                        .operations = &count_formula<Barycentric>});

@@ -302,6 +302,7 @@ template <int n>
 MethodRegistration uniform(std::string_view name) {
   return MethodRegistration({.name = name,
                              .source = "seeds 002 §2.1, 004 slide 15",
+                             .fails = "in the pieces next to the eye, where w changes most",
                              .draw = &draw<n, n>,
                              .promise = &promise<n, n>,
                              .operations = &uniform_operations<n>});
@@ -311,11 +312,13 @@ const MethodRegistration kTwo = uniform<2>("subdivide-2");
 const MethodRegistration kFour = uniform<4>("subdivide-4");
 const MethodRegistration kEight = uniform<8>("subdivide-8");
 const MethodRegistration kSixteen = uniform<16>("subdivide-16");
-const MethodRegistration kAdaptive({.name = "subdivide-adaptive",
-                                    .source = "seed 002 §2.1",
-                                    .draw = &draw<1, kFinest>,
-                                    .promise = &promise<1, kFinest>,
-                                    .operations = &adaptive_operations});
+const MethodRegistration kAdaptive(
+    {.name = "subdivide-adaptive",
+     .source = "seed 002 §2.1",
+     .fails = "in the pieces that its budget leaves too large: those next to the eye",
+     .draw = &draw<1, kFinest>,
+     .promise = &promise<1, kFinest>,
+     .operations = &adaptive_operations});
 
 }  // namespace
 }  // namespace rastercheck::rasterizer

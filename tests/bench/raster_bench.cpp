@@ -1,5 +1,5 @@
 // raster/…: draw_fragments of the production rasterizer, one thread, two perspective attributes and
-// depth, into 1024×1024, in its modes; and the textbook method beside it.
+// depth, into 1024×1024, in its modes; and the textbook methods beside it.
 
 #include <benchmark/benchmark.h>
 
@@ -18,15 +18,15 @@ rasterizer::State two_attributes() {
 
 /// Draws the scene over and over; `method` empty: the production rasterizer.
 void draw(benchmark::State& bench, const rasterizer::State& state, const Scene& scene,
-          const char* method) {
+          std::string_view method) {
   const rasterizer::Mesh mesh = scene.mesh();
   const rasterizer::TargetSize size{kTarget, kTarget, 1};
   std::size_t fragments = 0;
   for (auto _ : bench) {
     rasterizer::Fragments drawn;
     const rasterizer::DrawResult result =
-        *method == '\0' ? rasterizer::draw_fragments(state, mesh, size, drawn)
-                        : rasterizer::draw_fragments_by(method, state, mesh, size, drawn);
+        method.empty() ? rasterizer::draw_fragments(state, mesh, size, drawn)
+                       : rasterizer::draw_fragments_by(method, state, mesh, size, drawn);
     if (result.error) return bench.SkipWithError("the draw was refused");
     fragments = drawn.size();
     benchmark::DoNotOptimize(drawn.depth.data());
@@ -40,7 +40,7 @@ void draw(benchmark::State& bench, const rasterizer::State& state, const Scene& 
 }
 
 void add(const std::string& name, const rasterizer::State& state, const Scene& scene,
-         const char* method) {
+         std::string_view method) {
   benchmark::RegisterBenchmark(("raster/" + name).c_str(), [=](benchmark::State& bench) {
     draw(bench, state, scene, method);
   })->Unit(benchmark::kMillisecond);
@@ -64,7 +64,12 @@ const bool kRegistered = [] {
   add("random_1px", random_triangles(20000, 1.3F));
   add("random_8px", random_triangles(20000, 8));
   add("grid_8px", grid_triangles(20000, 8));
-  add("random_72px", random_triangles(2000, 72));
+  const Scene middling = random_triangles(2000, 72);
+  add("random_72px", middling);
+  for (const rasterizer::Method& method : rasterizer::methods()) {
+    if (method.name == "rational-linear") continue;  // add() has it
+    add(std::string(method.name) + "/random_72px", two_attributes(), middling, method.name);
+  }
   add("random_805px", random_triangles(20, 805));
   return true;
 }();

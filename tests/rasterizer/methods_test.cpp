@@ -22,11 +22,14 @@ TEST(Methods, AreSortedByNamesThatDiffer) {
   }
 }
 
-TEST(Methods, SayWhereTheyComeFrom) {
+TEST(Methods, SayWhereTheyComeFromAndWhereTheyFail) {
   ASSERT_FALSE(methods().empty());
   for (const Method& method : methods()) {
     EXPECT_FALSE(method.source.empty()) << method.name;
+    EXPECT_FALSE(method.fails.empty()) << method.name;
     EXPECT_NE(method.draw, nullptr) << method.name;
+    EXPECT_NE(method.promise, nullptr) << method.name;
+    EXPECT_NE(method.operations, nullptr) << method.name;
   }
 }
 
