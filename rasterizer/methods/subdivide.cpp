@@ -271,7 +271,8 @@ OperationCounts count_pieces(std::size_t pieces, std::size_t new_vertices) {
 
 template <int n>
 OperationCounts uniform_operations() {
-  return count_pieces(n * n, (n + 1) * (n + 2) / 2 - 3);
+  constexpr std::size_t kEdge = n;
+  return count_pieces(kEdge * kEdge, (kEdge + 1) * (kEdge + 2) / 2 - 3);
 }
 
 /// How many pieces of n per edge the adaptive method splits.

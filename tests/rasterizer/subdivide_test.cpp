@@ -195,12 +195,12 @@ TEST(SubdivideAdaptive, IsOffByItsToleranceUnlessTheBudgetEnds) {
 
 // --- Operations ----------------------------------------------------------------------------------
 
-// Nine new vertices of four per edge, without the three that there are: 5 · 6/2 − 3 = 12. Each has
-// x, y, w and two attributes: five means of three products, two sums and a division.
+// Four pieces per edge have 5 · 6/2 − 3 = 12 new vertices. Each has x, y, w and two attributes:
+// five means of three products, two sums and a division.
 TEST(Subdivide, CountsOperationsOfAllPieces) {
   const OperationCounts one = find_method("screen-linear")->operations();
   const OperationCounts four = find_method("subdivide-4")->operations();
-  EXPECT_EQ(four.per_polygon.additions, 16 * one.per_polygon.additions + 12 * 10);
+  EXPECT_EQ(four.per_polygon.additions, 16 * one.per_polygon.additions + 120);
   EXPECT_EQ(four.per_polygon.multiplications,
             16 * one.per_polygon.multiplications + 12 * (15 + one.per_vertex.multiplications));
   EXPECT_EQ(four.per_polygon.divisions,
