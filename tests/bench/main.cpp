@@ -4,9 +4,11 @@
 #include <benchmark/benchmark.h>
 
 #include "tests/bench/campaign_bench.h"
+#include "tests/bench/raster_bench.h"
 
 int main(int argc, char** argv) {
   rastercheck::bench::register_campaigns();
+  rastercheck::bench::register_methods();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

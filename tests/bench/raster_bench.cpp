@@ -1,13 +1,21 @@
 // raster/…: draw_fragments of the production rasterizer, one thread, two perspective attributes and
 // depth, into 1024×1024, in its modes; and the textbook methods beside it.
 
+#include "tests/bench/raster_bench.h"
+
 #include <benchmark/benchmark.h>
+
+#include <string>
+#include <string_view>
 
 #include "rasterizer/methods/method.h"
 #include "tests/bench/bench_scenes.h"
 
 namespace rastercheck::bench {
 namespace {
+
+/// The method that every scene is drawn by.
+constexpr std::string_view kPeer = "rational-linear";
 
 rasterizer::State two_attributes() {
   rasterizer::State state;
@@ -50,7 +58,7 @@ void add(const std::string& name, const rasterizer::State& state, const Scene& s
 void add(const std::string& name, const Scene& scene) {
   rasterizer::State state = two_attributes();
   add(name, state, scene, "");
-  add("rational-linear/" + name, state, scene, "rational-linear");
+  add(std::string(kPeer) + "/" + name, state, scene, kPeer);
   state.precision = rasterizer::Precision::float32;
   add("float32/" + name, state, scene, "");
   state.precision = rasterizer::Precision::float64;
@@ -64,15 +72,19 @@ const bool kRegistered = [] {
   add("random_1px", random_triangles(20000, 1.3F));
   add("random_8px", random_triangles(20000, 8));
   add("grid_8px", grid_triangles(20000, 8));
-  const Scene middling = random_triangles(2000, 72);
-  add("random_72px", middling);
-  for (const rasterizer::Method& method : rasterizer::methods()) {
-    if (method.name == "rational-linear") continue;  // add() has it
-    add(std::string(method.name) + "/random_72px", two_attributes(), middling, method.name);
-  }
+  add("random_72px", random_triangles(2000, 72));
   add("random_805px", random_triangles(20, 805));
   return true;
 }();
 
 }  // namespace
+
+void register_methods() {
+  const Scene scene = random_triangles(2000, 72);
+  for (const rasterizer::Method& method : rasterizer::methods()) {
+    if (method.name == kPeer) continue;  // it is beside every scene
+    add(std::string(method.name) + "/random_72px", two_attributes(), scene, method.name);
+  }
+}
+
 }  // namespace rastercheck::bench
