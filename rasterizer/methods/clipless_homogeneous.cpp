@@ -46,7 +46,7 @@ Promise promise(const State& /*state*/, const Mesh& /*mesh*/, const TargetSize& 
 const MethodRegistration kRegistration(
     {.name = "clipless-homogeneous",
      .source = "seed 000 A 6.7–A 6.9; Olano and Greer",
-     .fails = "where the weights cancel: slivers, and towards the horizon",
+     .fails = "where the weights cancel: slivers, tiny triangles, towards the horizon",
      .draw = &draw_by_formula<HomogeneousPlanes, double>,
      .promise = &promise,
      .operations = &count_formula<HomogeneousPlanes>});
