@@ -1,0 +1,61 @@
+// Figure 6-1 of seed 000: where linear interpolation is right, where it is not, and what is right
+// there.
+
+#include <array>
+#include <utility>
+
+#include "cli/gallery/figure.h"
+#include "cli/gallery/internal/panel.h"
+#include "cli/gallery/internal/scenes.h"
+#include "cli/gallery/internal/textures.h"
+
+namespace rastercheck::gallery {
+namespace {
+
+/// w = 5 at every vertex: four fifths of the picture's width, so that window positions are whole
+/// pixels and texture coordinates of samples are float32 numbers.
+cases::Case facing(const Canvas& canvas) {
+  cases::Case scene = empty_textured_scene(canvas);
+  scene.name = "facing";
+  scene.positions = {{-4, -4, 2, 5}, {4, -4, 2, 5}, {4, 4, 2, 5}, {-4, 4, 2, 5}};
+  scene.attribute_values = {0, 0, 1, 0, 1, 1, 0, 1};
+  scene.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return scene;
+}
+
+cases::Case leaning_back(const Canvas& canvas) {
+  cases::Case scene = empty_textured_scene(canvas);
+  scene.name = "leaning back";
+  scene.camera = camera_of({{0, 0.15, 2.9}, 46, 0});
+  add_sheet(scene, {{-1, -0.8, 0.9}, {2, 0, 0}, {0, 1.75, -2.9}});
+  return scene;
+}
+
+Result<reports::GalleryFigure> draw(const Canvas& canvas) {
+  reports::GalleryFigure figure;
+  figure.title = "Where linear interpolation is enough, and where it is not";
+  figure.source =
+      "Seed 000, Appendix 5: Perspective Correct Interpolation, figure 6-1. Left to right: "
+      "orthogonal, affine, perspective correct.";
+  figure.sentences = {
+      "A square of two triangles. Where it is orthogonal to the view direction all vertices have "
+      "the "
+      "same w, and what is linear on the screen is linear on the square: the error is zero.",
+      "Where it leans back, linear interpolation gives each triangle squares of equal size, which "
+      "bend at the diagonal. Dividing interpolated u/w and v/w by interpolated 1/w sets that "
+      "right; "
+      "all that is left is one rounding to float32."};
+  const std::array<PanelPlan, 3> panels{
+      {{"000-6-1-facing", "Orthogonal to the view direction: linear", "method:screen-linear",
+        facing(canvas), checkerboard(), in_ulp()},
+       {"000-6-1-affine", "Leaning back: linear", "method:screen-linear", leaning_back(canvas),
+        checkerboard(), in_texels()},
+       {"000-6-1-correct", "Leaning back: perspective correct", "method:rational-linear",
+        leaning_back(canvas), checkerboard(), in_ulp()}}};
+  return with_panels(std::move(figure), panels);
+}
+
+const FigureRegistration kRegistration({"000-6-1", &draw});
+
+}  // namespace
+}  // namespace rastercheck::gallery

@@ -1,0 +1,46 @@
+// Seed 004, slide 19: texels whose alpha is 0 leave what is behind.
+
+#include <array>
+#include <utility>
+
+#include "cli/gallery/figure.h"
+#include "cli/gallery/internal/panel.h"
+#include "cli/gallery/internal/scenes.h"
+#include "cli/gallery/internal/textures.h"
+
+namespace rastercheck::gallery {
+namespace {
+
+/// The checkerboard as a wall, and before it the trellis, a little turned.
+cases::Case trellis_before_wall(const Canvas& canvas) {
+  cases::Case scene = empty_textured_scene(canvas);
+  scene.name = "a trellis before a wall";
+  scene.camera = camera_of({{0.2, 0.1, 3}, 46, 0});
+  add_sheet(scene, {{-1.2, -1.15, -0.9}, {2.6, 0, 0.2}, {0, 2.5, -0.5}});
+  add_sheet(scene, {{-0.85, -0.75, 1.1}, {1.5, 0.2, -1.5}, {0.1, 1.4, 0.1}});
+  return scene;
+}
+
+Result<reports::GalleryFigure> draw(const Canvas& canvas) {
+  reports::GalleryFigure figure;
+  figure.title = "Transparency: texels that are not there";
+  figure.source =
+      "Seed 004, MIT 6.837 Computer Graphics, lecture 18, fall 2000, slide 19, texture "
+      "transparency.";
+  figure.sentences = {
+      "Where the trellis' texels have alpha 0, neither colour nor depth is written, and the wall "
+      "behind stays. Which texel a pixel has follows from interpolated coordinates: linear ones "
+      "put "
+      "the holes elsewhere."};
+  const cases::Case scene = trellis_before_wall(canvas);
+  const std::array<PanelPlan, 2> panels{
+      {{"004-transparency-linear", "Linear", "method:screen-linear", scene, trellis(), in_texels()},
+       {"004-transparency-correct", "Perspective correct", "method:rational-linear", scene,
+        trellis(), in_ulp()}}};
+  return with_panels(std::move(figure), panels);
+}
+
+const FigureRegistration kRegistration({"004-transparency", &draw});
+
+}  // namespace
+}  // namespace rastercheck::gallery

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/error.h"
+#include "cli/gallery/figure.h"
+#include "reports/gallery_page.h"
+
+namespace rastercheck::gallery {
+
+/// All figures that are registered, drawn and judged.
+Result<std::vector<reports::GalleryFigure>> draw_gallery(const Canvas& canvas);
+
+/// Writes index.html and, of each picture, NAME.png and NAME-errors.png into a folder that is
+/// there.
+Result<void> write_gallery(const std::vector<reports::GalleryFigure>& figures,
+                           const std::string& folder);
+
+}  // namespace rastercheck::gallery

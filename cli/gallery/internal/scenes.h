@@ -1,0 +1,63 @@
+#pragma once
+
+// What the figures show: rectangles and cubes in front of a camera, as cases.
+
+#include <array>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases/case.h"
+#include "cli/gallery/figure.h"
+
+namespace rastercheck::gallery {
+
+/// A case without vertices: the canvas, Vulkan's rules, and smooth attributes of these names.
+cases::Case empty_scene(const Canvas& canvas, std::span<const std::string> attributes);
+
+/// The same of texture coordinates u and v.
+cases::Case empty_textured_scene(const Canvas& canvas);
+
+/// A camera at `eye` that looks at the origin, y up, rolled by an angle; both angles in degrees.
+struct View {
+  glm::dvec3 eye{0, 0, 4};
+  double field_of_view = 40;
+  double roll = 0;
+};
+cases::Camera camera_of(const View& view);
+
+/// A vertex in the camera's world.
+struct Corner {
+  glm::dvec3 position{};
+  std::vector<double> attributes;
+};
+
+/// Adds a quad as the triangles (0, 1, 2) and (0, 2, 3).
+void add_quad(cases::Case& scene, const std::array<Corner, 4>& corners);
+
+/// Adds a parallelogram of `cells` · `cells` quads: a corner, the edges from there, and what
+/// texture coordinates are at the corner and add along the edges.
+struct Sheet {
+  glm::dvec3 corner{};
+  glm::dvec3 along_u{};
+  glm::dvec3 along_v{};
+  glm::dvec2 from{0, 0};
+  glm::dvec2 to{1, 1};
+};
+void add_sheet(cases::Case& scene, const Sheet& sheet, int cells = 1);
+
+/// The rectangle of seed 002's figures 2 and 3: turned out of the picture's plane, so that its four
+/// corners lie in rows of their own.
+cases::Case leaning_rectangle(const Canvas& canvas, double roll = 0);
+
+/// Rows of window y in which corners lie, in pixels from the top.
+std::vector<double> corner_rows(const cases::Case& clip);
+
+/// A cube of which three faces are seen; each face is `cells` · `cells` squares of two triangles.
+/// The triangles of a face are 2 · cells² on end.
+cases::Case cube(const Canvas& canvas, int cells);
+
+}  // namespace rastercheck::gallery
