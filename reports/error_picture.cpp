@@ -84,14 +84,14 @@ void paint(Image& image, int left, const ErrorMap& map, cases::Rules rules,
 }  // namespace
 
 Image draw_errors(const ErrorMap& map, cases::Rules rules, const ErrorScale& scale) {
-  Image image = Image::filled(map.width, map.height, kBackground);
+  Image image = Image::filled(map.width, map.height, kUndrawn);
   paint(image, 0, map, rules, scale);
   return image;
 }
 
 Image draw_error_map(const ErrorMap& map, cases::Rules rules) {
   Image image =
-      Image::filled(std::max(map.width, kLeastWidth), map.height + kLegendHeight, kBackground);
+      Image::filled(std::max(map.width, kLeastWidth), map.height + kLegendHeight, kUndrawn);
   // A narrow map stands in the middle.
   paint(image, (image.width - map.width) / 2, map, rules, ulp_scale());
   draw_legend(image, map.height);

@@ -79,6 +79,7 @@ std::string legend_svg(const ErrorScale& scale) {
     const Color color = ramp_color(scale, static_cast<double>(i) / (kSteps - 1));
     svg += fmt::format(
         "<rect x=\"{:.2f}\" y=\"0\" width=\"{:.2f}\" height=\"10\" "
+        "shape-rendering=\"crispEdges\" "
         "style=\"fill:#{:02x}{:02x}{:02x}\"/>\n",
         kMargin + kBar * i / kSteps, kBar / kSteps + 0.5, color[0], color[1], color[2]);
   }

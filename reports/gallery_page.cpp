@@ -61,9 +61,9 @@ std::string facts_of(const GalleryPicture& picture) {
       definition("99 in 100 errors", gallery_error_text(picture.p99) + " " + std::string(unit)) +
       definition("samples", grouped(picture.samples));
   if (picture.violations > 0) {
-    text += definition("not as promised", "<span class=\"violated\">" +
-                                              counted(picture.violations, "fragment", "fragments") +
-                                              "</span>");
+    text += definition(
+        "not as promised",
+        "<span class=\"violated\">" + counted(picture.violations, "sample", "samples") + "</span>");
   }
   return text + "</dl>\n";
 }
@@ -93,8 +93,8 @@ std::string strip_of(const GalleryPicture& picture, const PictureData& data) {
         "</div>\n",
         style(of, 0), html(picture.title), what, more);
   };
-  std::string text =
-      fmt::format("<div style=\"--drawn:url({});--errors:url({})\">\n", data.picture, data.errors);
+  std::string text = fmt::format("<div style=\"--frames:{};--drawn:url({});--errors:url({})\">\n",
+                                 picture.frames, data.picture, data.errors);
   text += "<div class=\"pair\">\n" + moving("drawn", ", moving", "") +
           moving("errors", ", its errors, moving", "\n" + legend_svg(*picture.scale)) + "</div>\n";
   for (const std::string_view of : {"drawn", "errors"}) {
@@ -117,8 +117,8 @@ Result<std::string> panel_of(const GalleryPicture& picture) {
   const Result<PictureData> data = data_of(picture);
   if (!data) return tl::unexpected(data.error());
   const bool is_strip = picture.frames > 1;
-  return fmt::format("<figure class=\"panel\">\n{}{}{}</figure>\n", caption,
-                     is_strip ? strip_of(picture, *data) : pair_of(picture, *data),
+  return fmt::format("<figure class=\"panel{}\">\n{}{}{}</figure>\n", is_strip ? " wide" : "",
+                     caption, is_strip ? strip_of(picture, *data) : pair_of(picture, *data),
                      facts_of(picture));
 }
 

@@ -27,7 +27,7 @@ struct GalleryPicture {
   double worst = 0;                   ///< at least the largest error of a sample that is seen
   double p99 = 0;                     ///< that of 99 in 100 of them
   std::size_t samples = 0;            ///< that are seen
-  std::size_t violations = 0;         ///< fragments that are not what their method promises
+  std::size_t violations = 0;         ///< samples covered, or not, against what the method promises
 };
 
 struct GalleryPlot {

@@ -10,6 +10,9 @@ namespace rastercheck::reports {
 /// Red, green, blue; sRGB, 0…255.
 using Color = std::array<std::uint8_t, 3>;
 
+/// Where nothing is drawn: light grey.
+inline constexpr Color kUndrawn{242, 242, 238};
+
 struct Image {
   int width = 0;   ///< pixels
   int height = 0;  ///< pixels

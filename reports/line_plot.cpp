@@ -13,7 +13,7 @@ namespace {
 // The drawing, in units of its view box.
 constexpr double kWidth = 440;
 constexpr double kLeft = 44;
-constexpr double kRight = 432;
+constexpr double kRight = 424;
 constexpr double kTop = 12;
 constexpr double kBottom = 262;
 constexpr double kLegendTop = 312;
@@ -22,8 +22,8 @@ constexpr double kLegendStep = 17;
 double share(const Axis& axis, double value) {
   const double held = std::clamp(value, axis.low, axis.high);
   if (!axis.is_logarithmic) return (held - axis.low) / (axis.high - axis.low);
-  const double low = drawn_log2(axis.low);
-  return (drawn_log2(held) - low) / (drawn_log2(axis.high) - low);
+  const double low = curve_log2(axis.low);
+  return (curve_log2(held) - low) / (curve_log2(axis.high) - low);
 }
 
 double column(const LinePlot& plot, double x) {

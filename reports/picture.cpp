@@ -191,7 +191,7 @@ Image draw_picture(const cases::Case& c, const cases::Framebuffer& drawn) {
   const Pixels pixels(c, drawn);
   const Scales scales = scales_of(pixels, drawn);
   const double scale = height_scale(scales);
-  Image image = Image::filled(pixels.width(), pixels.height(), kBackground);
+  Image image = Image::filled(pixels.width(), pixels.height(), kUndrawn);
   for (int row = 0; row < image.height; ++row) {
     for (int column = 0; column < image.width; ++column) {
       const std::size_t fragment = pixels.at(column, row);

@@ -16,8 +16,8 @@ namespace rastercheck::gallery {
 
 /// How large pictures are, and how many samples a pixel has.
 struct Canvas {
-  int size = 320;   ///< width and height in pixels, a multiple of 32
-  int samples = 8;  ///< of the standard pattern
+  int size = 320;  ///< width and height in pixels; of 5 · 2^k figure 6-1 has a square of 2^(k + 2)
+  int samples = 4;  ///< of a pixel: 1, 2, 4, 8 or 16
 };
 
 struct Figure {

@@ -3,12 +3,8 @@
 // What the pictures of a framebuffer have in common.
 
 #include "cases/case.h"
-#include "reports/image.h"
 
 namespace rastercheck::reports {
-
-/// Where nothing is drawn: light grey.
-inline constexpr Color kBackground{242, 242, 238};
 
 /// The row that shows a row of pixels: window y points up in OpenGL, down elsewhere; row 0 of an
 /// image is on top.

@@ -6,7 +6,7 @@ namespace rastercheck::reports {
 
 /// What the gallery's page has on top of the report's style sheet (report_style.h): a picture and
 /// its errors side by side, on a phone one below the other; curves; strips of frames. What moves
-/// stands still for readers who ask for that, and on paper.
+/// stands still below the pointer, on paper, and for readers who ask for that.
 inline constexpr std::string_view kGalleryStyle = R"css(:root {
   --curve-0: #1d2327; --curve-1: #b3202c; --curve-2: #c2660c; --curve-3: #2b6cb0; --curve-4: #1f7a4d;
 }
@@ -29,6 +29,7 @@ nav li { padding: .2rem 0; break-inside: avoid; }
 }
 .panel.wide { grid-column: 1 / -1; }
 .pair { display: grid; grid-template-columns: 1fr 1fr; gap: .8rem; margin-top: .6rem; }
+.wide .pair { max-width: 32rem; }
 .pair img { display: block; width: 100%; height: auto; border-radius: 2px; }
 .pair p, .still p { margin: .35rem 0 0; font-size: .85rem; color: var(--muted); }
 .panel figcaption strong { display: block; font-size: 1rem; color: var(--ink); }
@@ -44,12 +45,13 @@ svg line.grid { stroke: var(--line); }
 svg .curve { fill: none; stroke-width: 1.8; }
 svg .name { fill: var(--ink); font-size: 12px; }
 svg .axis { font-size: 11px; }
-.frames { display: grid; grid-template-columns: repeat(8, 1fr); gap: .3rem; margin-top: .6rem; }
+.frames { display: grid; grid-template-columns: repeat(var(--frames), 1fr); gap: .5rem; margin-top: .6rem; }
 .frames div, .moving {
-  aspect-ratio: 1; background-size: 800% 100%; print-color-adjust: exact;
+  aspect-ratio: 1; background-size: calc(var(--frames) * 100%) 100%; print-color-adjust: exact;
   -webkit-print-color-adjust: exact;
 }
-.moving { animation: frames 4s steps(8, jump-none) infinite; border-radius: 2px; }
+.moving { animation: frames 4s steps(var(--frames), jump-none) infinite; border-radius: 2px; }
+.pair:hover .moving { animation-play-state: paused; }
 @keyframes frames { from { background-position: 0 0; } to { background-position: 100% 0; } }
 @media (prefers-reduced-motion: reduce) { .moving { animation: none; } }
 @media (max-width: 44rem) {

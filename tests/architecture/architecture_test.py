@@ -107,6 +107,8 @@ class Includes(unittest.TestCase):
             ("rasterizer/edge.cpp", '#include "cases/case.h"'),
             ("backends/gl/draw.cpp", '#include "rasterizer/draw.h"'),
             ("cli/main.cpp", '#include "oracle/internal/number.h"'),
+            ("cli/commands/gallery.cpp", '#include "cli/gallery/internal/panel.h"'),
+            ("cli/gallery/gallery.cpp", '#include "cli/command.h"'),
             ("tests/cases/json_test.cpp", '#include "oracle/internal/number.h"'),
             ("oracle/ulp.cpp", '#include "rational.h"'),
             ("oracle/ulp.cpp", '#include "../cases/case.h"'),

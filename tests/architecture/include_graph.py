@@ -17,7 +17,8 @@ ALLOWED = {
     "backends/cpu": {"cases", "records", "backends", "rasterizer"},
     "properties": {"cases", "records", "oracle", "backends"},
     "reports": {"cases", "records"},
-    "cli": {"cases", "records", "rasterizer", "oracle", "backends", "properties", "reports"},
+    "cli/gallery": {"cases", "records", "rasterizer", "oracle", "backends", "properties", "reports"},
+    "cli": {"cases", "records", "rasterizer", "oracle", "backends", "properties", "reports", "cli/gallery"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*(<([^>]+)>|"([^"]+)")', re.MULTILINE)
 

@@ -2,10 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <png.h>
 
 #include <cstdint>
 #include <string>
+
+#include "tests/decoded_png.h"
 
 namespace rastercheck::reports {
 namespace {
@@ -13,20 +14,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
-
-/// What libpng reads from the bytes; an empty image where it refuses them.
-Image decoded(const std::string& bytes) {
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()) == 0) return {};
-  header.format = PNG_FORMAT_RGB;
-  Image image;
-  image.width = static_cast<int>(header.width);
-  image.height = static_cast<int>(header.height);
-  image.rgb.resize(PNG_IMAGE_SIZE(header));
-  if (png_image_finish_read(&header, nullptr, image.rgb.data(), 0, nullptr) == 0) return {};
-  return image;
-}
 
 /// Every pixel another colour.
 Image gradient(int width, int height) {
@@ -48,7 +35,7 @@ TEST(ToPng, IsReadBackByLibpng) {
     const Result<std::string> png = to_png(image);
     ASSERT_TRUE(png.has_value());
     EXPECT_THAT(*png, StartsWith("\x89PNG\r\n\x1a\n"));
-    EXPECT_EQ(decoded(*png), image);
+    EXPECT_EQ(decoded_png(*png), image);
   }
 }
 

@@ -26,7 +26,7 @@ cases::Case facing(const Canvas& canvas) {
 cases::Case leaning_back(const Canvas& canvas) {
   cases::Case scene = empty_textured_scene(canvas);
   scene.name = "leaning back";
-  scene.camera = camera_of({{0, 0.15, 2.9}, 46, 0});
+  scene.camera = camera_of({{0, 0.2, 3.4}, 46, 0});
   add_sheet(scene, {{-1, -0.8, 0.9}, {2, 0, 0}, {0, 1.75, -2.9}});
   return scene;
 }

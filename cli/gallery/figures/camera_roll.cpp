@@ -20,7 +20,8 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   figure.title = "A rolling camera: the linear quad swims";
   figure.source = "Seed 002, §2.1, flaws of linear interpolation.";
   figure.sentences = {
-      "The rectangle above, with the camera rolled by 22.5° from frame to frame. What a row of the "
+      "The rectangle of figures 2 and 3, with the camera rolled by 22.5° from frame to frame. What "
+      "a row of the "
       "picture interpolates between depends on how the quad is turned, so that the checks of the "
       "linear one slide and its kinks wander from corner to corner.",
       "Rational linear interpolation turns with the camera and does nothing else."};
@@ -39,7 +40,8 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
     for (int i = 0; i < kFrames; ++i) {
       Result<reports::GalleryPicture> frame =
           draw_panel({strip.name, strip.title, strip.method,
-                      leaning_rectangle(half, 180.0 * i / kFrames), checkerboard(), strip.unit});
+                      leaning_rectangle(half, kWiderFieldOfView, 180.0 * i / kFrames),
+                      checkerboard(), strip.unit});
       if (!frame) return tl::unexpected(frame.error());
       frames.push_back(*std::move(frame));
     }

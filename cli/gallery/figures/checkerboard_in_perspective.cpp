@@ -39,7 +39,9 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
       "marked: "
       "there the row's ends pass from one edge to another.",
       "Rational linear interpolation, of u/w, v/w and 1/w with a division at each pixel, is the "
-      "projective map itself. Its error is that of rounding to float32, the same all over."};
+      "projective map itself. Its error is that of one rounding to float32; the steps in its map "
+      "are "
+      "where a coordinate passes a power of two."};
   const cases::Case scene = leaning_rectangle(canvas);
   const std::array<PanelPlan, 2> panels{
       {{"002-2-linear", "Linear", kLinearPolygon, scene, checkerboard(), in_texels()},

@@ -152,12 +152,11 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
     const std::vector<reports::PlotPoint> points = drawn_points(*drawn);
     const std::vector<reports::PlotPoint> off = errors_of(points, exact);
     const std::string name = fmt::format("{} ({})", series.name, series.method);
-    const std::string missing = fmt::format("{}: {}", series.name, drawn->missing);
     const bool is_there = drawn->missing.empty();
-    values.curves.push_back({is_there ? name : missing, series.dashes, color, points});
+    values.curves.push_back({is_there ? name : drawn->missing, series.dashes, color, points});
     errors.curves.push_back({is_there ? fmt::format("{}, worst {}", series.name,
                                                     reports::gallery_error_text(largest(off)))
-                                      : missing,
+                                      : drawn->missing,
                              series.dashes, color, off});
     ++color;
   }

@@ -18,7 +18,7 @@ Result<Drawn> draw_by(std::string_view method, const cases::Case& scene) {
   const std::string specification(method == kLinearPolygon ? "method:screen-linear" : method);
   const auto backend = backends::make_backend(specification);
   if (!backend) {
-    drawn.missing = specification + " is not among this version's methods.";
+    drawn.missing = specification + " is not in this version";
     return drawn;
   }
   drawn.contract = (*backend)->contract(drawn.scene);

@@ -18,9 +18,6 @@ using records::PixelState;
 using reports::Color;
 using reports::Image;
 
-/// As pictures have where nothing is drawn.
-constexpr Color kPaper{242, 242, 238};
-
 /// The fragments that are seen: of each sample the nearest that the shader draws.
 class Seen {
  public:
@@ -49,14 +46,14 @@ class Seen {
            std::cmp_less(sample, size_.samples);
   }
 
-  /// Of a sample that there is.
   bool shows(const oracle::JudgedSample& judged) const {
+    if (!has(judged.x, judged.y, judged.sample)) return false;
     const Sample& sample = samples_[index(judged.x, judged.y, judged.sample)];
     return sample.color && sample.triangle == judged.triangle;
   }
 
   Image picture() const {
-    Image image = Image::filled(size_.width, size_.height, kPaper);
+    Image image = Image::filled(size_.width, size_.height, reports::kUndrawn);
     for (int y = 0; y < size_.height; ++y) {
       for (int x = 0; x < size_.width; ++x) image.set(x, y, mean(x, y));
     }
@@ -78,7 +75,7 @@ class Seen {
       const Sample& sample =
           samples_[index(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
                          static_cast<std::uint32_t>(k))];
-      const Color color = sample.color.value_or(kPaper);
+      const Color color = sample.color.value_or(reports::kUndrawn);
       for (std::size_t c = 0; c < 3; ++c) {
         const double level = color[c];
         sums[c] += level * level;
@@ -121,13 +118,17 @@ class Reader {
     map_.errors.resize(pixels, 0);
   }
 
-  void see(const oracle::JudgedSample& sample) {
-    const bool is_wrong = is_violated(sample);
-    violations_ += is_wrong ? 1U : 0U;
-    if (!seen_->has(sample.x, sample.y, sample.sample)) return;
-    const std::size_t pixel = sample.y * static_cast<std::size_t>(map_.width) + sample.x;
-    if (is_wrong) map_.states[pixel] = PixelState::violated;
+  void see_coverage(const oracle::JudgedSample& sample) {
+    if (sample.fragment_class == records::FragmentClass::correct) return;
+    ++violations_;
+    if (seen_->has(sample.x, sample.y, sample.sample)) {
+      map_.states[pixel_of(sample)] = PixelState::violated;
+    }
+  }
+
+  void see_values(const oracle::JudgedSample& sample) {
     if (sample.values.empty() || !seen_->shows(sample)) return;
+    const std::size_t pixel = pixel_of(sample);
     if (map_.states[pixel] == PixelState::empty) map_.states[pixel] = PixelState::correct;
     const double error = largest_error(sample);
     errors_.push_back(error);
@@ -146,12 +147,8 @@ class Reader {
   }
 
  private:
-  static bool is_violated(const oracle::JudgedSample& sample) {
-    const auto is_wrong = [](const oracle::JudgedValue& value) {
-      return value.fragment_class != records::FragmentClass::correct;
-    };
-    return sample.fragment_class != records::FragmentClass::correct ||
-           std::any_of(sample.values.begin(), sample.values.end(), is_wrong);
+  std::size_t pixel_of(const oracle::JudgedSample& sample) const {
+    return sample.y * static_cast<std::size_t>(map_.width) + sample.x;
   }
 
   /// Of the attributes, in the unit of the picture.
@@ -179,8 +176,8 @@ class Reader {
 /// Images of one size, side by side.
 Image side_by_side(const std::vector<const Image*>& images) {
   const int width = images.front()->width;
-  Image all =
-      Image::filled(width * static_cast<int>(images.size()), images.front()->height, kPaper);
+  Image all = Image::filled(width * static_cast<int>(images.size()), images.front()->height,
+                            reports::kUndrawn);
   int left = 0;
   for (const Image* image : images) {
     for (int row = 0; row < image->height; ++row) {
@@ -209,13 +206,26 @@ Result<reports::GalleryPicture> judged_picture(const Drawn& drawn, const Shader&
   const Seen seen(drawn, shader);
   picture.picture = seen.picture();
 
+  // Whether places are covered is held against what the method promises, values against the exact
+  // triangle, whatever is promised of them: laws hold methods to that.
   Reader reader(drawn, seen, unit);
-  const oracle::SceneTruth truth(drawn.scene, drawn.contract);
-  const oracle::Judged judged =
-      oracle::judge(truth, drawn.fragments, {},
-                    [&reader](const oracle::JudgedSample& sample,
-                              const oracle::TriangleTruth* /*truth*/) { reader.see(sample); });
-  if (judged.fault) return tl::unexpected(Error{"the oracle", "", *judged.fault});
+  oracle::JudgeOptions coverage_only;
+  coverage_only.judges_values = false;
+  const oracle::SceneTruth promised(drawn.scene, drawn.contract);
+  const oracle::Judged covered = oracle::judge(
+      promised, drawn.fragments, coverage_only,
+      [&reader](const oracle::JudgedSample& sample, const oracle::TriangleTruth* /*truth*/) {
+        reader.see_coverage(sample);
+      });
+  const oracle::SceneTruth exact(drawn.scene, cases::contract_of(drawn.scene));
+  const oracle::Judged judged = oracle::judge(
+      exact, drawn.fragments, {},
+      [&reader](const oracle::JudgedSample& sample, const oracle::TriangleTruth* /*truth*/) {
+        reader.see_values(sample);
+      });
+  for (const auto& fault : {covered.fault, judged.fault}) {
+    if (fault) return tl::unexpected(Error{"the oracle", "", *fault});
+  }
   reader.finish(picture);
   return picture;
 }

@@ -34,8 +34,8 @@ ErrorUnit in_levels();
 inline constexpr int kTexels = 256;
 
 /// Paints the nearest fragment of each sample, and the mean of each pixel's samples, and judges
-/// them: the ideal error (oracle/judge.h), which is that against the exact perspective value,
-/// whatever the method means to draw. Fails where the oracle's self-check does.
+/// them: what is covered by the contract, values by the exact perspective ones (the ideal error of
+/// oracle/judge.h), whatever the method means to draw. Fails where the oracle's self-check does.
 Result<reports::GalleryPicture> judged_picture(const Drawn& drawn, const Shader& shader,
                                                const ErrorUnit& unit);
 

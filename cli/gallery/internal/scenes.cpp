@@ -86,10 +86,10 @@ void add_sheet(cases::Case& scene, const Sheet& sheet, int cells) {
   }
 }
 
-cases::Case leaning_rectangle(const Canvas& canvas, double roll) {
+cases::Case leaning_rectangle(const Canvas& canvas, double field_of_view, double roll) {
   cases::Case scene = empty_textured_scene(canvas);
   scene.name = "a checkerboard in perspective";
-  scene.camera = camera_of({{0, 0, 2.6}, 50, roll});
+  scene.camera = camera_of({{0, 0, 2.6}, field_of_view, roll});
   // The plane's axes, at right angles to each other.
   const glm::dvec3 a = glm::dvec3(2, 1, -2) / 3.0;
   const glm::dvec3 b = glm::dvec3(1, 2, 2) / 3.0;
@@ -109,7 +109,7 @@ std::vector<double> corner_rows(const cases::Case& clip) {
 cases::Case cube(const Canvas& canvas, int cells) {
   cases::Case scene = empty_textured_scene(canvas);
   scene.name = "a textured cube";
-  scene.camera = camera_of({{1.75, 1.45, 2.05}, 46, 0});
+  scene.camera = camera_of({{1.85, 1.55, 2.15}, 46, 0});
   scene.cull = cases::Cull::back;
   // Of each face the outward normal and two edges, so that a × b points outwards.
   for (const int axis : {0, 1, 2}) {

@@ -1,0 +1,164 @@
+// What the figures are to show, by numbers.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/gallery/internal/drawn.h"
+#include "cli/gallery/internal/panel.h"
+#include "cli/gallery/internal/scenes.h"
+#include "tests/cli/gallery/small_gallery.h"
+
+namespace rastercheck::gallery {
+namespace {
+
+using reports::GalleryPicture;
+
+/// Attribute 0 of a drawing with one sample a pixel, by pixel.
+std::map<std::pair<int, int>, double> values_of(const Drawn& drawn) {
+  std::map<std::pair<int, int>, double> values;
+  for (std::size_t i = 0; i < drawn.fragments.size(); ++i) {
+    values[{drawn.fragments.x[i], drawn.fragments.y[i]}] = drawn.fragments.attributes_of(i)[0];
+  }
+  return values;
+}
+
+/// The largest second differences of u along a column: next to the rows of the corners, and
+/// elsewhere.
+struct Bends {
+  double at_corners = 0;
+  double elsewhere = 0;
+};
+
+Bends bends_in_the_middle(std::string_view method) {
+  const Canvas canvas{320, 1};
+  const Drawn drawn = draw_by(method, leaning_rectangle(canvas)).value();
+  const auto values = values_of(drawn);
+  const std::vector<double> corners = corner_rows(drawn.scene);
+  Bends bends;
+  const int column = canvas.size / 2;
+  for (int row = 1; row + 1 < canvas.size; ++row) {
+    const auto before = values.find({column, row - 1});
+    const auto here = values.find({column, row});
+    const auto after = values.find({column, row + 1});
+    if (before == values.end() || here == values.end() || after == values.end()) continue;
+    const double bend = std::abs(before->second - 2 * here->second + after->second);
+    const bool is_at_corner = std::any_of(corners.begin(), corners.end(), [row](double corner) {
+      return std::abs(corner - (row + 0.5)) < 1;
+    });
+    double& largest = is_at_corner ? bends.at_corners : bends.elsewhere;
+    largest = std::max(largest, bend);
+  }
+  return bends;
+}
+
+// Seed 002, figure 2: "discontinuity along horizontal lines passing through the vertices": in a row
+// of a corner the row's end passes to another edge, and the slope of u jumps. Kills: a quad that is
+// drawn as two triangles.
+TEST(CheckerboardInPerspective, KinksInTheRowsOfItsCorners) {
+  const Bends linear = bends_in_the_middle(kLinearPolygon);
+  EXPECT_GT(linear.at_corners, 5 * linear.elsewhere);
+  const Bends rational = bends_in_the_middle("method:rational-linear");
+  EXPECT_GT(rational.elsewhere, 0);
+  EXPECT_LT(rational.at_corners, 2 * rational.elsewhere);
+}
+
+// Kills: a facing square with w of its own at each vertex, or of a size that rounds.
+TEST(AffineAndCorrect, HasNoErrorWhereItFaces) {
+  const GalleryPicture facing = picture_of("000-6-1-facing");
+  EXPECT_EQ(facing.worst, 0);
+  EXPECT_EQ(facing.samples, 128U * 128 * 4);
+  EXPECT_GT(picture_of("000-6-1-affine").worst, 8);
+}
+
+// What is drawn in perspective is off by its roundings only, everywhere. Kills: scenes that are
+// judged as another method's, an error map that leaves out pixels.
+TEST(Gallery, IsWithinOneUlpWherePerspectiveIsMeant) {
+  int maps = 0;
+  for (const reports::GalleryFigure& figure : small_gallery()) {
+    for (const GalleryPicture& picture : figure.pictures) {
+      EXPECT_EQ(picture.violations, 0U) << picture.name;
+      if (picture.scale != &reports::ulp_scale()) continue;
+      EXPECT_LT(picture.worst, 1) << picture.name;
+      EXPECT_GT(picture.samples, 10000U) << picture.name;
+      ++maps;
+    }
+  }
+  EXPECT_GE(maps, 8);
+}
+
+/// u at the middle of the rectangle, which lies where four pixels of the picture meet: their mean.
+double u_in_the_middle(std::string_view method, double roll) {
+  const Canvas canvas{160, 1};
+  const Drawn drawn = draw_by(method, leaning_rectangle(canvas, kWiderFieldOfView, roll)).value();
+  const auto values = values_of(drawn);
+  const int middle = canvas.size / 2;
+  double sum = 0;
+  for (const int y : {middle - 1, middle}) {
+    for (const int x : {middle - 1, middle}) sum += values.at({x, y});
+  }
+  return sum / 4;
+}
+
+// Kills: a strip whose frames are turned pictures, and a linear quad that is two triangles, which a
+// roll only turns.
+TEST(CameraRoll, ChangesTheLinearQuadAndNoOther) {
+  double least = 1;
+  double most = 0;
+  for (const double roll : {0.0, 45.0, 90.0, 135.0}) {
+    EXPECT_NEAR(u_in_the_middle("method:rational-linear", roll), 0.5, 0.001) << roll;
+    const double linear = u_in_the_middle(kLinearPolygon, roll);
+    least = std::min(least, linear);
+    most = std::max(most, linear);
+  }
+  EXPECT_GT(most - least, 0.05);
+}
+
+// The greatest error of a linear edge, (√ρ − 1)/(√ρ + 1) of its range with ρ = 8 (seed 002, figure
+// 4; derived in rasterizer/methods/screen_linear.cpp), 122.6 texels of 256.
+TEST(UOfX, MissesByWhatTheRatioOfDistancesSays) {
+  const reports::Curve* linear = nullptr;
+  for (const reports::GalleryFigure& figure : small_gallery()) {
+    for (const reports::GalleryPlot& plot : figure.plots) {
+      if (!plot.plot.y.is_logarithmic) continue;
+      linear = &plot.plot.curves.at(0);
+    }
+  }
+  ASSERT_NE(linear, nullptr);
+  double worst = 0;
+  for (const reports::PlotPoint& point : linear->points) worst = std::max(worst, point.y);
+  const double root = std::sqrt(8.0);
+  EXPECT_NEAR(worst, 256 * (root - 1) / (root + 1), 0.1);
+}
+
+TEST(Cube, IsLessThanAThirdAsWrongInEightTrianglesAFace) {
+  EXPECT_LT(picture_of("004-cube-subdivided").worst, picture_of("004-cube-linear").worst / 3);
+}
+
+/// How far colours part at the joint, in levels: the greatest difference between pixels on both
+/// sides of the picture's middle column.
+int gap_at_joint(const GalleryPicture& picture) {
+  int gap = 0;
+  const int middle = picture.picture.width / 2;
+  for (int row = 0; row < picture.picture.height; ++row) {
+    const reports::Color left = picture.picture.at(middle - 2, row);
+    const reports::Color right = picture.picture.at(middle + 1, row);
+    for (std::size_t i = 0; i < 3; ++i) gap = std::max(gap, std::abs(left[i] - right[i]));
+  }
+  return gap;
+}
+
+// Seed 004, slide 17. Kills: a joint whose T has a vertex on both sides.
+TEST(Gouraud, PartsAtTheJointUnlessInPerspective) {
+  EXPECT_GT(gap_at_joint(picture_of("004-gouraud-linear")), 30);
+  EXPECT_LE(gap_at_joint(picture_of("004-gouraud-correct")), 1);
+}
+
+}  // namespace
+}  // namespace rastercheck::gallery
