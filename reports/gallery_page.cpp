@@ -77,7 +77,8 @@ std::string pair_of(const GalleryPicture& picture, const PictureData& data) {
                        what, more);
   };
   return "<div class=\"pair\">\n" + image(data.picture, "", "") +
-         image(data.errors, ", its errors", "\n" + legend_svg(*picture.scale)) + "</div>\n";
+         image(data.errors, ", its errors", "\n" + legend_svg(*picture.scale)) + "</div>\n" +
+         facts_of(picture);
 }
 
 /// Frames of a strip, from the strip itself as the background of each; the first pair runs through
@@ -95,8 +96,9 @@ std::string strip_of(const GalleryPicture& picture, const PictureData& data) {
   };
   std::string text = fmt::format("<div style=\"--frames:{};--drawn:url({});--errors:url({})\">\n",
                                  picture.frames, data.picture, data.errors);
-  text += "<div class=\"pair\">\n" + moving("drawn", ", moving", "") +
-          moving("errors", ", its errors, moving", "\n" + legend_svg(*picture.scale)) + "</div>\n";
+  text += "<div class=\"top\">\n<div class=\"pair\">\n" + moving("drawn", ", moving", "") +
+          moving("errors", ", its errors, moving", "\n" + legend_svg(*picture.scale)) + "</div>\n" +
+          facts_of(picture) + "</div>\n";
   for (const std::string_view of : {"drawn", "errors"}) {
     text += "<div class=\"frames\">";
     for (int i = 0; i < picture.frames; ++i) {
@@ -117,9 +119,8 @@ Result<std::string> panel_of(const GalleryPicture& picture) {
   const Result<PictureData> data = data_of(picture);
   if (!data) return tl::unexpected(data.error());
   const bool is_strip = picture.frames > 1;
-  return fmt::format("<figure class=\"panel{}\">\n{}{}{}</figure>\n", is_strip ? " wide" : "",
-                     caption, is_strip ? strip_of(picture, *data) : pair_of(picture, *data),
-                     facts_of(picture));
+  return fmt::format("<figure class=\"panel{}\">\n{}{}</figure>\n", is_strip ? " wide" : "",
+                     caption, is_strip ? strip_of(picture, *data) : pair_of(picture, *data));
 }
 
 Result<std::string> section_of(const GalleryFigure& figure, std::size_t number) {

@@ -74,7 +74,7 @@ std::string line(const LinePlot& plot, const Curve& curve) {
 std::string legend_line(const Curve& curve, double y) {
   return fmt::format(
       "<line class=\"curve\" {} x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n"
-      "<text class=\"name\" x=\"{}\" y=\"{}\">{}</text>\n",
+      "<text class=\"key\" x=\"{}\" y=\"{}\">{}</text>\n",
       stroke(curve), kLeft, y, kLeft + 42, y, kLeft + 50, y + 4, html(curve.name));
 }
 

@@ -29,7 +29,9 @@ nav li { padding: .2rem 0; break-inside: avoid; }
 }
 .panel.wide { grid-column: 1 / -1; }
 .pair { display: grid; grid-template-columns: 1fr 1fr; gap: .8rem; margin-top: .6rem; }
-.wide .pair { max-width: 32rem; }
+.top { display: flex; flex-wrap: wrap; gap: 0 2rem; align-items: flex-end; }
+.top .pair { flex: 1 1 20rem; max-width: 32rem; }
+.top .facts { flex: 1 1 14rem; }
 .pair img { display: block; width: 100%; height: auto; border-radius: 2px; }
 .pair p, .still p { margin: .35rem 0 0; font-size: .85rem; color: var(--muted); }
 .panel figcaption strong { display: block; font-size: 1rem; color: var(--ink); }
@@ -43,8 +45,9 @@ svg.curves { max-width: none; }
 svg .plot { fill: none; stroke: var(--line); }
 svg line.grid { stroke: var(--line); }
 svg .curve { fill: none; stroke-width: 1.8; }
-svg .name { fill: var(--ink); font-size: 12px; }
+svg .key { fill: var(--ink); font-size: 13px; }
 svg .axis { font-size: 11px; }
+svg.curves .axis { font-size: 12px; }
 .frames { display: grid; grid-template-columns: repeat(var(--frames), 1fr); gap: .5rem; margin-top: .6rem; }
 .frames div, .moving {
   aspect-ratio: 1; background-size: calc(var(--frames) * 100%) 100%; print-color-adjust: exact;

@@ -21,7 +21,7 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   figure.sentences = {
       "Linear interpolation bends the checks at the diagonal of each face. Cut into eight "
       "triangles "
-      "a face has right values at more vertices, and its errors are about a quarter; they are "
+      "a face has right values at more vertices, and its errors are less than a third; they are "
       "still "
       "to be seen, the more as the cube moves.",
       "Perspective correct interpolation needs neither the cuts nor the vertices."};

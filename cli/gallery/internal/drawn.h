@@ -21,9 +21,9 @@ struct Drawn {
 };
 
 /// In place of a backend: a convex quad as one polygon, linear along its edges and then along rows
-/// (seed 002, §2). Of cases with four vertices, all before the eye, and the triangles (0, 1, 2) and
-/// (0, 2, 3), to which its fragments are given by where they lie. Coverage is what rational-linear
-/// promises, and values stay within the range of the vertices'.
+/// (seed 002, §2). Of cases under Vulkan's rules with four vertices and the triangles (0, 1, 2) and
+/// (0, 2, 3), to which its fragments are given by where they lie. What is covered is held against
+/// what rational-linear promises.
 inline constexpr std::string_view kLinearPolygon = "scanline-linear, as one polygon";
 
 /// A case with or without a camera, drawn by a backend or as above. By a method that there is none

@@ -52,8 +52,8 @@ void add_sheet(cases::Case& scene, const Sheet& sheet, int cells = 1);
 /// The rectangle of seed 002's figures 2 and 3: turned out of the picture's plane, so that its four
 /// corners lie in rows of their own. With the wider field of view it stays in the picture however
 /// the camera is rolled.
-inline constexpr double kFieldOfView = 50;
-inline constexpr double kWiderFieldOfView = 60;
+inline constexpr double kFieldOfView = 64;
+inline constexpr double kWiderFieldOfView = 74;
 cases::Case leaning_rectangle(const Canvas& canvas, double field_of_view = kFieldOfView,
                               double roll = 0);
 
