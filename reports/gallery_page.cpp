@@ -114,7 +114,7 @@ Result<std::string> panel_of(const GalleryPicture& picture) {
       "<figcaption><strong>" + html(picture.title) + "</strong></figcaption>\n";
   if (!picture.missing.empty()) {
     return "<figure class=\"panel\">\n" + caption + "<p class=\"absent\">" + html(picture.missing) +
-           "</p>\n</figure>\n";
+           ".</p>\n</figure>\n";
   }
   const Result<PictureData> data = data_of(picture);
   if (!data) return tl::unexpected(data.error());

@@ -29,7 +29,7 @@ nav li { padding: .2rem 0; break-inside: avoid; }
 }
 .panel.wide { grid-column: 1 / -1; }
 .pair { display: grid; grid-template-columns: 1fr 1fr; gap: .8rem; margin-top: .6rem; }
-.top { display: flex; flex-wrap: wrap; gap: 0 2rem; align-items: flex-end; }
+.top { display: flex; flex-wrap: wrap; gap: 0 2rem; align-items: center; }
 .top .pair { flex: 1 1 20rem; max-width: 32rem; }
 .top .facts { flex: 1 1 14rem; }
 .pair img { display: block; width: 100%; height: auto; border-radius: 2px; }

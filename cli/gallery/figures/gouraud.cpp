@@ -17,16 +17,16 @@ namespace {
 cases::Case joint(const Canvas& canvas) {
   cases::Case scene = empty_scene(canvas, std::array<std::string, 3>{"red", "green", "blue"});
   scene.name = "a T joint";
-  scene.camera = camera_of({{0, 0.95, 2.6}, 46, 0});
+  scene.camera = camera_of({{0, 1.1, 3}, 46, 0});
   const auto corner = [](double x, double t) {
     const glm::dvec3 near(0.13, 0.22, 0.45);
     const glm::dvec3 far(1.0, 0.85, 0.35);
     const glm::dvec3 color = near + (far - near) * t;
-    return Corner{{x, -0.5, 1.3 - 3.6 * t}, {color.x, color.y, color.z}};
+    return Corner{{x, -0.1, 1.15 - 3.4 * t}, {color.x, color.y, color.z}};
   };
-  add_quad(scene, {corner(-1.1, 0), corner(0, 0), corner(0, 1), corner(-1.1, 1)});
+  add_quad(scene, {corner(-0.9, 0), corner(0, 0), corner(0, 1), corner(-0.9, 1)});
   for (const double t : {0.0, 0.5}) {
-    add_quad(scene, {corner(0, t), corner(1.1, t), corner(1.1, t + 0.5), corner(0, t + 0.5)});
+    add_quad(scene, {corner(0, t), corner(0.9, t), corner(0.9, t + 0.5), corner(0, t + 0.5)});
   }
   return scene;
 }

@@ -15,8 +15,8 @@ namespace {
 cases::Case floor_of_tiles(const Canvas& canvas) {
   cases::Case scene = empty_textured_scene(canvas);
   scene.name = "a tiled floor";
-  scene.camera = camera_of({{0.4, 1.1, 2.7}, 46, 0});
-  add_sheet(scene, {{-1.25, -0.35, 1.2}, {2.5, 0, 0}, {0, 0, -3.75}, {-2, -3}, {2, 3}});
+  scene.camera = camera_of({{0.45, 1.5, 3}, 46, 0});
+  add_sheet(scene, {{-0.9, 0, 1.1}, {1.9, 0, 0}, {0, 0, -2.85}, {-2, -3}, {2, 3}});
   return scene;
 }
 
@@ -30,7 +30,7 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
       "the "
       "whole part is dropped, so that the tile comes again, below 0 as well. With many tiles on "
       "two "
-      "triangles linear interpolation is off by whole tiles."};
+      "triangles linear interpolation is off by more than a whole tile."};
   const cases::Case scene = floor_of_tiles(canvas);
   const std::array<PanelPlan, 2> panels{
       {{"004-tiling-linear", "Linear", "method:screen-linear", scene, tiles(), in_texels()},

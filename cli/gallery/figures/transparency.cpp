@@ -15,9 +15,9 @@ namespace {
 cases::Case trellis_before_wall(const Canvas& canvas) {
   cases::Case scene = empty_textured_scene(canvas);
   scene.name = "a trellis before a wall";
-  scene.camera = camera_of({{0.2, 0.1, 3}, 46, 0});
-  add_sheet(scene, {{-1.2, -1.15, -0.9}, {2.6, 0, 0.2}, {0, 2.5, -0.5}});
-  add_sheet(scene, {{-0.85, -0.75, 1.1}, {1.5, 0.2, -1.5}, {0.1, 1.4, 0.1}});
+  scene.camera = camera_of({{0.2, 0.1, 3.3}, 46, 0});
+  add_sheet(scene, {{-1.05, -1.2, -0.7}, {2.5, 0, 0.2}, {0, 2.4, -0.5}});
+  add_sheet(scene, {{-0.75, -0.7, 1.1}, {1.4, 0.15, -1.4}, {0.05, 1.3, 0.1}});
   return scene;
 }
 

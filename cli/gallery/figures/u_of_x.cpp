@@ -107,6 +107,7 @@ reports::LinePlot empty_plot(const Canvas& canvas, std::string title) {
 reports::LinePlot value_plot(const Canvas& canvas) {
   reports::LinePlot plot = empty_plot(canvas, "u along the row, exact and by each method");
   plot.y.label = "u";
+  plot.y.low = -0.125;  // a parabola falls below 0
   for (const std::string_view label : {"0", "0.25", "0.5", "0.75", "1"}) {
     plot.y.ticks.push_back({std::stod(std::string(label)), std::string(label)});
   }
@@ -154,15 +155,14 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
     const std::string name = fmt::format("{} ({})", series.name, series.method);
     const bool is_there = drawn->missing.empty();
     values.curves.push_back({is_there ? name : drawn->missing, series.dashes, color, points});
-    errors.curves.push_back({is_there ? fmt::format("{}, worst {}", series.name,
+    errors.curves.push_back({is_there ? fmt::format("{}, worst {} texels", series.name,
                                                     reports::gallery_error_text(largest(off)))
                                       : drawn->missing,
                              series.dashes, color, off});
     ++color;
   }
   figure.plots.push_back({std::move(values), "u at the samples of one row, as it was drawn."});
-  figure.plots.push_back(
-      {std::move(errors), "The same less the exact value; both are 0 where curves cross it."});
+  figure.plots.push_back({std::move(errors), "What these are off by, whichever way."});
   return figure;
 }
 
