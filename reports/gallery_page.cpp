@@ -140,7 +140,7 @@ Result<std::string> section_of(const GalleryFigure& figure, std::size_t number) 
     text += "<div class=\"panels\">\n";
     for (const GalleryPicture& picture : figure.pictures) {
       const Result<std::string> panel = panel_of(picture);
-      if (!panel) return panel;
+      if (!panel) return tl::unexpected(panel.error());
       text += *panel;
     }
     text += "</div>\n";
@@ -174,7 +174,7 @@ Result<std::string> gallery_html(std::span<const GalleryFigure> figures) {
   text += contents_of(figures) + fmt::format("<p class=\"unit\">{}</p>\n", kUnits);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const Result<std::string> section = section_of(figures[i], i);
-    if (!section) return section;
+    if (!section) return tl::unexpected(section.error());
     text += *section;
   }
   return text + "</main>\n</body>\n</html>\n";

@@ -13,9 +13,10 @@ constexpr double kFar = 64;
 /// GLM's matrices are column-major.
 cases::Matrix4 row_major(const glm::dmat4& matrix) {
   cases::Matrix4 rows{};
+  std::size_t next = 0;
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
-      rows[static_cast<std::size_t>(4 * row + column)] = static_cast<float>(matrix[column][row]);
+      rows[next++] = static_cast<float>(matrix[column][row]);
     }
   }
   return rows;
