@@ -186,9 +186,9 @@ class Subdivision : public PointFormula {
 
   void interpolate(const Piece& piece, std::span<double> values) const {
     const std::array<double, 3> w = at_corners(piece, w_);
-    const bool is_cut = !(w[0] > 0 && w[1] > 0 && w[2] > 0);
+    const bool is_in_front = w[0] > 0 && w[1] > 0 && w[2] > 0;
     std::array<double, 3> weights{1, 1, 1};
-    if (!is_cut) {
+    if (is_in_front) {
       for (std::size_t m = 0; m < 3; ++m) weights[m] = piece.beta[m] * w[m];
     }
     const double sum = weights[0] + weights[1] + weights[2];
