@@ -31,7 +31,7 @@
 //
 // Error, first order, u = 2^-53: 10 u max|r_i| along edges and rows (internal/polygon_drawing.h).
 //
-// What it does not do, besides what polygon_drawing.h does not: divide, at all.
+// What it does not do, besides what polygon_drawing.h does not: divide by w.
 
 #include <algorithm>
 #include <cstddef>
