@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 #include "rasterizer/methods/method.h"
@@ -10,6 +11,9 @@
 
 namespace rastercheck::rasterizer {
 namespace {
+
+/// Of a row.
+constexpr std::size_t kEdges = 2;
 
 constexpr TargetSize kEight{8, 8, 1};
 constexpr std::string_view kNames[] = {"edge-then-span", "edge-then-span-plane"};
@@ -124,7 +128,7 @@ TEST(EdgeThenSpan, OperationsAreThoseOfTheSlides) {
   const OperationCounts shares = find_method("edge-then-span")->operations();
   EXPECT_EQ(shares.per_polygon, (Operations{0, 0, 0}));
   EXPECT_EQ(shares.per_vertex, (Operations{0, 0, 1}));
-  EXPECT_EQ(shares.per_row, (Operations{2 * 8, 2 * 4, 2 * 2}));
+  EXPECT_EQ(shares.per_row, (Operations{kEdges * 8, kEdges * 4, kEdges * 2}));
   EXPECT_EQ(shares.per_pixel, (Operations{8, 4, 2}));
   // Rows: 3 · 3 additions, 3 · 2 products; det 2; 9 coefficients of 2 additions, 3 products and a
   // division. At a pixel 3 planes and 2 divisions.

@@ -23,6 +23,7 @@ State with_one_attribute() {
 /// The window corners, w = 1, with the attribute u.
 std::vector<PolygonVertex> polygon_of(const State& state, const std::vector<glm::vec2>& corners) {
   std::vector<PolygonVertex> polygon;
+  polygon.reserve(corners.size());
   for (const glm::vec2& c : corners) polygon.push_back({at(state, c.x, c.y), {c.x}, {}});
   return polygon;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <random>
 #include <string_view>
@@ -15,6 +16,9 @@
 
 namespace rastercheck::rasterizer {
 namespace {
+
+/// Of a row.
+constexpr std::size_t kEdges = 2;
 
 constexpr std::string_view kNames[] = {"rational-linear", "rational-linear-float",
                                        "rational-linear-incremental"};
@@ -40,7 +44,7 @@ TEST(RationalLinearOperations, AreThoseOfThePaperAndOfTheMeans) {
   const OperationCounts counts = operations_of("rational-linear");
   EXPECT_EQ(counts.per_polygon, (Operations{0, 0, 0}));
   EXPECT_EQ(counts.per_vertex, (Operations{0, 0, 3}));
-  EXPECT_EQ(counts.per_row, (Operations{2 * (3 + 3), 2 * 6, 2 * 3}));
+  EXPECT_EQ(counts.per_row, (Operations{kEdges * (3 + 3), kEdges * 6, kEdges * 3}));
   EXPECT_EQ(counts.per_pixel, (Operations{3 + 3, 6, 3 + 2}));
 }
 
@@ -49,7 +53,7 @@ TEST(RationalLinearOperations, InFloat32DivideOnceForAPlace) {
   const OperationCounts counts = operations_of("rational-linear-float");
   EXPECT_EQ(counts.per_polygon, (Operations{0, 0, 0}));
   EXPECT_EQ(counts.per_vertex, (Operations{0, 0, 3}));
-  EXPECT_EQ(counts.per_row, (Operations{2 * (3 + 3), 2 * 6, 2 * 2}));
+  EXPECT_EQ(counts.per_row, (Operations{kEdges * (3 + 3), kEdges * 6, kEdges * 2}));
   EXPECT_EQ(counts.per_pixel, (Operations{3 + 3, 6, 2 + 2}));
 }
 

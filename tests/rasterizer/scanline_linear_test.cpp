@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <random>
@@ -17,6 +18,9 @@
 
 namespace rastercheck::rasterizer {
 namespace {
+
+/// Of a row.
+constexpr std::size_t kEdges = 2;
 
 constexpr std::string_view kName = "scanline-linear";
 
@@ -35,6 +39,7 @@ struct Corner {
 
 std::vector<PolygonVertex> polygon_of(const State& state, const std::vector<Corner>& corners) {
   std::vector<PolygonVertex> polygon;
+  polygon.reserve(corners.size());
   for (const Corner& c : corners) polygon.push_back({at(state, c.u, c.v), {c.r}, {}});
   return polygon;
 }
@@ -138,7 +143,7 @@ TEST(ScanlineLinear, DividesNothingByW) {
   const OperationCounts counts = find_method(kName)->operations();
   EXPECT_EQ(counts.per_polygon, (Operations{0, 0, 0}));
   EXPECT_EQ(counts.per_vertex, (Operations{0, 0, 0}));
-  EXPECT_EQ(counts.per_row, (Operations{2 * (3 + 2), 2 * 4, 2 * 2}));
+  EXPECT_EQ(counts.per_row, (Operations{kEdges * (3 + 2), kEdges * 4, kEdges * 2}));
   EXPECT_EQ(counts.per_pixel, (Operations{3 + 2, 4, 2}));
 }
 
