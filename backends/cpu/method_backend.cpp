@@ -73,9 +73,18 @@ double clip_amplification(const cases::Case& c) {
   return greatest;
 }
 
-cases::ValueBound value_bound(const ras::MethodBound& bound) {
-  return {static_cast<float>(bound.constant), static_cast<float>(bound.per_horizon),
-          static_cast<float>(bound.per_condition), static_cast<float>(bound.range_share)};
+/// The least float that is not less: a bound that was derived is none any more if it is rounded
+/// down.
+float rounded_up(double bound) {
+  const auto nearest = static_cast<float>(bound);
+  return double{nearest} < bound ? std::nextafter(nearest, std::numeric_limits<float>::infinity())
+                                 : nearest;
+}
+
+/// `more` comes on top of the constant.
+cases::ValueBound value_bound(const ras::MethodBound& bound, double more) {
+  return {rounded_up(bound.constant + more), rounded_up(bound.per_horizon),
+          rounded_up(bound.per_condition), rounded_up(bound.range_share)};
 }
 
 /// What scan conversion in double of clipped polygons makes of a contract.
@@ -92,7 +101,8 @@ cases::ValueBound value_bound(const ras::MethodBound& bound) {
 /// Values. A clipped vertex has r w and z off by 2^-60 A of themselves, the guard band being 2^10,
 /// so that A 2^-34 scale ULP come on top of what is off anyhow; of depth that is, besides the
 /// rounding to float32, less than 2^-24.
-void add_scan_conversion(const cases::Case& c, cases::Contract& contract) {
+void add_scan_conversion(const cases::Case& c, const ras::Promise& promise,
+                         cases::Contract& contract) {
   contract.coverage = cases::Snapping{16, cases::Rounding::unspecified, 0x1p-8F};
   contract.is_on_grid = false;
   contract.basis = cases::Basis::unspecified;
@@ -106,19 +116,19 @@ void add_scan_conversion(const cases::Case& c, cases::Contract& contract) {
   constexpr double kGridUnits = 0x1p16;
   contract.clip_tolerance = static_cast<float>(
       std::clamp(0x1p-50 * amplification * double{half_width} * kGridUnits, 1.0, 0x1p60));
-  const auto clipped = static_cast<float>(std::min(0x1p-34 * amplification, 0x1p60));
-  contract.bounds.depth.constant = 0.5F + 0x1p-24F;
-  for (cases::ValueBound* bound :
-       {&contract.bounds.smooth, &contract.bounds.noperspective, &contract.bounds.depth}) {
-    bound->constant += clipped;
-  }
+  const double clipped = std::min(0x1p-34 * amplification, 0x1p60);
+  contract.bounds.smooth = value_bound(promise.smooth, clipped);
+  contract.bounds.noperspective = value_bound(promise.noperspective, clipped);
+  contract.bounds.depth = {rounded_up(0.5 + 0x1p-24 + clipped)};
 }
 
-/// What the rasterizer promises of coverage and of all but smooth values.
-void add_exact_coverage(const cases::Case& c, cases::Contract& contract) {
+/// What the rasterizer promises of coverage and of all but smooth values, and the method of these.
+void add_exact_coverage(const cases::Case& c, const ras::Promise& promise,
+                        cases::Contract& contract) {
   constexpr float kBound = 0.51F;
   static_assert(kBound >= ras::kValueBound);
   contract.tie_rule = c.fill_rule;
+  contract.bounds.smooth = value_bound(promise.smooth, 0);
   contract.bounds.noperspective = {kBound};
   contract.bounds.depth = {kBound};
   contract.keeps_equal_depth = true;
@@ -128,12 +138,10 @@ cases::Contract contract_of(const cases::Case& c, const ras::Promise& promise) {
   cases::Contract contract;
   contract.claims =
       promise.claims == ras::Claim::affine ? cases::Claim::affine : cases::Claim::perspective;
-  contract.bounds.smooth = value_bound(promise.smooth);
-  contract.bounds.noperspective = value_bound(promise.noperspective);
   if (promise.scan == ras::ScanKind::scanned) {
-    add_scan_conversion(c, contract);
+    add_scan_conversion(c, promise, contract);
   } else {
-    add_exact_coverage(c, contract);
+    add_exact_coverage(c, promise, contract);
   }
   return contract;
 }

@@ -29,7 +29,8 @@ TEST(MethodContract, OfAnOrdinaryTriangleGrantsTheLeast) {
   const cases::Case c = small_case({-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1});
   const cases::Contract contract = contract_of("method:rational-linear", c);
   EXPECT_EQ(contract.clip_tolerance, 1);
-  EXPECT_EQ(contract.bounds.smooth.constant, 0.5F + 0x1p-24F);
+  // 1/2 + 2^-24, and something of clipping, rounded up to a float.
+  EXPECT_EQ(contract.bounds.smooth.constant, 0.5F + 0x1p-23F);
   EXPECT_EQ(contract.claims, cases::Claim::perspective);
 }
 
@@ -57,6 +58,7 @@ TEST(MethodContract, SaysWhatAMethodClaims) {
   EXPECT_EQ(contract.claims, cases::Claim::affine);
   EXPECT_FALSE(contract.coverage);
   EXPECT_GT(contract.bounds.smooth.per_condition, 0);
+  EXPECT_GT(contract.bounds.smooth.constant, 0.5F);  // 1/2 + 2^-29 is no float
 }
 
 }  // namespace
