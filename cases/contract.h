@@ -92,7 +92,7 @@ struct Contract {
   bool is_on_grid = true;
   /// How far an edge that was cut by a clip plane, and the clip edge itself, may be off, in grid
   /// units per axis. Only where `coverage` is snapped.
-  float clip_tolerance = 1;
+  double clip_tolerance = 1;
   Claim claims = Claim::perspective;
   ValueBounds bounds;
   /// Whether triangles of one plane, z/w the same at all vertices, have one depth (RULES §6); the

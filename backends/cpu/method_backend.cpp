@@ -62,15 +62,17 @@ double clip_amplification(const cases::ClipVertex& a, const cases::ClipVertex& b
   return std::max(largest * (2 * kGuardBand * normal / least), 1.0);
 }
 
-/// The greatest of a case's triangles.
+/// The greatest of a case's triangles; infinite where a new w may have lost all of its digits, and
+/// its sign with them: then nothing is certain of what is left of a triangle.
 double clip_amplification(const cases::Case& c) {
+  constexpr double kMost = 0x1p48;
   double greatest = 1;
   for (const cases::Triangle& triangle : c.triangles) {
     greatest =
         std::max(greatest, clip_amplification(c.positions[triangle[0]], c.positions[triangle[1]],
                                               c.positions[triangle[2]]));
   }
-  return greatest;
+  return greatest < kMost ? greatest : std::numeric_limits<double>::infinity();
 }
 
 /// The least float that is not less: a bound that was derived is none any more if it is rounded
@@ -114,8 +116,10 @@ void add_scan_conversion(const cases::Case& c, const ras::Promise& promise,
 
   const double amplification = clip_amplification(c);
   constexpr double kGridUnits = 0x1p16;
-  contract.clip_tolerance = static_cast<float>(
-      std::clamp(0x1p-50 * amplification * double{half_width} * kGridUnits, 1.0, 0x1p60));
+  // More than any window coordinate is: below 2^277 half widths, which are below 2^127.
+  constexpr double kMostTolerance = 0x1p480;
+  contract.clip_tolerance =
+      std::clamp(0x1p-50 * amplification * double{half_width} * kGridUnits, 1.0, kMostTolerance);
   const double clipped = std::min(0x1p-34 * amplification, 0x1p60);
   contract.bounds.smooth = value_bound(promise.smooth, clipped);
   contract.bounds.noperspective = value_bound(promise.noperspective, clipped);

@@ -117,7 +117,7 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
   const Ring unit(std::ldexp(1.0, -snapping.subpixel_bits));
   reach = candidate_radius(snapping) * unit;
   if (shape == Shape::cut) {
-    tolerance = exact_ring(scene->contract().clip_tolerance) * unit;
+    tolerance = Ring(scene->contract().clip_tolerance) * unit;
     reach = std::max(reach, tolerance);
     may_turn = ideal.orientation() == 0 || !is_deeper_than_reach();
   } else {

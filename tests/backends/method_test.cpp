@@ -41,7 +41,16 @@ TEST(MethodContract, OfAnOrdinaryTriangleGrantsTheLeast) {
 TEST(MethodContract, OfATriangleAllButThroughTheEyeGrantsAnything) {
   const cases::Case c =
       small_case({-0.5F, -0x1p-65F, 0, -1.5F}, {1, 0.25F, 0, 1}, {-1, -0.5F, 0, 1});
-  EXPECT_EQ(contract_of("method:rational-linear", c).clip_tolerance, 0x1p60F);
+  EXPECT_EQ(contract_of("method:rational-linear", c).clip_tolerance, 0x1p480);
+}
+
+// On the edge from (2^78, 1) to (−2^66, −2^53) a new w = y/2^10 is the difference of products that
+// are the same in 53 digits.
+// Kills: a bounded tolerance for vertices whose w may have any sign.
+TEST(MethodContract, OfATriangleOfHugeCoordinatesGrantsAnything) {
+  const cases::Case c =
+      small_case({-1, 0x1p100F, 0, 1}, {0x1p78F, 1, 0, 1}, {-0x1p66F, -0x1p53F, 0, 1});
+  EXPECT_EQ(contract_of("method:rational-linear", c).clip_tolerance, 0x1p480);
 }
 
 // One that crosses the eye's plane well away from the eye is as certain as any other.
