@@ -20,9 +20,9 @@ enum class Claim { perspective, affine };
 ///
 ///   constant + per_horizon · g + per_condition · K + range_share · (max r_i − min r_i)/ulp
 ///
-/// g = the greatest 1/w of what is drawn of the triangle / 1/w, where 1/w is the fragment's own,
-/// and 1 for what is linear in window space. Interpolating r/w and 1/w is off by a share of the
-/// greatest 1/w, and so loses digits of r towards the horizon, where 1/w is small.
+/// both numbers of the exact triangle. g = the greatest 1/w of what is drawn of it / 1/w at the
+/// fragment, and 1 for what is linear in window space. Interpolating r/w and 1/w is off by a share
+/// of the greatest 1/w, and so loses digits of r towards the horizon, where 1/w is small.
 ///
 /// K is how much of its digits a weight E_i loses that is evaluated as the plane A u + B v + C,
 /// with coefficients that are differences of products: with |X|_i = |x_i W/2| + |w_i| (|x0| +

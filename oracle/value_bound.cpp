@@ -112,7 +112,8 @@ double least_bound(const TriangleSetup& triangle, std::optional<std::size_t> att
       bound_of(triangle.scene->contract(), triangle.scene->source(), attribute);
   if (!attribute) return bound.constant;
   // K >= 1, as |E_i| <= |E|_i.
-  Field least = exact_field(bound.constant) + exact_field(bound.per_condition);
+  Field least = exact_field(bound.constant);
+  if (triangle.ideal.orientation() != 0) least += exact_field(bound.per_condition);
   if (bound.range_share > 0) {
     least += exact_field(bound.range_share) * range_in_ulps(triangle, *attribute);
   }

@@ -14,6 +14,9 @@ namespace {
 
 namespace ras = rasterizer;
 
+/// Half widths of the viewport that methods clip to (rasterizer/internal/clip_polygon.h).
+constexpr double kGuardBand = 0x1p10;
+
 /// The magnitudes of the terms of x_a y_b − x_b y_a.
 double minor_terms(float x_a, float y_a, float x_b, float y_b) {
   return std::abs(double{x_a} * double{y_b}) + std::abs(double{x_b} * double{y_a});
@@ -33,7 +36,6 @@ double minor_terms(float x_a, float y_a, float x_b, float y_b) {
 /// away; of what is then not positive nothing is certain.
 double clip_amplification(const cases::ClipVertex& a, const cases::ClipVertex& b,
                           const cases::ClipVertex& c) {
-  constexpr double kGuardBand = 0x1p10;  // rasterizer/internal/clip_polygon.h
   double largest = 0;
   double least_w = std::numeric_limits<double>::infinity();
   for (const cases::ClipVertex& p : {a, b, c}) {
@@ -75,6 +77,15 @@ double clip_amplification(const cases::Case& c) {
   return greatest < kMost ? greatest : std::numeric_limits<double>::infinity();
 }
 
+/// Whether a vertex in front of the eye is clipped by a method, which may be one that the
+/// contract's band has in it: that is as wide along both axes, and about the window's origin.
+bool has_vertex_beyond_band(const cases::Case& c) {
+  return std::any_of(c.positions.begin(), c.positions.end(), [](const cases::ClipVertex& p) {
+    const double side = kGuardBand * double{p.w};
+    return p.w > 0 && (std::abs(double{p.x}) > side || std::abs(double{p.y}) > side);
+  });
+}
+
 /// The least float that is not less: a bound that was derived is none any more if it is rounded
 /// down.
 float rounded_up(double bound) {
@@ -102,7 +113,8 @@ cases::ValueBound value_bound(const ras::MethodBound& bound, double more) {
 ///
 /// Values. A clipped vertex has r w and z off by 2^-60 A of themselves, the guard band being 2^10,
 /// so that A 2^-34 scale ULP come on top of what is off anyhow; of depth that is, besides the
-/// rounding to float32, less than 2^-24.
+/// rounding to float32, less than 2^-24. A vertex that only the method clips has the clip tolerance
+/// for its position error.
 void add_scan_conversion(const cases::Case& c, const ras::Promise& promise,
                          cases::Contract& contract) {
   contract.coverage = cases::Snapping{16, cases::Rounding::unspecified, 0x1p-8F};
@@ -119,7 +131,14 @@ void add_scan_conversion(const cases::Case& c, const ras::Promise& promise,
   // More than any window coordinate is: below 2^277 half widths, which are below 2^127.
   constexpr double kMostTolerance = 0x1p480;
   contract.clip_tolerance =
-      std::clamp(0x1p-50 * amplification * double{half_width} * kGridUnits, 1.0, kMostTolerance);
+      std::isinf(amplification)
+          ? kMostTolerance
+          : std::clamp(0x1p-50 * amplification * double{half_width} * kGridUnits, 1.0,
+                       kMostTolerance);
+  if (has_vertex_beyond_band(c)) {
+    contract.coverage->position_error =
+        static_cast<float>(std::min(contract.clip_tolerance, double{cases::kMaxPositionError}));
+  }
   const double clipped = std::min(0x1p-34 * amplification, 0x1p60);
   contract.bounds.smooth = value_bound(promise.smooth, clipped);
   contract.bounds.noperspective = value_bound(promise.noperspective, clipped);

@@ -107,6 +107,16 @@ class WindowMap {
   double center_v_;
 };
 
+/// The columns of all samples.
+PixelRange columns_of(const DrawBounds& bounds, std::size_t samples) {
+  PixelRange columns = bounds.sample_columns[0];
+  for (std::size_t i = 1; i < samples; ++i) {
+    columns.begin = std::min(columns.begin, bounds.sample_columns[i].begin);
+    columns.end = std::max(columns.end, bounds.sample_columns[i].end);
+  }
+  return columns;
+}
+
 /// What an attribute is made of.
 struct Source {
   Interpolation interpolation = Interpolation::flat;
@@ -357,7 +367,9 @@ void Drawing::scan_row(const ConvexScan& scan, int y) {
   if (columns.empty()) return;
   if (has_location_[static_cast<std::size_t>(Location::center)] ||
       has_location_[static_cast<std::size_t>(Location::centroid)]) {
-    set_row(scan, {y + kPixelCenter.y, kPixelCenter.x, bounds_.columns, window_bounds_.columns},
+    set_row(scan,
+            {y + kPixelCenter.y, kPixelCenter.x, columns_of(bounds_, pattern_.size()),
+             columns_of(window_bounds_, pattern_.size())},
             center_row_);
   }
   for (int x = columns.begin; x < columns.end; ++x) draw_pixel(scan, x, y);

@@ -125,15 +125,16 @@ class LinearFormula : public ScanFormula<T> {
   virtual std::size_t parameter_count() const = 0;
 };
 
-/// Of what is linear in the window, whatever the formula: its 11 u max|s_i| are less than 2^-24
-/// scale ULP, as ulp(m) >= 2^-24 m.
-inline constexpr MethodBound kScannedLinearBound{.constant = 0.5 + 0x1p-24};
+/// Of what is linear in the window, whatever the formula: 11 u max|s_i|, and 4 u for each of the
+/// 14 planes that may have cut an edge (clip_polygon.h: two products, a difference, a quotient).
+/// These 67 u are less than 2^-22 scale ULP, as ulp(m) >= 2^-24 m.
+inline constexpr MethodBound kScannedLinearBound{.constant = 0.5 + 0x1p-22};
 
 /// Of quotients r_i = s_i / s_{n+1} of two such, |δr_i| <= (|δs_i| + |r_i| |δs_{n+1}|) / s_{n+1} +
-/// u |r_i| <= 23 u max|r_i| g, which is less than 2^-24 g; so centres that are not covered have it
+/// u |r_i| <= 135 u max|r_i| g, which is less than 2^-21 g; so centres that are not covered have it
 /// where Claim::perspective is claimed.
-inline constexpr MethodBound kScannedPerspectiveBound{.constant = 0.5 + 0x1p-24,
-                                                      .per_horizon = 0x1p-24};
+inline constexpr MethodBound kScannedPerspectiveBound{.constant = 0.5 + 0x1p-22,
+                                                      .per_horizon = 0x1p-21};
 
 /// The promise of a formula that claims this of smooth attributes.
 constexpr Promise scanned_promise(Claim claims, const MethodBound& smooth) {

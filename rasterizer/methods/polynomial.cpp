@@ -38,9 +38,10 @@
 // the ratio has no bound; the share is 1 then.
 //
 // Roundings, first order, u = 2^-53, M = max|r_i|. Nodes are means of numbers of one sign (1/w),
-// off by less than 30 u M. In the sums for n = 3 the coefficients are at most 7 M, 6 M and 4/3 M
-// and their terms together 112 M; 10 roundings of each term and 8 times what a node is off by are
-// less than 2^11 u M, 2^-18 scale ULP.
+// off by less than 30 u M. Going one way over R <= 2 M they make coefficients of at most 3.7 M, 2 M
+// and M/3 for n = 3, and terms of at most 3.7 · 3, 2 · 9 and 1/3 · 27 M: 39 M together, with at
+// most 23 roundings each, t's own among them. That is less than 900 u M, and with 8 times what a
+// node is off by less than 2^11 u M, 2^-18 scale ULP.
 //
 // What they do not do, besides what internal/polygon_drawing.h does not: split spans where ρ is
 // large ("should be adaptive", seed 002; not recommended there either).

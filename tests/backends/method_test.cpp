@@ -29,8 +29,9 @@ TEST(MethodContract, OfAnOrdinaryTriangleGrantsTheLeast) {
   const cases::Case c = small_case({-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1});
   const cases::Contract contract = contract_of("method:rational-linear", c);
   EXPECT_EQ(contract.clip_tolerance, 1);
-  // 1/2 + 2^-24, and something of clipping, rounded up to a float.
-  EXPECT_EQ(contract.bounds.smooth.constant, 0.5F + 0x1p-23F);
+  // 1/2 + 2^-22, and something of clipping, rounded up to a float.
+  EXPECT_EQ(contract.bounds.smooth.constant, 0.5F + 0x1p-22F + 0x1p-24F);
+  EXPECT_EQ(contract.coverage->position_error, 0x1p-8F);
   EXPECT_EQ(contract.claims, cases::Claim::perspective);
 }
 
@@ -51,6 +52,25 @@ TEST(MethodContract, OfATriangleOfHugeCoordinatesGrantsAnything) {
   const cases::Case c =
       small_case({-1, 0x1p100F, 0, 1}, {0x1p78F, 1, 0, 1}, {-0x1p66F, -0x1p53F, 0, 1});
   EXPECT_EQ(contract_of("method:rational-linear", c).clip_tolerance, 0x1p480);
+}
+
+// Kills: 0 · infinity.
+TEST(MethodContract, OfAViewportWithoutAreaIsANumber) {
+  cases::Case c = small_case({-1, 0x1p100F, 0, 1}, {0x1p78F, 1, 0, 1}, {-0x1p66F, -0x1p53F, 0, 1});
+  c.viewport.width = 0;
+  c.viewport.height = 0;
+  EXPECT_EQ(contract_of("method:rational-linear", c).clip_tolerance, 0x1p480);
+}
+
+// The method clips at 1024 half heights, which are few pixels here; the contract's band is as wide
+// along y as along x.
+TEST(MethodContract, OfAVertexThatOnlyTheMethodClipsGrantsTheClipTolerance) {
+  cases::Case c = small_case({-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 0x1p30F, 0, 1});
+  c.viewport.width = 16384;
+  c.viewport.height = 0x1p-10F;
+  const cases::Contract contract = contract_of("method:rational-linear", c);
+  EXPECT_GT(contract.clip_tolerance, 1);
+  EXPECT_EQ(double{contract.coverage->position_error}, contract.clip_tolerance);
 }
 
 // One that crosses the eye's plane well away from the eye is as certain as any other.

@@ -191,5 +191,28 @@ TEST(RationalLinearIncremental, StaysInTheRangeOfTheVertices) {
   EXPECT_LE(*greatest, 2);
 }
 
+// A viewport of 8 columns at the far end of a wide target, in a triangle that reaches all over it:
+// its rows are 8 steps long, those of centres too. What is promised of so few is 2 (23 + 16) and 1
+// scale ULP times g, here 1; the steps of the whole target, 4096, cost hundreds.
+// Kills: increments of centres that begin at the target's left side.
+TEST(RationalLinearIncremental, BeginsWhereTheViewportDoes) {
+  State state;
+  state.viewport.origin = {4088, 0};
+  state.viewport.size = {8, 8};
+  state.attributes = {{Interpolation::smooth, Location::center}};
+  SmallMesh mesh;
+  mesh.positions = {at(state, -4088, -64, 4), at(state, 8, -64, 1), at(state, 8, 64, 1)};
+  mesh.attributes = {0.3F, 0.9F, 0.9F};
+  mesh.triangles = {{0, 1, 2}};
+  const TargetSize size{4096, 8, 1};
+  const Fragments expected = drawn_by("rational-linear", state, mesh, size);
+  const Fragments drawn = drawn_by("rational-linear-incremental", state, mesh, size);
+  ASSERT_EQ(drawn.size(), expected.size());
+  ASSERT_GT(drawn.size(), 30U);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    EXPECT_NEAR(drawn.attributes[i], expected.attributes[i], 79 * scale_ulp(0.9));
+  }
+}
+
 }  // namespace
 }  // namespace rastercheck::rasterizer
