@@ -188,7 +188,10 @@ const std::vector<TriangleSetup::SnappedEdge>& TriangleSetup::snapped_edge(std::
   const int bits = scene->contract().coverage->subpixel_bits;
   const SnappedVertex& from = *snapped[(edge + 1) % 3];
   const SnappedVertex& to = *snapped[(edge + 2) % 3];
-  const bool corners_only = from.placements() * to.placements() > kMostPlacements;
+  // In double, because the product of four counts may exceed a long.
+  const bool corners_only =
+      static_cast<double>(from.placements()) * static_cast<double>(to.placements()) >
+      kMostPlacements;
   const std::vector<HomogeneousPoint> others = corners_beside(edge);
   for (const RingVector3& a : placed_columns(from, bits, corners_only)) {
     for (const RingVector3& b : placed_columns(to, bits, corners_only)) {

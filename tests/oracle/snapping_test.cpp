@@ -240,5 +240,16 @@ TEST(Clipping, ByTheNearPlaneIsOpenAlongTheClipEdge) {
   EXPECT_EQ(judge(c, 2, 2).verdict, Verdict::forbidden);
 }
 
+// Kills: the product of the counts of both ends' placements, 131073^4, in 64 bits. On a grid of
+// 2^-16 pixels the greatest position error is a pixel.
+TEST(Clipping, TakesTheGreatestPositionError) {
+  cases::Case c = small_case(cases::Rules::vulkan, 8, 8,
+                             {{{-1, -1, 0.5F, 1}, {3, -1, -1.5F, 1}, {-1, 3, 0.5F, 1}}});
+  c.coverage = Snapping{16, Rounding::unspecified, cases::kMaxPositionError};
+  EXPECT_EQ(judge(c, 2, 2).verdict, Verdict::required);
+  EXPECT_EQ(judge(c, 0, 2).verdict, Verdict::permitted);
+  EXPECT_EQ(judge(c, 7, 2).verdict, Verdict::forbidden);
+}
+
 }  // namespace
 }  // namespace rastercheck::oracle
