@@ -24,8 +24,8 @@ Field determinant(const Column& a, const Column& b, const Column& c) { return a.
 using Shares = std::array<Field, 4>;
 
 tl::expected<Shares, FourPointError> shares_of(const Columns& p, Side side) {
-  const Shares shares{determinant(p[3], p[1], p[2]), determinant(p[0], p[3], p[2]),
-                      determinant(p[0], p[1], p[3]), determinant(p[0], p[1], p[2])};
+  Shares shares{determinant(p[3], p[1], p[2]), determinant(p[0], p[3], p[2]),
+                determinant(p[0], p[1], p[3]), determinant(p[0], p[1], p[2])};
   // Each is 0 where the three points in it lie on a line.
   using Three = std::array<std::size_t, 3>;
   constexpr std::array<Three, 4> kPoints{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};

@@ -7,6 +7,7 @@
 
 #include "rasterizer/internal/drawing.h"
 #include "rasterizer/internal/standard_pattern.h"
+#include "rasterizer/internal/window_map.h"
 
 namespace rastercheck::rasterizer {
 namespace {
@@ -34,11 +35,7 @@ class PointDrawing {
         fragments_(fragments),
         pattern_(standard_pattern(size.samples)),
         attribute_count_(state.attributes.size()),
-        half_width_(double{state.viewport.size.x} / 2),
-        half_height_(double{state.viewport.size.y} / 2),
-        center_u_(double{state.viewport.origin.x} + half_width_),
-        center_v_(double{state.viewport.origin.y} + half_height_) {
-    if (state.convention == Convention::d3d) half_height_ = -half_height_;
+        window_map_(state) {
     for (std::size_t i = 0; i < attribute_count_; ++i) {
       if (state.attributes[i].interpolation != Interpolation::smooth) continue;
       smooth_[smooth_count_++] = {i, state.attributes[i].location};
@@ -86,9 +83,10 @@ class PointDrawing {
       const glm::vec4& p = mesh_.positions[indices[i]];
       PointVertex& vertex = vertices_[i];
       vertex.index = indices[i];
+      const Numerators at = window_map_(p.x, p.y, p.w);
+      vertex.x = at.x;
+      vertex.y = at.y;
       vertex.w = p.w;
-      vertex.x = p.x * half_width_ + vertex.w * center_u_;
-      vertex.y = p.y * half_height_ + vertex.w * center_v_;
       for (std::size_t k = 0; k < smooth_count_; ++k) {
         vertex.values[k] = value_of(indices[i], smooth_[k].attribute);
       }
@@ -143,10 +141,7 @@ class PointDrawing {
   Fragments& fragments_;
   std::span<const SampleOffset> pattern_;
   std::size_t attribute_count_;
-  double half_width_;
-  double half_height_;
-  double center_u_;
-  double center_v_;
+  WindowMap window_map_;
   std::array<Smooth, kMaxAttributes> smooth_;
   std::size_t smooth_count_ = 0;
   bool is_set_ = false;

@@ -15,6 +15,7 @@
 #include "rasterizer/internal/draw_bounds.h"
 #include "rasterizer/internal/draw_setting.h"
 #include "rasterizer/internal/standard_pattern.h"
+#include "rasterizer/internal/window_map.h"
 #include "rasterizer/methods/polygon.h"
 
 namespace rastercheck::rasterizer {
@@ -67,45 +68,17 @@ class DepthMap {
   bool from_minus_one_;
 };
 
-/// A window position times w.
-struct Numerators {
-  double x = 0;
-  double y = 0;
-};
-
 /// X_a Y_b − X_b Y_a.
 double cross(const Numerators& a, const Numerators& b) { return a.x * b.y - b.x * a.y; }
 
-/// Clip positions to window vertices.
-class WindowMap {
- public:
-  explicit WindowMap(const State& state)
-      : half_width_(double{state.viewport.size.x} / 2),
-        half_height_(double{state.viewport.size.y} /
-                     (state.convention == Convention::d3d ? -2 : 2)),
-        center_u_(double{state.viewport.origin.x} + double{state.viewport.size.x} / 2),
-        center_v_(double{state.viewport.origin.y} + double{state.viewport.size.y} / 2) {}
-
-  /// Step 4, of positions.
-  void divide(const ClipVertex& from, WindowVertex& to) const {
-    to.u = (from.x * half_width_ + from.w * center_u_) / from.w;
-    to.v = (from.y * half_height_ + from.w * center_v_) / from.w;
-    to.s[kDepth] = from.z / from.w;
-    to.closed = from.closed;
-  }
-
-  /// The window position times w, with the origin at (u, v).
-  Numerators numerators(const ClipVertex& from, double u, double v) const {
-    return {from.x * half_width_ + from.w * (center_u_ - u),
-            from.y * half_height_ + from.w * (center_v_ - v)};
-  }
-
- private:
-  double half_width_;
-  double half_height_;
-  double center_u_;
-  double center_v_;
-};
+/// Step 4, of positions.
+void divide(const WindowMap& map, const ClipVertex& from, WindowVertex& to) {
+  const Numerators at = map(from.x, from.y, from.w);
+  to.u = at.x / from.w;
+  to.v = at.y / from.w;
+  to.s[kDepth] = from.z / from.w;
+  to.closed = from.closed;
+}
 
 /// The columns of all samples.
 PixelRange columns_of(const DrawBounds& bounds, std::size_t samples) {
@@ -336,7 +309,7 @@ void Drawing::divide(int orientation) {
   for (std::size_t i = 0; i < clipped_.size; ++i) {
     const ClipVertex& from = clipped_.vertices[i];
     WindowVertex& to = window_.vertices[i];
-    window_map_.divide(from, to);
+    rasterizer::divide(window_map_, from, to);
     for (std::size_t k = 0; k < noperspective_count_; ++k) {
       to.s[kFirstNoperspective + k] = from.parameters[smooth_count_ + k] / from.w;
     }
@@ -462,9 +435,9 @@ void Drawing::center_values(const ConvexScan& scan, int x, int y, PlaceValues& a
 /// The attributes at a point of the window by the triangle's plane.
 void Drawing::extrapolate(double u, double v, PlaceValues& at) const {
   const auto& [a, b, c] = corners_;
-  const Numerators at_a = window_map_.numerators(a, u, v);
-  const Numerators at_b = window_map_.numerators(b, u, v);
-  const Numerators at_c = window_map_.numerators(c, u, v);
+  const Numerators at_a = window_map_(a.x, a.y, a.w, u, v);
+  const Numerators at_b = window_map_(b.x, b.y, b.w, u, v);
+  const Numerators at_c = window_map_(c.x, c.y, c.w, u, v);
   const double e_a = cross(at_b, at_c);
   const double e_b = cross(at_c, at_a);
   const double e_c = cross(at_a, at_b);

@@ -32,6 +32,9 @@
 // both: of quads 6 (quad.h), up to a factor that all corners share.
 //
 // What it does not do: find w_r, which come from the caller (object_projective.h says from where).
+//
+// Operations for two attributes, and the divisions among them:
+//   object-projective: 14 (2) per pixel, 2 per vertex, 72 per polygon
 
 #include "rasterizer/methods/object_projective.h"
 
@@ -169,7 +172,8 @@ std::optional<ClusterError> check_triangle(std::span<const double> w_r, const gl
   const std::array<double, 3> all{w_r[corners.x], w_r[corners.y], w_r[corners.z]};
   for (const double w : all) {
     if (w == 0) return ClusterError::w_r_zero;
-    if (!(std::abs(w) >= kLeastW && std::abs(w) <= kMostW)) return ClusterError::w_r_range;
+    const bool in_range = std::abs(w) >= kLeastW && std::abs(w) <= kMostW;
+    if (!in_range) return ClusterError::w_r_range;
     if ((w > 0) != (all[0] > 0)) return ClusterError::w_r_two_signs;
   }
   return std::nullopt;

@@ -45,6 +45,10 @@
 //
 // What they do not do, besides what internal/polygon_drawing.h does not: split spans where ρ is
 // large ("should be adaptive", seed 002; not recommended there either).
+//
+// Operations for two attributes, and the divisions among them:
+//   polynomial-cubic: 14 per pixel, 104 (23) per row, 3 (3) per vertex
+//   polynomial-quadratic: 10 per pixel, 75 (15) per row, 3 (3) per vertex
 
 #include <algorithm>
 #include <array>

@@ -75,6 +75,9 @@
 // their roundings.
 //
 // What it does not do: draw from object positions and clip.
+//
+// Operations for two attributes, and the divisions among them:
+//   projective-inference: 16 (2) per pixel, 143 (6) per polygon
 
 #include "rasterizer/internal/projective_inference.h"
 

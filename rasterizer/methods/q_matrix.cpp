@@ -44,6 +44,10 @@
 // only where a product leaves its range.
 //
 // What it does not do: give constants and vertex values back to the bit.
+//
+// Operations for two attributes, and the divisions among them:
+//   q-matrix: 22 (2) per pixel, 42 per polygon
+//   q-matrix-float: 22 (2) per pixel, 42 per polygon
 
 #include "rasterizer/methods/q_matrix.h"
 

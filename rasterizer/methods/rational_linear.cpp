@@ -56,6 +56,11 @@
 //
 // What they do not do, besides what polygon_drawing.h does not: seed 002's reciprocal and products
 // in place of the n divisions per pixel. They cost a rounding more.
+//
+// Operations for two attributes, and the divisions among them:
+//   rational-linear: 17 (5) per pixel, 30 (6) per row, 3 (3) per vertex
+//   rational-linear-float: 16 (4) per pixel, 28 (4) per row, 3 (3) per vertex
+//   rational-linear-incremental: 5 (2) per pixel, 49 (9) per row, 3 (3) per vertex
 
 #include <algorithm>
 #include <array>

@@ -32,6 +32,9 @@
 // Error, first order, u = 2^-53: 10 u max|r_i| along edges and rows (internal/polygon_drawing.h).
 //
 // What it does not do, besides what polygon_drawing.h does not: divide by w.
+//
+// Operations for two attributes, and the divisions among them:
+//   scanline-linear: 11 (2) per pixel, 22 (4) per row
 
 #include <algorithm>
 #include <cstddef>

@@ -68,6 +68,13 @@
 //
 // What it does not do: snap the new vertices' window positions to a grid, which opens gaps where
 // pieces that are split differently meet.
+//
+// Operations for two attributes, and the divisions among them:
+//   subdivide-16: 8 per pixel, 2 (2) per vertex, 18,368 (2,586) per polygon
+//   subdivide-2: 8 per pixel, 2 (2) per vertex, 308 (45) per polygon
+//   subdivide-4: 8 per pixel, 2 (2) per vertex, 1,232 (180) per polygon
+//   subdivide-8: 8 per pixel, 2 (2) per vertex, 4,736 (678) per polygon
+//   subdivide-adaptive: 8 per pixel, 2 (2) per vertex, 18,923 (2,892) per polygon
 
 #include <algorithm>
 #include <array>

@@ -107,6 +107,14 @@ TEST(Polynomial, IsOffByNearlyWhatItPromises) {
   }
 }
 
+// By hand, t from the far end, q = 1/4095 from the pole: r goes nine tenths of its way within the
+// last hundredth of the row. t/(t + q) · |(t − 1/2)(t − 1)|/(q + 1/2) is 0.947 at t = 1/100, and
+// the cubic is off by 0.922 there.
+TEST(Polynomial, FailsNearThePole) {
+  EXPECT_GE(worst_error("polynomial-quadratic", 4096), 0.94);
+  EXPECT_GE(worst_error("polynomial-cubic", 4096), 0.91);
+}
+
 // Wolberg's polynomials are of use where w changes little: each halving of ρ − 1 divides the error
 // by nearly 4 and by nearly 8.
 TEST(Polynomial, ConvergesWithItsDegree) {

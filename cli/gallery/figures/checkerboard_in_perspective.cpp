@@ -31,17 +31,15 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   reports::GalleryFigure figure;
   figure.title = "A checkerboard in perspective: linear and rational linear";
   figure.source =
-      "Seed 002, P. S. Heckbert and H. P. Moreton, Interpolation for Polygon Texture Mapping and "
-      "Shading, 1991, figures 2 (left) and 3 (right).";
+      "Seed 002, P. S. Heckbert and H. P. Moreton, Interpolation for Polygon Texture Mapping "
+      "and Shading, 1991, figures 2 (left) and 3 (right).";
   figure.sentences = {
       "Linear interpolation along the edges and then along the rows of a polygon lacks the "
       "foreshortening of perspective. The checks kink in the rows of the corners, which are "
-      "marked: "
-      "there the row's ends pass from one edge to another.",
+      "marked: there the row's ends pass from one edge to another.",
       "Rational linear interpolation, of u/w, v/w and 1/w with a division at each pixel, is the "
-      "projective map itself. Its error is that of one rounding to float32; the steps in its map "
-      "are "
-      "where a coordinate passes a power of two."};
+      "projective map itself. Its error is that of one rounding to float32; the steps in its "
+      "map are where a coordinate passes a power of two."};
   const cases::Case scene = leaning_rectangle(canvas);
   const std::array<PanelPlan, 2> panels{
       {{"002-2-linear", "Linear", kLinearPolygon, scene, checkerboard(), in_texels()},

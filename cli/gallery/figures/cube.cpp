@@ -20,10 +20,8 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
       "face), 15 (eight) and 14 (perspective correct).";
   figure.sentences = {
       "Linear interpolation bends the checks at the diagonal of each face. Cut into eight "
-      "triangles "
-      "a face has right values at more vertices, and its errors are less than a third; they are "
-      "still "
-      "to be seen, the more as the cube moves.",
+      "triangles a face has right values at more vertices, and its errors are less than a "
+      "third; they are still to be seen, the more as the cube moves.",
       "Perspective correct interpolation needs neither the cuts nor the vertices."};
   const std::array<PanelPlan, 3> panels{
       {{"004-cube-linear", "Linear, two triangles a face", "method:screen-linear", cube(canvas, 1),

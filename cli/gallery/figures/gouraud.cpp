@@ -37,8 +37,9 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   figure.source = "Seed 004, MIT 6.837 Computer Graphics, lecture 18, fall 2000, slides 16 and 17.";
   figure.sentences = {
       "Colours that are interpolated linearly on the screen are wrong, too, but they vary so "
-      "smoothly that each quad for itself looks right. Where one quad meets two in a T, the vertex "
-      "of the T has the right colour and the long edge beside it a wrong one: the colours part.",
+      "smoothly that each quad for itself looks right. Where one quad meets two in a T, the "
+      "vertex of the T has the right colour and the long edge beside it a wrong one: the "
+      "colours part.",
       "Interpolated in perspective they are those of the plane, however it is cut."};
   const cases::Case scene = joint(canvas);
   const std::array<PanelPlan, 2> panels{

@@ -133,14 +133,14 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   reports::GalleryFigure figure;
   figure.title = "Approximations of u along a row";
   figure.source =
-      "Seed 002, P. S. Heckbert and H. P. Moreton, Interpolation for Polygon Texture Mapping and "
-      "Shading, 1991, figure 4; quadratic and cubic: §2.1.";
+      "Seed 002, P. S. Heckbert and H. P. Moreton, Interpolation for Polygon Texture Mapping "
+      "and Shading, 1991, figure 4; quadratic and cubic: §2.1.";
   figure.sentences = {
       "A texture coordinate that is linear on an object is rational linear along a row of the "
-      "picture. Its right end is eight times as far away as its left one: u stays small for long, "
-      "and rises steeply at the end.",
-      "One straight line misses that by half the texture; two polygons, a parabola or a cubic come "
-      "closer, and none is right but at the points it goes through."};
+      "picture. Its right end is eight times as far away as its left one: u stays small for "
+      "long, and rises steeply at the end.",
+      "One straight line misses that by half the texture; two polygons, a parabola or a cubic "
+      "come closer, and none is right but at the points it goes through."};
   const cases::Case scene = wedge(canvas);
   const std::vector<reports::PlotPoint> exact = exact_points(scene);
   reports::LinePlot values = value_plot(canvas);
