@@ -5,6 +5,15 @@
 
 namespace rastercheck {
 
+/// What became of what was asked, for those who treat failures differently.
+enum class Failure {
+  refused,      ///< whatever only the text tells
+  unavailable,  ///< what was asked for cannot run here
+  unsupported,  ///< a backend does not draw cases of this kind, and does not claim to
+  crash,        ///< the process that was asked ended
+  hang,         ///< it did not answer in time
+};
+
 /// Why an input was refused. Errors are values throughout RasterCheck; no library throws across a
 /// folder, prints, or exits.
 struct Error {
@@ -15,6 +24,7 @@ struct Error {
   std::string place;
   /// What is wrong there, as one line in plain words.
   std::string reason;
+  Failure failure = Failure::refused;
 };
 
 /// "file: place: reason" on one line, without the parts that are empty.

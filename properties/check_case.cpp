@@ -17,6 +17,33 @@ bool fails_with(const Check& check, const std::string& verdict) {
          verdict_of(check) == verdict;
 }
 
+/// Of a drawing that failed.
+records::FragmentClass class_of(Failure failure) {
+  switch (failure) {
+    case Failure::crash:
+      return records::FragmentClass::crash;
+    case Failure::hang:
+      return records::FragmentClass::hang;
+    default:
+      return records::FragmentClass::missing;
+  }
+}
+
+/// The check of a case that could not be drawn.
+Check failed_check(const Error& error) {
+  Check failed;
+  failed.is_applicable = error.failure != Failure::unsupported;
+  if (!failed.is_applicable) return failed;
+  failed.violation_count = 1;
+  records::Violation violation;
+  violation.fragment_class = class_of(error.failure);
+  violation.exact = "a drawing";
+  violation.actual = "none";
+  violation.note = to_string(error);
+  failed.violations = {violation};
+  return failed;
+}
+
 }  // namespace
 
 std::string verdict_of(const Check& check) {
@@ -29,17 +56,11 @@ Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& bac
                     const CheckOptions& options) {
   Result<Check> check = law.check(c, backend, options);
   if (check) return *std::move(check);
+  Check failed = failed_check(check.error());
   // Positions beyond float32 cannot even be handed over: that is nobody's fault.
-  Check failed;
-  failed.is_applicable = oracle::to_clip_case(c, "").has_value();
-  if (!failed.is_applicable) return failed;
-  failed.violation_count = 1;
-  records::Violation violation;
-  violation.fragment_class = records::FragmentClass::missing;
-  violation.exact = "a drawing";
-  violation.actual = "none";
-  violation.note = to_string(check.error());
-  failed.violations = {violation};
+  if (oracle::to_clip_case(c, "")) return failed;
+  failed = {};
+  failed.is_applicable = false;
   return failed;
 }
 
@@ -93,7 +114,9 @@ void shrink_counterexample(const Law& law, backends::Backend& backend, const Cou
 
 void check_case(const Law& law, const std::string& specification, backends::Backend& backend,
                 std::uint64_t seed, const NumberedCase& numbered, Findings& findings) {
-  const Check check = check_or_note(law, numbered.source, backend, {numbered.index});
+  const std::optional<Error> lost = backend.is_lost();
+  const Check check =
+      lost ? failed_check(*lost) : check_or_note(law, numbered.source, backend, {numbered.index});
   if (check.fault && !findings.fault) findings.fault = check.fault;
   records::RecordKey key{std::string(law.name), specification, records::AttributeKind::coverage,
                          numbered.stratum};

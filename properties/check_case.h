@@ -32,12 +32,14 @@ struct NumberedCase {
 
 /// Checks a case and adds the outcome to the findings: counts, errors, labels, and, where the law
 /// is violated and no case before it failed in the same way, a counterexample: the one triangle
-/// that suffices, if one does, else the case.
+/// that suffices, if one does, else the case. A backend that is lost (Backend::is_lost) is not
+/// asked any more: each of its cases fails.
 void check_case(const Law& law, const std::string& specification, backends::Backend& backend,
                 std::uint64_t seed, const NumberedCase& numbered, Findings& findings);
 
 /// A drawing that fails is a violation of whatever was to be checked: what the backend says stands
-/// in its note. Nothing is said of a case with positions beyond float32, which no backend gets.
+/// in its note. Nothing is said of a case that the backend does not support, nor of one with
+/// positions beyond float32, which no backend gets.
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& options);
 

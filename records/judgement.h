@@ -53,6 +53,8 @@ enum class FragmentClass {
   not_a_number,        ///< NaN
   infinite,            ///< infinite where float32 holds the exact value, or of the wrong sign
   wrong_sign_of_zero,  ///< the other zero, where all vertex values are the same zero
+  crash,               ///< no drawing at all: the backend's process ended
+  hang,                ///< nor in the time that it had
 };
 
 /// Of JSON output and tables.
@@ -62,7 +64,7 @@ constexpr auto names_of(AttributeKind /*type*/) {
 constexpr auto names_of(FragmentClass /*type*/) {
   return std::to_array<std::string_view>({"correct", "beyond bound", "missing", "extra",
                                           "wrong triangle", "not a number", "infinite",
-                                          "wrong sign of zero"});
+                                          "wrong sign of zero", "crash", "hang"});
 }
 constexpr std::string_view to_string(AttributeKind kind) { return cases::name_of(kind); }
 constexpr std::string_view to_string(FragmentClass fragment_class) {

@@ -92,7 +92,7 @@ Result<std::unique_ptr<Backend>> make(const std::string& text) {
             simd_names(false) + ")"});
   }
   if (const std::string reason = unavailable_because(options.simd); !reason.empty()) {
-    return tl::unexpected(Error{"cpu:simd=" + options.simd, "", reason});
+    return tl::unexpected(Error{"cpu:simd=" + options.simd, "", reason, Failure::unavailable});
   }
   if (options.threads > 1 && options.output == Output::fragments) {
     return tl::unexpected(Error{"cpu:" + text, "",
