@@ -1,0 +1,155 @@
+#include "backends/plugin/guarded_array.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+namespace rastercheck::backends {
+namespace {
+
+/// What stands before the beginning of an array.
+constexpr std::byte kFront{0xa5};
+
+std::size_t page_size() {
+  static const auto size = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  return size;
+}
+
+/// An array as a signal handler may know it.
+struct Guarded {
+  const char* name = nullptr;  ///< nullptr: none
+  std::uintptr_t begin = 0;
+  std::uintptr_t end = 0;
+};
+/// Of one plugin at a time, which has nine.
+std::array<Guarded, 16> all_guarded;
+
+void forget(const char* name) {
+  for (Guarded& one : all_guarded) {
+    if (one.name == name) one = {};
+  }
+}
+
+void remember(const char* name, const std::byte* data, std::size_t size) {
+  forget(name);
+  const auto begin = reinterpret_cast<std::uintptr_t>(data);
+  const auto place = std::find_if(all_guarded.begin(), all_guarded.end(),
+                                  [](const Guarded& one) { return one.name == nullptr; });
+  if (place != all_guarded.end()) *place = {name, begin, begin + size};
+}
+
+/// A line put together without memory of its own.
+class Line {
+ public:
+  Line& operator<<(std::string_view text) {
+    const std::size_t count = std::min(text.size(), text_.size() - size_);
+    std::copy_n(text.begin(), count, text_.begin() + static_cast<std::ptrdiff_t>(size_));
+    size_ += count;
+    return *this;
+  }
+  Line& operator<<(std::uintptr_t number) {
+    std::array<char, 24> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    return *this << std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()));
+  }
+  void write() const {
+    const ssize_t written = ::write(STDERR_FILENO, text_.data(), size_);
+    static_cast<void>(written);  // There is nobody else to tell.
+  }
+
+ private:
+  std::array<char, 256> text_{};
+  std::size_t size_ = 0;
+};
+
+/// Says which array an address is behind, or in, and lets the signal do what it does.
+void report(int /*signal*/, siginfo_t* info, void* /*context*/) {
+  const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
+  for (const Guarded& one : all_guarded) {
+    if (one.name == nullptr) continue;
+    Line line;
+    if (one.begin <= address && address < one.end) {
+      line << "the plugin wrote to " << one.name << ", which it may only read";
+    } else if (one.end <= address && address < one.end + page_size()) {
+      line << "the plugin touched " << one.name << " beyond its end: byte " << address - one.begin
+           << " of " << one.end - one.begin;
+    } else {
+      continue;
+    }
+    (line << "\n").write();
+    return;
+  }
+  (Line() << "the plugin touched address " << address << ", which is none of its arrays\n").write();
+}
+
+}  // namespace
+
+void report_wrong_accesses() {
+  page_size();
+  // A stack that has run out is no place for a handler.
+  static std::array<std::byte, 65536> stack;
+  stack_t alternative{};
+  alternative.ss_sp = stack.data();
+  alternative.ss_size = stack.size();
+  ::sigaltstack(&alternative, nullptr);
+  struct sigaction action {};
+  action.sa_sigaction = &report;
+  // Once: the access is repeated, and ends the process as if there were no handler.
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK | static_cast<int>(SA_RESETHAND);
+  ::sigaction(SIGSEGV, &action, nullptr);
+  ::sigaction(SIGBUS, &action, nullptr);
+}
+
+GuardedArray::~GuardedArray() { release(); }
+
+void GuardedArray::release() {
+  forget(name_);
+  if (pages_ != nullptr) ::munmap(pages_, touchable_ + page_size());
+  pages_ = nullptr;
+  data_ = nullptr;
+  size_ = 0;
+}
+
+Result<void> GuardedArray::protect(int access) const {
+  if (::mprotect(pages_, touchable_, access) == 0) return {};
+  return tl::unexpected(Error{"mprotect", "", std::strerror(errno)});
+}
+
+Result<void> GuardedArray::resize(std::size_t size) {
+  if (pages_ != nullptr && size == size_) return protect(PROT_READ | PROT_WRITE);
+  release();
+  if (size == 0) return {};
+  const std::size_t page = page_size();
+  const std::size_t touchable = (size + page - 1) / page * page;
+  void* const pages = ::mmap(nullptr, touchable + page, PROT_NONE,
+                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (pages == MAP_FAILED) return tl::unexpected(Error{"mmap", "", std::strerror(errno)});
+  pages_ = static_cast<std::byte*>(pages);
+  touchable_ = touchable;
+  size_ = size;
+  data_ = pages_ + (touchable - size);
+  if (const Result<void> open = protect(PROT_READ | PROT_WRITE); !open) return open;
+  std::fill(pages_, data_, kFront);
+  remember(name_, data_, size_);
+  return {};
+}
+
+Result<void> GuardedArray::assign(std::span<const std::byte> bytes) {
+  if (const Result<void> sized = resize(bytes.size()); !sized || bytes.empty()) return sized;
+  std::copy(bytes.begin(), bytes.end(), data_);
+  return protect(PROT_READ);
+}
+
+bool GuardedArray::is_front_whole() const {
+  return std::all_of(pages_, data_, [](std::byte b) { return b == kFront; });
+}
+
+}  // namespace rastercheck::backends

@@ -1,0 +1,435 @@
+// The backend `plugin:PATH.so`: a rasterizer in a shared library (plugin.h).
+
+#include <fmt/format.h>
+#include <malloc.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <chrono>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "backends/backend.h"
+#include "backends/floating_point_modes.h"
+#include "backends/plugin/guarded_array.h"
+#include "backends/plugin/library.h"
+#include "cases/json.h"
+#include "cases/sample_pattern.h"
+
+namespace rastercheck::backends {
+namespace {
+
+/// Framebuffers of at most so many samples are cleared, and searched for what should not be there,
+/// as a whole before and after each draw; of larger ones what the plugin says it touched.
+constexpr std::size_t kSearchedWhole = std::size_t{1} << 16U;
+/// How often a case is drawn again to see whether memory is given back, and how many drawings in
+/// the end have to have taken some: caches fill in the others.
+constexpr int kRepetitions = 8;
+constexpr int kLeakingRepetitions = 4;
+/// And how long a drawing may take that is drawn again.
+constexpr std::chrono::milliseconds kLongestRepeated{50};
+constexpr std::size_t kMessageSize = 256;
+
+template <typename T>
+std::span<const std::byte> bytes_of(const std::vector<T>& values) {
+  return std::as_bytes(std::span(values));
+}
+
+std::uint32_t rules_of(cases::Rules rules) {
+  if (rules == cases::Rules::opengl) return RASTERCHECK_RULES_OPENGL;
+  return rules == cases::Rules::vulkan ? RASTERCHECK_RULES_VULKAN : RASTERCHECK_RULES_D3D;
+}
+
+std::uint32_t cull_of(cases::Cull cull) {
+  if (cull == cases::Cull::none) return RASTERCHECK_CULL_NONE;
+  return cull == cases::Cull::back ? RASTERCHECK_CULL_BACK : RASTERCHECK_CULL_FRONT;
+}
+
+std::uint32_t basis_of(cases::Basis basis) {
+  if (basis == cases::Basis::ideal) return RASTERCHECK_BASIS_IDEAL;
+  return basis == cases::Basis::snapped ? RASTERCHECK_BASIS_SNAPPED : RASTERCHECK_BASIS_UNSPECIFIED;
+}
+
+rastercheck_attribute attribute_of(const cases::Attribute& attribute) {
+  rastercheck_attribute a{};
+  a.interpolation = attribute.interpolation == cases::Interpolation::smooth ? RASTERCHECK_SMOOTH
+                    : attribute.interpolation == cases::Interpolation::flat
+                        ? RASTERCHECK_FLAT
+                        : RASTERCHECK_NOPERSPECTIVE;
+  a.location = attribute.location == cases::Location::sample   ? RASTERCHECK_AT_SAMPLE
+               : attribute.location == cases::Location::center ? RASTERCHECK_AT_CENTER
+                                                               : RASTERCHECK_AT_CENTROID;
+  return a;
+}
+
+/// The state of a draw, without its arrays.
+rastercheck_draw state_of(const cases::Case& c) {
+  rastercheck_draw draw{};
+  draw.size = sizeof draw;
+  draw.rules = rules_of(c.rules);
+  draw.width = static_cast<std::uint32_t>(c.framebuffer.width);
+  draw.height = static_cast<std::uint32_t>(c.framebuffer.height);
+  draw.samples = static_cast<std::uint32_t>(c.framebuffer.samples);
+  draw.viewport_x = c.viewport.x;
+  draw.viewport_y = c.viewport.y;
+  draw.viewport_width = c.viewport.width;
+  draw.viewport_height = c.viewport.height;
+  draw.min_depth = c.viewport.min_depth;
+  draw.max_depth = c.viewport.max_depth;
+  const cases::Scissor scissor =
+      c.scissor.value_or(cases::Scissor{0, 0, c.framebuffer.width, c.framebuffer.height});
+  draw.scissor_x = scissor.x;
+  draw.scissor_y = scissor.y;
+  draw.scissor_width = scissor.width;
+  draw.scissor_height = scissor.height;
+  draw.cull = cull_of(c.cull);
+  draw.front_face = c.front_face == cases::FrontFace::ccw ? RASTERCHECK_FRONT_FACE_CCW
+                                                          : RASTERCHECK_FRONT_FACE_CW;
+  draw.depth_test = c.depth_test == cases::DepthTest::none ? 0 : 1;
+  draw.depth_clamp = c.depth_clamp ? 1 : 0;
+  draw.coverage = c.coverage ? RASTERCHECK_COVERAGE_SNAPPED : RASTERCHECK_COVERAGE_EXACT;
+  if (c.coverage) {
+    draw.subpixel_bits = static_cast<std::uint32_t>(c.coverage->subpixel_bits);
+    draw.rounding = c.coverage->rounding == cases::Rounding::half_up
+                        ? RASTERCHECK_ROUNDING_HALF_UP
+                        : RASTERCHECK_ROUNDING_NEAREST_EVEN;
+  }
+  draw.tie_rule = c.fill_rule == cases::TieRule::top_left ? RASTERCHECK_TIE_RULE_TOP_LEFT
+                                                          : RASTERCHECK_TIE_RULE_BOTTOM_LEFT;
+  draw.basis = basis_of(c.coverage ? c.basis : cases::Basis::ideal);
+  return draw;
+}
+
+/// What the arrays of a plugin are, and are called where they are touched wrongly.
+struct Arrays {
+  GuardedArray sample_positions{"draw->sample_positions"};
+  GuardedArray positions{"draw->positions"};
+  GuardedArray attributes{"draw->attributes"};
+  GuardedArray attribute_values{"draw->attribute_values"};
+  GuardedArray clip_distances{"draw->clip_distances"};
+  GuardedArray indices{"draw->indices"};
+  GuardedArray coverage{"output->coverage"};
+  GuardedArray triangle{"output->triangle"};
+  GuardedArray depth{"output->depth"};
+  GuardedArray values{"output->attributes"};
+  GuardedArray message{"output->message"};
+};
+
+/// A place of the framebuffer that a draw covered.
+struct Place {
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+  std::uint32_t sample = 0;
+};
+
+/// Pixels [min_x, max_x) × [min_y, max_y).
+struct Rectangle {
+  std::uint32_t min_x = 0;
+  std::uint32_t min_y = 0;
+  std::uint32_t max_x = 0;
+  std::uint32_t max_y = 0;
+};
+
+class PluginBackend : public Backend {
+ public:
+  PluginBackend(std::string path, Plugin plugin)
+      : path_(std::move(path)), plugin_(std::move(plugin)) {}
+
+  std::string description() const override { return describe(plugin_); }
+  bool has_limits() const override {
+    // It may also say of any draw that it has none of that kind.
+    return true;
+  }
+  cases::Contract contract(const cases::Case& c) const override {
+    return contract_of(plugin_.contract, c);
+  }
+  Result<cases::Framebuffer> draw(const cases::Case& c) override;
+
+ private:
+  Result<cases::Framebuffer> draw_once(const cases::Case& c);
+  Result<void> hand_over(const cases::Case& c);
+  Result<void> append(std::uint32_t first, std::uint32_t count, cases::Framebuffer& drawn);
+  Result<void> call();
+  Result<void> check_output(std::uint32_t triangles) const;
+  Result<void> check_memory(const cases::Case& c);
+  void clear(const Rectangle& part);
+  void collect(std::uint32_t first, cases::Framebuffer& drawn) const;
+  Rectangle whole() const { return {0, 0, draw_.width, draw_.height}; }
+  Rectangle touched() const { return {output_.min_x, output_.min_y, output_.max_x, output_.max_y}; }
+  bool is_searched_whole() const { return sample_count() <= kSearchedWhole; }
+
+  std::size_t sample_count() const {
+    return std::size_t{draw_.width} * draw_.height * draw_.samples;
+  }
+  std::size_t index_of(const Place& at) const {
+    return (std::size_t{at.y} * draw_.width + at.x) * draw_.samples + at.sample;
+  }
+  template <typename Visit>
+  void each_place(const Rectangle& part, const Visit& visit) const {
+    for (Place at{0, part.min_y, 0}; at.y < part.max_y; ++at.y) {
+      for (at.x = part.min_x; at.x < part.max_x; ++at.x) {
+        for (at.sample = 0; at.sample < draw_.samples; ++at.sample) visit(at);
+      }
+    }
+  }
+  tl::unexpected<Error> fail(const std::string& reason, Failure failure = Failure::refused) const {
+    return tl::unexpected(Error{"plugin:" + path_, "", reason, failure});
+  }
+
+  std::string path_;
+  Plugin plugin_;
+  Arrays arrays_;
+  rastercheck_draw draw_{};
+  rastercheck_output output_{};
+  Rectangle dirty_;  ///< what the last draw may have left in the output
+  std::uint64_t drawings_ = 0;
+};
+
+/// Bytes that were allocated and not given back.
+std::size_t memory_in_use() {
+  const struct mallinfo2 info = ::mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+Result<cases::Framebuffer> PluginBackend::draw(const cases::Case& c) {
+  if (const std::string what = lacks(plugin_.contract, c); !what.empty()) {
+    return fail("its contract lacks " + what, Failure::unsupported);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  Result<cases::Framebuffer> drawn = draw_once(c);
+  if (!drawn) return drawn;
+  const auto passed = std::chrono::steady_clock::now() - start;
+  if (std::has_single_bit(++drawings_) && passed <= kLongestRepeated) {
+    if (const Result<void> kept = check_memory(c); !kept) return tl::unexpected(kept.error());
+  }
+  return drawn;
+}
+
+/// A saved case is the first that is drawn when it is replayed, and so is looked at again.
+Result<void> PluginBackend::check_memory(const cases::Case& c) {
+  std::size_t before = memory_in_use();
+  int growing = 0;
+  std::size_t growth = 0;
+  for (int i = 0; i < kRepetitions; ++i) {
+    if (const Result<cases::Framebuffer> again = draw_once(c); !again) {
+      return tl::unexpected(again.error());
+    }
+    const std::size_t after = memory_in_use();
+    growing = after > before ? growing + 1 : 0;
+    growth = after - before;
+    before = after;
+  }
+  if (growing < kLeakingRepetitions) return {};
+  return fail(
+      fmt::format("it leaks: each time that this case is drawn again, more memory is in use "
+                  "than before, the last time {} bytes",
+                  growth));
+}
+
+Result<cases::Framebuffer> PluginBackend::draw_once(const cases::Case& c) {
+  if (const Result<void> handed = hand_over(c); !handed) return tl::unexpected(handed.error());
+  cases::Framebuffer drawn;
+  drawn.attribute_count = c.attributes.size();
+  const auto triangles = static_cast<std::uint32_t>(c.triangles.size());
+  const std::uint32_t together = draw_.depth_test != 0 ? triangles : 1;
+  for (std::uint32_t first = 0; first < triangles; first += together) {
+    const Result<void> appended = append(first, together, drawn);
+    if (!appended) return tl::unexpected(appended.error());
+  }
+  return drawn;
+}
+
+/// What is the same for all draws of a case.
+Result<void> PluginBackend::hand_over(const cases::Case& c) {
+  draw_ = state_of(c);
+  std::vector<float> places;
+  for (const auto& p : cases::standard_pattern(c.framebuffer.samples)) {
+    places.insert(places.end(), {static_cast<float>(p.x) / 16, static_cast<float>(p.y) / 16});
+  }
+  std::vector<rastercheck_attribute> attributes;
+  for (const cases::Attribute& a : c.attributes) attributes.push_back(attribute_of(a));
+  const std::array<std::pair<GuardedArray*, std::span<const std::byte>>, 6> inputs{
+      {{&arrays_.sample_positions, bytes_of(places)},
+       {&arrays_.positions, bytes_of(c.positions)},
+       {&arrays_.attributes, bytes_of(attributes)},
+       {&arrays_.attribute_values, bytes_of(c.attribute_values)},
+       {&arrays_.clip_distances, bytes_of(c.clip_distances)},
+       {&arrays_.indices, bytes_of(c.triangles)}}};
+  for (const auto& [array, bytes] : inputs) {
+    if (const Result<void> assigned = array->assign(bytes); !assigned) return assigned;
+  }
+  draw_.sample_positions = arrays_.sample_positions.as<const float>();
+  draw_.vertex_count = static_cast<std::uint32_t>(c.positions.size());
+  draw_.positions = arrays_.positions.as<const float>();
+  draw_.attribute_count = static_cast<std::uint32_t>(c.attributes.size());
+  draw_.attributes = arrays_.attributes.as<const rastercheck_attribute>();
+  draw_.attribute_values = arrays_.attribute_values.as<const float>();
+  draw_.clip_distance_count = static_cast<std::uint32_t>(c.clip_distance_count);
+  draw_.clip_distances = arrays_.clip_distances.as<const float>();
+
+  const std::size_t samples = sample_count();
+  const std::array<std::pair<GuardedArray*, std::size_t>, 5> outputs{
+      {{&arrays_.coverage, samples},
+       {&arrays_.triangle, samples * sizeof(std::uint32_t)},
+       {&arrays_.depth, samples * sizeof(float)},
+       {&arrays_.values, samples * c.attributes.size() * sizeof(float)},
+       {&arrays_.message, kMessageSize}}};
+  for (const auto& [array, size] : outputs) {
+    if (const Result<void> sized = array->resize(size); !sized) return sized;
+  }
+  dirty_ = whole();
+  return {};
+}
+
+Result<void> PluginBackend::append(std::uint32_t first, std::uint32_t count,
+                                   cases::Framebuffer& drawn) {
+  clear(dirty_);
+  draw_.triangle_count = count;
+  draw_.indices = arrays_.indices.as<const std::uint32_t>() + std::size_t{first} * 3;
+  if (const Result<void> called = call(); !called) return called;
+  if (const Result<void> checked = check_output(count); !checked) return checked;
+  collect(first, drawn);
+  dirty_ = is_searched_whole() ? whole() : touched();
+  return {};
+}
+
+/// Makes the output of a part what it is before a draw, and that of the rest is still so.
+void PluginBackend::clear(const Rectangle& part) {
+  constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+  const std::size_t row = std::size_t{part.max_x - part.min_x} * draw_.samples;
+  for (std::uint32_t y = part.min_y; y < part.max_y; ++y) {
+    const std::size_t begin = index_of({part.min_x, y, 0});
+    std::fill_n(arrays_.coverage.as<std::uint8_t>() + begin, row, std::uint8_t{0});
+    std::fill_n(arrays_.triangle.as<std::uint32_t>() + begin, row, 0U);
+    std::fill_n(arrays_.depth.as<float>() + begin, row, kNothing);
+    const std::size_t count = draw_.attribute_count;
+    if (count > 0) std::fill_n(arrays_.values.as<float>() + begin * count, row * count, kNothing);
+  }
+  std::fill_n(arrays_.message.as<char>(), kMessageSize, '\0');
+  output_ = {};
+  output_.size = sizeof output_;
+  output_.coverage = arrays_.coverage.as<std::uint8_t>();
+  output_.triangle = arrays_.triangle.as<std::uint32_t>();
+  output_.depth = arrays_.depth.as<float>();
+  output_.attributes = arrays_.values.as<float>();
+  output_.max_x = draw_.width;
+  output_.max_y = draw_.height;
+  output_.message = arrays_.message.as<char>();
+  output_.message_size = kMessageSize;
+}
+
+Result<void> PluginBackend::call() {
+  // Copies: what it does to the structs changes nothing here but the rectangle.
+  const rastercheck_draw draw = draw_;
+  rastercheck_output output = output_;
+  const FloatingPointModes modes;
+  const std::uint32_t status = plugin_.draw(&draw, &output);
+  if (modes.have_changed()) {
+    return fail(
+        "draw() returned with another rounding mode, or with another treatment of subnormal "
+        "numbers, than it was called with");
+  }
+  output_.min_x = output.min_x;
+  output_.min_y = output.min_y;
+  output_.max_x = output.max_x;
+  output_.max_y = output.max_y;
+  if (status == RASTERCHECK_OK) return {};
+  const auto* const text = arrays_.message.as<const char>();
+  std::string message = cases::one_line(std::string_view(text, ::strnlen(text, kMessageSize)));
+  if (message.empty()) message = "without a message";
+  if (status == RASTERCHECK_UNSUPPORTED) {
+    return fail("draw() says unsupported: " + message, Failure::unsupported);
+  }
+  if (status == RASTERCHECK_FAILED) return fail("draw() says failed: " + message);
+  return fail(
+      fmt::format("draw() returned {}, which is none of RASTERCHECK_OK, "
+                  "RASTERCHECK_UNSUPPORTED and RASTERCHECK_FAILED",
+                  status));
+}
+
+/// Whether the output is such as the header wants it.
+Result<void> PluginBackend::check_output(std::uint32_t triangles) const {
+  for (const auto& [array, name] :
+       {std::pair(&arrays_.coverage, "coverage"), std::pair(&arrays_.triangle, "triangle"),
+        std::pair(&arrays_.depth, "depth"), std::pair(&arrays_.values, "attributes"),
+        std::pair(&arrays_.message, "message")}) {
+    if (array->size() == 0 || array->is_front_whole()) continue;
+    return fail(fmt::format("draw() wrote before the beginning of output->{}", name));
+  }
+  const Rectangle part = touched();
+  if (part.min_x > part.max_x || part.min_y > part.max_y || part.max_x > draw_.width ||
+      part.max_y > draw_.height) {
+    return fail(
+        fmt::format("draw() says it covered x from {} to {} and y from {} to {} of {} x {} "
+                    "pixels",
+                    part.min_x, part.max_x, part.min_y, part.max_y, draw_.width, draw_.height));
+  }
+  std::string fault;
+  each_place(is_searched_whole() ? whole() : part, [&](const Place& at) {
+    const unsigned coverage = arrays_.coverage.as<const std::uint8_t>()[index_of(at)];
+    if (coverage == 0 || !fault.empty()) return;
+    const std::uint32_t triangle = arrays_.triangle.as<const std::uint32_t>()[index_of(at)];
+    const bool is_inside =
+        part.min_x <= at.x && at.x < part.max_x && part.min_y <= at.y && at.y < part.max_y;
+    if (coverage != 1) {
+      fault = fmt::format("wrote {} to output->coverage, which has to be 0 or 1", coverage);
+    } else if (!is_inside) {
+      fault = "covered what lies outside of the min_x, min_y, max_x, max_y that it gave";
+    } else if (triangle >= triangles) {
+      fault = fmt::format("wrote {} to output->triangle, of a draw of {}", triangle, triangles);
+    }
+    if (!fault.empty()) {
+      fault = fmt::format("draw() {} (pixel {}, {}, sample {})", fault, at.x, at.y, at.sample);
+    }
+  });
+  if (!fault.empty()) return fail(fault);
+  return {};
+}
+
+/// Appends what was covered, in the order of a Framebuffer.
+void PluginBackend::collect(std::uint32_t first, cases::Framebuffer& drawn) const {
+  std::vector<Place> places;
+  each_place(touched(), [&](const Place& at) {
+    if (arrays_.coverage.as<const std::uint8_t>()[index_of(at)] != 0) places.push_back(at);
+  });
+  const auto triangle_at = [this](const Place& at) {
+    return arrays_.triangle.as<const std::uint32_t>()[index_of(at)];
+  };
+  std::stable_sort(places.begin(), places.end(),
+                   [&](const Place& a, const Place& b) { return triangle_at(a) < triangle_at(b); });
+  for (const Place& at : places) {
+    const std::size_t index = index_of(at);
+    drawn.triangle.push_back(first + triangle_at(at));
+    drawn.x.push_back(static_cast<std::uint16_t>(at.x));
+    drawn.y.push_back(static_cast<std::uint16_t>(at.y));
+    drawn.sample.push_back(static_cast<std::uint8_t>(at.sample));
+    drawn.depth.push_back(arrays_.depth.as<const float>()[index]);
+    for (std::size_t i = 0; i < draw_.attribute_count; ++i) {
+      drawn.attributes.push_back(
+          arrays_.values.as<const float>()[index * draw_.attribute_count + i]);
+    }
+  }
+}
+
+Result<std::unique_ptr<Backend>> make(const std::string& path) {
+  report_wrong_accesses();
+  Result<Plugin> plugin = load_plugin(path);
+  if (!plugin) return tl::unexpected(plugin.error());
+  return std::make_unique<PluginBackend>(path, *std::move(plugin));
+}
+
+std::vector<Listing> list() {
+  return {{"plugin:PATH.so", "a shared library of yours (rastercheck plugin new)", ""}};
+}
+
+const BackendRegistration kRegistration({"plugin", &make, &list, true});
+
+}  // namespace
+}  // namespace rastercheck::backends
