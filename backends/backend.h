@@ -30,6 +30,16 @@ class Backend {
   Backend& operator=(const Backend&) = delete;
   virtual ~Backend() = default;
 
+  /// One line about what is drawn with: name and version of a driver or plugin, say. May be empty.
+  virtual std::string description() const { return ""; }
+
+  /// Whether there are kinds of cases that it does not draw (Failure::unsupported): laws about
+  /// these check nothing then, and labels are not reached, which is no fault of a run.
+  virtual bool has_limits() const { return false; }
+
+  /// Why asking it any more is of no use, where it is: whatever it drew of late came to nothing.
+  virtual std::optional<Error> is_lost() const { return std::nullopt; }
+
   /// What it promises about coverage and attributes under these rules; decides the verdicts.
   virtual cases::Contract contract(const cases::Case& c) const = 0;
 
@@ -114,9 +124,13 @@ struct BackendKind {
   /// Fails where the options name nothing, or where it cannot run here.
   Result<std::unique_ptr<Backend>> (*make)(const std::string& options);
   std::vector<Listing> (*list)();
+  /// Whether it runs code that this project did not write, which may do anything: it gets a process
+  /// of its own (isolation.h).
+  bool is_foreign = false;
 };
 
-/// Makes the backend of a specification. The error's file is the specification.
+/// Makes the backend of a specification. The error's file is the specification; its failure is
+/// `unavailable` where the backend is one that there is, and that cannot run here.
 Result<std::unique_ptr<Backend>> make_backend(const std::string& specification);
 
 /// Everything that could be asked for, by kind.

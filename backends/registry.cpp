@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "backends/backend.h"
+#include "backends/isolation.h"
 
 namespace rastercheck::backends {
 namespace {
@@ -10,7 +11,15 @@ std::vector<BackendKind>& registry() {
   return kinds;
 }
 
+/// Nothing: foreign backends are made in this process.
+std::optional<Isolation>& isolation_of_foreign() {
+  static std::optional<Isolation> isolation;
+  return isolation;
+}
+
 }  // namespace
+
+void isolate_foreign_backends(const Isolation& isolation) { isolation_of_foreign() = isolation; }
 
 BackendRegistration::BackendRegistration(const BackendKind& kind) {
   // The order in which files register is the linker's; lists have one of their own.
@@ -27,7 +36,11 @@ Result<std::unique_ptr<Backend>> make_backend(const std::string& specification) 
       colon == std::string::npos ? std::string() : specification.substr(colon + 1);
   std::string known;
   for (const BackendKind& candidate : registry()) {
-    if (candidate.kind == kind) return candidate.make(options);
+    if (candidate.kind == kind) {
+      const std::optional<Isolation>& isolation = isolation_of_foreign();
+      return candidate.is_foreign && isolation ? make_isolated_backend(specification, *isolation)
+                                               : candidate.make(options);
+    }
     known += (known.empty() ? "" : ", ") + std::string(candidate.kind);
   }
   return tl::unexpected(Error{specification, "", "no backend of that name; there are: " + known});

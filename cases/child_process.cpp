@@ -6,10 +6,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <utility>
 
@@ -127,14 +129,24 @@ Result<void> limit_this_process(const ProcessLimits& limits) {
   // Of the address space, because that is what allocations fail by; sanitizers have terabytes of it
   // from the start.
   const rlim_t memory = address_space() + limits.memory;
-  const std::array<std::pair<__rlimit_resource, rlimit>, 4> all{
-      {{RLIMIT_AS, {memory, memory}},
-       {RLIMIT_CPU, {limits.seconds, limits.seconds + 1}},
-       {RLIMIT_CORE, {0, 0}},
-       {RLIMIT_FSIZE, {0, 0}}}};
+  std::vector<std::pair<__rlimit_resource, rlimit>> all{
+      {RLIMIT_AS, {memory, memory}}, {RLIMIT_CORE, {0, 0}}, {RLIMIT_FSIZE, {0, 0}}};
+  if (limits.seconds > 0) all.push_back({RLIMIT_CPU, {limits.seconds, limits.seconds + 1}});
   for (const auto& [resource, limit] : all) {
     if (::setrlimit(resource, &limit) != 0) return failure("setrlimit", errno);
   }
+  return {};
+}
+
+Result<void> limit_processor_time_from_now(std::chrono::duration<double> time) {
+  timespec used{};
+  if (::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used) != 0) return failure("clock_gettime", errno);
+  // Limits are whole seconds; one more, so that none is shorter than it should be.
+  const rlim_t seconds = static_cast<rlim_t>(used.tv_sec) + static_cast<rlim_t>(time.count()) + 2;
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_CPU, &limit) != 0) return failure("getrlimit", errno);
+  limit.rlim_cur = std::min(seconds, limit.rlim_max);
+  if (::setrlimit(RLIMIT_CPU, &limit) != 0) return failure("setrlimit", errno);
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -100,11 +101,15 @@ Result<Descriptor> take_standard_output();
 /// What a process may use from now on.
 struct ProcessLimits {
   std::uint64_t memory = 0;  ///< bytes beyond those that it has
-  unsigned seconds = 0;      ///< of processor time; SIGXCPU ends it then
+  unsigned seconds = 0;      ///< of processor time, 0 for any; SIGXCPU ends it then
   bool operator==(const ProcessLimits&) const = default;
 };
 
 /// Limits this process, which also writes neither files nor core dumps from now on.
 Result<void> limit_this_process(const ProcessLimits& limits);
+
+/// Ends this process by SIGXCPU once it has used so much processor time more, on all processors
+/// together. What was said before no longer holds.
+Result<void> limit_processor_time_from_now(std::chrono::duration<double> time);
 
 }  // namespace rastercheck::cases

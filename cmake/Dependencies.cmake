@@ -29,6 +29,14 @@ set_target_properties(epoxy::epoxy PROPERTIES
   IMPORTED_LOCATION "${RASTERCHECK_EPOXY_LIBRARY}"
   INTERFACE_INCLUDE_DIRECTORIES "${RASTERCHECK_EPOXY_INCLUDE}")
 
+# libseccomp, for the processes of foreign code. It comes without a CMake file, too.
+find_path(RASTERCHECK_SECCOMP_INCLUDE seccomp.h REQUIRED)
+find_library(RASTERCHECK_SECCOMP_LIBRARY seccomp REQUIRED)
+add_library(seccomp::seccomp UNKNOWN IMPORTED)
+set_target_properties(seccomp::seccomp PROPERTIES
+  IMPORTED_LOCATION "${RASTERCHECK_SECCOMP_LIBRARY}"
+  INTERFACE_INCLUDE_DIRECTORIES "${RASTERCHECK_SECCOMP_INCLUDE}")
+
 if(RASTERCHECK_TESTS)
   find_package(GTest REQUIRED)
   find_package(benchmark REQUIRED)

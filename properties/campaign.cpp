@@ -17,6 +17,10 @@ constexpr std::uint64_t kCasesPerTask = 10;
 /// Of a law and backend; beyond it tasks grow, as what each found has to be handed over and merged.
 constexpr std::uint64_t kMostTasks = 500;
 
+/// Seconds in which a case that a backend hangs at is made smaller, if nobody says how many: each
+/// try may take the whole time that a backend has.
+constexpr double kHangSeconds = 60;
+
 /// How many random cases of a law were checked, and of these how many reached each label. Nobody
 /// says what a corpus or a scene is to reach.
 std::pair<std::uint64_t, std::map<std::string, std::uint64_t>> random_labels(
@@ -75,6 +79,8 @@ std::vector<records::UnreachedLabel> unreached_labels(const CampaignOptions& opt
   std::vector<records::UnreachedLabel> unreached;
   for (const std::string& backend : options.backends) {
     const auto made = backends::make_backend(backend);
+    // Shares were measured of backends that draw every case.
+    if (made && (*made)->has_limits()) continue;
     const bool is_decided = made && draws_what_is_asked_for(**made);
     for (const std::string& name : options.laws) {
       const Law* law = find_law(name);
@@ -122,10 +128,13 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   Findings findings;
   if (task.kind == TaskKind::shrink) {
     const auto start = std::chrono::steady_clock::now();
+    const bool is_hang =
+        task.subject->source.found->verdict == records::to_string(records::FragmentClass::hang);
+    const std::optional<double> seconds =
+        shrinking_.seconds || !is_hang ? shrinking_.seconds : kHangSeconds;
     const auto is_late = [&] {
       const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-      return (shrinking_.seconds && passed.count() >= *shrinking_.seconds) ||
-             (is_to_end && is_to_end());
+      return (seconds && passed.count() >= *seconds) || (is_to_end && is_to_end());
     };
     shrink_counterexample(*law, **drawing, *task.subject, {shrinking_.tries, is_late}, findings);
     return findings;

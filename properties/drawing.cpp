@@ -1,46 +1,10 @@
 #include "properties/drawing.h"
 
-#include <cfenv>
-
+#include "backends/floating_point_modes.h"
 #include "oracle/transform.h"
-
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
 
 namespace rastercheck::properties {
 namespace {
-
-/// The modes that change results; put back when it goes out of scope.
-class FloatingPointModes {
- public:
-  FloatingPointModes() = default;
-  FloatingPointModes(const FloatingPointModes&) = delete;
-  FloatingPointModes& operator=(const FloatingPointModes&) = delete;
-  ~FloatingPointModes() {
-    std::fesetround(rounding_);
-#if defined(__SSE__)
-    _mm_setcsr(control_);
-#endif
-  }
-
-  bool have_changed() const {
-    bool is_changed = std::fegetround() != rounding_;
-#if defined(__SSE__)
-    // Rounding (bits 13 and 14), flush to zero (15), denormals are zero (6). The rest are masks
-    // and sticky flags, which change no result.
-    constexpr unsigned kModes = 0xe040;
-    is_changed = is_changed || ((_mm_getcsr() ^ control_) & kModes) != 0;
-#endif
-    return is_changed;
-  }
-
- private:
-  int rounding_ = std::fegetround();
-#if defined(__SSE__)
-  unsigned control_ = _mm_getcsr();
-#endif
-};
 
 /// Whether the arrays are as long as each other and have the case's attributes.
 bool is_well_formed(const cases::Framebuffer& drawn, const cases::Case& c) {
@@ -77,7 +41,7 @@ template <typename Call>
 Result<cases::Framebuffer> drawn_by(const cases::Case& c, const Call& call) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  const FloatingPointModes modes;
+  const backends::FloatingPointModes modes;
   Result<cases::Framebuffer> drawn = call(*clip);
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
   if (drawn && !is_well_formed(*drawn, *clip)) {
@@ -102,7 +66,7 @@ Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology 
 }
 
 Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends::Backend& backend) {
-  const FloatingPointModes modes;
+  const backends::FloatingPointModes modes;
   Result<std::vector<cases::ClipVertex>> positions = backend.transform(c);
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
   if (positions && positions->size() != c.positions.size()) {
@@ -115,7 +79,7 @@ Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends:
 Result<std::vector<cases::Normal>> transform_normals(const cases::Matrix4& model,
                                                      std::span<const cases::Normal> normals,
                                                      backends::Backend& backend) {
-  const FloatingPointModes modes;
+  const backends::FloatingPointModes modes;
   Result<std::vector<cases::Normal>> world = backend.transform_normals(model, normals);
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
   if (world && world->size() != normals.size()) {
@@ -129,7 +93,7 @@ Result<cases::Picture> draw_picture(const cases::Case& c, backends::Backend& bac
                                     const cases::Pipeline& pipeline) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  const FloatingPointModes modes;
+  const backends::FloatingPointModes modes;
   Result<cases::Picture> picture = backend.draw_picture(*clip, pipeline);
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
   if (picture && !is_well_formed(*picture, *clip, pipeline)) {

@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "backends/backend.h"
+#include "cases/json.h"
 #include "cases/names.h"
 #include "cases/sample_pattern.h"
 #include "cli/command.h"
+#include "cli/isolation.h"
 #include "properties/generator.h"
 #include "properties/law.h"
 #include "rasterizer/methods/method.h"
@@ -23,12 +25,24 @@ using nlohmann::ordered_json;
 /// One kind of thing that can be listed: rows are objects with the same keys.
 struct Kind {
   std::string_view name;
-  std::vector<ordered_json> (*rows)();
+  /// `backends` are those that were asked for.
+  std::vector<ordered_json> (*rows)(const std::vector<std::string>& backends);
   std::size_t columns = 4;  ///< of a table, at most; JSON has all
 };
 
-std::vector<ordered_json> backend_rows() {
+/// A backend that was asked for by its specification.
+ordered_json row_of(const std::string& specification) {
+  const auto backend = backends::make_backend(specification);
+  return {{"name", specification},
+          {"available", backend.has_value()},
+          {"summary", backend ? (*backend)->description() : ""},
+          {"why not", backend ? "" : cases::printable(to_string(backend.error()))}};
+}
+
+std::vector<ordered_json> backend_rows(const std::vector<std::string>& asked_for) {
   std::vector<ordered_json> rows;
+  for (const std::string& specification : asked_for) rows.push_back(row_of(specification));
+  if (!rows.empty()) return rows;
   for (const backends::Listing& listing : backends::list_backends()) {
     rows.push_back({{"name", listing.specification},
                     {"available", listing.unavailable_because.empty()},
@@ -38,7 +52,7 @@ std::vector<ordered_json> backend_rows() {
   return rows;
 }
 
-std::vector<ordered_json> property_rows() {
+std::vector<ordered_json> property_rows(const std::vector<std::string>& /*backends*/) {
   std::vector<ordered_json> rows;
   for (const properties::Law& law : properties::laws()) {
     ordered_json labels = ordered_json::object();
@@ -53,7 +67,7 @@ std::vector<ordered_json> property_rows() {
   return rows;
 }
 
-std::vector<ordered_json> generator_rows() {
+std::vector<ordered_json> generator_rows(const std::vector<std::string>& /*backends*/) {
   std::vector<ordered_json> rows;
   for (const properties::Generator& generator : properties::generators()) {
     rows.push_back({{"name", generator.name}, {"summary", generator.summary}});
@@ -67,7 +81,7 @@ ordered_json to_json(const rasterizer::Operations& operations) {
           {"divisions", operations.divisions}};
 }
 
-std::vector<ordered_json> method_rows() {
+std::vector<ordered_json> method_rows(const std::vector<std::string>& /*backends*/) {
   std::vector<ordered_json> rows;
   for (const rasterizer::Method& method : rasterizer::methods()) {
     const rasterizer::OperationCounts counts = method.operations();
@@ -83,7 +97,7 @@ std::vector<ordered_json> method_rows() {
   return rows;
 }
 
-std::vector<ordered_json> rules_rows() {
+std::vector<ordered_json> rules_rows(const std::vector<std::string>& /*backends*/) {
   std::vector<ordered_json> rows;
   for (const cases::Rules rules : {cases::Rules::opengl, cases::Rules::vulkan, cases::Rules::d3d}) {
     rows.push_back({{"name", name_of(rules)},
@@ -93,7 +107,7 @@ std::vector<ordered_json> rules_rows() {
   return rows;
 }
 
-std::vector<ordered_json> pattern_rows() {
+std::vector<ordered_json> pattern_rows(const std::vector<std::string>& /*backends*/) {
   std::vector<ordered_json> rows;
   for (const int samples : {1, 2, 4, 8, 16}) {
     ordered_json positions = ordered_json::array();
@@ -114,9 +128,9 @@ std::string cell(const ordered_json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-void print_table(const Kind& kind, bool quiet) {
+void print_table(const Kind& kind, const std::vector<ordered_json>& rows, bool quiet) {
   std::vector<std::vector<std::string>> cells;
-  for (const ordered_json& row : kind.rows()) {
+  for (const ordered_json& row : rows) {
     std::vector<std::string> names;
     std::vector<std::string> values;
     for (const auto& member : row.items()) {
@@ -133,18 +147,22 @@ void print_table(const Kind& kind, bool quiet) {
 
 struct Options {
   std::string kind;
+  std::vector<std::string> backends;
   bool json = false;
   bool quiet = false;
 };
 
 ExitCode run(const Options& options) {
+  isolate_foreign_backends(kDefaultTimeout);
   ordered_json document = ordered_json::object();
   for (const Kind& kind : kKinds) {
-    if (!options.kind.empty() && options.kind != kind.name) continue;
+    const std::string_view chosen =
+        options.kind.empty() && !options.backends.empty() ? "backends" : options.kind;
+    if (!chosen.empty() && chosen != kind.name) continue;
     if (options.json) {
-      document[std::string(kind.name)] = kind.rows();
+      document[std::string(kind.name)] = kind.rows(options.backends);
     } else {
-      print_table(kind, options.quiet);
+      print_table(kind, kind.rows(options.backends), options.quiet);
     }
   }
   if (options.json) fmt::print("{}\n", document.dump());
@@ -158,6 +176,9 @@ Action set_up(CLI::App& app) {
   for (const Kind& kind : kKinds) names.emplace_back(kind.name);
   app.add_option("KIND", options->kind, "What to list; everything without it")
       ->check(CLI::IsMember(names));
+  app.add_option("--backend", options->backends,
+                 "Lists this backend, as plugin:PATH.so, and what it says of itself; may be given "
+                 "several times");
   app.add_flag("--json", options->json, "As JSON");
   app.add_flag("-q,--quiet", options->quiet, "Rows only");
   return [options] { return run(*options); };

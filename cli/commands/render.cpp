@@ -12,6 +12,7 @@
 #include "cases/json.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
+#include "cli/isolation.h"
 #include "cli/sample_limit.h"
 #include "oracle/transform.h"
 #include "properties/drawing.h"
@@ -25,6 +26,7 @@ struct Options {
   std::string file;
   std::string backend = "cpu";
   std::string png;
+  double timeout = kDefaultTimeout;
   bool all = false;
   bool json = false;
   bool quiet = false;
@@ -70,6 +72,7 @@ void print_table(const cases::Case& c, const cases::Framebuffer& drawn, bool qui
 }
 
 ExitCode run(const Options& options) {
+  isolate_foreign_backends(options.timeout);
   auto backend = backends::make_backend(options.backend);
   if (!backend) return fail_backend(backend.error());
   Result<cases::Case> c = cases::read_case(options.file);
@@ -101,6 +104,7 @@ Action set_up(CLI::App& app) {
   app.add_option("CASE", options->file, "Case file; - reads standard input")->required();
   app.add_option("--backend", options->backend, "What draws it (see rastercheck list backends)")
       ->capture_default_str();
+  add_timeout(app, options->timeout);
   app.add_option("--png", options->png, "Writes the picture to this file, and prints nothing");
   app.add_flag("--all", options->all, "Also where the framebuffer has more than 2^26 samples");
   app.add_flag("--json", options->json, "The fragments as JSON, values as hex floats");

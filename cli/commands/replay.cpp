@@ -12,6 +12,7 @@
 #include "cases/json.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
+#include "cli/isolation.h"
 #include "oracle/transform.h"
 #include "properties/check_case.h"
 #include "properties/close_up.h"
@@ -24,6 +25,7 @@ namespace {
 struct Options {
   std::vector<std::string> files;
   std::string backend;
+  double timeout = kDefaultTimeout;
   bool json = false;
   bool quiet = false;
 };
@@ -142,6 +144,7 @@ Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs) {
 }
 
 ExitCode run(const Options& options) {
+  isolate_foreign_backends(options.timeout);
   const Result<std::vector<Input>> inputs = read_inputs(options);
   if (!inputs) return fail(inputs.error());
   std::vector<std::string> specifications;
@@ -168,6 +171,7 @@ Action set_up(CLI::App& app) {
       ->required();
   app.add_option("--backend", options->backend,
                  "What draws; without it the one it was found with, or cpu");
+  add_timeout(app, options->timeout);
   app.add_flag("--json", options->json, "As JSON");
   app.add_flag("-q,--quiet", options->quiet, "Verdicts only");
   app.footer(

@@ -18,6 +18,7 @@
 #include "cli/corpus_folder.h"
 #include "cli/environment.h"
 #include "cli/interrupt.h"
+#include "cli/isolation.h"
 #include "cli/output.h"
 #include "cli/own_program.h"
 #include "cli/progress.h"
@@ -47,6 +48,7 @@ struct Options {
   std::vector<std::string> formats = reports::format_names();
   std::uint64_t shrink_tries = properties::ShrinkBudget().tries;
   std::optional<double> shrink_seconds;
+  double timeout = kDefaultTimeout;
   bool resume = false;
   int jobs = 1;
   bool json = false;
@@ -94,13 +96,14 @@ Result<properties::RunPlan> plan_of(const Options& options) {
 /// How tasks are run: in this process, or in several.
 class Executor {
  public:
-  Executor(const properties::RunPlan& plan, std::vector<cases::Case> corpus, int jobs)
+  Executor(const properties::RunPlan& plan, std::vector<cases::Case> corpus, const Options& options)
       : runner_(plan.campaign.seed, std::move(corpus), plan.campaign.shrinking),
-        command_{kOwnProgram,      "worker",
+        command_{kOwnProgram,      "task-worker",
                  "--seed",         std::to_string(plan.campaign.seed),
                  "--corpus",       plan.corpus,
-                 "--shrink-tries", std::to_string(plan.campaign.shrinking.tries)},
-        jobs_(jobs) {
+                 "--shrink-tries", std::to_string(plan.campaign.shrinking.tries),
+                 "--timeout",      fmt::format("{}", options.timeout)},
+        jobs_(options.jobs) {
     if (const auto& seconds = plan.campaign.shrinking.seconds) {
       command_.insert(command_.end(), {"--shrink-seconds", fmt::format("{}", *seconds)});
     }
@@ -126,7 +129,7 @@ Result<void> find(const Options& options, std::vector<cases::Case> corpus,
   const auto progress_of = [&bar](const char* what) {
     return [&bar, what](std::uint64_t done, std::uint64_t all) { bar.show(done, all, what); };
   };
-  Executor executor(plan, std::move(corpus), options.jobs);
+  Executor executor(plan, std::move(corpus), options);
   const properties::Execute execute = std::ref(executor);
   const auto check_cases = [&] { return campaign.check_cases(execute, progress_of("cases")); };
 
@@ -217,6 +220,7 @@ ExitCode fail_to_write(const Options& options, const Error& error) {
 
 ExitCode run_campaign(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
+  isolate_foreign_backends(options.timeout);
   Result<Work> work = prepare(options);
   if (!work) return fail(work.error());
   if (const auto can_write = check_output(options); !can_write) return fail(can_write.error());
@@ -294,6 +298,7 @@ Action set_up(CLI::App& app) {
   app.add_option("--shrink-seconds", options->shrink_seconds,
                  "Seconds for each counterexample; no limit without it")
       ->check(CLI::PositiveNumber);
+  add_timeout(app, options->timeout);
   CLI::Option* resume =
       app.add_flag("--resume", options->resume,
                    "Goes on with the interrupted run of the output folder, as it was");

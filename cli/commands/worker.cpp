@@ -1,45 +1,34 @@
-// `rastercheck worker`: the process that `rastercheck run --jobs` hands its tasks to. Not for
-// users.
+// `rastercheck worker`: the process that draws with a foreign backend (backends/isolation.h). Not
+// for users.
 
 #include <memory>
 
+#include "backends/isolation.h"
 #include "cli/command.h"
-#include "properties/corpus.h"
-#include "properties/workers.h"
 
 namespace rastercheck::cli {
 namespace {
 
 struct Options {
-  std::uint64_t seed = 0;
-  std::string corpus;
-  properties::ShrinkBudget shrinking;
+  std::string backend;
+  backends::ServingLimits limits;
 };
 
 ExitCode run(const Options& options) {
-  std::vector<cases::Case> corpus;
-  if (!options.corpus.empty()) {
-    Result<std::vector<cases::Case>> read = properties::read_corpus(options.corpus);
-    if (!read) return fail(read.error());
-    corpus = *std::move(read);
-  }
-  properties::TaskRunner runner(options.seed, std::move(corpus), options.shrinking);
-  const Result<void> served = properties::serve_tasks(runner);
-  if (!served) return fail_internally(served.error());
-  return ExitCode::ok;
+  const Result<void> served = backends::serve_backend(options.backend, options.limits);
+  return served ? ExitCode::ok : fail_internally(served.error());
 }
 
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.group("");  // not in --help
-  app.add_option("--seed", options->seed)->required();
-  app.add_option("--corpus", options->corpus);
-  app.add_option("--shrink-tries", options->shrinking.tries);
-  app.add_option("--shrink-seconds", options->shrinking.seconds);
+  app.add_option("BACKEND", options->backend)->required();
+  app.add_option("--seconds", options->limits.seconds)->required();
+  app.add_option("--memory", options->limits.memory)->required();
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("worker", "Runs tasks of a campaign from standard input", &set_up);
+const Registration kRegistration("worker", "Draws with a backend for another process", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli

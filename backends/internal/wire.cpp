@@ -1,0 +1,247 @@
+#include "backends/internal/wire.h"
+
+#include <array>
+#include <concepts>
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+#include "cases/names.h"
+
+namespace rastercheck::backends {
+namespace {
+
+/// How many values an enumeration has.
+template <typename Enum>
+constexpr std::size_t count_of(Enum value) {
+  return names_of(value).size();
+}
+constexpr std::size_t count_of(cases::TieRule /*type*/) { return 3; }
+constexpr std::size_t count_of(cases::Claim /*type*/) { return 2; }
+constexpr std::size_t count_of(Failure /*type*/) { return 5; }
+constexpr std::size_t count_of(Question /*type*/) { return 2; }
+
+/// What is its bytes, whatever they are: numbers, and structs of nothing else.
+template <typename T>
+constexpr bool kIsPlain = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+template <typename T, std::size_t N>
+constexpr bool kIsPlain<std::array<T, N>> = kIsPlain<T>;
+template <>
+constexpr bool kIsPlain<cases::FramebufferSize> = true;
+template <>
+constexpr bool kIsPlain<cases::Viewport> = true;
+template <>
+constexpr bool kIsPlain<cases::Scissor> = true;
+template <>
+constexpr bool kIsPlain<cases::ClipVertex> = true;
+template <>
+constexpr bool kIsPlain<cases::Camera> = true;
+template <>
+constexpr bool kIsPlain<cases::ValueBounds> = true;
+template <>
+constexpr bool kIsPlain<cases::TextureBounds> = true;
+
+/// T, that may be const.
+template <typename T, typename Plain>
+concept Either = std::same_as<std::remove_const_t<T>, Plain>;
+
+/// Calls `archive` for each member: the one list of them, for both directions.
+template <typename Archive, Either<Error> T>
+void members(Archive& archive, T& e) {
+  archive(e.file, e.place, e.reason, e.failure);
+}
+template <typename Archive, Either<cases::Attribute> T>
+void members(Archive& archive, T& a) {
+  archive(a.name, a.interpolation, a.location);
+}
+template <typename Archive, Either<cases::Snapping> T>
+void members(Archive& archive, T& s) {
+  archive(s.subpixel_bits, s.rounding, s.position_error);
+}
+template <typename Archive, Either<cases::Found> T>
+void members(Archive& archive, T& f) {
+  archive(f.law, f.backend, f.verdict, f.seed, f.index);
+}
+template <typename Archive, Either<cases::Case> T>
+void members(Archive& archive, T& c) {
+  archive(c.name, c.framebuffer, c.viewport, c.rules, c.coverage, c.basis, c.fill_rule, c.cull,
+          c.front_face, c.scissor, c.depth_test, c.depth_clamp, c.attributes, c.camera, c.positions,
+          c.attribute_values, c.clip_distances, c.clip_distance_count, c.triangles, c.found);
+}
+template <typename Archive, Either<cases::Contract> T>
+void members(Archive& archive, T& c) {
+  archive(c.coverage, c.basis, c.tie_rule, c.guard_band, c.is_on_grid, c.clip_tolerance, c.claims,
+          c.bounds, c.keeps_equal_depth, c.keeps_constants, c.keeps_vertex_values,
+          c.derivative_bound, c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds);
+}
+template <typename Archive, Either<cases::Framebuffer> T>
+void members(Archive& archive, T& f) {
+  archive(f.attribute_count, f.triangle, f.x, f.y, f.sample, f.depth, f.attributes, f.derivatives);
+}
+template <typename Archive, Either<Request> T>
+void members(Archive& archive, T& r) {
+  archive(r.question, r.source);
+}
+template <typename Archive, Either<Greeting> T>
+void members(Archive& archive, T& g) {
+  archive(g.description, g.has_limits, g.problem);
+}
+template <typename Archive, Either<Drawing> T>
+void members(Archive& archive, T& d) {
+  archive(d.drawn, d.problem);
+}
+
+class Packer {
+ public:
+  template <typename... T>
+  void operator()(const T&... values) {
+    (put(values), ...);
+  }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  void append(const void* from, std::size_t size) {
+    if (size > 0) bytes_.append(static_cast<const char*>(from), size);
+  }
+  void put_size(std::uint64_t size) { append(&size, sizeof size); }
+
+  template <typename T>
+  void put(const T& value) {
+    if constexpr (kIsPlain<T>) {
+      append(&value, sizeof value);
+    } else if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool>) {
+      bytes_ += static_cast<char>(value);
+    } else {
+      members(*this, value);
+    }
+  }
+  void put(const std::string& text) {
+    put_size(text.size());
+    append(text.data(), text.size());
+  }
+  template <typename T>
+  void put(const std::vector<T>& values) {
+    put_size(values.size());
+    if constexpr (kIsPlain<T>) {
+      append(values.data(), values.size() * sizeof(T));
+    } else {
+      for (const T& value : values) put(value);
+    }
+  }
+  template <typename T>
+  void put(const std::optional<T>& value) {
+    bytes_ += static_cast<char>(value.has_value());
+    if (value) put(*value);
+  }
+
+  std::string bytes_;
+};
+
+class Unpacker {
+ public:
+  explicit Unpacker(std::string_view bytes) : rest_(bytes) {}
+
+  template <typename... T>
+  void operator()(T&... values) {
+    (get(values), ...);
+  }
+  /// Whether all was right, and nothing is left.
+  bool is_whole() const { return !has_failed_ && rest_.empty(); }
+
+ private:
+  /// So many bytes; false, and nothing from now on, where there are fewer.
+  bool take(void* to, std::size_t size) {
+    if (has_failed_ || size > rest_.size()) {
+      has_failed_ = true;
+      return false;
+    }
+    if (size > 0) std::memcpy(to, rest_.data(), size);
+    rest_.remove_prefix(size);
+    return true;
+  }
+  /// How many elements of at least `size` bytes follow; 0 where there cannot be as many.
+  std::size_t get_count(std::size_t size) {
+    std::uint64_t count = 0;
+    if (!take(&count, sizeof count)) return 0;
+    if (count > rest_.size() / size) {
+      has_failed_ = true;
+      return 0;
+    }
+    return static_cast<std::size_t>(count);
+  }
+  /// A byte below `count`.
+  std::uint8_t get_byte(std::size_t count) {
+    std::uint8_t byte = 0;
+    take(&byte, 1);
+    if (byte < count) return byte;
+    has_failed_ = true;
+    return 0;
+  }
+
+  template <typename T>
+  void get(T& value) {
+    if constexpr (kIsPlain<T>) {
+      take(&value, sizeof value);
+    } else if constexpr (std::is_same_v<T, bool>) {
+      value = get_byte(2) != 0;
+    } else if constexpr (std::is_enum_v<T>) {
+      value = static_cast<T>(get_byte(count_of(T{})));
+    } else {
+      members(*this, value);
+    }
+  }
+  void get(std::string& text) {
+    text.resize(get_count(1));
+    take(text.data(), text.size());
+  }
+  template <typename T>
+  void get(std::vector<T>& values) {
+    if constexpr (kIsPlain<T>) {
+      values.resize(get_count(sizeof(T)));
+      take(values.data(), values.size() * sizeof(T));
+    } else {
+      values.resize(get_count(1));
+      for (T& value : values) get(value);
+    }
+  }
+  template <typename T>
+  void get(std::optional<T>& value) {
+    if (get_byte(2) != 0) get(value.emplace());
+  }
+
+  std::string_view rest_;
+  bool has_failed_ = false;
+};
+
+template <typename T>
+std::string packed(const T& value) {
+  Packer packer;
+  packer(value);
+  return packer.take();
+}
+
+template <typename T>
+std::optional<T> unpacked(std::string_view bytes) {
+  T value;
+  Unpacker unpacker(bytes);
+  unpacker(value);
+  return unpacker.is_whole() ? std::optional(std::move(value)) : std::nullopt;
+}
+
+}  // namespace
+
+std::string pack(const Request& request) { return packed(request); }
+std::string pack(const Greeting& greeting) { return packed(greeting); }
+std::string pack(const Drawing& drawing) { return packed(drawing); }
+std::string pack(const cases::Contract& contract) { return packed(contract); }
+
+std::optional<Request> unpack_request(std::string_view bytes) { return unpacked<Request>(bytes); }
+std::optional<Greeting> unpack_greeting(std::string_view bytes) {
+  return unpacked<Greeting>(bytes);
+}
+std::optional<Drawing> unpack_drawing(std::string_view bytes) { return unpacked<Drawing>(bytes); }
+std::optional<cases::Contract> unpack_contract(std::string_view bytes) {
+  return unpacked<cases::Contract>(bytes);
+}
+
+}  // namespace rastercheck::backends

@@ -1,0 +1,50 @@
+#pragma once
+
+// Cases, contracts and framebuffers as bytes, for another process of the same program. They are no
+// format: nothing of them is kept.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cases/case.h"
+#include "cases/contract.h"
+#include "cases/error.h"
+#include "cases/framebuffer.h"
+
+namespace rastercheck::backends {
+
+/// What a process is asked about a case.
+enum class Question : std::uint8_t { contract, drawing };
+
+struct Request {
+  Question question = Question::drawing;
+  cases::Case source;
+};
+
+/// What a process says first: who it is, or why there is no backend.
+struct Greeting {
+  std::string description;
+  bool has_limits = false;
+  std::optional<Error> problem;
+};
+
+/// The answer to a drawing.
+struct Drawing {
+  cases::Framebuffer drawn;
+  std::optional<Error> problem;
+};
+
+std::string pack(const Request& request);
+std::string pack(const Greeting& greeting);
+std::string pack(const Drawing& drawing);
+std::string pack(const cases::Contract& contract);
+
+/// Nothing where the bytes are not those of one, whole: enumerators that there are not, lengths
+/// beyond what is there.
+std::optional<Request> unpack_request(std::string_view bytes);
+std::optional<Greeting> unpack_greeting(std::string_view bytes);
+std::optional<Drawing> unpack_drawing(std::string_view bytes);
+std::optional<cases::Contract> unpack_contract(std::string_view bytes);
+
+}  // namespace rastercheck::backends

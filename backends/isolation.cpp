@@ -1,0 +1,107 @@
+#include "backends/isolation.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+#include "backends/internal/worker_process.h"
+
+namespace rastercheck::backends {
+namespace {
+
+/// What crashes in a row make it useless to ask on, and how many of them a hang counts, which costs
+/// more time: three hangs are enough.
+constexpr int kMostCrashes = 20;
+constexpr int kCrashesOfHang = 7;
+
+/// Stands for a backend in another process.
+class IsolatedBackend : public Backend {
+ public:
+  IsolatedBackend(std::string specification, const Isolation& isolation, WorkerProcess process)
+      : specification_(std::move(specification)),
+        isolation_(isolation),
+        greeting_(process.greeting()),
+        process_(std::move(process)) {}
+
+  std::string description() const override { return greeting_.description; }
+  bool has_limits() const override { return greeting_.has_limits; }
+
+  std::optional<Error> is_lost() const override {
+    if (crashes_ < kMostCrashes) return std::nullopt;
+    Error error = *last_loss_;
+    error.reason =
+        "not drawn, after drawings in a row that came to nothing; of the last one: " + error.reason;
+    return error;
+  }
+
+  cases::Contract contract(const cases::Case& c) const override {
+    if (remembered_ && remembered_->first == c) return remembered_->second;
+    const Result<std::string> answer = ask({Question::contract, c});
+    const std::optional<cases::Contract> said = answer ? unpack_contract(*answer) : std::nullopt;
+    if (!said) {
+      // There is no telling it here: the next drawing does.
+      withheld_ = answer ? nonsense() : answer.error();
+      return cases::contract_of(c);
+    }
+    remembered_ = {c, *said};
+    return *said;
+  }
+
+  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+    if (withheld_) return tl::unexpected(*std::exchange(withheld_, std::nullopt));
+    const Result<std::string> answer = ask({Question::drawing, c});
+    if (!answer) return tl::unexpected(answer.error());
+    std::optional<Drawing> drawing = unpack_drawing(*answer);
+    if (!drawing) return tl::unexpected(nonsense());
+    crashes_ = 0;
+    if (drawing->problem) return tl::unexpected(*drawing->problem);
+    return std::move(drawing->drawn);
+  }
+
+ private:
+  /// The answer of the process, started anew where the last one is gone.
+  Result<std::string> ask(const Request& request) const {
+    if (!process_) {
+      Result<WorkerProcess> started = WorkerProcess::start(specification_, isolation_);
+      if (!started) return tl::unexpected(lose(started.error()));
+      process_.emplace(*std::move(started));
+    }
+    Result<std::string> answer = process_->ask(request);
+    if (!answer) return tl::unexpected(lose(answer.error()));
+    return answer;
+  }
+
+  Error nonsense() const {
+    return lose({specification_, "", "its process answered what is no answer", Failure::crash});
+  }
+
+  Error lose(Error why) const {
+    process_.reset();
+    if (why.failure != Failure::hang) why.failure = Failure::crash;
+    crashes_ += why.failure == Failure::hang ? kCrashesOfHang : 1;
+    last_loss_ = why;
+    return why;
+  }
+
+  std::string specification_;
+  Isolation isolation_;
+  Greeting greeting_;
+  // A contract is asked for as well, and to ask may end the process.
+  mutable std::optional<WorkerProcess> process_;
+  mutable int crashes_ = 0;  ///< since the last drawing that came back
+  mutable std::optional<Error> last_loss_;
+  mutable std::optional<Error> withheld_;
+  mutable std::optional<std::pair<cases::Case, cases::Contract>> remembered_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Backend>> make_isolated_backend(const std::string& specification,
+                                                       const Isolation& isolation) {
+  Result<WorkerProcess> process = WorkerProcess::start(specification, isolation);
+  if (!process) return tl::unexpected(process.error());
+  return std::make_unique<IsolatedBackend>(specification, isolation, *std::move(process));
+}
+
+}  // namespace rastercheck::backends
