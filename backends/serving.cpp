@@ -1,8 +1,11 @@
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <malloc.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -50,9 +53,64 @@ Result<void> limit(const ServingLimits& limits) {
   });
 }
 
-std::string answer_to(const Request& request, Backend& backend) {
+/// Bytes that were allocated and not given back.
+std::size_t memory_in_use() {
+  const struct mallinfo2 info = ::mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+/// Draws cases, and some of them, that have been drawn quickly, again and again, to see whether
+/// memory is given back: the first, the second, the fourth… A saved case is the first that is drawn
+/// when it is replayed, and so is looked at again.
+class Drawer {
+ public:
+  Drawer(Backend& backend, double seconds) : backend_(&backend), longest_(seconds / kShareOfTime) {}
+
+  Result<cases::Framebuffer> draw(const cases::Case& c) {
+    const auto start = std::chrono::steady_clock::now();
+    Result<cases::Framebuffer> drawn = backend_->draw(c);
+    if (!drawn || !std::has_single_bit(++drawings_)) return drawn;
+    if (std::chrono::steady_clock::now() - start > longest_) return drawn;
+    if (const Result<void> kept = check_memory(c); !kept) return tl::unexpected(kept.error());
+    return drawn;
+  }
+
+ private:
+  /// How often, and how many drawings in the end have to have taken some: caches fill in the
+  /// others.
+  static constexpr int kRepetitions = 8;
+  static constexpr int kLeaking = 4;
+  /// Of the time for an answer, what a drawing may take: all together is not to take half of it.
+  static constexpr double kShareOfTime = 20;
+
+  Result<void> check_memory(const cases::Case& c) {
+    std::size_t before = memory_in_use();
+    std::size_t growth = 0;
+    int growing = 0;
+    for (int i = 0; i < kRepetitions; ++i) {
+      if (const auto again = backend_->draw(c); !again) return tl::unexpected(again.error());
+      const std::size_t after = memory_in_use();
+      growing = after > before ? growing + 1 : 0;
+      growth = after - before;
+      before = after;
+    }
+    if (growing < kLeaking) return {};
+    return tl::unexpected(
+        Error{"", "",
+              fmt::format(
+                  "it leaks: whenever this case is drawn again more memory is in use than before, "
+                  "the last time {} bytes more",
+                  growth)});
+  }
+
+  Backend* backend_;
+  std::chrono::duration<double> longest_;
+  std::uint64_t drawings_ = 0;
+};
+
+std::string answer_to(const Request& request, const Backend& backend, Drawer& drawer) {
   if (request.question == Question::contract) return pack(backend.contract(request.source));
-  Result<cases::Framebuffer> drawn = backend.draw(request.source);
+  Result<cases::Framebuffer> drawn = drawer.draw(request.source);
   if (!drawn) return pack(Drawing{{}, drawn.error()});
   return pack(Drawing{*std::move(drawn), std::nullopt});
 }
@@ -74,11 +132,12 @@ Result<void> serve_backend(const std::string& specification, const ServingLimits
     greeting.problem = backend.error();
   }
   if (!channel->send(pack(greeting), {}) || !backend) return {};
+  Drawer drawer(**backend, limits.seconds);
   while (const std::optional<std::string> asked = channel->receive(kMostBytes, {})) {
     const std::optional<Request> request = unpack_request(*asked);
     if (!request) return tl::unexpected(Error{"-", "", "not a request of a drawing"});
     if (const auto set = cases::limit_processor_time_from_now(time_of_all); !set) return set;
-    if (!channel->send(answer_to(*request, **backend), {})) break;
+    if (!channel->send(answer_to(*request, **backend, drawer), {})) break;
   }
   return {};
 }

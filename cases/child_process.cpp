@@ -90,9 +90,12 @@ void ChildProcess::kill() const {
 ProcessEnd ChildProcess::wait() {
   if (process_ == 0) return end_;
   int status = 0;
-  while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  rusage used{};
+  while (::wait4(process_, &status, 0, &used) < 0 && errno == EINTR) {
   }
   process_ = 0;
+  constexpr std::uint64_t kKibibyte = 1024;
+  end_.most_memory = static_cast<std::uint64_t>(used.ru_maxrss) * kKibibyte;
   if (WIFSIGNALED(status)) end_.signal = WTERMSIG(status);
   if (WIFEXITED(status)) end_.exit_code = WEXITSTATUS(status);
   return end_;

@@ -52,6 +52,7 @@ enum class ProcessGroup { of_parent, own };
 struct ProcessEnd {
   int signal = 0;  ///< that ended it, 0 where none did
   int exit_code = 0;
+  std::uint64_t most_memory = 0;  ///< bytes that it had at once
 };
 
 /// "ended by signal Killed", "ended with exit code 1".

@@ -18,6 +18,7 @@ namespace {
 
 /// Milliseconds; more than poll() takes at once is waited for in parts.
 constexpr std::int64_t kLongestPoll = 60'000;
+constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20U;
 
 tl::unexpected<Error> failure(const std::string& what) {
   return tl::unexpected(Error{what, "", std::strerror(errno)});
@@ -130,10 +131,14 @@ Error WorkerProcess::loss(std::string_view doing) {
           ? fmt::format("took more processor time than {} s of wall time can have",
                         isolation_.timeout.count())
           : to_string(end);
+  std::string more;
+  if (end.most_memory >= isolation_.memory / 2) {
+    more = fmt::format("; it had taken {} MiB, of {} MiB that it may take",
+                       end.most_memory / kMebibyte, isolation_.memory / kMebibyte);
+  }
   const std::string words = log_.last_lines();
-  return {specification_, "",
-          fmt::format("its process {} {}{}", how, doing,
-                      words.empty() ? "" : "; its last words: " + words),
+  if (!words.empty()) more += "; its last words: " + words;
+  return {specification_, "", fmt::format("its process {} {}{}", how, doing, more),
           is_hang ? Failure::hang : Failure::crash};
 }
 

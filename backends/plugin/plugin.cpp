@@ -1,12 +1,9 @@
 // The backend `plugin:PATH.so`: a rasterizer in a shared library (plugin.h).
 
 #include <fmt/format.h>
-#include <malloc.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <chrono>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -29,12 +26,6 @@ namespace {
 /// Framebuffers of at most so many samples are cleared, and searched for what should not be there,
 /// as a whole before and after each draw; of larger ones what the plugin says it touched.
 constexpr std::size_t kSearchedWhole = std::size_t{1} << 16U;
-/// How often a case is drawn again to see whether memory is given back, and how many drawings in
-/// the end have to have taken some: caches fill in the others.
-constexpr int kRepetitions = 8;
-constexpr int kLeakingRepetitions = 4;
-/// And how long a drawing may take that is drawn again.
-constexpr std::chrono::milliseconds kLongestRepeated{50};
 constexpr std::size_t kMessageSize = 256;
 
 template <typename T>
@@ -153,12 +144,10 @@ class PluginBackend : public Backend {
   Result<cases::Framebuffer> draw(const cases::Case& c) override;
 
  private:
-  Result<cases::Framebuffer> draw_once(const cases::Case& c);
   Result<void> hand_over(const cases::Case& c);
   Result<void> append(std::uint32_t first, std::uint32_t count, cases::Framebuffer& drawn);
   Result<void> call();
   Result<void> check_output(std::uint32_t triangles) const;
-  Result<void> check_memory(const cases::Case& c);
   void clear(const Rectangle& part);
   void collect(std::uint32_t first, cases::Framebuffer& drawn) const;
   Rectangle whole() const { return {0, 0, draw_.width, draw_.height}; }
@@ -189,51 +178,12 @@ class PluginBackend : public Backend {
   rastercheck_draw draw_{};
   rastercheck_output output_{};
   Rectangle dirty_;  ///< what the last draw may have left in the output
-  std::uint64_t drawings_ = 0;
 };
-
-/// Bytes that were allocated and not given back.
-std::size_t memory_in_use() {
-  const struct mallinfo2 info = ::mallinfo2();
-  return info.uordblks + info.hblkhd;
-}
 
 Result<cases::Framebuffer> PluginBackend::draw(const cases::Case& c) {
   if (const std::string what = lacks(plugin_.contract, c); !what.empty()) {
     return fail("its contract lacks " + what, Failure::unsupported);
   }
-  const auto start = std::chrono::steady_clock::now();
-  Result<cases::Framebuffer> drawn = draw_once(c);
-  if (!drawn) return drawn;
-  const auto passed = std::chrono::steady_clock::now() - start;
-  if (std::has_single_bit(++drawings_) && passed <= kLongestRepeated) {
-    if (const Result<void> kept = check_memory(c); !kept) return tl::unexpected(kept.error());
-  }
-  return drawn;
-}
-
-/// A saved case is the first that is drawn when it is replayed, and so is looked at again.
-Result<void> PluginBackend::check_memory(const cases::Case& c) {
-  std::size_t before = memory_in_use();
-  int growing = 0;
-  std::size_t growth = 0;
-  for (int i = 0; i < kRepetitions; ++i) {
-    if (const Result<cases::Framebuffer> again = draw_once(c); !again) {
-      return tl::unexpected(again.error());
-    }
-    const std::size_t after = memory_in_use();
-    growing = after > before ? growing + 1 : 0;
-    growth = after - before;
-    before = after;
-  }
-  if (growing < kLeakingRepetitions) return {};
-  return fail(
-      fmt::format("it leaks: each time that this case is drawn again, more memory is in use "
-                  "than before, the last time {} bytes",
-                  growth));
-}
-
-Result<cases::Framebuffer> PluginBackend::draw_once(const cases::Case& c) {
   if (const Result<void> handed = hand_over(c); !handed) return tl::unexpected(handed.error());
   cases::Framebuffer drawn;
   drawn.attribute_count = c.attributes.size();

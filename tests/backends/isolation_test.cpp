@@ -1,0 +1,167 @@
+#include "backends/isolation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "backends/backend.h"
+#include "cases/case_reader.h"
+
+namespace rastercheck::backends {
+namespace {
+
+using testing::HasSubstr;
+
+Isolation isolation() {
+  Isolation isolation;
+  isolation.command = {RASTERCHECK_PROGRAM, "worker"};
+  return isolation;
+}
+
+/// A process that does what a script of the shell does. The script gets the worker's arguments.
+Isolation script(const std::string& text) {
+  Isolation isolation;
+  isolation.command = {"/bin/sh", "-c", text, "worker"};
+  isolation.timeout = std::chrono::milliseconds(300);
+  return isolation;
+}
+
+std::vector<cases::Case> corpus() {
+  std::vector<cases::Case> all;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(RASTERCHECK_SOURCE_DIR "/cases/corpus")) {
+    const Result<cases::Case> c = cases::read_case(entry.path().string());
+    if (c && !c->camera) all.push_back(*c);
+  }
+  return all;
+}
+
+TEST(Isolation, DrawsTheSameBitsAndPromisesTheSame) {
+  const auto direct = make_backend("cpu");
+  const auto isolated = make_isolated_backend("cpu", isolation());
+  ASSERT_TRUE(direct);
+  ASSERT_TRUE(isolated) << to_string(isolated.error());
+  std::size_t fragments = 0;
+  for (const cases::Case& c : corpus()) {
+    EXPECT_EQ((*isolated)->contract(c), (*direct)->contract(c)) << c.name;
+    const auto expected = (*direct)->draw(c);
+    const auto drawn = (*isolated)->draw(c);
+    ASSERT_EQ(drawn.has_value(), expected.has_value()) << c.name;
+    if (!drawn) continue;
+    EXPECT_EQ(drawn->triangle, expected->triangle) << c.name;
+    EXPECT_EQ(drawn->x, expected->x) << c.name;
+    EXPECT_EQ(drawn->y, expected->y) << c.name;
+    EXPECT_EQ(drawn->sample, expected->sample) << c.name;
+    EXPECT_EQ(drawn->depth, expected->depth) << c.name;
+    EXPECT_EQ(drawn->attributes, expected->attributes) << c.name;
+    fragments += drawn->size();
+  }
+  EXPECT_GT(fragments, 10000);
+}
+
+TEST(Isolation, HasTheBackendsOwnErrors) {
+  const auto none = make_isolated_backend("cpu:magic=1", isolation());
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().failure, Failure::refused);
+  EXPECT_THAT(to_string(none.error()), HasSubstr("cpu has no option 'magic=1'"));
+}
+
+TEST(Isolation, TellsHowAProcessEndedAndWhatItSaid) {
+  const auto killed =
+      make_isolated_backend("some", script("echo out; echo words >&2; kill -11 $$"));
+  ASSERT_FALSE(killed);
+  EXPECT_EQ(killed.error().failure, Failure::unavailable);
+  // Standard output is the channel's: only what is said on the other is heard.
+  EXPECT_EQ(to_string(killed.error()),
+            "some: its process ended by signal Segmentation fault when it was started; its last "
+            "words: words");
+  const auto ended = make_isolated_backend("some", script("exit 3"));
+  ASSERT_FALSE(ended);
+  EXPECT_EQ(to_string(ended.error()),
+            "some: its process ended with exit code 3 when it was started");
+}
+
+TEST(Isolation, WaitsNoLongerThanItMay) {
+  const auto hung = make_isolated_backend("some", script("sleep 1000"));
+  ASSERT_FALSE(hung);
+  EXPECT_THAT(to_string(hung.error()),
+              HasSubstr("did not answer within 0.3 s when it was started"));
+}
+
+// Kills: a pipe that nobody reads from, whose writer waits for ever.
+TEST(Isolation, HearsAProcessThatTalksALot) {
+  const auto ended = make_isolated_backend(
+      "some", script("head -c 1000000 /dev/zero | tr '\\0' 'x' >&2; echo; echo end >&2; exit 1"));
+  ASSERT_FALSE(ended);
+  EXPECT_THAT(to_string(ended.error()), HasSubstr("ended with exit code 1"));
+  EXPECT_THAT(to_string(ended.error()), testing::EndsWith("xend"));
+}
+
+/// A triangle over a framebuffer of n × n pixels.
+cases::Case wide_case(int n) {
+  cases::Case c;
+  c.framebuffer = {n, n, 1};
+  c.viewport.width = static_cast<float>(n);
+  c.viewport.height = static_cast<float>(n);
+  c.positions = {{-1, -1, 0, 1}, {3, -1, 0, 1}, {-1, 3, 0, 1}};
+  c.triangles = {{0, 1, 2}};
+  return c;
+}
+
+// 2^24 fragments of 13 bytes and more are not to be had with 2^26 bytes.
+TEST(Isolation, StartsAnewAfterACrash) {
+  Isolation small = isolation();
+  small.memory = std::uint64_t{1} << 26U;
+  const auto backend = make_isolated_backend("cpu", small);
+  ASSERT_TRUE(backend) << to_string(backend.error());
+  for (int i = 0; i < 2; ++i) {
+    const auto drawn = (*backend)->draw(wide_case(16));
+    ASSERT_TRUE(drawn) << to_string(drawn.error());
+    EXPECT_EQ(drawn->size(), 256);
+    const auto lost = (*backend)->draw(wide_case(4096));
+    ASSERT_FALSE(lost);
+    EXPECT_EQ(lost.error().failure, Failure::crash);
+    EXPECT_THAT(to_string(lost.error()),
+                HasSubstr("cpu: its process ended with exit code 70 while it drew; "));
+    EXPECT_THAT(to_string(lost.error()), HasSubstr("its last words: rastercheck: internal error"));
+    EXPECT_FALSE((*backend)->is_lost());
+  }
+}
+
+TEST(Isolation, GivesUpWhatComesToNothingAgainAndAgain) {
+  Isolation small = isolation();
+  small.memory = std::uint64_t{1} << 26U;
+  const auto backend = make_isolated_backend("cpu", small);
+  ASSERT_TRUE(backend) << to_string(backend.error());
+  int crashes = 0;
+  for (; !(*backend)->is_lost() && crashes < 100; ++crashes) {
+    EXPECT_FALSE((*backend)->draw(wide_case(4096)));
+  }
+  EXPECT_EQ(crashes, 20);
+  EXPECT_THAT(to_string(*(*backend)->is_lost()), HasSubstr("came to nothing"));
+  // It is asked all the same where someone wants to, and has not lost it any more.
+  EXPECT_TRUE((*backend)->draw(wide_case(16)));
+  EXPECT_FALSE((*backend)->is_lost());
+}
+
+TEST(Isolation, OfADrawingThatTakesTooLongIsAHang) {
+  Isolation short_of_time = isolation();
+  short_of_time.timeout = std::chrono::milliseconds(200);
+  const auto backend = make_isolated_backend("cpu", short_of_time);
+  ASSERT_TRUE(backend) << to_string(backend.error());
+  // 10^5 triangles of 10^6 pixels each: days.
+  cases::Case c = wide_case(1024);
+  c.triangles.resize(100000, {0, 1, 2});
+  const auto hung = (*backend)->draw(c);
+  ASSERT_FALSE(hung);
+  EXPECT_EQ(hung.error().failure, Failure::hang);
+  EXPECT_THAT(to_string(hung.error()), HasSubstr("did not answer within 0.2 s while it drew"));
+}
+
+}  // namespace
+}  // namespace rastercheck::backends

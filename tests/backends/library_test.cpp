@@ -1,0 +1,193 @@
+#include "backends/plugin/library.h"
+
+#include <gtest/gtest.h>
+
+#include "cases/case.h"
+
+namespace rastercheck::backends {
+namespace {
+
+cases::Case plain_case() {
+  cases::Case c;
+  c.framebuffer = {8, 4, 1};
+  c.viewport.width = 8;
+  c.viewport.height = 4;
+  c.positions = {{0, 0, 0, 1}, {1, 0, 1, 1}, {0, 1, 0.5F, 1}, {0, 0, 9, -1}};
+  c.triangles = {{0, 1, 2}};
+  return c;
+}
+
+TEST(PluginContract, OfZerosIsWhatACaseAsksForCorrectlyRounded) {
+  const rastercheck_contract zeros{};
+  cases::Case c = plain_case();
+  cases::Contract asked_for = cases::contract_of(c);
+  asked_for.clip_tolerance = 0;
+  EXPECT_EQ(contract_of(zeros, c), asked_for);
+  c.coverage = cases::Snapping{4, cases::Rounding::half_up, 0};
+  c.basis = cases::Basis::snapped;
+  c.fill_rule = cases::TieRule::bottom_left;
+  asked_for = cases::contract_of(c);
+  asked_for.clip_tolerance = 0;
+  EXPECT_EQ(contract_of(zeros, c), asked_for);
+}
+
+TEST(PluginContract, SaysWhatItSays) {
+  rastercheck_contract contract{};
+  contract.coverage = RASTERCHECK_COVERAGE_SNAPPED;
+  contract.subpixel_bits = 6;
+  contract.rounding = RASTERCHECK_ROUNDING_UNSPECIFIED;
+  contract.position_error = 0.125F;
+  contract.clip_tolerance = 2;
+  contract.guard_band = 1000;
+  contract.tie_rule = RASTERCHECK_TIE_RULE_UNSPECIFIED;
+  contract.basis = RASTERCHECK_BASIS_UNSPECIFIED;
+  contract.claims = RASTERCHECK_CLAIM_AFFINE;
+  contract.keeps = RASTERCHECK_KEEPS_CONSTANTS | RASTERCHECK_KEEPS_EQUAL_DEPTH;
+  contract.smooth = {1, 2, 3, 4};
+  contract.depth.constant = 5;
+
+  cases::Contract expected;
+  expected.coverage = cases::Snapping{6, cases::Rounding::unspecified, 0.125F};
+  expected.clip_tolerance = 2;
+  expected.guard_band = 1000;
+  expected.tie_rule = cases::TieRule::unspecified;
+  expected.basis = cases::Basis::unspecified;
+  expected.claims = cases::Claim::affine;
+  expected.keeps_constants = true;
+  expected.keeps_equal_depth = true;
+  expected.bounds.smooth = {1, 2, 3, 4};
+  expected.bounds.depth.constant = 5;
+  EXPECT_EQ(contract_of(contract, plain_case()), expected);
+
+  // Values of the exact triangle have no other positions to come from.
+  contract.coverage = RASTERCHECK_COVERAGE_EXACT;
+  expected.coverage = std::nullopt;
+  expected.basis = cases::Basis::ideal;
+  EXPECT_EQ(contract_of(contract, plain_case()), expected);
+}
+
+/// What a contract that lacks everything names of a case that is plain but for one thing.
+template <typename Change>
+std::string lacking(std::uint32_t bit, const Change& change) {
+  rastercheck_contract contract{};
+  contract.lacks = bit;
+  cases::Case c = plain_case();
+  EXPECT_EQ(lacks(contract, c), "");
+  change(c);
+  EXPECT_EQ(lacks({}, c), "");
+  return lacks(contract, c);
+}
+
+TEST(PluginContract, LacksWhatItSaysAndNothingElse) {
+  using cases::Case;
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_D3D, [](Case& c) { c.rules = cases::Rules::d3d; }),
+            "D3D's rules");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_OPENGL, [](Case& c) { c.rules = cases::Rules::opengl; }),
+            "OpenGL's rules");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_NONPOSITIVE_W, [](Case& c) { c.triangles[0][1] = 3; }),
+            "vertices with w <= 0");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_DEPTH_CLIPPING, [](Case& c) { c.positions[0].z = -0.5F; }),
+            "clipping by depth");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_CLIP_DISTANCES, [](Case& c) { c.clip_distance_count = 1; }),
+            "clip distances");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_DEPTH_CLAMP, [](Case& c) { c.depth_clamp = true; }),
+            "depth clamp");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_DEPTH_RANGE, [](Case& c) { c.viewport.max_depth = 0.5F; }),
+            "depth ranges but 0 to 1");
+  EXPECT_EQ(
+      lacking(RASTERCHECK_LACKS_DEPTH_TEST, [](Case& c) { c.depth_test = cases::DepthTest::less; }),
+      "the depth test");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_VIEWPORT, [](Case& c) { c.viewport.height = -4; }),
+            "viewports but the whole framebuffer");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_SCISSOR, [](Case& c) { c.scissor = cases::Scissor(); }),
+            "scissors");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_CULLING, [](Case& c) { c.cull = cases::Cull::back; }),
+            "culling");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_SMOOTH, [](Case& c) { c.attributes.resize(1); }),
+            "smooth attributes");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_NOPERSPECTIVE,
+                    [](Case& c) {
+                      c.attributes = {{"", cases::Interpolation::noperspective, {}}};
+                    }),
+            "noperspective attributes");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_FLAT,
+                    [](Case& c) {
+                      c.attributes = {{"", cases::Interpolation::flat, {}}};
+                    }),
+            "flat attributes");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_CENTER,
+                    [](Case& c) {
+                      c.framebuffer.samples = 2;
+                      c.attributes = {{"", {}, cases::Location::center}};
+                    }),
+            "attributes at centres of several samples");
+  EXPECT_EQ(lacking(RASTERCHECK_LACKS_CENTROID,
+                    [](Case& c) {
+                      c.framebuffer.samples = 2;
+                      c.attributes = {{"", {}, cases::Location::centroid}};
+                    }),
+            "attributes at centroids of several samples");
+}
+
+// Kills: a limit that stops what it should not. Of one sample the centre is the sample; depth is
+// not clipped where it is clamped; a vertex of no triangle is none.
+TEST(PluginContract, LacksNothingOfWhatIsNotNeeded) {
+  rastercheck_contract contract{};
+  contract.lacks = RASTERCHECK_LACKS_CENTER | RASTERCHECK_LACKS_CENTROID |
+                   RASTERCHECK_LACKS_DEPTH_CLIPPING | RASTERCHECK_LACKS_NONPOSITIVE_W;
+  cases::Case c = plain_case();
+  c.attributes = {{"", {}, cases::Location::center}, {"", {}, cases::Location::centroid}};
+  c.depth_clamp = true;
+  c.positions[0].z = 5;
+  EXPECT_EQ(lacks(contract, c), "");
+  // OpenGL's clip space goes further down.
+  c.depth_clamp = false;
+  c.rules = cases::Rules::opengl;
+  c.positions[0].z = -1;
+  EXPECT_EQ(lacks(contract, c), "");
+  c.positions[0].z = -1.5F;
+  EXPECT_NE(lacks(contract, c), "");
+}
+
+TEST(PluginContract, HasLimitsOfNumber) {
+  rastercheck_contract contract{};
+  contract.sample_counts = 1 | 4;
+  contract.max_size = 8;
+  contract.max_attributes = 1;
+  cases::Case c = plain_case();
+  EXPECT_EQ(lacks(contract, c), "");
+  c.framebuffer.samples = 2;
+  EXPECT_EQ(lacks(contract, c), "2 samples");
+  c.framebuffer = {8, 9, 4};
+  EXPECT_EQ(lacks(contract, c), "framebuffers of 9 pixels");
+  c.framebuffer = {8, 8, 4};
+  c.attributes.resize(2);
+  EXPECT_EQ(lacks(contract, c), "2 attributes");
+}
+
+TEST(Plugin, IsDescribedInALine) {
+  Plugin plugin{"mine", "2.5", {}, nullptr};
+  EXPECT_EQ(describe(plugin),
+            "mine 2.5: coverage as each case asks, smooth values within 0.5 scale ULP");
+  plugin.contract.coverage = RASTERCHECK_COVERAGE_SNAPPED;
+  plugin.contract.subpixel_bits = 8;
+  plugin.contract.smooth.per_condition = 1;
+  plugin.contract.lacks = RASTERCHECK_LACKS_FLAT | RASTERCHECK_LACKS_CULLING;
+  EXPECT_EQ(
+      describe(plugin),
+      "mine 2.5: coverage snapped to 8 subpixel bits, smooth values within 0.5 and more scale "
+      "ULP; not: culling, flat attributes");
+}
+
+TEST(Plugin, IsRefusedWhereThereIsNone) {
+  const auto none = load_plugin("nowhere.so");
+  ASSERT_FALSE(none);
+  EXPECT_EQ(to_string(none.error()), "plugin:nowhere.so: there is no such file");
+  EXPECT_EQ(none.error().failure, Failure::refused);
+  const auto text = load_plugin(RASTERCHECK_SOURCE_DIR "/README.md");
+  ASSERT_FALSE(text);
+  EXPECT_EQ(text.error().failure, Failure::unavailable);
+}
+
+}  // namespace
+}  // namespace rastercheck::backends

@@ -1,0 +1,131 @@
+#include "backends/internal/wire.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace rastercheck::backends {
+namespace {
+
+/// A case in which no member has its default.
+cases::Case full_case() {
+  cases::Case c;
+  c.name = "everything";
+  c.framebuffer = {3, 5, 4};
+  c.viewport = {1.5F, -2, 7, -8, 0.25F, 0.75F};
+  c.rules = cases::Rules::d3d;
+  c.coverage = cases::Snapping{4, cases::Rounding::half_up, 0.25F};
+  c.basis = cases::Basis::unspecified;
+  c.fill_rule = cases::TieRule::bottom_left;
+  c.cull = cases::Cull::front;
+  c.front_face = cases::FrontFace::cw;
+  c.scissor = cases::Scissor{1, 2, 3, 4};
+  c.depth_test = cases::DepthTest::less;
+  c.depth_clamp = true;
+  c.attributes = {{"u", cases::Interpolation::flat, cases::Location::centroid},
+                  {"", cases::Interpolation::noperspective, cases::Location::center}};
+  cases::Camera camera;
+  camera.view[3] = 9;
+  c.camera = camera;
+  c.positions = {{1, 2, 3, 4}, {-0.0F, 6, 7, 8}};
+  c.attribute_values = {1, 2, std::numeric_limits<float>::denorm_min(), 4};
+  c.clip_distances = {5, 6, 7, 8};
+  c.clip_distance_count = 2;
+  c.triangles = {{0, 1, 0}, {1, 1, 0}};
+  c.found = cases::Found{"law", "backend", "verdict", 7, 8};
+  return c;
+}
+
+cases::Contract full_contract() {
+  cases::Contract contract;
+  contract.coverage = cases::Snapping{4, cases::Rounding::unspecified, 0.5F};
+  contract.basis = cases::Basis::unspecified;
+  contract.tie_rule = cases::TieRule::unspecified;
+  contract.guard_band = 100;
+  contract.is_on_grid = false;
+  contract.clip_tolerance = 3;
+  contract.claims = cases::Claim::affine;
+  contract.bounds = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}};
+  contract.keeps_equal_depth = true;
+  contract.keeps_constants = true;
+  contract.keeps_vertex_values = true;
+  contract.derivative_bound = 1.0F;
+  contract.transform_bound = 2.0F;
+  contract.normal_bound = 3.0F;
+  contract.quad_share = 4.0F;
+  contract.texture_bounds = cases::TextureBounds{1, 2, 3, 4, 5};
+  return contract;
+}
+
+cases::Framebuffer full_framebuffer() {
+  return {2, {7, 8}, {1, 2}, {3, 4}, {5, 6}, {0.5F, 0.25F}, {1, 2, 3, 4}, {1, 2, 3, 4, 5, 6, 7, 8}};
+}
+
+bool are_same(const cases::Framebuffer& a, const cases::Framebuffer& b) {
+  return a.attribute_count == b.attribute_count && a.triangle == b.triangle && a.x == b.x &&
+         a.y == b.y && a.sample == b.sample && a.depth == b.depth && a.attributes == b.attributes &&
+         a.derivatives == b.derivatives;
+}
+
+TEST(Wire, BringsEveryMemberOfACase) {
+  for (const cases::Case& c : {full_case(), cases::Case()}) {
+    const auto request = unpack_request(pack(Request{Question::contract, c}));
+    ASSERT_TRUE(request);
+    EXPECT_EQ(request->question, Question::contract);
+    EXPECT_EQ(request->source, c);
+  }
+}
+
+TEST(Wire, BringsEveryMemberOfAContract) {
+  for (const cases::Contract& contract : {full_contract(), cases::Contract()}) {
+    EXPECT_EQ(unpack_contract(pack(contract)), contract);
+  }
+}
+
+TEST(Wire, BringsDrawingsAndErrors) {
+  const auto drawing = unpack_drawing(pack(Drawing{full_framebuffer(), std::nullopt}));
+  ASSERT_TRUE(drawing);
+  EXPECT_TRUE(are_same(drawing->drawn, full_framebuffer()));
+  EXPECT_FALSE(drawing->problem);
+
+  const auto failed = unpack_drawing(pack(Drawing{{}, Error{"a", "b", "c", Failure::unsupported}}));
+  ASSERT_TRUE(failed && failed->problem);
+  EXPECT_EQ(to_string(*failed->problem), "a: b: c");
+  EXPECT_EQ(failed->problem->failure, Failure::unsupported);
+
+  const auto greeting = unpack_greeting(pack(Greeting{"who", true, std::nullopt}));
+  ASSERT_TRUE(greeting);
+  EXPECT_EQ(greeting->description, "who");
+  EXPECT_TRUE(greeting->has_limits);
+}
+
+// Kills: a reader that believes lengths, or takes a part for the whole.
+TEST(Wire, RefusesEveryPart) {
+  const std::string request = pack(Request{Question::drawing, full_case()});
+  for (std::size_t size = 0; size < request.size(); ++size) {
+    EXPECT_FALSE(unpack_request(request.substr(0, size))) << size;
+  }
+  EXPECT_FALSE(unpack_request(request + '\0'));
+  const std::string drawing = pack(Drawing{full_framebuffer(), std::nullopt});
+  for (std::size_t size = 0; size < drawing.size(); ++size) {
+    EXPECT_FALSE(unpack_drawing(drawing.substr(0, size))) << size;
+  }
+}
+
+// A byte that is none of an enumeration's, or of a bool's, is refused; others make another
+// contract. None makes one that has no meaning.
+TEST(Wire, RefusesEnumeratorsThatThereAreNot) {
+  const std::string contract = pack(full_contract());
+  int refused = 0;
+  for (std::size_t i = 0; i < contract.size(); ++i) {
+    std::string broken = contract;
+    broken[i] = '\xff';
+    if (!unpack_contract(broken)) ++refused;
+  }
+  // coverage there, its rounding, basis, tie rule, grid, claim, three promises, and whether each of
+  // five bounds is there.
+  EXPECT_EQ(refused, 14);
+}
+
+}  // namespace
+}  // namespace rastercheck::backends

@@ -1,0 +1,80 @@
+// backend/…: what it costs that a backend draws in a process of its own. The same case is drawn
+// here and there by turns; the counter is what the way takes more, of the draw with the median
+// difference.
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "backends/isolation.h"
+
+namespace rastercheck::bench {
+namespace {
+
+/// A triangle over half of a square framebuffer, with attributes.
+cases::Case half_case(int size, int attributes) {
+  cases::Case c;
+  c.framebuffer = {size, size, 1};
+  c.viewport.width = static_cast<float>(size);
+  c.viewport.height = static_cast<float>(size);
+  c.positions = {{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1}};
+  c.triangles = {{0, 1, 2}};
+  for (int i = 0; i < attributes; ++i) {
+    c.attributes.push_back({fmt::format("a{}", i), {}, {}});
+  }
+  c.attribute_values.resize(c.positions.size() * c.attributes.size(), 1);
+  return c;
+}
+
+double seconds_of(backends::Backend& backend, const cases::Case& c) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto drawn = backend.draw(c);
+  benchmark::DoNotOptimize(drawn);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  return passed.count();
+}
+
+void draw_isolated(benchmark::State& bench) {
+  backends::Isolation isolation;
+  isolation.command = {RASTERCHECK_BENCH_PROGRAM, "worker"};
+  const auto direct = backends::make_backend("cpu");
+  const auto isolated = backends::make_isolated_backend("cpu", isolation);
+  if (!direct || !isolated) return bench.SkipWithError("the backend cannot be made");
+  const cases::Case c = half_case(static_cast<int>(bench.range(0)), 4);
+  std::vector<double> more;
+  for (auto _ : bench) {
+    const double here = seconds_of(**direct, c);
+    const double there = seconds_of(**isolated, c);
+    more.push_back(there - here);
+    bench.SetIterationTime(there);
+  }
+  const auto middle = more.begin() + static_cast<std::ptrdiff_t>(more.size() / 2);
+  std::nth_element(more.begin(), middle, more.end());
+  constexpr double kMicroseconds = 1e6;
+  bench.counters["overhead_us"] = *middle * kMicroseconds;
+}
+BENCHMARK(draw_isolated)
+    ->Name("backend/worker/pixels")
+    ->Arg(16)
+    ->Arg(64)
+    ->Arg(256)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
+
+/// Until the first answer: what a crash costs.
+void start_process(benchmark::State& bench) {
+  backends::Isolation isolation;
+  isolation.command = {RASTERCHECK_BENCH_PROGRAM, "worker"};
+  for (auto _ : bench) {
+    const auto isolated = backends::make_isolated_backend("cpu", isolation);
+    if (!isolated) return bench.SkipWithError("the backend cannot be made");
+  }
+}
+BENCHMARK(start_process)->Name("backend/worker/start")->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace rastercheck::bench
