@@ -1,8 +1,10 @@
 #include "cases/child_process.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -75,7 +77,7 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
     return tl::unexpected(
         Error{command.front(), "", std::string("cannot be started: ") + std::strerror(problem)});
   }
-  return ChildProcess(process);
+  return ChildProcess(process, group);
 }
 
 ChildProcess::~ChildProcess() {
@@ -84,7 +86,16 @@ ChildProcess::~ChildProcess() {
 }
 
 void ChildProcess::kill() const {
-  if (process_ != 0) ::kill(process_, SIGKILL);
+  if (process_ == 0) return;
+  ::kill(group_ == ProcessGroup::own ? -process_ : process_, SIGKILL);
+}
+
+bool ChildProcess::has_ended_within(std::chrono::milliseconds time) const {
+  if (process_ == 0) return true;
+  // The C library's header has this for C alone.
+  const Descriptor process(static_cast<int>(::syscall(SYS_pidfd_open, process_, 0)));
+  pollfd end{process.number(), POLLIN, 0};
+  return process.is_open() && ::poll(&end, 1, static_cast<int>(time.count())) > 0;
 }
 
 ProcessEnd ChildProcess::wait() {
@@ -95,7 +106,12 @@ ProcessEnd ChildProcess::wait() {
   }
   process_ = 0;
   constexpr std::uint64_t kKibibyte = 1024;
-  end_.most_memory = static_cast<std::uint64_t>(used.ru_maxrss) * kKibibyte;
+  // A process begins as a copy of who starts it, whose memory is counted as its own.
+  rusage of_parent{};
+  ::getrusage(RUSAGE_SELF, &of_parent);
+  if (used.ru_maxrss > of_parent.ru_maxrss) {
+    end_.most_memory = static_cast<std::uint64_t>(used.ru_maxrss) * kKibibyte;
+  }
   if (WIFSIGNALED(status)) end_.signal = WTERMSIG(status);
   if (WIFEXITED(status)) end_.exit_code = WEXITSTATUS(status);
   return end_;

@@ -52,7 +52,7 @@ enum class ProcessGroup { of_parent, own };
 struct ProcessEnd {
   int signal = 0;  ///< that ended it, 0 where none did
   int exit_code = 0;
-  std::uint64_t most_memory = 0;  ///< bytes that it had at once
+  std::uint64_t most_memory = 0;  ///< bytes that it had at once; 0 where there is no telling
 };
 
 /// "ended by signal Killed", "ended with exit code 1".
@@ -66,21 +66,25 @@ class ChildProcess {
                                     const ChildStreams& streams, ProcessGroup group);
 
   ChildProcess(ChildProcess&& other) noexcept
-      : process_(std::exchange(other.process_, 0)), end_(other.end_) {}
+      : process_(std::exchange(other.process_, 0)), group_(other.group_), end_(other.end_) {}
   ChildProcess& operator=(ChildProcess&&) = delete;
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess();
 
-  /// Changes nothing of one that has ended.
+  /// With all that it started, where it has a group of its own. Changes nothing of one that has
+  /// ended and was waited for.
   void kill() const;
+  /// Waits until it has ended, or for so long; whether it has.
+  bool has_ended_within(std::chrono::milliseconds time) const;
   /// Waits until it has ended.
   ProcessEnd wait();
 
  private:
-  explicit ChildProcess(pid_t process) : process_(process) {}
+  ChildProcess(pid_t process, ProcessGroup group) : process_(process), group_(group) {}
 
   pid_t process_;  ///< 0: it has been waited for
+  ProcessGroup group_;
   ProcessEnd end_;
 };
 

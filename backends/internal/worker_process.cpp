@@ -18,6 +18,8 @@ namespace {
 
 /// Milliseconds; more than poll() takes at once is waited for in parts.
 constexpr std::int64_t kLongestPoll = 60'000;
+/// What a process that crashes may take to be gone.
+constexpr std::chrono::milliseconds kLongestEnd{1000};
 constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20U;
 
 tl::unexpected<Error> failure(const std::string& what) {
@@ -121,7 +123,9 @@ bool WorkerProcess::wait() {
 
 /// Ends the process, and says how it ended.
 Error WorkerProcess::loss(std::string_view doing) {
-  process_.kill();  // One that hung up and goes on is of no use.
+  // One that hung up is about to end, and has to say how; if it goes on it is of no use.
+  if (!is_late_) process_.has_ended_within(kLongestEnd);
+  process_.kill();
   const cases::ProcessEnd end = process_.wait();
   log_.read();
   const bool is_hang = is_late_ || end.signal == SIGXCPU;

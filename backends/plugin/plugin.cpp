@@ -376,7 +376,8 @@ Result<std::unique_ptr<Backend>> make(const std::string& path) {
 }
 
 std::vector<Listing> list() {
-  return {{"plugin:PATH.so", "a shared library of yours (rastercheck plugin new)", ""}};
+  return {{"plugin:PATH.so", "a shared library of yours (rastercheck plugin new)",
+           "PATH has to be that of the library"}};
 }
 
 const BackendRegistration kRegistration({"plugin", &make, &list, true});
