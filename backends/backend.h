@@ -7,6 +7,7 @@
 // A backend is asked for by its specification, KIND or KIND:OPTIONS, as `method:rational-linear`.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -132,6 +133,12 @@ struct BackendKind {
 /// Makes the backend of a specification. The error's file is the specification; its failure is
 /// `unavailable` where the backend is one that there is, and that cannot run here.
 Result<std::unique_ptr<Backend>> make_backend(const std::string& specification);
+
+/// How backends of foreign kinds are made from now on, by specification: instead of in this
+/// process.
+using MakeForeign =
+    std::function<Result<std::unique_ptr<Backend>>(const std::string& specification)>;
+void make_foreign_with(MakeForeign make);
 
 /// Everything that could be asked for, by kind.
 std::vector<Listing> list_backends();

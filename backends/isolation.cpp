@@ -97,6 +97,12 @@ class IsolatedBackend : public Backend {
 
 }  // namespace
 
+void isolate_foreign_backends(const Isolation& isolation) {
+  make_foreign_with([isolation](const std::string& specification) {
+    return make_isolated_backend(specification, isolation);
+  });
+}
+
 Result<std::unique_ptr<Backend>> make_isolated_backend(const std::string& specification,
                                                        const Isolation& isolation) {
   Result<WorkerProcess> process = WorkerProcess::start(specification, isolation);

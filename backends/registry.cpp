@@ -1,7 +1,7 @@
 #include <algorithm>
+#include <utility>
 
 #include "backends/backend.h"
-#include "backends/isolation.h"
 
 namespace rastercheck::backends {
 namespace {
@@ -11,15 +11,15 @@ std::vector<BackendKind>& registry() {
   return kinds;
 }
 
-/// Nothing: foreign backends are made in this process.
-std::optional<Isolation>& isolation_of_foreign() {
-  static std::optional<Isolation> isolation;
-  return isolation;
+/// Empty: foreign backends are made in this process.
+MakeForeign& make_foreign() {
+  static MakeForeign make;
+  return make;
 }
 
 }  // namespace
 
-void isolate_foreign_backends(const Isolation& isolation) { isolation_of_foreign() = isolation; }
+void make_foreign_with(MakeForeign make) { make_foreign() = std::move(make); }
 
 BackendRegistration::BackendRegistration(const BackendKind& kind) {
   // The order in which files register is the linker's; lists have one of their own.
@@ -37,9 +37,8 @@ Result<std::unique_ptr<Backend>> make_backend(const std::string& specification) 
   std::string known;
   for (const BackendKind& candidate : registry()) {
     if (candidate.kind == kind) {
-      const std::optional<Isolation>& isolation = isolation_of_foreign();
-      return candidate.is_foreign && isolation ? make_isolated_backend(specification, *isolation)
-                                               : candidate.make(options);
+      const bool is_apart = candidate.is_foreign && make_foreign();
+      return is_apart ? make_foreign()(specification) : candidate.make(options);
     }
     known += (known.empty() ? "" : ", ") + std::string(candidate.kind);
   }
