@@ -4,6 +4,7 @@
 function(rastercheck_library folder)
   add_library(rastercheck_${folder} STATIC ${ARGN})
   add_library(RasterCheck::${folder} ALIAS rastercheck_${folder})
+  target_compile_features(rastercheck_${folder} PUBLIC cxx_std_20)
   if(RASTERCHECK_ONLY_RASTERIZER)
     target_link_libraries(rastercheck_${folder} PRIVATE $<BUILD_INTERFACE:rastercheck_options>)
   else()

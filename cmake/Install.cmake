@@ -1,0 +1,45 @@
+# What an installed RasterCheck is made of, in components:
+#
+#   rasterizer  RasterCheck::rasterizer (docs/using-the-rasterizer.md)
+#   testing     RasterCheck::testing and the libraries that it needs (docs/using-in-googletest.md)
+#   corpus      the cases that program and tests begin with
+#   program     rastercheck
+#
+# The first two are the components of find_package(RasterCheck), too (RasterCheckConfig.cmake.in).
+include(CMakePackageConfigHelpers)
+
+set(RASTERCHECK_CORPUS "${CMAKE_INSTALL_DATADIR}/rastercheck/corpus")  # below the prefix
+
+# rastercheck_install(FOLDER COMPONENT WHERE): the library of a folder, and its public headers, in
+# WHERE below the folder of headers. Users include them as the project does: "FOLDER/….h".
+function(rastercheck_install folder component where)
+  file(GLOB headers CONFIGURE_DEPENDS *.h)
+  target_sources(rastercheck_${folder} PUBLIC
+    FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
+  set_target_properties(rastercheck_${folder} PROPERTIES EXPORT_NAME ${folder})
+  set(include_folder "${CMAKE_INSTALL_INCLUDEDIR}")
+  if(NOT where STREQUAL ".")
+    string(APPEND include_folder "/${where}")
+  endif()
+  install(TARGETS rastercheck_${folder} EXPORT RasterCheck-${component}
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${component}
+    FILE_SET HEADERS DESTINATION "${include_folder}" COMPONENT ${component})
+endfunction()
+
+# rastercheck_install_package(COMPONENTS…): what find_package(RasterCheck) finds of these. Its own files
+# come with the rasterizer, which all else needs.
+function(rastercheck_install_package)
+  set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/RasterCheck")
+  foreach(component IN LISTS ARGN)
+    install(EXPORT RasterCheck-${component} NAMESPACE RasterCheck::
+      DESTINATION "${package_folder}" COMPONENT ${component})
+  endforeach()
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/RasterCheckConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/RasterCheckConfig.cmake INSTALL_DESTINATION "${package_folder}")
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/RasterCheckConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+  install(FILES
+    ${PROJECT_BINARY_DIR}/RasterCheckConfig.cmake
+    ${PROJECT_BINARY_DIR}/RasterCheckConfigVersion.cmake
+    DESTINATION "${package_folder}" COMPONENT rasterizer)
+endfunction()
