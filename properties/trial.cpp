@@ -90,6 +90,14 @@ std::string history_text(const Counterexample& one, const std::string& name) {
   return text + fmt::format(", shrunk in {} tries", one.shrinking->tries);
 }
 
+/// The commands that take a case file.
+std::string commands_text(const std::string& file) {
+  return fmt::format(
+      "  What is right: rastercheck oracle {0}\n"
+      "  Another backend: rastercheck replay {0} --backend cpu\n",
+      file);
+}
+
 /// The case file, or where it is now.
 std::string file_text(const cases::Case& c, const std::string& folder) {
   std::string problem;
@@ -99,12 +107,11 @@ std::string file_text(const cases::Case& c, const std::string& folder) {
     std::error_code ignored;  // Where there is no folder, writing says so.
     std::filesystem::create_directories(folder, ignored);
     const Result<void> written = cases::write_file(file, cases::to_json(c));
-    if (written) return fmt::format("  What is right: rastercheck replay {} --backend cpu\n", file);
+    if (written) return commands_text(file);
     problem = fmt::format("  It could not be saved: {}\n", to_string(written.error()));
   }
-  return fmt::format(
-      "{}  What is right: rastercheck replay - --backend cpu, with this case file:\n{}", problem,
-      cases::to_json(c));
+  return fmt::format("{}{}  The case file, which they read from standard input:\n{}", problem,
+                     commands_text("-"), cases::to_json(c));
 }
 
 std::string counterexample_text(const Law& law, const Counterexample& one,

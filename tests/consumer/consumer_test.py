@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Uses the rasterizer as its users do: installed, as a part of another build, by the words of
-docs/using-the-rasterizer.md.
+"""Uses what is installed as its users do: the rasterizer, by the words of docs/using-the-rasterizer.md or as a
+part of another build, and the laws as tests of a rasterizer, by those of docs/using-in-googletest.md.
 
 Usage: consumer_test.py SOURCE_DIR BUILD_DIR CONFIG CMAKE COMPILER CMAKE_CXX_FLAGS=FLAGS CLASS
 """
 
+import json
+import os
 import pathlib
 import re
 import shutil
@@ -22,18 +24,30 @@ BUNNY = "/usr/share/glmark2/models/bunny.obj"
 # camera are compiled by their users', who may fuse products and sums: that moves a colour by far less
 # than a byte's unit, which rounding can make one.
 MOST_DIFFERENCE = 1
-# Everything but the rasterizer's own needs.
-NOT_NEEDED = ["CGAL", "Eigen3", "fmt", "tl-expected", "nlohmann_json", "assimp", "CLI11", "Boost", "PNG",
-              "rapidcheck", "GTest", "benchmark"]
+# What the component `testing` needs, and what only the project itself.
+TESTING_NEEDS = ["assimp", "fmt", "GTest", "nlohmann_json", "rapidcheck", "tl-expected"]
+BUILD_NEEDS = ["CGAL", "Eigen3", "CLI11", "Boost", "PNG", "benchmark"]
+# Users' own, which headers and macros have to pass.
+WARNINGS = "-Wall -Wextra -Wpedantic -Wshadow -Wold-style-cast -Werror"
 
 
-def run(*command):
-    """What a command prints; its output is the failure where it fails."""
+def run(*command, expected=0, **environment):
+    """What a command prints, which is the failure where it does not end as expected."""
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          text=True, check=False)
-    if done.returncode != 0:
+                          text=True, check=False, env={**os.environ, **environment})
+    if done.returncode != expected:
         raise AssertionError(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{done.stdout}")
     return done.stdout
+
+
+def install(prefix, *components):
+    for component in components:
+        run(CMAKE, "--install", BUILD, "--config", CONFIG, "--component", component, "--prefix", prefix)
+    return {path.relative_to(prefix / "include").as_posix() for path in prefix.rglob("*.h")}
+
+
+def without(packages):
+    return [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in packages]
 
 
 def configure(source, build, *options):
@@ -105,8 +119,7 @@ class Installed(unittest.TestCase):
 
     def test_examples_draw_what_the_docs_show(self):
         prefix, build = self.folder / "prefix", self.folder / "build"
-        run(CMAKE, "--install", BUILD, "--config", CONFIG, "--component", "rasterizer", "--prefix", prefix)
-        headers = {path.relative_to(prefix / "include").as_posix() for path in prefix.rglob("*.h")}
+        headers = install(prefix, "rasterizer")
         self.assertEqual(headers, {f"rasterizer/{path.name}" for path in SOURCE.glob("rasterizer/*.h")})
 
         configure(SOURCE / "docs/examples", build, f"-DCMAKE_PREFIX_PATH={prefix}")
@@ -129,9 +142,119 @@ class Subdirectory(unittest.TestCase):
     def test_needs_and_leaks_nothing(self):
         with tempfile.TemporaryDirectory(prefix="consumer-", dir=BUILD) as build:
             log = configure(SOURCE / "tests/consumer/subdirectory", build, f"-DRASTERCHECK_SOURCE={SOURCE}",
-                            *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in NOT_NEEDED))
+                            *without(TESTING_NEEDS + BUILD_NEEDS))
             self.assertNotIn("WARNING", log)
             run(CMAKE, "--build", build, "--target", "CMakeFiles/main.dir/main.cpp.o")
+
+
+class Components(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="consumer-", dir=BUILD))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def targets(self, prefix, request, *options, expected=0):
+        """Which of the targets there are after find_package(RasterCheck REQUEST), and what CMake says."""
+        (self.folder / "CMakeLists.txt").write_text(f"""
+            cmake_minimum_required(VERSION 3.25)
+            project(Asking LANGUAGES CXX)
+            find_package(RasterCheck {request})
+            foreach(name IN ITEMS rasterizer testing)
+              if(TARGET RasterCheck::${{name}})
+                message(STATUS "there is ${{name}}")
+              endif()
+            endforeach()
+            """, encoding="utf-8")
+        shutil.rmtree(self.folder / "build", ignore_errors=True)
+        log = run(CMAKE, "-S", self.folder, "-B", self.folder / "build", "-G", "Ninja",
+                  f"-DCMAKE_CXX_COMPILER={COMPILER}", f"-DCMAKE_PREFIX_PATH={prefix}", *options,
+                  expected=expected)
+        return re.findall("there is (.*)", log), " ".join(log.split())
+
+    def test_are_taken_as_asked_for(self):
+        alone, both = self.folder / "alone", self.folder / "both"
+        install(alone, "rasterizer")
+        install(both, "rasterizer", "testing")
+        scarce = without(TESTING_NEEDS + BUILD_NEEDS)
+        for prefix, request, options, expected in [
+                (alone, "REQUIRED", scarce, ["rasterizer"]),
+                (alone, "REQUIRED COMPONENTS rasterizer", scarce, ["rasterizer"]),
+                (both, "REQUIRED COMPONENTS rasterizer", [], ["rasterizer"]),
+                (both, "REQUIRED", [], ["rasterizer", "testing"]),
+                (both, "REQUIRED", scarce, ["rasterizer"]),
+                (both, "REQUIRED COMPONENTS testing", without(BUILD_NEEDS), ["rasterizer", "testing"]),
+                (both, "REQUIRED COMPONENTS rasterizer OPTIONAL_COMPONENTS testing", scarce, ["rasterizer"])]:
+            self.assertEqual(self.targets(prefix, request, *options)[0], expected, (prefix, request, options))
+
+        _, log = self.targets(alone, "REQUIRED COMPONENTS testing", expected=1)
+        self.assertIn("Its component testing lacks its own files.", log)
+        _, log = self.targets(both, "REQUIRED COMPONENTS testing", *without(["fmt", "GTest"]), expected=1)
+        self.assertIn("Its component testing lacks fmt, GTest.", log)
+
+
+class Testing(unittest.TestCase):
+    """The laws as tests of a rasterizer of somebody's own."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="consumer-", dir=BUILD))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.headers = install(cls.folder / "prefix", "rasterizer", "testing", "corpus")
+        configure(SOURCE / "tests/consumer/testing", cls.folder / "build", *without(BUILD_NEEDS),
+                  f"-DCMAKE_PREFIX_PATH={cls.folder / 'prefix'}", f"-D{FLAGS} {WARNINGS}")
+        run(CMAKE, "--build", cls.folder / "build")
+        cls.program = cls.folder / "build/my_tests"
+
+    def laws(self):
+        listed = run(BUILD / "bin/rastercheck", "list", "properties", "--json")
+        return {law["name"] for law in json.loads(listed)["properties"]}
+
+    def test_headers_are_in_folders_of_their_own(self):
+        self.assertEqual({header.split("/")[0] for header in self.headers}, {"rasterizer", "rastercheck"})
+        self.assertIn("rastercheck/backends/backend.h", self.headers)
+        self.assertEqual([header for header in self.headers if "internal" in header], [])
+
+    def test_every_law_is_a_test(self):
+        listed = run(self.program, "--gtest_list_tests", "--gtest_filter=MyRasterizer.*")
+        self.assertEqual(set(re.findall(r'GetParam\(\) = "(.*)"', listed)), self.laws())
+        self.assertIn("  law/coverage_obeys_the_contract ", listed)
+
+    def test_pass_for_what_is_right(self):
+        log = run(self.program, "--gtest_filter=MyRasterizer.*", RASTERCHECK_CASES="50")
+        self.assertIn("[       OK ] MyRasterizer.law/coverage_obeys_the_contract ", log)
+        self.assertIn("[  SKIPPED ] MyRasterizer.law/the_traced_value_is_the_drawn_value ", log)
+        self.assertIn("says nothing of: backends that do not trace", log)
+
+    def test_fail_for_what_is_wrong(self):
+        coverage = "CarelessInVulkan.law/coverage_obeys_the_contract"
+        log = run(self.program, f"--gtest_filter={coverage}:MyRasterizer.law/coverage*", expected=1)
+        self.assertIn("[       OK ] MyRasterizer.law/coverage_obeys_the_contract ", log)
+        self.assertIn(f"[  FAILED  ] {coverage}", log)
+        message = log.split("CarelessInVulkan violates", 1)[1]
+        for words in ["the law “coverage obeys the contract”: ", "  Found in case ", " of the corpus, “",
+                      "    exactly: ", "    drawn:   ", "rastercheck replay - --backend cpu"]:
+            self.assertIn(words, message)
+
+        # What the message shows is a case file, of which `cpu` makes nothing wrong.
+        case = message[message.index("\n{\n"):message.index("\n}\n") + 3]
+        self.assertEqual(json.loads(case)["rules"], "vulkan")
+        self.assertEqual(json.loads(case)["found"]["backend"], "CarelessInVulkan")
+        file = self.folder / "case.json"
+        file.write_text(case, encoding="utf-8")
+        self.assertIn("cpu: held", run(BUILD / "bin/rastercheck", "replay", file, "--backend", "cpu"))
+
+    def test_heed_the_environment(self):
+        coverage = "--gtest_filter=CarelessInVulkan.law/coverage_obeys_the_contract"
+        output = self.folder / "output"
+        log = run(self.program, coverage, expected=1, RASTERCHECK_CORPUS="", RASTERCHECK_SEED="5",
+                  RASTERCHECK_CASES="1000", RASTERCHECK_OUTPUT=str(output))
+        self.assertRegex(log, r"Found in case \d+ of seed 5,")
+        self.assertEqual([path.name for path in output.iterdir()],
+                         ["CarelessInVulkan-coverage-obeys-the-contract.json"])
+        # The folder of saved cases is a corpus, too.
+        log = run(self.program, coverage, expected=1, RASTERCHECK_CORPUS=str(output), RASTERCHECK_CASES="0")
+        self.assertIn("Found in case 0 of the corpus", log)
+        log = run(self.program, coverage, expected=1, RASTERCHECK_CASES="many")
+        self.assertIn("RASTERCHECK_CASES: 'many' is no whole number", log)
 
 
 class Docs(unittest.TestCase):
@@ -140,6 +263,15 @@ class Docs(unittest.TestCase):
         self.assertEqual(code_of((SOURCE / "docs/using-the-rasterizer.md").read_text(encoding="utf-8")),
                          program)
         self.assertLessEqual(code_lines(program), 40)
+
+    def test_show_the_tests_that_are_tested(self):
+        page = (SOURCE / "docs/using-in-googletest.md").read_text(encoding="utf-8")
+        for kind, name in ("cpp", "my_tests.cpp"), ("cmake", "CMakeLists.txt"):
+            blocks = re.findall(rf"^```{kind}\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+            program = (SOURCE / "tests/consumer/testing" / name).read_text(encoding="utf-8")
+            shown = [block for block in blocks if block in program]
+            self.assertEqual(shown, blocks, name)
+            self.assertTrue(shown, name)
 
     def test_the_checks_see_faults(self):
         self.assertEqual(code_lines("// a\n#include <a>\nusing namespace a;\n\nint a;\n  // b\n"), 1)
