@@ -1,0 +1,44 @@
+# `cpack -G DEB` in a build folder makes two Debian packages: rastercheck, the program with its corpus,
+# and rastercheck-dev, what find_package(RasterCheck) finds (Install.cmake has the components).
+if(NOT PROJECT_IS_TOP_LEVEL)
+  return()
+endif()
+
+set(package_docs "${CMAKE_INSTALL_DATADIR}/doc")
+install(FILES README.md DESTINATION "${package_docs}/rastercheck" COMPONENT program)
+install(DIRECTORY docs DESTINATION "${package_docs}/rastercheck" COMPONENT program)
+install(FILES LICENSE DESTINATION "${package_docs}/rastercheck" RENAME copyright COMPONENT program)
+install(FILES LICENSE DESTINATION "${package_docs}/rastercheck-dev" RENAME copyright
+  COMPONENT rasterizer)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME rastercheck)
+set(CPACK_PACKAGE_CONTACT "The RasterCheck authors")
+set(CPACK_VERBATIM_VARIABLES TRUE)
+set(CPACK_STRIP_FILES TRUE)
+set(CPACK_DEB_COMPONENT_INSTALL TRUE)
+# The first line of each description is the project's; what follows is the package's own.
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_COMPONENTS_ALL program corpus rasterizer testing)
+set(CPACK_COMPONENT_PROGRAM_GROUP program)
+set(CPACK_COMPONENT_CORPUS_GROUP program)
+set(CPACK_COMPONENT_RASTERIZER_GROUP dev)
+set(CPACK_COMPONENT_TESTING_GROUP dev)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME rastercheck)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
+  "Computes what a drawn triangle has to be - every covered sample, every depth, every attribute - in exact
+rational arithmetic, holds what a rasterizer draws against it, on a corpus and on random cases, and shows
+what is wrong as a case of a few pixels.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS TRUE)
+
+# The corpus is the program's, of the same version; the rest is what RasterCheckConfig.cmake.in looks for.
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME rastercheck-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_DESCRIPTION
+  "For programs in C++ built with CMake: RasterCheck's own rasterizer, and its laws as GoogleTest cases of
+any class that draws.")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
+  "rastercheck (= ${PROJECT_VERSION}), libassimp-dev, libexpected-dev, libfmt-dev, libglm-dev, libgmp-dev, libgtest-dev, libhwy-dev, libmpfr-dev, librapidcheck-dev, libtbb-dev, nlohmann-json3-dev")
+include(CPack)

@@ -1,0 +1,205 @@
+#!/usr/bin/env python3
+"""Looks at the Debian packages that `cpack -G DEB` makes, and uses them on a Debian 12 with nothing else on it.
+
+Usage: packaging_test.py SOURCE_DIR BUILD_DIR PACKAGES CLASS
+PACKAGES is the folder they are in. Exit code 77: this machine lacks what the test needs, and the last line says
+what. The Debian is made in the build folder from the sources that apt has here, and gone with the test.
+"""
+
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE, BUILD, PACKAGES = pathlib.Path(), pathlib.Path(), pathlib.Path()
+
+SKIPPED = 77  # CTest's SKIP_RETURN_CODE
+SUITES = ("bookworm", "bookworm-updates", "bookworm-security")
+# What of apt's configuration says how to get at the sources.
+REACHING = re.compile(r"^Acquire::(Check-|Languages|Retries|https?::)")
+
+# What is done there, as root; its output is what the test looks at. The program runs as somebody else.
+ON_DEBIAN = """
+set -e
+apt-get install -y -q --no-install-recommends /packages/rastercheck_*.deb
+apt-get install -q --simulate /packages/rastercheck-dev_*.deb
+useradd --create-home somebody
+cd /home/somebody
+su somebody -c 'rastercheck list'
+su somebody -c 'rastercheck run --cases 3 --seed 1 --output out'
+echo "The run ended with $?."
+"""
+
+
+def output(*command, **options):
+    """What a command prints, which is the failure where it fails."""
+    done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, check=False, **options)
+    if done.returncode != 0:
+        raise AssertionError(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{done.stdout}")
+    return done.stdout
+
+
+def package(name):
+    """The one file of a package."""
+    found = list(PACKAGES.glob(f"{name}_*.deb"))
+    assert len(found) == 1, found
+    return found[0]
+
+
+def field(name, key):
+    return output("dpkg-deb", "--field", package(name), key).strip()
+
+
+def files(name):
+    """The files of a package, from the root, with their modes."""
+    lines = output("dpkg-deb", "--contents", package(name)).splitlines()
+    rows = [line.split(maxsplit=5) for line in lines]
+    return {row[5].removeprefix("./"): row[0] for row in rows if not row[0].startswith("d")}
+
+
+def dependencies(text):
+    return {entry.split()[0] for entry in text.split(", ")}
+
+
+def sources(targets):
+    """apt's sources of Debian 12, one line each, from lines "URI|RELEASE|COMPONENT"."""
+    rows = [line.split("|") for line in targets.splitlines()]
+    return [f"deb {uri} {release} {component}" for uri, release, component in rows
+            if release in SUITES and component == "main"]
+
+
+def sources_here():
+    if not shutil.which("apt-get"):
+        return []
+    return sources(output("apt-get", "indextargets", "--format", "$(REPO_URI)|$(RELEASE)|$(COMPONENT)",
+                          "Created-By: Packages"))
+
+
+def ways_to_reach(dump):
+    """The options of an apt-config dump that say how to get at the sources; empty ones of lists aside."""
+    return [line for line in dump.splitlines() if REACHING.match(line) and not line.endswith(' "";')]
+
+
+def lacking():
+    """Why there can be no clean Debian here; None where there can."""
+    if not shutil.which("mmdebstrap"):
+        return "there is no mmdebstrap"
+    inside = [] if os.geteuid() == 0 else ["--map-auto", "--map-root-user"]
+    if subprocess.run(["unshare", *inside, "--mount", "true"], capture_output=True, check=False).returncode != 0:
+        return "neither root nor a user with namespaces, who may mount, runs it"
+    found = sources_here()
+    if not any(" bookworm " in line for line in found):
+        return "apt knows no source of Debian 12 here"
+    _, uri, release, _ = next(line for line in found if " bookworm " in line).split()
+    with tempfile.TemporaryDirectory(prefix="packaging-", dir=BUILD) as folder:
+        asked = subprocess.run(["/usr/lib/apt/apt-helper", "download-file",
+                                f"{uri.rstrip('/')}/dists/{release}/InRelease", f"{folder}/InRelease"],
+                               capture_output=True, check=False, timeout=60)
+    return f"{uri} cannot be reached" if asked.returncode != 0 else None
+
+
+class Contents(unittest.TestCase):
+    def test_the_program_has_all_that_it_reads(self):
+        held = files("rastercheck")
+        self.assertEqual(held["usr/bin/rastercheck"], "-rwxr-xr-x")
+        corpus = {path.name for path in (SOURCE / "cases/corpus").glob("*")}
+        self.assertGreater(len(corpus), 300)
+        self.assertEqual({name.removeprefix("usr/share/rastercheck/corpus/") for name in held
+                          if name.startswith("usr/share/rastercheck/")}, corpus)
+        docs = "usr/share/doc/rastercheck/"
+        for name in ["copyright", "README.md", "docs/when-it-fails.md", "docs/images/bunny-cpu.png"]:
+            self.assertIn(docs + name, held)
+        others = {name for name in held if not name.startswith((docs, "usr/share/rastercheck/corpus/"))}
+        self.assertEqual(others, {"usr/bin/rastercheck"})
+
+    def test_the_program_needs_libraries_and_no_headers(self):
+        needed = dependencies(field("rastercheck", "Depends"))
+        self.assertLessEqual({"libc6", "libgmp10", "libtbb12", "libassimp5"}, needed)
+        self.assertEqual([name for name in needed if name.endswith("-dev")], [])
+
+    def test_the_other_has_what_cmake_finds(self):
+        held = files("rastercheck-dev")
+        library = r"usr/lib/(\S+/)?"
+        for pattern in [r"usr/include/rasterizer/rasterizer\.h", r"usr/include/rastercheck/backends/backend\.h",
+                        library + r"librastercheck_rasterizer\.a", library + r"librastercheck_properties\.a",
+                        library + r"cmake/RasterCheck/RasterCheckConfig\.cmake",
+                        r"usr/share/doc/rastercheck-dev/copyright"]:
+            self.assertEqual(len([name for name in held if re.fullmatch(pattern, name)]), 1, pattern)
+        self.assertEqual(set(held) & set(files("rastercheck")), set())
+        needed = field("rastercheck-dev", "Depends")
+        self.assertIn(f"rastercheck (= {field('rastercheck', 'Version')})", needed)
+        # Each package of a library that find_package(RasterCheck) looks for.
+        self.assertEqual(dependencies(needed) - {"rastercheck"}, {
+            "libassimp-dev", "libexpected-dev", "libfmt-dev", "libglm-dev", "libgmp-dev", "libgtest-dev",
+            "libhwy-dev", "libmpfr-dev", "librapidcheck-dev", "libtbb-dev", "nlohmann-json3-dev"})
+
+    def test_say_what_they_are(self):
+        for name, words in [("rastercheck", "Computes what a drawn triangle has to be"),
+                            ("rastercheck-dev", "For programs in C++ built with CMake")]:
+            first, *more = field(name, "Description").splitlines()
+            self.assertEqual(first, "Checks rasterizers against exact rational arithmetic")
+            self.assertTrue(more[0].strip().startswith(words), more)
+            self.assertEqual(package(name).name, f"{name}_{field(name, 'Version')}_"
+                                                 f"{field(name, 'Architecture')}.deb")
+            self.assertEqual(field(name, "Homepage"), "")
+            self.assertNotEqual(field(name, "Maintainer"), "")
+
+
+class OnCleanDebian(unittest.TestCase):
+    def test_the_program_runs(self):
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="packaging-", dir=BUILD))
+        self.addCleanup(shutil.rmtree, folder)
+        (folder / "on_debian").write_text(ON_DEBIAN, encoding="utf-8")
+        options = ways_to_reach(output("apt-config", "dump"))
+        log = output(
+            "mmdebstrap", "--variant=apt", "--format=null", "--dpkgopt=force-unsafe-io",
+            *(f"--aptopt={option}" for option in options),
+            '--customize-hook=mkdir "$1/packages"',
+            f"--customize-hook=copy-in {package('rastercheck')} {package('rastercheck-dev')} /packages",
+            f"--customize-hook=copy-in {folder}/on_debian /",
+            '--customize-hook=chroot "$1" sh /on_debian',
+            f"--customize-hook=copy-out /home/somebody/out/run.json {folder}",
+            "bookworm", "-", *sources_here(), env={**os.environ, "TMPDIR": str(folder), "LC_ALL": "C.UTF-8"})
+        print(log)
+
+        self.assertIn("The run ended with 0.", log)
+        self.assertIn("coverage obeys the contract", log)
+        self.assertIn("method:rational-linear", log)
+        # The whole corpus was checked, which is the package's: there is no source tree.
+        run = json.loads((folder / "run.json").read_text(encoding="utf-8"))
+        checked = [record["cases"]["checked"] for record in run["records"]
+                   if record["law"] == "coverage obeys the contract" and record["stratum"] == "corpus"]
+        self.assertGreater(sum(checked), 300)
+
+
+class Checks(unittest.TestCase):
+    """The parts of this file that decide whether the test above runs."""
+
+    def test_take_debian_12_and_nothing_else(self):
+        self.assertEqual(sources("http://a/debian/|bookworm|main\nhttp://b/|nodistro|main\n"
+                                 "http://a/debian/|bookworm|contrib\nhttp://a/s/|bookworm-security|main\n"),
+                         ["deb http://a/debian/ bookworm main", "deb http://a/s/ bookworm-security main"])
+
+    def test_take_the_settings_for_the_way_there(self):
+        dump = ('Acquire "";\nAcquire::Check-Date "false";\nAcquire::http::Proxy "http://p:1";\n'
+                'Acquire::Languages "";\nAcquire::Languages:: "none";\nAcquire::cdrom::mount "/m/";\n'
+                'APT::Architecture "amd64";\n')
+        self.assertEqual(ways_to_reach(dump),
+                         ['Acquire::Check-Date "false";', 'Acquire::http::Proxy "http://p:1";',
+                          'Acquire::Languages:: "none";'])
+
+
+if __name__ == "__main__":
+    SOURCE, BUILD, PACKAGES = map(pathlib.Path, sys.argv[1:4])
+    if sys.argv[4] == "OnCleanDebian":
+        reason = lacking()
+        if reason:
+            print(f"skipped: {reason}")
+            sys.exit(SKIPPED)
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])
