@@ -10,10 +10,12 @@ include(CMakePackageConfigHelpers)
 
 set(RASTERCHECK_CORPUS "${CMAKE_INSTALL_DATADIR}/rastercheck/corpus")  # below the prefix
 
-# rastercheck_install(FOLDER COMPONENT WHERE): the library of a folder, and its public headers, in
-# WHERE below the folder of headers. Users include them as the project does: "FOLDER/….h".
+# rastercheck_install(FOLDER COMPONENT WHERE [EXCEPT HEADERS…]): the library of a folder, and its public
+# headers, in WHERE below the folder of headers. Users include them as the project does: "FOLDER/….h".
 function(rastercheck_install folder component where)
-  file(GLOB headers CONFIGURE_DEPENDS *.h)
+  cmake_parse_arguments(PARSE_ARGV 3 arg "" "" "EXCEPT")
+  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.h)
+  list(REMOVE_ITEM headers ${arg_EXCEPT})
   target_sources(rastercheck_${folder} PUBLIC
     FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
   set_target_properties(rastercheck_${folder} PROPERTIES EXPORT_NAME ${folder})

@@ -40,5 +40,5 @@ set(CPACK_DEBIAN_DEV_DESCRIPTION
   "For programs in C++ built with CMake: RasterCheck's own rasterizer, and its laws as GoogleTest cases of
 any class that draws.")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-  "rastercheck (= ${PROJECT_VERSION}), libassimp-dev, libexpected-dev, libfmt-dev, libglm-dev, libgmp-dev, libgtest-dev, libhwy-dev, libmpfr-dev, librapidcheck-dev, libtbb-dev, nlohmann-json3-dev")
+  "rastercheck (= ${PROJECT_VERSION}), libexpected-dev, libfmt-dev, libglm-dev, libgmp-dev, libgtest-dev, libhwy-dev, libmpfr-dev, librapidcheck-dev, libseccomp-dev, libtbb-dev, nlohmann-json3-dev")
 include(CPack)

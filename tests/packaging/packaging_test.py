@@ -23,16 +23,19 @@ SUITES = ("bookworm", "bookworm-updates", "bookworm-security")
 # What of apt's configuration says how to get at the sources.
 REACHING = re.compile(r"^Acquire::(Check-|Languages|Retries|https?::)")
 
-# What is done there, as root; its output is what the test looks at. The program runs as somebody else.
+# What is done there, as root; its output is what the test looks at. Programs run as somebody else, whose
+# environment is that of a login: first the one package alone, then what a C++ user does with both.
 ON_DEBIAN = """
 set -e
 apt-get install -y -q --no-install-recommends /packages/rastercheck_*.deb
-apt-get install -q --simulate /packages/rastercheck-dev_*.deb
 useradd --create-home somebody
-cd /home/somebody
-su somebody -c 'rastercheck list'
-su somebody -c 'rastercheck run --cases 3 --seed 1 --output out'
+su - somebody -c 'rastercheck list'
+su - somebody -c 'rastercheck run --cases 3 --seed 1 --output out'
 echo "The run ended with $?."
+apt-get install -y -q --no-install-recommends /packages/rastercheck-dev_*.deb g++ cmake ninja-build
+su - somebody -c 'cmake -G Ninja -S /tests -B tests && cmake --build tests'
+su - somebody -c 'RASTERCHECK_CASES=3 tests/my_tests --gtest_filter=MyRasterizer.law/coverage*'
+echo "The tests ended with $?."
 """
 
 
@@ -136,8 +139,8 @@ class Contents(unittest.TestCase):
         self.assertIn(f"rastercheck (= {field('rastercheck', 'Version')})", needed)
         # Each package of a library that find_package(RasterCheck) looks for.
         self.assertEqual(dependencies(needed) - {"rastercheck"}, {
-            "libassimp-dev", "libexpected-dev", "libfmt-dev", "libglm-dev", "libgmp-dev", "libgtest-dev",
-            "libhwy-dev", "libmpfr-dev", "librapidcheck-dev", "libtbb-dev", "nlohmann-json3-dev"})
+            "libexpected-dev", "libfmt-dev", "libglm-dev", "libgmp-dev", "libgtest-dev", "libhwy-dev",
+            "libmpfr-dev", "librapidcheck-dev", "libseccomp-dev", "libtbb-dev", "nlohmann-json3-dev"})
 
     def test_say_what_they_are(self):
         for name, words in [("rastercheck", "Computes what a drawn triangle has to be"),
@@ -152,16 +155,18 @@ class Contents(unittest.TestCase):
 
 
 class OnCleanDebian(unittest.TestCase):
-    def test_the_program_runs(self):
+    def test_they_do_what_they_are_for(self):
         folder = pathlib.Path(tempfile.mkdtemp(prefix="packaging-", dir=BUILD))
         self.addCleanup(shutil.rmtree, folder)
         (folder / "on_debian").write_text(ON_DEBIAN, encoding="utf-8")
         options = ways_to_reach(output("apt-config", "dump"))
+        tests = SOURCE / "tests/consumer/testing"
         log = output(
             "mmdebstrap", "--variant=apt", "--format=null", "--dpkgopt=force-unsafe-io",
             *(f"--aptopt={option}" for option in options),
-            '--customize-hook=mkdir "$1/packages"',
+            '--customize-hook=mkdir "$1/packages" "$1/tests"',
             f"--customize-hook=copy-in {package('rastercheck')} {package('rastercheck-dev')} /packages",
+            f"--customize-hook=copy-in {tests}/CMakeLists.txt {tests}/my_tests.cpp /tests",
             f"--customize-hook=copy-in {folder}/on_debian /",
             '--customize-hook=chroot "$1" sh /on_debian',
             f"--customize-hook=copy-out /home/somebody/out/run.json {folder}",
@@ -169,6 +174,8 @@ class OnCleanDebian(unittest.TestCase):
         print(log)
 
         self.assertIn("The run ended with 0.", log)
+        self.assertIn("The tests ended with 0.", log)
+        self.assertIn("[  PASSED  ] 1 test.", log)
         self.assertIn("coverage obeys the contract", log)
         self.assertIn("method:rational-linear", log)
         # The whole corpus was checked, which is the package's: there is no source tree.
