@@ -40,5 +40,7 @@ set(CPACK_DEBIAN_DEV_DESCRIPTION
   "For programs in C++ built with CMake: RasterCheck's own rasterizer, and its laws as GoogleTest cases of
 any class that draws.")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-  "rastercheck (= ${PROJECT_VERSION}), libexpected-dev, libfmt-dev, libglm-dev, libgmp-dev, libgtest-dev, libhwy-dev, libmpfr-dev, librapidcheck-dev, libseccomp-dev, libtbb-dev, nlohmann-json3-dev")
+  "rastercheck (= ${PROJECT_VERSION})" libexpected-dev libfmt-dev libglm-dev libgmp-dev libgtest-dev
+  libhwy-dev libmpfr-dev librapidcheck-dev libseccomp-dev libtbb-dev nlohmann-json3-dev)
+list(JOIN CPACK_DEBIAN_DEV_PACKAGE_DEPENDS ", " CPACK_DEBIAN_DEV_PACKAGE_DEPENDS)
 include(CPack)
