@@ -95,12 +95,11 @@ class Drawer {
       before = after;
     }
     if (growing < kLeaking) return {};
-    return tl::unexpected(
-        Error{"", "",
-              fmt::format(
-                  "it leaks: whenever this case is drawn again more memory is in use than before, "
-                  "the last time {} bytes more",
-                  growth)});
+    return tl::unexpected(Error{
+        "", "",
+        fmt::format("it leaks: each time that this case is drawn again, more memory is in use than "
+                    "before, the last time {} bytes",
+                    growth)});
   }
 
   Backend* backend_;
