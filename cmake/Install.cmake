@@ -2,6 +2,7 @@
 #
 #   rasterizer  RasterCheck::rasterizer (docs/using-the-rasterizer.md)
 #   testing     RasterCheck::testing and the libraries that it needs (docs/using-in-googletest.md)
+#   plugin      rastercheck/plugin.h, which needs nothing
 #   corpus      the cases that program and tests begin with
 #   program     rastercheck
 #

@@ -19,11 +19,12 @@ set(CPACK_STRIP_FILES TRUE)
 set(CPACK_DEB_COMPONENT_INSTALL TRUE)
 # The first line of each description is the project's; what follows is the package's own.
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_COMPONENTS_ALL program corpus rasterizer testing)
+set(CPACK_COMPONENTS_ALL program corpus rasterizer testing plugin)
 set(CPACK_COMPONENT_PROGRAM_GROUP program)
 set(CPACK_COMPONENT_CORPUS_GROUP program)
 set(CPACK_COMPONENT_RASTERIZER_GROUP dev)
 set(CPACK_COMPONENT_TESTING_GROUP dev)
+set(CPACK_COMPONENT_PLUGIN_GROUP dev)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME rastercheck)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
