@@ -101,9 +101,9 @@ def lacking():
         return "apt knows no source of Debian 12 here"
     _, uri, release, _ = next(line for line in found if " bookworm " in line).split()
     with tempfile.TemporaryDirectory(prefix="packaging-", dir=BUILD) as folder:
-        asked = subprocess.run(["/usr/lib/apt/apt-helper", "download-file",
+        asked = subprocess.run(["timeout", "60", "/usr/lib/apt/apt-helper", "download-file",
                                 f"{uri.rstrip('/')}/dists/{release}/InRelease", f"{folder}/InRelease"],
-                               capture_output=True, check=False, timeout=60)
+                               capture_output=True, check=False)
     return f"{uri} cannot be reached" if asked.returncode != 0 else None
 
 
