@@ -18,10 +18,7 @@ namespace {
 /// What stands before the beginning of an array.
 constexpr std::byte kFront{0xa5};
 
-std::size_t page_size() {
-  static const auto size = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-  return size;
-}
+std::size_t page_size() { return static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)); }
 
 /// An array as a signal handler may know it.
 struct Guarded {
@@ -93,7 +90,6 @@ void report(int /*signal*/, siginfo_t* info, void* /*context*/) {
 }  // namespace
 
 void report_wrong_accesses() {
-  page_size();
   // A stack that has run out is no place for a handler.
   static std::array<std::byte, 65536> stack;
   stack_t alternative{};
@@ -136,14 +132,14 @@ Result<void> GuardedArray::resize(std::size_t size) {
   touchable_ = touchable;
   size_ = size;
   data_ = pages_ + (touchable - size);
-  if (const Result<void> open = protect(PROT_READ | PROT_WRITE); !open) return open;
+  if (Result<void> open = protect(PROT_READ | PROT_WRITE); !open) return open;
   std::fill(pages_, data_, kFront);
   remember(name_, data_, size_);
   return {};
 }
 
 Result<void> GuardedArray::assign(std::span<const std::byte> bytes) {
-  if (const Result<void> sized = resize(bytes.size()); !sized || bytes.empty()) return sized;
+  if (Result<void> sized = resize(bytes.size()); !sized || bytes.empty()) return sized;
   std::copy(bytes.begin(), bytes.end(), data_);
   return protect(PROT_READ);
 }

@@ -184,14 +184,14 @@ Result<cases::Framebuffer> PluginBackend::draw(const cases::Case& c) {
   if (const std::string what = lacks(plugin_.contract, c); !what.empty()) {
     return fail("its contract lacks " + what, Failure::unsupported);
   }
-  if (const Result<void> handed = hand_over(c); !handed) return tl::unexpected(handed.error());
+  if (Result<void> handed = hand_over(c); !handed) return tl::unexpected(std::move(handed).error());
   cases::Framebuffer drawn;
   drawn.attribute_count = c.attributes.size();
   const auto triangles = static_cast<std::uint32_t>(c.triangles.size());
   const std::uint32_t together = draw_.depth_test != 0 ? triangles : 1;
   for (std::uint32_t first = 0; first < triangles; first += together) {
-    const Result<void> appended = append(first, together, drawn);
-    if (!appended) return tl::unexpected(appended.error());
+    Result<void> appended = append(first, together, drawn);
+    if (!appended) return tl::unexpected(std::move(appended).error());
   }
   return drawn;
 }
@@ -213,7 +213,7 @@ Result<void> PluginBackend::hand_over(const cases::Case& c) {
        {&arrays_.clip_distances, bytes_of(c.clip_distances)},
        {&arrays_.indices, bytes_of(c.triangles)}}};
   for (const auto& [array, bytes] : inputs) {
-    if (const Result<void> assigned = array->assign(bytes); !assigned) return assigned;
+    if (Result<void> assigned = array->assign(bytes); !assigned) return assigned;
   }
   draw_.sample_positions = arrays_.sample_positions.as<const float>();
   draw_.vertex_count = static_cast<std::uint32_t>(c.positions.size());
@@ -232,7 +232,7 @@ Result<void> PluginBackend::hand_over(const cases::Case& c) {
        {&arrays_.values, samples * c.attributes.size() * sizeof(float)},
        {&arrays_.message, kMessageSize}}};
   for (const auto& [array, size] : outputs) {
-    if (const Result<void> sized = array->resize(size); !sized) return sized;
+    if (Result<void> sized = array->resize(size); !sized) return sized;
   }
   dirty_ = whole();
   return {};
@@ -243,8 +243,8 @@ Result<void> PluginBackend::append(std::uint32_t first, std::uint32_t count,
   clear(dirty_);
   draw_.triangle_count = count;
   draw_.indices = arrays_.indices.as<const std::uint32_t>() + std::size_t{first} * 3;
-  if (const Result<void> called = call(); !called) return called;
-  if (const Result<void> checked = check_output(count); !checked) return checked;
+  if (Result<void> called = call(); !called) return called;
+  if (Result<void> checked = check_output(count); !checked) return checked;
   collect(first, drawn);
   dirty_ = is_searched_whole() ? whole() : touched();
   return {};

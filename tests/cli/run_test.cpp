@@ -437,10 +437,10 @@ TEST_F(Run, RefusesASceneBeyondFloat32) {
 }
 
 TEST(WorkerCommand, RefusesWhatIsNoTask) {
-  const Outcome outcome = run_program({"worker", "--seed", "1"}, "rubbish\n");
+  const Outcome outcome = run_program({"task-worker", "--seed", "1"}, "rubbish\n");
   EXPECT_TRUE(is_failure(outcome, 70)) << outcome;
-  EXPECT_EQ(run_program({"worker", "--seed", "1"}).code, 0);
-  EXPECT_TRUE(is_failure(run_program({"worker", "--seed", "1", "--corpus", "no/such"}), 2));
+  EXPECT_EQ(run_program({"task-worker", "--seed", "1"}).code, 0);
+  EXPECT_TRUE(is_failure(run_program({"task-worker", "--seed", "1", "--corpus", "no/such"}), 2));
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST_P(Workers, FindWhatOneProcessFinds) {
   EXPECT_FALSE(expected.counterexamples.empty());
 
   const std::vector<std::string> command{
-      RASTERCHECK_DAMAGED_PROGRAM, "worker", "--seed", "7", "--corpus", corpus.path()};
+      RASTERCHECK_DAMAGED_PROGRAM, "task-worker", "--seed", "7", "--corpus", corpus.path()};
   std::vector<int> told(tasks.size());
   const Result<Findings> found = gathered([&](const TaskDone& done) {
     return run_tasks_in_processes(command, GetParam(), tasks, [&](std::size_t task, Findings more) {
@@ -124,8 +124,8 @@ TEST(WorkerProcesses, ThatCannotBeStartedAreNamed) {
 
 TEST(WorkerProcesses, PassOnWhatIsWrongWithATask) {
   const std::vector<Task> tasks{{"cpu", "no law", TaskKind::random, 0, 1}};
-  const Result<void> found =
-      run_tasks_in_processes({RASTERCHECK_DAMAGED_PROGRAM, "worker", "--seed", "7"}, 1, tasks, {});
+  const Result<void> found = run_tasks_in_processes(
+      {RASTERCHECK_DAMAGED_PROGRAM, "task-worker", "--seed", "7"}, 1, tasks, {});
   ASSERT_FALSE(found);
   EXPECT_EQ(to_string(found.error()), "no law: there is no law of that name");
   EXPECT_TRUE(has_no_children());

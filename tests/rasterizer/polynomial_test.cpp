@@ -109,8 +109,8 @@ TEST(Polynomial, IsOffByNearlyWhatItPromises) {
 
 // By hand, t from the far end, q = 1/255 from the pole: r goes nine tenths of its way within the
 // first 4% of the row. t/(t + q) · |(t − 1/2)(t − 1)|/(q + 1/2) is 0.801 at t = 0.035, and that of
-// the cubic 0.737 at t = 0.025. The span begins half a pixel, 2^-13 of the row, after the vertex, and
-// so has 1/(1 + 2^-13/q) = 0.970 of the way before it.
+// the cubic 0.737 at t = 0.025. The span begins half a pixel, 2^-13 of the row, after the vertex,
+// and so has 1/(1 + 2^-13/q) = 0.970 of the way before it.
 TEST(Polynomial, FailsNearThePole) {
   EXPECT_GE(worst_error("polynomial-quadratic", 256), 0.77);
   EXPECT_GE(worst_error("polynomial-cubic", 256), 0.71);
