@@ -25,7 +25,7 @@
 #define GUARD_BAND 32768. /* pixels; as contract.guard_band is where it is 0 */
 #define MOST_DEPTH 65536. /* of z/w at vertices */
 
-/* What it promises. Members that are not named are 0: tie rule as asked, all limits of a kind. */
+/* What it promises. Members that are not named are 0: ties as asked, no limits but `lacks`. */
 static const rastercheck_contract contract = {
     .size = sizeof(rastercheck_contract),
     .coverage = RASTERCHECK_COVERAGE_SNAPPED,
