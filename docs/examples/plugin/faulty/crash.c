@@ -1,0 +1,10 @@
+/* Crashes: reads address 0 where a triangle is wide. */
+#include "faulty.h"
+
+static uint32_t faulty_draw(const rastercheck_draw* draw, rastercheck_output* out) {
+  const int* volatile nowhere = NULL;
+  if (is_wide(draw)) return (uint32_t)*nowhere;
+  return draw_all(draw, out);
+}
+
+const rastercheck_plugin* rastercheck_plugin_get(void) { return little_with_draw(faulty_draw); }

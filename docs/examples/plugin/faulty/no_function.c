@@ -1,0 +1,3 @@
+/* A shared library, but no plugin: the exported function has another name. */
+#define rastercheck_plugin_get rastercheck_plugin_fetch
+#include "../little.c"

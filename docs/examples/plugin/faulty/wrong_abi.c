@@ -1,0 +1,9 @@
+/* Built for another version of the interface. */
+#include "faulty.h"
+
+const rastercheck_plugin* rastercheck_plugin_get(void) {
+  static rastercheck_plugin other;
+  other = *little_get();
+  other.abi = 99;
+  return &other;
+}

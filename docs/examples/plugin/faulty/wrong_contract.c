@@ -1,0 +1,9 @@
+/* Promises the exact triangle, though it snaps. */
+#include "faulty.h"
+
+const rastercheck_plugin* rastercheck_plugin_get(void) {
+  static rastercheck_contract exact;
+  exact = contract;
+  exact.coverage = RASTERCHECK_COVERAGE_EXACT;
+  return little_with_contract(&exact);
+}
