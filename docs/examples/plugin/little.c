@@ -1,8 +1,6 @@
 /*
  * A little rasterizer in C11, as a RasterCheck plugin.
- *
- *     cc -std=c11 -O2 -fPIC -shared -o little.so little.c -lm
- *     rastercheck run --backend plugin:./little.so
+ * docs/judge-your-rasterizer.md tells how to build it and have it judged.
  *
  * Window positions are snapped to a grid of 1/256 pixel. From there on coverage is exact: edges are
  * integers, and a sample exactly on one goes by the tie rule. Values come from the same integers,

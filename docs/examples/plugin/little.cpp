@@ -1,7 +1,5 @@
 // A little rasterizer in C++20, as a RasterCheck plugin.
-//
-//     c++ -std=c++20 -O2 -fPIC -shared -o little.so little.cpp
-//     rastercheck run --backend plugin:./little.so
+// docs/judge-your-rasterizer.md tells how to build it and have it judged.
 //
 // Window positions are snapped to a grid of 1/256 pixel. From there on coverage is exact: edges are
 // integers, and a sample exactly on one goes by the tie rule. Values come from the same integers,

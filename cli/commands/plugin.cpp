@@ -1,0 +1,71 @@
+// `rastercheck plugin new DIR`: a project to begin a plugin with, which builds and holds what it
+// promises before anything of one's own is in it.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <system_error>
+
+#include "cases/files.h"
+#include "cli/command.h"
+#include "cli/plugin_starter.h"
+
+namespace rastercheck::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string folder;
+  std::string language = "c";
+  bool quiet = false;
+};
+
+/// Makes the folder, or finds it empty.
+Result<void> make_empty(const std::string& folder) {
+  std::error_code why;
+  fs::create_directories(folder, why);
+  if (why) return tl::unexpected(Error{folder, "", "cannot be made: " + why.message()});
+  const bool is_empty = fs::is_empty(folder, why);
+  if (why) return tl::unexpected(Error{folder, "", "cannot be read: " + why.message()});
+  if (!is_empty) return tl::unexpected(Error{folder, "", "is there already, and is not empty"});
+  return {};
+}
+
+ExitCode make_new(const Options& options) {
+  if (const Result<void> made = make_empty(options.folder); !made) return fail(made.error());
+  const std::span<const StarterFile> files =
+      options.language == "c" ? starter_in_c() : starter_in_cxx();
+  for (const StarterFile& file : files) {
+    const fs::path path = fs::path(options.folder) / file.path;
+    std::error_code why;
+    fs::create_directories(path.parent_path(), why);
+    if (why) return fail({path.parent_path().string(), "", "cannot be made: " + why.message()});
+    const Result<void> written = cases::write_file(path.string(), std::string(file.text));
+    if (!written) return fail(written.error());
+    if (!options.quiet) fmt::print("{}\n", path.string());
+  }
+  return ExitCode::ok;
+}
+
+Action set_up(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.require_subcommand(1);
+  CLI::App* new_command =
+      app.add_subcommand("new", "Writes a project that builds a plugin: a little rasterizer");
+  new_command->add_option("DIR", options->folder, "Folder for it, new or empty")->required();
+  new_command->add_option("--language", options->language, "c or c++")
+      ->check(CLI::IsMember({"c", "c++"}))
+      ->capture_default_str();
+  new_command->add_flag("-q,--quiet", options->quiet, "Prints nothing");
+  app.footer("Prints the names of the files; README.md among them says how to go on.");
+  return [options] { return make_new(*options); };
+}
+
+const Registration kRegistration("plugin", "Begins a plugin, to have a rasterizer judged", &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

@@ -1,0 +1,68 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "tests/cli/program.h"
+#include "tests/temporary_folder.h"
+
+namespace rastercheck::cli {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string source(const std::string& name) {
+  std::ifstream stream(RASTERCHECK_SOURCE_DIR "/" + name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class Plugin : public testing::Test {
+ protected:
+  TemporaryFolder folder_;
+};
+
+// That the projects build and hold, tests/plugins sees.
+// Kills: a starter of another language, or one that has parted from what is tested.
+TEST_F(Plugin, NewWritesTheExample) {
+  const std::string c = folder_.path("in/c");
+  const Outcome in_c = run_program({"plugin", "new", c});
+  EXPECT_EQ(in_c.code, 0) << in_c;
+  EXPECT_EQ(in_c.out, c + "/CMakeLists.txt\n" + c + "/README.md\n" + c + "/plugin.c\n" + c +
+                          "/rastercheck/plugin.h\n");
+  EXPECT_THAT(folder_.files("in/c"),
+              ElementsAre("CMakeLists.txt", "README.md", "plugin.c", "rastercheck/plugin.h"));
+  EXPECT_EQ(folder_.content("in/c/plugin.c"), source("docs/examples/plugin/little.c"));
+  EXPECT_EQ(folder_.content("in/c/rastercheck/plugin.h"), source("backends/plugin/plugin.h"));
+  EXPECT_THAT(folder_.content("in/c/CMakeLists.txt"), HasSubstr("LANGUAGES C)"));
+
+  const Outcome in_cxx =
+      run_program({"plugin", "new", folder_.path("cxx"), "--language", "c++", "--quiet"});
+  EXPECT_EQ(in_cxx.code, 0) << in_cxx;
+  EXPECT_EQ(in_cxx.out, "");
+  EXPECT_EQ(folder_.content("cxx/plugin.cpp"), source("docs/examples/plugin/little.cpp"));
+  EXPECT_THAT(folder_.content("cxx/CMakeLists.txt"), HasSubstr("LANGUAGES CXX)"));
+}
+
+// Kills: a project that writes over somebody's files.
+TEST_F(Plugin, NewLosesNothing) {
+  folder_.put("mine/notes.txt", "mine");
+  const Outcome there = run_program({"plugin", "new", folder_.path("mine")});
+  EXPECT_TRUE(is_failure(there, 2)) << there;
+  EXPECT_THAT(there.err, HasSubstr("mine: is there already, and is not empty"));
+  EXPECT_THAT(folder_.files("mine"), ElementsAre("notes.txt"));
+
+  const Outcome file = run_program({"plugin", "new", folder_.path("mine/notes.txt")});
+  EXPECT_TRUE(is_failure(file, 2)) << file;
+  EXPECT_EQ(folder_.content("mine/notes.txt"), "mine");
+}
+
+TEST_F(Plugin, NewKnowsTwoLanguages) {
+  const Outcome rust = run_program({"plugin", "new", folder_.path("rust"), "--language", "rust"});
+  EXPECT_TRUE(is_failure(rust, 2)) << rust;
+  EXPECT_THAT(folder_.files(), ElementsAre());
+}
+
+}  // namespace
+}  // namespace rastercheck::cli
