@@ -1,4 +1,8 @@
-/* Counts how often a sample is drawn, where 1 is asked for. */
+/*
+ * Counts how often a sample is drawn, where 1 is asked for.
+ *
+ * RasterCheck: “draw() wrote 2 to output->coverage, which has to be 0 or 1”
+ */
 #include "faulty.h"
 
 static uint32_t faulty_draw(const rastercheck_draw* draw, rastercheck_output* out) {

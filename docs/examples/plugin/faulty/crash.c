@@ -1,4 +1,9 @@
-/* Crashes: reads address 0 where a triangle is wide. */
+/*
+ * Crashes: reads address 0 where a triangle is wide.
+ *
+ * RasterCheck: “its process ended by signal Segmentation fault while it drew; its last words: the
+ * plugin touched address 0, which is none of its arrays”
+ */
 #include "faulty.h"
 
 static uint32_t faulty_draw(const rastercheck_draw* draw, rastercheck_output* out) {

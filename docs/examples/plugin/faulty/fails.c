@@ -1,4 +1,8 @@
-/* Gives up where a triangle is wide, and says why. */
+/*
+ * Gives up where a triangle is wide, and says why.
+ *
+ * RasterCheck: “draw() says failed: no room for so wide a triangle”
+ */
 #include "faulty.h"
 
 static uint32_t faulty_draw(const rastercheck_draw* draw, rastercheck_output* out) {

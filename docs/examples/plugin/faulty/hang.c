@@ -1,4 +1,8 @@
-/* Hangs where a triangle is wide. */
+/*
+ * Hangs where a triangle is wide.
+ *
+ * RasterCheck: “its process did not answer within 10 s while it drew”
+ */
 #include "faulty.h"
 
 static uint32_t faulty_draw(const rastercheck_draw* draw, rastercheck_output* out) {

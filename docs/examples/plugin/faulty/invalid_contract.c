@@ -1,4 +1,8 @@
-/* Promises a grid of 2^-99 pixels. */
+/*
+ * Promises a grid of 2^-99 pixels.
+ *
+ * RasterCheck: “its contract's subpixel_bits is 99, which has to be from 0 to 16”
+ */
 #include "faulty.h"
 
 const rastercheck_plugin* rastercheck_plugin_get(void) {

@@ -1,4 +1,8 @@
-/* Divides 0 by 0 where a triangle is wide: all of its depths are no numbers. */
+/*
+ * Divides 0 by 0 where a triangle is wide: all of its depths are no numbers.
+ *
+ * RasterCheck: “depth is nan”
+ */
 #include "faulty.h"
 
 static uint32_t faulty_draw(const rastercheck_draw* draw, rastercheck_output* out) {

@@ -1,4 +1,8 @@
-/* Says that all went well, and draws nothing. */
+/*
+ * Says that all went well, and draws nothing.
+ *
+ * RasterCheck: “not drawn; exactly: required”
+ */
 #include "faulty.h"
 
 static uint32_t faulty_draw(const rastercheck_draw* draw, rastercheck_output* out) {

@@ -1,4 +1,8 @@
-/* Writes one sample too many. */
+/*
+ * Writes one sample too many.
+ *
+ * RasterCheck: “the plugin touched output->coverage beyond its end: byte 1 of 1”
+ */
 #include "faulty.h"
 
 static uint32_t faulty_draw(const rastercheck_draw* draw, rastercheck_output* out) {

@@ -1,4 +1,8 @@
-/* Leaves the processor rounding towards zero. */
+/*
+ * Leaves the processor rounding towards zero.
+ *
+ * RasterCheck: “draw() returned with another rounding mode”
+ */
 #include <fenv.h>
 
 #include "faulty.h"

@@ -1,4 +1,8 @@
-/* Returns something that draw() cannot return. */
+/*
+ * Returns something that draw() cannot return.
+ *
+ * RasterCheck: “draw() returned 99, which is none of RASTERCHECK_OK”
+ */
 #include "faulty.h"
 
 static uint32_t faulty_draw(const rastercheck_draw* draw, rastercheck_output* out) {

@@ -1,4 +1,8 @@
-/* Turns the vertices over in place before it draws, where a triangle is wide. */
+/*
+ * Turns the vertices over in place before it draws, where a triangle is wide.
+ *
+ * RasterCheck: “the plugin wrote to draw->positions, which it may only read”
+ */
 #include "faulty.h"
 
 static uint32_t faulty_draw(const rastercheck_draw* draw, rastercheck_output* out) {

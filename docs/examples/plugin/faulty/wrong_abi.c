@@ -1,4 +1,8 @@
-/* Built for another version of the interface. */
+/*
+ * Built for another version of the interface.
+ *
+ * RasterCheck: “it was made for plugin ABI 99, and this RasterCheck has ABI 1”
+ */
 #include "faulty.h"
 
 const rastercheck_plugin* rastercheck_plugin_get(void) {

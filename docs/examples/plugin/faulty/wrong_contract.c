@@ -1,4 +1,8 @@
-/* Promises the exact triangle, though it snaps. */
+/*
+ * Promises the exact triangle, though it snaps.
+ *
+ * RasterCheck: “drawn; exactly: forbidden: outside”
+ */
 #include "faulty.h"
 
 const rastercheck_plugin* rastercheck_plugin_get(void) {

@@ -1,4 +1,8 @@
-/* Says of every sample that triangle 7 is seen there; there are not that many. */
+/*
+ * Says of every sample that triangle 7 is seen there; there are not that many.
+ *
+ * RasterCheck: “draw() wrote 7 to output->triangle, of a draw of 1”
+ */
 #include "faulty.h"
 
 static uint32_t faulty_draw(const rastercheck_draw* draw, rastercheck_output* out) {

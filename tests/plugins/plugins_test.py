@@ -1,0 +1,281 @@
+#!/usr/bin/env python3
+"""Has the plugins of docs/examples/plugin judged, as a stranger would: from the command line.
+
+Usage: plugins_test.py SOURCE_DIR RASTERCHECK CMAKE C_COMPILER CXX_COMPILER PATCH CASES CLASS
+
+CASES is how many random cases of each law a campaign on a right plugin has.
+"""
+
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE, RASTERCHECK, CMAKE, CC, CXX, PATCH, CASES = pathlib.Path(), "", "", "", "", "", 0
+
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
+COVERAGE, VALUES = "coverage obeys the contract", "values stay within the bound"
+VERTEX_ORDER = "vertex order changes nothing beyond the bound"
+# What matches just those three laws.
+THREE_LAWS = "[cv]* the [bc]o*"
+RANDOM_CASES = 5
+
+# The fault, the class of the counterexamples (None: it cannot be had at all), and what is said.
+FAULTS = [
+    ("crash", "crash", "its process ended by signal Segmentation fault while it drew; its last words: "
+                       "the plugin touched address 0, which is none of its arrays"),
+    ("hang", "hang", "its process did not answer within 0.2 s while it drew"),
+    ("out_of_bounds", "crash", "the plugin touched output->coverage beyond its end: byte 1 of 1"),
+    ("writes_input", "crash", "the plugin wrote to draw->positions, which it may only read"),
+    ("out_of_memory", "crash", "its process ended by signal Aborted while it drew"),
+    ("leak", "missing", "it leaks: each time that this case is drawn again, more memory is in use"),
+    ("nan", "not a number", "depth is nan"),
+    ("nothing", "missing", "not drawn; exactly: required"),
+    ("coverage_two", "missing", "draw() wrote 2 to output->coverage, which has to be 0 or 1"),
+    ("wrong_triangle", "missing", "draw() wrote 7 to output->triangle, of a draw of 1"),
+    ("fails", "missing", "draw() says failed: no room for so wide a triangle"),
+    ("unknown_result", "missing", "draw() returned 99, which is none of RASTERCHECK_OK"),
+    ("rounding_mode", "missing", "draw() returned with another rounding mode"),
+    ("wrong_contract", "extra", "drawn; exactly: forbidden: outside"),
+    ("invalid_contract", None, "its contract's subpixel_bits is 99, which has to be from 0 to 16"),
+    ("wrong_abi", None, "it was made for plugin ABI 99, and this RasterCheck has ABI 1"),
+    ("null_plugin", None, "rastercheck_plugin_get() returned a null pointer"),
+    ("no_function", None, "exports no function rastercheck_plugin_get()"),
+]
+# Those that go wrong in some draws only, or only by the values.
+WITHOUT_FAULT_WHERE_NARROW = {"crash", "hang", "writes_input", "out_of_memory", "nan", "fails"}
+ONLY_VALUES = {"nan"}
+
+
+def case(corners):
+    """A case of one triangle at NDC corners in 8×8 pixels, snapping asked for, r = window x."""
+    return {"format": "rastercheck-case", "version": 1, "name": "a triangle",
+            "framebuffer": {"width": 8, "height": 8}, "viewport": {"x": 0, "y": 0, "width": 8, "height": 8},
+            "rules": "vulkan", "coverage": {"subpixel_bits": 8}, "basis": "snapped",
+            "attributes": [{"name": "r"}],
+            "vertices": [{"position": [x, y, (y + 1) / 2, 1], "attributes": [4 * (x + 1)]}
+                         for x, y in corners],
+            "triangles": [[0, 1, 2]]}
+
+
+WIDE = case([(-1, -1), (1, -1), (-1, 1)])
+NARROW = case([(-0.25, -1), (0.375, -1), (-0.25, 1)])
+
+
+class PluginTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="plugins-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        (self.folder / "include/rastercheck").mkdir(parents=True)
+        shutil.copy(SOURCE / "backends/plugin/plugin.h", self.folder / "include/rastercheck")
+        for name, text in (("wide", WIDE), ("narrow", NARROW)):
+            self.write(f"corpus/{name}.json", json.dumps(text))
+
+    def write(self, name, text):
+        file = self.folder / name
+        file.parent.mkdir(exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+        return file
+
+    def run_command(self, *command):
+        return subprocess.run([str(word) for word in command], cwd=self.folder, capture_output=True,
+                              text=True, check=False)
+
+    def rastercheck(self, code, *arguments):
+        """What it prints, both streams of it; exit code `code` is expected."""
+        done = self.run_command(RASTERCHECK, *arguments)
+        self.assertEqual(done.returncode, code, f"{arguments}\n{done.stdout}\n{done.stderr}")
+        return done.stdout + done.stderr
+
+    def build(self, source, name):
+        """A plugin's specification."""
+        is_c = source.suffix == ".c"
+        done = self.run_command(CC if is_c else CXX, "-std=c11" if is_c else "-std=c++20", "-O2", *WARNINGS,
+                                "-fPIC", "-shared", "-I", self.folder / "include", source,
+                                "-o", f"{name}.so", "-lm")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), source)
+        return f"plugin:./{name}.so"
+
+    def rows(self, output):
+        """The rows of a run's table, by law and backend."""
+        run = json.loads((self.folder / output / "run.json").read_text(encoding="utf-8"))
+        table = {}
+        for record in run["records"]:
+            if record["attribute_kind"] == "coverage":
+                row = table.setdefault((record["law"], record["backend"]), {})
+                for key, count in record["cases"].items():
+                    row[key] = row.get(key, 0) + count
+        return table
+
+    def counterexamples(self, output):
+        """The saved counterexamples and where they were found."""
+        return {file: json.loads(file.read_text(encoding="utf-8"))["found"]
+                for file in sorted((self.folder / output / "counterexamples").glob("*.json"))}
+
+
+class Little(PluginTest):
+    def check(self, source, cases):
+        plugin = self.build(source, "little")
+        table = self.rastercheck(0, "run", "--backend", plugin, "--seed", 1, "--cases", cases)
+        self.assertNotIn("Not reached", table)
+        held = re.findall(r" held$", table, re.MULTILINE)
+        self.assertGreater(len(held), 25, table)
+        # It lacks a part of what is asked for, and no more than that.
+        checked = self.rows("rastercheck-out")[COVERAGE, plugin]
+        self.assertGreater(checked["checked"], checked["not_applicable"])
+
+        # By hand: the pixels whose centre lies above the diagonal; a value is where its pixel is.
+        file = self.folder / "corpus/wide.json"
+        drawn = json.loads(self.rastercheck(0, "render", file, "--backend", plugin, "--json"))
+        self.assertEqual([(f["triangle"], f["x"], f["y"], f["sample"], float.fromhex(f["depth"]),
+                           [float.fromhex(value) for value in f["attributes"]])
+                          for f in drawn["fragments"]],
+                         [(0, x, y, 0, (y + 0.5) / 8, [x + 0.5])
+                          for y in range(8) for x in range(8) if x + y + 1 < 8])
+        self.assertIn(f"{COVERAGE}, {plugin}: held", self.rastercheck(0, "replay", file, "--backend", plugin))
+
+        listed = self.rastercheck(0, "list", "backends", "--backend", plugin)
+        self.assertIn("little 1.0: coverage snapped to 8 subpixel bits", listed)
+        self.assertIn("not: vertices with w <= 0, attributes at centres of several samples", listed)
+
+    def test_c_holds_what_it_promises(self):
+        self.check(SOURCE / "docs/examples/plugin/little.c", CASES)
+
+    def test_cxx_holds_what_it_promises(self):
+        self.check(SOURCE / "docs/examples/plugin/little.cpp", CASES // 4)
+
+    def test_says_what_it_does_not_draw(self):
+        plugin = self.build(SOURCE / "docs/examples/plugin/little.c", "little")
+        behind = case([(-1, -1), (1, -1), (-1, 1)])
+        behind["vertices"][0]["position"][3] = -1
+        behind_file = self.write("behind.json", json.dumps(behind))
+        self.assertIn("its contract lacks vertices with w <= 0",
+                      self.rastercheck(2, "render", behind_file, "--backend", plugin))
+        far_file = self.write("far.json", json.dumps(case([(-1, -1), (65536, -1), (-1, 1)])))
+        self.assertIn("draw() says unsupported: a vertex beyond the guard band",
+                      self.rastercheck(2, "render", far_file, "--backend", plugin))
+        # Laws that change the vertices have something to say of the first case.
+        for code, file in ((0, behind_file), (5, far_file)):
+            self.assertIn(f"{COVERAGE}, {plugin}: not applicable",
+                          self.rastercheck(code, "replay", file, "--backend", plugin))
+
+
+class Faulty(PluginTest):
+    def campaign(self, code, name):
+        plugin = self.build(SOURCE / f"docs/examples/plugin/faulty/{name}.c", name)
+        return plugin, self.rastercheck(
+            code, "run", "--backend", plugin, "--backend", "cpu", "--property", THREE_LAWS, "--seed", 1,
+            "--corpus", "corpus", "--cases", RANDOM_CASES, "--shrink-tries", 40, *self.timeout(name),
+            "--output", name)
+
+    def timeout(self, name):
+        """Short where it is waited for, so that a busy machine is no fault of the others."""
+        return ["--timeout", 0.2] if name == "hang" else []
+
+    def test_every_fault_is_found_and_the_campaign_goes_on(self):
+        for name, verdict, message in FAULTS:
+            with self.subTest(name):
+                plugin, said = self.campaign(1 if verdict else 4, name)
+                self.assertIn(message, said)
+                if verdict is None:
+                    self.assertEqual(said.count("\n"), 1, said)
+                    continue
+                table = self.rows(name)
+                laws = [VALUES, VERTEX_ORDER] if name in ONLY_VALUES else [COVERAGE, VERTEX_ORDER]
+                for law in (COVERAGE, VALUES, VERTEX_ORDER):
+                    mine, ours = table[law, plugin], table[law, "cpu"]
+                    self.assertEqual(mine["checked"] + mine["not_applicable"], 2 + RANDOM_CASES)
+                    self.assertEqual((ours["checked"], ours["violations"]), (2 + RANDOM_CASES, 0))
+                    self.assertGreaterEqual(mine["violations"], 1 if law in laws else 0)
+                found = self.counterexamples(name)
+                self.assertIn((verdict, plugin), [(one["verdict"], one["backend"]) for one in found.values()])
+                # What is found is found again, by the file alone.
+                for file, one in found.items():
+                    if one["verdict"] == verdict:
+                        again = self.rastercheck(1, "replay", file, *self.timeout(name))
+                        self.assertIn(f"{verdict} (as it was found)", again)
+                        break
+
+    def test_a_fault_of_some_draws_is_not_held_against_others(self):
+        for name in sorted(WITHOUT_FAULT_WHERE_NARROW):
+            plugin = self.build(SOURCE / f"docs/examples/plugin/faulty/{name}.c", name)
+            narrow = self.rastercheck(0, "render", "corpus/narrow.json", "--backend", plugin, "--json")
+            self.assertIn('"x"', narrow)
+
+    def test_every_file_is_tested(self):
+        self.assertEqual({path.stem for path in SOURCE.glob("docs/examples/plugin/faulty/*.c")},
+                         {name for name, _, _ in FAULTS})
+
+    def test_each_says_in_its_file_what_is_said_of_it(self):
+        for name, _, message in FAULTS:
+            text = (SOURCE / f"docs/examples/plugin/faulty/{name}.c").read_text(encoding="utf-8")
+            comment = re.sub(r"\s*\n \*\s*", " ", text[:text.index("*/")])
+            self.assertIn(f"RasterCheck: “{message}”".replace("0.2 s", "10 s"), comment, name)
+
+    def test_a_file_that_is_not_there_is_bad_usage(self):
+        said = self.rastercheck(2, "run", "--backend", "plugin:./nowhere.so")
+        self.assertEqual(said, "rastercheck: plugin:./nowhere.so: there is no such file\n")
+
+
+class Mutants(PluginTest):
+    def test_each_is_killed_by_the_law_it_names(self):
+        patches = sorted(SOURCE.glob("tests/plugins/mutants/*.patch"))
+        self.assertGreaterEqual(len(patches), 10)
+        stages = set()
+        for patch in patches:
+            with self.subTest(patch.stem):
+                header = dict(re.findall(r"^(Defect|Killed by|Stage): (.*)$", patch.read_text(encoding="utf-8"),
+                                         re.MULTILINE))
+                stages.add(header["Stage"])
+                source = self.folder / "docs/examples/plugin/little.c"
+                source.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(SOURCE / "docs/examples/plugin/little.c", source)
+                done = self.run_command(PATCH, "--fuzz=0", "-p1", "--batch", "--input", patch)
+                self.assertEqual(done.returncode, 0, done.stdout)
+                plugin = self.build(source, patch.stem)
+                law = header["Killed by"]
+                said = self.rastercheck(1, "run", "--backend", plugin, "--property", law, "--seed", 1,
+                                        "--cases", 100, "--output", patch.stem)
+                found = self.counterexamples(patch.stem)
+                self.assertEqual({one["law"] for one in found.values()}, {law})
+                self.assertIn("; shrunk in ", said)
+                for file in found:
+                    c = json.loads(file.read_text(encoding="utf-8"))
+                    self.assertLessEqual(len(c["triangles"]), 3)
+                    self.assertIn("(as it was found)", self.rastercheck(1, "replay", file))
+                    # The rasterizer that was not damaged has no such fault.
+                    self.assertIn(": held", self.rastercheck(0, "replay", file, "--backend", self.whole()))
+        self.assertGreaterEqual(len(stages), 8)
+
+    def whole(self):
+        if not (self.folder / "whole.so").exists():
+            self.build(SOURCE / "docs/examples/plugin/little.c", "whole")
+        return "plugin:./whole.so"
+
+
+class Starter(PluginTest):
+    def test_builds_and_holds_as_it_is_written(self):
+        for language in ("c", "c++"):
+            self.rastercheck(0, "plugin", "new", language, "--language", language)
+            compilers = [f"-DCMAKE_C_COMPILER={CC}"] if language == "c" else [f"-DCMAKE_CXX_COMPILER={CXX}"]
+            readme = (self.folder / language / "README.md").read_text(encoding="utf-8")
+            commands = re.findall(r"^    (cmake .*|rastercheck run .*)$", readme, re.MULTILINE)
+            self.assertEqual(len(commands), 3, readme)
+            for command, program, more in zip(commands, (CMAKE, CMAKE, RASTERCHECK),
+                                              (compilers, [], ["--cases", 20, "--seed", 1])):
+                words = [program, *command.split()[1:], *more]
+                done = subprocess.run([str(word) for word in words], cwd=self.folder / language,
+                                      capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 0, f"{words}\n{done.stdout}\n{done.stderr}")
+                self.assertNotIn("warning", done.stdout + done.stderr)
+            self.assertTrue((self.folder / language / "rastercheck-out/report.html").exists())
+
+
+if __name__ == "__main__":
+    SOURCE, RASTERCHECK, CMAKE, CC, CXX, PATCH = pathlib.Path(sys.argv[1]), *sys.argv[2:7]
+    CASES = int(sys.argv[7])
+    unittest.main(argv=[sys.argv[0], *sys.argv[8:]])
