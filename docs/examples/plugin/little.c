@@ -32,8 +32,7 @@ static const rastercheck_contract contract = {
     .position_error = 0x1p-27F, /* see window_position() */
     .clip_tolerance = 1,        /* a cut runs between snapped vertices: it moves by half a unit */
     .basis = RASTERCHECK_BASIS_SNAPPED,
-    .keeps = RASTERCHECK_KEEPS_CONSTANTS | RASTERCHECK_KEEPS_VERTEX_VALUES |
-             RASTERCHECK_KEEPS_EQUAL_DEPTH,
+    .keeps = RASTERCHECK_KEEPS_CONSTANTS | RASTERCHECK_KEEPS_EQUAL_DEPTH,
     .smooth = {.constant = 0.5F + 0x1p-24F},        /* see weighted_mean() */
     .noperspective = {.constant = 0.5F + 0x1p-24F}, /* the same */
     .depth = {.constant = 0.5F + 0x1p-9F},          /* see depth_at() */

@@ -43,8 +43,7 @@ constexpr rastercheck_contract contract() {
   c.position_error = 0x1p-27F;  // see window_position()
   c.clip_tolerance = 1;         // a cut runs between snapped vertices: it moves by half a unit
   c.basis = RASTERCHECK_BASIS_SNAPPED;
-  c.keeps =
-      RASTERCHECK_KEEPS_CONSTANTS | RASTERCHECK_KEEPS_VERTEX_VALUES | RASTERCHECK_KEEPS_EQUAL_DEPTH;
+  c.keeps = RASTERCHECK_KEEPS_CONSTANTS | RASTERCHECK_KEEPS_EQUAL_DEPTH;
   c.smooth.constant = 0.5F + 0x1p-24F;         // see weighted_mean()
   c.noperspective.constant = 0.5F + 0x1p-24F;  // the same
   c.depth.constant = 0.5F + 0x1p-9F;           // see depth_at()
