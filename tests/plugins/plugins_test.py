@@ -274,6 +274,25 @@ class Starter(PluginTest):
                 self.assertNotIn("warning", done.stdout + done.stderr)
             self.assertTrue((self.folder / language / "rastercheck-out/report.html").exists())
 
+    def test_the_page_shows_what_is_printed(self):
+        page = (SOURCE / "docs/judge-your-rasterizer.md").read_text(encoding="utf-8")
+        folder = self.folder / "my-rasterizer"
+        self.rastercheck(0, "plugin", "new", folder)
+        plugin = folder / "plugin.c"
+        whole = plugin.read_text(encoding="utf-8")
+        broken = re.sub(r"^.*perspective \*/\n", "", whole, flags=re.MULTILINE)
+        self.assertEqual(whole.count("\n") - 1, broken.count("\n"))
+        self.assertIn("sed -i '/perspective \\*\\/$/d' plugin.c", page)
+        plugin.write_text(broken, encoding="utf-8")
+        (self.folder / "build").mkdir()
+        self.build(plugin, "build/plugin")
+        self.rastercheck(1, "run", "--backend", "plugin:build/plugin.so", "--seed", 1, "--property", VALUES)
+        (file,) = self.counterexamples("rastercheck-out")
+        self.assertIn(f"Begin with: rastercheck replay {file.relative_to(self.folder)}\n", page)
+        replayed = self.rastercheck(1, "replay", file)
+        for line in replayed.splitlines()[1:]:
+            self.assertIn(line.rstrip(), page)
+
 
 if __name__ == "__main__":
     SOURCE, RASTERCHECK, CMAKE, CC, CXX, PATCH = pathlib.Path(sys.argv[1]), *sys.argv[2:7]
