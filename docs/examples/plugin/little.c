@@ -230,7 +230,9 @@ static void draw_pixel(const rastercheck_draw* draw, const triangle* t, uint32_t
     out->coverage[i] = 1;
     out->triangle[i] = number;
     out->depth[i] = depth;
-    shade(draw, t, at[s], centroid, out->attributes + i * draw->attribute_count);
+    if (draw->attribute_count > 0) {
+      shade(draw, t, at[s], centroid, out->attributes + i * draw->attribute_count);
+    }
   }
 }
 
