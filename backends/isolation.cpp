@@ -10,10 +10,9 @@
 namespace rastercheck::backends {
 namespace {
 
-/// What crashes in a row make it useless to ask on, and how many of them a hang counts, which costs
-/// more time: three hangs are enough.
+/// What makes it useless to ask on: crashes in a row, or hangs in all, as each of these takes time.
 constexpr int kMostCrashes = 20;
-constexpr int kCrashesOfHang = 7;
+constexpr int kMostHangs = 10;
 
 /// Stands for a backend in another process.
 class IsolatedBackend : public Backend {
@@ -28,10 +27,10 @@ class IsolatedBackend : public Backend {
   bool has_limits() const override { return greeting_.has_limits; }
 
   std::optional<Error> is_lost() const override {
-    if (crashes_ < kMostCrashes) return std::nullopt;
+    if (crashes_ < kMostCrashes && hangs_ < kMostHangs) return std::nullopt;
     Error error = *last_loss_;
-    error.reason =
-        "not drawn, after drawings in a row that came to nothing; of the last one: " + error.reason;
+    error.reason = fmt::format("not drawn, after {} crashes in a row and {} hangs; of the last: {}",
+                               crashes_, hangs_, error.reason);
     return error;
   }
 
@@ -79,7 +78,7 @@ class IsolatedBackend : public Backend {
   Error lose(Error why) const {
     process_.reset();
     if (why.failure != Failure::hang) why.failure = Failure::crash;
-    crashes_ += why.failure == Failure::hang ? kCrashesOfHang : 1;
+    ++(why.failure == Failure::hang ? hangs_ : crashes_);
     last_loss_ = why;
     return why;
   }
@@ -90,6 +89,7 @@ class IsolatedBackend : public Backend {
   // A contract is asked for as well, and to ask may end the process.
   mutable std::optional<WorkerProcess> process_;
   mutable int crashes_ = 0;  ///< since the last drawing that came back
+  mutable int hangs_ = 0;    ///< since it was made
   mutable std::optional<Error> last_loss_;
   mutable std::optional<Error> withheld_;
   mutable std::optional<std::pair<cases::Case, cases::Contract>> remembered_;

@@ -25,7 +25,7 @@ records::FragmentClass class_of(Failure failure) {
     case Failure::hang:
       return records::FragmentClass::hang;
     default:
-      return records::FragmentClass::missing;
+      return records::FragmentClass::failed;
   }
 }
 

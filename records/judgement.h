@@ -53,8 +53,10 @@ enum class FragmentClass {
   not_a_number,        ///< NaN
   infinite,            ///< infinite where float32 holds the exact value, or of the wrong sign
   wrong_sign_of_zero,  ///< the other zero, where all vertex values are the same zero
-  crash,               ///< no drawing at all: the backend's process ended
-  hang,                ///< nor in the time that it had
+  // Of drawings that there are not; no fragment is counted so.
+  failed,  ///< the backend says why it did not draw, or what it gave is no drawing
+  crash,   ///< its process ended
+  hang,    ///< it did not answer in time
 };
 
 /// Of JSON output and tables.
@@ -64,7 +66,7 @@ constexpr auto names_of(AttributeKind /*type*/) {
 constexpr auto names_of(FragmentClass /*type*/) {
   return std::to_array<std::string_view>({"correct", "beyond bound", "missing", "extra",
                                           "wrong triangle", "not a number", "infinite",
-                                          "wrong sign of zero", "crash", "hang"});
+                                          "wrong sign of zero", "failed", "crash", "hang"});
 }
 constexpr std::string_view to_string(AttributeKind kind) { return cases::name_of(kind); }
 constexpr std::string_view to_string(FragmentClass fragment_class) {
@@ -73,8 +75,8 @@ constexpr std::string_view to_string(FragmentClass fragment_class) {
 
 /// How many fragments, or values of them, came out in each class.
 struct ClassCounts {
-  /// [FragmentClass]
-  std::array<std::uint64_t, names_of(FragmentClass{}).size()> counts{};
+  /// [FragmentClass], up to those that fragments have
+  std::array<std::uint64_t, static_cast<std::size_t>(FragmentClass::failed)> counts{};
 
   std::uint64_t& operator[](FragmentClass fragment_class) {
     return counts[static_cast<std::size_t>(fragment_class)];

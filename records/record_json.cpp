@@ -136,9 +136,11 @@ Histogram read_histogram(const JsonNode& node) {
 
 ClassCounts read_classes(const JsonNode& node) {
   constexpr auto kNames = names_of(FragmentClass{});
-  node.expect_object(kNames, {});
   ClassCounts classes;
-  for (std::size_t i = 0; i < kNames.size(); ++i) classes.counts[i] = node[kNames[i]].count();
+  node.expect_object(std::span(kNames).first(classes.counts.size()), {});
+  for (std::size_t i = 0; i < classes.counts.size(); ++i) {
+    classes.counts[i] = node[kNames[i]].count();
+  }
   return classes;
 }
 

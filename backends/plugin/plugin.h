@@ -78,7 +78,8 @@ enum {
 enum {
   /* An attribute with one value at all vertices has it everywhere. */
   RASTERCHECK_KEEPS_CONSTANTS = 1,
-  /* A sample exactly at a vertex has the vertex's values. */
+  /* A sample exactly at a vertex has the vertex's values. Held against what is drawn only where it
+   * is certain where the vertex is: not with a position_error and values from the grid. */
   RASTERCHECK_KEEPS_VERTEX_VALUES = 2,
   /* Triangles whose vertices have one z/w have one depth. */
   RASTERCHECK_KEEPS_EQUAL_DEPTH = 4
@@ -129,7 +130,8 @@ typedef struct rastercheck_contract {
   /* Of SNAPPED: how far the computed window position may be off before it is rounded, in grid
    * units, 0…65536. */
   float position_error;
-  /* Of SNAPPED and AS_ASKED: how far edges that were cut by clipping may be off, in grid units. */
+  /* Of SNAPPED and AS_ASKED: how far edges that were cut by clipping may be off, in grid units; 0:
+   * they are where the uncut ones are. */
   float clip_tolerance;
   /* Of SNAPPED and AS_ASKED: vertices farther than this from the window's origin in x or y may be
    * clipped, in pixels; 0: 32768. */

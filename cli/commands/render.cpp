@@ -82,7 +82,7 @@ ExitCode run(const Options& options) {
     return fail(few.error());
   }
   const Result<cases::Framebuffer> drawn = properties::draw(*c, **backend);
-  if (!drawn) return fail({options.file, drawn.error().place, drawn.error().reason});
+  if (!drawn) return fail({options.file, "", to_string(drawn.error())});
   if (!options.png.empty()) {
     const Result<void> written =
         reports::to_png(reports::draw_picture(*c, *drawn)).and_then([&options](const auto& bytes) {

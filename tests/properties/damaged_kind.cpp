@@ -55,9 +55,10 @@ Result<std::unique_ptr<backends::Backend>> make(const std::string& options) {
   if (options == "slow") return std::make_unique<SlowBackend>(&lose_last);
   if (options == "refuses") return std::make_unique<RefusingBackend>();
   if (options == "unseen") return std::make_unique<UnseenBackend>();
-  const bool is_absent = options == "absent";
-  return tl::unexpected(
-      Error{"damaged:" + options, "", is_absent ? kAbsent : "no damage of that name"});
+  if (options == "absent") {
+    return tl::unexpected(Error{"damaged:absent", "", kAbsent, Failure::unavailable});
+  }
+  return tl::unexpected(Error{"damaged:" + options, "", "no damage of that name"});
 }
 
 std::vector<backends::Listing> list() {
