@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <utility>
+
 #include "tests/properties/damaged_backend.h"
 
 namespace rastercheck::properties {
@@ -83,7 +86,57 @@ TEST(CheckCase, HoldsADrawingThatFailsAgainstTheBackend) {
   ASSERT_THAT(findings.counterexamples, SizeIs(1));
   ASSERT_THAT(findings.counterexamples[0].violations, SizeIs(1));
   EXPECT_EQ(findings.counterexamples[0].violations[0].note, "out of memory");
-  EXPECT_EQ(findings.counterexamples[0].source.found->verdict, "missing");
+  EXPECT_EQ(findings.counterexamples[0].source.found->verdict, "failed");
+}
+
+/// Fails to draw in one way; lost after so many drawings.
+class FailingBackend : public backends::Backend {
+ public:
+  FailingBackend(Failure failure, int drawings) : failure_(failure), left_(drawings) {}
+  cases::Contract contract(const cases::Case& c) const override { return cases::contract_of(c); }
+  Result<cases::Framebuffer> draw(const cases::Case& /*c*/) override {
+    --left_;
+    return tl::unexpected(failure());
+  }
+  std::optional<Error> is_lost() const override {
+    return left_ > 0 ? std::nullopt : std::optional(failure());
+  }
+  int left() const { return left_; }
+
+ private:
+  Error failure() const { return {"", "", "no", failure_}; }
+
+  Failure failure_;
+  int left_;
+};
+
+TEST(CheckCase, TellsFailuresApart) {
+  for (const auto& [failure, verdict] :
+       {std::pair(Failure::refused, "failed"), std::pair(Failure::unavailable, "failed"),
+        std::pair(Failure::crash, "crash"), std::pair(Failure::hang, "hang")}) {
+    FailingBackend backend(failure, 100);
+    const Findings findings = check_square(backend);
+    EXPECT_EQ(findings.records.begin()->second.cases, (records::CaseCounts{1, 0, 1})) << verdict;
+    ASSERT_THAT(findings.counterexamples, SizeIs(1)) << verdict;
+    EXPECT_EQ(findings.counterexamples[0].source.found->verdict, verdict);
+  }
+}
+
+TEST(CheckCase, SaysNothingOfWhatABackendDoesNotSupport) {
+  FailingBackend backend(Failure::unsupported, 100);
+  const Findings findings = check_square(backend);
+  EXPECT_EQ(findings.records.begin()->second.cases, (records::CaseCounts{0, 1, 0}));
+  EXPECT_THAT(findings.counterexamples, IsEmpty());
+}
+
+// Kills: asking on and on, which takes a campaign's time; and cases that count as held unasked.
+TEST(CheckCase, DoesNotAskABackendThatIsLost) {
+  FailingBackend backend(Failure::hang, 0);
+  const Findings findings = check_square(backend);
+  EXPECT_EQ(backend.left(), 0);
+  EXPECT_EQ(findings.records.begin()->second.cases, (records::CaseCounts{1, 0, 1}));
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  EXPECT_EQ(findings.counterexamples[0].source.found->verdict, "hang");
 }
 
 // Kills: blaming a backend for a case that it never got.
