@@ -36,19 +36,25 @@ class IsolatedBackend : public Backend {
 
   cases::Contract contract(const cases::Case& c) const override {
     if (remembered_ && remembered_->first == c) return remembered_->second;
-    const Result<std::string> answer = ask({Question::contract, c});
-    const std::optional<cases::Contract> said = answer ? unpack_contract(*answer) : std::nullopt;
-    if (!said) {
-      // There is no telling it here: the next drawing does.
-      withheld_ = answer ? nonsense() : answer.error();
-      return cases::contract_of(c);
+    withheld_.reset();
+    std::optional<cases::Contract> said;
+    // Twice: a process that had ended already says nothing of this case.
+    for (int i = 0; i < 2 && !said; ++i) {
+      const Result<std::string> answer = ask({Question::contract, c});
+      if (answer) said = unpack_contract(*answer);
+      if (!said) withheld_ = {c, answer ? nonsense() : answer.error()};
     }
+    if (!said) return cases::contract_of(c);  // There is no telling why: the case's drawing does.
+    withheld_.reset();
     remembered_ = {c, *said};
     return *said;
   }
 
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
-    if (withheld_) return tl::unexpected(*std::exchange(withheld_, std::nullopt));
+    if (const auto withheld = std::exchange(withheld_, std::nullopt);
+        withheld && withheld->first == c) {
+      return tl::unexpected(withheld->second);
+    }
     const Result<std::string> answer = ask({Question::drawing, c});
     if (!answer) return tl::unexpected(answer.error());
     std::optional<Drawing> drawing = unpack_drawing(*answer);
@@ -71,9 +77,7 @@ class IsolatedBackend : public Backend {
     return answer;
   }
 
-  Error nonsense() const {
-    return lose({specification_, "", "its process answered what is no answer", Failure::crash});
-  }
+  Error nonsense() const { return lose(process_->end_for_nonsense()); }
 
   Error lose(Error why) const {
     process_.reset();
@@ -91,7 +95,7 @@ class IsolatedBackend : public Backend {
   mutable int crashes_ = 0;  ///< since the last drawing that came back
   mutable int hangs_ = 0;    ///< since it was made
   mutable std::optional<Error> last_loss_;
-  mutable std::optional<Error> withheld_;
+  mutable std::optional<std::pair<cases::Case, Error>> withheld_;
   mutable std::optional<std::pair<cases::Case, cases::Contract>> remembered_;
 };
 

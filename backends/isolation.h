@@ -31,6 +31,9 @@ struct Isolation {
   std::uint64_t memory = std::uint64_t{4} << 30;
 };
 
+/// A process ends with the thread that made it: a backend is for one thread, and what it is asked
+/// may start its process anew.
+///
 /// Of this process, from now on: make_backend() gives foreign backends processes.
 void isolate_foreign_backends(const Isolation& isolation);
 

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <thread>
@@ -42,15 +43,14 @@ Result<Channel> take_channel() {
 
 /// All but processor time, which is for each answer.
 Result<void> limit(const ServingLimits& limits) {
-  // An error of whoever writes, not the end of the process.
+  // A file that is too long is an error of whoever writes, not the end of the process.
   if (std::signal(SIGXFSZ, SIG_IGN) == SIG_ERR || ::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) {
     return tl::unexpected(Error{"a process's signals", "", std::strerror(errno)});
   }
-  return cases::limit_this_process({.memory = limits.memory}).and_then([]() -> Result<void> {
-    const Result<cases::Confinement> confined = cases::confine_this_process();
-    if (!confined) return tl::unexpected(confined.error());
-    return {};
-  });
+  const Result<cases::Confinement> confined = cases::confine_this_process();
+  if (!confined) return tl::unexpected(confined.error());
+  // Drivers write to shared memory, which is as good as a file to a limit on these.
+  return cases::limit_this_process({.memory = limits.memory, .may_write = confined->has_no_files});
 }
 
 /// Bytes that were allocated and not given back.
@@ -119,6 +119,8 @@ std::string answer_to(const Request& request, const Backend& backend, Drawer& dr
 Result<void> serve_backend(const std::string& specification, const ServingLimits& limits) {
   const Result<Channel> channel = take_channel();
   if (!channel) return tl::unexpected(channel.error());
+  // Or what a process says before it crashes might not be heard.
+  std::setvbuf(stdout, nullptr, _IONBF, 0);
   if (const Result<void> limited = limit(limits); !limited) return limited;
   const std::chrono::duration<double> time_of_all(
       limits.seconds * std::max(1U, std::thread::hardware_concurrency()));

@@ -66,7 +66,8 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
   for (const auto& [from, to] :
        {std::pair(streams.input, STDIN_FILENO), std::pair(streams.output, STDOUT_FILENO),
         std::pair(streams.error, STDERR_FILENO)}) {
-    if (from != to) posix_spawn_file_actions_adddup2(&actions, from, to);
+    // Also where they are the same: it is to stay open in the child.
+    posix_spawn_file_actions_adddup2(&actions, from, to);
   }
   pid_t process = 0;
   const int problem =
@@ -80,6 +81,12 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
   return ChildProcess(process, group);
 }
 
+ChildProcess::ChildProcess(pid_t process, ProcessGroup group)
+    // The C library's header has this for C alone.
+    : process_(process),
+      group_(group),
+      end_of_process_(static_cast<int>(::syscall(SYS_pidfd_open, process, 0))) {}
+
 ChildProcess::~ChildProcess() {
   kill();
   wait();
@@ -92,10 +99,14 @@ void ChildProcess::kill() const {
 
 bool ChildProcess::has_ended_within(std::chrono::milliseconds time) const {
   if (process_ == 0) return true;
-  // The C library's header has this for C alone.
-  const Descriptor process(static_cast<int>(::syscall(SYS_pidfd_open, process_, 0)));
-  pollfd end{process.number(), POLLIN, 0};
-  return process.is_open() && ::poll(&end, 1, static_cast<int>(time.count())) > 0;
+  const auto deadline = std::chrono::steady_clock::now() + time;
+  for (;;) {
+    const auto left =
+        std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
+    pollfd ended{end(), POLLIN, 0};
+    const int count = ::poll(&ended, 1, std::max(0, static_cast<int>(left.count())));
+    if (count >= 0 || errno != EINTR) return count > 0;
+  }
 }
 
 ProcessEnd ChildProcess::wait() {
@@ -147,7 +158,8 @@ Result<Descriptor> take_standard_output() {
 Result<void> limit_this_process(const ProcessLimits& limits) {
   // Of the address space, because that is what allocations fail by; sanitizers have terabytes of it
   // from the start.
-  const rlim_t memory = address_space() + limits.memory;
+  const std::uint64_t has = address_space();
+  const rlim_t memory = has + std::min(limits.memory, RLIM_INFINITY - 1 - has);
   std::vector<std::pair<__rlimit_resource, rlimit>> all{
       {RLIMIT_AS, {memory, memory}}, {RLIMIT_CORE, {0, 0}}, {RLIMIT_FSIZE, {0, 0}}};
   if (limits.seconds > 0) all.push_back({RLIMIT_CPU, {limits.seconds, limits.seconds + 1}});

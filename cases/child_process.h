@@ -66,7 +66,10 @@ class ChildProcess {
                                     const ChildStreams& streams, ProcessGroup group);
 
   ChildProcess(ChildProcess&& other) noexcept
-      : process_(std::exchange(other.process_, 0)), group_(other.group_), end_(other.end_) {}
+      : process_(std::exchange(other.process_, 0)),
+        group_(other.group_),
+        end_of_process_(std::move(other.end_of_process_)),
+        end_(other.end_) {}
   ChildProcess& operator=(ChildProcess&&) = delete;
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -75,16 +78,19 @@ class ChildProcess {
   /// With all that it started, where it has a group of its own. Changes nothing of one that has
   /// ended and was waited for.
   void kill() const;
-  /// Waits until it has ended, or for so long; whether it has.
+  /// A descriptor that can be read from once it has ended; below 0 where the system has none.
+  int end() const { return end_of_process_.number(); }
+  /// Waits until it has ended, or for so long; whether it has, as far as can be told.
   bool has_ended_within(std::chrono::milliseconds time) const;
   /// Waits until it has ended.
   ProcessEnd wait();
 
  private:
-  ChildProcess(pid_t process, ProcessGroup group) : process_(process), group_(group) {}
+  ChildProcess(pid_t process, ProcessGroup group);
 
   pid_t process_;  ///< 0: it has been waited for
   ProcessGroup group_;
+  Descriptor end_of_process_;
   ProcessEnd end_;
 };
 
@@ -107,10 +113,11 @@ Result<Descriptor> take_standard_output();
 struct ProcessLimits {
   std::uint64_t memory = 0;  ///< bytes beyond those that it has
   unsigned seconds = 0;      ///< of processor time, 0 for any; SIGXCPU ends it then
+  bool may_write = false;    ///< to the files that it can open
   bool operator==(const ProcessLimits&) const = default;
 };
 
-/// Limits this process, which also writes neither files nor core dumps from now on.
+/// Limits this process, which also leaves no core dumps from now on.
 Result<void> limit_this_process(const ProcessLimits& limits);
 
 /// Ends this process by SIGXCPU once it has used so much processor time more, on all processors

@@ -38,7 +38,7 @@ int create_ruleset(const landlock_ruleset_attr* attributes, std::size_t size, st
   return static_cast<int>(::syscall(SYS_landlock_create_ruleset, attributes, size, flags));
 }
 
-/// Drivers write to their devices, and shared memory is among these.
+/// Drivers write to their devices, among which the system has named shared memory.
 Result<void> allow_devices(const Descriptor& ruleset, std::uint64_t access) {
   const Descriptor devices(::open("/dev", O_PATH | O_CLOEXEC));
   if (!devices.is_open()) return failure("/dev", errno);

@@ -10,8 +10,9 @@ struct Confinement {
   bool has_no_network = false;  ///< no socket but those within the machine
 };
 
-/// Takes from this process what the system allows to be taken: files by Landlock, networks by a
-/// filter of system calls. There is no way back. Fails where what the system has does not work.
+/// Takes from this process, which is to have one thread so far, what the system allows to be taken:
+/// files by Landlock, networks by a filter of system calls. There is no way back. Fails where what
+/// the system has does not work.
 Result<Confinement> confine_this_process();
 
 }  // namespace rastercheck::cases

@@ -1,6 +1,8 @@
 // The `rastercheck` program: picks the command and turns every outcome into an exit code.
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -20,6 +22,15 @@ std::string joined_lines(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   text.erase(text.find_last_not_of(' ') + 1);
   return text;
+}
+
+/// Opens standard streams that are closed: what is opened next would be taken for them.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) >= 0) continue;
+    const int opened = ::open("/dev/null", O_RDONLY);
+    static_cast<void>(opened);  // The lowest that is free: the one that was closed. To write to it fails still.
+  }
 }
 
 int run(int argc, char** argv) {
@@ -55,6 +66,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using rastercheck::cli::ExitCode;
+  rastercheck::cli::open_standard_streams();
   // Without fail_internally(), which may want memory that there is none of.
   try {
     return rastercheck::cli::run(argc, argv);

@@ -24,9 +24,12 @@ records::FragmentClass class_of(Failure failure) {
       return records::FragmentClass::crash;
     case Failure::hang:
       return records::FragmentClass::hang;
-    default:
-      return records::FragmentClass::failed;
+    case Failure::refused:
+    case Failure::unavailable:
+    case Failure::unsupported:
+      break;
   }
+  return records::FragmentClass::failed;
 }
 
 /// The check of a case that could not be drawn.
@@ -114,9 +117,15 @@ void shrink_counterexample(const Law& law, backends::Backend& backend, const Cou
 
 void check_case(const Law& law, const std::string& specification, backends::Backend& backend,
                 std::uint64_t seed, const NumberedCase& numbered, Findings& findings) {
-  const std::optional<Error> lost = backend.is_lost();
-  const Check check =
-      lost ? failed_check(*lost) : check_or_note(law, numbered.source, backend, {numbered.index});
+  if (backend.is_lost()) {
+    // Its counterexamples are those that it was lost by.
+    records::Record& record = findings.records[{
+        std::string(law.name), specification, records::AttributeKind::coverage, numbered.stratum}];
+    ++record.cases.checked;
+    ++record.cases.violations;
+    return;
+  }
+  const Check check = check_or_note(law, numbered.source, backend, {numbered.index});
   if (check.fault && !findings.fault) findings.fault = check.fault;
   records::RecordKey key{std::string(law.name), specification, records::AttributeKind::coverage,
                          numbered.stratum};

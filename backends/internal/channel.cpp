@@ -1,5 +1,6 @@
 #include "backends/internal/channel.h"
 
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -30,9 +31,13 @@ tl::unexpected<Error> failure(const std::string& what) {
 }  // namespace
 
 Result<SharedMemory> SharedMemory::create(std::size_t size) {
-  cases::Descriptor file(::memfd_create("rastercheck", MFD_CLOEXEC));
+  cases::Descriptor file(::memfd_create("rastercheck", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   if (!file.is_open()) return failure("memfd_create");
   if (::ftruncate(file.number(), static_cast<off_t>(size)) != 0) return failure("ftruncate");
+  // Or the other end could take away what this one reads.
+  if (::fcntl(file.number(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) {
+    return failure("fcntl");
+  }
   return open(std::move(file), size);
 }
 

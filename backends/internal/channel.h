@@ -56,6 +56,7 @@ class Channel {
 
   /// A socket.
   int bell() const { return bell_.number(); }
+  /// Shared, for the other end.
   int memory() const { return memory_.file(); }
 
   /// False where the other end is gone, or `wait` says so.

@@ -15,12 +15,14 @@ namespace {
 /// Bytes that are kept, and of these the lines that are shown.
 constexpr std::size_t kMostKept = 1024;
 constexpr std::size_t kMostLines = 5;
+/// What is read at once, of somebody who may say more than can be heard.
+constexpr int kMostParts = 16;
 
 }  // namespace
 
 void LogTail::read() {
   std::array<char, 4096> part{};
-  while (pipe_.is_open()) {
+  for (int i = 0; i < kMostParts && pipe_.is_open(); ++i) {
     const ssize_t count = ::read(pipe_.number(), part.data(), part.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0 && errno == EAGAIN) return;

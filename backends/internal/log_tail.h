@@ -15,7 +15,7 @@ class LogTail {
 
   /// The pipe; below 0 once nobody can say anything any more.
   int pipe() const { return pipe_.number(); }
-  /// Reads what is there.
+  /// Reads what is there, or some of it where that is a lot.
   void read();
   void forget() { text_.clear(); }
   /// The last lines, printable, in one: "a / b / c". Empty where nothing was said.

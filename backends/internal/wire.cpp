@@ -1,5 +1,6 @@
 #include "backends/internal/wire.h"
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstring>
@@ -228,6 +229,30 @@ std::optional<T> unpacked(std::string_view bytes) {
   return unpacker.is_whole() ? std::optional(std::move(value)) : std::nullopt;
 }
 
+/// Whether its numbers are those that a contract may have.
+bool has_meaning(const cases::Contract& c) {
+  std::vector<double> sizes{c.guard_band,
+                            c.clip_tolerance,
+                            c.derivative_bound.value_or(0),
+                            c.transform_bound.value_or(0),
+                            c.normal_bound.value_or(0),
+                            c.quad_share.value_or(0)};
+  for (const cases::ValueBound& bound : {c.bounds.smooth, c.bounds.noperspective, c.bounds.depth}) {
+    sizes.insert(sizes.end(),
+                 {bound.constant, bound.per_horizon, bound.per_condition, bound.range_share});
+  }
+  if (c.texture_bounds) {
+    const cases::TextureBounds& bounds = *c.texture_bounds;
+    sizes.insert(sizes.end(), {bounds.coordinate_share, bounds.coordinate_constant, bounds.bilinear,
+                               bounds.trilinear, bounds.derivative_share});
+  }
+  if (!std::all_of(sizes.begin(), sizes.end(), [](double size) { return size >= 0; })) return false;
+  return !c.coverage ||
+         (c.coverage->subpixel_bits >= 0 && c.coverage->subpixel_bits <= cases::kMaxSubpixelBits &&
+          c.coverage->position_error >= 0 &&
+          c.coverage->position_error <= cases::kMaxPositionError);
+}
+
 }  // namespace
 
 std::string pack(const Request& request) { return packed(request); }
@@ -241,7 +266,9 @@ std::optional<Greeting> unpack_greeting(std::string_view bytes) {
 }
 std::optional<Drawing> unpack_drawing(std::string_view bytes) { return unpacked<Drawing>(bytes); }
 std::optional<cases::Contract> unpack_contract(std::string_view bytes) {
-  return unpacked<cases::Contract>(bytes);
+  std::optional<cases::Contract> contract = unpacked<cases::Contract>(bytes);
+  if (contract && !has_meaning(*contract)) return std::nullopt;
+  return contract;
 }
 
 }  // namespace rastercheck::backends

@@ -41,7 +41,7 @@ std::string pack(const Drawing& drawing);
 std::string pack(const cases::Contract& contract);
 
 /// Nothing where the bytes are not those of one, whole: enumerators that there are not, lengths
-/// beyond what is there.
+/// beyond what is there, numbers that no contract has.
 std::optional<Request> unpack_request(std::string_view bytes);
 std::optional<Greeting> unpack_greeting(std::string_view bytes);
 std::optional<Drawing> unpack_drawing(std::string_view bytes);

@@ -20,6 +20,8 @@ namespace {
 constexpr std::int64_t kLongestPoll = 60'000;
 /// What a process that crashes may take to be gone.
 constexpr std::chrono::milliseconds kLongestEnd{1000};
+/// Of a greeting or a contract.
+constexpr std::uint64_t kMostWords = 65536;
 constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20U;
 
 tl::unexpected<Error> failure(const std::string& what) {
@@ -32,6 +34,17 @@ std::vector<std::string> command_of(const std::string& specification, const Isol
                  {"--seconds", fmt::format("{}", isolation.timeout.count()), "--memory",
                   std::to_string(isolation.memory), "--", specification});
   return command;
+}
+
+/// What a drawing may have, each sample drawn by each triangle, and then some.
+std::uint64_t most_bytes(const cases::Case& c) {
+  constexpr double kMost = 0x1p40;
+  const double samples =
+      static_cast<double>(c.framebuffer.width) * c.framebuffer.height * c.framebuffer.samples;
+  const double fragments = samples * static_cast<double>(c.triangles.size());
+  // Triangle, x, y, sample and depth; of an attribute its value and two derivatives.
+  const double fragment = 13 + 12 * static_cast<double>(c.attributes.size());
+  return static_cast<std::uint64_t>(std::min(fragments * fragment, kMost)) + kMostWords;
 }
 
 /// Two ends of a socket.
@@ -74,11 +87,12 @@ Result<WorkerProcess> WorkerProcess::start(const std::string& specification,
 
   WorkerProcess worker(specification, isolation, *std::move(process),
                        Channel(*std::move(memory), std::move(bell)), LogTail(std::move(words)));
-  const Result<std::string> said = worker.receive("when it was started");
+  worker.deadline_ = worker.deadline();
+  const Result<std::string> said = worker.receive("when it was started", kMostWords);
   std::optional<Greeting> greeting;
   if (said) greeting = unpack_greeting(*said);
   if (!greeting) {
-    Error lost = said ? worker.loss("when it was started") : said.error();
+    Error lost = said ? worker.end_for_nonsense() : said.error();
     lost.failure = Failure::unavailable;
     return tl::unexpected(lost);
   }
@@ -87,22 +101,27 @@ Result<WorkerProcess> WorkerProcess::start(const std::string& specification,
   return worker;
 }
 
+WorkerProcess::Clock::time_point WorkerProcess::deadline() const {
+  constexpr std::chrono::duration<double> kLongest = std::chrono::hours(24);
+  return Clock::now() +
+         std::chrono::duration_cast<Clock::duration>(std::min(isolation_.timeout, kLongest));
+}
+
 Result<std::string> WorkerProcess::ask(const Request& request) {
-  const char* const doing =
-      request.question == Question::drawing ? "while it drew" : "when asked for its contract";
   log_.read();
+  if (process_.has_ended_within({})) return tl::unexpected(loss("after its last answer"));
   log_.forget();
-  deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(isolation_.timeout);
+  const bool is_drawing = request.question == Question::drawing;
+  const char* const doing = is_drawing ? "while it drew" : "when asked for its contract";
+  deadline_ = deadline();
   if (!channel_.send(pack(request), [this] { return wait(); })) {
     return tl::unexpected(loss(doing));
   }
-  return receive(doing);
+  return receive(doing, is_drawing ? most_bytes(request.source) : kMostWords);
 }
 
-Result<std::string> WorkerProcess::receive(std::string_view doing) {
-  deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(isolation_.timeout);
-  std::optional<std::string> answer =
-      channel_.receive(isolation_.memory, [this] { return wait(); });
+Result<std::string> WorkerProcess::receive(std::string_view doing, std::uint64_t most) {
+  std::optional<std::string> answer = channel_.receive(most, [this] { return wait(); });
   if (!answer) return tl::unexpected(loss(doing));
   return *std::move(answer);
 }
@@ -113,28 +132,43 @@ bool WorkerProcess::wait() {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now());
     is_late_ = left.count() <= 0;
     if (is_late_) return false;
-    std::array<pollfd, 2> ends{{{channel_.bell(), POLLIN, 0}, {log_.pipe(), POLLIN, 0}}};
+    // The end of the process too: what it has started may hold the bell, and never ring it.
+    std::array<pollfd, 3> ends{
+        {{channel_.bell(), POLLIN, 0}, {log_.pipe(), POLLIN, 0}, {process_.end(), POLLIN, 0}}};
     const int most = static_cast<int>(std::min<std::int64_t>(left.count(), kLongestPoll));
-    if (::poll(ends.data(), ends.size(), most) < 0 && errno != EINTR) return false;
+    if (::poll(ends.data(), ends.size(), most) < 0) {
+      if (errno != EINTR) return false;
+      continue;
+    }
     if (ends[1].revents != 0) log_.read();
     if (ends[0].revents != 0) return true;
+    if (ends[2].revents != 0) return false;
   }
+}
+
+Error WorkerProcess::end_for_nonsense() {
+  is_late_ = false;
+  return loss("with an answer that is none");
 }
 
 /// Ends the process, and says how it ended.
 Error WorkerProcess::loss(std::string_view doing) {
   // One that hung up is about to end, and has to say how; if it goes on it is of no use.
-  if (!is_late_) process_.has_ended_within(kLongestEnd);
+  const bool has_ended =
+      process_.has_ended_within(is_late_ ? std::chrono::milliseconds(0) : kLongestEnd);
   process_.kill();
   const cases::ProcessEnd end = process_.wait();
   log_.read();
-  const bool is_hang = is_late_ || end.signal == SIGXCPU;
-  const std::string how =
-      is_late_ ? fmt::format("did not answer within {} s", isolation_.timeout.count())
-      : end.signal == SIGXCPU
-          ? fmt::format("took more processor time than {} s of wall time can have",
-                        isolation_.timeout.count())
-          : to_string(end);
+  const bool is_late = is_late_ && !has_ended;
+  std::string how = to_string(end);
+  if (is_late) {
+    how = fmt::format("did not answer within {} s", isolation_.timeout.count());
+  } else if (end.signal == SIGXCPU) {
+    how = fmt::format("took more processor time than {} s of wall time can have",
+                      isolation_.timeout.count());
+  } else if (!has_ended) {
+    how = "did not answer as it has to, and was ended";
+  }
   std::string more;
   if (end.most_memory >= isolation_.memory / 2) {
     more = fmt::format("; it had taken {} MiB, of {} MiB that it may take",
@@ -143,7 +177,7 @@ Error WorkerProcess::loss(std::string_view doing) {
   const std::string words = log_.last_lines();
   if (!words.empty()) more += "; its last words: " + words;
   return {specification_, "", fmt::format("its process {} {}{}", how, doing, more),
-          is_hang ? Failure::hang : Failure::crash};
+          is_late || end.signal == SIGXCPU ? Failure::hang : Failure::crash};
 }
 
 }  // namespace rastercheck::backends

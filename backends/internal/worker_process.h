@@ -26,6 +26,8 @@ class WorkerProcess {
   /// The answer to a request. Fails where the process ends (Failure::crash) or does not answer in
   /// time (Failure::hang); it is gone then.
   Result<std::string> ask(const Request& request);
+  /// Ends the process, whose last answer was none, and says so.
+  Error end_for_nonsense();
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -38,9 +40,10 @@ class WorkerProcess {
         channel_(std::move(channel)),
         log_(std::move(log)) {}
 
-  Result<std::string> receive(std::string_view doing);
+  Result<std::string> receive(std::string_view doing, std::uint64_t most);
   bool wait();
   Error loss(std::string_view doing);
+  Clock::time_point deadline() const;
 
   std::string specification_;
   Isolation isolation_;

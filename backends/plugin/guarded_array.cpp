@@ -20,13 +20,14 @@ constexpr std::byte kFront{0xa5};
 
 std::size_t page_size() { return static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)); }
 
-/// An array as a signal handler may know it.
+/// An array as a signal handler may know it, by addresses.
 struct Guarded {
   const char* name = nullptr;  ///< nullptr: none
+  std::uintptr_t pages = 0;    ///< from the page before it
   std::uintptr_t begin = 0;
-  std::uintptr_t end = 0;
+  std::uintptr_t end = 0;  ///< up to a page before the end of all
 };
-/// Of one plugin at a time, which has nine.
+/// Of one plugin at a time, which has eleven.
 std::array<Guarded, 16> all_guarded;
 
 void forget(const char* name) {
@@ -35,12 +36,11 @@ void forget(const char* name) {
   }
 }
 
-void remember(const char* name, const std::byte* data, std::size_t size) {
-  forget(name);
-  const auto begin = reinterpret_cast<std::uintptr_t>(data);
+void remember(const Guarded& array) {
+  forget(array.name);
   const auto place = std::find_if(all_guarded.begin(), all_guarded.end(),
                                   [](const Guarded& one) { return one.name == nullptr; });
-  if (place != all_guarded.end()) *place = {name, begin, begin + size};
+  if (place != all_guarded.end()) *place = array;
 }
 
 /// A line put together without memory of its own.
@@ -52,9 +52,10 @@ class Line {
     size_ += count;
     return *this;
   }
-  Line& operator<<(std::uintptr_t number) {
+  Line& operator<<(std::uintptr_t number) { return append(number, 10); }
+  Line& append(std::uintptr_t number, int base) {
     std::array<char, 24> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number, base).ptr;
     return *this << std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()));
   }
   void write() const {
@@ -67,24 +68,40 @@ class Line {
   std::size_t size_ = 0;
 };
 
-/// Says which array an address is behind, or in, and lets the signal do what it does.
-void report(int /*signal*/, siginfo_t* info, void* /*context*/) {
-  const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
-  for (const Guarded& one : all_guarded) {
-    if (one.name == nullptr) continue;
-    Line line;
-    if (one.begin <= address && address < one.end) {
-      line << "the plugin wrote to " << one.name << ", which it may only read";
-    } else if (one.end <= address && address < one.end + page_size()) {
-      line << "the plugin touched " << one.name << " beyond its end: byte " << address - one.begin
-           << " of " << one.end - one.begin;
-    } else {
-      continue;
-    }
-    (line << "\n").write();
+/// What is wrong with an access to an address next to, or in, an array.
+void describe(Line& line, const Guarded& array, std::uintptr_t address) {
+  if (address < array.begin) {
+    line << "the plugin touched " << array.name << " before its beginning, by "
+         << array.begin - address << " bytes";
+  } else if (address < array.end) {
+    line << "the plugin wrote to " << array.name << ", which it may only read";
+  } else {
+    line << "the plugin touched " << array.name << " beyond its end: byte " << address - array.begin
+         << " of " << array.end - array.begin;
+  }
+}
+
+/// Says which array an address is at, and lets the signal do what it does.
+void report(int signal, siginfo_t* info, void* /*context*/) {
+  if (info->si_code <= 0) {  // Sent, by whomever: nothing was touched, and nothing comes again.
+    ::raise(signal);
     return;
   }
-  (Line() << "the plugin touched address " << address << ", which is none of its arrays\n").write();
+  Line line;
+  const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
+  const auto at =
+      std::find_if(all_guarded.begin(), all_guarded.end(), [address](const Guarded& one) {
+        return one.name != nullptr && one.pages <= address && address < one.end + page_size();
+      });
+  if (info->si_code == SI_KERNEL) {
+    line << "the plugin touched an address that no memory can have";
+  } else if (at != all_guarded.end()) {
+    describe(line, *at, address);
+  } else {
+    line << "the plugin touched address 0x";
+    line.append(address, 16) << ", which is none of its arrays";
+  }
+  (line << "\n").write();
 }
 
 }  // namespace
@@ -108,7 +125,7 @@ GuardedArray::~GuardedArray() { release(); }
 
 void GuardedArray::release() {
   forget(name_);
-  if (pages_ != nullptr) ::munmap(pages_, touchable_ + page_size());
+  if (pages_ != nullptr) ::munmap(pages_ - page_size(), touchable_ + 2 * page_size());
   pages_ = nullptr;
   data_ = nullptr;
   size_ = 0;
@@ -120,21 +137,24 @@ Result<void> GuardedArray::protect(int access) const {
 }
 
 Result<void> GuardedArray::resize(std::size_t size) {
-  if (pages_ != nullptr && size == size_) return protect(PROT_READ | PROT_WRITE);
-  release();
+  if (size != size_) {
+    release();
+    const std::size_t page = page_size();
+    touchable_ = (size + page - 1) / page * page;
+    void* const all = size == 0 ? nullptr
+                                : ::mmap(nullptr, touchable_ + 2 * page, PROT_NONE,
+                                         MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (all == MAP_FAILED) return tl::unexpected(Error{"mmap", "", std::strerror(errno)});
+    if (all == nullptr) return {};
+    pages_ = static_cast<std::byte*>(all) + page;
+    size_ = size;
+    data_ = pages_ + (touchable_ - size);
+    const auto begin = reinterpret_cast<std::uintptr_t>(data_);
+    remember({name_, reinterpret_cast<std::uintptr_t>(all), begin, begin + size});
+  }
   if (size == 0) return {};
-  const std::size_t page = page_size();
-  const std::size_t touchable = (size + page - 1) / page * page;
-  void* const pages = ::mmap(nullptr, touchable + page, PROT_NONE,
-                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (pages == MAP_FAILED) return tl::unexpected(Error{"mmap", "", std::strerror(errno)});
-  pages_ = static_cast<std::byte*>(pages);
-  touchable_ = touchable;
-  size_ = size;
-  data_ = pages_ + (touchable - size);
   if (Result<void> open = protect(PROT_READ | PROT_WRITE); !open) return open;
   std::fill(pages_, data_, kFront);
-  remember(name_, data_, size_);
   return {};
 }
 

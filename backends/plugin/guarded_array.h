@@ -1,7 +1,7 @@
 #pragma once
 
-// Arrays that foreign code is handed, each with memory behind it that cannot be touched, so that
-// the first element too far ends the process; what is wrong is said on standard error before
+// Arrays that foreign code is handed, each between pages that cannot be touched, so that the first
+// element too far ends the process; what is wrong is said on standard error before
 // (report_wrong_accesses()).
 
 #include <cstddef>
@@ -33,7 +33,8 @@ class GuardedArray {
     return reinterpret_cast<T*>(data_);
   }
 
-  /// Whether nothing before its beginning was written: there is room up to a page.
+  /// Whether nothing was written before its beginning, where less than a page may be touched, since
+  /// its size was last set.
   bool is_front_whole() const;
 
  private:
@@ -41,7 +42,7 @@ class GuardedArray {
   Result<void> protect(int access) const;
 
   const char* name_;
-  std::byte* pages_ = nullptr;  ///< what may be touched, and a page behind it
+  std::byte* pages_ = nullptr;  ///< what may be touched; a page that may not before and behind it
   std::size_t touchable_ = 0;   ///< bytes
   std::byte* data_ = nullptr;
   std::size_t size_ = 0;

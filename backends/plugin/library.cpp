@@ -12,6 +12,7 @@
 #include <optional>
 #include <string_view>
 
+#include "backends/floating_point_modes.h"
 #include "cases/case.h"
 #include "cases/json.h"
 
@@ -88,8 +89,15 @@ std::string fault_of(const rastercheck_contract& contract) {
   return "";
 }
 
-/// The plugin of a struct, checked.
-Result<Plugin> checked(const rastercheck_plugin* theirs, const std::string& path) {
+/// Up to the last members that ABI 1 began with: who has fewer is refused.
+constexpr std::size_t kLeastPlugin =
+    offsetof(rastercheck_plugin, draw) + sizeof(rastercheck_plugin::draw);
+constexpr std::size_t kLeastContract =
+    offsetof(rastercheck_contract, max_attributes) + sizeof(rastercheck_contract::max_attributes);
+
+}  // namespace
+
+Result<Plugin> checked_plugin(const rastercheck_plugin* theirs, const std::string& path) {
   if (theirs == nullptr) {
     return tl::unexpected(unavailable(path, "rastercheck_plugin_get() returned a null pointer"));
   }
@@ -101,7 +109,7 @@ Result<Plugin> checked(const rastercheck_plugin* theirs, const std::string& path
                           "it with this one's rastercheck/plugin.h",
                           header->abi, RASTERCHECK_PLUGIN_ABI)));
   }
-  const auto all = completed(theirs, sizeof(rastercheck_plugin));
+  const auto all = completed(theirs, kLeastPlugin);
   if (!all) {
     return tl::unexpected(unavailable(
         path,
@@ -113,7 +121,7 @@ Result<Plugin> checked(const rastercheck_plugin* theirs, const std::string& path
     return tl::unexpected(unavailable(
         path, "a null pointer is its rastercheck_plugin's name, version, contract or draw"));
   }
-  const auto contract = completed(all->contract, sizeof(rastercheck_contract));
+  const auto contract = completed(all->contract, kLeastContract);
   if (!contract) {
     return tl::unexpected(unavailable(path,
                                       "its contract's `size` is not sizeof(rastercheck_contract), "
@@ -124,6 +132,8 @@ Result<Plugin> checked(const rastercheck_plugin* theirs, const std::string& path
   }
   return Plugin{*name, *version, *contract, all->draw};
 }
+
+namespace {
 
 cases::ValueBound bound_of(const rastercheck_bound& bound) {
   return {bound.constant == 0 ? cases::ValueBound().constant : bound.constant, bound.per_horizon,
@@ -145,6 +155,7 @@ Result<Plugin> load_plugin(const std::string& path) {
   }
   // A name without a folder would be looked for elsewhere.
   const std::string file = std::filesystem::absolute(path, problem).string();
+  const FloatingPointModes modes;
   void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     return tl::unexpected(
@@ -157,7 +168,15 @@ Result<Plugin> load_plugin(const std::string& path) {
         path, std::string("exports no function ") + kName +
                   "() (a C++ plugin defines it as the header declares it, which is extern \"C\")"));
   }
-  return checked(reinterpret_cast<decltype(&rastercheck_plugin_get)>(function)(), path);
+  const rastercheck_plugin* const plugin =
+      reinterpret_cast<decltype(&rastercheck_plugin_get)>(function)();
+  if (modes.have_changed()) {
+    return tl::unexpected(unavailable(
+        path,
+        "to load it changes the rounding mode, or how subnormal numbers are treated: link it "
+        "without -ffast-math"));
+  }
+  return checked_plugin(plugin, path);
 }
 
 cases::Contract contract_of(const rastercheck_contract& contract, const cases::Case& c) {
@@ -308,8 +327,8 @@ std::string describe(const Plugin& plugin) {
                       smooth.is_constant() ? "" : " and more");
   std::string missing;
   for (const Kind& kind : kKinds) {
-    if ((contract.lacks & kind.bit) != 0)
-      missing += (missing.empty() ? "" : ", ") + std::string(kind.name);
+    if ((contract.lacks & kind.bit) == 0) continue;
+    missing += (missing.empty() ? "" : ", ") + std::string(kind.name);
   }
   return missing.empty() ? text : text + "; not: " + missing;
 }

@@ -21,6 +21,9 @@ struct Plugin {
 /// what cannot be. The error's file is `plugin:` and the path.
 Result<Plugin> load_plugin(const std::string& path);
 
+/// What rastercheck_plugin_get() returned, completed and checked; fails as `unavailable`.
+Result<Plugin> checked_plugin(const rastercheck_plugin* theirs, const std::string& path);
+
 /// What a contract that was checked promises of a case.
 cases::Contract contract_of(const rastercheck_contract& contract, const cases::Case& c);
 

@@ -60,8 +60,8 @@ rastercheck_attribute attribute_of(const cases::Attribute& attribute) {
   return a;
 }
 
-/// The state of a draw, without its arrays.
-rastercheck_draw state_of(const cases::Case& c) {
+/// The state of a draw, without its arrays; `promised` is what the plugin makes of the case.
+rastercheck_draw state_of(const cases::Case& c, const cases::Contract& promised) {
   rastercheck_draw draw{};
   draw.size = sizeof draw;
   draw.rules = rules_of(c.rules);
@@ -94,7 +94,7 @@ rastercheck_draw state_of(const cases::Case& c) {
   }
   draw.tie_rule = c.fill_rule == cases::TieRule::top_left ? RASTERCHECK_TIE_RULE_TOP_LEFT
                                                           : RASTERCHECK_TIE_RULE_BOTTOM_LEFT;
-  draw.basis = basis_of(c.coverage ? c.basis : cases::Basis::ideal);
+  draw.basis = basis_of(promised.coverage ? c.basis : cases::Basis::ideal);
   return draw;
 }
 
@@ -147,6 +147,7 @@ class PluginBackend : public Backend {
   Result<void> hand_over(const cases::Case& c);
   Result<void> append(std::uint32_t first, std::uint32_t count, cases::Framebuffer& drawn);
   Result<void> call();
+  Result<void> check_fronts() const;
   Result<void> check_output(std::uint32_t triangles) const;
   void clear(const Rectangle& part);
   void collect(std::uint32_t first, cases::Framebuffer& drawn) const;
@@ -167,6 +168,13 @@ class PluginBackend : public Backend {
         for (at.sample = 0; at.sample < draw_.samples; ++at.sample) visit(at);
       }
     }
+  }
+  /// Of a process that may take no more.
+  tl::unexpected<Error> no_memory() const {
+    return fail(fmt::format("arrays for {} x {} pixels of {} samples do not fit into the memory of "
+                            "its process",
+                            draw_.width, draw_.height, draw_.samples),
+                Failure::unsupported);
   }
   tl::unexpected<Error> fail(const std::string& reason, Failure failure = Failure::refused) const {
     return tl::unexpected(Error{"plugin:" + path_, "", reason, failure});
@@ -198,7 +206,7 @@ Result<cases::Framebuffer> PluginBackend::draw(const cases::Case& c) {
 
 /// What is the same for all draws of a case.
 Result<void> PluginBackend::hand_over(const cases::Case& c) {
-  draw_ = state_of(c);
+  draw_ = state_of(c, contract(c));
   std::vector<float> places;
   for (const auto& p : cases::standard_pattern(c.framebuffer.samples)) {
     places.insert(places.end(), {static_cast<float>(p.x) / 16, static_cast<float>(p.y) / 16});
@@ -213,7 +221,7 @@ Result<void> PluginBackend::hand_over(const cases::Case& c) {
        {&arrays_.clip_distances, bytes_of(c.clip_distances)},
        {&arrays_.indices, bytes_of(c.triangles)}}};
   for (const auto& [array, bytes] : inputs) {
-    if (Result<void> assigned = array->assign(bytes); !assigned) return assigned;
+    if (!array->assign(bytes)) return no_memory();
   }
   draw_.sample_positions = arrays_.sample_positions.as<const float>();
   draw_.vertex_count = static_cast<std::uint32_t>(c.positions.size());
@@ -232,7 +240,7 @@ Result<void> PluginBackend::hand_over(const cases::Case& c) {
        {&arrays_.values, samples * c.attributes.size() * sizeof(float)},
        {&arrays_.message, kMessageSize}}};
   for (const auto& [array, size] : outputs) {
-    if (Result<void> sized = array->resize(size); !sized) return sized;
+    if (!array->resize(size)) return no_memory();
   }
   dirty_ = whole();
   return {};
@@ -281,6 +289,7 @@ Result<void> PluginBackend::call() {
   rastercheck_output output = output_;
   const FloatingPointModes modes;
   const std::uint32_t status = plugin_.draw(&draw, &output);
+  if (Result<void> whole = check_fronts(); !whole) return whole;
   if (modes.have_changed()) {
     return fail(
         "draw() returned with another rounding mode, or with another treatment of subnormal "
@@ -304,8 +313,7 @@ Result<void> PluginBackend::call() {
                   status));
 }
 
-/// Whether the output is such as the header wants it.
-Result<void> PluginBackend::check_output(std::uint32_t triangles) const {
+Result<void> PluginBackend::check_fronts() const {
   for (const auto& [array, name] :
        {std::pair(&arrays_.coverage, "coverage"), std::pair(&arrays_.triangle, "triangle"),
         std::pair(&arrays_.depth, "depth"), std::pair(&arrays_.values, "attributes"),
@@ -313,6 +321,11 @@ Result<void> PluginBackend::check_output(std::uint32_t triangles) const {
     if (array->size() == 0 || array->is_front_whole()) continue;
     return fail(fmt::format("draw() wrote before the beginning of output->{}", name));
   }
+  return {};
+}
+
+/// Whether the output is such as the header wants it.
+Result<void> PluginBackend::check_output(std::uint32_t triangles) const {
   const Rectangle part = touched();
   if (part.min_x > part.max_x || part.min_y > part.max_y || part.max_x > draw_.width ||
       part.max_y > draw_.height) {

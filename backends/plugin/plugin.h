@@ -15,9 +15,10 @@
  * one call at a time; it may start threads of its own. They are called with the default
  * floating-point environment (to nearest, subnormal numbers kept) and have to leave it so.
  *
- * What the process may do is limited: memory, time, no network, no file written but devices. What
- * it prints, on standard output and standard error, is kept for messages. A plugin that crashes or
- * does not come back in time fails its case, and is loaded anew for the next one.
+ * What the process may do is limited: memory, time, no network, and no file but devices is written
+ * to, made or removed, as far as the system can see to it. What it prints, on standard output and
+ * standard error, is kept for messages. A plugin that crashes or does not come back in time fails
+ * its case, and is loaded anew for the next one.
  */
 #ifndef RASTERCHECK_PLUGIN_H
 #define RASTERCHECK_PLUGIN_H
@@ -257,7 +258,7 @@ typedef struct rastercheck_output {
   /* [height][width][samples][attribute_count]: the attributes. All NaN; null where there is none.
    */
   float* attributes;
-  /* All that is covered lies in min_x <= x < max_x, min_y <= y < max_y. It is the whole
+  /* All that is written lies in min_x <= x < max_x, min_y <= y < max_y. It is the whole
    * framebuffer; a rasterizer that makes it smaller is judged faster. */
   uint32_t min_x;
   uint32_t min_y;
@@ -267,6 +268,7 @@ typedef struct rastercheck_output {
    * RASTERCHECK_OK. All 0. */
   char* message;
   uint32_t message_size;
+  uint32_t reserved; /* 0 */
 } rastercheck_output;
 
 /* What draw() returns. */
@@ -281,10 +283,10 @@ enum {
  * the process ends.
  */
 typedef struct rastercheck_plugin {
-  uint32_t size;                        /* sizeof(rastercheck_plugin) */
-  uint32_t abi;                         /* RASTERCHECK_PLUGIN_ABI */
-  const char* name;                     /* one line of UTF-8, not null */
-  const char* version;                  /* one line of UTF-8, not null */
+  uint32_t size;       /* sizeof(rastercheck_plugin) */
+  uint32_t abi;        /* RASTERCHECK_PLUGIN_ABI */
+  const char* name;    /* one line of UTF-8, of which 100 bytes are shown; not null */
+  const char* version; /* one line of UTF-8, not null */
   const rastercheck_contract* contract; /* not null */
   /* Draws. Neither pointer is null. It is to write `output` and nothing else that lasts: the same
    * draw gives the same output, whatever was drawn before. */

@@ -30,6 +30,15 @@ TEST(GuardedArray, KnowsWhatWasWrittenBeforeIt) {
   EXPECT_FALSE(array.is_front_whole());
 }
 
+// Kills: a fault of one drawing that is held against all that come after it.
+TEST(GuardedArray, IsWholeAgainWhenItIsSetAnew) {
+  GuardedArray array("array");
+  ASSERT_TRUE(array.resize(5));
+  array.data()[-1] = std::byte{0};
+  ASSERT_TRUE(array.resize(5));
+  EXPECT_TRUE(array.is_front_whole());
+}
+
 /// Sanitizers have handlers of their own, which end with another status.
 void set_up() {
   ::signal(SIGSEGV, SIG_DFL);
@@ -37,6 +46,29 @@ void set_up() {
 }
 
 using GuardedArrayDeathTest = testing::Test;
+
+TEST(GuardedArrayDeathTest, BeginsWhereItSays) {
+  GuardedArray array("output->depth");
+  ASSERT_TRUE(array.resize(4096));
+  volatile std::byte* const data = array.data();
+  EXPECT_EXIT(
+      {
+        set_up();
+        data[-3] = std::byte{1};
+      },
+      testing::KilledBySignal(SIGSEGV),
+      "the plugin touched output->depth before its beginning, by 3 bytes\n");
+}
+
+// Kills: an address that is none, and a process that goes on.
+TEST(GuardedArrayDeathTest, EndsWithSignalsThatAreSent) {
+  EXPECT_EXIT(
+      {
+        set_up();
+        ::raise(SIGSEGV);
+      },
+      testing::KilledBySignal(SIGSEGV), "^$");
+}
 
 TEST(GuardedArrayDeathTest, EndsWhereItSays) {
   for (const std::size_t size : {1UL, 4096UL, 10000UL}) {
@@ -72,7 +104,7 @@ TEST(GuardedArrayDeathTest, IsNotWrittenWhereItMayOnlyBeRead) {
         volatile std::byte* nothing = nullptr;
         *nothing = std::byte{1};
       },
-      testing::KilledBySignal(SIGSEGV), "the plugin touched address 0, which is none");
+      testing::KilledBySignal(SIGSEGV), "the plugin touched address 0x0, which is none");
 }
 
 }  // namespace

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <limits>
+#include <string>
+
 #include "cases/case.h"
 
 namespace rastercheck::backends {
@@ -177,6 +181,88 @@ TEST(Plugin, IsDescribedInALine) {
       describe(plugin),
       "mine 2.5: coverage snapped to 8 subpixel bits, smooth values within 0.5 and more scale "
       "ULP; not: culling, flat attributes");
+}
+
+uint32_t draw_nothing(const rastercheck_draw* /*draw*/, rastercheck_output* /*output*/) {
+  return RASTERCHECK_OK;
+}
+
+/// A plugin, its contract, and what a later version of the interface might have after each.
+struct Structs {
+  rastercheck_contract contract{};
+  std::uint64_t more_of_the_contract = ~std::uint64_t{0};
+  rastercheck_plugin plugin{};
+  std::uint64_t more_of_the_plugin = ~std::uint64_t{0};
+
+  Structs() {
+    contract.size = sizeof contract;
+    contract.max_attributes = 7;
+    plugin.size = sizeof plugin;
+    plugin.abi = RASTERCHECK_PLUGIN_ABI;
+    plugin.name = "mine";
+    plugin.version = "1";
+    plugin.contract = &contract;
+    plugin.draw = &draw_nothing;
+  }
+  Structs(const Structs&) = delete;
+  Structs& operator=(const Structs&) = delete;
+
+  std::string problem() const {
+    const auto checked = checked_plugin(&plugin, "x.so");
+    return checked ? "" : to_string(checked.error());
+  }
+};
+
+// Kills: refusing plugins of another version of the same ABI, and reading beyond what they have.
+TEST(Plugin, MayHaveMoreMembersButNotFewer) {
+  Structs structs;
+  EXPECT_EQ(structs.problem(), "");
+  structs.plugin.size += 8;
+  structs.contract.size += 8;
+  const auto checked = checked_plugin(&structs.plugin, "x.so");
+  ASSERT_TRUE(checked) << to_string(checked.error());
+  EXPECT_EQ(checked->contract.max_attributes, 7U);
+  structs.plugin.size = sizeof(rastercheck_plugin) - 8;
+  EXPECT_EQ(structs.problem(),
+            "plugin:x.so: its rastercheck_plugin's `size` is not sizeof(rastercheck_plugin), its "
+            "first member");
+  structs.plugin.size = 0;
+  EXPECT_NE(structs.problem(), "");
+  structs.plugin.size = sizeof(rastercheck_plugin);
+  structs.contract.size = 8;
+  EXPECT_EQ(structs.problem(),
+            "plugin:x.so: its contract's `size` is not sizeof(rastercheck_contract), its first "
+            "member");
+}
+
+TEST(Plugin, SaysWhatCanBeSaid) {
+  const auto problem_of = [](auto change) {
+    Structs structs;
+    change(structs);
+    return structs.problem();
+  };
+  EXPECT_EQ(problem_of([](Structs& s) { s.plugin.abi = 2; }),
+            "plugin:x.so: it was made for plugin ABI 2, and this RasterCheck has ABI 1: compile it "
+            "with this one's rastercheck/plugin.h");
+  const std::string null =
+      "plugin:x.so: a null pointer is its rastercheck_plugin's name, version, contract or draw";
+  EXPECT_EQ(problem_of([](Structs& s) { s.plugin.name = nullptr; }), null);
+  EXPECT_EQ(problem_of([](Structs& s) { s.plugin.draw = nullptr; }), null);
+  const std::string contract = "plugin:x.so: its contract's ";
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.subpixel_bits = 17; }),
+            contract + "subpixel_bits is 17, which has to be from 0 to 16");
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.tie_rule = 4; }),
+            contract + "tie_rule is 4, which has to be from 0 to 3");
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.lacks = 1U << 17U; }),
+            contract + "lacks is 131072, which has to be from 0 to 131071");
+  EXPECT_EQ(problem_of([](Structs& s) { s.contract.position_error = -1; }),
+            contract + "position_error is -1, which has to be from 0 to 65536");
+  EXPECT_EQ(problem_of([](Structs& s) {
+              s.contract.depth.constant = std::numeric_limits<float>::quiet_NaN();
+            }),
+            contract + "depth is nan, which has to be from 0 to 3.5e+38");
+  EXPECT_EQ(checked_plugin(nullptr, "x.so").error().reason,
+            "rastercheck_plugin_get() returned a null pointer");
 }
 
 TEST(Plugin, IsRefusedWhereThereIsNone) {

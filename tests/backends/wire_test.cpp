@@ -112,9 +112,11 @@ TEST(Wire, RefusesEveryPart) {
   }
 }
 
-// A byte that is none of an enumeration's, or of a bool's, is refused; others make another
-// contract. None makes one that has no meaning.
-TEST(Wire, RefusesEnumeratorsThatThereAreNot) {
+// Each byte in turn made 255. Refused are: whether there is a coverage, its rounding, basis, tie
+// rule, grid, claim, three promises, and whether each of five bounds is there, 14; the four bytes
+// of subpixel_bits; and the last byte of each number, which is negative then: position error, guard
+// band, clip tolerance, 12 of bounds, four, and five of textures, 24.
+TEST(Wire, RefusesWhatNoContractSays) {
   const std::string contract = pack(full_contract());
   int refused = 0;
   for (std::size_t i = 0; i < contract.size(); ++i) {
@@ -122,9 +124,25 @@ TEST(Wire, RefusesEnumeratorsThatThereAreNot) {
     broken[i] = '\xff';
     if (!unpack_contract(broken)) ++refused;
   }
-  // coverage there, its rounding, basis, tie rule, grid, claim, three promises, and whether each of
-  // five bounds is there.
-  EXPECT_EQ(refused, 14);
+  EXPECT_EQ(refused, 14 + 4 + 24);
+}
+
+// Kills: a comparison that is true of no number.
+TEST(Wire, RefusesContractsOfNoNumbers) {
+  constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
+  cases::Contract contract = full_contract();
+  contract.bounds.depth.constant = kNoNumber;
+  EXPECT_FALSE(unpack_contract(pack(contract)));
+  contract = full_contract();
+  contract.coverage->position_error = kNoNumber;
+  EXPECT_FALSE(unpack_contract(pack(contract)));
+  contract = full_contract();
+  contract.coverage->subpixel_bits = 1000;
+  EXPECT_FALSE(unpack_contract(pack(contract)));
+  // What clipping leaves of a triangle may be anywhere.
+  contract = full_contract();
+  contract.clip_tolerance = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(unpack_contract(pack(contract)));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@ CASES is how many random cases of each law a campaign on a right plugin has.
 """
 
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -27,9 +28,13 @@ RANDOM_CASES = 5
 # The fault, the class of the counterexamples (None: it cannot be had at all), and what is said.
 FAULTS = [
     ("crash", "crash", "its process ended by signal Segmentation fault while it drew; its last words: "
-                       "the plugin touched address 0, which is none of its arrays"),
+                       "the plugin touched address 0x0, which is none of its arrays"),
     ("hang", "hang", "its process did not answer within 0.2 s while it drew"),
     ("out_of_bounds", "crash", "the plugin touched output->coverage beyond its end: byte 1 of 1"),
+    ("before_the_beginning", "failed", "draw() wrote before the beginning of output->coverage"),
+    ("says_and_aborts", "crash", "its process ended by signal Aborted while it drew; its last words: "
+                                 "assertion failed: the triangle is narrow"),
+    ("forks", "crash", "its process ended by signal Aborted while it drew"),
     ("writes_input", "crash", "the plugin wrote to draw->positions, which it may only read"),
     ("out_of_memory", "crash", "its process ended by signal Aborted while it drew"),
     ("leak", "failed", "it leaks: each time that this case is drawn again, more memory is in use"),
@@ -42,12 +47,14 @@ FAULTS = [
     ("rounding_mode", "failed", "draw() returned with another rounding mode"),
     ("wrong_contract", "extra", "drawn; exactly: forbidden: outside"),
     ("invalid_contract", None, "its contract's subpixel_bits is 99, which has to be from 0 to 16"),
+    ("fast_math", None, "to load it changes the rounding mode, or how subnormal numbers are treated: "
+                        "link it without -ffast-math"),
     ("wrong_abi", None, "it was made for plugin ABI 99, and this RasterCheck has ABI 1"),
     ("null_plugin", None, "rastercheck_plugin_get() returned a null pointer"),
     ("no_function", None, "exports no function rastercheck_plugin_get()"),
 ]
 # Those that go wrong in some draws only, or only by the values.
-WITHOUT_FAULT_WHERE_NARROW = {"crash", "hang", "writes_input", "out_of_memory", "nan", "fails"}
+WITHOUT_FAULT_WHERE_NARROW = {"before_the_beginning", "crash", "forks", "hang", "says_and_aborts", "writes_input", "out_of_memory", "nan", "fails"}
 ONLY_VALUES = {"nan"}
 
 
@@ -205,6 +212,20 @@ class Faulty(PluginTest):
             plugin = self.build(SOURCE / f"docs/examples/plugin/faulty/{name}.c", name)
             narrow = self.rastercheck(0, "render", "corpus/narrow.json", "--backend", plugin, "--json")
             self.assertIn('"x"', narrow)
+
+    def test_a_fault_of_one_drawing_is_not_held_against_the_next(self):
+        plugin = self.build(SOURCE / "docs/examples/plugin/faulty/before_the_beginning.c", "before")
+        said = self.rastercheck(1, "replay", "corpus/wide.json", "corpus/narrow.json", "--backend", plugin)
+        self.assertIn(f"wide.json: {COVERAGE}, {plugin}: failed", said)
+        self.assertIn(f"narrow.json: {COVERAGE}, {plugin}: held", said)
+
+    def test_standard_streams_may_be_closed(self):
+        plugin = self.build(SOURCE / "docs/examples/plugin/little.c", "little")
+        done = subprocess.run([RASTERCHECK, "render", "corpus/narrow.json", "--backend", plugin, "--json"],
+                              cwd=self.folder, stdout=subprocess.PIPE, text=True, check=False,
+                              preexec_fn=lambda: (os.close(0), os.close(2)))
+        self.assertEqual(done.returncode, 0)
+        self.assertIn('"x"', done.stdout)
 
     def test_every_file_is_tested(self):
         self.assertEqual({path.stem for path in SOURCE.glob("docs/examples/plugin/faulty/*.c")},

@@ -135,8 +135,7 @@ TEST(CheckCase, DoesNotAskABackendThatIsLost) {
   const Findings findings = check_square(backend);
   EXPECT_EQ(backend.left(), 0);
   EXPECT_EQ(findings.records.begin()->second.cases, (records::CaseCounts{1, 0, 1}));
-  ASSERT_THAT(findings.counterexamples, SizeIs(1));
-  EXPECT_EQ(findings.counterexamples[0].source.found->verdict, "hang");
+  EXPECT_THAT(findings.counterexamples, IsEmpty());
 }
 
 // Kills: blaming a backend for a case that it never got.

@@ -2,7 +2,7 @@
  * Crashes: reads address 0 where a triangle is wide.
  *
  * RasterCheck: “its process ended by signal Segmentation fault while it drew; its last words: the
- * plugin touched address 0, which is none of its arrays”
+ * plugin touched address 0x0, which is none of its arrays”
  */
 #include "faulty.h"
 
