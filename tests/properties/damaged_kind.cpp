@@ -46,6 +46,8 @@ void lose_last(const cases::Case& /*c*/, cases::Framebuffer& drawn) {
   drawn.sample.pop_back();
   drawn.depth.pop_back();
   drawn.attributes.resize(drawn.attributes.size() - drawn.attribute_count);
+  if (drawn.derivatives.empty()) return;
+  drawn.derivatives.resize(drawn.derivatives.size() - 2 * drawn.attribute_count);
 }
 
 constexpr const char* kAbsent = "needs what no machine has";

@@ -67,6 +67,11 @@ inline FragmentClass random_class() {
       *rc::gen::inRange<std::size_t>(0, names_of(FragmentClass{}).size()));
 }
 
+/// One that a fragment may have.
+inline FragmentClass random_fragment_class() {
+  return static_cast<FragmentClass>(*rc::gen::inRange<std::size_t>(0, ClassCounts().counts.size()));
+}
+
 inline Stratum random_stratum() {
   return static_cast<Stratum>(*rc::gen::inRange<std::size_t>(0, names_of(Stratum{}).size()));
 }
@@ -121,7 +126,7 @@ inline Observation random_observation() {
   Observation observation;
   observation.key = random_key();
   observation.worst = random_worst();
-  observation.fragment_class = random_class();
+  observation.fragment_class = random_fragment_class();
   observation.magnitude =
       *rc::gen::inRange(0, 8) == 0 ? std::numeric_limits<double>::infinity() : any_finite_double();
   observation.stratum = random_stratum();
