@@ -35,6 +35,10 @@ struct Violation {
   std::optional<Enclosure> distance;  ///< of coverage: to the boundary that decided, in pixels
   std::string note;                   ///< what more the law has to say, one line; may be empty
   bool operator==(const Violation&) const = default;
+
+  /// Whether it is at a sample: not where there is no drawing at all. Members of places and exact
+  /// answers mean nothing there.
+  bool has_place() const { return fragment_class < FragmentClass::failed; }
 };
 
 /// Where the case that failed was from, in the order in which a run checks them.

@@ -64,6 +64,8 @@ std::string attribute_name(const cases::Case& c, std::uint32_t attribute) {
 }
 
 std::string violation_text(const Violation& v, const cases::Case& c) {
+  const std::string note = cases::printable(v.note);
+  if (!v.has_place()) return fmt::format("  {}\n", note);
   std::string text =
       fmt::format("  pixel ({}, {}), sample {} of triangle {}: ", v.x, v.y, v.sample, v.triangle);
   if (v.kind == records::AttributeKind::coverage) {
@@ -80,7 +82,7 @@ std::string violation_text(const Violation& v, const cases::Case& c) {
     text += fmt::format("; {} pixels from the boundary", records::to_decimal(*v.distance, kDigits));
   }
   text += "\n";
-  if (!v.note.empty()) text += fmt::format("    {}\n", cases::printable(v.note));
+  if (!note.empty()) text += fmt::format("    {}\n", note);
   return text;
 }
 
@@ -179,6 +181,13 @@ std::string violations_text(std::span<const Violation> violations, std::uint64_t
   std::vector<std::vector<std::string>> rows{{"  class", "of", "triangle", "x", "y", "s", "exact",
                                               "actual", "error", "bound", "distance", "note"}};
   for (const Violation& v : violations) {
+    if (!v.has_place()) {
+      std::vector<std::string> row(rows[0].size(), "-");
+      row.front() = fmt::format("  {}", to_string(v.fragment_class));
+      row.back() = cases::printable(v.note);
+      rows.push_back(std::move(row));
+      continue;
+    }
     const std::string of = v.attribute ? fmt::format("{} [{}]", to_string(v.kind), *v.attribute)
                                        : std::string(to_string(v.kind));
     rows.push_back({fmt::format("  {}", to_string(v.fragment_class)), of,

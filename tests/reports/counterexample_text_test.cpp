@@ -48,6 +48,30 @@ TEST(CounterexampleText, GivesExactValuesWithDecimals) {
               HasSubstr("exactly [1/3, 2/3] (about 0.333333333 to 0.666666667)"));
 }
 
+/// Of a drawing that there is not.
+records::Counterexample crashed() {
+  records::Counterexample one = sample_counterexample(3);
+  records::Violation crash;
+  crash.fragment_class = records::FragmentClass::crash;
+  crash.exact = "a drawing";
+  crash.actual = "none";
+  crash.note = "its process ended";
+  one.violations = {crash};
+  one.violation_count = 1;
+  return one;
+}
+
+// Kills: a sample, or an exact answer, of what was not drawn.
+TEST(CounterexampleText, SaysOfNoDrawingOnlyWhy) {
+  EXPECT_THAT(counterexample_text(crashed(), "x"),
+              AllOf(HasSubstr("; shrunk in 214 tries.\n  its process ended\n"),
+                    Not(HasSubstr("pixel (")), Not(HasSubstr("exactly"))));
+  EXPECT_EQ(violations_text(crashed().violations, 1),
+            "  class  of  triangle  x  y  s  exact  actual  error  bound  distance  note\n"
+            "  crash  -   -         -  -  -  -      -       -      -      -         "
+            "its process ended\n");
+}
+
 // Kills: a number that is rounded, minus zero that is none, the grid taken for pixels.
 TEST(CaseText, ShowsStateVerticesAndTriangles) {
   const std::string text = case_text(sample_case("law", "cpu", 1));
