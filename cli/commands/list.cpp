@@ -35,7 +35,7 @@ ordered_json row_of(const std::string& specification) {
   const auto backend = backends::make_backend(specification);
   return {{"name", specification},
           {"available", backend.has_value()},
-          {"summary", backend ? (*backend)->description() : ""},
+          {"summary", backend ? cases::one_line((*backend)->description()) : ""},
           {"why not", backend ? "" : cases::printable(to_string(backend.error()))}};
 }
 
@@ -153,11 +153,17 @@ struct Options {
 };
 
 ExitCode run(const Options& options) {
+  std::string chosen = options.kind;
+  if (!options.backends.empty()) {
+    if (chosen.empty()) chosen = "backends";
+    if (chosen != "backends") {
+      return fail(
+          {"--backend", "", fmt::format("it goes with `list backends`, not with {}", chosen)});
+    }
+  }
   isolate_foreign_backends(kDefaultTimeout);
   ordered_json document = ordered_json::object();
   for (const Kind& kind : kKinds) {
-    const std::string_view chosen =
-        options.kind.empty() && !options.backends.empty() ? "backends" : options.kind;
     if (!chosen.empty() && chosen != kind.name) continue;
     if (options.json) {
       document[std::string(kind.name)] = kind.rows(options.backends);

@@ -48,6 +48,21 @@ TEST(List, SaysWhichBackendsCanRunHereAndWhyNot) {
   EXPECT_THAT(table.out, HasSubstr("needs what no machine has"));
 }
 
+// Kills: an option that is passed over.
+TEST(List, RefusesABackendWithOtherKinds) {
+  const Outcome refused = run_program({"list", "rules", "--backend", "cpu"});
+  EXPECT_TRUE(is_failure(refused, 2)) << refused;
+  EXPECT_THAT(refused.err, HasSubstr("`list backends`, not with rules"));
+  EXPECT_EQ(run_program({"list", "--backend", "cpu", "--quiet"}).code, 0);
+}
+
+// Kills: what a stranger's backend says of itself, as commands to the terminal.
+TEST(List, EscapesWhatABackendSaysOfItself) {
+  const Outcome table = run_damaged_program({"list", "backends", "--backend", "damaged:speaks"});
+  EXPECT_EQ(table.code, 0);
+  EXPECT_THAT(table.out, HasSubstr("red \\u001b[31m and \\n two lines"));
+}
+
 TEST(List, NamesTheMethodsByTheirSources) {
   const auto document = nlohmann::json::parse(run_program({"list", "methods", "--json"}).out);
   EXPECT_THAT(document.at("methods"), testing::Not(testing::IsEmpty()));

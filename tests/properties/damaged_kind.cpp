@@ -5,6 +5,7 @@
 //   damaged:slow      the same, and takes its time, so that a run can be interrupted
 //   damaged:refuses   fails to draw
 //   damaged:absent    cannot run here
+//   damaged:speaks    says of itself what a terminal takes for a command
 //   damaged:unseen    draws rightly; of it alone a law is asked whose cases are never what they are
 //                     said to be
 
@@ -33,6 +34,11 @@ class SlowBackend : public DamagedBackend {
   }
 };
 
+class SpeakingBackend : public DamagedBackend {
+ public:
+  std::string description() const override { return "red \x1b[31m and \n two lines"; }
+};
+
 class UnseenBackend : public DamagedBackend {
  public:
   UnseenBackend() : DamagedBackend({}, "cpu") {}
@@ -56,6 +62,7 @@ Result<std::unique_ptr<backends::Backend>> make(const std::string& options) {
   if (options.empty()) return std::make_unique<DamagedBackend>(&lose_last);
   if (options == "slow") return std::make_unique<SlowBackend>(&lose_last);
   if (options == "refuses") return std::make_unique<RefusingBackend>();
+  if (options == "speaks") return std::make_unique<SpeakingBackend>();
   if (options == "unseen") return std::make_unique<UnseenBackend>();
   if (options == "absent") {
     return tl::unexpected(Error{"damaged:absent", "", kAbsent, Failure::unavailable});
@@ -68,6 +75,7 @@ std::vector<backends::Listing> list() {
           {"damaged:absent", "cannot run", kAbsent},
           {"damaged:refuses", "fails to draw", ""},
           {"damaged:slow", "loses the last fragment, slowly", ""},
+          {"damaged:speaks", "says what a terminal obeys", ""},
           {"damaged:unseen", "draws rightly what is never seen", ""}};
 }
 
