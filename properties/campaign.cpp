@@ -74,33 +74,37 @@ std::vector<Task> shrink_tasks(const Findings& findings) {
   return tasks;
 }
 
-std::vector<records::UnreachedLabel> unreached_labels(const CampaignOptions& options,
+std::vector<records::UnreachedLabel> unreached_labels(const Law& law, const std::string& name,
+                                                      const backends::Backend* backend,
                                                       const records::RecordSet& records) {
+  // Shares were measured of backends that draw every case.
+  if (backend != nullptr && backend->has_limits()) return {};
+  const bool is_decided = backend != nullptr && draws_what_is_asked_for(*backend);
+  const std::string law_name(law.name);
+  const auto [checked, labels] = random_labels(records, law_name, name);
   std::vector<records::UnreachedLabel> unreached;
-  for (const std::string& backend : options.backends) {
-    const auto made = backends::make_backend(backend);
-    // Shares were measured of backends that draw every case.
-    if (made && (*made)->has_limits()) continue;
-    const bool is_decided = made && draws_what_is_asked_for(**made);
-    for (const std::string& name : options.laws) {
-      const Law* law = find_law(name);
-      if (law == nullptr) continue;
-      const auto [checked, labels] = random_labels(records, name, backend);
-      for (const Cover& cover : law->covers) {
-        if (cover.is_decided && !is_decided) continue;
-        const std::string label(cover.label);
-        const std::uint64_t least = least_reached(cover, checked);
-        const auto found = labels.find(label);
-        const std::uint64_t reached = found == labels.end() ? 0 : found->second;
-        if (reached >= least) continue;
-        unreached.push_back({name, backend, label, reached, least, checked});
-      }
-    }
+  for (const Cover& cover : law.covers) {
+    if (cover.is_decided && !is_decided) continue;
+    const std::string label(cover.label);
+    const std::uint64_t least = least_reached(cover, checked);
+    const auto found = labels.find(label);
+    const std::uint64_t reached = found == labels.end() ? 0 : found->second;
+    if (reached < least) unreached.push_back({law_name, name, label, reached, least, checked});
   }
-  std::sort(unreached.begin(), unreached.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.law, a.backend, a.label) < std::tie(b.law, b.backend, b.label);
-  });
   return unreached;
+}
+
+ShrinkLimits shrink_limits(const ShrinkBudget& budget, const Counterexample& counterexample,
+                           const IsToEnd& is_to_end) {
+  const auto start = std::chrono::steady_clock::now();
+  const bool is_hang =
+      counterexample.source.found->verdict == records::to_string(records::FragmentClass::hang);
+  const std::optional<double> seconds = budget.seconds || !is_hang ? budget.seconds : kHangSeconds;
+  const auto is_late = [start, seconds, is_to_end] {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    return (seconds && passed.count() >= *seconds) || (is_to_end && is_to_end());
+  };
+  return {budget.tries, is_late};
 }
 
 TaskRunner::TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus, ShrinkBudget shrinking)
@@ -127,22 +131,33 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
 
   Findings findings;
   if (task.kind == TaskKind::shrink) {
-    const auto start = std::chrono::steady_clock::now();
-    const bool is_hang =
-        task.subject->source.found->verdict == records::to_string(records::FragmentClass::hang);
-    const std::optional<double> seconds =
-        shrinking_.seconds || !is_hang ? shrinking_.seconds : kHangSeconds;
-    const auto is_late = [&] {
-      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-      return (seconds && passed.count() >= *seconds) || (is_to_end && is_to_end());
-    };
-    shrink_counterexample(*law, **drawing, *task.subject, {shrinking_.tries, is_late}, findings);
+    shrink_counterexample(*law, **drawing, *task.subject,
+                          shrink_limits(shrinking_, *task.subject, is_to_end), findings);
     return findings;
   }
   for (std::uint64_t i = task.first; i < task.last && !findings.fault; ++i) {
     check_case(*law, task.backend, **drawing, seed_, numbered_case(task, *law, i), findings);
   }
   return findings;
+}
+
+std::vector<records::UnreachedLabel> TaskRunner::unreached_labels(
+    const CampaignOptions& options, const records::RecordSet& records) {
+  std::vector<records::UnreachedLabel> unreached;
+  for (const std::string& specification : options.backends) {
+    const Result<backends::Backend*> made = backend(specification);
+    for (const std::string& name : options.laws) {
+      const Law* law = find_law(name);
+      if (law == nullptr) continue;
+      const auto of_law =
+          properties::unreached_labels(*law, specification, made.value_or(nullptr), records);
+      unreached.insert(unreached.end(), of_law.begin(), of_law.end());
+    }
+  }
+  std::sort(unreached.begin(), unreached.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.law, a.backend, a.label) < std::tie(b.law, b.backend, b.label);
+  });
+  return unreached;
 }
 
 NumberedCase TaskRunner::numbered_case(const Task& task, const Law& law, std::uint64_t i) const {

@@ -58,6 +58,12 @@ struct ShrinkBudget {
   bool operator==(const ShrinkBudget&) const = default;
 };
 
+/// The limits of making a counterexample smaller, which begins now; `is_to_end` ends it, too. Where
+/// the budget gives no seconds they are a minute if the backend hangs at the case.
+ShrinkLimits shrink_limits(const ShrinkBudget& budget,
+                           const records::Counterexample& counterexample,
+                           const IsToEnd& is_to_end = {});
+
 struct CampaignOptions {
   std::uint64_t seed = 0;
   std::uint64_t cases_per_law = 1000;
@@ -75,9 +81,12 @@ std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_si
 /// The work that remains when all cases are checked: to shrink what was found and was not yet.
 std::vector<Task> shrink_tasks(const Findings& findings);
 
-/// The labels that random cases of the laws did not reach often enough (least_reached), by law,
-/// backend and label. What a backend does not promise need not have been reached.
-std::vector<records::UnreachedLabel> unreached_labels(const CampaignOptions& options,
+/// The labels that random cases of a law did not reach often enough (least_reached), in the law's
+/// order; `name` is the backend's in the records. What the backend does not promise need not have
+/// been reached, and of one with limits nothing. nullptr, where it cannot be made any more: nobody
+/// knows what it promises or draws, and what is asked of all is asked.
+std::vector<records::UnreachedLabel> unreached_labels(const Law& law, const std::string& name,
+                                                      const backends::Backend* backend,
                                                       const records::RecordSet& records);
 
 /// Runs tasks, one after the other; keeps the backends it has made.
@@ -90,6 +99,10 @@ class TaskRunner {
   /// What the task found. Fails where there is no such law, backend or corpus case. Shrinking ends
   /// with what it has when `is_to_end` says so.
   Result<Findings> run(const Task& task, const IsToEnd& is_to_end = {});
+
+  /// The same of all laws and backends of a campaign, whoever ran it, by law, backend and label.
+  std::vector<records::UnreachedLabel> unreached_labels(const CampaignOptions& options,
+                                                        const records::RecordSet& records);
 
  private:
   Result<backends::Backend*> backend(const std::string& specification);

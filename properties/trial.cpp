@@ -64,6 +64,8 @@ std::string place_text(const Violation& v, const cases::Case& c) {
 }
 
 std::string violation_text(const Violation& v, const cases::Case& c) {
+  const std::string note = cases::printable(v.note);
+  if (!v.has_place()) return fmt::format("  {}\n", note);
   std::string text = fmt::format("  {}\n    exactly: {}\n    drawn:   {}\n", place_text(v, c),
                                  cases::printable(v.exact), cases::printable(v.actual));
   if (v.error) {
@@ -75,7 +77,7 @@ std::string violation_text(const Violation& v, const cases::Case& c) {
     text += fmt::format("    distance to the boundary that decides: {} pixels\n",
                         records::to_decimal(*v.distance, kDigits));
   }
-  if (!v.note.empty()) text += fmt::format("    {}\n", cases::printable(v.note));
+  if (!note.empty()) text += fmt::format("    {}\n", note);
   return text;
 }
 
@@ -133,8 +135,8 @@ std::string findings_text(const Law& law, backends::Backend& backend, const Find
                           const TrialOptions& options) {
   Findings shrunk;
   if (!findings.fault) {
-    shrink_counterexample(law, backend, findings.counterexamples.front(),
-                          {options.shrinking.tries, {}}, shrunk);
+    const Counterexample& found = findings.counterexamples.front();
+    shrink_counterexample(law, backend, found, shrink_limits(options.shrinking, found), shrunk);
   }
   const std::optional<std::string>& fault = findings.fault ? findings.fault : shrunk.fault;
   if (fault) return fmt::format("“{}” could not be tried: {}", law.name, cases::printable(*fault));
@@ -168,14 +170,10 @@ std::uint64_t checked_cases(const records::RecordSet& records) {
 }
 
 /// What random cases that held should have reached and did not.
-std::string unreached_text(const Law& law, const std::string& name, const TrialOptions& options,
-                           const records::RecordSet& records) {
-  CampaignOptions campaign;
-  campaign.backends = {name};
-  campaign.laws = {std::string(law.name)};
-  campaign.cases_per_law = options.cases;
+std::string unreached_text(const Law& law, const std::string& name,
+                           const backends::Backend& backend, const records::RecordSet& records) {
   std::string text;
-  for (const records::UnreachedLabel& one : unreached_labels(campaign, records)) {
+  for (const records::UnreachedLabel& one : unreached_labels(law, name, &backend, records)) {
     text += fmt::format("  “{}” was reached by {} of {} random cases, which is fewer than {}\n",
                         one.label, one.reached, one.checked, one.least);
   }
@@ -226,7 +224,7 @@ Trial try_law(const Law& law, const std::string& name, const MakeBackend& make,
             fmt::format("nothing was checked: “{}” says nothing of any of {} cases", law.name,
                         corpus.size() + options.cases)};
   }
-  std::string unreached = unreached_text(law, name, options, findings.records);
+  std::string unreached = unreached_text(law, name, *backend, findings.records);
   if (!unreached.empty()) return {Trial::Outcome::failed, std::move(unreached)};
   return {};
 }

@@ -115,6 +115,11 @@ class Executor {
     return properties::run_tasks_in_processes(command_, jobs_, tasks, done, &is_interrupted);
   }
 
+  std::vector<records::UnreachedLabel> unreached_labels(const properties::CampaignOptions& options,
+                                                        const records::RecordSet& records) {
+    return runner_.unreached_labels(options, records);
+  }
+
  private:
   properties::TaskRunner runner_;
   std::vector<std::string> command_;
@@ -147,6 +152,7 @@ Result<void> find(const Options& options, std::vector<cases::Case> corpus,
   if (!checked) return checked;
   campaign.add_scene(*std::move(of_scene));
   if (campaign.findings().fault) return {};
+  run.unreached = executor.unreached_labels(plan.campaign, campaign.findings().records);
   return campaign.shrink(execute, &is_interrupted, progress_of("counterexamples shrunk"));
 }
 
@@ -246,7 +252,6 @@ ExitCode run_campaign(const Options& options) {
   run.records = findings.records;
   run.counterexamples = findings.counterexamples;
   run.cases_left = campaign.cases_left();
-  run.unreached = properties::unreached_labels(plan.campaign, run.records);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.environment = environment(options.jobs, seconds.count());
 

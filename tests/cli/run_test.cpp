@@ -82,6 +82,7 @@ TEST_F(Run, ThatIsViolatedKeepsCounterexamples) {
 TEST_F(Run, ThatCannotDrawIsViolatedNotBroken) {
   const Outcome outcome = run_damaged({"--backend", "damaged:refuses", "--cases", "0"});
   EXPECT_EQ(outcome.code, 1) << outcome;
+  EXPECT_THAT(outcome.out, HasSubstr("\n  out of memory\n"));
   EXPECT_THAT(folder_.content("out/run.json"), HasSubstr("out of memory"));
 }
 

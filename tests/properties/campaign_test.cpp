@@ -218,13 +218,14 @@ TEST(UnreachedLabels, AreThoseOfRandomCases) {
   const std::string law = "coverage obeys the contract";
   CampaignOptions options;
   options.laws = {law};
-  EXPECT_TRUE(unreached_labels(options, ties(law, "ordinary", 1000, 500)).empty());
-  EXPECT_TRUE(unreached_labels(options, ties(law, "corpus", 1000, 0)).empty());
-  EXPECT_TRUE(unreached_labels(options, ties(law, "scene bunny", 1000, 0)).empty());
+  TaskRunner runner(1, {});
+  EXPECT_TRUE(runner.unreached_labels(options, ties(law, "ordinary", 1000, 500)).empty());
+  EXPECT_TRUE(runner.unreached_labels(options, ties(law, "corpus", 1000, 0)).empty());
+  EXPECT_TRUE(runner.unreached_labels(options, ties(law, "scene bunny", 1000, 0)).empty());
   records::RecordSet few = ties(law, "ordinary", 1000, 1);
   records::merge(few, ties(law, "slivers", 1000, 2));
   records::merge(few, ties(law, "corpus", 1000, 1000));
-  const auto unreached = unreached_labels(options, few);
+  const auto unreached = runner.unreached_labels(options, few);
   ASSERT_EQ(unreached.size(), 1U);
   EXPECT_EQ(unreached[0].law, law);
   EXPECT_EQ(unreached[0].backend, "cpu");
@@ -240,7 +241,17 @@ TEST(UnreachedLabels, AreThoseOfRandomCases) {
     of_method[other] = record;
   }
   options.backends = {"method:rational-linear"};
-  EXPECT_TRUE(unreached_labels(options, of_method).empty());
+  EXPECT_TRUE(runner.unreached_labels(options, of_method).empty());
+}
+
+// Kills: a law that asks nothing of a backend that is gone when the run ends.
+TEST(UnreachedLabels, OfABackendThatIsGoneAreThoseOfAll) {
+  const Law& law = *find_law("coverage obeys the contract");
+  records::RecordSet few = ties(std::string(law.name), "ordinary", 1000, 0);
+  few.begin()->second.labels["clipped"] = 0;
+  const auto unreached = unreached_labels(law, "cpu", nullptr, few);
+  ASSERT_EQ(unreached.size(), 1U);
+  EXPECT_EQ(unreached[0].label, "clipped");
 }
 
 // --- Saved counterexamples -----------------------------------------------------------------------

@@ -39,6 +39,27 @@ Law law_of_squares() {
   return law;
 }
 
+/// Draws every other case, and says that it does not draw those between.
+class LimitedBackend : public DamagedBackend {
+ public:
+  bool has_limits() const override { return true; }
+  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+    if (++asked_ % 2 == 1) return DamagedBackend::draw(c);
+    return tl::unexpected(Error{"", "", "not of this kind", Failure::unsupported});
+  }
+
+ private:
+  int asked_ = 0;
+};
+
+/// Never draws, and says why.
+class FailingBackend : public DamagedBackend {
+ public:
+  Result<cases::Framebuffer> draw(const cases::Case& /*c*/) override {
+    return tl::unexpected(Error{"", "", "out of memory"});
+  }
+};
+
 MakeBackend damaged(Damage damage) {
   return [damage = std::move(damage)] { return std::make_unique<DamagedBackend>(damage); };
 }
@@ -206,6 +227,36 @@ TEST(TryLaw, FailsWhereTheLawWasHardlyTested) {
   EXPECT_THAT(trial.text, AllOf(HasSubstr("was hardly tested"),
                                 HasSubstr("“clipped” was reached by 0 of 200 random cases"),
                                 Not(HasSubstr("“drawn”"))));
+}
+
+// Kills: limits, or promises, of whatever backend is asked for by the name of the suite.
+TEST(TryLaw, HoldsWhereLimitsKeepLabelsOutOfReach) {
+  TrialOptions options = few_cases();
+  options.cases = 200;
+  for (const char* name : {"Mine", "cpu"}) {
+    const Trial trial = try_law(
+        law_of_squares(), name, [] { return std::make_unique<LimitedBackend>(); }, options);
+    EXPECT_EQ(trial.outcome, Outcome::held) << name << ": " << trial.text;
+  }
+}
+
+// Kills: a sample and an exact answer where nothing was drawn.
+TEST(TryLaw, TellsWhyThereIsNoDrawing) {
+  const Trial trial = try_law(
+      law_of_squares(), "Mine", [] { return std::make_unique<FailingBackend>(); }, few_cases());
+  EXPECT_EQ(trial.outcome, Outcome::failed);
+  EXPECT_THAT(trial.text,
+              AllOf(HasSubstr("Mine violates the law “coverage obeys the contract”: failed\n"),
+                    HasSubstr(" tries.\n  out of memory\n  What is right:"),
+                    Not(HasSubstr("pixel")), Not(HasSubstr("exactly"))));
+}
+
+// Kills: shrinking without end.
+TEST(TryLaw, EndsShrinkingInTime) {
+  TrialOptions options = few_cases();
+  options.shrinking.seconds = 0;
+  const Trial trial = try_law(law_of_squares(), "Mine", damaged(&lose_corner), options);
+  EXPECT_THAT(trial.text, HasSubstr("Found in case 0 of seed 7, as it was found."));
 }
 
 TEST(TryLaw, FailsWhereItCannotBegin) {
