@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -218,6 +219,10 @@ Trial try_law(const Law& law, const std::string& name, const MakeBackend& make,
   const Findings findings = check_cases(law, name, *backend, corpus, options);
   if (findings.fault || !findings.counterexamples.empty()) {
     return {Trial::Outcome::failed, findings_text(law, *backend, findings, options)};
+  }
+  if (const std::optional<Error> lost = backend->is_lost()) {
+    return {Trial::Outcome::failed, fmt::format("“{}” could not be tried: {}", law.name,
+                                                cases::printable(to_string(*lost)))};
   }
   if (checked_cases(findings.records) == 0) {
     return {Trial::Outcome::skipped,

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,6 +52,12 @@ class LimitedBackend : public DamagedBackend {
 
  private:
   int asked_ = 0;
+};
+
+/// Is lost before it draws anything.
+class LostBackend : public DamagedBackend {
+ public:
+  std::optional<Error> is_lost() const override { return Error{"", "", "gone for good"}; }
 };
 
 /// Never draws, and says why.
@@ -272,6 +280,14 @@ TEST(TryLaw, FailsWhereItCannotBegin) {
   const Trial broken = try_law(law_of_squares(), "Mine", damaged({}), options);
   EXPECT_EQ(broken.outcome, Outcome::failed);
   EXPECT_THAT(broken.text, HasSubstr(file));
+}
+
+// Kills: "held" of a backend that nothing was asked of.
+TEST(TryLaw, FailsWhereTheBackendIsLost) {
+  const Trial trial = try_law(
+      law_of_squares(), "Mine", [] { return std::make_unique<LostBackend>(); }, few_cases());
+  EXPECT_EQ(trial.outcome, Outcome::failed);
+  EXPECT_EQ(trial.text, "“coverage obeys the contract” could not be tried: gone for good");
 }
 
 TEST(TryLaw, FailsWhereTheOracleDoes) {
