@@ -226,12 +226,12 @@ std::string violation_row(const records::Violation& violation, const cases::Case
   const auto value = [](const std::string& text) {
     return "<span class=\"value\">" + html(elided(text, kLongestValue)) + "</span>";
   };
-  std::string what =
-      fmt::format("{}, {}", to_string(violation.fragment_class), to_string(violation.kind));
+  std::string what(to_string(violation.fragment_class));
+  if (violation.has_place()) what += fmt::format(", {}", to_string(violation.kind));
   if (!violation.note.empty()) what += "<br><small>" + html(violation.note) + "</small>";
   return "<tr>" + cell(html(place_text(violation, source))) + cell(what) +
-         named_cell("exact", value(violation.exact)) +
-         named_cell("actual", value(violation.actual)) +
+         named_cell("exact", value(violation.has_place() ? violation.exact : "–")) +
+         named_cell("actual", value(violation.has_place() ? violation.actual : "–")) +
          number_cell("error, ULP", number(violation.error)) +
          number_cell("bound, ULP", number(violation.bound)) +
          number_cell("distance, pixels", number(violation.distance)) + "</tr>\n";

@@ -88,6 +88,9 @@ std::string precision_of(const std::vector<LawSummary>& rows) {
 }
 
 std::string violation_line(const records::Violation& violation, const cases::Case& source) {
+  if (!violation.has_place()) {
+    return fmt::format("- {}: {}\n", to_string(violation.fragment_class), markdown(violation.note));
+  }
   std::string text =
       fmt::format("- {} ({}) at {}; exact: {}; actual: {}", to_string(violation.fragment_class),
                   to_string(violation.kind), markdown(place_text(violation, source)),

@@ -180,6 +180,7 @@ bool has_precision(const std::vector<LawSummary>& rows) {
 }
 
 std::string place_text(const records::Violation& violation, const cases::Case& source) {
+  if (!violation.has_place()) return "–";
   std::string text = fmt::format("triangle {}, pixel ({}, {}), sample {}", violation.triangle,
                                  violation.x, violation.y, violation.sample);
   if (violation.attribute) {

@@ -80,7 +80,7 @@ records::LawSummary totals(const std::vector<records::LawSummary>& rows);
 /// Whether any row has a table of precision.
 bool has_precision(const std::vector<records::LawSummary>& rows);
 
-/// "triangle 0, pixel (3, 5), sample 0, attribute u".
+/// "triangle 0, pixel (3, 5), sample 0, attribute u"; "–" where it has none.
 std::string place_text(const records::Violation& violation, const cases::Case& source);
 
 }  // namespace rastercheck::reports

@@ -83,6 +83,20 @@ TEST(AllFormats, TakeAnyBytes) {
   }
 }
 
+// Kills: a sample, or an exact answer, of what was not drawn.
+TEST(AllFormats, TellOfNoDrawingOnlyWhy) {
+  records::Violation crash;
+  crash.fragment_class = records::FragmentClass::crash;
+  crash.exact = "a drawing";
+  crash.note = "its process ended";
+  records::Run run = sample_run();
+  run.counterexamples[0].violations = {crash};
+  EXPECT_THAT(written("markdown", run), HasSubstr("\n- crash: its process ended\n"));
+  const std::string page = written("html", run);
+  EXPECT_THAT(page, HasSubstr("crash<br><small>its process ended</small>"));
+  EXPECT_THAT(page, Not(HasSubstr("a drawing")));
+}
+
 TEST(AllFormats, AnEmptyRunIsNotChecked) {
   EXPECT_THAT(written("markdown", {}), HasSubstr("**Nothing was checked.**"));
   EXPECT_THAT(written("html", {}), HasSubstr("<h1 class=\"unchecked\">Nothing was checked.</h1>"));

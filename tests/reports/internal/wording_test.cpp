@@ -165,6 +165,8 @@ TEST(PlaceText, NamesTheAttribute) {
   EXPECT_EQ(place_text(violation, c), "triangle 0, pixel (3, 5), sample 0, attribute u");
   violation.attribute = 1;
   EXPECT_EQ(place_text(violation, c), "triangle 0, pixel (3, 5), sample 0, attribute 1");
+  violation.fragment_class = records::FragmentClass::hang;
+  EXPECT_EQ(place_text(violation, c), "–");
 }
 
 }  // namespace
