@@ -29,7 +29,8 @@ void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) >= 0) continue;
     const int opened = ::open("/dev/null", O_RDONLY);
-    static_cast<void>(opened);  // The lowest that is free: the one that was closed. To write to it fails still.
+    static_cast<void>(
+        opened);  // The lowest that is free: the one that was closed. To write to it fails still.
   }
 }
 
