@@ -75,7 +75,10 @@ Result<bool> take_networks() {
                                                                  &seccomp_release);
   if (!filter) return failure("seccomp_init", ENOMEM);
   for (const int family : {AF_INET, AF_INET6}) {
-    const scmp_arg_cmp is_family = SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(family));
+    scmp_arg_cmp is_family{};
+    is_family.arg = 0;
+    is_family.op = SCMP_CMP_EQ;
+    is_family.datum_a = static_cast<scmp_datum_t>(family);
     const int problem = ::seccomp_rule_add_array(filter.get(), SCMP_ACT_ERRNO(EACCES),
                                                  SCMP_SYS(socket), 1, &is_family);
     if (problem != 0) return failure("seccomp_rule_add", -problem);
