@@ -212,6 +212,7 @@ Result<void> PluginBackend::hand_over(const cases::Case& c) {
     places.insert(places.end(), {static_cast<float>(p.x) / 16, static_cast<float>(p.y) / 16});
   }
   std::vector<rastercheck_attribute> attributes;
+  attributes.reserve(c.attributes.size());
   for (const cases::Attribute& a : c.attributes) attributes.push_back(attribute_of(a));
   const std::array<std::pair<GuardedArray*, std::span<const std::byte>>, 6> inputs{
       {{&arrays_.sample_positions, bytes_of(places)},
