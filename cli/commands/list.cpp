@@ -41,6 +41,7 @@ ordered_json row_of(const std::string& specification) {
 
 std::vector<ordered_json> backend_rows(const std::vector<std::string>& asked_for) {
   std::vector<ordered_json> rows;
+  rows.reserve(asked_for.size());
   for (const std::string& specification : asked_for) rows.push_back(row_of(specification));
   if (!rows.empty()) return rows;
   for (const backends::Listing& listing : backends::list_backends()) {
