@@ -5,6 +5,7 @@
 
 #include "oracle/transform.h"
 #include "properties/close_up.h"
+#include "records/run.h"
 
 namespace rastercheck::properties {
 
@@ -121,8 +122,13 @@ void check_case(const Law& law, const std::string& specification, backends::Back
     // Its counterexamples are those that it was lost by.
     records::Record& record = findings.records[{
         std::string(law.name), specification, records::AttributeKind::coverage, numbered.stratum}];
+    if (!is_promised(law, backend)) {
+      ++record.cases.not_applicable;
+      return;
+    }
     ++record.cases.checked;
     ++record.cases.violations;
+    ++record.labels[std::string(records::kGivenUp)];
     return;
   }
   const Check check = check_or_note(law, numbered.source, backend, {numbered.index});

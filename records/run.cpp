@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <map>
+#include <string>
 #include <string_view>
 
 namespace rastercheck::records {
@@ -37,6 +40,17 @@ std::vector<std::string> caveats(const Run& run) {
         fmt::format("Shrinking was limited to {} s a counterexample: how small they are "
                     "depends on the machine.",
                     *run.shrink_seconds));
+  }
+  std::map<std::string, std::uint64_t> given_up;
+  for (const auto& [key, record] : run.records) {
+    const auto label = record.labels.find(std::string(kGivenUp));
+    if (label != record.labels.end()) given_up[key.backend] += label->second;
+  }
+  for (const auto& [backend, cases] : given_up) {
+    all.push_back(fmt::format(
+        "{} crashed or hung so often that it was given up: {} cases of it were not drawn, "
+        "and count as violations.",
+        backend, cases));
   }
   return all;
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "records/counterexample.h"
@@ -58,6 +59,10 @@ struct Run {
 
 /// "Not reached: LAW on BACKEND: 'tie' in 2 of 1000 cases, where at least 13 had to."
 std::string unreached_sentence(const UnreachedLabel& label);
+
+/// The label of cases that were not drawn any more, as their backend was given up: they count as
+/// violations.
+inline constexpr std::string_view kGivenUp = "not drawn, as the backend was given up";
 
 /// What else a reader has to know of a run: that it was interrupted, that shrinking was cut short.
 std::vector<std::string> caveats(const Run& run);

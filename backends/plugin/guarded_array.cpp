@@ -43,6 +43,11 @@ void remember(const Guarded& array) {
   if (place != all_guarded.end()) *place = array;
 }
 
+/// "1 byte", "2 bytes".
+struct Bytes {
+  std::uintptr_t count = 0;
+};
+
 /// A line put together without memory of its own.
 class Line {
  public:
@@ -68,16 +73,20 @@ class Line {
   std::size_t size_ = 0;
 };
 
+Line& operator<<(Line& line, Bytes bytes) {
+  return line << bytes.count << (bytes.count == 1 ? " byte" : " bytes");
+}
+
 /// What is wrong with an access to an address next to, or in, an array.
 void describe(Line& line, const Guarded& array, std::uintptr_t address) {
   if (address < array.begin) {
     line << "the plugin touched " << array.name << " before its beginning, by "
-         << array.begin - address << " bytes";
+         << Bytes{array.begin - address};
   } else if (address < array.end) {
     line << "the plugin wrote to " << array.name << ", which it may only read";
   } else {
-    line << "the plugin touched " << array.name << " beyond its end: byte " << address - array.begin
-         << " of " << array.end - array.begin;
+    line << "the plugin touched " << array.name << " beyond its end, by "
+         << Bytes{address - array.end + 1};
   }
 }
 

@@ -151,15 +151,17 @@ cases::Rounding rounding_of(std::uint32_t rounding) {
 Result<Plugin> load_plugin(const std::string& path) {
   std::error_code problem;
   if (!std::filesystem::exists(path, problem)) {
-    return tl::unexpected(Error{"plugin:" + path, "", "there is no such file"});
+    return tl::unexpected(
+        Error{"plugin:" + path, "",
+              "there is no such file; paths are from the folder that rastercheck runs in"});
   }
   // A name without a folder would be looked for elsewhere.
   const std::string file = std::filesystem::absolute(path, problem).string();
   const FloatingPointModes modes;
   void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
-    return tl::unexpected(
-        unavailable(path, std::string("cannot be loaded: ") + cases::one_line(::dlerror())));
+    return tl::unexpected(unavailable(path, std::string("cannot be loaded as a shared library: ") +
+                                                cases::one_line(::dlerror())));
   }
   constexpr const char* kName = "rastercheck_plugin_get";
   void* const function = ::dlsym(library, kName);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <span>
@@ -289,7 +290,14 @@ Result<void> PluginBackend::call() {
   const rastercheck_draw draw = draw_;
   rastercheck_output output = output_;
   const FloatingPointModes modes;
-  const std::uint32_t status = plugin_.draw(&draw, &output);
+  std::uint32_t status = RASTERCHECK_FAILED;
+  try {
+    status = plugin_.draw(&draw, &output);
+  } catch (const std::exception& problem) {
+    return fail(std::string("an exception left draw(): ") + cases::printable(problem.what()));
+  } catch (...) {
+    return fail("an exception left draw()");
+  }
   if (Result<void> whole = check_fronts(); !whole) return whole;
   if (modes.have_changed()) {
     return fail(

@@ -82,8 +82,7 @@ TEST(GuardedArrayDeathTest, EndsWhereItSays) {
           data[size] = std::byte{1};
         },
         testing::KilledBySignal(SIGSEGV),
-        "the plugin touched output->depth beyond its end: byte " + std::to_string(size) + " of " +
-            std::to_string(size) + "\n");
+        "the plugin touched output->depth beyond its end, by 1 byte\n");
   }
 }
 

@@ -268,7 +268,9 @@ TEST(Plugin, SaysWhatCanBeSaid) {
 TEST(Plugin, IsRefusedWhereThereIsNone) {
   const auto none = load_plugin("nowhere.so");
   ASSERT_FALSE(none);
-  EXPECT_EQ(to_string(none.error()), "plugin:nowhere.so: there is no such file");
+  EXPECT_EQ(to_string(none.error()),
+            "plugin:nowhere.so: there is no such file; paths are from the folder that rastercheck "
+            "runs in");
   EXPECT_EQ(none.error().failure, Failure::refused);
   const auto text = load_plugin(RASTERCHECK_SOURCE_DIR "/README.md");
   ASSERT_FALSE(text);

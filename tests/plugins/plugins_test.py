@@ -30,7 +30,7 @@ FAULTS = [
     ("crash", "crash", "its process ended by signal Segmentation fault while it drew; its last words: "
                        "the plugin touched address 0x0, which is none of its arrays"),
     ("hang", "hang", "its process did not answer within 0.2 s while it drew"),
-    ("out_of_bounds", "crash", "the plugin touched output->coverage beyond its end: byte 1 of 1"),
+    ("out_of_bounds", "crash", "the plugin touched output->coverage beyond its end, by 1 byte"),
     ("before_the_beginning", "failed", "draw() wrote before the beginning of output->coverage"),
     ("says_and_aborts", "crash", "its process ended by signal Aborted while it drew; its last words: "
                                  "assertion failed: the triangle is narrow"),
@@ -42,6 +42,7 @@ FAULTS = [
     ("nothing", "missing", "not drawn; exactly: required"),
     ("coverage_two", "failed", "draw() wrote 2 to output->coverage, which has to be 0 or 1"),
     ("wrong_triangle", "failed", "draw() wrote 7 to output->triangle, of a draw of 1"),
+    ("throws", "failed", "an exception left draw(): vector::_M_range_check"),
     ("fails", "failed", "draw() says failed: no room for so wide a triangle"),
     ("unknown_result", "failed", "draw() returned 99, which is none of RASTERCHECK_OK"),
     ("rounding_mode", "failed", "draw() returned with another rounding mode"),
@@ -171,9 +172,14 @@ class Little(PluginTest):
                           self.rastercheck(code, "replay", file, "--backend", plugin))
 
 
+def source_of(fault):
+    (file,) = SOURCE.glob(f"docs/examples/plugin/faulty/{fault}.c*")
+    return file
+
+
 class Faulty(PluginTest):
     def campaign(self, code, name):
-        plugin = self.build(SOURCE / f"docs/examples/plugin/faulty/{name}.c", name)
+        plugin = self.build(source_of(name), name)
         return plugin, self.rastercheck(
             code, "run", "--backend", plugin, "--backend", "cpu", "--property", THREE_LAWS, "--seed", 1,
             "--corpus", "corpus", "--cases", RANDOM_CASES, "--shrink-tries", 40, *self.timeout(name),
@@ -209,7 +215,7 @@ class Faulty(PluginTest):
 
     def test_a_fault_of_some_draws_is_not_held_against_others(self):
         for name in sorted(WITHOUT_FAULT_WHERE_NARROW):
-            plugin = self.build(SOURCE / f"docs/examples/plugin/faulty/{name}.c", name)
+            plugin = self.build(source_of(name), name)
             narrow = self.rastercheck(0, "render", "corpus/narrow.json", "--backend", plugin, "--json")
             self.assertIn('"x"', narrow)
 
@@ -228,18 +234,19 @@ class Faulty(PluginTest):
         self.assertIn('"x"', done.stdout)
 
     def test_every_file_is_tested(self):
-        self.assertEqual({path.stem for path in SOURCE.glob("docs/examples/plugin/faulty/*.c")},
+        self.assertEqual({path.stem for path in SOURCE.glob("docs/examples/plugin/faulty/*.c*")},
                          {name for name, _, _ in FAULTS})
 
     def test_each_says_in_its_file_what_is_said_of_it(self):
         for name, _, message in FAULTS:
-            text = (SOURCE / f"docs/examples/plugin/faulty/{name}.c").read_text(encoding="utf-8")
+            text = source_of(name).read_text(encoding="utf-8")
             comment = re.sub(r"\s*\n \*\s*", " ", text[:text.index("*/")])
             self.assertIn(f"RasterCheck: “{message}”".replace("0.2 s", "10 s"), comment, name)
 
     def test_a_file_that_is_not_there_is_bad_usage(self):
         said = self.rastercheck(2, "run", "--backend", "plugin:./nowhere.so")
-        self.assertEqual(said, "rastercheck: plugin:./nowhere.so: there is no such file\n")
+        self.assertEqual(said, "rastercheck: plugin:./nowhere.so: there is no such file; paths are "
+                               "from the folder that rastercheck runs in\n")
 
 
 class Mutants(PluginTest):

@@ -54,5 +54,18 @@ TEST(Caveats, SayWhatIsMissing) {
                           "depends on the machine."));
 }
 
+// Kills: violations that nobody saw, and that look like any others.
+TEST(Caveats, SayWhatWasNotDrawn) {
+  records::Run run;
+  run.records[{"a", "plugin:x", AttributeKind::coverage, "1"}].labels = {{"tie", 9}};
+  run.records[{"a", "plugin:x", AttributeKind::coverage, "2"}].labels = {
+      {std::string(kGivenUp), 3}};
+  run.records[{"b", "plugin:x", AttributeKind::coverage, "2"}].labels = {
+      {std::string(kGivenUp), 4}};
+  EXPECT_THAT(caveats(run),
+              ElementsAre("plugin:x crashed or hung so often that it was given up: 7 cases of it "
+                          "were not drawn, and count as violations."));
+}
+
 }  // namespace
 }  // namespace rastercheck::records

@@ -1,7 +1,7 @@
 /*
  * Writes one sample too many.
  *
- * RasterCheck: “the plugin touched output->coverage beyond its end: byte 1 of 1”
+ * RasterCheck: “the plugin touched output->coverage beyond its end, by 1 byte”
  */
 #include "faulty.h"
 
