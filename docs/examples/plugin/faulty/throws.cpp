@@ -7,7 +7,7 @@
 #include "../little.cpp"
 #undef rastercheck_plugin_get
 
-RASTERCHECK_PLUGIN_EXPORT const rastercheck_plugin* rastercheck_plugin_get(void);
+extern "C" RASTERCHECK_PLUGIN_EXPORT const rastercheck_plugin* rastercheck_plugin_get(void);
 
 static uint32_t draw_beyond(const rastercheck_draw* draw, rastercheck_output* output) {
   const std::vector<int> few(1);
