@@ -31,15 +31,13 @@ struct Isolation {
   std::uint64_t memory = std::uint64_t{4} << 30;
 };
 
-/// A process ends with the thread that made it: a backend is for one thread, and what it is asked
-/// may start its process anew.
-///
 /// Of this process, from now on: make_backend() gives foreign backends processes.
 void isolate_foreign_backends(const Isolation& isolation);
 
 /// A stand-in for the backend of a specification, foreign or not, made in a process. It draws
-/// fragments, and has the backend's contract, description and limits. Fails as make_backend() does,
-/// and where the process cannot be started.
+/// fragments, and has the backend's contract, description and limits. It is for the thread that
+/// makes it: its processes end with the thread that starts them, and any question may start one.
+/// Fails as make_backend() does, and where the process cannot be started.
 Result<std::unique_ptr<Backend>> make_isolated_backend(const std::string& specification,
                                                        const Isolation& isolation);
 

@@ -318,8 +318,8 @@ Result<void> PluginBackend::call() {
   if (status == RASTERCHECK_FAILED) return fail("draw() says failed: " + message);
   return fail(
       fmt::format("draw() returned {}, which is none of RASTERCHECK_OK, "
-                  "RASTERCHECK_UNSUPPORTED and RASTERCHECK_FAILED",
-                  status));
+                  "RASTERCHECK_UNSUPPORTED and RASTERCHECK_FAILED; its message: {}",
+                  status, message));
 }
 
 Result<void> PluginBackend::check_fronts() const {
