@@ -24,6 +24,13 @@
 
 namespace rastercheck::backends {
 
+/// The driver that draws, as far as what is known of its faults depends on it.
+struct Driver {
+  std::string name;     ///< "llvmpipe": lower case, as its folder is called
+  std::string version;  ///< "Mesa 22.3.6": as it says itself
+  bool operator==(const Driver&) const = default;
+};
+
 class Backend {
  public:
   Backend() = default;
@@ -33,6 +40,9 @@ class Backend {
 
   /// One line about what is drawn with: name and version of a driver or plugin, say. May be empty.
   virtual std::string description() const { return ""; }
+
+  /// Nothing of what is no driver.
+  virtual std::optional<Driver> driver() const { return std::nullopt; }
 
   /// Whether there are kinds of cases that it does not draw (Failure::unsupported): laws about
   /// these check nothing then, and labels are not reached, which is no fault of a run.

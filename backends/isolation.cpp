@@ -24,6 +24,7 @@ class IsolatedBackend : public Backend {
         process_(std::move(process)) {}
 
   std::string description() const override { return greeting_.description; }
+  std::optional<Driver> driver() const override { return greeting_.driver; }
   bool has_limits() const override { return greeting_.has_limits; }
 
   std::optional<Error> is_lost() const override {

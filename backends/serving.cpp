@@ -137,7 +137,8 @@ Result<void> serve_backend(const std::string& specification, const ServingLimits
   Result<std::unique_ptr<Backend>> backend = make_backend(specification);
   Greeting greeting;
   if (backend) {
-    greeting = {(*backend)->description(), (*backend)->has_limits(), std::nullopt};
+    greeting = {(*backend)->description(), (*backend)->driver(), (*backend)->has_limits(),
+                std::nullopt};
   } else {
     greeting.problem = backend.error();
   }

@@ -2,6 +2,8 @@
 
 // What a backend promises about coverage and attributes (RULES §3). A Contract decides verdicts.
 
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "cases/coverage.h"
@@ -77,6 +79,18 @@ struct TextureBounds {
   bool operator==(const TextureBounds&) const = default;
 };
 
+/// Magnitudes, inclusive; 0 is always among them.
+struct MagnitudeRange {
+  float least = 0;
+  float greatest = std::numeric_limits<float>::max();
+  bool operator==(const MagnitudeRange&) const = default;
+
+  bool has(float number) const {
+    const float magnitude = std::fabs(number);
+    return magnitude == 0 || (magnitude >= least && magnitude <= greatest);
+  }
+};
+
 /// From one pixel to the next 1/w may fall to a share of this and differences still mean something.
 inline constexpr float kMostQuadHorizon = 0x1p16F;
 
@@ -140,6 +154,9 @@ struct Contract {
   std::optional<float> quad_share;
   /// Of filtered textures. Nothing: it has none, or promises nothing of them.
   std::optional<TextureBounds> texture_bounds;
+  /// Of cases with a clip position, clip distance or attribute value beyond these nothing is
+  /// promised (makes_promises_of).
+  MagnitudeRange numbers;
   bool operator==(const Contract&) const = default;
 
   /// Whether values of attributes declared so are claimed to be linear in window space.
@@ -151,6 +168,9 @@ struct Contract {
             (coverage->rounding == Rounding::unspecified || coverage->position_error > 0));
   }
 };
+
+/// Whether a contract promises anything of a case without a camera.
+bool makes_promises_of(const Contract& contract, const Case& c);
 
 /// The contract a Case asks for itself: what `oracle` prints and what `cpu` draws.
 Contract contract_of(const Case& c);

@@ -36,11 +36,18 @@ Error left_other_modes() {
           "numbers, than it was called with"};
 }
 
+Error no_promise() {
+  return {"", "", "it has numbers of magnitudes that the contract promises nothing of",
+          Failure::unsupported};
+}
+
 /// What `call(clip)` draws of the case without its camera, watched.
 template <typename Call>
-Result<cases::Framebuffer> drawn_by(const cases::Case& c, const Call& call) {
+Result<cases::Framebuffer> drawn_by(const cases::Case& c, const backends::Backend& backend,
+                                    const Call& call) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
+  if (!cases::makes_promises_of(backend.contract(*clip), *clip)) return tl::unexpected(no_promise());
   const backends::FloatingPointModes modes;
   Result<cases::Framebuffer> drawn = call(*clip);
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
@@ -55,14 +62,14 @@ Result<cases::Framebuffer> drawn_by(const cases::Case& c, const Call& call) {
 }  // namespace
 
 Result<cases::Framebuffer> draw(const cases::Case& c, backends::Backend& backend) {
-  return drawn_by(c, [&backend](const cases::Case& clip) { return backend.draw(clip); });
+  return drawn_by(c, backend, [&backend](const cases::Case& clip) { return backend.draw(clip); });
 }
 
 Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
                                           std::span<const std::uint32_t> indices,
                                           backends::Backend& backend) {
   return drawn_by(
-      c, [&](const cases::Case& clip) { return backend.draw_assembled(clip, topology, indices); });
+      c, backend, [&](const cases::Case& clip) { return backend.draw_assembled(clip, topology, indices); });
 }
 
 Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends::Backend& backend) {

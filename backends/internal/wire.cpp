@@ -38,6 +38,8 @@ constexpr bool kIsPlain<cases::ClipVertex> = true;
 template <>
 constexpr bool kIsPlain<cases::Camera> = true;
 template <>
+constexpr bool kIsPlain<cases::MagnitudeRange> = true;
+template <>
 constexpr bool kIsPlain<cases::ValueBounds> = true;
 template <>
 constexpr bool kIsPlain<cases::TextureBounds> = true;
@@ -71,7 +73,7 @@ void members(Archive& archive, T& c) {
 }
 template <typename Archive, Either<cases::Contract> T>
 void members(Archive& archive, T& c) {
-  archive(c.coverage, c.basis, c.tie_rule, c.guard_band, c.is_on_grid, c.clip_tolerance, c.claims,
+  archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.guard_band, c.is_on_grid, c.clip_tolerance, c.claims,
           c.bounds, c.keeps_equal_depth, c.keeps_constants, c.keeps_vertex_values,
           c.derivative_bound, c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds);
 }
@@ -83,9 +85,13 @@ template <typename Archive, Either<Request> T>
 void members(Archive& archive, T& r) {
   archive(r.question, r.source);
 }
+template <typename Archive, Either<Driver> T>
+void members(Archive& archive, T& d) {
+  archive(d.name, d.version);
+}
 template <typename Archive, Either<Greeting> T>
 void members(Archive& archive, T& g) {
-  archive(g.description, g.has_limits, g.problem);
+  archive(g.description, g.driver, g.has_limits, g.problem);
 }
 template <typename Archive, Either<Drawing> T>
 void members(Archive& archive, T& d) {
@@ -231,7 +237,9 @@ std::optional<T> unpacked(std::string_view bytes) {
 
 /// Whether its numbers are those that a contract may have.
 bool has_meaning(const cases::Contract& c) {
-  std::vector<double> sizes{c.guard_band,
+  std::vector<double> sizes{c.numbers.least,
+                            c.numbers.greatest,
+                            c.guard_band,
                             c.clip_tolerance,
                             c.derivative_bound.value_or(0),
                             c.transform_bound.value_or(0),

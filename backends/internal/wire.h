@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "backends/backend.h"
 #include "cases/case.h"
 #include "cases/contract.h"
 #include "cases/error.h"
@@ -25,6 +26,7 @@ struct Request {
 /// What a process says first: who it is, or why there is no backend.
 struct Greeting {
   std::string description;
+  std::optional<Driver> driver;
   bool has_limits = false;
   std::optional<Error> problem;
 };

@@ -93,9 +93,10 @@ TEST(Wire, BringsDrawingsAndErrors) {
   EXPECT_EQ(to_string(*failed->problem), "a: b: c");
   EXPECT_EQ(failed->problem->failure, Failure::unsupported);
 
-  const auto greeting = unpack_greeting(pack(Greeting{"who", true, std::nullopt}));
+  const auto greeting = unpack_greeting(pack(Greeting{"who", Driver{"what", "1.0"}, true, std::nullopt}));
   ASSERT_TRUE(greeting);
   EXPECT_EQ(greeting->description, "who");
+  EXPECT_EQ(greeting->driver, (Driver{"what", "1.0"}));
   EXPECT_TRUE(greeting->has_limits);
 }
 
