@@ -47,7 +47,8 @@ Result<cases::Framebuffer> drawn_by(const cases::Case& c, const backends::Backen
                                     const Call& call) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  if (!cases::makes_promises_of(backend.contract(*clip), *clip)) return tl::unexpected(no_promise());
+  if (!cases::makes_promises_of(backend.contract(*clip), *clip))
+    return tl::unexpected(no_promise());
   const backends::FloatingPointModes modes;
   Result<cases::Framebuffer> drawn = call(*clip);
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
@@ -68,8 +69,9 @@ Result<cases::Framebuffer> draw(const cases::Case& c, backends::Backend& backend
 Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
                                           std::span<const std::uint32_t> indices,
                                           backends::Backend& backend) {
-  return drawn_by(
-      c, backend, [&](const cases::Case& clip) { return backend.draw_assembled(clip, topology, indices); });
+  return drawn_by(c, backend, [&](const cases::Case& clip) {
+    return backend.draw_assembled(clip, topology, indices);
+  });
 }
 
 Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends::Backend& backend) {

@@ -73,8 +73,8 @@ void members(Archive& archive, T& c) {
 }
 template <typename Archive, Either<cases::Contract> T>
 void members(Archive& archive, T& c) {
-  archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.guard_band, c.is_on_grid, c.clip_tolerance, c.claims,
-          c.bounds, c.keeps_equal_depth, c.keeps_constants, c.keeps_vertex_values,
+  archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.guard_band, c.is_on_grid, c.clip_tolerance,
+          c.claims, c.bounds, c.keeps_equal_depth, c.keeps_constants, c.keeps_vertex_values,
           c.derivative_bound, c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds);
 }
 template <typename Archive, Either<cases::Framebuffer> T>

@@ -54,6 +54,7 @@ cases::Contract full_contract() {
   contract.normal_bound = 3.0F;
   contract.quad_share = 4.0F;
   contract.texture_bounds = cases::TextureBounds{1, 2, 3, 4, 5};
+  contract.numbers = {0.25F, 4};
   return contract;
 }
 
@@ -93,7 +94,8 @@ TEST(Wire, BringsDrawingsAndErrors) {
   EXPECT_EQ(to_string(*failed->problem), "a: b: c");
   EXPECT_EQ(failed->problem->failure, Failure::unsupported);
 
-  const auto greeting = unpack_greeting(pack(Greeting{"who", Driver{"what", "1.0"}, true, std::nullopt}));
+  const auto greeting =
+      unpack_greeting(pack(Greeting{"who", Driver{"what", "1.0"}, true, std::nullopt}));
   ASSERT_TRUE(greeting);
   EXPECT_EQ(greeting->description, "who");
   EXPECT_EQ(greeting->driver, (Driver{"what", "1.0"}));
@@ -116,7 +118,7 @@ TEST(Wire, RefusesEveryPart) {
 // Each byte in turn made 255. Refused are: whether there is a coverage, its rounding, basis, tie
 // rule, grid, claim, three promises, and whether each of five bounds is there, 14; the four bytes
 // of subpixel_bits; and the last byte of each number, which is negative then: position error, guard
-// band, clip tolerance, 12 of bounds, four, and five of textures, 24.
+// band, clip tolerance, 12 of bounds, four, five of textures, and two magnitudes, 26.
 TEST(Wire, RefusesWhatNoContractSays) {
   const std::string contract = pack(full_contract());
   int refused = 0;
@@ -125,7 +127,7 @@ TEST(Wire, RefusesWhatNoContractSays) {
     broken[i] = '\xff';
     if (!unpack_contract(broken)) ++refused;
   }
-  EXPECT_EQ(refused, 14 + 4 + 24);
+  EXPECT_EQ(refused, 14 + 4 + 26);
 }
 
 // Kills: a comparison that is true of no number.
