@@ -13,12 +13,20 @@ bool Contract::is_affine(Interpolation declared) const {
 
 bool makes_promises_of(const Contract& contract, const Case& c) {
   const auto has = [&contract](float number) { return contract.numbers.has(number); };
-  return std::all_of(
-             c.positions.begin(), c.positions.end(),
-             [&](const ClipVertex& p) { return has(p.x) && has(p.y) && has(p.z) && has(p.w); }) &&
-         has(c.viewport.min_depth) && has(c.viewport.max_depth) &&
-         std::all_of(c.attribute_values.begin(), c.attribute_values.end(), has) &&
-         std::all_of(c.clip_distances.begin(), c.clip_distances.end(), has);
+  const auto has_value = [&](std::size_t vertex, std::size_t attribute) {
+    // Of flat ones nothing is computed.
+    return c.attributes[attribute].interpolation == Interpolation::flat ||
+           has(c.attributes_of(vertex)[attribute]);
+  };
+  for (std::size_t i = 0; i < c.positions.size(); ++i) {
+    const ClipVertex& p = c.positions[i];
+    if (!has(p.x) || !has(p.y) || !has(p.z) || !has(p.w)) return false;
+    for (std::size_t a = 0; a < c.attributes.size(); ++a) {
+      if (!has_value(i, a)) return false;
+    }
+  }
+  return std::all_of(c.clip_distances.begin(), c.clip_distances.end(), has) &&
+         has(c.viewport.min_depth) && has(c.viewport.max_depth);
 }
 
 Contract contract_of(const Case& c) {

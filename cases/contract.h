@@ -154,8 +154,8 @@ struct Contract {
   std::optional<float> quad_share;
   /// Of filtered textures. Nothing: it has none, or promises nothing of them.
   std::optional<TextureBounds> texture_bounds;
-  /// Of cases with a clip position, clip distance, attribute value or end of the depth range beyond
-  /// these nothing is promised (makes_promises_of).
+  /// Of cases with a clip position, clip distance, attribute value (but flat ones) or end of the
+  /// depth range beyond these nothing is promised (makes_promises_of).
   MagnitudeRange numbers;
   bool operator==(const Contract&) const = default;
 

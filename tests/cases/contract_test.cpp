@@ -1,0 +1,59 @@
+#include "cases/contract.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "cases/case.h"
+
+namespace rastercheck::cases {
+namespace {
+
+TEST(MagnitudeRange, HasItsEndsOfEitherSignAndZero) {
+  const MagnitudeRange range{0.5F, 2};
+  for (const float number : {0.5F, -0.5F, 2.0F, -2.0F, 1.0F, 0.0F, -0.0F}) {
+    EXPECT_TRUE(range.has(number)) << number;
+  }
+  for (const float number : {0x1.fffffep-2F, 0x1.000002p1F, -3.0F, 0x1p-149F}) {
+    EXPECT_FALSE(range.has(number)) << number;
+  }
+  EXPECT_TRUE(MagnitudeRange().has(0x1p-149F));
+  EXPECT_TRUE(MagnitudeRange().has(-0x1.fffffep127F));
+}
+
+/// Of a case whose numbers are all 1, one of which becomes 4.
+class PromisesTest : public testing::Test {
+ protected:
+  PromisesTest() {
+    contract_.numbers = {0.5F, 2};
+    case_.viewport = {0, 0, 64, 64, 1, 1};
+    case_.attributes = {{"smooth"}, {"flat", Interpolation::flat}};
+    case_.positions = {{1, 1, 1, 1}};
+    case_.attribute_values = {1, 1};
+    case_.clip_distances = {1};
+    case_.clip_distance_count = 1;
+  }
+
+  bool are_made() const { return makes_promises_of(contract_, case_); }
+
+  Contract contract_;
+  Case case_;
+};
+
+TEST_F(PromisesTest, AreMadeOfNumbersInRange) { EXPECT_TRUE(are_made()); }
+
+TEST_F(PromisesTest, DependOnEveryNumberThatIsComputedWith) {
+  ClipVertex& p = case_.positions[0];
+  for (float* const number :
+       {&p.x, &p.y, &p.z, &p.w, &case_.attribute_values[0], &case_.clip_distances[0],
+        &case_.viewport.min_depth, &case_.viewport.max_depth}) {
+    *number = 4;
+    EXPECT_FALSE(are_made());
+    *number = 1;
+  }
+  case_.attribute_values[1] = 4;
+  EXPECT_TRUE(are_made());
+}
+
+}  // namespace
+}  // namespace rastercheck::cases
