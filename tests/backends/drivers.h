@@ -1,0 +1,71 @@
+#pragma once
+
+// Tests of drivers, which not every machine has: such a test is skipped where its driver cannot
+// run, or fails where the environment says that it has to. RASTERCHECK_REQUIRE_BACKENDS is `all` or
+// a comma-separated list of specifications without further options: `gl:llvmpipe,vulkan:lavapipe`.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "backends/backend.h"
+#include "backends/isolation.h"
+#include "cases/error.h"
+
+namespace rastercheck::backends {
+
+/// Whether a list as above names the specification, whatever options follow it.
+inline bool is_required(std::string_view list, std::string_view specification) {
+  if (list == "all") return true;
+  while (!list.empty()) {
+    const std::string_view name = list.substr(0, list.find(','));
+    list.remove_prefix(std::min(list.size(), name.size() + 1));
+    if (name.empty() || !specification.starts_with(name)) continue;
+    if (specification.size() == name.size() || specification[name.size()] == ',') return true;
+  }
+  return false;
+}
+
+/// Skips the test whose SetUp() calls this, or fails it.
+inline void skip_or_fail(const std::string& specification, const Error& why) {
+  const char* const list = std::getenv("RASTERCHECK_REQUIRE_BACKENDS");
+  const bool may_skip = why.failure == Failure::unavailable &&
+                        !is_required(list != nullptr ? list : "", specification);
+  if (!may_skip) FAIL() << to_string(why);
+  GTEST_SKIP() << to_string(why);
+}
+
+/// A backend that draws in a process of its own, as it does in a campaign. The parameter is its
+/// specification; the program has to have RASTERCHECK_PROGRAM defined.
+class DriverTest : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    Isolation isolation;
+    isolation.command = {RASTERCHECK_PROGRAM, "worker"};
+    Result<std::unique_ptr<Backend>> made = make_isolated_backend(GetParam(), isolation);
+    if (!made) return skip_or_fail(GetParam(), made.error());
+    backend_ = *std::move(made);
+  }
+
+  Backend& backend() const { return *backend_; }
+
+ private:
+  std::unique_ptr<Backend> backend_;
+};
+
+/// "gl:llvmpipe" as the name of a test: "gl_llvmpipe".
+inline std::string test_name(const testing::TestParamInfo<const char*>& info) {
+  std::string name = info.param;
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return name;
+}
+
+}  // namespace rastercheck::backends
