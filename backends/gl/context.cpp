@@ -2,19 +2,30 @@
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <utility>
 
+#include "backends/gl/internal/display.h"
 #include "backends/gl/internal/objects.h"
 
 namespace rastercheck::backends::gl {
 namespace {
 
-/// EGL's error code, as its specification lists them.
-tl::unexpected<Error> egl_failure(const std::string& what) {
-  return failure(what + " failed (EGL error " + hexadecimal(static_cast<GLenum>(eglGetError())) +
-                 ")");
+std::string text(GLenum what) {
+  const GLubyte* const value = glGetString(what);
+  return value == nullptr ? std::string("?") : std::string(reinterpret_cast<const char*>(value));
+}
+
+EGLContext make_context(EGLDisplay display, const ContextRequest& request) {
+  const bool is_es = request.api == Api::opengl_es;
+  const std::array<EGLint, 7> attributes = {EGL_CONTEXT_MAJOR_VERSION, request.major,
+                                            EGL_CONTEXT_MINOR_VERSION, request.minor,
+                                            // OpenGL ES has no profiles: the list ends here.
+                                            is_es ? EGL_NONE : EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
 }
 
 }  // namespace
@@ -30,59 +41,63 @@ struct Context::Impl {
     eglDestroyContext(display, context);
   }
 
+  Result<void> open(const ContextRequest& request);
+
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
 };
+
+/// Makes a context of the display, and makes it current.
+Result<void> Context::Impl::open(const ContextRequest& request) {
+  if (display == EGL_NO_DISPLAY) return failure("there is no such display");
+  if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE) return egl_failure("eglInitialize");
+  // A context that is never shown needs neither a surface nor a configuration of one.
+  for (const char* const extension : {"EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"}) {
+    if (!epoxy_has_egl_extension(display, extension)) {
+      return failure(fmt::format("its EGL makes no contexts without a surface ({})", extension));
+    }
+  }
+  if (epoxy_egl_version(display) < 15 &&
+      !epoxy_has_egl_extension(display, "EGL_KHR_create_context")) {
+    return failure("its EGL makes no contexts of a version (EGL_KHR_create_context)");
+  }
+  const std::string what = fmt::format("OpenGL{} {}.{}", request.api == Api::opengl_es ? " ES" : "",
+                                       request.major, request.minor);
+  if (eglBindAPI(request.api == Api::opengl_es ? EGL_OPENGL_ES_API : EGL_OPENGL_API) == EGL_FALSE) {
+    return egl_failure("eglBindAPI of " + what);
+  }
+  context = make_context(display, request);
+  if (context == EGL_NO_CONTEXT) return egl_failure("eglCreateContext of " + what);
+  if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
+    return egl_failure("eglMakeCurrent");
+  }
+  const std::string got = text(GL_RENDERER);
+  if (got.starts_with(request.renderer)) return {};
+  return failure(fmt::format("asked for {}, got {}", request.renderer, got));
+}
 
 Context::Context(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Context::Context(Context&& other) noexcept = default;
 Context& Context::operator=(Context&& other) noexcept = default;
 Context::~Context() = default;
 
-Result<Context> Context::create() {
-  // libepoxy ends the process where it is asked for a function that no library has: each step asks
-  // first whether the next one is there.
-  if (!epoxy_has_egl()) return failure("there is no EGL here (libEGL.so.1)");
-  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base") ||
-      !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-    return failure("this EGL has no surfaceless platform (EGL_MESA_platform_surfaceless)");
+Result<Context> Context::create(const ContextRequest& request) {
+  const Result<std::vector<Display>> displays = find_displays(request.prefer);
+  if (!displays) return tl::unexpected(displays.error());
+  std::string reasons;
+  for (const Display& candidate : *displays) {
+    auto impl = std::make_unique<Impl>();
+    impl->display = candidate.name;
+    const Result<void> opened = impl->open(request);
+    if (opened) return Context(std::move(impl));
+    reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", candidate.place,
+                           opened.error().reason);
   }
-  auto impl = std::make_unique<Impl>();
-  impl->display =
-      eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-  if (impl->display == EGL_NO_DISPLAY) return egl_failure("eglGetPlatformDisplayEXT");
-  if (eglInitialize(impl->display, nullptr, nullptr) == EGL_FALSE) {
-    return egl_failure("eglInitialize of the surfaceless platform");
-  }
-  // A context that is never shown needs neither a surface nor a configuration of one.
-  if (epoxy_egl_version(impl->display) < 15 ||
-      !epoxy_has_egl_extension(impl->display, "EGL_KHR_no_config_context") ||
-      !epoxy_has_egl_extension(impl->display, "EGL_KHR_surfaceless_context")) {
-    return failure("this EGL is older than 1.5, or makes no contexts without a surface");
-  }
-  if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) return egl_failure("eglBindAPI of OpenGL");
-  constexpr std::array<EGLint, 7> kCore45 = {EGL_CONTEXT_MAJOR_VERSION,
-                                             4,
-                                             EGL_CONTEXT_MINOR_VERSION,
-                                             5,
-                                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                             EGL_NONE};
-  impl->context =
-      eglCreateContext(impl->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kCore45.data());
-  if (impl->context == EGL_NO_CONTEXT) return egl_failure("eglCreateContext of OpenGL 4.5 core");
-  if (eglMakeCurrent(impl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl->context) == EGL_FALSE) {
-    return egl_failure("eglMakeCurrent");
-  }
-  return Context(std::move(impl));
+  return failure(reasons);
 }
 
-std::string Context::renderer() const {
-  const auto text = [](GLenum what) {
-    const GLubyte* const value = glGetString(what);
-    return value == nullptr ? std::string("?") : std::string(reinterpret_cast<const char*>(value));
-  };
-  return text(GL_RENDERER) + ", " + text(GL_VERSION);
-}
+std::string Context::renderer() const { return renderer_name() + ", " + version(); }
+std::string Context::renderer_name() const { return text(GL_RENDERER); }
+std::string Context::version() const { return text(GL_VERSION); }
 
 }  // namespace rastercheck::backends::gl

@@ -4,7 +4,7 @@
 // rastercheck-bench measures. Whoever includes this needs no GL header.
 //
 // A process has one context at a time; all of this folder is called on the thread that made it, and
-// every Target, Program and Mesh goes before it.
+// every Target, Program, Mesh and CaseDrawer goes before it.
 
 #include <memory>
 #include <string>
@@ -13,13 +13,29 @@
 
 namespace rastercheck::backends::gl {
 
-/// An OpenGL 4.5 core context on EGL's surfaceless platform. Which driver it is, is the
-/// environment's choice (for Mesa: GALLIUM_DRIVER, LIBGL_ALWAYS_SOFTWARE).
+enum class Api { opengl, opengl_es };
+
+/// Which of several drivers is taken: that of EGL's surfaceless platform, which is Mesa's choice
+/// (GALLIUM_DRIVER, LIBGL_ALWAYS_SOFTWARE), or rather a device that draws by itself.
+enum class Prefer { surfaceless, hardware };
+
+/// What a context has to be.
+struct ContextRequest {
+  Api api = Api::opengl;
+  /// At least; of OpenGL the core profile.
+  int major = 4;
+  int minor = 5;
+  Prefer prefer = Prefer::surfaceless;
+  /// What GL_RENDERER has to begin with.
+  std::string renderer;
+};
+
+/// A context of OpenGL or OpenGL ES, current, on EGL's surfaceless or device platform.
 class Context {
  public:
-  /// Fails, saying which step of EGL did not work, where there is no EGL, no surfaceless platform
-  /// or no driver for this version of OpenGL.
-  static Result<Context> create();
+  /// Fails, saying which step of EGL did not work where, if there is no EGL, no platform without
+  /// windows or no driver for what is asked for.
+  static Result<Context> create(const ContextRequest& request = {});
 
   Context(Context&& other) noexcept;
   Context& operator=(Context&& other) noexcept;
@@ -27,6 +43,9 @@ class Context {
 
   /// What draws, as the driver names itself (GL_RENDERER), with its version (GL_VERSION).
   std::string renderer() const;
+  /// GL_RENDERER and GL_VERSION by themselves.
+  std::string renderer_name() const;
+  std::string version() const;
 
  private:
   struct Impl;

@@ -68,6 +68,30 @@ Object make_vertex_array() {
   return {name, [](GLuint old) { glDeleteVertexArrays(1, &old); }};
 }
 
+Object generate_buffer() {
+  GLuint name = 0;
+  glGenBuffers(1, &name);
+  return {name, [](GLuint old) { glDeleteBuffers(1, &old); }};
+}
+
+Object generate_framebuffer() {
+  GLuint name = 0;
+  glGenFramebuffers(1, &name);
+  return {name, [](GLuint old) { glDeleteFramebuffers(1, &old); }};
+}
+
+Object generate_texture() {
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  return {name, [](GLuint old) { glDeleteTextures(1, &old); }};
+}
+
+Object generate_vertex_array() {
+  GLuint name = 0;
+  glGenVertexArrays(1, &name);
+  return {name, [](GLuint old) { glDeleteVertexArrays(1, &old); }};
+}
+
 Result<Object> make_program(const char* vertex_shader, const char* fragment_shader) {
   const Result<Object> vertex = make_shader(GL_VERTEX_SHADER, vertex_shader);
   if (!vertex) return tl::unexpected(vertex.error());

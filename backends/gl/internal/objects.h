@@ -44,6 +44,12 @@ Object make_sampler();
 Object make_texture(GLenum target);
 Object make_vertex_array();
 
+/// The same for OpenGL 3.3 and OpenGL ES: names of what comes to be where it is bound first.
+Object generate_buffer();
+Object generate_framebuffer();
+Object generate_texture();
+Object generate_vertex_array();
+
 /// A linked program, or what the compiler or the linker said.
 Result<Object> make_program(const char* vertex_shader, const char* fragment_shader);
 

@@ -1,0 +1,301 @@
+#include "backends/gl/case_drawer.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "backends/gl/internal/capabilities.h"
+#include "backends/gl/internal/case_program.h"
+#include "backends/gl/internal/case_state.h"
+#include "backends/gl/internal/layers.h"
+#include "backends/gl/internal/objects.h"
+#include "backends/gl/internal/varyings.h"
+
+namespace rastercheck::backends::gl {
+namespace {
+
+/// Of the driver's memory for layers: what is drawn before it is read, and of a single one.
+constexpr std::size_t kBytesOfBatch = std::size_t{16} << 20U;
+constexpr std::size_t kMostBytesOfLayer = std::size_t{1} << 30U;
+constexpr int kMostLayers = 64;
+/// Depth where nothing is drawn: beyond whatever is.
+constexpr float kFarthest = 2;
+
+/// Fragments of a layer, in the order of places.
+struct Fragments {
+  std::vector<std::uint32_t> triangle;
+  std::vector<std::size_t> at;     ///< index of the layer's sample in LayerContent
+  std::vector<std::size_t> place;  ///< [y][x][sample], samples in the standard order
+  std::vector<float> depth;
+  std::vector<float> attributes;  ///< [fragment][attribute]
+};
+
+/// What is the same for all batches of a case.
+struct Plan {
+  const cases::Case* c = nullptr;
+  std::vector<Pass> passes;
+  int layers = 1;                  ///< of a batch
+  std::size_t triangles = 1;       ///< of a layer
+  std::vector<std::size_t> order;  ///< the driver's index of each standard sample
+};
+
+std::uint32_t triangle_of(float number, std::size_t first, std::size_t count, bool& is_one) {
+  is_one = number >= 1 && number <= static_cast<float>(count) && number == std::floor(number);
+  return is_one ? static_cast<std::uint32_t>(first + static_cast<std::size_t>(number) - 1) : 0;
+}
+
+void append(const Fragments& some, const cases::Case& c, cases::Framebuffer& all) {
+  std::vector<std::size_t> sorted(some.triangle.size());
+  std::iota(sorted.begin(), sorted.end(), std::size_t{0});
+  std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
+    return some.triangle[a] < some.triangle[b];
+  });
+  const auto samples = static_cast<std::size_t>(c.framebuffer.samples);
+  const auto width = static_cast<std::size_t>(c.framebuffer.width);
+  const auto count = static_cast<std::ptrdiff_t>(c.attributes.size());
+  for (const std::size_t i : sorted) {
+    const std::size_t pixel = some.place[i] / samples;
+    all.triangle.push_back(some.triangle[i]);
+    all.x.push_back(static_cast<std::uint16_t>(pixel % width));
+    all.y.push_back(static_cast<std::uint16_t>(pixel / width));
+    all.sample.push_back(static_cast<std::uint8_t>(some.place[i] % samples));
+    all.depth.push_back(some.depth[i]);
+    const auto first = some.attributes.begin() + static_cast<std::ptrdiff_t>(i) * count;
+    all.attributes.insert(all.attributes.end(), first, first + count);
+  }
+}
+
+}  // namespace
+
+struct CaseDrawer::Impl {
+  Impl() : has(read_capabilities()), programs(has), copies(has) {}
+
+  Result<void> prepare();
+  Result<Plan> plan(const cases::Case& c);
+  Result<Layers*> layers_for(const LayerShape& shape);
+  Result<void> draw_pass(const Plan& plan, const Pass& pass, std::size_t first, int layer_count,
+                         Layers& layers);
+  Result<void> draw_batch(const Plan& plan, std::size_t first, cases::Framebuffer& drawn);
+  Result<void> find_fragments(const Plan& plan, std::size_t first, Fragments& found) const;
+  Result<void> take_values(const Plan& plan, const Pass& pass, Fragments& found) const;
+
+  Capabilities has;
+  CasePrograms programs;
+  CopyPrograms copies;
+  Object vertex_array;
+  Object vertices;
+  std::vector<Layers> recent;  ///< the last used last
+  std::map<int, std::vector<std::size_t>> sample_orders;
+  LayerContent content;
+};
+
+CaseDrawer::CaseDrawer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+CaseDrawer::CaseDrawer(CaseDrawer&& other) noexcept = default;
+CaseDrawer& CaseDrawer::operator=(CaseDrawer&& other) noexcept = default;
+CaseDrawer::~CaseDrawer() = default;
+
+Result<CaseDrawer> CaseDrawer::create(const Context& /*context*/) {
+  auto impl = std::make_unique<Impl>();
+  return impl->prepare().map([&] { return CaseDrawer(std::move(impl)); });
+}
+
+int CaseDrawer::subpixel_bits() const { return impl_->has.subpixel_bits; }
+
+/// Sees whether float32 can be drawn into, and what its depth can be cleared to.
+Result<void> CaseDrawer::Impl::prepare() {
+  if (has.is_es && !epoxy_has_gl_extension("GL_EXT_color_buffer_float")) {
+    return failure(has.api + " does not draw into float32 (GL_EXT_color_buffer_float)");
+  }
+  vertex_array = generate_vertex_array();
+  vertices = generate_buffer();
+  const Result<Layers*> layers = layers_for({{1, 1, 1}, 1, 1});
+  if (!layers) return tl::unexpected(layers.error());
+  glBindFramebuffer(GL_FRAMEBUFFER, (*layers)->framebuffer(0));
+  const std::array<GLfloat, 4> one = {1, 0, 0, 0};
+  glClearBufferfv(GL_COLOR, 0, one.data());
+  glClearBufferfv(GL_DEPTH, 0, &kFarthest);
+  if (const Result<void> read = (*layers)->read(0, content); !read) return read;
+  if (content.is_empty) return failure("what a target is cleared to does not come back");
+  has.clears_beyond_one = content.depth[0] == kFarthest;
+  return {};
+}
+
+/// Targets of that shape, of which the last few are kept.
+Result<Layers*> CaseDrawer::Impl::layers_for(const LayerShape& shape) {
+  constexpr std::size_t kMostKept = 4;
+  const auto found = std::find_if(recent.begin(), recent.end(),
+                                  [&](const Layers& layers) { return layers.shape() == shape; });
+  if (found != recent.end()) {
+    std::rotate(found, found + 1, recent.end());
+    return &recent.back();
+  }
+  if (recent.size() == kMostKept) recent.erase(recent.begin());
+  Result<Layers> made = Layers::create(has, copies, shape);
+  if (!made) return tl::unexpected(made.error());
+  recent.push_back(*std::move(made));
+  return &recent.back();
+}
+
+Result<Plan> CaseDrawer::Impl::plan(const cases::Case& c) {
+  if (const std::string what = lacks(has, c); !what.empty()) {
+    return tl::unexpected(Error{"gl", "", what, Failure::unsupported});
+  }
+  Plan plan;
+  plan.c = &c;
+  plan.passes = pack(c.attributes, c.framebuffer.samples,
+                     static_cast<std::size_t>(std::min(has.max_draw_buffers, 8) - 1));
+  const bool is_together = c.depth_test == cases::DepthTest::less;
+  plan.triangles = is_together ? c.triangles.size() : 1;
+  const LayerShape one{c.framebuffer, 1, plan.passes.front().size()};
+  const std::size_t bytes = one.bytes_of_layer();
+  if (bytes > kMostBytesOfLayer) {
+    return tl::unexpected(Error{
+        "gl", "",
+        fmt::format("{} MiB for a triangle, {} at most", bytes >> 20U, kMostBytesOfLayer >> 20U),
+        Failure::unsupported});
+  }
+  const std::size_t most =
+      std::min({static_cast<std::size_t>(std::min(kMostLayers, has.max_layers)),
+                std::max(kBytesOfBatch / bytes, std::size_t{1}), c.triangles.size()});
+  plan.layers = is_together ? 1 : static_cast<int>(most);
+  if (const auto known = sample_orders.find(c.framebuffer.samples); known != sample_orders.end()) {
+    plan.order = known->second;
+    return plan;
+  }
+  const Result<Layers*> layers = layers_for(one);
+  if (!layers) return tl::unexpected(layers.error());
+  Result<std::vector<std::size_t>> order = (*layers)->sample_order();
+  if (!order) return tl::unexpected(order.error());
+  plan.order = sample_orders[c.framebuffer.samples] = *std::move(order);
+  return plan;
+}
+
+/// Draws the triangles from `first` on, so many to a layer.
+Result<void> CaseDrawer::Impl::draw_pass(const Plan& plan, const Pass& pass, std::size_t first,
+                                         int layer_count, Layers& layers) {
+  const cases::Case& c = *plan.c;
+  const std::size_t count = static_cast<std::size_t>(layer_count) * plan.triangles;
+  const Result<GLuint> program = programs.get(pass, clip_vectors(c));
+  if (!program) return tl::unexpected(program.error());
+  const std::vector<float> values =
+      vertices_of(c, std::span(c.triangles).subspan(first, count), pass);
+  glBindVertexArray(vertex_array.name());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)),
+               values.data(), GL_STREAM_DRAW);
+  const GLuint inputs = static_cast<GLuint>(1 + pass.size() + clip_vectors(c));
+  for (GLuint i = 0; i < 16; ++i) {
+    if (i >= inputs) {
+      glDisableVertexAttribArray(i);
+      continue;
+    }
+    glEnableVertexAttribArray(i);
+    constexpr std::uintptr_t kVector = 4 * sizeof(float);
+    // GL takes an offset for a pointer.
+    glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(inputs * kVector),
+                          reinterpret_cast<const void*>(i * kVector));
+  }
+  glUseProgram(*program);
+  set_case_state(has, c);
+  const auto corners = static_cast<GLsizei>(3 * plan.triangles);
+  constexpr std::array<GLfloat, 4> kNoNumber{};
+  for (GLint layer = 0; layer < layer_count; ++layer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, layers.framebuffer(static_cast<std::size_t>(layer)));
+    glDisable(GL_SCISSOR_TEST);
+    glClearBufferfv(GL_COLOR, 0, kNoNumber.data());
+    glClearBufferfv(GL_DEPTH, 0, &kFarthest);
+    set_scissor(c);
+    glDrawArrays(GL_TRIANGLES, layer * corners, corners);
+  }
+  reset_case_state(has, c);
+  return check("drawing");
+}
+
+/// Where `content` has fragments, of triangles from `first` on.
+Result<void> CaseDrawer::Impl::find_fragments(const Plan& plan, std::size_t first,
+                                              Fragments& found) const {
+  if (content.is_empty) return {};
+  const std::size_t samples = plan.order.size();
+  for (std::size_t i = 0; i < content.numbers.size(); ++i) {
+    const std::size_t at = i - i % samples + plan.order[i % samples];
+    const float number = content.numbers[at];
+    if (number == 0) continue;
+    bool is_one = false;
+    const std::uint32_t triangle =
+        triangle_of(number, first, plan.c->triangles.size() - first, is_one);
+    if (!is_one) return failure(fmt::format("a flat number came out as {}", number));
+    found.triangle.push_back(triangle);
+    found.at.push_back(at);
+    found.place.push_back(i);
+    found.depth.push_back(content.depth[at]);
+  }
+  found.attributes.resize(found.at.size() * plan.c->attributes.size());
+  return {};
+}
+
+/// The values of a pass, which has to have the fragments that the first one had.
+Result<void> CaseDrawer::Impl::take_values(const Plan& plan, const Pass& pass,
+                                           Fragments& found) const {
+  const std::size_t attributes = plan.c->attributes.size();
+  for (std::size_t i = 0; i < found.at.size(); ++i) {
+    for (std::size_t v = 0; v < pass.size(); ++v) {
+      for (std::size_t k = 0; k < pass[v].count; ++k) {
+        found.attributes[i * attributes + pass[v].attributes[k]] =
+            content.values[v][found.at[i]][k];
+      }
+    }
+  }
+  return {};
+}
+
+Result<void> CaseDrawer::Impl::draw_batch(const Plan& plan, std::size_t first,
+                                          cases::Framebuffer& drawn) {
+  const std::size_t left = (plan.c->triangles.size() - first) / plan.triangles;
+  const int layer_count = static_cast<int>(std::min(left, static_cast<std::size_t>(plan.layers)));
+  std::vector<Fragments> found(static_cast<std::size_t>(layer_count));
+  for (const Pass& pass : plan.passes) {
+    const LayerShape shape{plan.c->framebuffer, plan.layers, pass.size()};
+    const Result<Layers*> layers = layers_for(shape);
+    if (!layers) return tl::unexpected(layers.error());
+    if (auto done = draw_pass(plan, pass, first, layer_count, **layers); !done) return done;
+    for (std::size_t layer = 0; layer < found.size(); ++layer) {
+      if (auto read = (*layers)->read(layer, content); !read) return read;
+      Fragments again;
+      if (auto looked = find_fragments(plan, first, again); !looked) return looked;
+      if (&pass == &plan.passes.front()) {
+        found[layer] = std::move(again);
+      } else if (again.at != found[layer].at || again.triangle != found[layer].triangle) {
+        return failure("the same triangles covered other samples when they were drawn again");
+      }
+      if (auto taken = take_values(plan, pass, found[layer]); !taken) return taken;
+    }
+  }
+  for (const Fragments& fragments : found) append(fragments, *plan.c, drawn);
+  return {};
+}
+
+Result<cases::Framebuffer> CaseDrawer::draw(const cases::Case& c) {
+  cases::Framebuffer drawn;
+  drawn.attribute_count = c.attributes.size();
+  const Result<Plan> plan = impl_->plan(c);
+  if (!plan) return tl::unexpected(plan.error());
+  const std::size_t of_batch = static_cast<std::size_t>(plan->layers) * plan->triangles;
+  for (std::size_t first = 0; first < c.triangles.size(); first += of_batch) {
+    const Result<void> done = impl_->draw_batch(*plan, first, drawn);
+    if (!done) return tl::unexpected(done.error());
+  }
+  return drawn;
+}
+
+}  // namespace rastercheck::backends::gl

@@ -1,0 +1,106 @@
+// The backend `gl`: a driver of OpenGL or OpenGL ES.
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "backends/api_promise.h"
+#include "backends/backend.h"
+#include "backends/gl/case_drawer.h"
+#include "backends/gl/context.h"
+#include "backends/gl/driver_name.h"
+
+namespace rastercheck::backends {
+namespace {
+
+class GlBackend : public Backend {
+ public:
+  GlBackend(gl::Context context, gl::CaseDrawer drawer)
+      : context_(std::move(context)), drawer_(std::move(drawer)) {}
+
+  std::string description() const override { return context_.renderer(); }
+  std::optional<Driver> driver() const override {
+    return gl::driver_of(context_.renderer_name(), context_.version());
+  }
+  bool has_limits() const override { return true; }
+  cases::Contract contract(const cases::Case& c) const override {
+    return api_promise(c, {.subpixel_bits = drawer_.subpixel_bits()});
+  }
+  Result<cases::Framebuffer> draw(const cases::Case& c) override { return drawer_.draw(c); }
+
+ private:
+  gl::Context context_;
+  gl::CaseDrawer drawer_;
+};
+
+/// Mesa's drivers that draw with the processor.
+constexpr std::array<std::string_view, 2> kSoftware = {"llvmpipe", "softpipe"};
+
+/// Before Mesa reads them; of the last, whoever starts the program has a say.
+void choose_driver(const std::string& name) {
+  if (!name.empty()) {
+    ::setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
+    ::setenv("GALLIUM_DRIVER", name.c_str(), 1);
+  }
+  // A foreign process cannot write files.
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  // Campaigns run in as many processes as there are processors, and cases are small.
+  ::setenv("LP_NUM_THREADS", "0", 0);
+}
+
+Result<gl::ContextRequest> request_of(const std::string& options) {
+  gl::ContextRequest request{gl::Api::opengl, 3, 3, gl::Prefer::hardware, ""};
+  std::string_view rest = options;
+  while (!rest.empty()) {
+    const std::string_view option = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(rest.size(), option.size() + 1));
+    if (option == "gles") {
+      request.api = gl::Api::opengl_es;
+      request.minor = 0;
+    } else if (std::find(kSoftware.begin(), kSoftware.end(), option) != kSoftware.end()) {
+      request.renderer = option;
+      request.prefer = gl::Prefer::surfaceless;
+    } else {
+      return tl::unexpected(
+          Error{"gl:" + options, "",
+                "no option '" + std::string(option) + "'; there are: llvmpipe, softpipe, gles"});
+    }
+  }
+  return request;
+}
+
+Result<std::unique_ptr<Backend>> make(const std::string& options) {
+  const Result<gl::ContextRequest> request = request_of(options);
+  if (!request) return tl::unexpected(request.error());
+  const auto unavailable = [&](const Error& why) {
+    return tl::unexpected(
+        Error{options.empty() ? "gl" : "gl:" + options, "", why.reason, Failure::unavailable});
+  };
+  choose_driver(request->renderer);
+  Result<gl::Context> context = gl::Context::create(*request);
+  if (!context) return unavailable(context.error());
+  Result<gl::CaseDrawer> drawer = gl::CaseDrawer::create(*context);
+  if (!drawer) return unavailable(drawer.error());
+  return std::make_unique<GlBackend>(*std::move(context), *std::move(drawer));
+}
+
+std::vector<Listing> list() {
+  std::vector<Listing> rows;
+  for (const char* const name : {"gl", "gl:llvmpipe", "gl:softpipe"}) {
+    const Result<std::unique_ptr<Backend>> made = make_backend(name);
+    rows.push_back({name, made ? (*made)->description() : "an OpenGL driver",
+                    made ? "" : made.error().reason});
+  }
+  return rows;
+}
+
+const BackendRegistration kRegistration({"gl", &make, &list, true});
+
+}  // namespace
+}  // namespace rastercheck::backends

@@ -1,0 +1,156 @@
+#include "backends/gl/internal/capabilities.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/sample_pattern.h"
+
+namespace rastercheck::backends::gl {
+namespace {
+
+GLint integer(GLenum what) {
+  GLint value = 0;
+  glGetIntegerv(what, &value);
+  return value;
+}
+
+bool is_fraction_of(float value, int bits) {
+  const float scaled = std::ldexp(value, bits);
+  return scaled == std::floor(scaled);
+}
+
+std::string lacks_of_viewport(const Capabilities& has, const cases::Viewport& v) {
+  if (v.width < 0 || v.height < 0) return has.api + " has no viewports of negative size";
+  const int bits = has.has_viewport_fractions ? has.viewport_subpixel_bits : 0;
+  for (const float number : {v.x, v.y, v.width, v.height}) {
+    if (!is_fraction_of(number, bits)) {
+      return fmt::format(
+          "viewports have {} fractional bits (GL_VIEWPORT_SUBPIXEL_BITS), {} has more", bits,
+          number);
+    }
+  }
+  for (const float number : {v.x, v.y}) {
+    if (number < has.viewport_bounds[0] || number > has.viewport_bounds[1]) {
+      return fmt::format("a viewport begins at {}, beyond {}…{}", number, has.viewport_bounds[0],
+                         has.viewport_bounds[1]);
+    }
+  }
+  if (v.width > static_cast<float>(has.max_viewport[0]) ||
+      v.height > static_cast<float>(has.max_viewport[1])) {
+    return fmt::format("a viewport of {} x {}, more than {} x {}", v.width, v.height,
+                       has.max_viewport[0], has.max_viewport[1]);
+  }
+  return "";
+}
+
+std::string lacks_of_rules(const Capabilities& has, const cases::Case& c) {
+  if (c.rules == cases::Rules::d3d) return "OpenGL does not draw by the rules of d3d";
+  if (c.rules != cases::Rules::vulkan) return "";
+  if (!has.has_clip_control) {
+    return has.api + " has no clip control (GL_ARB_clip_control), which the rules of vulkan need";
+  }
+  const bool has_flat = std::any_of(c.attributes.begin(), c.attributes.end(), [](const auto& a) {
+    return a.interpolation == cases::Interpolation::flat;
+  });
+  if (has_flat && !has.has_provoking_vertex) {
+    return has.api + " takes flat values from the last vertex, the rules of vulkan from the first";
+  }
+  return "";
+}
+
+std::string lacks_of_attributes(const Capabilities& has, const cases::Case& c) {
+  for (const cases::Attribute& a : c.attributes) {
+    if (a.interpolation == cases::Interpolation::noperspective && !has.has_noperspective) {
+      return has.api + " has no noperspective";
+    }
+    const bool is_at_sample = a.interpolation != cases::Interpolation::flat &&
+                              a.location == cases::Location::sample && c.framebuffer.samples > 1;
+    if (is_at_sample && !has.has_sample_qualifier) {
+      return has.api + " has no qualifier `sample`";
+    }
+  }
+  return "";
+}
+
+std::string lacks_of_target(const Capabilities& has, const cases::FramebufferSize& size) {
+  if (size.samples > 1 && !has.has_sample_targets) {
+    return has.api + " has no arrays of multisampled textures";
+  }
+  if (size.samples > has.max_samples) {
+    return fmt::format("targets have {} samples at most, asked for {}", has.max_samples,
+                       size.samples);
+  }
+  // Samples are read as pixels beside each other.
+  if (size.width * size.samples > has.max_size || size.height > has.max_size) {
+    return fmt::format("targets of {} x {} with {} samples, pixels times samples {} at most",
+                       size.width, size.height, size.samples, has.max_size);
+  }
+  return "";
+}
+
+}  // namespace
+
+Capabilities read_capabilities() {
+  Capabilities has;
+  has.is_es = !epoxy_is_desktop_gl();
+  has.version = epoxy_gl_version();
+  has.api =
+      fmt::format("OpenGL {}{}.{}", has.is_es ? "ES " : "", has.version / 10, has.version % 10);
+  const auto desktop = [&](int version, const char* extension) {
+    return !has.is_es && (has.version >= version || epoxy_has_gl_extension(extension));
+  };
+  const auto es = [&](int version, const char* extension) {
+    return has.is_es && (has.version >= version || epoxy_has_gl_extension(extension));
+  };
+  constexpr int kNever = 1000;
+  has.has_clip_control = desktop(45, "GL_ARB_clip_control") || es(kNever, "GL_EXT_clip_control");
+  has.has_provoking_vertex = !has.is_es;
+  has.has_depth_clamp = !has.is_es || es(kNever, "GL_EXT_depth_clamp");
+  has.has_noperspective = !has.is_es || es(kNever, "GL_NV_shader_noperspective_interpolation");
+  has.has_sample_qualifier = desktop(40, "GL_ARB_gpu_shader5") || es(32, "");
+  has.has_sample_targets = !has.is_es || has.version >= 32;
+  has.subpixel_bits = integer(GL_SUBPIXEL_BITS);
+  has.max_draw_buffers = std::min(integer(GL_MAX_DRAW_BUFFERS), integer(GL_MAX_COLOR_ATTACHMENTS));
+  has.max_size = integer(GL_MAX_TEXTURE_SIZE);
+  has.max_layers = integer(GL_MAX_ARRAY_TEXTURE_LAYERS);
+  if (!has.is_es || epoxy_has_gl_extension("GL_EXT_clip_cull_distance")) {
+    has.max_clip_distances = integer(GL_MAX_CLIP_DISTANCES);
+  }
+  if (has.has_sample_targets) {
+    has.max_samples =
+        std::min(integer(GL_MAX_COLOR_TEXTURE_SAMPLES), integer(GL_MAX_DEPTH_TEXTURE_SAMPLES));
+  }
+  has.has_viewport_fractions = desktop(41, "GL_ARB_viewport_array");
+  if (has.has_viewport_fractions) {
+    has.viewport_subpixel_bits = integer(GL_VIEWPORT_SUBPIXEL_BITS);
+    glGetFloatv(GL_VIEWPORT_BOUNDS_RANGE, has.viewport_bounds.data());
+  } else {
+    // Nothing is said of where they may begin: as far as versions that say it promise.
+    has.viewport_bounds = {-32768, 32767};
+  }
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, has.max_viewport.data());
+  return has;
+}
+
+std::string lacks(const Capabilities& has, const cases::Case& c) {
+  for (const std::string& what :
+       {lacks_of_rules(has, c), lacks_of_viewport(has, c.viewport), lacks_of_attributes(has, c),
+        lacks_of_target(has, c.framebuffer)}) {
+    if (!what.empty()) return what;
+  }
+  if (c.depth_clamp && !has.has_depth_clamp) return has.api + " has no depth clamp";
+  if (c.clip_distance_count > static_cast<std::size_t>(has.max_clip_distances)) {
+    return fmt::format("{} has {} clip distances, asked for {}", has.api, has.max_clip_distances,
+                       c.clip_distance_count);
+  }
+  if (c.depth_test == cases::DepthTest::less && !has.clears_beyond_one) {
+    return "its depth buffers cannot be cleared to more than 1, as fragments at 1 need that are to "
+           "be nearer";
+  }
+  return "";
+}
+
+}  // namespace rastercheck::backends::gl

@@ -1,0 +1,85 @@
+#include "backends/gl/internal/case_program.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+namespace rastercheck::backends::gl {
+namespace {
+
+std::string qualifiers(const VaryingClass& varies) {
+  if (varies.interpolation == cases::Interpolation::flat) return "flat";
+  std::string words =
+      varies.interpolation == cases::Interpolation::smooth ? "smooth" : "noperspective";
+  if (varies.location == cases::Location::sample) words += " sample";
+  if (varies.location == cases::Location::centroid) words += " centroid";
+  return words;
+}
+
+std::string vertex_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings,
+                          std::size_t clip_vectors) {
+  std::string outside = shader_head(has) + "layout(location = 0) in vec4 position;\n";
+  std::string inside = "  gl_Position = position;\n  number = float(gl_VertexID / 3 + 1);\n";
+  outside += "flat out float number;\n";
+  for (std::size_t i = 0; i < varyings.size(); ++i) {
+    outside += fmt::format("layout(location = {}) in vec4 in{};\n{} out vec4 value{};\n", i + 1, i,
+                           qualifiers(varyings[i]), i);
+    inside += fmt::format("  value{0} = in{0};\n", i);
+  }
+  if (clip_vectors > 0)
+    outside += fmt::format("out float gl_ClipDistance[{}];\n", 4 * clip_vectors);
+  for (std::size_t i = 0; i < clip_vectors; ++i) {
+    outside +=
+        fmt::format("layout(location = {}) in vec4 distances{};\n", varyings.size() + 1 + i, i);
+    for (std::size_t k = 0; k < 4; ++k) {
+      inside += fmt::format("  gl_ClipDistance[{}] = distances{}[{}];\n", 4 * i + k, i, k);
+    }
+  }
+  return outside + "void main() {\n" + inside + "}\n";
+}
+
+std::string fragment_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings) {
+  std::string outside =
+      shader_head(has) + "flat in float number;\nlayout(location = 0) out float number_out;\n";
+  std::string inside = "  number_out = number;\n";
+  for (std::size_t i = 0; i < varyings.size(); ++i) {
+    outside += fmt::format("{0} in vec4 value{1};\nlayout(location = {2}) out vec4 out{1};\n",
+                           qualifiers(varyings[i]), i, i + 1);
+    inside += fmt::format("  out{0} = value{0};\n", i);
+  }
+  return outside + "void main() {\n" + inside + "}\n";
+}
+
+}  // namespace
+
+std::string shader_head(const Capabilities& has) {
+  if (!has.is_es) {
+    const bool is_extended = has.has_sample_qualifier && has.version < 40;
+    return fmt::format("#version {} core\n{}", has.version >= 40 ? 400 : 330,
+                       is_extended ? "#extension GL_ARB_gpu_shader5 : require\n" : "");
+  }
+  std::string head = has.version >= 32 ? "#version 320 es\n" : "#version 300 es\n";
+  if (has.max_clip_distances > 0) head += "#extension GL_EXT_clip_cull_distance : require\n";
+  if (has.has_noperspective) {
+    head += "#extension GL_NV_shader_noperspective_interpolation : require\n";
+  }
+  head += "precision highp float;\nprecision highp int;\nprecision highp sampler2DArray;\n";
+  if (has.has_sample_targets) head += "precision highp sampler2DMSArray;\n";
+  return head;
+}
+
+Result<GLuint> CasePrograms::get(const Pass& pass, std::size_t clip_vectors) {
+  Key key;
+  key.clip_vectors = clip_vectors;
+  for (const Varying& varying : pass) key.varyings.push_back(varying.varies);
+  if (const auto found = made_.find(key); found != made_.end()) return found->second.name();
+  Result<Object> program = make_program(vertex_shader(*has_, key.varyings, clip_vectors).c_str(),
+                                        fragment_shader(*has_, key.varyings).c_str());
+  if (!program) return tl::unexpected(program.error());
+  const GLuint name = program->name();
+  made_.emplace(std::move(key), *std::move(program));
+  return name;
+}
+
+}  // namespace rastercheck::backends::gl

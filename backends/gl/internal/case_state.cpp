@@ -1,0 +1,106 @@
+#include "backends/gl/internal/case_state.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace rastercheck::backends::gl {
+namespace {
+
+void set(GLenum what, bool is_on) { (is_on ? glEnable : glDisable)(what); }
+
+void set_viewport(const Capabilities& has, const cases::Viewport& v) {
+  if (has.has_viewport_fractions) {
+    glViewportIndexedf(0, v.x, v.y, v.width, v.height);
+  } else {
+    glViewport(static_cast<GLint>(v.x), static_cast<GLint>(v.y), static_cast<GLsizei>(v.width),
+               static_cast<GLsizei>(v.height));
+  }
+  if (has.is_es) {
+    glDepthRangef(v.min_depth, v.max_depth);
+  } else {
+    glDepthRange(v.min_depth, v.max_depth);
+  }
+}
+
+/// Faces are meant as displayed, and with Vulkan's window y, which points down, a framebuffer is
+/// displayed the other way up.
+void set_faces(const cases::Case& c) {
+  set(GL_CULL_FACE, c.cull != cases::Cull::none);
+  glCullFace(c.cull == cases::Cull::front ? GL_FRONT : GL_BACK);
+  const bool is_turned = c.rules == cases::Rules::vulkan;
+  const bool is_ccw = (c.front_face == cases::FrontFace::ccw) != is_turned;
+  glFrontFace(is_ccw ? GL_CCW : GL_CW);
+}
+
+/// Vulkan's NDC y and window y both point down, OpenGL's both up: with the lower left as origin the
+/// formulas are the same, as are rows of what is read.
+void set_conventions(const Capabilities& has, const cases::Case& c) {
+  const bool is_vulkan = c.rules == cases::Rules::vulkan;
+  if (has.has_clip_control && has.is_es) {
+    glClipControlEXT(GL_LOWER_LEFT_EXT,
+                     is_vulkan ? GL_ZERO_TO_ONE_EXT : GL_NEGATIVE_ONE_TO_ONE_EXT);
+  } else if (has.has_clip_control) {
+    glClipControl(GL_LOWER_LEFT, is_vulkan ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+  }
+  if (has.has_provoking_vertex) {
+    glProvokingVertex(is_vulkan ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION);
+  }
+}
+
+}  // namespace
+
+std::size_t clip_vectors(const cases::Case& c) { return (c.clip_distance_count + 3) / 4; }
+
+std::vector<float> vertices_of(const cases::Case& c, std::span<const cases::Triangle> triangles,
+                               const Pass& pass) {
+  const std::size_t stride = 4 * (1 + pass.size() + clip_vectors(c));
+  std::vector<float> values(3 * triangles.size() * stride);
+  float* to = values.data();
+  for (const cases::Triangle& triangle : triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      const cases::ClipVertex& p = c.positions[vertex];
+      std::copy_n(std::array{p.x, p.y, p.z, p.w}.data(), 4, to);
+      const auto attributes = c.attributes_of(vertex);
+      for (std::size_t i = 0; i < pass.size(); ++i) {
+        for (std::size_t k = 0; k < pass[i].count; ++k) {
+          to[4 * (1 + i) + k] = attributes[pass[i].attributes[k]];
+        }
+      }
+      const auto distances = c.clip_distances_of(vertex);
+      std::copy(distances.begin(), distances.end(), to + 4 * (1 + pass.size()));
+      to += stride;
+    }
+  }
+  return values;
+}
+
+void set_case_state(const Capabilities& has, const cases::Case& c) {
+  set_conventions(has, c);
+  set_viewport(has, c.viewport);
+  set_faces(c);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(c.depth_test == cases::DepthTest::less ? GL_LESS : GL_ALWAYS);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  glDisable(GL_DITHER);
+  if (has.has_depth_clamp) set(GL_DEPTH_CLAMP, c.depth_clamp);
+  for (GLenum i = 0; i < static_cast<GLenum>(has.max_clip_distances); ++i) {
+    set(GL_CLIP_DISTANCE0 + i, i < c.clip_distance_count);
+  }
+}
+
+void set_scissor(const cases::Case& c) {
+  set(GL_SCISSOR_TEST, c.scissor.has_value());
+  if (c.scissor) glScissor(c.scissor->x, c.scissor->y, c.scissor->width, c.scissor->height);
+}
+
+void reset_case_state(const Capabilities& has, const cases::Case& c) {
+  glDisable(GL_SCISSOR_TEST);
+  for (GLenum i = 0; i < c.clip_distance_count; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
+  if (has.has_depth_clamp) glDisable(GL_DEPTH_CLAMP);
+}
+
+}  // namespace rastercheck::backends::gl

@@ -1,0 +1,29 @@
+#pragma once
+
+// A case in GL's words, for the context that is current.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "backends/gl/internal/capabilities.h"
+#include "backends/gl/internal/varyings.h"
+#include "cases/case.h"
+
+namespace rastercheck::backends::gl {
+
+/// Vectors of four that a vertex's clip distances take.
+std::size_t clip_vectors(const cases::Case& c);
+
+/// The vertices of triangles, three each, for a pass: position, varyings, clip distances, four
+/// floats each, one after the other. What has no value is 0.
+std::vector<float> vertices_of(const cases::Case& c, std::span<const cases::Triangle> triangles,
+                               const Pass& pass);
+
+/// Everything but the scissor test, which clears heed: set it when the target is cleared.
+void set_case_state(const Capabilities& has, const cases::Case& c);
+void set_scissor(const cases::Case& c);
+/// What other draws than those of cases do not expect.
+void reset_case_state(const Capabilities& has, const cases::Case& c);
+
+}  // namespace rastercheck::backends::gl

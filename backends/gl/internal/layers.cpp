@@ -1,0 +1,168 @@
+#include "backends/gl/internal/layers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "backends/gl/internal/layer_copy.h"
+#include "cases/sample_pattern.h"
+
+namespace rastercheck::backends::gl {
+namespace {
+
+tl::unexpected<Error> unsupported(std::string reason) {
+  return tl::unexpected(Error{"gl", "", std::move(reason), Failure::unsupported});
+}
+
+std::string to_string(const LayerShape& shape) {
+  return fmt::format("{} targets of {} x {}, {} samples, {} varyings", shape.layers,
+                     shape.size.width, shape.size.height, shape.size.samples, shape.varyings);
+}
+
+void read_pixels(const LayerShape& shape, GLenum channels, void* to) {
+  glReadPixels(0, 0, shape.size.width, shape.size.height, channels, GL_FLOAT, to);
+}
+
+bool has_no_number(const std::vector<float>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](float n) { return n == 0; });
+}
+
+}  // namespace
+
+Layers::Layers(const Capabilities& has, const LayerShape& shape) : shape_(shape), has_(&has) {}
+Layers::Layers(Layers&& other) noexcept = default;
+Layers& Layers::operator=(Layers&& other) noexcept = default;
+Layers::~Layers() = default;
+
+Result<Layers> Layers::create(const Capabilities& has, CopyPrograms& programs,
+                              const LayerShape& shape) {
+  Layers layers(has, shape);
+  if (const Result<void> made = layers.make_images(); !made)
+    return unsupported(made.error().reason);
+  if (const Result<void> made = layers.make_framebuffers(); !made) {
+    return tl::unexpected(made.error());
+  }
+  if (layers.is_multisampled() || has.is_es) {
+    const Result<CopyProgram> program = programs.get(shape.size.samples, shape.varyings);
+    if (!program) return tl::unexpected(program.error());
+    Result<LayerCopy> copy = LayerCopy::create(*program, shape);
+    if (!copy) return tl::unexpected(copy.error());
+    layers.copy_ = std::make_unique<LayerCopy>(*std::move(copy));
+  }
+  return layers;
+}
+
+GLenum Layers::target() const {
+  return is_multisampled() ? GL_TEXTURE_2D_MULTISAMPLE_ARRAY : GL_TEXTURE_2D_ARRAY;
+}
+
+/// Bound to its target.
+Object Layers::make_image(GLenum format, GLenum channels) const {
+  Object image = generate_texture();
+  glBindTexture(target(), image.name());
+  const cases::FramebufferSize& size = shape_.size;
+  if (!is_multisampled()) {
+    glTexImage3D(target(), 0, static_cast<GLint>(format), size.width, size.height, shape_.layers, 0,
+                 channels, GL_FLOAT, nullptr);
+    glTexParameteri(target(), GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(target(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(target(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  } else if (has_->is_es) {
+    glTexStorage3DMultisample(target(), size.samples, format, size.width, size.height,
+                              shape_.layers, GL_TRUE);
+  } else {
+    glTexImage3DMultisample(target(), size.samples, format, size.width, size.height, shape_.layers,
+                            GL_TRUE);
+  }
+  return image;
+}
+
+Result<void> Layers::make_images() {
+  numbers_ = make_image(GL_R32F, GL_RED);
+  for (std::size_t i = 0; i < shape_.varyings; ++i) {
+    values_.push_back(make_image(GL_RGBA32F, GL_RGBA));
+  }
+  depth_ = make_image(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
+  if (Result<void> made = check(to_string(shape_)); !made) return made;
+  if (!is_multisampled()) return {};
+  // A driver may round the number of samples up.
+  GLint samples = 0;
+  glGetTexLevelParameteriv(target(), 0, GL_TEXTURE_SAMPLES, &samples);
+  if (samples == shape_.size.samples) return {};
+  return failure(
+      fmt::format("asked for {} samples, the driver takes {}", shape_.size.samples, samples));
+}
+
+Result<void> Layers::make_framebuffers() {
+  std::vector<GLenum> buffers;
+  for (GLenum i = 0; i <= shape_.varyings; ++i) buffers.push_back(GL_COLOR_ATTACHMENT0 + i);
+  for (GLint layer = 0; layer < shape_.layers; ++layer) {
+    framebuffers_.push_back(generate_framebuffer());
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_.back().name());
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, buffers[0], numbers_.name(), 0, layer);
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      glFramebufferTextureLayer(GL_FRAMEBUFFER, buffers[i + 1], values_[i].name(), 0, layer);
+    }
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth_.name(), 0, layer);
+    glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+  }
+  const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE) {
+    return failure(fmt::format("the driver does not draw into {} (framebuffer status {})",
+                               to_string(shape_), hexadecimal(status)));
+  }
+  return check("making framebuffers");
+}
+
+Result<std::vector<std::size_t>> Layers::sample_order() const {
+  const auto pattern = cases::standard_pattern(shape_.size.samples);
+  std::vector<std::size_t> order(pattern.size(), pattern.size());
+  if (!is_multisampled()) return std::vector<std::size_t>{0};
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer(0));
+  std::string places;
+  for (GLuint i = 0; i < pattern.size(); ++i) {
+    std::array<GLfloat, 2> at{};
+    glGetMultisamplefv(GL_SAMPLE_POSITION, i, at.data());
+    places += fmt::format(" ({}, {})", 16 * at[0], 16 * at[1]);
+    for (std::size_t s = 0; s < pattern.size(); ++s) {
+      const bool is_here = at[0] * 16 == static_cast<float>(pattern[s].x) &&
+                           at[1] * 16 == static_cast<float>(pattern[s].y);
+      if (is_here) order[s] = i;
+    }
+  }
+  if (const Result<void> asked = check("asking for sample positions"); !asked) {
+    return tl::unexpected(asked.error());
+  }
+  if (std::find(order.begin(), order.end(), pattern.size()) == order.end()) return order;
+  return unsupported(
+      fmt::format("its {} samples are not those of the standard pattern, but, in "
+                  "1/16 pixel, at{}",
+                  pattern.size(), places));
+}
+
+Result<void> Layers::read(std::size_t layer, LayerContent& content) {
+  content.values.resize(values_.size());
+  if (copy_) {
+    std::vector<GLuint> images = {numbers_.name(), depth_.name()};
+    for (const Object& image : values_) images.push_back(image.name());
+    return copy_->read(images, static_cast<GLint>(layer), content);
+  }
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer(layer));
+  content.numbers.resize(shape_.samples());
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  read_pixels(shape_, GL_RED, content.numbers.data());
+  content.is_empty = has_no_number(content.numbers);
+  if (content.is_empty) return check("reading a layer");
+  content.depth.resize(shape_.samples());
+  read_pixels(shape_, GL_DEPTH_COMPONENT, content.depth.data());
+  for (GLenum i = 0; i < values_.size(); ++i) {
+    content.values[i].resize(shape_.samples());
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + 1 + i);
+    read_pixels(shape_, GL_RGBA, content.values[i].data());
+  }
+  return check("reading a layer");
+}
+
+}  // namespace rastercheck::backends::gl
