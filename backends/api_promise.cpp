@@ -17,7 +17,9 @@
 //
 //      planes · kClipping δ (max|x| + max|w|)/w_least · W/2 pixels,
 //
-//    and its w by ω = planes · kClipping δ max|w|/w_least of itself, alike z and attributes.
+//    the distance from a plane that cuts it as well by planes · kClipping δ (max|z| + max|w|), or
+//    as much of its clip distances, and its w by ω = planes · kClipping δ max|w|/w_least of itself,
+//    alike z and attributes.
 //
 // 3. Attributes. With window positions X/w, the weight of vertex i is an area, a sum of products of
 //    coordinates. Evaluated as A u + B v + C with coefficients that are differences of products,
@@ -144,6 +146,7 @@ struct Errors {
   double cut_at_sides = 0;  ///< of those of triangles that only the viewport's sides cut
   double new_weight = 0;    ///< ω, of itself
   double condition = 0;     ///< K of depth
+  int planes = 0;           ///< that cut a triangle
 
   void add(const cases::Case& c, const std::array<Vertex, 3>& triangle);
 
@@ -172,6 +175,7 @@ void Errors::add(const cases::Case& c, const std::array<Vertex, 3>& triangle) {
                                  (y + greatest_w) * std::fabs(double{viewport.height})) /
                         2;
   new_position = std::max(new_position, pixels);
+  planes = std::max(planes, clipped.planes);
   if (clipped.is_cut_at_the_sides) cut_at_sides = std::max(cut_at_sides, pixels);
   const double z = greatest(triangle, [](const Vertex& v) { return v.z; });
   new_weight = std::max(new_weight, share * std::max(greatest_w, z));
@@ -257,6 +261,8 @@ cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits) {
   contract.basis = cases::Basis::unspecified;
   contract.tie_rule = cases::TieRule::unspecified;
   contract.is_on_grid = false;
+  contract.keeps_sign_of_zero = false;
+  contract.is_invariant = false;
   if (!cases::makes_promises_of(contract, c)) return contract;
 
   const Errors errors = errors_of(c);
@@ -266,6 +272,8 @@ cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits) {
       no_less((errors.position + errors.cut_at_sides) * units, cases::kMaxPositionError)};
   contract.clip_tolerance = double{
       no_less((errors.position + errors.new_position) * units + 1, cases::kMaxPositionError)};
+  // What the first plane cuts has exact distances.
+  if (errors.planes > 1) contract.clip_error = kRest * errors.planes * kClipping * kOperation;
 
   const double new_weights = kNewWeights * errors.new_weight / kOperation;
   cases::ValueBound value;

@@ -34,8 +34,8 @@ enum class Claim { perspective, affine };
 ///           + |X|_j |Y|_k + |X|_k |Y|_j,
 ///   K = Σ |E|_i / Σ E_i,   of what is linear in window space Σ |w_i| |E|_i / Σ w_i E_i.
 ///
-/// It has no bound for slivers and towards the horizon; where per_condition · K reaches 2^24 all
-/// digits of a value may be lost, and nothing is promised.
+/// It has no bound for slivers and towards the horizon; where per_condition · K, or the constant,
+/// reaches 2^24 all digits of a value may be lost, and nothing is promised, not even a number.
 ///
 /// The last part is for what is an approximation by design: a share of the range of the vertices'
 /// values, in ulp(max |r_i|).
@@ -107,6 +107,10 @@ struct Contract {
   /// How far an edge that was cut by a clip plane, and the clip edge itself, may be off, in grid
   /// units per axis. Only where `coverage` is snapped.
   double clip_tolerance = 1;
+  /// By how much of max|z| + max|w| of a triangle's vertices, or of the greatest of its clip
+  /// distances, the distance of a point from a plane that cuts the triangle may be off besides: the
+  /// new vertices of one plane are what the next one cuts. Only where `coverage` is snapped.
+  double clip_error = 0;
   Claim claims = Claim::perspective;
   ValueBounds bounds;
   /// Whether triangles of one plane, z/w the same at all vertices, have one depth (RULES §6); the
@@ -118,6 +122,14 @@ struct Contract {
   /// Whether a sample that lies exactly at a vertex, w > 0, has the vertex's value, to the bit;
   /// zeros of either sign are alike. That is the vertex as the basis places it.
   bool keeps_vertex_values = false;
+  /// Whether an interpolated attribute that is the same zero at all vertices keeps its sign; flat
+  /// ones do.
+  bool keeps_sign_of_zero = true;
+  /// Whether a fragment has the same bits whatever else is drawn with: where other faces are
+  /// culled, with and without a depth test, whatever the power of two that clip coordinates or
+  /// attributes are multiplied by. Without it only the same commands and other scissors leave bits,
+  /// as of the APIs.
+  bool is_invariant = true;
   /// How far screen derivatives of attributes may be off, each in ulp(max(|d|, M)) of float32: d
   /// the exact ∂r/∂u (∂r/∂v likewise) and M the size of the terms that it is the difference of,
   ///

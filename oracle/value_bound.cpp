@@ -16,6 +16,9 @@
 namespace rastercheck::oracle {
 namespace {
 
+/// ULP of a bound that leaves nothing of a float32.
+constexpr float kAllDigits = 0x1p24F;
+
 /// The points an attribute of a fragment may be evaluated at; of a centroid, which OpenGL and
 /// Vulkan let be anywhere in pixel and triangle, the centre and the samples that may be covered.
 std::vector<Point> locations(const TriangleSetup& triangle, const cases::Attribute& attribute,
@@ -124,6 +127,7 @@ std::optional<Rational> TriangleTruth::value_bound(std::optional<std::size_t> at
                                                    int y, int sample) const {
   const cases::Case& source = setup_->scene->source();
   const cases::ValueBound bound = bound_of(setup_->scene->contract(), source, attribute);
+  if (bound.constant >= kAllDigits) return std::nullopt;
   Field fixed = exact_field(bound.constant);
   if (!attribute) return to_rational(fixed);
   if (bound.range_share > 0) {
@@ -145,7 +149,7 @@ std::optional<Rational> TriangleTruth::value_bound(std::optional<std::size_t> at
       const std::optional<Field> of_weights = condition(*setup_, is_affine, p);
       if (!of_weights) return std::nullopt;
       const Field lost = exact_field(bound.per_condition) * *of_weights;
-      if (lost >= Field(1 << 24)) return std::nullopt;
+      if (lost >= exact_field(kAllDigits)) return std::nullopt;
       here += lost;
     }
     greatest = std::max(greatest, here);

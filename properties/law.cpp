@@ -60,6 +60,10 @@ bool draws_what_is_asked_for(const backends::Backend& backend) {
   return true;
 }
 
+bool draws_invariantly(const backends::Backend& backend) {
+  return backend.contract({}).is_invariant;
+}
+
 bool is_promised(const Law& law, const backends::Backend& backend) {
   return law.is_promised == nullptr || law.is_promised(backend);
 }

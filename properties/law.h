@@ -92,6 +92,10 @@ std::uint64_t least_reached(const Cover& cover, std::uint64_t checked);
 /// perspective: not one that rounds positions in its own way, or leaves ties open.
 bool draws_what_is_asked_for(const backends::Backend& backend);
 
+/// Whether a backend promises that what has no say in a fragment leaves its bits alone
+/// (cases::Contract::is_invariant).
+bool draws_invariantly(const backends::Backend& backend);
+
 /// Whether the law has something to say of a backend.
 bool is_promised(const Law& law, const backends::Backend& backend);
 

@@ -74,8 +74,9 @@ void members(Archive& archive, T& c) {
 template <typename Archive, Either<cases::Contract> T>
 void members(Archive& archive, T& c) {
   archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.guard_band, c.is_on_grid, c.clip_tolerance,
-          c.claims, c.bounds, c.keeps_equal_depth, c.keeps_constants, c.keeps_vertex_values,
-          c.derivative_bound, c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds);
+          c.clip_error, c.claims, c.bounds, c.keeps_equal_depth, c.keeps_constants,
+          c.keeps_sign_of_zero, c.is_invariant, c.keeps_vertex_values, c.derivative_bound,
+          c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds);
 }
 template <typename Archive, Either<cases::Framebuffer> T>
 void members(Archive& archive, T& f) {
@@ -241,6 +242,7 @@ bool has_meaning(const cases::Contract& c) {
                             c.numbers.greatest,
                             c.guard_band,
                             c.clip_tolerance,
+                            c.clip_error,
                             c.derivative_bound.value_or(0),
                             c.transform_bound.value_or(0),
                             c.normal_bound.value_or(0),

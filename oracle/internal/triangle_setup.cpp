@@ -73,13 +73,39 @@ void TriangleSetup::set_up_clipping() {
   is_cut_by_planes = is_cut_by_planes || has_clipped_vertex;
 }
 
+/// The greatest clip distance, or max|z| + max|w|.
+Ring TriangleSetup::clip_size(const std::array<Ring, 3>& distances, bool is_user_distance) const {
+  std::array<Ring, 2> most{Ring(0), Ring(0)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (is_user_distance) {
+      most[0] = std::max(most[0], magnitude(distances[i]));
+    } else {
+      const RingVector4 p = scene->clip_position(indices[i]);
+      most[0] = std::max(most[0], magnitude(p[2]));
+      most[1] = std::max(most[1], magnitude(p[3]));
+    }
+  }
+  return most[0] + most[1];
+}
+
+/// Of the distances at all vertices that much more: Σ E_i (s_i + more).
+Line TriangleSetup::widened(const Line& line, const Ring& more) const {
+  if (sign_of(more) == 0) return line;
+  const Line& all = ideal.inverse_w();
+  return {line.a + more * all.a, line.b + more * all.b, line.c + more * all.c};
+}
+
 const std::vector<ClipFunctional>& TriangleSetup::clip_functionals() const {
   if (clip_functionals_) return *clip_functionals_;
   clip_functionals_.emplace();
-  for_each_clip_plane([this](const std::array<Ring, 3>& values, bool zero_is_tie, bool is_user) {
+  const Ring share(scene->contract().coverage ? scene->contract().clip_error : 0.0);
+  for_each_clip_plane([&](const std::array<Ring, 3>& values, bool zero_is_tie, bool is_user) {
     const bool violated =
         std::any_of(values.begin(), values.end(), [](const Ring& v) { return sign_of(v) < 0; });
-    clip_functionals_->push_back({ideal.combine(values), zero_is_tie, is_user, violated});
+    const Line line = ideal.combine(values);
+    const Ring error = sign_of(share) == 0 ? share : share * clip_size(values, is_user);
+    clip_functionals_->push_back(
+        {line, widened(line, error), widened(line, -error), zero_is_tie, is_user, violated});
   });
   return *clip_functionals_;
 }
@@ -93,7 +119,7 @@ bool TriangleSetup::is_deeper_than_reach() const {
   };
   for (std::size_t i = 0; i < 3; ++i) clip_inwards(ideal.edge(i));
   for (const ClipFunctional& functional : clip_functionals()) {
-    if (!functional.line.is_constant()) clip_inwards(functional.line);
+    if (!functional.inner.is_constant()) clip_inwards(functional.inner);
   }
   return !core.is_empty();
 }
@@ -277,7 +303,7 @@ ConvexRegion TriangleSetup::clipped_to_triangle(ConvexRegion region) const {
   for (std::size_t i = 0; i < 3; ++i) region.clip(ideal.edge(i));
   // One that is negative at no vertex is so nowhere in the triangle.
   for (const ClipFunctional& functional : clip_functionals()) {
-    if (functional.is_violated) region.clip(functional.line);
+    if (functional.is_violated) region.clip(functional.outer);
   }
   return region;
 }

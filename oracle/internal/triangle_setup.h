@@ -18,6 +18,10 @@ namespace rastercheck::oracle {
 /// tie, as its normal decides.
 struct ClipFunctional {
   Line line;
+  /// The same where every point's distance is as far off as the contract lets it be
+  /// (cases::Contract::clip_error), outwards and inwards.
+  Line outer;
+  Line inner;
   bool zero_is_tie = false;  ///< a user clip distance; D3D and the depth planes take zero inside
   bool is_user_distance = false;
   bool is_violated = false;  ///< some vertex lies beyond it
@@ -122,6 +126,8 @@ struct TriangleSetup {
   /// the vertices.
   template <typename Take>
   void for_each_clip_plane(const Take& take) const;
+  Ring clip_size(const std::array<Ring, 3>& distances, bool is_user_distance) const;
+  Line widened(const Line& line, const Ring& more) const;
   void set_up_clipping();
   void set_up_snapping(const cases::Snapping& snapping);
   bool is_deeper_than_reach() const;

@@ -31,6 +31,11 @@ bool is_within(const UlpError& excess, const cases::ValueBound& bound, const Tri
   return !most || magnitude(excess.value()) <= to_field(*most);
 }
 
+bool is_flat(const cases::Case& source, const ComputedValue& value) {
+  return value.attribute &&
+         source.attributes[*value.attribute].interpolation == cases::Interpolation::flat;
+}
+
 /// Whether all three vertices have the same zero, and the value is the other one.
 bool is_other_zero(const cases::Case& source, const ComputedValue& value) {
   if (!value.attribute || value.actual != 0) return false;
@@ -52,8 +57,9 @@ FragmentClass class_of(const SceneTruth& scene, const TriangleTruth& truth,
     return is_right || lies_farther ? FragmentClass::correct : FragmentClass::infinite;
   }
   if (!is_right) return FragmentClass::beyond_bound;
-  return is_other_zero(scene.source(), value) ? FragmentClass::wrong_sign_of_zero
-                                              : FragmentClass::correct;
+  const bool keeps_sign = scene.contract().keeps_sign_of_zero || is_flat(scene.source(), value);
+  return keeps_sign && is_other_zero(scene.source(), value) ? FragmentClass::wrong_sign_of_zero
+                                                            : FragmentClass::correct;
 }
 
 /// The bucket of an error's exact magnitude.
@@ -142,7 +148,10 @@ std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTr
   judged.attribute = value.attribute;
   judged.actual = value.actual;
   if (std::isnan(value.actual)) {
-    if (!range_of(truth, value)) return std::nullopt;
+    const auto [x, y, sample] = sample_of(value);
+    const bool is_any_promised = range_of(truth, value).has_value() &&
+                                 truth.value_bound(value.attribute, x, y, sample).has_value();
+    if (!is_any_promised) return std::nullopt;
     judged.fragment_class = FragmentClass::not_a_number;
     ++statistics.of(judged.kind).classes[judged.fragment_class];
     return judged;

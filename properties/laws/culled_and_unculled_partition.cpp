@@ -139,9 +139,10 @@ const LawRegistration kRegistration(
     {.name = "culled and unculled partition",
      .reason = "A triangle with an area has one facing, and culling decides of nothing but "
                "whether it is drawn.",
-     .exceptions = "nothing but depth tests, which are taken away",
+     .exceptions = "depth tests, which are taken away; backends that promise no invariance",
      .generate = &generate,
      .check = &check,
+     .is_promised = &draws_invariantly,
      .covers = {cover(20, "both"), cover(30, "front faces"), cover(30, "back faces"),
                 cover(10, "clipped"), cover(5, "w <= 0")}});
 

@@ -185,9 +185,10 @@ const LawRegistration kRegistration(
     {.name = "the nearest fragment wins",
      .reason = "`less` replaces what is at a sample by what is nearer, and by nothing else, and "
                "fragments do not depend on the test.",
-     .exceptions = "samples at which a depth is no number",
+     .exceptions = "samples at which a depth is no number; backends that promise no invariance",
      .generate = &generate,
      .check = &check,
+     .is_promised = &draws_invariantly,
      .covers = {cover(30, "overdraw"), cover(20, "equal nearest"), cover(20, "farther drawn first"),
                 cover(20, "three and more"), cover(5, "clipped"), cover(5, "several samples")}});
 

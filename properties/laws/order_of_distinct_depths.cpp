@@ -175,9 +175,11 @@ const LawRegistration kRegistration(
     {.name = "distinct depths are drawn in any order",
      .reason = "The test keeps what is nearer, and a triangle's fragments do not depend on what "
                "was drawn before.",
-     .exceptions = "samples at which the two orders leave the same depth",
+     .exceptions = "samples at which the two orders leave the same depth; backends that promise no "
+                   "invariance",
      .generate = &generate,
      .check = &check,
+     .is_promised = &draws_invariantly,
      .covers = {cover(13, "clipped"), cover(45, "depth test"), cover(36, "distinct depths"),
                 cover(7, "equal depths"), cover(17, "several samples"), cover(23, "three and more"),
                 cover(9, "w <= 0")}});

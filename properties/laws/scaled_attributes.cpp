@@ -370,9 +370,10 @@ const LawRegistration kRegistration(
     {.name = "a scaled and moved attribute is scaled and moved",
      .reason = "The weights of a mean know nothing of the attribute.",
      .exceptions = "attributes whose values cannot be scaled without rounding, values that the "
-                   "rules leave free or undefined",
+                   "rules leave free or undefined; backends that promise no invariance",
      .generate = &generate,
      .check = &check,
+     .is_promised = &draws_invariantly,
      .covers = {cover(15, "scaled"), cover(25, "scaled and moved"), cover(5, "flat")}});
 
 }  // namespace

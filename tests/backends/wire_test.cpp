@@ -44,11 +44,14 @@ cases::Contract full_contract() {
   contract.guard_band = 100;
   contract.is_on_grid = false;
   contract.clip_tolerance = 3;
+  contract.clip_error = 0.5;
   contract.claims = cases::Claim::affine;
   contract.bounds = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}};
   contract.keeps_equal_depth = true;
   contract.keeps_constants = true;
   contract.keeps_vertex_values = true;
+  contract.keeps_sign_of_zero = false;
+  contract.is_invariant = false;
   contract.derivative_bound = 1.0F;
   contract.transform_bound = 2.0F;
   contract.normal_bound = 3.0F;
@@ -116,9 +119,9 @@ TEST(Wire, RefusesEveryPart) {
 }
 
 // Each byte in turn made 255. Refused are: whether there is a coverage, its rounding, basis, tie
-// rule, grid, claim, three promises, and whether each of five bounds is there, 14; the four bytes
+// rule, grid, claim, five promises, and whether each of five bounds is there, 16; the four bytes
 // of subpixel_bits; and the last byte of each number, which is negative then: position error, guard
-// band, clip tolerance, 12 of bounds, four, five of textures, and two magnitudes, 26.
+// band, clip tolerance and error, 12 of bounds, four, five of textures, and two magnitudes, 27.
 TEST(Wire, RefusesWhatNoContractSays) {
   const std::string contract = pack(full_contract());
   int refused = 0;
@@ -127,7 +130,7 @@ TEST(Wire, RefusesWhatNoContractSays) {
     broken[i] = '\xff';
     if (!unpack_contract(broken)) ++refused;
   }
-  EXPECT_EQ(refused, 14 + 4 + 26);
+  EXPECT_EQ(refused, 16 + 4 + 27);
 }
 
 // Kills: a comparison that is true of no number.

@@ -237,5 +237,31 @@ TEST(Distance, OfATriangleWithoutAreaIsNone) {
   EXPECT_FALSE(TriangleTruth(scene, 0).distance(1, 1, 0));
 }
 
+// By hand: z = 1/2 + v/8 over 8 rows, so that the far plane z = w lies at v = 4; max|z| + max|w| is
+// 7/2, and an error e of it moves the plane by 28 e rows.
+TEST(ClipError, LeavesOpenWhatIsNearAPlaneByItsDistance) {
+  cases::Case c = small_case(cases::Rules::vulkan, 1, 8,
+                             {{{-1, -1, 0.5F, 1}, {3, -1, 0.5F, 1}, {-1, 3, 2.5F, 1}}}, {});
+  const auto verdicts = [&c](double error) {
+    cases::Contract contract;
+    contract.coverage = cases::Snapping{8, cases::Rounding::unspecified, 0};
+    contract.clip_error = error;
+    const SceneTruth scene(c, contract);
+    const TriangleTruth truth(scene, 0);
+    std::string all;
+    for (int y = 0; y < 8; ++y) {
+      const records::Verdict verdict = truth.judge(0, y, 0).verdict;
+      all += verdict == records::Verdict::required    ? 'r'
+             : verdict == records::Verdict::permitted ? 'p'
+                                                      : 'f';
+    }
+    return all;
+  };
+  EXPECT_EQ(verdicts(0), "rrrrffff");
+  EXPECT_EQ(verdicts(1.0 / 64), "rrrrffff");  // 7/16 of a row
+  EXPECT_EQ(verdicts(1.0 / 32), "rrrppfff");  // 7/8 of a row
+  EXPECT_EQ(verdicts(1.0 / 16), "rrppppff");  // 7/4 of a row
+}
+
 }  // namespace
 }  // namespace rastercheck::oracle

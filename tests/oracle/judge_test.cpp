@@ -135,6 +135,43 @@ TEST_F(JudgeOf, TheOtherZeroIsWrongWhereAllVerticesHaveTheSame) {
   EXPECT_EQ(count(AttributeKind::smooth, FragmentClass::wrong_sign_of_zero), 1U);
 }
 
+/// The classes of the values of one drawn fragment, whose vertices have the attributes 0 thrice.
+class JudgeUnder : public testing::Test {
+ protected:
+  records::ClassCounts classes_of(const cases::Contract& contract, cases::Interpolation declared,
+                                  float value) {
+    cases::Case c = small_case(cases::Rules::vulkan, 1, 1,
+                               {{{-1, -1, 0, 1}, {3, -1, 0, 1}, {-1, 3, 0, 1}}}, {{{0}, {0}, {0}}});
+    c.attributes[0].interpolation = declared;
+    cases::Framebuffer drawn;
+    push(drawn, 0, 0, 0, 0, 0, {value});
+    const SceneTruth scene(c, contract);
+    return judge(scene, drawn).judgement.errors.at(records::kind_of(declared)).classes;
+  }
+};
+
+// Kills: the sign of a zero asked of who does not promise it, or not asked of copies.
+TEST_F(JudgeUnder, AContractWithoutSignsOfZeroAnyZeroIsRight) {
+  cases::Contract contract;
+  contract.keeps_sign_of_zero = false;
+  EXPECT_EQ(classes_of(contract, cases::Interpolation::smooth, -0.0F)[FragmentClass::correct], 1U);
+  EXPECT_EQ(
+      classes_of(contract, cases::Interpolation::flat, -0.0F)[FragmentClass::wrong_sign_of_zero],
+      1U);
+}
+
+// Kills: a number asked for where nothing is promised.
+TEST_F(JudgeUnder, AContractWithoutABoundNaNIsNotJudged) {
+  cases::Contract contract;
+  const auto nan_of = [&] {
+    return classes_of(contract, cases::Interpolation::smooth, kNan)[FragmentClass::not_a_number];
+  };
+  contract.bounds.smooth.constant = 0x1.fffffep23F;
+  EXPECT_EQ(nan_of(), 1U);
+  contract.bounds.smooth.constant = 0x1p24F;
+  EXPECT_EQ(nan_of(), 0U);
+}
+
 TEST_F(JudgeOf, CoverageAloneAsksForNoValues) {
   drawn_.attributes[0] = kNan;
   const records::Judgement judgement = judge(scene_, drawn_, {.judges_values = false}).judgement;

@@ -108,6 +108,12 @@ TEST(ValueBound, IsNoneWhereAllDigitsMayBeLost) {
   EXPECT_FALSE(TriangleTruth(SceneTruth(c, contract), 0).value_bound(0, 0, 0, 0).has_value());
   contract.bounds.smooth.per_condition = 0x1p21F;
   EXPECT_TRUE(TriangleTruth(SceneTruth(c, contract), 0).value_bound(0, 0, 0, 0).has_value());
+  contract.bounds.smooth = {0x1p24F, 0, 0, 0};
+  contract.bounds.depth = {0x1.fffffep23F, 0, 0, 0};
+  EXPECT_FALSE(TriangleTruth(SceneTruth(c, contract), 0).value_bound(0, 0, 0, 0).has_value());
+  EXPECT_TRUE(TriangleTruth(SceneTruth(c, contract), 0).value_bound({}, 0, 0, 0).has_value());
+  contract.bounds.depth = {0x1p24F, 0, 0, 0};
+  EXPECT_FALSE(TriangleTruth(SceneTruth(c, contract), 0).value_bound({}, 0, 0, 0).has_value());
 }
 
 // What is claimed to be linear in the window has the condition of what is.
