@@ -125,7 +125,7 @@ Result<void> CaseDrawer::Impl::prepare() {
   const std::array<GLfloat, 4> one = {1, 0, 0, 0};
   glClearBufferfv(GL_COLOR, 0, one.data());
   glClearBufferfv(GL_DEPTH, 0, &kFarthest);
-  if (const Result<void> read = (*layers)->read(0, content); !read) return read;
+  if (const Result<void> read = (*layers)->read(0, {false}, content); !read) return read;
   if (content.is_empty) return failure("what a target is cleared to does not come back");
   has.clears_beyond_one = content.depth[0] == kFarthest;
   return {};
@@ -153,8 +153,7 @@ Result<Plan> CaseDrawer::Impl::plan(const cases::Case& c) {
   }
   Plan plan;
   plan.c = &c;
-  plan.passes = pack(c.attributes, c.framebuffer.samples,
-                     static_cast<std::size_t>(std::min(has.max_draw_buffers, 8) - 1));
+  plan.passes = pack(c.attributes, c.framebuffer.samples, has.has_noperspective);
   const bool is_together = c.depth_test == cases::DepthTest::less;
   plan.triangles = is_together ? c.triangles.size() : 1;
   const LayerShape one{c.framebuffer, 1, plan.passes.front().size()};
@@ -186,15 +185,15 @@ Result<void> CaseDrawer::Impl::draw_pass(const Plan& plan, const Pass& pass, std
                                          int layer_count, Layers& layers) {
   const cases::Case& c = *plan.c;
   const std::size_t count = static_cast<std::size_t>(layer_count) * plan.triangles;
-  const Result<GLuint> program = programs.get(pass, clip_vectors(c));
+  const Result<GLuint> program = programs.get(pass);
   if (!program) return tl::unexpected(program.error());
   const std::vector<float> values =
-      vertices_of(c, std::span(c.triangles).subspan(first, count), pass);
+      vertices_of(has, c, std::span(c.triangles).subspan(first, count), pass);
   glBindVertexArray(vertex_array.name());
   glBindBuffer(GL_ARRAY_BUFFER, vertices.name());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)),
                values.data(), GL_STREAM_DRAW);
-  const GLuint inputs = static_cast<GLuint>(1 + pass.size() + clip_vectors(c));
+  const GLuint inputs = static_cast<GLuint>(1 + pass.size() + has.clip_vectors());
   for (GLuint i = 0; i < 16; ++i) {
     if (i >= inputs) {
       glDisableVertexAttribArray(i);
@@ -218,7 +217,7 @@ Result<void> CaseDrawer::Impl::draw_pass(const Plan& plan, const Pass& pass, std
     set_scissor(c);
     glDrawArrays(GL_TRIANGLES, layer * corners, corners);
   }
-  reset_case_state(has, c);
+  reset_case_state(has);
   return check("drawing");
 }
 
@@ -266,11 +265,13 @@ Result<void> CaseDrawer::Impl::draw_batch(const Plan& plan, std::size_t first,
   std::vector<Fragments> found(static_cast<std::size_t>(layer_count));
   for (const Pass& pass : plan.passes) {
     const LayerShape shape{plan.c->framebuffer, plan.layers, pass.size()};
+    std::vector<bool> wanted;
+    for (const Varying& varying : pass) wanted.push_back(varying.count > 0);
     const Result<Layers*> layers = layers_for(shape);
     if (!layers) return tl::unexpected(layers.error());
     if (auto done = draw_pass(plan, pass, first, layer_count, **layers); !done) return done;
     for (std::size_t layer = 0; layer < found.size(); ++layer) {
-      if (auto read = (*layers)->read(layer, content); !read) return read;
+      if (auto read = (*layers)->read(layer, wanted, content); !read) return read;
       Fragments again;
       if (auto looked = find_fragments(plan, first, again); !looked) return looked;
       if (&pass == &plan.passes.front()) {

@@ -117,7 +117,8 @@ Capabilities read_capabilities() {
   has.max_size = integer(GL_MAX_TEXTURE_SIZE);
   has.max_layers = integer(GL_MAX_ARRAY_TEXTURE_LAYERS);
   if (!has.is_es || epoxy_has_gl_extension("GL_EXT_clip_cull_distance")) {
-    has.max_clip_distances = integer(GL_MAX_CLIP_DISTANCES);
+    constexpr int kAll = static_cast<int>(cases::kMaxClipDistances);
+    has.max_clip_distances = integer(GL_MAX_CLIP_DISTANCES) >= kAll ? kAll : 0;
   }
   if (has.has_sample_targets) {
     has.max_samples =

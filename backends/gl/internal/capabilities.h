@@ -3,6 +3,7 @@
 // What a context can draw of cases: its limits, asked once, and which cases are beyond these.
 
 #include <array>
+#include <cstddef>
 #include <string>
 
 #include "cases/case.h"
@@ -23,6 +24,8 @@ struct Capabilities {
   bool clears_beyond_one = false;  ///< float depth, to a value above 1
   int subpixel_bits = 4;
   int viewport_subpixel_bits = 0;
+  /// Eight or none. Programs are to be few, and so have all of them; what is not enabled does not
+  /// clip.
   int max_clip_distances = 0;
   int max_draw_buffers = 4;
   int max_size = 2048;  ///< of a target, in pixels
@@ -30,6 +33,9 @@ struct Capabilities {
   int max_samples = 1;
   std::array<float, 2> viewport_bounds{};  ///< pixels, inclusive, of x and y
   std::array<int, 2> max_viewport{};       ///< pixels
+
+  /// Vectors of four floats that clip distances take in a vertex.
+  std::size_t clip_vectors() const { return static_cast<std::size_t>(max_clip_distances) / 4; }
 };
 
 /// Of the context that is current, which is at least OpenGL 3.3 or OpenGL ES 3.0.

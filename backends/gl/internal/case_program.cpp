@@ -17,8 +17,8 @@ std::string qualifiers(const VaryingClass& varies) {
   return words;
 }
 
-std::string vertex_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings,
-                          std::size_t clip_vectors) {
+std::string vertex_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings) {
+  const std::size_t clip_vectors = has.clip_vectors();
   std::string outside = shader_head(has) + "layout(location = 0) in vec4 position;\n";
   std::string inside = "  gl_Position = position;\n  number = float(gl_VertexID / 3 + 1);\n";
   outside += "flat out float number;\n";
@@ -69,16 +69,15 @@ std::string shader_head(const Capabilities& has) {
   return head;
 }
 
-Result<GLuint> CasePrograms::get(const Pass& pass, std::size_t clip_vectors) {
-  Key key;
-  key.clip_vectors = clip_vectors;
-  for (const Varying& varying : pass) key.varyings.push_back(varying.varies);
-  if (const auto found = made_.find(key); found != made_.end()) return found->second.name();
-  Result<Object> program = make_program(vertex_shader(*has_, key.varyings, clip_vectors).c_str(),
-                                        fragment_shader(*has_, key.varyings).c_str());
+Result<GLuint> CasePrograms::get(const Pass& pass) {
+  std::vector<VaryingClass> varyings;
+  for (const Varying& varying : pass) varyings.push_back(varying.varies);
+  if (const auto found = made_.find(varyings); found != made_.end()) return found->second.name();
+  Result<Object> program = make_program(vertex_shader(*has_, varyings).c_str(),
+                                        fragment_shader(*has_, varyings).c_str());
   if (!program) return tl::unexpected(program.error());
   const GLuint name = program->name();
-  made_.emplace(std::move(key), *std::move(program));
+  made_.emplace(std::move(varyings), *std::move(program));
   return name;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <map>
 #include <vector>
 
@@ -19,19 +18,12 @@ class CasePrograms {
   /// `has` must outlive it.
   explicit CasePrograms(const Capabilities& has) : has_(&has) {}
 
-  /// The one for a pass of vertices with `clip_vectors` times four clip distances, made where it is
-  /// asked for first. Fails where it does not compile.
-  Result<GLuint> get(const Pass& pass, std::size_t clip_vectors);
+  /// The one for a pass, made where it is asked for first. Fails where it does not compile.
+  Result<GLuint> get(const Pass& pass);
 
  private:
-  struct Key {
-    std::vector<VaryingClass> varyings;
-    std::size_t clip_vectors = 0;
-    auto operator<=>(const Key&) const = default;
-  };
-
   const Capabilities* has_;
-  std::map<Key, Object> made_;
+  std::map<std::vector<VaryingClass>, Object> made_;
 };
 
 /// "#version …" and what else a shader begins with.

@@ -9,6 +9,9 @@
 namespace rastercheck::backends::gl {
 namespace {
 
+/// The distance of what a case has no clip plane for.
+constexpr float kInside = 1;
+
 void set(GLenum what, bool is_on) { (is_on ? glEnable : glDisable)(what); }
 
 void set_viewport(const Capabilities& has, const cases::Viewport& v) {
@@ -52,11 +55,9 @@ void set_conventions(const Capabilities& has, const cases::Case& c) {
 
 }  // namespace
 
-std::size_t clip_vectors(const cases::Case& c) { return (c.clip_distance_count + 3) / 4; }
-
-std::vector<float> vertices_of(const cases::Case& c, std::span<const cases::Triangle> triangles,
-                               const Pass& pass) {
-  const std::size_t stride = 4 * (1 + pass.size() + clip_vectors(c));
+std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
+                               std::span<const cases::Triangle> triangles, const Pass& pass) {
+  const std::size_t stride = 4 * (1 + pass.size() + has.clip_vectors());
   std::vector<float> values(3 * triangles.size() * stride);
   float* to = values.data();
   for (const cases::Triangle& triangle : triangles) {
@@ -70,7 +71,9 @@ std::vector<float> vertices_of(const cases::Case& c, std::span<const cases::Tria
         }
       }
       const auto distances = c.clip_distances_of(vertex);
-      std::copy(distances.begin(), distances.end(), to + 4 * (1 + pass.size()));
+      float* const clip = to + 4 * (1 + pass.size());
+      std::copy(distances.begin(), distances.end(), clip);
+      std::fill(clip + distances.size(), clip + 4 * has.clip_vectors(), kInside);
       to += stride;
     }
   }
@@ -88,7 +91,7 @@ void set_case_state(const Capabilities& has, const cases::Case& c) {
   glDisable(GL_DITHER);
   if (has.has_depth_clamp) set(GL_DEPTH_CLAMP, c.depth_clamp);
   for (GLenum i = 0; i < static_cast<GLenum>(has.max_clip_distances); ++i) {
-    set(GL_CLIP_DISTANCE0 + i, i < c.clip_distance_count);
+    set(GL_CLIP_DISTANCE0 + i, c.clip_distance_count > 0);
   }
 }
 
@@ -97,9 +100,11 @@ void set_scissor(const cases::Case& c) {
   if (c.scissor) glScissor(c.scissor->x, c.scissor->y, c.scissor->width, c.scissor->height);
 }
 
-void reset_case_state(const Capabilities& has, const cases::Case& c) {
+void reset_case_state(const Capabilities& has) {
   glDisable(GL_SCISSOR_TEST);
-  for (GLenum i = 0; i < c.clip_distance_count; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
+  for (GLenum i = 0; i < static_cast<GLenum>(has.max_clip_distances); ++i) {
+    glDisable(GL_CLIP_DISTANCE0 + i);
+  }
   if (has.has_depth_clamp) glDisable(GL_DEPTH_CLAMP);
 }
 

@@ -2,7 +2,6 @@
 
 // A case in GL's words, for the context that is current.
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -12,18 +11,16 @@
 
 namespace rastercheck::backends::gl {
 
-/// Vectors of four that a vertex's clip distances take.
-std::size_t clip_vectors(const cases::Case& c);
-
 /// The vertices of triangles, three each, for a pass: position, varyings, clip distances, four
-/// floats each, one after the other. What has no value is 0.
-std::vector<float> vertices_of(const cases::Case& c, std::span<const cases::Triangle> triangles,
-                               const Pass& pass);
+/// floats each, one after the other. What has no value is 0, clip distances that the case does not
+/// have are inside.
+std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
+                               std::span<const cases::Triangle> triangles, const Pass& pass);
 
 /// Everything but the scissor test, which clears heed: set it when the target is cleared.
 void set_case_state(const Capabilities& has, const cases::Case& c);
 void set_scissor(const cases::Case& c);
 /// What other draws than those of cases do not expect.
-void reset_case_state(const Capabilities& has, const cases::Case& c);
+void reset_case_state(const Capabilities& has);
 
 }  // namespace rastercheck::backends::gl

@@ -81,7 +81,7 @@ Result<LayerCopy> LayerCopy::create(const CopyProgram& program, const LayerShape
 }
 
 Result<void> LayerCopy::read(std::span<const GLuint> images, GLint layer,
-                             LayerContent& content) const {
+                             const std::vector<bool>& varyings, LayerContent& content) const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   glViewport(0, 0, width(), shape_.size.height);
   glDisable(GL_DEPTH_TEST);
@@ -113,6 +113,7 @@ Result<void> LayerCopy::read(std::span<const GLuint> images, GLint layer,
   content.is_empty = std::all_of(content.numbers.begin(), content.numbers.end(),
                                  [](float number) { return number == 0; });
   for (GLenum i = 0; i < shape_.varyings && !content.is_empty; ++i) {
+    if (!varyings[i]) continue;
     read_copy(i + 1);
     content.values[i] = pixels;
   }

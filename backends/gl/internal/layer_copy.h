@@ -17,7 +17,8 @@ class LayerCopy {
   static Result<LayerCopy> create(const CopyProgram& program, const LayerShape& shape);
 
   /// Reads a layer of images: numbers, depth, varyings.
-  Result<void> read(std::span<const GLuint> images, GLint layer, LayerContent& content) const;
+  Result<void> read(std::span<const GLuint> images, GLint layer, const std::vector<bool>& varyings,
+                    LayerContent& content) const;
 
  private:
   LayerCopy() = default;

@@ -142,12 +142,13 @@ Result<std::vector<std::size_t>> Layers::sample_order() const {
                   pattern.size(), places));
 }
 
-Result<void> Layers::read(std::size_t layer, LayerContent& content) {
+Result<void> Layers::read(std::size_t layer, const std::vector<bool>& varyings,
+                          LayerContent& content) {
   content.values.resize(values_.size());
   if (copy_) {
     std::vector<GLuint> images = {numbers_.name(), depth_.name()};
     for (const Object& image : values_) images.push_back(image.name());
-    return copy_->read(images, static_cast<GLint>(layer), content);
+    return copy_->read(images, static_cast<GLint>(layer), varyings, content);
   }
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer(layer));
   content.numbers.resize(shape_.samples());
@@ -158,6 +159,7 @@ Result<void> Layers::read(std::size_t layer, LayerContent& content) {
   content.depth.resize(shape_.samples());
   read_pixels(shape_, GL_DEPTH_COMPONENT, content.depth.data());
   for (GLenum i = 0; i < values_.size(); ++i) {
+    if (!varyings[i]) continue;
     content.values[i].resize(shape_.samples());
     glReadBuffer(GL_COLOR_ATTACHMENT0 + 1 + i);
     read_pixels(shape_, GL_RGBA, content.values[i].data());

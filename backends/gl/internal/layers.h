@@ -82,8 +82,9 @@ class Layers {
   /// samples are elsewhere.
   Result<std::vector<std::size_t>> sample_order() const;
 
-  /// What was drawn into a layer. Changes the state of GL.
-  Result<void> read(std::size_t layer, LayerContent& content);
+  /// What was drawn into a layer, and the values of those varyings that are asked for. Changes the
+  /// state of GL.
+  Result<void> read(std::size_t layer, const std::vector<bool>& varyings, LayerContent& content);
 
  private:
   Layers(const Capabilities& has, const LayerShape& shape);

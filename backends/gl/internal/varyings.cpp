@@ -1,35 +1,74 @@
 #include "backends/gl/internal/varyings.h"
 
-#include <map>
+#include <algorithm>
 
 namespace rastercheck::backends::gl {
 namespace {
 
+using cases::Interpolation;
+using cases::Location;
+
+using Classes = std::vector<VaryingClass>;
+
 VaryingClass class_of(const cases::Attribute& attribute, int samples) {
   VaryingClass varies{attribute.interpolation, attribute.location};
-  const bool is_flat = attribute.interpolation == cases::Interpolation::flat;
-  if (is_flat || samples == 1) varies.location = cases::Location::center;
+  if (attribute.interpolation == Interpolation::flat || samples == 1) {
+    varies.location = Location::center;
+  }
   return varies;
+}
+
+/// All that vary at one of these places, in both ways.
+Classes classes_at(const std::vector<Location>& locations, bool has_noperspective) {
+  Classes classes;
+  for (const Location location : locations) {
+    classes.push_back({Interpolation::smooth, location});
+    if (has_noperspective) classes.push_back({Interpolation::noperspective, location});
+  }
+  return classes;
+}
+
+/// The first of the passes from `begin` on that has room, or a new one of these classes.
+void put(std::size_t attribute, const VaryingClass& varies, const Classes& classes,
+         std::size_t begin, std::vector<Pass>& passes) {
+  for (std::size_t i = begin;; ++i) {
+    if (i == passes.size()) {
+      Pass& pass = passes.emplace_back();
+      for (const VaryingClass& one : classes) pass.push_back({one, {}, 0});
+    }
+    const auto varying =
+        std::find_if(passes[i].begin(), passes[i].end(),
+                     [&](const Varying& candidate) { return candidate.varies == varies; });
+    if (varying == passes[i].end()) return;
+    if (varying->count == varying->attributes.size()) continue;
+    varying->attributes[varying->count++] = attribute;
+    return;
+  }
 }
 
 }  // namespace
 
 std::vector<Pass> pack(const std::vector<cases::Attribute>& attributes, int samples,
-                       std::size_t most) {
-  std::map<VaryingClass, std::vector<std::size_t>> classes;
-  for (std::size_t i = 0; i < attributes.size(); ++i) {
-    classes[class_of(attributes[i], samples)].push_back(i);
-  }
-  std::vector<Pass> passes(1);
-  for (const auto& [varies, members] : classes) {
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      if (i % 4 == 0) {
-        if (passes.back().size() == most) passes.emplace_back();
-        passes.back().push_back({varies, {}, 0});
+                       bool has_noperspective) {
+  Classes of_pixels = classes_at(samples == 1 ? std::vector{Location::center}
+                                              : std::vector{Location::center, Location::centroid},
+                                 has_noperspective);
+  of_pixels.push_back({Interpolation::flat, Location::center});
+  const Classes of_samples = classes_at({Location::sample}, has_noperspective);
+  std::vector<Pass> passes;
+  for (const bool at_samples : {false, true}) {
+    const Classes& classes = at_samples ? of_samples : of_pixels;
+    const std::size_t begin = passes.size();
+    for (std::size_t i = 0; i < attributes.size(); ++i) {
+      const VaryingClass varies = class_of(attributes[i], samples);
+      if ((varies.location == Location::sample) == at_samples) {
+        put(i, varies, classes, begin, passes);
       }
-      Varying& last = passes.back().back();
-      last.attributes[last.count++] = members[i];
     }
+  }
+  if (passes.empty()) {
+    Pass& pass = passes.emplace_back();
+    for (const VaryingClass& one : of_pixels) pass.push_back({one, {}, 0});
   }
   return passes;
 }

@@ -1,8 +1,10 @@
 #pragma once
 
-// A case's attributes as varyings: scalars of one qualifier and location are packed into vectors of
-// four, so that few kinds of shader are needed, and what has more vectors than a draw has targets
-// is drawn several times.
+// A case's attributes as varyings. Programs are few, since drivers that compile for the processor
+// take longer for one than for hundreds of cases: each has a vector of four floats for every way to
+// vary that may come up together, whether a case has attributes of it or not. What has more
+// attributes is drawn several times. Samples' own values are drawn apart from those of whole
+// pixels, which would else be asked for at every sample as well.
 
 #include <array>
 #include <cstddef>
@@ -20,7 +22,7 @@ struct VaryingClass {
   auto operator<=>(const VaryingClass&) const = default;
 };
 
-/// Up to four attributes.
+/// Up to four attributes, or none.
 struct Varying {
   VaryingClass varies;
   std::array<std::size_t, 4> attributes{};  ///< indices into the case's
@@ -28,11 +30,11 @@ struct Varying {
   bool operator==(const Varying&) const = default;
 };
 
-/// What is drawn at once.
+/// What is drawn at once: the vectors of a program, some of them without attributes.
 using Pass = std::vector<Varying>;
 
-/// Passes of at most `most` vectors; at least one, which is empty where there are no attributes.
+/// At least one pass, without noperspective where there is none.
 std::vector<Pass> pack(const std::vector<cases::Attribute>& attributes, int samples,
-                       std::size_t most);
+                       bool has_noperspective);
 
 }  // namespace rastercheck::backends::gl
