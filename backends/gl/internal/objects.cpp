@@ -28,7 +28,7 @@ Result<void> check_status(GLuint name, GLenum status, const char* what, GetParam
 }
 
 Result<Object> make_shader(GLenum stage, const char* source) {
-  Object shader(glCreateShader(stage), [](GLuint name) { glDeleteShader(name); });
+  Object shader(glCreateShader(stage), [](GLuint name) noexcept { glDeleteShader(name); });
   glShaderSource(shader.name(), 1, &source, nullptr);
   glCompileShader(shader.name());
   return check_status(shader.name(), GL_COMPILE_STATUS, "a shader does not compile", glGetShaderiv,
@@ -41,55 +41,55 @@ Result<Object> make_shader(GLenum stage, const char* source) {
 Object make_buffer() {
   GLuint name = 0;
   glCreateBuffers(1, &name);
-  return {name, [](GLuint old) { glDeleteBuffers(1, &old); }};
+  return {name, [](GLuint old) noexcept { glDeleteBuffers(1, &old); }};
 }
 
 Object make_framebuffer() {
   GLuint name = 0;
   glCreateFramebuffers(1, &name);
-  return {name, [](GLuint old) { glDeleteFramebuffers(1, &old); }};
+  return {name, [](GLuint old) noexcept { glDeleteFramebuffers(1, &old); }};
 }
 
 Object make_sampler() {
   GLuint name = 0;
   glCreateSamplers(1, &name);
-  return {name, [](GLuint old) { glDeleteSamplers(1, &old); }};
+  return {name, [](GLuint old) noexcept { glDeleteSamplers(1, &old); }};
 }
 
 Object make_texture(GLenum target) {
   GLuint name = 0;
   glCreateTextures(target, 1, &name);
-  return {name, [](GLuint old) { glDeleteTextures(1, &old); }};
+  return {name, [](GLuint old) noexcept { glDeleteTextures(1, &old); }};
 }
 
 Object make_vertex_array() {
   GLuint name = 0;
   glCreateVertexArrays(1, &name);
-  return {name, [](GLuint old) { glDeleteVertexArrays(1, &old); }};
+  return {name, [](GLuint old) noexcept { glDeleteVertexArrays(1, &old); }};
 }
 
 Object generate_buffer() {
   GLuint name = 0;
   glGenBuffers(1, &name);
-  return {name, [](GLuint old) { glDeleteBuffers(1, &old); }};
+  return {name, [](GLuint old) noexcept { glDeleteBuffers(1, &old); }};
 }
 
 Object generate_framebuffer() {
   GLuint name = 0;
   glGenFramebuffers(1, &name);
-  return {name, [](GLuint old) { glDeleteFramebuffers(1, &old); }};
+  return {name, [](GLuint old) noexcept { glDeleteFramebuffers(1, &old); }};
 }
 
 Object generate_texture() {
   GLuint name = 0;
   glGenTextures(1, &name);
-  return {name, [](GLuint old) { glDeleteTextures(1, &old); }};
+  return {name, [](GLuint old) noexcept { glDeleteTextures(1, &old); }};
 }
 
 Object generate_vertex_array() {
   GLuint name = 0;
   glGenVertexArrays(1, &name);
-  return {name, [](GLuint old) { glDeleteVertexArrays(1, &old); }};
+  return {name, [](GLuint old) noexcept { glDeleteVertexArrays(1, &old); }};
 }
 
 Result<Object> make_program(const char* vertex_shader, const char* fragment_shader) {
@@ -97,7 +97,7 @@ Result<Object> make_program(const char* vertex_shader, const char* fragment_shad
   if (!vertex) return tl::unexpected(vertex.error());
   const Result<Object> fragment = make_shader(GL_FRAGMENT_SHADER, fragment_shader);
   if (!fragment) return tl::unexpected(fragment.error());
-  Object program(glCreateProgram(), [](GLuint name) { glDeleteProgram(name); });
+  Object program(glCreateProgram(), [](GLuint name) noexcept { glDeleteProgram(name); });
   glAttachShader(program.name(), vertex->name());
   glAttachShader(program.name(), fragment->name());
   glLinkProgram(program.name());

@@ -14,7 +14,7 @@ namespace rastercheck::backends::gl {
 /// A GL object's name, deleted with its owner while the context is current.
 class Object {
  public:
-  using Delete = void (*)(GLuint name);
+  using Delete = void (*)(GLuint name) noexcept;
 
   Object() = default;
   Object(GLuint name, Delete remove) : name_(name), delete_(remove) {}

@@ -1,0 +1,120 @@
+#include "backends/gl/internal/capabilities.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace rastercheck::backends::gl {
+namespace {
+
+using cases::Interpolation;
+using cases::Location;
+using testing::HasSubstr;
+
+/// A triangle with one attribute and one clip distance.
+cases::Case small_case() {
+  cases::Case c;
+  c.rules = cases::Rules::opengl;
+  c.framebuffer = {8, 8, 1};
+  c.viewport = {0, 0, 8, 8, 0, 1};
+  c.attributes = {{"a", Interpolation::smooth, Location::sample}};
+  c.positions = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}};
+  c.attribute_values = {20, 21, 22};
+  c.clip_distance_count = 1;
+  c.clip_distances = {30, 31, 32};
+  c.triangles = {{2, 0, 1}};
+  return c;
+}
+
+Capabilities all_there() {
+  Capabilities has;
+  has.api = "OpenGL 4.6";
+  has.has_clip_control = has.has_provoking_vertex = has.has_depth_clamp = true;
+  has.has_noperspective = has.has_sample_qualifier = has.has_sample_targets = true;
+  has.has_viewport_fractions = has.clears_beyond_one = true;
+  has.viewport_subpixel_bits = 8;
+  has.max_clip_distances = 8;
+  has.max_draw_buffers = 8;
+  has.max_size = 16384;
+  has.max_samples = 16;
+  has.viewport_bounds = {-32768, 32767};
+  has.max_viewport = {16384, 16384};
+  return has;
+}
+
+TEST(Capabilities, OfACaseWithNothingSpecialLackNothing) {
+  EXPECT_EQ(lacks(all_there(), small_case()), "");
+}
+
+TEST(Capabilities, NameWhatIsLacking) {
+  const auto expect = [](const Capabilities& has, const cases::Case& c, const std::string& what) {
+    EXPECT_THAT(lacks(has, c), HasSubstr(what));
+  };
+  const Capabilities has = all_there();
+  cases::Case c = small_case();
+  c.rules = cases::Rules::d3d;
+  expect(has, c, "the rules of d3d");
+  c = small_case();
+  c.viewport.height = -8;
+  expect(has, c, "negative size");
+  c = small_case();
+  c.viewport.x = 0.5F;
+  EXPECT_EQ(lacks(has, c), "");
+  c.viewport.x = 0x1p-9F;
+  expect(has, c, "8 fractional bits");
+  c = small_case();
+  c.viewport.y = 40000;
+  expect(has, c, "begins at 40000");
+  c.viewport = {0, 0, 20000, 8, 0, 1};
+  expect(has, c, "20000 x 8");
+  c = small_case();
+  c.framebuffer.width = 16384;
+  c.framebuffer.samples = 4;
+  expect(has, c, "targets of 16384 x 8 with 4 samples");
+}
+
+TEST(Capabilities, NameWhatThisContextLacks) {
+  const auto expect = [](bool Capabilities::*what, const cases::Case& c, const std::string& text) {
+    Capabilities has = all_there();
+    has.*what = false;
+    EXPECT_THAT(lacks(has, c), HasSubstr(text));
+    EXPECT_EQ(lacks(has, small_case()), "") << text;
+    EXPECT_EQ(lacks(all_there(), c), "") << text;
+  };
+  cases::Case c = small_case();
+  c.rules = cases::Rules::vulkan;
+  expect(&Capabilities::has_clip_control, c, "no clip control");
+  c.attributes[0].interpolation = Interpolation::flat;
+  expect(&Capabilities::has_provoking_vertex, c, "from the last vertex");
+  c = small_case();
+  c.attributes[0].interpolation = Interpolation::noperspective;
+  expect(&Capabilities::has_noperspective, c, "OpenGL 4.6 has no noperspective");
+  c = small_case();
+  c.framebuffer.samples = 4;
+  expect(&Capabilities::has_sample_qualifier, c, "no qualifier `sample`");
+  expect(&Capabilities::has_sample_targets, c, "no arrays of multisampled textures");
+  c = small_case();
+  c.depth_clamp = true;
+  expect(&Capabilities::has_depth_clamp, c, "no depth clamp");
+  c = small_case();
+  c.depth_test = cases::DepthTest::less;
+  expect(&Capabilities::clears_beyond_one, c, "cleared to more than 1");
+  c = small_case();
+  c.viewport.x = 0.5F;
+  expect(&Capabilities::has_viewport_fractions, c, "0 fractional bits");
+}
+
+TEST(Capabilities, CountSamplesAndClipDistances) {
+  Capabilities has = all_there();
+  has.max_samples = 4;
+  has.max_clip_distances = 0;
+  cases::Case c = small_case();
+  EXPECT_THAT(lacks(has, c), HasSubstr("has 0 clip distances, asked for 1"));
+  has.max_clip_distances = 8;
+  c.framebuffer.samples = 8;
+  EXPECT_THAT(lacks(has, c), HasSubstr("4 samples at most, asked for 8"));
+}
+
+}  // namespace
+}  // namespace rastercheck::backends::gl

@@ -1,0 +1,32 @@
+#include "backends/gl/internal/case_state.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace rastercheck::backends::gl {
+namespace {
+
+TEST(CaseState, PutsVerticesInOrder) {
+  cases::Case c;
+  c.attributes.resize(1);
+  c.positions = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}};
+  c.attribute_values = {20, 21, 22};
+  c.clip_distance_count = 1;
+  c.clip_distances = {30, 31, 32};
+  c.triangles = {{2, 0, 1}};
+  Capabilities has;
+  has.max_clip_distances = 8;
+  Pass pass(2);
+  pass[1] = {{}, {0}, 1};
+  const std::vector<float> corner2 = {9, 10, 11, 12, 0, 0, 0, 0, 22, 0,
+                                      0, 0,  32, 1,  1, 1, 1, 1, 1,  1};
+  const std::vector<float> all = vertices_of(has, c, c.triangles, pass);
+  ASSERT_EQ(all.size(), 3 * corner2.size());
+  EXPECT_EQ(std::vector(all.begin(), all.begin() + 20), corner2);
+  EXPECT_EQ(all[20], 1);
+  EXPECT_EQ(all[40 + 8], 21);
+}
+
+}  // namespace
+}  // namespace rastercheck::backends::gl
