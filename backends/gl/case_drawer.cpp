@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -203,7 +204,7 @@ Result<void> CaseDrawer::Impl::draw_pass(const Plan& plan, const Pass& pass, std
     constexpr std::uintptr_t kVector = 4 * sizeof(float);
     // GL takes an offset for a pointer.
     glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(inputs * kVector),
-                          reinterpret_cast<const void*>(i * kVector));
+                          std::bit_cast<const void*>(i * kVector));
   }
   glUseProgram(*program);
   set_case_state(has, c);
