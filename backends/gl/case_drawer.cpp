@@ -80,7 +80,15 @@ void append(const Fragments& some, const cases::Case& c, cases::Framebuffer& all
 }  // namespace
 
 struct CaseDrawer::Impl {
-  Impl() : has(read_capabilities()), programs(has), copies(has) {}
+  Impl() : has(read_capabilities()), programs(has), copies(has) { listen(); }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  ~Impl() {
+    if (listens) glDebugMessageCallback(nullptr, nullptr);
+  }
+
+  void listen();
+  Result<void> complain() const;
 
   Result<void> prepare();
   Result<Plan> plan(const cases::Case& c);
@@ -92,6 +100,8 @@ struct CaseDrawer::Impl {
   Result<void> take_values(const Plan& plan, const Pass& pass, Fragments& found) const;
 
   Capabilities has;
+  bool listens = false;   ///< to what the driver says
+  std::string complaint;  ///< the first, of the case that is drawn
   CasePrograms programs;
   CopyPrograms copies;
   Object vertex_array;
@@ -112,6 +122,27 @@ Result<CaseDrawer> CaseDrawer::create(const Context& /*context*/) {
 }
 
 int CaseDrawer::subpixel_bits() const { return impl_->has.subpixel_bits; }
+
+/// Has errors said in words where the driver does so.
+void CaseDrawer::Impl::listen() {
+  listens = !has.is_es && (has.version >= 43 || epoxy_has_gl_extension("GL_KHR_debug"));
+  if (!listens) return;
+  glEnable(GL_DEBUG_OUTPUT);
+  glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+  const GLDEBUGPROC note = [](GLenum, GLenum type, GLuint, GLenum severity, GLsizei,
+                              const GLchar* text, const void* impl) {
+    // It is the one that was handed over, which is not const.
+    auto* const self = static_cast<Impl*>(const_cast<void*>(impl));
+    const bool is_error = type == GL_DEBUG_TYPE_ERROR && severity == GL_DEBUG_SEVERITY_HIGH;
+    if (is_error && self->complaint.empty()) self->complaint = text;
+  };
+  glDebugMessageCallback(note, this);
+}
+
+Result<void> CaseDrawer::Impl::complain() const {
+  if (complaint.empty()) return {};
+  return failure("the driver says: " + complaint);
+}
 
 /// Sees whether float32 can be drawn into, and what its depth can be cleared to.
 Result<void> CaseDrawer::Impl::prepare() {
@@ -290,6 +321,7 @@ Result<void> CaseDrawer::Impl::draw_batch(const Plan& plan, std::size_t first,
 Result<cases::Framebuffer> CaseDrawer::draw(const cases::Case& c) {
   cases::Framebuffer drawn;
   drawn.attribute_count = c.attributes.size();
+  impl_->complaint.clear();
   const Result<Plan> plan = impl_->plan(c);
   if (!plan) return tl::unexpected(plan.error());
   const std::size_t of_batch = static_cast<std::size_t>(plan->layers) * plan->triangles;
@@ -297,6 +329,7 @@ Result<cases::Framebuffer> CaseDrawer::draw(const cases::Case& c) {
     const Result<void> done = impl_->draw_batch(*plan, first, drawn);
     if (!done) return tl::unexpected(done.error());
   }
+  if (const Result<void> quiet = impl_->complain(); !quiet) return tl::unexpected(quiet.error());
   return drawn;
 }
 

@@ -76,5 +76,30 @@ void start_process(benchmark::State& bench) {
 }
 BENCHMARK(start_process)->Name("backend/worker/start")->Unit(benchmark::kMicrosecond);
 
+/// A driver's drawing, the way there and back included.
+void draw_with_driver(benchmark::State& bench, const char* specification) {
+  backends::Isolation isolation;
+  isolation.command = {RASTERCHECK_BENCH_PROGRAM, "worker"};
+  const auto backend = backends::make_isolated_backend(specification, isolation);
+  if (!backend) return bench.SkipWithError(backend.error().reason.c_str());
+  const cases::Case c = half_case(static_cast<int>(bench.range(0)), 4);
+  // Programs are compiled at the first, and the first few are looked at for leaks.
+  for (int i = 0; i < 20; ++i) seconds_of(**backend, c);
+  for (auto _ : bench) bench.SetIterationTime(seconds_of(**backend, c));
+}
+BENCHMARK_CAPTURE(draw_with_driver, llvmpipe, "gl:llvmpipe")
+    ->Name("backend/gl/llvmpipe")
+    ->Arg(16)
+    ->Arg(64)
+    ->Arg(256)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(draw_with_driver, softpipe, "gl:softpipe")
+    ->Name("backend/gl/softpipe")
+    ->Arg(16)
+    ->Arg(64)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
+
 }  // namespace
 }  // namespace rastercheck::bench
