@@ -160,8 +160,9 @@ Result<void> limit_this_process(const ProcessLimits& limits) {
   // from the start.
   const std::uint64_t has = address_space();
   const rlim_t memory = has + std::min(limits.memory, RLIM_INFINITY - 1 - has);
-  std::vector<std::pair<__rlimit_resource, rlimit>> all{
-      {RLIMIT_AS, {memory, memory}}, {RLIMIT_CORE, {0, 0}}, {RLIMIT_FSIZE, {0, 0}}};
+  std::vector<std::pair<__rlimit_resource, rlimit>> all{{RLIMIT_AS, {memory, memory}},
+                                                        {RLIMIT_CORE, {0, 0}}};
+  if (!limits.may_write) all.push_back({RLIMIT_FSIZE, {0, 0}});
   if (limits.seconds > 0) all.push_back({RLIMIT_CPU, {limits.seconds, limits.seconds + 1}});
   for (const auto& [resource, limit] : all) {
     if (::setrlimit(resource, &limit) != 0) return failure("setrlimit", errno);
