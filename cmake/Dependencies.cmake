@@ -20,6 +20,8 @@ find_package(CLI11 REQUIRED)
 find_package(Boost REQUIRED)  # headers only
 find_package(PNG REQUIRED)
 find_package(rapidcheck REQUIRED)
+find_package(Vulkan REQUIRED)
+find_program(RASTERCHECK_GLSLANG glslangValidator REQUIRED)
 
 # libepoxy, which finds OpenGL's functions when the program runs. It comes without a CMake file.
 find_path(RASTERCHECK_EPOXY_INCLUDE epoxy/egl.h REQUIRED)

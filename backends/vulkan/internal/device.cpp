@@ -1,0 +1,299 @@
+#include "backends/vulkan/internal/device.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "backends/vulkan/driver_name.h"
+#include "backends/vulkan/internal/error.h"
+#include "backends/vulkan/slots.h"
+
+namespace rastercheck::backends::vulkan {
+namespace {
+
+struct Properties {
+  VkPhysicalDeviceProperties device{};
+  VkPhysicalDeviceDriverProperties driver{};
+};
+
+Properties properties_of(VkPhysicalDevice physical) {
+  Properties all;
+  all.driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
+  VkPhysicalDeviceProperties2 properties{};
+  properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+  // Of an older device there is nothing about its driver.
+  VkPhysicalDeviceProperties plain{};
+  vkGetPhysicalDeviceProperties(physical, &plain);
+  if (plain.apiVersion >= VK_API_VERSION_1_2) properties.pNext = &all.driver;
+  vkGetPhysicalDeviceProperties2(physical, &properties);
+  all.device = properties.properties;
+  all.driver.pNext = nullptr;
+  return all;
+}
+
+Driver driver_of(const Properties& properties) {
+  return driver_named({static_cast<std::uint32_t>(properties.driver.driverID),
+                       properties.driver.driverName, properties.driver.driverInfo,
+                       properties.device.driverVersion});
+}
+
+bool has_part(std::string_view text, std::string_view part) {
+  const auto alike = [](unsigned char a, unsigned char b) {
+    return std::tolower(a) == std::tolower(b);
+  };
+  return std::search(text.begin(), text.end(), part.begin(), part.end(), alike) != text.end();
+}
+
+/// The less the better.
+int rank_of(VkPhysicalDeviceType type) {
+  switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+      return 0;
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+      return 1;
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+      return 2;
+    default:
+      return 3;
+  }
+}
+
+std::string in_words(const DeviceChoice& choice) {
+  std::string words;
+  if (choice.index) words += fmt::format(" of index {}", *choice.index);
+  if (!choice.name.empty()) words += fmt::format(" with '{}' in its name", choice.name);
+  if (!choice.driver.empty()) words += fmt::format(" drawn by {}", choice.driver);
+  return words;
+}
+
+Result<VkPhysicalDevice> choose(VkInstance instance, const DeviceChoice& choice) {
+  std::uint32_t count = 0;
+  vkEnumeratePhysicalDevices(instance, &count, nullptr);
+  std::vector<VkPhysicalDevice> all(count);
+  const VkResult listed = vkEnumeratePhysicalDevices(instance, &count, all.data());
+  if (listed != VK_SUCCESS) return failed("vkEnumeratePhysicalDevices", listed);
+  VkPhysicalDevice best = VK_NULL_HANDLE;
+  int best_rank = 0;
+  std::string there;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Properties properties = properties_of(all[i]);
+    there += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, properties.device.deviceName);
+    const int rank = rank_of(properties.device.deviceType);
+    if ((choice.index && *choice.index != i) ||
+        !has_part(properties.device.deviceName, choice.name) ||
+        (!choice.driver.empty() && driver_of(properties).name != choice.driver) ||
+        (best != VK_NULL_HANDLE && rank >= best_rank)) {
+      continue;
+    }
+    best = all[i];
+    best_rank = rank;
+  }
+  if (best != VK_NULL_HANDLE) return best;
+  return failed(fmt::format("no Vulkan device{}; there are: {}", in_words(choice),
+                            there.empty() ? "none" : there),
+                Failure::unavailable);
+}
+
+std::set<std::string> extensions_of(VkPhysicalDevice physical) {
+  std::uint32_t count = 0;
+  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
+  std::vector<VkExtensionProperties> all(count);
+  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, all.data());
+  std::set<std::string> names;
+  for (const VkExtensionProperties& extension : all) names.insert(extension.extensionName);
+  return names;
+}
+
+/// The features that are of use, as structs that point at each other: neither copied nor moved.
+struct Features {
+  VkPhysicalDeviceFeatures2 core{};
+  VkPhysicalDeviceVulkan13Features vulkan13{};
+  VkPhysicalDeviceDepthClipControlFeaturesEXT depth_clip_control{};
+  VkPhysicalDeviceProvokingVertexFeaturesEXT provoking_vertex{};
+  std::vector<const char*> extensions;
+
+  explicit Features(const std::set<std::string>& available) {
+    core.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    vulkan13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    depth_clip_control.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_CLIP_CONTROL_FEATURES_EXT;
+    provoking_vertex.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROVOKING_VERTEX_FEATURES_EXT;
+    core.pNext = &vulkan13;
+    if (available.contains(VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME)) {
+      depth_clip_control.pNext = std::exchange(core.pNext, &depth_clip_control);
+      extensions.push_back(VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME);
+    }
+    if (available.contains(VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME)) {
+      provoking_vertex.pNext = std::exchange(core.pNext, &provoking_vertex);
+      extensions.push_back(VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME);
+    }
+  }
+  Features(const Features&) = delete;
+  Features& operator=(const Features&) = delete;
+  ~Features() = default;
+
+  /// Leaves of what the device has what is used.
+  void keep_used() {
+    const VkPhysicalDeviceFeatures has = core.features;
+    core.features = {};
+    core.features.depthClamp = has.depthClamp;
+    core.features.shaderClipDistance = has.shaderClipDistance;
+    core.features.sampleRateShading = has.sampleRateShading;
+    void* const next = vulkan13.pNext;
+    const VkBool32 dynamic = vulkan13.dynamicRendering;
+    vulkan13 = {};
+    vulkan13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    vulkan13.pNext = next;
+    vulkan13.dynamicRendering = dynamic;
+    provoking_vertex.transformFeedbackPreservesProvokingVertex = VK_FALSE;
+  }
+};
+
+/// A family of queues that draw; those compute too.
+std::optional<std::uint32_t> drawing_family(VkPhysicalDevice physical) {
+  std::uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+  std::vector<VkQueueFamilyProperties> all(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, all.data());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    constexpr VkQueueFlags kBoth = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+    if ((all[i].queueFlags & kBoth) == kBoth) return i;
+  }
+  return std::nullopt;
+}
+
+/// The numbers of samples that all images of a target can have.
+unsigned sample_counts_of(VkPhysicalDevice physical) {
+  unsigned counts = ~0U;
+  for (const auto& [format, attachment] :
+       {std::pair(kNumberFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT),
+        std::pair(kSlotFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT),
+        std::pair(kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT)}) {
+    VkImageFormatProperties properties{};
+    const VkResult known = vkGetPhysicalDeviceImageFormatProperties(
+        physical, format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL,
+        static_cast<VkImageUsageFlags>(attachment) | VK_IMAGE_USAGE_SAMPLED_BIT, 0, &properties);
+    counts &= known == VK_SUCCESS ? properties.sampleCounts : 1U;
+  }
+  return counts | 1U;
+}
+
+Limits limits_of(VkPhysicalDevice physical, const Features& features) {
+  const VkPhysicalDeviceLimits device = properties_of(physical).device.limits;
+  const VkPhysicalDeviceFeatures& core = features.core.features;
+  Limits limits;
+  limits.max_width =
+      static_cast<int>(std::min(device.maxFramebufferWidth, device.maxImageDimension2D));
+  limits.max_height =
+      static_cast<int>(std::min(device.maxFramebufferHeight, device.maxImageDimension2D));
+  limits.sample_counts = sample_counts_of(physical);
+  limits.standard_sample_locations = device.standardSampleLocations == VK_TRUE;
+  limits.max_viewport = {static_cast<float>(device.maxViewportDimensions[0]),
+                         static_cast<float>(device.maxViewportDimensions[1])};
+  limits.viewport_bounds = {device.viewportBoundsRange[0], device.viewportBoundsRange[1]};
+  limits.viewport_subpixel_bits = static_cast<int>(device.viewportSubPixelBits);
+  limits.subpixel_bits = static_cast<int>(device.subPixelPrecisionBits);
+  limits.clip_distances =
+      core.shaderClipDistance == VK_TRUE ? static_cast<int>(device.maxClipDistances) : 0;
+  limits.sample_rate_shading = core.sampleRateShading == VK_TRUE;
+  limits.depth_clamp = core.depthClamp == VK_TRUE;
+  limits.depth_clip_control = features.depth_clip_control.depthClipControl == VK_TRUE;
+  limits.provoking_vertex_last = features.provoking_vertex.provokingVertexLast == VK_TRUE;
+  // One attachment is for the triangle's number.
+  limits.slots = static_cast<int>(std::min<std::size_t>(
+      std::min(device.maxColorAttachments, device.maxFragmentOutputAttachments) - 1, kMaxSlots));
+  return limits;
+}
+
+tl::unexpected<Error> unavailable(const std::string& name, const std::string& what) {
+  return failed(name + " has no " + what, Failure::unavailable);
+}
+
+}  // namespace
+
+struct Device::Impl {
+  explicit Impl(Instance the_instance) : instance(std::move(the_instance)) {}
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  ~Impl() {
+    if (device != VK_NULL_HANDLE) vkDestroyDevice(device, nullptr);
+  }
+
+  Instance instance;
+  VkPhysicalDevice physical = VK_NULL_HANDLE;
+  VkDevice device = VK_NULL_HANDLE;
+  VkQueue queue = VK_NULL_HANDLE;
+  std::uint32_t family = 0;
+  Limits limits;
+  Properties properties;
+};
+
+Device::Device(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Device::Device(Device&& other) noexcept = default;
+Device& Device::operator=(Device&& other) noexcept = default;
+Device::~Device() = default;
+
+VkDevice Device::get() const { return impl_->device; }
+VkPhysicalDevice Device::physical() const { return impl_->physical; }
+VkQueue Device::queue() const { return impl_->queue; }
+std::uint32_t Device::queue_family() const { return impl_->family; }
+const Limits& Device::limits() const { return impl_->limits; }
+Driver Device::driver() const { return driver_of(impl_->properties); }
+std::string Device::take_messages() { return impl_->instance.take_messages(); }
+
+std::string Device::description() const {
+  const Driver by = driver();
+  const std::uint32_t api = impl_->properties.device.apiVersion;
+  return fmt::format("{}, {} {}, Vulkan {}.{}.{}", impl_->properties.device.deviceName, by.name,
+                     by.version, VK_API_VERSION_MAJOR(api), VK_API_VERSION_MINOR(api),
+                     VK_API_VERSION_PATCH(api));
+}
+
+Result<Device> Device::create(Instance instance, const DeviceChoice& choice) {
+  const Result<VkPhysicalDevice> physical = choose(instance.get(), choice);
+  if (!physical) return tl::unexpected(physical.error());
+  auto impl = std::make_unique<Impl>(std::move(instance));
+  impl->physical = *physical;
+  impl->properties = properties_of(*physical);
+  const std::string name = impl->properties.device.deviceName;
+  if (impl->properties.device.apiVersion < VK_API_VERSION_1_3) {
+    return unavailable(name, "Vulkan 1.3");
+  }
+  const std::optional<std::uint32_t> family = drawing_family(*physical);
+  if (!family) return unavailable(name, "queue that draws");
+  impl->family = *family;
+
+  Features features(extensions_of(*physical));
+  vkGetPhysicalDeviceFeatures2(*physical, &features.core);
+  features.keep_used();
+  impl->limits = limits_of(*physical, features);
+  constexpr float kPriority = 1;
+  VkDeviceQueueCreateInfo queue{};
+  queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+  queue.queueFamilyIndex = *family;
+  queue.queueCount = 1;
+  queue.pQueuePriorities = &kPriority;
+  VkDeviceCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+  info.pNext = &features.core;
+  info.queueCreateInfoCount = 1;
+  info.pQueueCreateInfos = &queue;
+  info.enabledExtensionCount = static_cast<std::uint32_t>(features.extensions.size());
+  info.ppEnabledExtensionNames = features.extensions.data();
+  if (const VkResult made = vkCreateDevice(*physical, &info, nullptr, &impl->device);
+      made != VK_SUCCESS) {
+    impl->device = VK_NULL_HANDLE;
+    Error error = failed("vkCreateDevice of " + name, made).value();
+    error.failure = Failure::unavailable;
+    return tl::unexpected(std::move(error));
+  }
+  vkGetDeviceQueue(impl->device, *family, 0, &impl->queue);
+  return Device(std::move(impl));
+}
+
+}  // namespace rastercheck::backends::vulkan

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "backends/vulkan/internal/device.h"
+#include "backends/vulkan/internal/object.h"
+#include "backends/vulkan/slots.h"
+
+namespace rastercheck::backends::vulkan {
+
+/// What a pipeline is made for; everything else of a draw is set when it is recorded.
+struct PipelineKind {
+  int samples = 1;
+  bool depth_clamp = false;
+  bool is_opengl = false;  ///< clip depth −w…w, last vertex provoking
+  std::size_t clip_distances = 0;
+  std::vector<Qualifier> slots;
+  auto operator<=>(const PipelineKind&) const = default;
+};
+
+/// Floats of a vertex in the buffer that these pipelines read: position, number of the triangle,
+/// clip distances, slots.
+struct VertexLayout {
+  std::size_t clip_distances = 5;  ///< where they begin
+  std::size_t slots = 5;           ///< where they begin
+  std::size_t size = 5;
+};
+VertexLayout vertex_layout(const PipelineKind& kind);
+
+/// Pipelines, kept for the next case of their kind.
+class Pipelines {
+ public:
+  static Result<Pipelines> create(const Device& device);
+
+  /// The pipeline lives until another one is asked for. Viewport, scissor, culling, front face and
+  /// depth test are dynamic.
+  Result<VkPipeline> get(const Device& device, const PipelineKind& kind);
+
+ private:
+  Pipelines() = default;
+
+  PipelineLayout layout_;
+  std::map<std::size_t, ShaderModule> vertex_;  ///< by clip distances
+  std::map<PipelineKind, Pipeline> made_;
+};
+
+Result<ShaderModule> make_module(const Device& device, std::span<const std::uint32_t> words);
+
+}  // namespace rastercheck::backends::vulkan

@@ -1,0 +1,42 @@
+#include "backends/vulkan/internal/shaders.h"
+
+#include <array>
+
+#include "backends/vulkan/shaders/fragment_0.h"
+#include "backends/vulkan/shaders/fragment_1.h"
+#include "backends/vulkan/shaders/fragment_2.h"
+#include "backends/vulkan/shaders/fragment_3.h"
+#include "backends/vulkan/shaders/fragment_4.h"
+#include "backends/vulkan/shaders/fragment_5.h"
+#include "backends/vulkan/shaders/fragment_6.h"
+#include "backends/vulkan/shaders/fragment_7.h"
+#include "backends/vulkan/shaders/samples.h"
+#include "backends/vulkan/shaders/vertex_0.h"
+#include "backends/vulkan/shaders/vertex_1.h"
+#include "backends/vulkan/shaders/vertex_2.h"
+#include "backends/vulkan/shaders/vertex_3.h"
+#include "backends/vulkan/shaders/vertex_4.h"
+#include "backends/vulkan/shaders/vertex_5.h"
+#include "backends/vulkan/shaders/vertex_6.h"
+#include "backends/vulkan/shaders/vertex_7.h"
+#include "backends/vulkan/shaders/vertex_8.h"
+
+namespace rastercheck::backends::vulkan {
+namespace {
+
+using Words = std::span<const std::uint32_t>;
+
+const std::array<Words, 9> kVertex{spirv_vertex_0, spirv_vertex_1, spirv_vertex_2,
+                                   spirv_vertex_3, spirv_vertex_4, spirv_vertex_5,
+                                   spirv_vertex_6, spirv_vertex_7, spirv_vertex_8};
+const std::array<Words, 8> kFragment{spirv_fragment_0, spirv_fragment_1, spirv_fragment_2,
+                                     spirv_fragment_3, spirv_fragment_4, spirv_fragment_5,
+                                     spirv_fragment_6, spirv_fragment_7};
+
+}  // namespace
+
+Words vertex_shader(std::size_t clip_distances) { return kVertex[clip_distances]; }
+Words fragment_shader(std::size_t slots) { return kFragment[slots]; }
+Words samples_shader() { return spirv_samples; }
+
+}  // namespace rastercheck::backends::vulkan

@@ -1,0 +1,232 @@
+#include "backends/vulkan/internal/target.h"
+
+#include <array>
+#include <utility>
+
+#include "backends/vulkan/slots.h"
+
+namespace rastercheck::backends::vulkan {
+namespace {
+
+VkImageAspectFlags aspect(bool is_depth) {
+  return is_depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
+/// A multiple of whatever a device may want descriptors to begin at.
+constexpr std::size_t kAlignment = 256;
+
+std::size_t part_bytes(const TargetShape& shape, std::size_t components) {
+  const std::size_t bytes = shape.layer_samples() * shape.layers * components * sizeof(float);
+  return (bytes + kAlignment - 1) / kAlignment * kAlignment;
+}
+
+VkImageCreateInfo image_info(const TargetShape& shape, VkFormat format) {
+  VkImageCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+  info.imageType = VK_IMAGE_TYPE_2D;
+  info.format = format;
+  info.extent = {static_cast<std::uint32_t>(shape.width), static_cast<std::uint32_t>(shape.height),
+                 1};
+  info.mipLevels = 1;
+  info.arrayLayers = static_cast<std::uint32_t>(shape.layers);
+  info.samples = static_cast<VkSampleCountFlagBits>(shape.samples);
+  info.tiling = VK_IMAGE_TILING_OPTIMAL;
+  const bool is_depth = format == kDepthFormat;
+  info.usage = static_cast<VkImageUsageFlags>(is_depth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                                       : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT) |
+               static_cast<VkImageUsageFlags>(shape.samples > 1 ? VK_IMAGE_USAGE_SAMPLED_BIT
+                                                                : VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+  return info;
+}
+
+Result<ImageView> make_view(const Device& device, VkImage image, VkFormat format,
+                            VkImageViewType type, std::uint32_t first, std::uint32_t count) {
+  VkImageViewCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+  info.image = image;
+  info.viewType = type;
+  info.format = format;
+  info.subresourceRange = {aspect(format == kDepthFormat), 0, 1, first, count};
+  return make_object<ImageView>("vkCreateImageView", &vkCreateImageView, device.get(), info);
+}
+
+VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout) {
+  VkRenderingAttachmentInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+  info.imageView = view;
+  info.imageLayout = layout;
+  info.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+  info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+  return info;
+}
+
+}  // namespace
+
+std::size_t TargetShape::bytes() const {
+  return 2 * (2 * part_bytes(*this, 1) + slots * part_bytes(*this, kSlotSize));
+}
+
+Result<void> Target::add_part(const Device& device, VkFormat format, std::size_t components) {
+  Result<DeviceImage> image = make_image(device, image_info(shape_, format));
+  if (!image) return tl::unexpected(image.error());
+  Part part;
+  part.image = *std::move(image);
+  part.is_depth = format == kDepthFormat;
+  part.components = components;
+  const VkImage handle = part.image.image.get();
+  for (std::uint32_t i = 0; i < shape_.layers; ++i) {
+    Result<ImageView> view = make_view(device, handle, format, VK_IMAGE_VIEW_TYPE_2D, i, 1);
+    if (!view) return tl::unexpected(view.error());
+    part.views.push_back(*std::move(view));
+  }
+  if (shape_.samples > 1) {
+    Result<ImageView> whole = make_view(device, handle, format, VK_IMAGE_VIEW_TYPE_2D_ARRAY, 0,
+                                        static_cast<std::uint32_t>(shape_.layers));
+    if (!whole) return tl::unexpected(whole.error());
+    part.whole = *std::move(whole);
+  }
+  parts_.push_back(std::move(part));
+  return {};
+}
+
+Result<Target> Target::create(const Device& device, const SampleReader& reader,
+                              const TargetShape& shape) {
+  Target target;
+  target.shape_ = shape;
+  Result<void> added = target.add_part(device, kNumberFormat, 1);
+  if (added) added = target.add_part(device, kDepthFormat, 1);
+  for (std::size_t i = 0; added && i < shape.slots; ++i) {
+    added = target.add_part(device, kSlotFormat, kSlotSize);
+  }
+  if (!added) return tl::unexpected(added.error());
+
+  std::size_t size = 0;
+  for (Part& part : target.parts_) {
+    part.begin = std::exchange(size, size + part_bytes(shape, part.components));
+  }
+  Result<HostBuffer> buffer = make_host_buffer(
+      device, size, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  if (!buffer) return tl::unexpected(buffer.error());
+  target.buffer_ = *std::move(buffer);
+  if (shape.samples == 1) return target;
+
+  std::vector<SampleReader::Source> sources;
+  for (const Part& part : target.parts_) {
+    sources.push_back({part.whole.get(), target.buffer_.buffer.get(), part.begin,
+                       part_bytes(shape, part.components)});
+  }
+  Result<SampleReader::Bindings> bindings = reader.bind(device, sources);
+  if (!bindings) return tl::unexpected(bindings.error());
+  target.bindings_ = *std::move(bindings);
+  return target;
+}
+
+/// To be drawn into, or from being drawn into to being read.
+void Target::barrier(VkCommandBuffer commands, const Part& part, bool is_before) const {
+  const VkImageLayout drawn = part.is_depth ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
+                                            : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+  const VkAccessFlags drawing =
+      part.is_depth ? VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
+                          VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT
+                    : static_cast<VkAccessFlags>(VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT);
+  const VkPipelineStageFlags drawing_stage =
+      part.is_depth
+          ? VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT
+          : static_cast<VkPipelineStageFlags>(VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT);
+  const bool has_samples = shape_.samples > 1;
+  VkImageMemoryBarrier barrier{};
+  barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
+  barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.image = part.image.image.get();
+  barrier.subresourceRange = {aspect(part.is_depth), 0, 1, 0, VK_REMAINING_ARRAY_LAYERS};
+  if (is_before) {
+    barrier.dstAccessMask = drawing;
+    barrier.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+    barrier.newLayout = drawn;
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, drawing_stage, 0, 0, nullptr,
+                         0, nullptr, 1, &barrier);
+    return;
+  }
+  barrier.srcAccessMask = drawing;
+  barrier.dstAccessMask = has_samples ? VK_ACCESS_SHADER_READ_BIT : VK_ACCESS_TRANSFER_READ_BIT;
+  barrier.oldLayout = drawn;
+  barrier.newLayout =
+      has_samples ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+  vkCmdPipelineBarrier(
+      commands, drawing_stage,
+      has_samples ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0,
+      nullptr, 0, nullptr, 1, &barrier);
+}
+
+void Target::begin(VkCommandBuffer commands) const {
+  for (const Part& part : parts_) barrier(commands, part, true);
+}
+
+void Target::begin_layer(VkCommandBuffer commands, std::size_t layer) const {
+  std::vector<VkRenderingAttachmentInfo> colors;
+  VkRenderingAttachmentInfo depth{};
+  for (const Part& part : parts_) {
+    const VkImageView view = part.views[layer].get();
+    if (part.is_depth) {
+      depth = attachment(view, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
+      depth.clearValue.depthStencil = {1, 0};
+    } else {
+      colors.push_back(attachment(view, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL));
+    }
+  }
+  VkRenderingInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+  info.renderArea.extent = {static_cast<std::uint32_t>(shape_.width),
+                            static_cast<std::uint32_t>(shape_.height)};
+  info.layerCount = 1;
+  info.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
+  info.pColorAttachments = colors.data();
+  info.pDepthAttachment = &depth;
+  vkCmdBeginRendering(commands, &info);
+}
+
+void Target::end_layer(VkCommandBuffer commands) { vkCmdEndRendering(commands); }
+
+void Target::end(VkCommandBuffer commands, const SampleReader& reader, std::size_t layers) const {
+  const auto width = static_cast<std::uint32_t>(shape_.width);
+  const auto height = static_cast<std::uint32_t>(shape_.height);
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Part& part = parts_[i];
+    barrier(commands, part, false);
+    if (shape_.samples > 1) {
+      reader.record(commands, bindings_.sets[i],
+                    {width, height, static_cast<std::uint32_t>(shape_.samples),
+                     static_cast<std::uint32_t>(part.components)},
+                    layers);
+      continue;
+    }
+    VkBufferImageCopy copy{};
+    copy.bufferOffset = part.begin;
+    copy.imageSubresource = {aspect(part.is_depth), 0, 0, static_cast<std::uint32_t>(layers)};
+    copy.imageExtent = {width, height, 1};
+    vkCmdCopyImageToBuffer(commands, part.image.image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                           buffer_.buffer.get(), 1, &copy);
+  }
+  VkMemoryBarrier barrier{};
+  barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+  barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT | VK_ACCESS_SHADER_WRITE_BIT;
+  barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
+  vkCmdPipelineBarrier(commands,
+                       VK_PIPELINE_STAGE_TRANSFER_BIT | VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                       VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+}
+
+std::span<const float> Target::read(const Part& part, std::size_t layer) const {
+  const std::size_t count = shape_.layer_samples() * part.components;
+  const auto* const floats = reinterpret_cast<const float*>(buffer_.bytes.data() + part.begin);
+  return {floats + layer * count, count};
+}
+
+std::span<const float> Target::numbers(std::size_t layer) const { return read(parts_[0], layer); }
+std::span<const float> Target::depths(std::size_t layer) const { return read(parts_[1], layer); }
+std::span<const float> Target::slot(std::size_t slot, std::size_t layer) const {
+  return read(parts_[2 + slot], layer);
+}
+
+}  // namespace rastercheck::backends::vulkan

@@ -1,0 +1,95 @@
+#include "backends/vulkan/limits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rastercheck::backends::vulkan {
+namespace {
+
+std::string lacks_size(const Limits& limits, const cases::Case& c) {
+  const cases::FramebufferSize& size = c.framebuffer;
+  if (size.width > limits.max_width || size.height > limits.max_height) {
+    return fmt::format("framebuffers of {} x {} pixels: {} x {} at most", size.width, size.height,
+                       limits.max_width, limits.max_height);
+  }
+  if ((limits.sample_counts & static_cast<unsigned>(size.samples)) == 0) {
+    return fmt::format("{} samples a pixel", size.samples);
+  }
+  if (size.samples > 1 && !limits.standard_sample_locations) {
+    return "the standard sample locations (standardSampleLocations)";
+  }
+  return "";
+}
+
+std::string lacks_viewport(const Limits& limits, const cases::Viewport& viewport) {
+  // Vulkan turns heights round (VK_KHR_maintenance1), no widths.
+  if (!(viewport.width > 0)) return "viewports whose width is not above 0";
+  if (viewport.width > limits.max_viewport[0] ||
+      std::fabs(viewport.height) > limits.max_viewport[1]) {
+    return fmt::format("viewports beyond {} x {} pixels (maxViewportDimensions)",
+                       limits.max_viewport[0], limits.max_viewport[1]);
+  }
+  const auto [least, greatest] = limits.viewport_bounds;
+  for (const float border :
+       {viewport.x, viewport.x + viewport.width, viewport.y, viewport.y + viewport.height}) {
+    if (border >= least && border <= greatest) continue;
+    return fmt::format("viewports beyond {} to {} (viewportBoundsRange)", least, greatest);
+  }
+  for (const float number : {viewport.x, viewport.y, viewport.width, viewport.height}) {
+    const float steps = std::ldexp(number, limits.viewport_subpixel_bits);
+    if (steps == std::floor(steps)) continue;
+    return fmt::format("viewports in parts of 2^-{} pixel (viewportSubPixelBits)",
+                       limits.viewport_subpixel_bits + 1);
+  }
+  return "";
+}
+
+std::string lacks_state(const Limits& limits, const cases::Case& c) {
+  if (c.depth_clamp && !limits.depth_clamp) return "depth clamp (depthClamp)";
+  if (c.clip_distance_count > static_cast<std::size_t>(limits.clip_distances)) {
+    return fmt::format("{} clip distances", c.clip_distance_count);
+  }
+  return "";
+}
+
+std::string lacks_rules(const Limits& limits, const cases::Case& c) {
+  if (c.rules == cases::Rules::d3d) return "the rules of D3D";
+  if (c.rules == cases::Rules::vulkan) return "";
+  if (!limits.depth_clip_control) {
+    return "OpenGL's clip depth (VK_EXT_depth_clip_control)";
+  }
+  const bool has_flat = std::any_of(
+      c.attributes.begin(), c.attributes.end(),
+      [](const cases::Attribute& a) { return a.interpolation == cases::Interpolation::flat; });
+  if (has_flat && !limits.provoking_vertex_last) {
+    return "OpenGL's provoking vertex (VK_EXT_provoking_vertex)";
+  }
+  return "";
+}
+
+std::string lacks_attributes(const Limits& limits, const cases::Case& c) {
+  const bool has_samples =
+      std::any_of(c.attributes.begin(), c.attributes.end(), [](const cases::Attribute& a) {
+        return a.interpolation != cases::Interpolation::flat &&
+               a.location == cases::Location::sample;
+      });
+  if (c.framebuffer.samples > 1 && has_samples && !limits.sample_rate_shading) {
+    return "attributes at samples (sampleRateShading)";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string lacks(const Limits& limits, const cases::Case& c) {
+  for (const std::string& reason :
+       {lacks_rules(limits, c), lacks_size(limits, c), lacks_viewport(limits, c.viewport),
+        lacks_state(limits, c), lacks_attributes(limits, c)}) {
+    if (!reason.empty()) return reason;
+  }
+  return "";
+}
+
+}  // namespace rastercheck::backends::vulkan
