@@ -72,7 +72,8 @@ std::size_t memory_in_use() {
 /// when it is replayed, and so is looked at again.
 class Drawer {
  public:
-  Drawer(Backend& backend, double seconds) : backend_(&backend), longest_(seconds / kShareOfTime) {}
+  Drawer(Backend& backend, double seconds)
+      : backend_(&backend), longest_(seconds / kShareOfTime), longest_together_(seconds / 2) {}
 
   Result<cases::Framebuffer> draw(const cases::Case& c) {
     const auto start = std::chrono::steady_clock::now();
@@ -84,27 +85,33 @@ class Drawer {
   }
 
  private:
-  /// How often, and how many drawings in the end have to have taken some: caches fill in the
-  /// others. Where they have, it goes on for as long as each takes some, up to so many: malloc
-  /// itself keeps a few pieces of every size for each thread before it has them back.
+  /// How often at least: caches fill in the first of them. Drawings that have taken memory so many
+  /// times in a row at the end are suspected, and go on until one has not, which is no leak, or
+  /// this many have: a driver's threads take some for a while, as their work comes to be shared
+  /// out.
   static constexpr int kRepetitions = 8;
-  static constexpr int kLeaking = 4;
-  static constexpr int kMostRepetitions = 40;
+  static constexpr int kSuspected = 4;
+  static constexpr int kLeaking = 64;
   /// Of the time for an answer, what a drawing may take: all together is not to take half of it.
-  static constexpr double kShareOfTime = 100;
+  static constexpr double kShareOfTime = 20;
 
   Result<void> check_memory(const cases::Case& c) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto may_go_on = [&](int growing) {
+      return growing >= kSuspected && growing < kLeaking &&
+             std::chrono::steady_clock::now() - start < longest_together_;
+    };
     std::size_t before = memory_in_use();
     std::size_t growth = 0;
     int growing = 0;
-    for (int i = 1; i <= kMostRepetitions; ++i) {
+    for (int i = 0; i < kRepetitions || may_go_on(growing); ++i) {
       if (const auto again = backend_->draw(c); !again) return tl::unexpected(again.error());
       const std::size_t after = memory_in_use();
       growing = after > before ? growing + 1 : 0;
       growth = after - before;
       before = after;
-      if (i >= kRepetitions && growing < kLeaking) return {};
     }
+    if (growing < kSuspected) return {};
     return tl::unexpected(Error{
         "", "",
         fmt::format("it leaks: each time that this case is drawn again, more memory is in use than "
@@ -114,6 +121,7 @@ class Drawer {
 
   Backend* backend_;
   std::chrono::duration<double> longest_;
+  std::chrono::duration<double> longest_together_;
   std::uint64_t drawings_ = 0;
 };
 

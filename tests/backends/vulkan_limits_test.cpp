@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include "backends/vulkan/limits.h"
+
+namespace rastercheck::backends::vulkan {
+namespace {
+
+using cases::Interpolation;
+using cases::Location;
+
+/// What lavapipe says, but for half pixels.
+Limits all() {
+  Limits limits;
+  limits.max_width = 8192;
+  limits.max_height = 4096;
+  limits.sample_counts = 1U | 4U;
+  limits.standard_sample_locations = true;
+  limits.max_viewport = {16384, 16384};
+  limits.viewport_bounds = {-32768, 32767};
+  limits.viewport_subpixel_bits = 1;
+  limits.subpixel_bits = 8;
+  limits.clip_distances = 8;
+  limits.sample_rate_shading = true;
+  limits.depth_clamp = true;
+  limits.depth_clip_control = true;
+  limits.provoking_vertex_last = true;
+  limits.slots = 7;
+  return limits;
+}
+
+cases::Case ordinary() {
+  cases::Case c;
+  c.framebuffer = {64, 64, 4};
+  c.viewport = {-3, 64, 32.5F, -64, 1, 0};
+  c.depth_clamp = true;
+  c.clip_distance_count = 8;
+  c.attributes = {{"u", Interpolation::smooth, Location::sample}, {"f", Interpolation::flat, {}}};
+  return c;
+}
+
+TEST(VulkanLimits, LeaveOrdinaryCasesAlone) {
+  EXPECT_EQ(lacks(all(), ordinary()), "");
+  cases::Case c = ordinary();
+  c.rules = cases::Rules::opengl;
+  EXPECT_EQ(lacks(all(), c), "");
+}
+
+TEST(VulkanLimits, AreOfSizesAndSamples) {
+  cases::Case c = ordinary();
+  c.framebuffer = {8192, 4096, 1};
+  EXPECT_EQ(lacks(all(), c), "");
+  c.framebuffer = {8193, 4096, 1};
+  EXPECT_EQ(lacks(all(), c), "framebuffers of 8193 x 4096 pixels: 8192 x 4096 at most");
+  c.framebuffer = {64, 4097, 1};
+  EXPECT_EQ(lacks(all(), c), "framebuffers of 64 x 4097 pixels: 8192 x 4096 at most");
+  c.framebuffer = {64, 64, 8};
+  EXPECT_EQ(lacks(all(), c), "8 samples a pixel");
+  Limits limits = all();
+  limits.standard_sample_locations = false;
+  EXPECT_EQ(lacks(limits, ordinary()), "the standard sample locations (standardSampleLocations)");
+  c.framebuffer.samples = 1;
+  EXPECT_EQ(lacks(limits, c), "");
+}
+
+TEST(VulkanLimits, AreOfViewports) {
+  cases::Case c = ordinary();
+  for (const float width : {0.0F, -64.0F}) {
+    c.viewport.width = width;
+    EXPECT_EQ(lacks(all(), c), "viewports whose width is not above 0");
+  }
+  c.viewport = {0, 0, 16384.5F, 64};
+  EXPECT_EQ(lacks(all(), c), "viewports beyond 16384 x 16384 pixels (maxViewportDimensions)");
+  c.viewport = {0, 0, 64, -16385};
+  EXPECT_EQ(lacks(all(), c), "viewports beyond 16384 x 16384 pixels (maxViewportDimensions)");
+  for (const cases::Viewport& beyond : {cases::Viewport{-32769, 0, 64, 64},
+                                        {32700, 0, 68, 64},
+                                        {0, -32760, 64, -9},
+                                        {0, 32768, 64, -64}}) {
+    c.viewport = beyond;
+    EXPECT_EQ(lacks(all(), c), "viewports beyond -32768 to 32767 (viewportBoundsRange)");
+  }
+  c.viewport = {0.5F, 0, 64, 64};
+  EXPECT_EQ(lacks(all(), c), "");
+  for (const cases::Viewport& fine : {cases::Viewport{0.25F, 0, 64, 64},
+                                      {0, 0.25F, 64, 64},
+                                      {0, 0, 63.75F, 64},
+                                      {0, 0, 64, -63.75F}}) {
+    c.viewport = fine;
+    EXPECT_EQ(lacks(all(), c), "viewports in parts of 2^-2 pixel (viewportSubPixelBits)");
+  }
+}
+
+TEST(VulkanLimits, AreOfFeatures) {
+  Limits limits = all();
+  limits.depth_clamp = false;
+  EXPECT_EQ(lacks(limits, ordinary()), "depth clamp (depthClamp)");
+  limits = all();
+  limits.clip_distances = 7;
+  EXPECT_EQ(lacks(limits, ordinary()), "8 clip distances");
+  limits = all();
+  limits.sample_rate_shading = false;
+  cases::Case c = ordinary();
+  EXPECT_EQ(lacks(limits, c), "attributes at samples (sampleRateShading)");
+  c.attributes[0].location = Location::centroid;
+  EXPECT_EQ(lacks(limits, c), "");
+  c.attributes[0].location = Location::sample;
+  c.framebuffer.samples = 1;
+  EXPECT_EQ(lacks(limits, c), "");
+}
+
+TEST(VulkanLimits, AreOfRules) {
+  cases::Case c = ordinary();
+  c.rules = cases::Rules::d3d;
+  EXPECT_EQ(lacks(all(), c), "the rules of D3D");
+  c.rules = cases::Rules::opengl;
+  Limits limits = all();
+  limits.provoking_vertex_last = false;
+  EXPECT_EQ(lacks(limits, c), "OpenGL's provoking vertex (VK_EXT_provoking_vertex)");
+  c.attributes.pop_back();
+  EXPECT_EQ(lacks(limits, c), "");
+  limits.depth_clip_control = false;
+  EXPECT_EQ(lacks(limits, c), "OpenGL's clip depth (VK_EXT_depth_clip_control)");
+  c.rules = cases::Rules::vulkan;
+  EXPECT_EQ(lacks(limits, c), "");
+}
+
+}  // namespace
+}  // namespace rastercheck::backends::vulkan
