@@ -70,13 +70,14 @@ std::string lacks_rules(const Limits& limits, const cases::Case& c) {
 }
 
 std::string lacks_attributes(const Limits& limits, const cases::Case& c) {
-  const bool has_samples =
+  // The centre of several samples has to be asked for, too (shaders/case.frag).
+  const bool has_places =
       std::any_of(c.attributes.begin(), c.attributes.end(), [](const cases::Attribute& a) {
         return a.interpolation != cases::Interpolation::flat &&
-               a.location == cases::Location::sample;
+               a.location != cases::Location::centroid;
       });
-  if (c.framebuffer.samples > 1 && has_samples && !limits.sample_rate_shading) {
-    return "attributes at samples (sampleRateShading)";
+  if (c.framebuffer.samples > 1 && has_places && !limits.sample_rate_shading) {
+    return "attributes at samples and centres of several samples (sampleRateShading)";
   }
   return "";
 }

@@ -100,7 +100,11 @@ TEST(VulkanLimits, AreOfFeatures) {
   limits = all();
   limits.sample_rate_shading = false;
   cases::Case c = ordinary();
-  EXPECT_EQ(lacks(limits, c), "attributes at samples (sampleRateShading)");
+  for (const Location location : {Location::sample, Location::center}) {
+    c.attributes[0].location = location;
+    EXPECT_EQ(lacks(limits, c),
+              "attributes at samples and centres of several samples (sampleRateShading)");
+  }
   c.attributes[0].location = Location::centroid;
   EXPECT_EQ(lacks(limits, c), "");
   c.attributes[0].location = Location::sample;

@@ -138,6 +138,38 @@ void Description::describe_output(const PipelineKind& kind) {
   rendering.depthAttachmentFormat = kDepthFormat;
 }
 
+/// Which slots are to be evaluated at the centre, of pixels that have other places to do it at.
+class Centers {
+ public:
+  explicit Centers(const PipelineKind& kind) {
+    for (std::size_t i = 0; i < kind.slots.size(); ++i) {
+      const Qualifier& q = kind.slots[i];
+      const bool is_center = kind.samples > 1 && q.location == cases::Location::center &&
+                             q.interpolation != cases::Interpolation::flat;
+      values_[i] = is_center ? VK_TRUE : VK_FALSE;
+      entries_[i] = {static_cast<std::uint32_t>(i),
+                     static_cast<std::uint32_t>(i * sizeof(VkBool32)), sizeof(VkBool32)};
+      any_ = any_ || is_center;
+    }
+    info_.mapEntryCount = static_cast<std::uint32_t>(kind.slots.size());
+    info_.pMapEntries = entries_.data();
+    info_.dataSize = sizeof values_;
+    info_.pData = values_.data();
+  }
+  Centers(const Centers&) = delete;
+  Centers& operator=(const Centers&) = delete;
+  ~Centers() = default;
+
+  bool any() const { return any_; }
+  const VkSpecializationInfo* info() const { return any_ ? &info_ : nullptr; }
+
+ private:
+  std::array<VkBool32, kMaxSlots> values_{};
+  std::array<VkSpecializationMapEntry, kMaxSlots> entries_{};
+  VkSpecializationInfo info_{};
+  bool any_ = false;
+};
+
 VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, const ShaderModule& module) {
   VkPipelineShaderStageCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
@@ -187,13 +219,15 @@ Result<VkPipeline> Pipelines::get(const Device& device, const PipelineKind& kind
     if (!module) return tl::unexpected(module.error());
     vertex = *std::move(module);
   }
+  const Centers centers(kind);
   const Result<ShaderModule> fragment =
-      make_module(device, qualified(fragment_shader(kind.slots.size()), kind.slots));
+      make_module(device, qualified(fragment_shader(kind.slots.size(), centers.any()), kind.slots));
   if (!fragment) return tl::unexpected(fragment.error());
 
   const Description description(kind);
-  const std::array stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex),
-                          stage(VK_SHADER_STAGE_FRAGMENT_BIT, *fragment)};
+  std::array stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex),
+                    stage(VK_SHADER_STAGE_FRAGMENT_BIT, *fragment)};
+  stages[1].pSpecializationInfo = centers.info();
   VkGraphicsPipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
   info.pNext = &description.rendering;

@@ -2,6 +2,14 @@
 
 #include <array>
 
+#include "backends/vulkan/shaders/centers_0.h"
+#include "backends/vulkan/shaders/centers_1.h"
+#include "backends/vulkan/shaders/centers_2.h"
+#include "backends/vulkan/shaders/centers_3.h"
+#include "backends/vulkan/shaders/centers_4.h"
+#include "backends/vulkan/shaders/centers_5.h"
+#include "backends/vulkan/shaders/centers_6.h"
+#include "backends/vulkan/shaders/centers_7.h"
 #include "backends/vulkan/shaders/fragment_0.h"
 #include "backends/vulkan/shaders/fragment_1.h"
 #include "backends/vulkan/shaders/fragment_2.h"
@@ -32,11 +40,16 @@ const std::array<Words, 9> kVertex{spirv_vertex_0, spirv_vertex_1, spirv_vertex_
 const std::array<Words, 8> kFragment{spirv_fragment_0, spirv_fragment_1, spirv_fragment_2,
                                      spirv_fragment_3, spirv_fragment_4, spirv_fragment_5,
                                      spirv_fragment_6, spirv_fragment_7};
+const std::array<Words, 8> kCenters{spirv_centers_0, spirv_centers_1, spirv_centers_2,
+                                    spirv_centers_3, spirv_centers_4, spirv_centers_5,
+                                    spirv_centers_6, spirv_centers_7};
 
 }  // namespace
 
 Words vertex_shader(std::size_t clip_distances) { return kVertex[clip_distances]; }
-Words fragment_shader(std::size_t slots) { return kFragment[slots]; }
+Words fragment_shader(std::size_t slots, bool has_centers) {
+  return has_centers ? kCenters[slots] : kFragment[slots];
+}
 Words samples_shader() { return spirv_samples; }
 
 }  // namespace rastercheck::backends::vulkan

@@ -1,5 +1,8 @@
 // Writes SLOTS interpolated vectors and the number of the triangle. The slots are qualified in the
-// way that leaves a word for every qualifier; qualified() (spirv.h) puts in those of a case.
+// way that leaves a word for every qualifier; qualified() (spirv.h) puts in those of a case. With
+// CENTERS slots may be asked for their value at the centre of the pixel, which of several samples
+// is the one way to have it: an input without `centroid` and `sample` may be interpolated anywhere
+// in the pixel (the Vulkan specification, Interpolation Decorations).
 #version 450
 layout(location = 7) flat in float number;
 layout(location = 0) out float number_out;
@@ -32,27 +35,40 @@ layout(location = 6) noperspective sample in vec4 slot_6;
 layout(location = 7) out vec4 value_6;
 #endif
 
+#if CENTERS
+layout(constant_id = 0) const bool is_at_center_0 = false;
+layout(constant_id = 1) const bool is_at_center_1 = false;
+layout(constant_id = 2) const bool is_at_center_2 = false;
+layout(constant_id = 3) const bool is_at_center_3 = false;
+layout(constant_id = 4) const bool is_at_center_4 = false;
+layout(constant_id = 5) const bool is_at_center_5 = false;
+layout(constant_id = 6) const bool is_at_center_6 = false;
+#define VALUE(slot, is_at_center) (is_at_center ? interpolateAtOffset(slot, vec2(0)) : slot)
+#else
+#define VALUE(slot, is_at_center) slot
+#endif
+
 void main() {
   number_out = number;
 #if SLOTS > 0
-  value_0 = slot_0;
+  value_0 = VALUE(slot_0, is_at_center_0);
 #endif
 #if SLOTS > 1
-  value_1 = slot_1;
+  value_1 = VALUE(slot_1, is_at_center_1);
 #endif
 #if SLOTS > 2
-  value_2 = slot_2;
+  value_2 = VALUE(slot_2, is_at_center_2);
 #endif
 #if SLOTS > 3
-  value_3 = slot_3;
+  value_3 = VALUE(slot_3, is_at_center_3);
 #endif
 #if SLOTS > 4
-  value_4 = slot_4;
+  value_4 = VALUE(slot_4, is_at_center_4);
 #endif
 #if SLOTS > 5
-  value_5 = slot_5;
+  value_5 = VALUE(slot_5, is_at_center_5);
 #endif
 #if SLOTS > 6
-  value_6 = slot_6;
+  value_6 = VALUE(slot_6, is_at_center_6);
 #endif
 }
