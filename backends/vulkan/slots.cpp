@@ -1,9 +1,54 @@
 #include "backends/vulkan/slots.h"
 
+#include <algorithm>
 #include <map>
+#include <span>
 #include <utility>
 
 namespace rastercheck::backends::vulkan {
+namespace {
+
+using cases::Interpolation;
+using cases::Location;
+
+// What shaders are made for, each in the order of qualifiers. Those at samples are apart: they are
+// run for every sample, the others for every pixel.
+constexpr std::array<Qualifier, 3> kOfOneSample{{
+    {Interpolation::smooth, Location::center},
+    {Interpolation::noperspective, Location::center},
+    {Interpolation::flat, Location::center},
+}};
+constexpr std::array<Qualifier, 5> kOfPixels{{
+    {Interpolation::smooth, Location::center},
+    {Interpolation::smooth, Location::centroid},
+    {Interpolation::noperspective, Location::center},
+    {Interpolation::noperspective, Location::centroid},
+    {Interpolation::flat, Location::center},
+}};
+constexpr std::array<Qualifier, 7> kOfSamples{{
+    {Interpolation::smooth, Location::sample},
+    {Interpolation::smooth, Location::center},
+    {Interpolation::smooth, Location::centroid},
+    {Interpolation::noperspective, Location::sample},
+    {Interpolation::noperspective, Location::center},
+    {Interpolation::noperspective, Location::centroid},
+    {Interpolation::flat, Location::center},
+}};
+static_assert(kOfSamples.size() <= kMaxSlots);
+
+/// Those slots, with what the others have; nothing where the others have more.
+std::vector<Slot> in_slots(std::span<const Qualifier> qualifiers, const std::vector<Slot>& slots) {
+  std::vector<Slot> all;
+  auto next = slots.begin();
+  for (const Qualifier& qualifier : qualifiers) {
+    const bool is_next = next != slots.end() && next->qualifier == qualifier;
+    all.push_back(is_next ? *next++ : Slot{qualifier, {}});
+  }
+  if (next != slots.end()) all.clear();
+  return all;
+}
+
+}  // namespace
 
 std::vector<Slot> slots_of(const cases::Case& c) {
   std::map<Qualifier, std::vector<std::size_t>> groups;
@@ -20,6 +65,19 @@ std::vector<Slot> slots_of(const cases::Case& c) {
       if (i % kSlotSize == 0) slots.push_back({qualifier, {}});
       slots.back().attributes.push_back(attributes[i]);
     }
+  }
+  return slots;
+}
+
+std::vector<Slot> widened(std::vector<Slot> slots, int samples) {
+  const std::span<const Qualifier> least = samples == 1
+                                               ? std::span<const Qualifier>(kOfOneSample).first(1)
+                                               : std::span<const Qualifier>(kOfSamples).first(1);
+  const std::span<const Qualifier> more = samples == 1 ? std::span<const Qualifier>(kOfOneSample)
+                                                       : std::span<const Qualifier>(kOfPixels);
+  if (slots.empty()) return slots;
+  for (const auto& qualifiers : {least, more, std::span<const Qualifier>(kOfSamples)}) {
+    if (std::vector<Slot> all = in_slots(qualifiers, slots); !all.empty()) return all;
   }
   return slots;
 }

@@ -31,4 +31,9 @@ struct Slot {
 /// centre.
 std::vector<Slot> slots_of(const cases::Case& c);
 
+/// The same with slots added that have no attributes, so that most cases have one of a few shaders:
+/// drivers that draw on the CPU take longer to compile one than to draw a hundred cases. Slots
+/// that have room for all as they are stay so.
+std::vector<Slot> widened(std::vector<Slot> slots, int samples);
+
 }  // namespace rastercheck::backends::vulkan

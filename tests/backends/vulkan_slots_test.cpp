@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <utility>
+#include <vector>
 
 #include "backends/vulkan/slots.h"
 
@@ -49,6 +50,30 @@ TEST(VulkanSlots, HaveRoomForFour) {
   const auto slots = slots_of(
       case_of(1, {{flat, sample}, {flat, sample}, {flat, sample}, {flat, sample}, {flat, sample}}));
   EXPECT_THAT(slots, ElementsAre(Slot{{flat, center}, {0, 1, 2, 3}}, Slot{{flat, center}, {4}}));
+}
+
+TEST(VulkanSlots, AreThoseOfFewShaders) {
+  using enum Interpolation;
+  using enum Location;
+  EXPECT_TRUE(widened({}, 1).empty());
+  EXPECT_TRUE(widened({}, 4).empty());
+  const Slot plain{{smooth, center}, {0}};
+  EXPECT_THAT(widened({plain}, 1), ElementsAre(plain));
+  const Slot copied{{flat, center}, {1}};
+  EXPECT_THAT(widened({plain, copied}, 1),
+              ElementsAre(plain, Slot{{noperspective, center}, {}}, copied));
+  const Slot sampled{{smooth, sample}, {2}};
+  EXPECT_THAT(widened({sampled}, 4), ElementsAre(sampled));
+  EXPECT_THAT(widened({plain}, 4),
+              ElementsAre(plain, Slot{{smooth, centroid}, {}}, Slot{{noperspective, center}, {}},
+                          Slot{{noperspective, centroid}, {}}, Slot{{flat, center}, {}}));
+  const auto all = widened({sampled, copied}, 4);
+  ASSERT_EQ(all.size(), 7);
+  EXPECT_EQ(all.front(), sampled);
+  EXPECT_EQ(all.back(), copied);
+  // Kills: attributes of a second slot of a kind are lost.
+  const std::vector<Slot> many{{{flat, center}, {0, 1, 2, 3}}, {{flat, center}, {4}}};
+  EXPECT_EQ(widened(many, 1), many);
 }
 
 }  // namespace

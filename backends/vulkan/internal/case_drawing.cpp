@@ -15,6 +15,7 @@
 #include "backends/vulkan/internal/memory.h"
 #include "backends/vulkan/internal/pipelines.h"
 #include "backends/vulkan/internal/sample_reader.h"
+#include "backends/vulkan/internal/shaders.h"
 #include "backends/vulkan/internal/target.h"
 #include "backends/vulkan/slots.h"
 
@@ -64,7 +65,7 @@ PipelineKind kind_of(const cases::Case& c, Pass pass) {
   kind.samples = c.framebuffer.samples;
   kind.depth_clamp = c.depth_clamp;
   kind.is_opengl = c.rules == cases::Rules::opengl;
-  kind.clip_distances = c.clip_distance_count;
+  kind.clip_distances = shader_clip_distances(c.clip_distance_count);
   for (const Slot& slot : pass) kind.slots.push_back(slot.qualifier);
   return kind;
 }
@@ -76,6 +77,8 @@ void append_vertex(const cases::Case& c, Pass pass, const VertexLayout& layout, 
   const std::span<float> all = std::span(floats).subspan(begin);
   const cases::ClipVertex& p = c.positions[vertex];
   std::ranges::copy(std::array{p.x, p.y, p.z, p.w, static_cast<float>(number)}, all.begin());
+  // Distances that the case does not have clip nothing.
+  std::ranges::fill(all.subspan(layout.clip_distances, layout.slots - layout.clip_distances), 1.0F);
   std::ranges::copy(c.clip_distances_of(vertex), all.subspan(layout.clip_distances).begin());
   const std::span<const float> values = c.attributes_of(vertex);
   for (std::size_t s = 0; s < pass.size(); ++s) {
@@ -390,7 +393,7 @@ Result<cases::Framebuffer> CaseDrawing::draw(const cases::Case& c) {
         fmt::format("{} triangles: fewer than {} have numbers", c.triangles.size(), kMaxTriangles),
         Failure::unsupported);
   }
-  const std::vector<Slot> slots = slots_of(c);
+  const std::vector<Slot> slots = widened(slots_of(c), c.framebuffer.samples);
   const std::vector<Layer> layers = layers_of(c);
   const std::vector<Pass> passes =
       passes_of(slots, static_cast<std::size_t>(impl_->device->limits().slots));

@@ -14,8 +14,8 @@ namespace rastercheck::backends::vulkan {
 struct PipelineKind {
   int samples = 1;
   bool depth_clamp = false;
-  bool is_opengl = false;  ///< clip depth −w…w, last vertex provoking
-  std::size_t clip_distances = 0;
+  bool is_opengl = false;          ///< clip depth −w…w, last vertex provoking
+  std::size_t clip_distances = 0;  ///< of the shader (shaders.h)
   std::vector<Qualifier> slots;
   auto operator<=>(const PipelineKind&) const = default;
 };

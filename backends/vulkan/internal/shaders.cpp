@@ -21,12 +21,6 @@
 #include "backends/vulkan/shaders/samples.h"
 #include "backends/vulkan/shaders/vertex_0.h"
 #include "backends/vulkan/shaders/vertex_1.h"
-#include "backends/vulkan/shaders/vertex_2.h"
-#include "backends/vulkan/shaders/vertex_3.h"
-#include "backends/vulkan/shaders/vertex_4.h"
-#include "backends/vulkan/shaders/vertex_5.h"
-#include "backends/vulkan/shaders/vertex_6.h"
-#include "backends/vulkan/shaders/vertex_7.h"
 #include "backends/vulkan/shaders/vertex_8.h"
 
 namespace rastercheck::backends::vulkan {
@@ -34,9 +28,6 @@ namespace {
 
 using Words = std::span<const std::uint32_t>;
 
-const std::array<Words, 9> kVertex{spirv_vertex_0, spirv_vertex_1, spirv_vertex_2,
-                                   spirv_vertex_3, spirv_vertex_4, spirv_vertex_5,
-                                   spirv_vertex_6, spirv_vertex_7, spirv_vertex_8};
 const std::array<Words, 8> kFragment{spirv_fragment_0, spirv_fragment_1, spirv_fragment_2,
                                      spirv_fragment_3, spirv_fragment_4, spirv_fragment_5,
                                      spirv_fragment_6, spirv_fragment_7};
@@ -46,7 +37,12 @@ const std::array<Words, 8> kCenters{spirv_centers_0, spirv_centers_1, spirv_cent
 
 }  // namespace
 
-Words vertex_shader(std::size_t clip_distances) { return kVertex[clip_distances]; }
+std::size_t shader_clip_distances(std::size_t of_case) { return of_case <= 1 ? of_case : 8; }
+
+Words vertex_shader(std::size_t clip_distances) {
+  if (clip_distances == 0) return spirv_vertex_0;
+  return clip_distances == 1 ? Words(spirv_vertex_1) : Words(spirv_vertex_8);
+}
 Words fragment_shader(std::size_t slots, bool has_centers) {
   return has_centers ? kCenters[slots] : kFragment[slots];
 }
