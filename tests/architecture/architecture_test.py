@@ -18,7 +18,7 @@ from include_graph import ALLOWED, INCLUDE, folder_of, local_includes, sources  
 SOURCE, BUILD, CONFIG = pathlib.Path(), pathlib.Path(), ""
 
 # Headers too heavy for a public header: whoever includes it would compile them too.
-HEAVY = re.compile(r"^(CGAL/|gmp|mpfr|Eigen/|rapidcheck|nlohmann/json\.hpp|assimp/|gtest/|epoxy/|EGL/|GL/)")
+HEAVY = re.compile(r"^(CGAL/|gmp|mpfr|Eigen/|rapidcheck|nlohmann/json\.hpp|assimp/|gtest/|epoxy/|EGL/|GL/|vulkan/)")
 # The one public header that is for users of GoogleTest, and of nothing else.
 FOR_GTEST = "properties/testing.h"
 # The folders whose files the documents name.

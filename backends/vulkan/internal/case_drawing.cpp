@@ -180,7 +180,7 @@ Result<void> Fragments::add(const Target& target, std::size_t layer, const Layer
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (numbers[i] == 0) continue;
     if (is_first_pass) {
-      if (const Result<void> placed = place(i, numbers[i], triangles); !placed) return placed;
+      if (Result<void> placed = place(i, numbers[i], triangles); !placed) return placed;
       drawn_.depth.push_back(depths[i]);
       drawn_.attributes.resize(drawn_.attributes.size() + drawn_.attribute_count);
     } else if (!(numbers[i] >= 1) || !is_next(static_cast<std::size_t>(numbers[i]) - 1, i)) {
@@ -203,7 +203,9 @@ cases::Framebuffer Fragments::take() {
   if (std::ranges::is_sorted(drawn_.triangle)) return std::move(drawn_);
   std::vector<std::size_t> order(drawn_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [this](std::size_t i) { return drawn_.triangle[i]; });
+  std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+    return drawn_.triangle[a] < drawn_.triangle[b];
+  });
   cases::Framebuffer sorted;
   sorted.attribute_count = drawn_.attribute_count;
   for (const std::size_t i : order) {
@@ -260,7 +262,7 @@ Result<void> CaseDrawing::Impl::make_commands() {
   info.commandPool = pool.get();
   info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
   info.commandBufferCount = 1;
-  const Result<void> allocated =
+  Result<void> allocated =
       check("vkAllocateCommandBuffers", vkAllocateCommandBuffers(device->get(), &info, &commands));
   if (!allocated) return allocated;
   VkFenceCreateInfo fence_info{};
@@ -316,18 +318,18 @@ Result<void> CaseDrawing::Impl::draw_layers(const cases::Case& c, Pass pass,
       }
     }
   }
-  if (const Result<void> handed = hand_over(floats); !handed) return handed;
+  if (Result<void> handed = hand_over(floats); !handed) return handed;
 
-  const Result<void> reset =
+  Result<void> reset =
       check("vkResetCommandPool", vkResetCommandPool(device->get(), pool.get(), 0));
   if (!reset) return reset;
   VkCommandBufferBeginInfo begin{};
   begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  const Result<void> begun = check("vkBeginCommandBuffer", vkBeginCommandBuffer(commands, &begin));
+  Result<void> begun = check("vkBeginCommandBuffer", vkBeginCommandBuffer(commands, &begin));
   if (!begun) return begun;
   record(c, *pipeline, layers, target_of);
-  const Result<void> ended = check("vkEndCommandBuffer", vkEndCommandBuffer(commands));
+  Result<void> ended = check("vkEndCommandBuffer", vkEndCommandBuffer(commands));
   if (!ended) return ended;
   return run();
 }
@@ -364,13 +366,13 @@ Result<void> CaseDrawing::Impl::run() {
   info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
   info.commandBufferCount = 1;
   info.pCommandBuffers = &commands;
-  const Result<void> submitted =
+  Result<void> submitted =
       check("vkQueueSubmit", vkQueueSubmit(device->queue(), 1, &info, fence.get()));
   if (!submitted) return submitted;
   // Whoever waits for the case ends this process where it takes too long.
   const VkFence done = fence.get();
-  const Result<void> waited = check(
-      "vkWaitForFences", vkWaitForFences(device->get(), 1, &done, VK_TRUE, ~std::uint64_t{0}));
+  Result<void> waited = check("vkWaitForFences",
+                              vkWaitForFences(device->get(), 1, &done, VK_TRUE, ~std::uint64_t{0}));
   if (!waited) return waited;
   return check("vkResetFences", vkResetFences(device->get(), 1, &done));
 }

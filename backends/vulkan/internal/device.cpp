@@ -288,7 +288,7 @@ Result<Device> Device::create(Instance instance, const DeviceChoice& choice) {
   if (const VkResult made = vkCreateDevice(*physical, &info, nullptr, &impl->device);
       made != VK_SUCCESS) {
     impl->device = VK_NULL_HANDLE;
-    Error error = failed("vkCreateDevice of " + name, made).value();
+    Error error = failed(("vkCreateDevice of " + name).c_str(), made).value();
     error.failure = Failure::unavailable;
     return tl::unexpected(std::move(error));
   }

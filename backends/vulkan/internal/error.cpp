@@ -12,11 +12,11 @@ tl::unexpected<Error> failed(const std::string& reason, Failure failure) {
   return tl::unexpected(Error{"", "", reason, failure});
 }
 
-tl::unexpected<Error> failed(const std::string& call, VkResult result) {
+tl::unexpected<Error> failed(const char* call, VkResult result) {
   return failed(fmt::format("{} gave {}", call, vk::to_string(static_cast<vk::Result>(result))));
 }
 
-Result<void> check(const std::string& call, VkResult result) {
+Result<void> check(const char* call, VkResult result) {
   if (result == VK_SUCCESS) return {};
   return failed(call, result);
 }

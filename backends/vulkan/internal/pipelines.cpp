@@ -50,7 +50,16 @@ struct Description {
   VkPipelineViewportStateCreateInfo viewport{};
   VkPipelineRasterizationProvokingVertexStateCreateInfoEXT provoking{};
   VkPipelineRasterizationStateCreateInfo rasterization{};
-  VkPipelineMultisampleStateCreateInfo multisampling{};
+  VkPipelineMultisampleStateCreateInfo multisampling{
+      VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
+      nullptr,
+      0,
+      VK_SAMPLE_COUNT_1_BIT,
+      VK_FALSE,
+      0,
+      nullptr,
+      VK_FALSE,
+      VK_FALSE};
   VkPipelineDepthStencilStateCreateInfo depth{};
   std::vector<VkPipelineColorBlendAttachmentState> attachments;
   VkPipelineColorBlendStateCreateInfo blending{};
@@ -118,7 +127,6 @@ void Description::describe_rasterization(const PipelineKind& kind) {
 }
 
 void Description::describe_output(const PipelineKind& kind) {
-  multisampling.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
   multisampling.rasterizationSamples = static_cast<VkSampleCountFlagBits>(kind.samples);
   depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
   depth.depthTestEnable = VK_TRUE;
@@ -171,12 +179,13 @@ class Centers {
 };
 
 VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, const ShaderModule& module) {
-  VkPipelineShaderStageCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-  info.stage = which;
-  info.module = module.get();
-  info.pName = "main";
-  return info;
+  return {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+          nullptr,
+          0,
+          which,
+          module.get(),
+          "main",
+          nullptr};
 }
 
 }  // namespace

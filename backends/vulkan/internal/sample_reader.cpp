@@ -39,13 +39,15 @@ Result<PipelineLayout> make_layout(const Device& device, VkDescriptorSetLayout b
 Result<Pipeline> make_pipeline(const Device& device, VkPipelineLayout layout) {
   const Result<ShaderModule> module = make_module(device, samples_shader());
   if (!module) return tl::unexpected(module.error());
-  VkComputePipelineCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-  info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-  info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-  info.stage.module = module->get();
-  info.stage.pName = "main";
-  info.layout = layout;
+  const VkPipelineShaderStageCreateInfo stage{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                                              nullptr,
+                                              0,
+                                              VK_SHADER_STAGE_COMPUTE_BIT,
+                                              module->get(),
+                                              "main",
+                                              nullptr};
+  const VkComputePipelineCreateInfo info{
+      VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO, nullptr, 0, stage, layout, VK_NULL_HANDLE, 0};
   VkPipeline handle = VK_NULL_HANDLE;
   const VkResult result =
       vkCreateComputePipelines(device.get(), VK_NULL_HANDLE, 1, &info, nullptr, &handle);

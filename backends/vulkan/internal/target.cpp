@@ -21,22 +21,28 @@ std::size_t part_bytes(const TargetShape& shape, std::size_t components) {
 }
 
 VkImageCreateInfo image_info(const TargetShape& shape, VkFormat format) {
-  VkImageCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-  info.imageType = VK_IMAGE_TYPE_2D;
-  info.format = format;
-  info.extent = {static_cast<std::uint32_t>(shape.width), static_cast<std::uint32_t>(shape.height),
-                 1};
-  info.mipLevels = 1;
-  info.arrayLayers = static_cast<std::uint32_t>(shape.layers);
-  info.samples = static_cast<VkSampleCountFlagBits>(shape.samples);
-  info.tiling = VK_IMAGE_TILING_OPTIMAL;
   const bool is_depth = format == kDepthFormat;
-  info.usage = static_cast<VkImageUsageFlags>(is_depth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
-                                                       : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT) |
-               static_cast<VkImageUsageFlags>(shape.samples > 1 ? VK_IMAGE_USAGE_SAMPLED_BIT
-                                                                : VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
-  return info;
+  const auto drawn = static_cast<VkImageUsageFlags>(
+      is_depth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
+  const auto read = static_cast<VkImageUsageFlags>(
+      shape.samples > 1 ? VK_IMAGE_USAGE_SAMPLED_BIT : VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+  const VkExtent3D extent{static_cast<std::uint32_t>(shape.width),
+                          static_cast<std::uint32_t>(shape.height), 1};
+  return {VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+          nullptr,
+          0,
+          VK_IMAGE_TYPE_2D,
+          format,
+          extent,
+          /*mipLevels=*/1,
+          static_cast<std::uint32_t>(shape.layers),
+          static_cast<VkSampleCountFlagBits>(shape.samples),
+          VK_IMAGE_TILING_OPTIMAL,
+          drawn | read,
+          VK_SHARING_MODE_EXCLUSIVE,
+          0,
+          nullptr,
+          VK_IMAGE_LAYOUT_UNDEFINED};
 }
 
 Result<ImageView> make_view(const Device& device, VkImage image, VkFormat format,
@@ -111,6 +117,7 @@ Result<Target> Target::create(const Device& device, const SampleReader& reader,
   if (shape.samples == 1) return target;
 
   std::vector<SampleReader::Source> sources;
+  sources.reserve(target.parts_.size());
   for (const Part& part : target.parts_) {
     sources.push_back({part.whole.get(), target.buffer_.buffer.get(), part.begin,
                        part_bytes(shape, part.components)});
