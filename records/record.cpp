@@ -86,6 +86,7 @@ void merge(CaseCounts& into, const CaseCounts& from) {
   into.checked += from.checked;
   into.not_applicable += from.not_applicable;
   into.violations += from.violations;
+  into.known += from.known;
 }
 
 void merge(ClassCounts& into, const ClassCounts& from) {
@@ -133,6 +134,10 @@ void merge(Record& into, const Record& from) {
   merge(into.counts, from.counts);
   merge(into.errors, from.errors);
   for (const auto& [label, cases] : from.labels) into.labels[label] += cases;
+  for (const auto& [id, cases] : from.known) into.known[id] += cases;
+  for (const auto& [why, cases] : from.not_applicable_because) {
+    into.not_applicable_because[why] += cases;
+  }
   merge(into.levels, from.levels);
 }
 

@@ -32,7 +32,8 @@ struct RecordKey {
 struct CaseCounts {
   std::uint64_t checked = 0;
   std::uint64_t not_applicable = 0;  ///< the law says nothing of them
-  std::uint64_t violations = 0;      ///< of those checked
+  std::uint64_t violations = 0;      ///< of those checked, known ones not among them
+  std::uint64_t known = 0;           ///< of those checked: violated in known ways only (known.h)
   bool operator==(const CaseCounts&) const = default;
 };
 
@@ -43,6 +44,9 @@ struct Record {
   Counts counts;
   ErrorStatistics errors;
   std::map<std::string, std::uint64_t> labels;  ///< label → cases that reached it
+  std::map<std::string, std::uint64_t> known;   ///< known entry's id → cases violated so
+  /// Why → cases that the law says nothing of. Files from before there were reasons have none.
+  std::map<std::string, std::uint64_t> not_applicable_because;
   Levels levels;
   bool operator==(const Record&) const = default;
 };

@@ -114,6 +114,11 @@ json json_of(const RecordKey& key, const Record& record) {
               {"labels", json(record.labels)},
               {"decided_at", json_of(record.levels)}};
   if (!record.errors.strata.empty()) object["strata"] = json_of(record.errors.strata);
+  if (cases.known > 0) object["cases"]["known"] = cases.known;
+  if (!record.known.empty()) object["known"] = record.known;
+  if (!record.not_applicable_because.empty()) {
+    object["not_applicable_because"] = record.not_applicable_because;
+  }
   return object;
 }
 
@@ -237,8 +242,9 @@ Levels read_levels(const JsonNode& node) {
 }
 
 CaseCounts read_cases(const JsonNode& node) {
-  node.expect_object({"checked", "not_applicable", "violations"});
-  return {node["checked"].count(), node["not_applicable"].count(), node["violations"].count()};
+  node.expect_object({"checked", "not_applicable", "violations"}, {"known"});
+  return {node["checked"].count(), node["not_applicable"].count(), node["violations"].count(),
+          node.has("known") ? node["known"].count() : 0};
 }
 
 Counts read_counts(const JsonNode& node) {
@@ -262,6 +268,10 @@ Record read_record(const JsonNode& node) {
   if (node.has("strata")) record.errors.strata = read_strata(node["strata"]);
   record.labels = node["labels"].counts_by_name();
   record.levels = read_levels(node["decided_at"]);
+  if (node.has("known")) record.known = node["known"].counts_by_name();
+  if (node.has("not_applicable_because")) {
+    record.not_applicable_because = node["not_applicable_because"].counts_by_name();
+  }
   return record;
 }
 
@@ -278,7 +288,7 @@ RecordSet records_from_json(const JsonNode& array) {
   for (const JsonNode& node : array.elements()) {
     node.expect_object({"law", "backend", "attribute_kind", "stratum", "cases", "counts", "classes",
                         "excess", "ideal", "labels", "decided_at"},
-                       {"strata"});
+                       {"strata", "known", "not_applicable_because"});
     if (node.failed()) break;
     RecordKey key = read_key(node);
     Record record = read_record(node);

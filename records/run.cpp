@@ -29,6 +29,14 @@ std::string unreached_sentence(const UnreachedLabel& label) {
                      label.least);
 }
 
+std::string unexpected_sentence(const UnexpectedPass& pass) {
+  return fmt::format("Unexpected pass: the case of {} no longer violates the law “{}” on {}; {}",
+                     pass.id, pass.law, pass.backend,
+                     pass.is_same_version
+                         ? "the list of known defects is wrong, which counts as a violation."
+                         : "a warning, as the list was made for another version of the driver.");
+}
+
 std::vector<std::string> caveats(const Run& run) {
   std::vector<std::string> all;
   if (run.cases_left > 0) {
@@ -40,6 +48,11 @@ std::vector<std::string> caveats(const Run& run) {
         fmt::format("Shrinking was limited to {} s a counterexample: how small they are "
                     "depends on the machine.",
                     *run.shrink_seconds));
+  }
+  for (const KnownOfBackend& known : run.known) {
+    if (known.version == known.list.version) continue;
+    all.push_back(fmt::format("What is known of {} was found with {}, and this is {}.",
+                              known.backend, known.list.version, known.version));
   }
   std::map<std::string, std::uint64_t> given_up;
   for (const auto& [key, record] : run.records) {

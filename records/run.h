@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "records/counterexample.h"
+#include "records/known.h"
 #include "records/record.h"
 
 namespace rastercheck::records {
@@ -51,6 +52,10 @@ struct Run {
   std::vector<Counterexample> counterexamples;
   /// Ordered by (law, backend, label).
   std::vector<UnreachedLabel> unreached;
+  /// What was known of the backends' drivers, where there are lists.
+  std::vector<KnownOfBackend> known;
+  /// Known defects that no longer show; in order.
+  std::vector<UnexpectedPass> unexpected;
   std::vector<Picture> pictures;
   /// All that depends on machine or time: version, compiler, jobs, date, seconds…
   std::map<std::string, std::string> environment;
@@ -60,11 +65,15 @@ struct Run {
 /// "Not reached: LAW on BACKEND: 'tie' in 2 of 1000 cases, where at least 13 had to."
 std::string unreached_sentence(const UnreachedLabel& label);
 
+/// "Unexpected pass: the case of llvmpipe-3 no longer violates LAW on gl:llvmpipe."; what that means.
+std::string unexpected_sentence(const UnexpectedPass& pass);
+
 /// The label of cases that were not drawn any more, as their backend was given up: they count as
 /// violations.
 inline constexpr std::string_view kGivenUp = "not drawn, as the backend was given up";
 
-/// What else a reader has to know of a run: that it was interrupted, that shrinking was cut short.
+/// What else a reader has to know of a run: that it was interrupted, that shrinking was cut short,
+/// that a list of known defects is of another version of the driver.
 std::vector<std::string> caveats(const Run& run);
 
 /// The file that a counterexample is saved as, within the run's folder:

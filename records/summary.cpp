@@ -83,6 +83,7 @@ void append_precision(std::vector<Precision>& rows, AttributeKind kind,
 /// something.
 LawVerdict verdict_of(const CaseCounts& cases, std::uint64_t correct_fragments) {
   if (cases.violations > 0) return LawVerdict::violated;
+  if (cases.known > 0) return LawVerdict::known;
   return correct_fragments > 0 ? LawVerdict::held : LawVerdict::not_checked;
 }
 
@@ -102,6 +103,10 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
     merge(row.classes, record.errors.classes);
     merge(row.levels, record.levels);
     for (const auto& [label, cases] : record.labels) row.labels[label] += cases;
+    for (const auto& [id, cases] : record.known) row.known[id] += cases;
+    for (const auto& [why, cases] : record.not_applicable_because) {
+      row.not_applicable_because[why] += cases;
+    }
     if (kind == AttributeKind::coverage) {
       const auto& classes = record.errors.classes.counts;
       row.fragments = std::accumulate(classes.begin(), classes.end(), std::uint64_t{0});
@@ -118,7 +123,7 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
       run.unreached.begin(), run.unreached.end(), std::back_inserter(row.unreached),
       [&](const UnreachedLabel& label) { return label.law == law && label.backend == backend; });
   row.verdict = verdict_of(row.cases, correct_fragments);
-  if (row.verdict == LawVerdict::held && !row.unreached.empty()) {
+  if (row.verdict != LawVerdict::violated && !row.unreached.empty()) {
     row.verdict = LawVerdict::not_checked;
   }
   return row;
@@ -127,7 +132,7 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
 }  // namespace
 
 std::string_view to_string(LawVerdict verdict) {
-  constexpr std::array<std::string_view, 3> kWords{"held", "violated", "not checked"};
+  constexpr std::array<std::string_view, 4> kWords{"held", "violated", "known", "not checked"};
   return kWords[static_cast<std::size_t>(verdict)];
 }
 
@@ -145,7 +150,34 @@ LawVerdict verdict_of(const std::vector<LawSummary>& rows) {
                        [verdict](const LawSummary& row) { return row.verdict == verdict; });
   };
   if (any(LawVerdict::violated)) return LawVerdict::violated;
-  return any(LawVerdict::held) ? LawVerdict::held : LawVerdict::not_checked;
+  if (any(LawVerdict::held)) return LawVerdict::held;
+  return any(LawVerdict::known) ? LawVerdict::known : LawVerdict::not_checked;
+}
+
+std::vector<KnownSummary> known_defects(const Run& run) {
+  std::map<std::pair<std::string, std::string>, std::uint64_t> cases;
+  for (const auto& [key, record] : run.records) {
+    for (const auto& [id, count] : record.known) cases[{key.backend, id}] += count;
+  }
+  std::vector<KnownSummary> all;
+  for (const KnownOfBackend& known : run.known) {
+    for (const KnownEntry& entry : known.list.entries) {
+      const bool is_passed = std::any_of(
+          run.unexpected.begin(), run.unexpected.end(), [&](const UnexpectedPass& pass) {
+            return pass.backend == known.backend && pass.id == entry.id;
+          });
+      all.push_back({known.backend, entry, cases[{known.backend, entry.id}], is_passed});
+    }
+  }
+  return all;
+}
+
+std::string why_not_checked(const LawSummary& row) {
+  if (row.cases.checked > 0) return "";
+  const auto& all = row.not_applicable_because;
+  const auto most = std::max_element(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == all.end() ? "" : most->first;
 }
 
 }  // namespace rastercheck::records

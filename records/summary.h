@@ -16,12 +16,14 @@ namespace rastercheck::records {
 enum class LawVerdict {
   held,
   violated,
+  /// violated, but only in ways that are known of the driver
+  known,
   /// no case that the law says anything of, or nothing drawn rightly in any, or not what it claims
   /// to test
   not_checked,
 };
 
-/// "held", "violated", "not checked".
+/// "held", "violated", "known", "not checked".
 std::string_view to_string(LawVerdict verdict);
 
 /// How large errors were, over all kinds that have errors, each in its own unit: scale ULP; of
@@ -68,6 +70,8 @@ struct LawSummary {
   std::vector<Precision> precision;
   Levels levels;  ///< of the oracle, by what each decided
   std::map<std::string, std::uint64_t> labels;
+  std::map<std::string, std::uint64_t> known;                   ///< id → cases violated so
+  std::map<std::string, std::uint64_t> not_applicable_because;  ///< why → cases
   std::vector<UnreachedLabel> unreached;
   LawVerdict verdict = LawVerdict::not_checked;
 };
@@ -76,7 +80,23 @@ struct LawSummary {
 /// checked.
 std::vector<LawSummary> summarize(const Run& run);
 
-/// Of all rows together: violated where one is, not checked where none was checked.
+/// Of all rows together: violated where one is, not checked where none was checked, known where
+/// none of those that were checked held.
 LawVerdict verdict_of(const std::vector<LawSummary>& rows);
+
+/// A known defect, and what a run found of it.
+struct KnownSummary {
+  std::string backend;
+  KnownEntry entry;
+  std::uint64_t cases = 0;  ///< that are violated so, its own among them
+  bool is_passed = false;   ///< unexpectedly
+};
+
+/// In the order of the run's lists.
+std::vector<KnownSummary> known_defects(const Run& run);
+
+/// Why a law checked nothing: what it says of most cases; empty where cases were checked, or there
+/// were none.
+std::string why_not_checked(const LawSummary& row);
 
 }  // namespace rastercheck::records
