@@ -7,14 +7,27 @@
 
 namespace rastercheck::cli {
 
-std::string corpus_folder() {
+namespace {
+
+/// A folder beside the installed program, given from where it is installed, or in the sources.
+std::string data_folder(const char* installed_as, const char* source) {
   std::error_code problem;
   const auto program = std::filesystem::read_symlink(kOwnProgram, problem);
   if (!problem) {
-    const auto installed = program.parent_path().parent_path() / RASTERCHECK_INSTALLED_CORPUS;
+    const auto installed = program.parent_path().parent_path() / installed_as;
     if (std::filesystem::is_directory(installed, problem)) return installed.string();
   }
-  return RASTERCHECK_SOURCE_CORPUS;
+  return source;
+}
+
+}  // namespace
+
+std::string corpus_folder() {
+  return data_folder(RASTERCHECK_INSTALLED_CORPUS, RASTERCHECK_SOURCE_CORPUS);
+}
+
+std::string known_folder() {
+  return data_folder(RASTERCHECK_INSTALLED_KNOWN, RASTERCHECK_SOURCE_KNOWN);
 }
 
 }  // namespace rastercheck::cli

@@ -54,8 +54,12 @@ void print_results(const records::Run& run, const std::vector<LawSummary>& rows,
   for (const records::UnreachedLabel& label : run.unreached) {
     fmt::print("{}\n", records::unreached_sentence(label));
   }
+  for (const records::UnexpectedPass& pass : run.unexpected) {
+    fmt::print("{}\n", records::unexpected_sentence(pass));
+  }
   if (quiet) return;
-  fmt::print("\n{}", reports::summary_counts(rows));
+  fmt::print("\n{}{}{}", reports::summary_counts(rows), reports::not_checked_text(rows),
+             reports::known_text(run));
   print_counterexamples(run, rows, output);
   for (const std::string& caveat : records::caveats(run)) fmt::print("{}\n", caveat);
   if (run.cases_left > 0) fmt::print("`rastercheck run --resume --output {}` goes on.\n", output);
@@ -67,8 +71,8 @@ ExitCode exit_code_of(const std::vector<LawSummary>& rows) {
   const bool is_missing = some([](const LawSummary& row) {
     return row.verdict == LawVerdict::not_checked && is_promised(row);
   });
-  return is_missing || !some(has_verdict(LawVerdict::held)) ? ExitCode::nothing_checked
-                                                            : ExitCode::ok;
+  const bool is_checked = some(has_verdict(LawVerdict::held)) || some(has_verdict(LawVerdict::known));
+  return is_missing || !is_checked ? ExitCode::nothing_checked : ExitCode::ok;
 }
 
 }  // namespace rastercheck::cli

@@ -44,13 +44,16 @@ Result<cases::Case> read_scene(const std::string& file, int size) {
 }
 
 Result<properties::Findings> judge_scene_of(records::Run& run, const cases::Case& scene,
-                                            unsigned jobs) {
+                                            unsigned jobs,
+                                            const properties::KnownByBackend& known) {
   properties::Findings all;
   for (const std::string& specification : run.backends) {
     auto backend = backends::make_backend(specification);
     if (!backend) return tl::unexpected(backend.error());
+    const auto defects = known.find(specification);
     Result<properties::SceneFindings> found =
-        properties::judge_scene(scene, specification, **backend, run.seed, run.laws, jobs);
+        properties::judge_scene(scene, specification, **backend, run.seed, run.laws, jobs,
+                                defects == known.end() ? nullptr : &defects->second);
     if (!found) return tl::unexpected(found.error());
     const std::string stem =
         std::filesystem::path(scene.name).stem().string() + "-" + specification;

@@ -7,6 +7,7 @@
 #include "cases/case.h"
 #include "cases/error.h"
 #include "properties/findings.h"
+#include "properties/known_defects.h"
 #include "records/run.h"
 
 namespace rastercheck::cli {
@@ -16,8 +17,9 @@ namespace rastercheck::cli {
 Result<cases::Case> read_scene(const std::string& file, int size);
 
 /// Judges the scene with each of the run's backends, in `jobs` threads, and adds what was drawn and
-/// its error map to the run's pictures.
+/// its error map to the run's pictures. What is `known` of a backend is counted as known.
 Result<properties::Findings> judge_scene_of(records::Run& run, const cases::Case& scene,
-                                            unsigned jobs);
+                                            unsigned jobs,
+                                            const properties::KnownByBackend& known);
 
 }  // namespace rastercheck::cli

@@ -10,6 +10,7 @@
 include(CMakePackageConfigHelpers)
 
 set(RASTERCHECK_CORPUS "${CMAKE_INSTALL_DATADIR}/rastercheck/corpus")  # below the prefix
+set(RASTERCHECK_KNOWN "${CMAKE_INSTALL_DATADIR}/rastercheck/known")
 
 # rastercheck_install(FOLDER COMPONENT WHERE [EXCEPT HEADERS…]): the library of a folder, and its public
 # headers, in WHERE below the folder of headers. Users include them as the project does: "FOLDER/….h".

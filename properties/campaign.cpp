@@ -29,7 +29,7 @@ std::pair<std::uint64_t, std::map<std::string, std::uint64_t>> random_labels(
   std::map<std::string, std::uint64_t> labels;
   for (const auto& [key, record] : records) {
     const bool is_random = key.stratum != kCorpusStratum && key.stratum != kSavedStratum &&
-                           !key.stratum.starts_with(kSceneStratum);
+                           key.stratum != kKnownStratum && !key.stratum.starts_with(kSceneStratum);
     if (key.law != law || key.backend != backend || !is_random) continue;
     checked += record.cases.checked;
     for (const auto& [label, cases] : record.labels) labels[label] += cases;
@@ -40,7 +40,7 @@ std::pair<std::uint64_t, std::map<std::string, std::uint64_t>> random_labels(
 }  // namespace
 
 std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_size,
-                           std::span<const cases::Case> saved) {
+                           std::span<const cases::Case> saved, const KnownByBackend& known) {
   std::vector<Task> tasks;
   const auto add = [&](TaskKind kind, std::uint64_t count) {
     const std::uint64_t size = std::max(kCasesPerTask, count / kMostTasks);
@@ -59,6 +59,12 @@ std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_si
     subject.source = c;
     subject.origin = records::Origin::saved;
     tasks.push_back({c.found->backend, c.found->law, TaskKind::saved, 0, 1, subject});
+  }
+  for (const auto& [backend, defects] : known) {
+    for (const std::size_t entry : entries_to_check(defects, options.laws)) {
+      tasks.push_back(
+          {backend, defects.cases[entry].found->law, TaskKind::known, entry, entry + 1});
+    }
   }
   add(TaskKind::random, options.cases_per_law);
   return tasks;
@@ -107,17 +113,30 @@ ShrinkLimits shrink_limits(const ShrinkBudget& budget, const Counterexample& cou
   return {budget.tries, is_late};
 }
 
-TaskRunner::TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus, ShrinkBudget shrinking)
-    : seed_(seed), corpus_(std::move(corpus)), shrinking_(shrinking) {}
+TaskRunner::TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus, ShrinkBudget shrinking,
+                       std::string known)
+    : seed_(seed), corpus_(std::move(corpus)), shrinking_(shrinking), known_(std::move(known)) {}
 
-Result<backends::Backend*> TaskRunner::backend(const std::string& specification) {
-  std::unique_ptr<backends::Backend>& made = backends_[specification];
-  if (!made) {
+Result<const TaskRunner::Made*> TaskRunner::made(const std::string& specification) {
+  Made& made = made_[specification];
+  if (!made.backend) {
     Result<std::unique_ptr<backends::Backend>> backend = backends::make_backend(specification);
     if (!backend) return tl::unexpected(backend.error());
-    made = *std::move(backend);
+    Result<std::optional<KnownDefects>> known = read_known_defects(known_, **backend);
+    if (!known) return tl::unexpected(known.error());
+    made = {*std::move(backend), *std::move(known)};
   }
-  return made.get();
+  return &made;
+}
+
+Result<KnownByBackend> TaskRunner::known_of(const std::vector<std::string>& backends) {
+  KnownByBackend all;
+  for (const std::string& specification : backends) {
+    const Result<const Made*> drawing = made(specification);
+    if (!drawing) return tl::unexpected(drawing.error());
+    if ((*drawing)->known) all.emplace(specification, *(*drawing)->known);
+  }
+  return all;
 }
 
 Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
@@ -126,17 +145,27 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   if (task.kind == TaskKind::corpus && task.last > corpus_.size()) {
     return tl::unexpected(Error{"the corpus", "", "has fewer cases than a task asks for"});
   }
-  const Result<backends::Backend*> drawing = backend(task.backend);
+  const Result<const Made*> drawing = made(task.backend);
   if (!drawing) return tl::unexpected(drawing.error());
+  backends::Backend& backend = *(*drawing)->backend;
+  const KnownDefects* known = (*drawing)->known_defects();
+  const bool has_entry = known != nullptr && task.first < known->cases.size();
+  if (task.kind == TaskKind::known && !has_entry) {
+    return tl::unexpected(Error{task.backend, "", "has no such known defect as a task asks for"});
+  }
 
   Findings findings;
   if (task.kind == TaskKind::shrink) {
-    shrink_counterexample(*law, **drawing, *task.subject,
-                          shrink_limits(shrinking_, *task.subject, is_to_end), findings);
+    shrink_counterexample(*law, backend, *task.subject,
+                          shrink_limits(shrinking_, *task.subject, is_to_end), findings, known);
+    return findings;
+  }
+  if (task.kind == TaskKind::known) {
+    check_known_case(*law, task.backend, backend, seed_, *known, task.first, findings);
     return findings;
   }
   for (std::uint64_t i = task.first; i < task.last && !findings.fault; ++i) {
-    check_case(*law, task.backend, **drawing, seed_, numbered_case(task, *law, i), findings);
+    check_case(*law, task.backend, backend, seed_, numbered_case(task, *law, i), findings, known);
   }
   return findings;
 }
@@ -145,12 +174,12 @@ std::vector<records::UnreachedLabel> TaskRunner::unreached_labels(
     const CampaignOptions& options, const records::RecordSet& records) {
   std::vector<records::UnreachedLabel> unreached;
   for (const std::string& specification : options.backends) {
-    const Result<backends::Backend*> made = backend(specification);
+    const Result<const Made*> drawing = made(specification);
+    const backends::Backend* backend = drawing ? (*drawing)->backend.get() : nullptr;
     for (const std::string& name : options.laws) {
       const Law* law = find_law(name);
       if (law == nullptr) continue;
-      const auto of_law =
-          properties::unreached_labels(*law, specification, made.value_or(nullptr), records);
+      const auto of_law = properties::unreached_labels(*law, specification, backend, records);
       unreached.insert(unreached.end(), of_law.begin(), of_law.end());
     }
   }

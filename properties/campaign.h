@@ -21,6 +21,7 @@
 #include "cases/error.h"
 #include "properties/check_case.h"
 #include "properties/findings.h"
+#include "properties/known_defects.h"
 #include "properties/law.h"
 #include "records/counterexample.h"
 #include "records/record.h"
@@ -29,10 +30,11 @@
 namespace rastercheck::properties {
 
 /// What is done in a task, in the order in which a campaign does it. `saved` is one saved
-/// counterexample checked again; `shrink` makes one smaller, whatever it came from.
-enum class TaskKind { corpus, saved, random, shrink };
+/// counterexample checked again, `known` the case of a known defect; `shrink` makes one smaller,
+/// whatever it came from.
+enum class TaskKind { corpus, saved, known, random, shrink };
 constexpr auto names_of(TaskKind /*type*/) {
-  return std::to_array<std::string_view>({"corpus", "saved", "random", "shrink"});
+  return std::to_array<std::string_view>({"corpus", "saved", "known", "random", "shrink"});
 }
 
 /// Some cases of one law on one backend: corpus cases, or random ones of the campaign's seed; or a
@@ -41,7 +43,7 @@ struct Task {
   std::string backend;  ///< specification
   std::string law;      ///< name
   TaskKind kind = TaskKind::random;
-  std::uint64_t first = 0;  ///< index of the first case
+  std::uint64_t first = 0;  ///< index of the first case; of known ones of the entry
   std::uint64_t last = 0;   ///< one past the last
   /// What is checked again or made smaller; its case has `found`.
   std::optional<records::Counterexample> subject = std::nullopt;
@@ -74,9 +76,11 @@ struct CampaignOptions {
 };
 
 /// The campaign's work but for shrinking: the corpus, saved counterexamples of its laws and
-/// backends, random cases. Short tasks, so that processes end together.
+/// backends, the cases of what is known of these, random cases. Short tasks, so that processes end
+/// together.
 std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_size,
-                           std::span<const cases::Case> saved = {});
+                           std::span<const cases::Case> saved = {},
+                           const KnownByBackend& known = {});
 
 /// The work that remains when all cases are checked: to shrink what was found and was not yet.
 std::vector<Task> shrink_tasks(const Findings& findings);
@@ -92,7 +96,9 @@ std::vector<records::UnreachedLabel> unreached_labels(const Law& law, const std:
 /// Runs tasks, one after the other; keeps the backends it has made.
 class TaskRunner {
  public:
-  TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus, ShrinkBudget shrinking = {});
+  /// `known`: the folder of what is known of drivers (read_known_defects); empty: nothing is.
+  TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus, ShrinkBudget shrinking = {},
+             std::string known = "");
 
   const std::vector<cases::Case>& corpus() const { return corpus_; }
 
@@ -100,18 +106,29 @@ class TaskRunner {
   /// with what it has when `is_to_end` says so.
   Result<Findings> run(const Task& task, const IsToEnd& is_to_end = {});
 
-  /// The same of all laws and backends of a campaign, whoever ran it, by law, backend and label.
+  /// What is known of the backends. Fails where one cannot be made, or its list not be read.
+  Result<KnownByBackend> known_of(const std::vector<std::string>& backends);
+
+  /// unreached_labels() of all laws and backends of a campaign, whoever ran it, by law, backend and
+  /// label.
   std::vector<records::UnreachedLabel> unreached_labels(const CampaignOptions& options,
                                                         const records::RecordSet& records);
 
  private:
-  Result<backends::Backend*> backend(const std::string& specification);
+  struct Made {
+    std::unique_ptr<backends::Backend> backend;
+    std::optional<KnownDefects> known;
+
+    const KnownDefects* known_defects() const { return known ? &*known : nullptr; }
+  };
+  Result<const Made*> made(const std::string& specification);
   NumberedCase numbered_case(const Task& task, const Law& law, std::uint64_t i) const;
 
   std::uint64_t seed_;
   std::vector<cases::Case> corpus_;
   ShrinkBudget shrinking_;
-  std::map<std::string, std::unique_ptr<backends::Backend>> backends_;
+  std::string known_;
+  std::map<std::string, Made> made_;
 };
 
 }  // namespace rastercheck::properties

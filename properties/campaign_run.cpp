@@ -31,10 +31,10 @@ void replace(Findings& findings, const Counterexample& shrunk) {
 }  // namespace
 
 CampaignRun::CampaignRun(Checkpoint start, std::string directory, std::size_t corpus_size,
-                         Warn warn)
+                         Warn warn, const KnownByBackend& known)
     : checkpoint_(std::move(start)),
       directory_(std::move(directory)),
-      tasks_(tasks_of(checkpoint_.plan.campaign, corpus_size, checkpoint_.saved)),
+      tasks_(tasks_of(checkpoint_.plan.campaign, corpus_size, checkpoint_.saved, known)),
       warn_(std::move(warn)),
       all_(checkpoint_.findings) {
   checkpoint_.is_done.resize(tasks_.size());

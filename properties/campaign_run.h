@@ -23,8 +23,10 @@ using Progress = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
 class CampaignRun {
  public:
-  /// Goes on from `start`, whose tasks are those of its plan, into a folder that is there.
-  CampaignRun(Checkpoint start, std::string directory, std::size_t corpus_size, Warn warn);
+  /// Goes on from `start`, whose tasks are those of its plan and of what is `known` of its
+  /// backends, into a folder that is there.
+  CampaignRun(Checkpoint start, std::string directory, std::size_t corpus_size, Warn warn,
+              const KnownByBackend& known = {});
 
   /// Writes the checkpoint; fails where it cannot be. Asked before the work rather than after it.
   Result<void> begin();

@@ -1,10 +1,12 @@
 #include "properties/check_case.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "oracle/transform.h"
 #include "properties/close_up.h"
+#include "properties/judged_law.h"
 #include "records/run.h"
 
 namespace rastercheck::properties {
@@ -14,7 +16,7 @@ namespace {
 using records::Counterexample;
 
 bool fails_with(const Check& check, const std::string& verdict) {
-  return check.is_applicable && check.violation_count > 0 && !check.fault &&
+  return check.is_applicable && check.violation_count > 0 && check.known.empty() && !check.fault &&
          verdict_of(check) == verdict;
 }
 
@@ -36,8 +38,7 @@ records::FragmentClass class_of(Failure failure) {
 /// The check of a case that could not be drawn.
 Check failed_check(const Error& error) {
   Check failed;
-  failed.is_applicable = error.failure != Failure::unsupported;
-  if (!failed.is_applicable) return failed;
+  if (error.failure == Failure::unsupported) return not_applicable(error.reason);
   failed.violation_count = 1;
   records::Violation violation;
   violation.fragment_class = class_of(error.failure);
@@ -56,21 +57,28 @@ std::string verdict_of(const Check& check) {
   return std::string(to_string(check.violations.front().fragment_class));
 }
 
+std::string reason_of(const Law& law, const backends::Backend& backend, const Check& check) {
+  if (!check.why_not.empty()) return check.why_not;
+  return is_promised(law, backend) ? "the law says nothing of such cases"
+                                   : "the backend does not promise what the law is about";
+}
+
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& options) {
-  Result<Check> check = law.check(c, backend, options);
-  if (check) return *std::move(check);
-  Check failed = failed_check(check.error());
+  Result<Check> checked = law.check(c, backend, options);
   // Positions beyond float32 cannot even be handed over: that is nobody's fault.
-  if (oracle::to_clip_case(c, "")) return failed;
-  failed = {};
-  failed.is_applicable = false;
-  return failed;
+  if (!checked && !oracle::to_clip_case(c, "")) {
+    return not_applicable("clip positions are beyond float32");
+  }
+  Check check = checked ? *std::move(checked) : failed_check(checked.error());
+  if (options.known != nullptr) tell_known(*options.known, law, c, check);
+  return check;
 }
 
 void keep_counterexample(const Law& law, const std::string& specification,
                          backends::Backend& backend, std::uint64_t seed,
-                         const NumberedCase& numbered, const Check& check, Findings& findings) {
+                         const NumberedCase& numbered, const Check& check, Findings& findings,
+                         const KnownDefects* known) {
   cases::Found place{std::string(law.name), specification, verdict_of(check), seed, numbered.index};
   // A saved counterexample tells where it was found at first.
   if (numbered.origin == records::Origin::saved && numbered.source.found) {
@@ -84,7 +92,7 @@ void keep_counterexample(const Law& law, const std::string& specification,
     const std::size_t triangle = check.violations.front().triangle;
     if (triangle < numbered.source.triangles.size()) {
       cases::Case one = with_triangles(numbered.source, {{triangle}});
-      const Check alone = check_or_note(law, one, backend, {numbered.index});
+      const Check alone = check_or_note(law, one, backend, {numbered.index, known});
       if (fails_with(alone, place.verdict)) {
         found = {std::move(one), alone.violation_count, alone.violations, numbered.origin};
       }
@@ -95,11 +103,12 @@ void keep_counterexample(const Law& law, const std::string& specification,
 }
 
 void shrink_counterexample(const Law& law, backends::Backend& backend, const Counterexample& found,
-                           const ShrinkLimits& limits, Findings& findings) {
+                           const ShrinkLimits& limits, Findings& findings,
+                           const KnownDefects* known) {
   const cases::Found place = found.source.found.value_or(cases::Found());
   const auto fails_alike = [&](const cases::Case& c) -> std::optional<Check> {
     if (findings.fault) return std::nullopt;  // There is nothing more to be learnt.
-    Check check = check_or_note(law, c, backend, {place.index});
+    Check check = check_or_note(law, c, backend, {place.index, known});
     findings.fault = check.fault;
     return fails_with(check, place.verdict) ? std::optional(std::move(check)) : std::nullopt;
   };
@@ -116,14 +125,45 @@ void shrink_counterexample(const Law& law, backends::Backend& backend, const Cou
   keep(findings, std::move(least));
 }
 
+namespace {
+
+/// Counts a case of which the law says nothing.
+void count_not_applicable(std::string why, records::Record& record) {
+  ++record.cases.not_applicable;
+  ++record.not_applicable_because[std::move(why)];
+}
+
+/// Adds a check to the records, violations aside; the record of kind `coverage`.
+records::Record& count_check(const Law& law, const std::string& specification,
+                             const backends::Backend& backend, const std::string& stratum,
+                             const Check& check, Findings& findings) {
+  if (check.fault && !findings.fault) findings.fault = check.fault;
+  const records::RecordKey key{std::string(law.name), specification,
+                               records::AttributeKind::coverage, stratum};
+  records::Record& record = findings.records[key];
+  if (!check.is_applicable) {
+    count_not_applicable(reason_of(law, backend, check), record);
+    return record;
+  }
+  ++record.cases.checked;
+  for (const std::string& label : check.labels) ++record.labels[label];
+  records::add(findings.records, key, check.judgement);
+  if (!check.known.empty()) ++record.cases.known;
+  for (const std::string& id : check.known) ++record.known[id];
+  return record;
+}
+
+}  // namespace
+
 void check_case(const Law& law, const std::string& specification, backends::Backend& backend,
-                std::uint64_t seed, const NumberedCase& numbered, Findings& findings) {
+                std::uint64_t seed, const NumberedCase& numbered, Findings& findings,
+                const KnownDefects* known) {
   if (backend.is_lost()) {
     // Its counterexamples are those that it was lost by.
     records::Record& record = findings.records[{
         std::string(law.name), specification, records::AttributeKind::coverage, numbered.stratum}];
     if (!is_promised(law, backend)) {
-      ++record.cases.not_applicable;
+      count_not_applicable(reason_of(law, backend, {}), record);
       return;
     }
     ++record.cases.checked;
@@ -131,21 +171,41 @@ void check_case(const Law& law, const std::string& specification, backends::Back
     ++record.labels[std::string(records::kGivenUp)];
     return;
   }
-  const Check check = check_or_note(law, numbered.source, backend, {numbered.index});
-  if (check.fault && !findings.fault) findings.fault = check.fault;
-  records::RecordKey key{std::string(law.name), specification, records::AttributeKind::coverage,
-                         numbered.stratum};
-  records::Record& record = findings.records[key];
-  if (!check.is_applicable) {
-    ++record.cases.not_applicable;
+  const Check check = check_or_note(law, numbered.source, backend, {numbered.index, known});
+  records::Record& record =
+      count_check(law, specification, backend, numbered.stratum, check, findings);
+  if (check.violation_count == 0 || !check.known.empty()) return;
+  ++record.cases.violations;
+  keep_counterexample(law, specification, backend, seed, numbered, check, findings, known);
+}
+
+void check_known_case(const Law& law, const std::string& specification, backends::Backend& backend,
+                      std::uint64_t seed, const KnownDefects& known, std::size_t entry,
+                      Findings& findings) {
+  const cases::Case& source = known.cases[entry];
+  const std::string& id = known.list.entries[entry].id;
+  const std::string stratum(kKnownStratum);
+  if (backend.is_lost()) {
+    check_case(law, specification, backend, seed, {source, stratum, 0, records::Origin::saved},
+               findings, &known);
     return;
   }
-  ++record.cases.checked;
-  for (const std::string& label : check.labels) ++record.labels[label];
-  records::add(findings.records, key, check.judgement);
-  if (check.violation_count == 0) return;
-  ++record.cases.violations;
-  keep_counterexample(law, specification, backend, seed, numbered, check, findings);
+  const std::uint64_t index = source.found->index;
+  Check check = check_or_note(law, source, backend, {index, &known});
+  const bool is_expected =
+      std::find(check.known.begin(), check.known.end(), id) != check.known.end();
+  if (!is_expected) check.known.clear();
+  records::Record& record = count_check(law, specification, backend, stratum, check, findings);
+  if (!check.is_applicable || is_expected) return;
+  if (check.violation_count > 0) {  // in ways that are not the entry's
+    ++record.cases.violations;
+    keep_counterexample(law, specification, backend, seed,
+                        {source, stratum, index, records::Origin::saved}, check, findings, &known);
+    return;
+  }
+  keep(findings, records::UnexpectedPass{specification, id, std::string(law.name),
+                                         known.is_same_version()});
+  if (known.is_same_version()) ++record.cases.violations;
 }
 
 }  // namespace rastercheck::properties

@@ -6,10 +6,11 @@
 //             "scene": "", "scene_size": 512, "program": "0.1.0"},
 //    "saved": [{a case file}, …],
 //    "tasks": 4400, "done": [[0, 17], [19, 20]],
-//    "records": […], "counterexamples": […]}
+//    "records": […], "counterexamples": […], "unexpected": […]}
 //
 // "done" has ranges of all tasks, from the first to one past the last. "shrink_seconds" is absent
-// where there is no such limit.
+// where there is no such limit; "known" and "known_digest" of the plan, and "unexpected", are where
+// there is nothing of the kind.
 
 #include "properties/checkpoint.h"
 
@@ -24,6 +25,7 @@
 #include "cases/json_node.h"
 #include "properties/draw.h"
 #include "records/counterexample_json.h"
+#include "records/known_json.h"
 #include "records/record_json.h"
 
 namespace rastercheck::properties {
@@ -46,6 +48,8 @@ json plan_to_json(const RunPlan& plan) {
               {"scene", plan.scene},
               {"scene_size", plan.scene_size},
               {"program", plan.program}};
+  if (!plan.known.empty()) object["known"] = plan.known;
+  if (!plan.known_digest.empty()) object["known_digest"] = plan.known_digest;
   if (const auto& seconds = plan.campaign.shrinking.seconds) {
     object["shrink_seconds"] = cases::float64_to_json(*seconds);
   }
@@ -61,7 +65,7 @@ std::vector<std::string> texts_of(const JsonNode& node) {
 RunPlan read_plan(const JsonNode& node) {
   node.expect_object({"seed", "cases_per_law", "backends", "laws", "shrink_tries", "corpus",
                       "corpus_digest", "scene", "scene_size", "program"},
-                     {"shrink_seconds"});
+                     {"shrink_seconds", "known", "known_digest"});
   RunPlan plan;
   plan.campaign.seed = node["seed"].count();
   plan.campaign.cases_per_law = node["cases_per_law"].count();
@@ -73,6 +77,8 @@ RunPlan read_plan(const JsonNode& node) {
   }
   plan.corpus = node["corpus"].text();
   plan.corpus_digest = node["corpus_digest"].text();
+  if (node.has("known")) plan.known = node["known"].text();
+  if (node.has("known_digest")) plan.known_digest = node["known_digest"].text();
   plan.scene = node["scene"].text();
   plan.scene_size = static_cast<int>(node["scene_size"].integer(1, cases::kMaxSize));
   plan.program = node["program"].text();
@@ -110,7 +116,8 @@ Checkpoint read_checkpoint(const JsonNode& root) {
     root["version"].refuse("version must be 1");
   }
   root.expect_object(
-      {"format", "version", "plan", "saved", "tasks", "done", "records", "counterexamples"});
+      {"format", "version", "plan", "saved", "tasks", "done", "records", "counterexamples"},
+      {"unexpected"});
   Checkpoint checkpoint;
   if (root.failed()) return checkpoint;
   checkpoint.plan = read_plan(root["plan"]);
@@ -125,6 +132,11 @@ Checkpoint read_checkpoint(const JsonNode& root) {
     records::Counterexample one = records::counterexample_from_json(node);
     if (!one.source.found) node.refuse("its case has no 'found'");
     if (!root.failed()) keep(checkpoint.findings, std::move(one));
+  }
+  if (root.has("unexpected")) {
+    for (const JsonNode& node : root["unexpected"].elements()) {
+      keep(checkpoint.findings, records::unexpected_pass_from_json(node));
+    }
   }
   if (!root.failed()) checkpoint.findings.records = records::records_from_json(root["records"]);
   return checkpoint;
@@ -151,7 +163,7 @@ std::string to_json(const Checkpoint& checkpoint) {
   for (const records::Counterexample& one : checkpoint.findings.counterexamples) {
     counterexamples.push_back(records::counterexample_to_json(one));
   }
-  const json document{{"format", "rastercheck-unfinished"},
+  json document{{"format", "rastercheck-unfinished"},
                       {"version", 1},
                       {"plan", plan_to_json(checkpoint.plan)},
                       {"saved", std::move(saved)},
@@ -159,6 +171,9 @@ std::string to_json(const Checkpoint& checkpoint) {
                       {"done", done_to_json(checkpoint.is_done)},
                       {"records", records::records_to_json(checkpoint.findings.records)},
                       {"counterexamples", std::move(counterexamples)}};
+  for (const records::UnexpectedPass& pass : checkpoint.findings.unexpected) {
+    document["unexpected"].push_back(records::unexpected_pass_to_json(pass));
+  }
   return document.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

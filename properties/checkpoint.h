@@ -23,6 +23,8 @@ struct RunPlan {
   CampaignOptions campaign;
   std::string corpus;         ///< folder
   std::string corpus_digest;  ///< of its cases (digest_of)
+  std::string known;          ///< folder of what is known of drivers; empty: none
+  std::string known_digest;   ///< of what it has of the backends (digest_of); empty: nothing
   std::string scene;          ///< file; empty: none
   int scene_size = 512;       ///< pixels
   std::string program;        ///< version

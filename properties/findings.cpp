@@ -57,6 +57,12 @@ void keep(Findings& findings, Counterexample counterexample) {
   }
 }
 
+void keep(Findings& findings, records::UnexpectedPass pass) {
+  auto& all = findings.unexpected;
+  const auto place = std::lower_bound(all.begin(), all.end(), pass);
+  if (place == all.end() || *place != pass) all.insert(place, std::move(pass));
+}
+
 std::size_t first_to_read(const std::vector<Counterexample>& all) {
   const auto rank = [](const Counterexample& one) {
     const std::string& law = one.source.found->law;
@@ -70,6 +76,7 @@ std::size_t first_to_read(const std::vector<Counterexample>& all) {
 void merge(Findings& into, Findings from) {
   records::merge(into.records, from.records);
   for (Counterexample& one : from.counterexamples) keep(into, std::move(one));
+  for (records::UnexpectedPass& pass : from.unexpected) keep(into, std::move(pass));
   if (!into.fault) into.fault = std::move(from.fault);
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "records/counterexample.h"
+#include "records/known.h"
 #include "records/record.h"
 
 namespace rastercheck::properties {
@@ -22,10 +23,15 @@ struct Findings {
   records::RecordSet records;
   /// By (law, backend, verdict), one of each: the first by origin and index.
   std::vector<records::Counterexample> counterexamples;
+  /// In order, each once.
+  std::vector<records::UnexpectedPass> unexpected;
   /// A fault of the oracle or the harness: the rest is worth nothing. One line.
   std::optional<std::string> fault;
   bool operator==(const Findings&) const = default;
 };
+
+/// Adds a pass.
+void keep(Findings& findings, records::UnexpectedPass pass);
 
 /// Adds `from`; of two faults the first stays.
 void merge(Findings& into, Findings from);

@@ -195,9 +195,10 @@ records::Violation to_violation(const JudgedSample& sample, const JudgedValue* v
   return violation;
 }
 
-Check not_applicable() {
+Check not_applicable(std::string_view why) {
   Check none;
   none.is_applicable = false;
+  none.why_not = why;
   return none;
 }
 

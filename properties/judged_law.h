@@ -38,8 +38,9 @@ using DrawnCheck =
 /// Draws the case, and says what is found of that. Fails where the backend cannot draw it.
 Result<Check> check_drawn(const cases::Case& c, backends::Backend& backend, const DrawnCheck& find);
 
-/// What a law finds of a case that it says nothing of.
-Check not_applicable();
+/// What a law finds of a case that it says nothing of; why, unless it is plain from `exceptions` or
+/// from what the law is about: a constant text, as records count cases by it.
+Check not_applicable(std::string_view why = "");
 
 /// The violation that a judged sample, or one value of it, is. `value` is nullptr where coverage is
 /// meant; `truth` is nullptr where the case has no such triangle.

@@ -38,16 +38,22 @@ struct Generated {
 /// What a law found of one case.
 struct Check {
   bool is_applicable = true;  ///< else the law says nothing of the case, and the rest is empty
+  std::string why_not;        ///< one line of the law's or the backend's own; may be empty
   records::Judgement judgement;
   std::uint64_t violation_count = 0;
   std::vector<records::Violation> violations;  ///< the first records::kMostViolations
   std::vector<std::string> labels;             ///< what the case reached, each once
   /// A fault of the oracle itself (oracle::Judged::fault), or of the harness: nothing else counts.
   std::optional<std::string> fault;
+  /// Entries of what is known of the driver that all violations kept are of; else empty.
+  std::vector<std::string> known = {};
 };
 
+struct KnownDefects;  // known_defects.h
+
 struct CheckOptions {
-  std::uint64_t case_index = 0;  ///< for the records
+  std::uint64_t case_index = 0;         ///< for the records
+  const KnownDefects* known = nullptr;  ///< of what draws; no law looks at it
 };
 
 /// A label that the law's own cases have to reach, or it has not tested what it claims to.

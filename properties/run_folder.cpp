@@ -81,9 +81,14 @@ Result<Checkpoint> resume_run(const std::string& directory, const std::string& p
   return read;
 }
 
-Result<void> check_corpus(const Checkpoint& checkpoint, const std::vector<cases::Case>& corpus) {
+Result<void> check_same(const Checkpoint& checkpoint, const std::vector<cases::Case>& corpus,
+                        const KnownByBackend& known) {
   const RunPlan& plan = checkpoint.plan;
-  const std::size_t tasks = tasks_of(plan.campaign, corpus.size(), checkpoint.saved).size();
+  if (digest_of(known) != plan.known_digest) {
+    return tl::unexpected(Error{plan.known.empty() ? "what is known of drivers" : plan.known, "",
+                                "is not as it was when the run was begun, or a driver is another"});
+  }
+  const std::size_t tasks = tasks_of(plan.campaign, corpus.size(), checkpoint.saved, known).size();
   if (digest_of(corpus) == plan.corpus_digest && tasks == checkpoint.is_done.size()) return {};
   return tl::unexpected(Error{plan.corpus, "", "is not as it was when the run was begun"});
 }

@@ -24,7 +24,9 @@ Result<Checkpoint> begin_run(const RunPlan& plan, const std::string& directory, 
 /// version, is not the one that began it, or a law that it checks is gone.
 Result<Checkpoint> resume_run(const std::string& directory, const std::string& program);
 
-/// Whether the run can go on with this corpus: it has to be the one that it began with.
-Result<void> check_corpus(const Checkpoint& checkpoint, const std::vector<cases::Case>& corpus);
+/// Whether the run can go on with this corpus, and with what is known of its backends: they have to
+/// be those that it began with.
+Result<void> check_same(const Checkpoint& checkpoint, const std::vector<cases::Case>& corpus,
+                        const KnownByBackend& known);
 
 }  // namespace rastercheck::properties

@@ -21,7 +21,8 @@ using records::PixelState;
 /// Gathers what the judge says of a scene into its map and its first violations.
 class SceneReader {
  public:
-  explicit SceneReader(const oracle::SceneTruth& scene) : scene_(&scene) {
+  SceneReader(const oracle::SceneTruth& scene, const KnownDefects* known)
+      : scene_(&scene), known_(known) {
     const cases::FramebufferSize& size = scene.source().framebuffer;
     map_.width = size.width;
     map_.height = size.height;
@@ -37,10 +38,10 @@ class SceneReader {
         std::cmp_less(sample.x, map_.width) && std::cmp_less(sample.y, map_.height);
     const std::size_t pixel = sample.y * static_cast<std::size_t>(map_.width) + sample.x;
     bool is_violated = sample.fragment_class != FragmentClass::correct;
-    if (is_violated) note_violation(coverage_, sample, nullptr, truth);
+    if (is_violated) note_violation(found_.coverage, sample, nullptr, truth);
     for (const JudgedValue& value : sample.values) {
       if (value.fragment_class == FragmentClass::correct) continue;
-      note_violation(values_, sample, &value, truth);
+      note_violation(found_.values, sample, &value, truth);
       is_violated = true;
     }
     if (!is_in_map) return;
@@ -53,21 +54,31 @@ class SceneReader {
   }
 
   records::ErrorMap take_map() { return std::move(map_); }
-  const std::vector<records::Violation>& coverage() const { return coverage_.violations; }
-  const std::vector<records::Violation>& values() const { return values_.violations; }
+  /// What violates a law: the first violation of each class that is not known.
+  struct Few {
+    std::string_view law;
+    std::set<FragmentClass> ways = {};
+    std::vector<records::Violation> violations = {};
+    std::set<std::string> known = {};  ///< entries that others are of
+  };
+  const Few& of(std::string_view law) const {
+    return law == kCoverageLaw ? found_.coverage : found_.values;
+  }
 
  private:
-  /// The first violation of each class.
-  struct Few {
-    std::set<FragmentClass> ways;
-    std::vector<records::Violation> violations;
-  };
 
   void note_violation(Few& few, const JudgedSample& sample, const JudgedValue* value,
                       const oracle::TriangleTruth* truth) {
     const FragmentClass way = value == nullptr ? sample.fragment_class : value->fragment_class;
-    if (!few.ways.insert(way).second) return;
-    few.violations.push_back(to_violation(sample, value, truth, *scene_));
+    if (few.ways.contains(way)) return;
+    records::Violation violation = to_violation(sample, value, truth, *scene_);
+    if (known_ != nullptr) {
+      const auto ids = entries_of(*known_, few.law, scene_->source(), violation);
+      few.known.insert(ids.begin(), ids.end());
+      if (!ids.empty()) return;
+    }
+    few.ways.insert(way);
+    few.violations.push_back(std::move(violation));
   }
 
   /// The map shows the fragment that the picture shows: the nearest of the pixel.
@@ -84,11 +95,16 @@ class SceneReader {
     map_.errors[pixel] = static_cast<float>(largest);
   }
 
+  struct Found {
+    Few coverage{kCoverageLaw};
+    Few values{kValuesLaw};
+  };
+
   const oracle::SceneTruth* scene_;
+  const KnownDefects* known_;
   records::ErrorMap map_;
   std::vector<float> depths_;
-  Few coverage_;
-  Few values_;
+  Found found_;
 };
 
 /// The part of a judgement that a law is about.
@@ -103,13 +119,14 @@ records::Judgement coverage_part(const records::Judgement& all) {
 /// Keeps a counterexample for each violation, under the index of its triangle.
 void keep_violations(const Law& law, const std::string& specification, backends::Backend& backend,
                      std::uint64_t seed, NumberedCase numbered,
-                     const std::vector<records::Violation>& violations, Findings& findings) {
+                     const std::vector<records::Violation>& violations, Findings& findings,
+                     const KnownDefects* known) {
   for (const records::Violation& violation : violations) {
     numbered.index = violation.triangle;
     Check check;
     check.violation_count = 1;
     check.violations = {violation};
-    keep_counterexample(law, specification, backend, seed, numbered, check, findings);
+    keep_counterexample(law, specification, backend, seed, numbered, check, findings, known);
   }
 }
 
@@ -130,7 +147,8 @@ std::vector<const Law*> scene_laws(const std::vector<std::string>& asked_for) {
 
 Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& specification,
                                   backends::Backend& backend, std::uint64_t seed,
-                                  const std::vector<std::string>& laws, unsigned jobs) {
+                                  const std::vector<std::string>& laws, unsigned jobs,
+                                  const KnownDefects* known) {
   Result<cases::Case> clip = oracle::to_clip_case(scene, scene.name);
   if (!clip) return tl::unexpected(clip.error());
   SceneFindings result;
@@ -140,11 +158,11 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
   numbered.source.name = numbered.stratum;
 
   const oracle::SceneTruth truth(result.source, backend.contract(result.source));
-  SceneReader reader(truth);
+  SceneReader reader(truth, known);
   Result<cases::Framebuffer> drawn = draw(result.source, backend);
   if (!drawn) {
     for (const Law* law : scene_laws(laws)) {
-      check_case(*law, specification, backend, seed, numbered, result.findings);
+      check_case(*law, specification, backend, seed, numbered, result.findings, known);
     }
     result.drawn.attribute_count = result.source.attributes.size();
     result.map = reader.take_map();
@@ -166,14 +184,19 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
     const bool is_coverage = law->name == kCoverageLaw;
     const records::RecordKey key{std::string(law->name), specification,
                                  records::AttributeKind::coverage, numbered.stratum};
-    const std::vector<records::Violation>& violations =
-        is_coverage ? reader.coverage() : reader.values();
+    const SceneReader::Few& few = reader.of(law->name);
     records::add(result.findings.records, key,
                  is_coverage ? coverage_part(judged.judgement) : judged.judgement);
-    records::CaseCounts& cases = result.findings.records[key].cases;
-    ++cases.checked;
-    cases.violations += violations.empty() ? 0U : 1U;
-    keep_violations(*law, specification, backend, seed, numbered, violations, result.findings);
+    records::Record& record = result.findings.records[key];
+    ++record.cases.checked;
+    if (!few.violations.empty()) {
+      ++record.cases.violations;
+    } else if (!few.known.empty()) {
+      ++record.cases.known;
+      for (const std::string& id : few.known) ++record.known[id];
+    }
+    keep_violations(*law, specification, backend, seed, numbered, few.violations, result.findings,
+                    known);
   }
   return result;
 }

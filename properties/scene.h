@@ -8,6 +8,7 @@
 #include "cases/case.h"
 #include "cases/error.h"
 #include "properties/findings.h"
+#include "properties/known_defects.h"
 #include "records/error_map.h"
 
 namespace rastercheck::properties {
@@ -22,10 +23,11 @@ struct SceneFindings {
 };
 
 /// Draws and judges the scene; `laws` names the laws that are asked for. A scene that the backend
-/// cannot draw violates them all. Judges in `jobs` threads. Fails where positions lie beyond
-/// float32.
+/// cannot draw violates them all; what is `known` is counted as known. Judges in `jobs` threads.
+/// Fails where positions lie beyond float32.
 Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& specification,
                                   backends::Backend& backend, std::uint64_t seed,
-                                  const std::vector<std::string>& laws, unsigned jobs = 1);
+                                  const std::vector<std::string>& laws, unsigned jobs = 1,
+                                  const KnownDefects* known = nullptr);
 
 }  // namespace rastercheck::properties

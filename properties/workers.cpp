@@ -205,10 +205,11 @@ class Dispatcher {
 
   void lose(Worker& worker) {
     const Task& task = (*tasks_)[worker.task()];
-    const std::string which =
-        task.kind == TaskKind::random || task.kind == TaskKind::corpus
-            ? "cases " + std::to_string(task.first) + " to " + std::to_string(task.last - 1)
-            : "a counterexample";
+    std::string which = "a counterexample";
+    if (task.kind == TaskKind::known) which = "the case of a known defect";
+    if (task.kind == TaskKind::random || task.kind == TaskKind::corpus) {
+      which = "cases " + std::to_string(task.first) + " to " + std::to_string(task.last - 1);
+    }
     error_ = Error{
         "worker", "",
         worker.ending() + " at the law '" + task.law + "' with " + task.backend + ", " + which};

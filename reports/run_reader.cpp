@@ -7,6 +7,7 @@
 #include "cases/files.h"
 #include "cases/json_node.h"
 #include "records/counterexample_json.h"
+#include "records/known_json.h"
 #include "records/record_json.h"
 #include "reports/base64.h"
 
@@ -25,7 +26,7 @@ void check_header(const JsonNode& root) {
   }
   root.expect_object({"format", "version", "seed", "cases_per_law", "backends", "laws", "scene",
                       "records", "counterexamples", "unreached", "pictures", "environment"},
-                     {"cases_left", "shrink_seconds"});
+                     {"cases_left", "shrink_seconds", "known", "unexpected_passes"});
 }
 
 std::vector<std::string> read_texts(const JsonNode& node) {
@@ -78,6 +79,17 @@ records::Run read_document(const JsonNode& root) {
   for (const JsonNode& node : root["unreached"].elements()) {
     if (root.failed()) return run;
     run.unreached.push_back(read_unreached(node));
+  }
+  if (root.has("known")) {
+    for (const JsonNode& node : root["known"].elements()) {
+      if (root.failed()) return run;
+      run.known.push_back(records::known_of_backend_from_json(node));
+    }
+  }
+  if (root.has("unexpected_passes")) {
+    for (const JsonNode& node : root["unexpected_passes"].elements()) {
+      run.unexpected.push_back(records::unexpected_pass_from_json(node));
+    }
   }
   for (const JsonNode& node : root["pictures"].elements()) {
     if (root.failed()) return run;

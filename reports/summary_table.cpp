@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "cases/json.h"
 #include "records/enclosure_json.h"
 #include "records/share.h"
 #include "reports/internal/wording.h"
@@ -60,7 +63,8 @@ std::string summary_table(const std::vector<records::LawSummary>& rows, bool qui
     cells.push_back({row.law, row.backend, std::to_string(row.cases.checked),
                      std::to_string(row.fragments), number_text(row.ideal.worst),
                      at_most_text(row.ideal.p99), number_text(row.excess.worst),
-                     std::string(to_string(row.verdict))});
+                     row.verdict == records::LawVerdict::known ? verdict_text(row)
+                                                               : std::string(to_string(row.verdict))});
   }
   return text_table(cells);
 }
@@ -74,6 +78,37 @@ std::string summary_counts(const std::vector<records::LawSummary>& rows) {
          (decided.empty() ? "" : decided + "\n");
 }
 
+std::string known_text(const records::Run& run) {
+  std::map<std::string, std::string> by_backend;
+  for (const records::KnownSummary& known : records::known_defects(run)) {
+    if (known.cases == 0) continue;
+    std::string& text = by_backend[known.backend];
+    text += fmt::format("{}{} in {}", text.empty() ? "" : "; ", known.entry.id,
+                        counted(known.cases, "case", "cases"));
+  }
+  std::string all;
+  for (const auto& [backend, text] : by_backend) {
+    all += fmt::format("Known defects of {}: {}.\n", backend, text);
+  }
+  return all;
+}
+
+std::string not_checked_text(const std::vector<records::LawSummary>& rows) {
+  std::map<std::pair<std::string, std::string>, std::string> laws;  // by backend and reason
+  for (const records::LawSummary& row : rows) {
+    const std::string why = records::why_not_checked(row);
+    if (why.empty()) continue;
+    std::string& text = laws[{row.backend, why}];
+    text += (text.empty() ? "" : "; ") + row.law;
+  }
+  std::string all;
+  for (const auto& [reason, text] : laws) {
+    all += fmt::format("Not checked on {}, as {}: {}.\n", cases::printable(reason.first),
+                       cases::printable(reason.second), text);
+  }
+  return all;
+}
+
 std::string summary_json(const records::Run& run, const std::vector<records::LawSummary>& rows) {
   nlohmann::ordered_json json{{"seed", run.seed}, {"laws", nlohmann::ordered_json::array()}};
   for (const records::LawSummary& row : rows) {
@@ -84,6 +119,9 @@ std::string summary_json(const records::Run& run, const std::vector<records::Law
                             {"checked", row.cases.checked},
                             {"not_applicable", row.cases.not_applicable},
                             {"violations", row.cases.violations},
+                            {"known", row.cases.known},
+                            {"known_defects", row.known},
+                            {"not_applicable_because", row.not_applicable_because},
                             {"fragments", row.fragments},
                             {"required", row.counts.required},
                             {"forbidden", row.counts.forbidden},

@@ -17,7 +17,14 @@ std::string summary_table(const std::vector<records::LawSummary>& rows, bool qui
 /// as lines.
 std::string summary_counts(const std::vector<records::LawSummary>& rows);
 
-/// The same as one JSON document, without its end of line, and with each row's "precision" by kind
+/// How many cases each known defect of a backend was seen in, a line for each backend; empty where
+/// none was.
+std::string known_text(const records::Run& run);
+
+/// Which laws checked nothing, by backend and reason, a line for each; empty where there is none.
+std::string not_checked_text(const std::vector<records::LawSummary>& rows);
+
+/// The table as one JSON document, without its end of line, and with each row's "precision" by kind
 /// and stratum, for which a terminal has no room.
 std::string summary_json(const records::Run& run, const std::vector<records::LawSummary>& rows);
 

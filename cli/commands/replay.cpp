@@ -13,6 +13,7 @@
 #include "cli/backend_failure.h"
 #include "cli/command.h"
 #include "cli/isolation.h"
+#include "cli/known_option.h"
 #include "oracle/transform.h"
 #include "properties/check_case.h"
 #include "properties/close_up.h"
@@ -25,6 +26,7 @@ namespace {
 struct Options {
   std::vector<std::string> files;
   std::string backend;
+  KnownOption known;
   double timeout = kDefaultTimeout;
   bool json = false;
   bool quiet = false;
@@ -43,6 +45,7 @@ struct Outcome {
   std::string verdict() const {
     return check.is_applicable ? properties::verdict_of(check) : "not applicable";
   }
+  bool is_violated() const { return check.violation_count > 0 && check.known.empty(); }
 };
 
 /// The laws to check: the one it was found by, or all.
@@ -68,6 +71,8 @@ void print_outcome(const Outcome& outcome, bool quiet) {
                ? " (as it was found)"
                : fmt::format(" (found as: {})", cases::printable(outcome.found));
   }
+  for (const std::string& id : outcome.check.known) note += "; known: " + id;
+  if (!outcome.check.why_not.empty()) note += ": " + cases::printable(outcome.check.why_not);
   fmt::print("{}: {}, {}: {}{}\n", outcome.file, outcome.law, outcome.backend, outcome.verdict(),
              note);
   if (quiet || outcome.check.violation_count == 0) return;
@@ -87,6 +92,8 @@ void print_json(const std::vector<Outcome>& outcomes) {
                                 {"violation_count", outcome.check.violation_count},
                                 {"violations", nlohmann::ordered_json::array()}};
     if (!outcome.found.empty()) json["found"] = outcome.found;
+    if (!outcome.check.known.empty()) json["known"] = outcome.check.known;
+    if (!outcome.check.is_applicable) json["not_applicable_because"] = outcome.check.why_not;
     for (const records::Violation& v : outcome.check.violations) {
       json["violations"].push_back(nlohmann::ordered_json(records::violation_to_json(v)));
     }
@@ -119,25 +126,50 @@ Result<std::vector<Input>> read_inputs(const Options& options) {
   return inputs;
 }
 
-Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs) {
+/// What draws, and what is known of it.
+struct Drawer {
+  std::unique_ptr<backends::Backend> backend;
+  std::optional<properties::KnownDefects> known;
+};
+
+Result<Drawer> make_drawer(const std::string& specification, const std::string& known_folder) {
+  auto backend = backends::make_backend(specification);
+  if (!backend) return tl::unexpected(backend.error());
+  auto known = properties::read_known_defects(known_folder, **backend);
+  if (!known) return tl::unexpected(known.error());
+  return Drawer{*std::move(backend), *std::move(known)};
+}
+
+/// One law on one input.
+Outcome check_law(const properties::Law& law, const Input& input, const Drawer& by) {
+  const cases::Case& source = input.source;
+  const cases::Found found = source.found.value_or(cases::Found());
+  Outcome outcome{input.file, std::string(law.name), input.backend, {}, found.verdict, &source, {}};
+  outcome.check = properties::check_or_note(law, source, *by.backend,
+                                            {found.index, by.known ? &*by.known : nullptr});
+  if (!outcome.check.is_applicable) {
+    outcome.check.why_not = properties::reason_of(law, *by.backend, outcome.check);
+  }
+  if (!outcome.check.violations.empty()) {
+    outcome.close_up = properties::close_up(source, *by.backend, outcome.check.violations.front());
+  }
+  return outcome;
+}
+
+Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs,
+                                          const std::string& known_folder) {
   std::vector<Outcome> outcomes;
-  std::map<std::string, std::unique_ptr<backends::Backend>> made;
-  for (const auto& [file, source, laws, specification] : inputs) {
-    if (!made.contains(specification)) {
-      auto backend = backends::make_backend(specification);
-      if (!backend) return tl::unexpected(backend.error());
-      made[specification] = *std::move(backend);
+  std::map<std::string, Drawer> made;
+  for (const Input& input : inputs) {
+    if (!made.contains(input.backend)) {
+      Result<Drawer> drawer = make_drawer(input.backend, known_folder);
+      if (!drawer) return tl::unexpected(drawer.error());
+      made[input.backend] = *std::move(drawer);
     }
-    const cases::Found found = source.found.value_or(cases::Found());
-    for (const properties::Law* law : laws) {
-      Outcome outcome{file, std::string(law->name), specification, {}, found.verdict, &source, {}};
-      outcome.check = properties::check_or_note(*law, source, *made[specification], {found.index});
-      if (outcome.check.fault) return tl::unexpected(Error{file, "", *outcome.check.fault});
-      if (!outcome.check.violations.empty()) {
-        outcome.close_up =
-            properties::close_up(source, *made[specification], outcome.check.violations.front());
-      }
-      outcomes.push_back(std::move(outcome));
+    for (const properties::Law* law : input.laws) {
+      outcomes.push_back(check_law(*law, input, made[input.backend]));
+      const std::optional<std::string>& fault = outcomes.back().check.fault;
+      if (fault) return tl::unexpected(Error{input.file, "", *fault});
     }
   }
   return outcomes;
@@ -150,7 +182,7 @@ ExitCode run(const Options& options) {
   std::vector<std::string> specifications;
   for (const Input& input : *inputs) specifications.push_back(input.backend);
   if (const ExitCode code = check_backends(specifications); code != ExitCode::ok) return code;
-  const Result<std::vector<Outcome>> checked = check_inputs(*inputs);
+  const Result<std::vector<Outcome>> checked = check_inputs(*inputs, options.known.folder());
   if (!checked) return fail_internally(checked.error());
   const std::vector<Outcome>& outcomes = *checked;
   if (options.json) {
@@ -158,7 +190,7 @@ ExitCode run(const Options& options) {
   } else {
     for (const Outcome& outcome : outcomes) print_outcome(outcome, options.quiet);
   }
-  const auto is_violated = [](const Outcome& o) { return o.check.violation_count > 0; };
+  const auto is_violated = [](const Outcome& o) { return o.is_violated(); };
   const auto is_checked = [](const Outcome& o) { return o.check.is_applicable; };
   if (std::any_of(outcomes.begin(), outcomes.end(), is_violated)) return ExitCode::violated;
   const bool some = std::any_of(outcomes.begin(), outcomes.end(), is_checked);
@@ -171,12 +203,13 @@ Action set_up(CLI::App& app) {
       ->required();
   app.add_option("--backend", options->backend,
                  "What draws; without it the one it was found with, or cpu");
+  add_known(app, options->known);
   add_timeout(app, options->timeout);
   app.add_flag("--json", options->json, "As JSON");
   app.add_flag("-q,--quiet", options->quiet, "Verdicts only");
   app.footer(
       "A counterexample is checked by the property that it was found by, any other case by all.\n"
-      "Exit code 0 if they held, 1 if one was violated, 5 if none says anything of the case.");
+      "Exit code 0 if they held or failed as is known of the driver, 1 if one was violated, 5 if none says anything of the case.");
   return [options] { return run(*options); };
 }
 

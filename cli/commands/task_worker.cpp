@@ -14,6 +14,7 @@ namespace {
 struct Options {
   std::uint64_t seed = 0;
   std::string corpus;
+  std::string known;
   properties::ShrinkBudget shrinking;
   double timeout = kDefaultTimeout;
 };
@@ -26,7 +27,8 @@ ExitCode run(const Options& options) {
     if (!read) return fail(read.error());
     corpus = *std::move(read);
   }
-  properties::TaskRunner runner(options.seed, std::move(corpus), options.shrinking);
+  properties::TaskRunner runner(options.seed, std::move(corpus), options.shrinking,
+                                options.known);
   const Result<void> served = properties::serve_tasks(runner);
   if (!served) return fail_internally(served.error());
   return ExitCode::ok;
@@ -37,6 +39,7 @@ Action set_up(CLI::App& app) {
   app.group("");  // not in --help
   app.add_option("--seed", options->seed)->required();
   app.add_option("--corpus", options->corpus);
+  app.add_option("--known", options->known);
   app.add_option("--shrink-tries", options->shrinking.tries);
   app.add_option("--shrink-seconds", options->shrinking.seconds);
   add_timeout(app, options->timeout);

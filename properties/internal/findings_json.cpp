@@ -7,6 +7,7 @@
 #include "cases/json_node.h"
 #include "cases/names.h"
 #include "records/counterexample_json.h"
+#include "records/known_json.h"
 #include "records/record_json.h"
 
 namespace rastercheck::properties {
@@ -20,7 +21,7 @@ constexpr const char* kWorker = "worker";
 /// The findings, or the error that the worker tells instead.
 Result<Findings> read_findings(const JsonNode& root) {
   if (root.has("error")) return tl::unexpected(cases::error_from_json(root));
-  root.expect_object({"records", "counterexamples"}, {"fault"});
+  root.expect_object({"records", "counterexamples"}, {"fault", "unexpected"});
   Findings findings;
   if (root.failed()) return findings;
   findings.records = records::records_from_json(root["records"]);
@@ -29,6 +30,11 @@ Result<Findings> read_findings(const JsonNode& root) {
     findings.counterexamples.push_back(records::counterexample_from_json(node));
     // By it counterexamples are ordered.
     if (!findings.counterexamples.back().source.found) node.refuse("its case has no 'found'");
+  }
+  if (root.has("unexpected")) {
+    for (const JsonNode& node : root["unexpected"].elements()) {
+      keep(findings, records::unexpected_pass_from_json(node));
+    }
   }
   if (root.has("fault")) findings.fault = root["fault"].text();
   return findings;
@@ -53,6 +59,9 @@ std::string findings_to_line(const Result<Findings>& findings) {
     line["counterexamples"] = json::array();
     for (const records::Counterexample& one : findings->counterexamples) {
       line["counterexamples"].push_back(records::counterexample_to_json(one));
+    }
+    for (const records::UnexpectedPass& pass : findings->unexpected) {
+      line["unexpected"].push_back(records::unexpected_pass_to_json(pass));
     }
     if (findings->fault) line["fault"] = *findings->fault;
   }

@@ -5,7 +5,7 @@
 //   {"records": […], "counterexamples": […], "fault": "…"}
 //
 // or, of a task that could not be run, {"error": {"file": "…", "place": "…", "reason": "…"}}.
-// "fault" is absent where there is none.
+// "fault" is absent where there is none, as is "unexpected", of known defects that do not show.
 
 #include <string>
 

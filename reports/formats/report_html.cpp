@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,10 +35,14 @@ std::string verdict_mark(const LawSummary& row) {
     case LawVerdict::violated:
       return fmt::format(R"(<span class="violated">✗ violated in {}</span>)",
                          counted(row.cases.violations, "case", "cases"));
+    case LawVerdict::known:
+      return fmt::format(R"(<span class="unchecked">≈ {}</span>)", verdict_text(row));
     case LawVerdict::not_checked:
       break;
   }
-  return R"(<span class="unchecked">– not checked</span>)";
+  const std::string why = records::why_not_checked(row);
+  return R"(<span class="unchecked">– not checked)" +
+         (why.empty() ? "" : "<br><small>" + html(why) + "</small>") + "</span>";
 }
 
 std::string cell(const std::string& content) { return "<td>" + content + "</td>"; }
@@ -106,6 +112,9 @@ std::string gaps_of(const Run& run) {
   }
   for (const records::UnreachedLabel& label : run.unreached) {
     text += fmt::format("<p>{}</p>\n", html(records::unreached_sentence(label)));
+  }
+  for (const records::UnexpectedPass& pass : run.unexpected) {
+    text += fmt::format("<p>{}</p>\n", html(records::unexpected_sentence(pass)));
   }
   return text;
 }
@@ -193,13 +202,31 @@ std::string classes_of(const records::ClassCounts& classes) {
   return "<dl class=\"facts\">\n" + text + "</dl>\n";
 }
 
+std::string counted_spans(const std::map<std::string, std::uint64_t>& all) {
+  std::string text;
+  for (const auto& [name, cases] : all) {
+    text += fmt::format("<span>{} {}</span> ", html(name), grouped(cases));
+  }
+  return text;
+}
+
 std::string labels_of(const LawSummary& row) {
   std::string text = "<p class=\"labels\">Labels reached: ";
   if (row.labels.empty()) text += "none";
-  for (const auto& [label, cases] : row.labels) {
-    text += fmt::format("<span>{} {}</span> ", html(label), grouped(cases));
-  }
-  return text + "</p>\n";
+  return text + counted_spans(row.labels) + "</p>\n";
+}
+
+/// Which known defects its violations are of, and why it says nothing of other cases.
+std::string reasons_of(const LawSummary& row) {
+  std::string text;
+  const auto add = [&text](std::string_view title,
+                           const std::map<std::string, std::uint64_t>& all) {
+    if (all.empty()) return;
+    text += fmt::format("<p class=\"labels\">{}: {}</p>\n", title, counted_spans(all));
+  };
+  add("Known defects", row.known);
+  add("Not of cases, because", row.not_applicable_because);
+  return text;
 }
 
 std::string law_section(const LawSummary& row) {
@@ -209,7 +236,7 @@ std::string law_section(const LawSummary& row) {
   if (row.cases.not_applicable > 0) {
     text += fmt::format(", {} more that it says nothing of", grouped(row.cases.not_applicable));
   }
-  text += "</p>\n";
+  text += "</p>\n" + reasons_of(row);
   if (row.ideal.values + row.excess.values > 0) {
     text += "<div class=\"charts\">\n" + histogram_figure(row.ideal, "Against the exact triangle") +
             histogram_figure(row.excess, "Beyond what the contract leaves open") + "</div>\n" +
@@ -268,6 +295,20 @@ std::string counterexample_section(const Counterexample& counterexample) {
   return text + "</section>\n";
 }
 
+/// What is known of the drivers, and how often it was seen.
+std::string known_of(const Run& run) {
+  if (run.known.empty()) return "";
+  std::string text =
+      "<section>\n<h2>Known defects</h2>\n<table>\n<thead><tr><th>defect</th><th>backend</th>"
+      "<th class=\"number\">cases</th><th>reason</th><th>rule</th></tr></thead>\n<tbody>\n";
+  for (const records::KnownSummary& known : records::known_defects(run)) {
+    text += "<tr>" + cell(html(known.entry.id)) + cell(html(known.backend)) +
+            number_cell("cases", known.is_passed ? "unexpected pass" : grouped(known.cases)) +
+            cell(html(known.entry.reason)) + cell(html(known.entry.rule)) + "</tr>\n";
+  }
+  return text + "</tbody>\n</table>\n</section>\n";
+}
+
 std::string environment_of(const Run& run) {
   std::string text = "<section>\n<h2>Environment</h2>\n<dl class=\"facts\">\n";
   for (const auto& [name, value] : run.environment) text += definition(html(name), html(value));
@@ -302,7 +343,7 @@ std::string write(const Run& run) {
     }
     text += "</section>\n";
   }
-  return text + environment_of(run) + "</main>\n</body>\n</html>\n";
+  return text + known_of(run) + environment_of(run) + "</main>\n</body>\n</html>\n";
 }
 
 const FormatRegistration kRegistration({"html", "report.html", &write});

@@ -15,6 +15,8 @@
 //     "counterexamples": […],   records/counterexample_json.h
 //     "unreached": [{"law": "…", "backend": "cpu", "label": "tie", "reached": 2, "least": 13,
 //                    "checked": 1000}],
+//     "known": […],             records/known_json.h; only where something is known of a driver
+//     "unexpected_passes": […], the same; only where there are any
 //     "pictures": [{"name": "…", "caption": "…", "width": 640, "height": 480, "png": "base64…"}],
 //     "environment": {"version": "0.1.0", …}
 //   }
@@ -28,6 +30,7 @@
 
 #include "cases/json_node.h"
 #include "records/counterexample_json.h"
+#include "records/known_json.h"
 #include "records/record_json.h"
 #include "reports/base64.h"
 #include "reports/format.h"
@@ -69,6 +72,12 @@ std::string write(const records::Run& run) {
   }
   json unreached = json::array();
   for (const records::UnreachedLabel& label : run.unreached) unreached.push_back(json_of(label));
+  json known = json::array();
+  for (const auto& one : run.known) known.push_back(records::known_of_backend_to_json(one));
+  json unexpected = json::array();
+  for (const auto& one : run.unexpected) {
+    unexpected.push_back(records::unexpected_pass_to_json(one));
+  }
   json pictures = json::array();
   for (const records::Picture& picture : run.pictures) pictures.push_back(json_of(picture));
 
@@ -90,6 +99,8 @@ std::string write(const records::Run& run) {
   add("records", lines_of(records::records_to_json(run.records)));
   add("counterexamples", lines_of(counterexamples));
   add("unreached", lines_of(unreached));
+  if (!run.known.empty()) add("known", lines_of(known));
+  if (!run.unexpected.empty()) add("unexpected_passes", lines_of(unexpected));
   add("pictures", lines_of(pictures));
   add("environment", text_of(run.environment));
   return text + "\n}\n";

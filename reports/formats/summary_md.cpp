@@ -34,6 +34,14 @@ std::string command_block(std::string_view command) {
   return "    " + cases::printable(command) + "\n";
 }
 
+std::string verdict_of(const LawSummary& row) {
+  if (row.verdict == records::LawVerdict::violated) {
+    return fmt::format("**violated** in {}", grouped(row.cases.violations));
+  }
+  const std::string why = records::why_not_checked(row);
+  return verdict_text(row) + (why.empty() ? "" : ": " + markdown(why));
+}
+
 std::string table_of(const std::vector<LawSummary>& rows) {
   std::string text =
       "| law | backend | cases | fragments | worst ULP | p99 ULP | beyond contract | verdict |\n"
@@ -42,10 +50,7 @@ std::string table_of(const std::vector<LawSummary>& rows) {
     text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", markdown(row.law),
                         markdown(row.backend), grouped(row.cases.checked), grouped(row.fragments),
                         markdown(number_text(row.ideal.worst)), at_most_text(row.ideal.p99),
-                        markdown(number_text(row.excess.worst)),
-                        row.verdict == records::LawVerdict::violated
-                            ? fmt::format("**violated** in {}", grouped(row.cases.violations))
-                            : std::string(to_string(row.verdict)));
+                        markdown(number_text(row.excess.worst)), verdict_of(row));
   }
   return text;
 }
@@ -83,6 +88,20 @@ std::string precision_of(const std::vector<LawSummary>& rows) {
       }
       text += "\n";
     }
+  }
+  return text;
+}
+
+/// What is known of the drivers, and how often it was seen.
+std::string known_of(const Run& run) {
+  if (run.known.empty()) return "";
+  std::string text =
+      "\n## Known defects\n\n| defect | backend | cases | reason | rule |\n|---|---|--:|---|---|\n";
+  for (const records::KnownSummary& known : records::known_defects(run)) {
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", markdown(known.entry.id),
+                        markdown(known.backend),
+                        known.is_passed ? "**unexpected pass**" : grouped(known.cases),
+                        markdown(known.entry.reason), markdown(known.entry.rule));
   }
   return text;
 }
@@ -130,9 +149,12 @@ std::string write(const Run& run) {
   std::string text = fmt::format("# RasterCheck\n\n**{}**\n\n", verdict_sentence(rows));
   for (const std::string& caveat : records::caveats(run)) text += markdown(caveat) + "\n\n";
   text += table_of(rows);
-  if (!run.unreached.empty()) text += "\n";
+  if (!run.unreached.empty() || !run.unexpected.empty()) text += "\n";
   for (const records::UnreachedLabel& label : run.unreached) {
     text += fmt::format("- {}\n", markdown(records::unreached_sentence(label)));
+  }
+  for (const records::UnexpectedPass& pass : run.unexpected) {
+    text += fmt::format("- {}\n", markdown(records::unexpected_sentence(pass)));
   }
   text += fmt::format("\n{}\n\n{}\n\n", kUnitSentence, kExcessSentence);
   text += counts_of(totals(rows)) + levels_of(totals(rows));
@@ -142,7 +164,7 @@ std::string write(const Run& run) {
   for (const Counterexample& counterexample : run.counterexamples) {
     text += counterexample_text(counterexample);
   }
-  text += precision_of(rows) + "\n## Environment\n\n";
+  text += known_of(run) + precision_of(rows) + "\n## Environment\n\n";
   for (const auto& [name, value] : run.environment) {
     text += fmt::format("- {}: {}\n", markdown(name), markdown(value));
   }

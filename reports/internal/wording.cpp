@@ -145,14 +145,18 @@ std::string verdict_sentence(const std::vector<LawSummary>& rows) {
   };
   const auto violated = count(LawVerdict::violated);
   const auto unchecked = count(LawVerdict::not_checked);
-  const std::string rest = unchecked > 0 ? fmt::format("; {} not checked", unchecked) : "";
+  const auto known = count(LawVerdict::known);
+  const std::string rest = (known > 0 ? fmt::format("; {} violated in known ways only", known) : "") +
+                           (unchecked > 0 ? fmt::format("; {} not checked", unchecked) : "");
   switch (records::verdict_of(rows)) {
     case LawVerdict::violated:
       return fmt::format("Violated: {} of {} checks{}.", violated, rows.size(), rest);
     case LawVerdict::held:
-      return unchecked > 0 ? fmt::format("Held: {} of {} checks{}.", count(LawVerdict::held),
-                                         rows.size(), rest)
-                           : fmt::format("Held: all {} checks.", rows.size());
+      return rest.empty() ? fmt::format("Held: all {} checks.", rows.size())
+                          : fmt::format("Held: {} of {} checks{}.", count(LawVerdict::held),
+                                        rows.size(), rest);
+    case LawVerdict::known:
+      return fmt::format("Violated in known ways only: {} of {} checks.", known, rows.size());
     case LawVerdict::not_checked:
       break;
   }
@@ -177,6 +181,19 @@ LawSummary totals(const std::vector<LawSummary>& rows) {
 bool has_precision(const std::vector<LawSummary>& rows) {
   return std::any_of(rows.begin(), rows.end(),
                      [](const LawSummary& row) { return !row.precision.empty(); });
+}
+
+std::string verdict_text(const LawSummary& row) {
+  switch (row.verdict) {
+    case LawVerdict::violated:
+      return fmt::format("violated in {}", counted(row.cases.violations, "case", "cases"));
+    case LawVerdict::known:
+      return fmt::format("known in {}", counted(row.cases.known, "case", "cases"));
+    case LawVerdict::held:
+    case LawVerdict::not_checked:
+      break;
+  }
+  return std::string(to_string(row.verdict));
 }
 
 std::string place_text(const records::Violation& violation, const cases::Case& source) {

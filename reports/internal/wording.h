@@ -74,6 +74,9 @@ std::string replay_command(const records::Counterexample& counterexample);
 /// "Violated: 2 of 12 checks." A check is one law on one backend.
 std::string verdict_sentence(const std::vector<records::LawSummary>& rows);
 
+/// "violated in 3 cases", "known in 2 cases", "held", "not checked".
+std::string verdict_text(const records::LawSummary& row);
+
 /// All rows together; of sizes and labels nothing.
 records::LawSummary totals(const std::vector<records::LawSummary>& rows);
 

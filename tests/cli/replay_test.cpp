@@ -134,7 +134,8 @@ TEST(Replay, ThatNoLawAppliesToIsNotOk) {
   const Outcome outcome = run_program({"replay", "-"}, text);
   EXPECT_EQ(outcome.code, 5) << outcome;
   EXPECT_EQ(outcome.out,
-            "-: constants stay constant, cpu: not applicable (found as: beyond bound)\n");
+            "-: constants stay constant, cpu: not applicable (found as: beyond bound): the law says "
+            "nothing of such cases\n");
 }
 
 TEST(Replay, RefusesWhatItCannotReplay) {

@@ -101,15 +101,15 @@ TEST_F(RunFolder, GoesOnOnlyAsItWasBegun) {
 }
 
 TEST_F(RunFolder, GoesOnWithTheSameCorpusOnly) {
-  EXPECT_TRUE(check_corpus(unfinished(), {square()}));
-  EXPECT_EQ(to_string(check_corpus(unfinished(), {}).error()),
+  EXPECT_TRUE(check_same(unfinished(), {square()}, {}));
+  EXPECT_EQ(to_string(check_same(unfinished(), {}, {}).error()),
             "corpus: is not as it was when the run was begun");
   cases::Case other = square();
   other.name = "another";
-  EXPECT_FALSE(check_corpus(unfinished(), {other}));
+  EXPECT_FALSE(check_same(unfinished(), {other}, {}));
   Checkpoint fewer = unfinished();
   fewer.is_done.pop_back();
-  EXPECT_FALSE(check_corpus(fewer, {square()}));
+  EXPECT_FALSE(check_same(fewer, {square()}, {}));
 }
 
 }  // namespace
