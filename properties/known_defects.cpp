@@ -68,6 +68,16 @@ std::string unknown_law(const KnownEntry& entry) {
   return "";
 }
 
+Result<records::KnownList> read_list(const fs::path& folder) {
+  const std::string file = (folder / "known.json").string();
+  Result<records::KnownList> list = cases::read_text(file).and_then(
+      [&file](const std::string& text) { return records::parse_known(text, file); });
+  if (list && list->driver != folder.filename().string()) {
+    return tl::unexpected(Error{file, "/driver/name", "is not the name of its folder"});
+  }
+  return list;
+}
+
 Result<cases::Case> read_entry_case(const KnownEntry& entry, const fs::path& folder) {
   const std::string file = (folder / entry.case_file).string();
   Result<cases::Case> c = cases::read_case(file);
@@ -81,6 +91,22 @@ Result<cases::Case> read_entry_case(const KnownEntry& entry, const fs::path& fol
 
 }  // namespace
 
+Result<std::vector<records::KnownList>> read_known_lists(const std::string& directory) {
+  std::error_code ignored;
+  std::vector<fs::path> folders;
+  for (const auto& entry : fs::directory_iterator(directory, ignored)) {
+    if (fs::exists(entry.path() / "known.json", ignored)) folders.push_back(entry.path());
+  }
+  std::sort(folders.begin(), folders.end());
+  std::vector<records::KnownList> lists;
+  for (const fs::path& folder : folders) {
+    Result<records::KnownList> list = read_list(folder);
+    if (!list) return tl::unexpected(list.error());
+    lists.push_back(*std::move(list));
+  }
+  return lists;
+}
+
 Result<std::optional<KnownDefects>> read_known_defects(const std::string& directory,
                                                        const backends::Backend& backend) {
   const std::optional<backends::Driver> driver = backend.driver();
@@ -90,12 +116,8 @@ Result<std::optional<KnownDefects>> read_known_defects(const std::string& direct
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return std::nullopt;
 
-  Result<records::KnownList> list = cases::read_text(file).and_then(
-      [&file](const std::string& text) { return records::parse_known(text, file); });
+  Result<records::KnownList> list = read_list(folder);
   if (!list) return tl::unexpected(list.error());
-  if (list->driver != driver->name) {
-    return tl::unexpected(Error{file, "/driver/name", "is not the name of its folder"});
-  }
   KnownDefects known{*std::move(list), {}, *driver};
   for (std::size_t i = 0; i < known.list.entries.size(); ++i) {
     const KnownEntry& entry = known.list.entries[i];

@@ -30,6 +30,10 @@ struct KnownDefects {
   bool is_same_version() const { return list.version == driver.version; }
 };
 
+/// The lists of a folder, DRIVER/known.json, in the order of the drivers' names; none of one that
+/// is not there.
+Result<std::vector<records::KnownList>> read_known_lists(const std::string& directory);
+
 /// The list of a backend's driver: DIRECTORY/DRIVER/known.json and its cases. Nothing where the
 /// backend is no driver, there is no such list, or the folder is "". Fails where the list or a case
 /// cannot be read, is another driver's, names no law that there is, or where a case is found by

@@ -12,7 +12,9 @@
 #include "cases/sample_pattern.h"
 #include "cli/command.h"
 #include "cli/isolation.h"
+#include "cli/known_option.h"
 #include "properties/generator.h"
+#include "properties/known_defects.h"
 #include "properties/law.h"
 #include "rasterizer/methods/method.h"
 #include "reports/text_table.h"
@@ -22,11 +24,16 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// What is to be listed: of backends, and of known defects.
+struct Asked {
+  std::vector<std::string> backends;  ///< by their specifications; none: all
+  std::vector<records::KnownList> known;
+};
+
 /// One kind of thing that can be listed: rows are objects with the same keys.
 struct Kind {
   std::string_view name;
-  /// `backends` are those that were asked for.
-  std::vector<ordered_json> (*rows)(const std::vector<std::string>& backends);
+  std::vector<ordered_json> (*rows)(const Asked& asked);
   std::size_t columns = 4;  ///< of a table, at most; JSON has all
 };
 
@@ -39,7 +46,8 @@ ordered_json row_of(const std::string& specification) {
           {"why not", backend ? "" : cases::printable(to_string(backend.error()))}};
 }
 
-std::vector<ordered_json> backend_rows(const std::vector<std::string>& asked_for) {
+std::vector<ordered_json> backend_rows(const Asked& asked) {
+  const std::vector<std::string>& asked_for = asked.backends;
   std::vector<ordered_json> rows;
   rows.reserve(asked_for.size());
   for (const std::string& specification : asked_for) rows.push_back(row_of(specification));
@@ -53,7 +61,7 @@ std::vector<ordered_json> backend_rows(const std::vector<std::string>& asked_for
   return rows;
 }
 
-std::vector<ordered_json> property_rows(const std::vector<std::string>& /*backends*/) {
+std::vector<ordered_json> property_rows(const Asked& /*asked*/) {
   std::vector<ordered_json> rows;
   for (const properties::Law& law : properties::laws()) {
     ordered_json labels = ordered_json::object();
@@ -68,7 +76,7 @@ std::vector<ordered_json> property_rows(const std::vector<std::string>& /*backen
   return rows;
 }
 
-std::vector<ordered_json> generator_rows(const std::vector<std::string>& /*backends*/) {
+std::vector<ordered_json> generator_rows(const Asked& /*asked*/) {
   std::vector<ordered_json> rows;
   for (const properties::Generator& generator : properties::generators()) {
     rows.push_back({{"name", generator.name}, {"summary", generator.summary}});
@@ -82,7 +90,7 @@ ordered_json to_json(const rasterizer::Operations& operations) {
           {"divisions", operations.divisions}};
 }
 
-std::vector<ordered_json> method_rows(const std::vector<std::string>& /*backends*/) {
+std::vector<ordered_json> method_rows(const Asked& /*asked*/) {
   std::vector<ordered_json> rows;
   for (const rasterizer::Method& method : rasterizer::methods()) {
     const rasterizer::OperationCounts counts = method.operations();
@@ -98,7 +106,7 @@ std::vector<ordered_json> method_rows(const std::vector<std::string>& /*backends
   return rows;
 }
 
-std::vector<ordered_json> rules_rows(const std::vector<std::string>& /*backends*/) {
+std::vector<ordered_json> rules_rows(const Asked& /*asked*/) {
   std::vector<ordered_json> rows;
   for (const cases::Rules rules : {cases::Rules::opengl, cases::Rules::vulkan, cases::Rules::d3d}) {
     rows.push_back({{"name", name_of(rules)},
@@ -108,7 +116,7 @@ std::vector<ordered_json> rules_rows(const std::vector<std::string>& /*backends*
   return rows;
 }
 
-std::vector<ordered_json> pattern_rows(const std::vector<std::string>& /*backends*/) {
+std::vector<ordered_json> pattern_rows(const Asked& /*asked*/) {
   std::vector<ordered_json> rows;
   for (const int samples : {1, 2, 4, 8, 16}) {
     ordered_json positions = ordered_json::array();
@@ -118,12 +126,29 @@ std::vector<ordered_json> pattern_rows(const std::vector<std::string>& /*backend
   return rows;
 }
 
-constexpr std::array<Kind, 6> kKinds{{{"backends", &backend_rows},
+std::vector<ordered_json> known_rows(const Asked& asked) {
+  std::vector<ordered_json> rows;
+  for (const records::KnownList& list : asked.known) {
+    for (const records::KnownEntry& entry : list.entries) {
+      rows.push_back({{"name", entry.id},
+                      {"driver", list.driver},
+                      {"version", list.version},
+                      {"reason", entry.reason},
+                      {"rule", entry.rule},
+                      {"finding", entry.finding},
+                      {"laws", entry.laws}});
+    }
+  }
+  return rows;
+}
+
+constexpr std::array<Kind, 7> kKinds{{{"backends", &backend_rows},
                                       {"properties", &property_rows, 1},
                                       {"generators", &generator_rows},
                                       {"methods", &method_rows, 3},
                                       {"rules", &rules_rows},
-                                      {"patterns", &pattern_rows}}};
+                                      {"patterns", &pattern_rows},
+                                      {"known", &known_rows}}};
 
 std::string cell(const ordered_json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
@@ -149,6 +174,7 @@ void print_table(const Kind& kind, const std::vector<ordered_json>& rows, bool q
 struct Options {
   std::string kind;
   std::vector<std::string> backends;
+  KnownOption known;
   bool json = false;
   bool quiet = false;
 };
@@ -163,13 +189,20 @@ ExitCode run(const Options& options) {
     }
   }
   isolate_foreign_backends(kDefaultTimeout);
+  Asked asked{options.backends, {}};
+  if (chosen.empty() || chosen == "known") {
+    Result<std::vector<records::KnownList>> known =
+        properties::read_known_lists(options.known.folder());
+    if (!known) return fail(known.error());
+    asked.known = *std::move(known);
+  }
   ordered_json document = ordered_json::object();
   for (const Kind& kind : kKinds) {
     if (!chosen.empty() && chosen != kind.name) continue;
     if (options.json) {
-      document[std::string(kind.name)] = kind.rows(options.backends);
+      document[std::string(kind.name)] = kind.rows(asked);
     } else {
-      print_table(kind, kind.rows(options.backends), options.quiet);
+      print_table(kind, kind.rows(asked), options.quiet);
     }
   }
   if (options.json) fmt::print("{}\n", document.dump());
@@ -186,13 +219,15 @@ Action set_up(CLI::App& app) {
   app.add_option("--backend", options->backends,
                  "Lists this backend, as plugin:PATH.so, and what it says of itself; may be given "
                  "several times");
+  add_known(app, options->known);
   app.add_flag("--json", options->json, "As JSON");
   app.add_flag("-q,--quiet", options->quiet, "Rows only");
   return [options] { return run(*options); };
 }
 
 const Registration kRegistration(
-    "list", "Backends, properties, generators, methods, rules, sample patterns", &set_up);
+    "list", "Backends, properties, generators, methods, rules, sample patterns, known defects",
+    &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli

@@ -6,6 +6,11 @@
 //   damaged:refuses   fails to draw
 //   damaged:absent    cannot run here
 //   damaged:speaks    says of itself what a terminal takes for a command
+//   damaged:driver    says to be the driver "damaged", version 1; loses the last fragment of every
+//                     draw with a scissor
+//   damaged:worse     the same driver, which loses the last fragment of every draw
+//   damaged:mended    the same driver, which draws rightly
+//   damaged:newer     version 2 of it, which draws rightly
 //   damaged:unseen    draws rightly; of it alone a law is asked whose cases are never what they are
 //                     said to be
 
@@ -56,6 +61,22 @@ void lose_last(const cases::Case& /*c*/, cases::Framebuffer& drawn) {
   drawn.derivatives.resize(drawn.derivatives.size() - 2 * drawn.attribute_count);
 }
 
+class DriverBackend : public DamagedBackend {
+ public:
+  DriverBackend(const Damage& damage, std::string version)
+      : DamagedBackend(damage, "cpu"), version_(std::move(version)) {}
+  std::optional<backends::Driver> driver() const override {
+    return backends::Driver{"damaged", version_};
+  }
+
+ private:
+  std::string version_;
+};
+
+void lose_last_of_scissored(const cases::Case& c, cases::Framebuffer& drawn) {
+  if (c.scissor) lose_last(c, drawn);
+}
+
 constexpr const char* kAbsent = "needs what no machine has";
 
 Result<std::unique_ptr<backends::Backend>> make(const std::string& options) {
@@ -64,6 +85,10 @@ Result<std::unique_ptr<backends::Backend>> make(const std::string& options) {
   if (options == "refuses") return std::make_unique<RefusingBackend>();
   if (options == "speaks") return std::make_unique<SpeakingBackend>();
   if (options == "unseen") return std::make_unique<UnseenBackend>();
+  if (options == "driver") return std::make_unique<DriverBackend>(&lose_last_of_scissored, "1");
+  if (options == "worse") return std::make_unique<DriverBackend>(&lose_last, "1");
+  if (options == "mended") return std::make_unique<DriverBackend>(Damage(), "1");
+  if (options == "newer") return std::make_unique<DriverBackend>(Damage(), "2");
   if (options == "absent") {
     return tl::unexpected(Error{"damaged:absent", "", kAbsent, Failure::unavailable});
   }
@@ -73,10 +98,14 @@ Result<std::unique_ptr<backends::Backend>> make(const std::string& options) {
 std::vector<backends::Listing> list() {
   return {{"damaged", "loses the last fragment", ""},
           {"damaged:absent", "cannot run", kAbsent},
+          {"damaged:driver", "a driver that loses the last fragment with a scissor", ""},
+          {"damaged:mended", "the same driver, mended", ""},
+          {"damaged:newer", "the same, mended in another version", ""},
           {"damaged:refuses", "fails to draw", ""},
           {"damaged:slow", "loses the last fragment, slowly", ""},
           {"damaged:speaks", "says what a terminal obeys", ""},
-          {"damaged:unseen", "draws rightly what is never seen", ""}};
+          {"damaged:unseen", "draws rightly what is never seen", ""},
+          {"damaged:worse", "the same driver, which always loses it", ""}};
 }
 
 const backends::BackendRegistration kRegistration({"damaged", &make, &list});

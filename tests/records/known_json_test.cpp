@@ -1,0 +1,123 @@
+#include "records/known_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace rastercheck::records {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+
+constexpr const char* kList = R"({
+  "format": "rastercheck-known", "version": 1,
+  "driver": {"name": "llvmpipe", "version": "Mesa 22.3.6"},
+  "entries": [{"id": "llvmpipe-1", "reason": "Why.", "rule": "14.6.1", "finding": "llvmpipe-1",
+    "laws": ["a law", "*edge*"], "verdicts": ["beyond bound", "crash"],
+    "when": {"rules": ["vulkan"], "samples": [2, 4], "attribute_kind": ["depth"],
+      "interpolation": ["noperspective"], "location": ["centroid"], "note": "lost",
+      "nonpositive_w": true, "depth_clamp": false, "error_at_most": 1e6, "height_at_most": 1},
+    "case": "known/llvmpipe-1.json"}]
+})";
+
+TEST(KnownJson, ReadsAllThereIs) {
+  const KnownList list = parse_known(kList, "f").value();
+  EXPECT_EQ(list.driver, "llvmpipe");
+  EXPECT_EQ(list.version, "Mesa 22.3.6");
+  ASSERT_EQ(list.entries.size(), 1U);
+  const KnownEntry& entry = list.entries[0];
+  EXPECT_EQ(entry.id, "llvmpipe-1");
+  EXPECT_EQ(entry.reason, "Why.");
+  EXPECT_EQ(entry.rule, "14.6.1");
+  EXPECT_EQ(entry.finding, "llvmpipe-1");
+  EXPECT_THAT(entry.laws, ElementsAre("a law", "*edge*"));
+  EXPECT_THAT(entry.verdicts, ElementsAre(FragmentClass::beyond_bound, FragmentClass::crash));
+  EXPECT_EQ(entry.case_file, "known/llvmpipe-1.json");
+  EXPECT_EQ(entry.when,
+            (KnownConditions{{cases::Rules::vulkan},
+                             {2, 4},
+                             {AttributeKind::depth},
+                             {cases::Interpolation::noperspective},
+                             {cases::Location::centroid},
+                             {{KnownFact::nonpositive_w, true}, {KnownFact::depth_clamp, false}},
+                             {{KnownLimit::error_at_most, 1e6}, {KnownLimit::height_at_most, 1}},
+                             "lost"}));
+}
+
+TEST(KnownJson, ComesBackAsItWas) {
+  const KnownList list = parse_known(kList, "f").value();
+  EXPECT_EQ(parse_known(known_to_json(list).dump(), "f").value(), list);
+}
+
+TEST(KnownJson, TakesEveryFactAndLimitByItsName) {
+  json document = json::parse(kList);
+  json when = json::object();
+  for (const auto name : names_of(KnownFact{})) when[std::string(name)] = true;
+  for (const auto name : names_of(KnownLimit{})) when[std::string(name)] = 1;
+  document["entries"][0]["when"] = when;
+  const KnownConditions read = parse_known(document.dump(), "f").value().entries[0].when;
+  EXPECT_EQ(read.facts.size(), names_of(KnownFact{}).size());
+  EXPECT_EQ(read.limits.size(), names_of(KnownLimit{}).size());
+}
+
+/// What is said of the list where the value at a pointer is another; none: where it is gone.
+std::string refusal(const char* pointer, const std::optional<json>& value) {
+  const json::json_pointer place(pointer);
+  json document = json::parse(kList);
+  if (value) {
+    document[place] = *value;
+  } else {
+    document[place.parent_pointer()].erase(place.back());
+  }
+  const Result<KnownList> read = parse_known(document.dump(), "f");
+  return read ? "was read" : to_string(read.error());
+}
+
+TEST(KnownJson, IsRefusedWhereItIsNot) {
+  EXPECT_EQ(refusal("/format", "rastercheck-case"), "f: /format: must be \"rastercheck-known\"");
+  EXPECT_EQ(refusal("/version", 2), "f: /version: version must be 1");
+  EXPECT_EQ(refusal("/driver/name", ""), "f: /driver/name: must not be empty");
+  EXPECT_EQ(refusal("/entries/0/reason", "a\nb"), "f: /entries/0/reason: must be one line");
+  EXPECT_EQ(refusal("/entries/0/verdicts/0", "correct"),
+            "f: /entries/0/verdicts: no violation is correct");
+  EXPECT_EQ(refusal("/entries/0/when", json::object()),
+            "f: /entries/0/when: must have a condition: without one, nothing new of these laws "
+            "would stand out");
+  for (const char* outside : {"/etc/passwd", "../case.json", "known/../../case.json"}) {
+    EXPECT_EQ(refusal("/entries/0/case", outside),
+              "f: /entries/0/case: must be a file in the folder of the list");
+  }
+  json twice = json::parse(kList)["entries"];
+  twice.push_back(twice[0]);
+  EXPECT_EQ(refusal("/entries", twice), "f: /entries/1/id: is another entry's, too");
+}
+
+TEST(KnownJson, IsRefusedWithAnythingMissingOrUnknown) {
+  for (const char* key : {"id", "reason", "rule", "finding", "laws", "verdicts", "when", "case"}) {
+    EXPECT_NE(refusal((std::string("/entries/0/") + key).c_str(), std::nullopt), "was read") << key;
+  }
+  for (const char* place : {"/more", "/driver/more", "/entries/0/more", "/entries/0/when/more"}) {
+    EXPECT_NE(refusal(place, 1), "was read") << place;
+  }
+  for (const char* place : {"/entries/0/laws", "/entries/0/verdicts", "/entries/0/when/rules",
+                            "/entries/0/when/samples", "/entries/0/when/location"}) {
+    EXPECT_NE(refusal(place, json::array()), "was read") << place;
+  }
+}
+
+TEST(KnownJson, OfARunComesBackAsItWas) {
+  const KnownOfBackend known{"gl:llvmpipe", "Mesa 23", parse_known(kList, "f").value()};
+  EXPECT_EQ(
+      cases::read_json(known_of_backend_to_json(known).dump(), "f", &known_of_backend_from_json)
+          .value(),
+      known);
+  const UnexpectedPass pass{"gl:llvmpipe", "llvmpipe-1", "a law", false};
+  EXPECT_EQ(cases::read_json(unexpected_pass_to_json(pass).dump(), "f", &unexpected_pass_from_json)
+                .value(),
+            pass);
+}
+
+}  // namespace
+}  // namespace rastercheck::records
