@@ -58,9 +58,13 @@ std::string verdict_of(const Check& check) {
 }
 
 std::string reason_of(const Law& law, const backends::Backend& backend, const Check& check) {
-  if (!check.why_not.empty()) return check.why_not;
-  return is_promised(law, backend) ? "the law says nothing of such cases"
-                                   : "the backend does not promise what the law is about";
+  if (!is_promised(law, backend)) {
+    return law.unpromised.empty() ? "the backend does not promise what the law is about"
+                                  : std::string(law.unpromised);
+  }
+  if (check.why_not.empty()) return "the law says nothing of such cases";
+  // What a plugin says of itself may be another each time, and is not counted.
+  return check.why_not.substr(0, check.why_not.find(": "));
 }
 
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,

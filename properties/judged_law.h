@@ -39,7 +39,7 @@ using DrawnCheck =
 Result<Check> check_drawn(const cases::Case& c, backends::Backend& backend, const DrawnCheck& find);
 
 /// What a law finds of a case that it says nothing of; why, unless it is plain from `exceptions` or
-/// from what the law is about: a constant text, as records count cases by it.
+/// from what the law is about (Check::why_not).
 Check not_applicable(std::string_view why = "");
 
 /// The violation that a judged sample, or one value of it, is. `value` is nullptr where coverage is

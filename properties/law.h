@@ -38,7 +38,9 @@ struct Generated {
 /// What a law found of one case.
 struct Check {
   bool is_applicable = true;  ///< else the law says nothing of the case, and the rest is empty
-  std::string why_not;        ///< one line of the law's or the backend's own; may be empty
+  /// Else why, in a clause of the law's or the backend's own; may be empty. One of few texts: records
+  /// count cases by what is before a colon.
+  std::string why_not = {};
   records::Judgement judgement;
   std::uint64_t violation_count = 0;
   std::vector<records::Violation> violations;  ///< the first records::kMostViolations
@@ -85,6 +87,8 @@ struct Law {
   /// Whether a backend promises at all what the law is about; nullptr: every backend does. Where it
   /// does not, the law says nothing of any case, and that is no fault of a run.
   bool (*is_promised)(const backends::Backend& backend) = nullptr;
+  /// Of one that does not, what it lacks: the reason that reports give. A clause.
+  std::string_view unpromised = {};
   /// What its random cases have to reach.
   std::vector<Cover> covers = {};
 };

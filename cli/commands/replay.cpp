@@ -147,7 +147,7 @@ Outcome check_law(const properties::Law& law, const Input& input, const Drawer& 
   Outcome outcome{input.file, std::string(law.name), input.backend, {}, found.verdict, &source, {}};
   outcome.check = properties::check_or_note(law, source, *by.backend,
                                             {found.index, by.known ? &*by.known : nullptr});
-  if (!outcome.check.is_applicable) {
+  if (!outcome.check.is_applicable && outcome.check.why_not.empty()) {
     outcome.check.why_not = properties::reason_of(law, *by.backend, outcome.check);
   }
   if (!outcome.check.violations.empty()) {

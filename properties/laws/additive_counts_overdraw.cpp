@@ -165,6 +165,7 @@ const LawRegistration kRegistration(
      .generate = &overlapping_case,
      .check = &check,
      .is_promised = &draws_pictures,
+     .unpromised = "the backend draws no pictures",
      .covers = {cover(9, "clipped"), cover(5, "much overdraw"), cover(38, "overdraw"),
                 cover(17, "several samples"), cover_decided(5, "tie"), cover(6, "w <= 0")}});
 

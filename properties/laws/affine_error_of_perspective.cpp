@@ -174,6 +174,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
+     .unpromised = "the backend does not claim affine values",
      .covers = {cover(5, "near what w allows")}});
 
 }  // namespace

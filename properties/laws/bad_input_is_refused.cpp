@@ -244,6 +244,7 @@ const LawRegistration kRegistration(
      .generate = &overlapping_case,
      .check = &check,
      .is_promised = &draws_over,
+     .unpromised = "the backend does not draw over pictures",
      .covers = {cover(15, "mesh"), cover(10, "state"), cover(8, "target"), cover(8, "empty")}});
 
 }  // namespace

@@ -99,7 +99,7 @@ Result<Check> check_picture(const cases::Case& upright, const cases::Case& rolle
                             const QuarterTurn& turn, backends::Backend& backend,
                             const CheckOptions& options) {
   const auto contract = turned_back(upright, backend.contract(rolled_clip));
-  if (!contract) return not_applicable();
+  if (!contract) return not_applicable("the contract does not turn with the case");
   const Result<cases::Framebuffer> before = draw(upright, backend);
   if (!before) return tl::unexpected(before.error());
   const Result<cases::Framebuffer> drawn = draw(rolled_clip, backend);
@@ -112,7 +112,7 @@ Result<Check> check_picture(const cases::Case& upright, const cases::Case& rolle
 }
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
-  if (!c.camera) return not_applicable();
+  if (!c.camera) return not_applicable("the case has no camera");
   cases::Case source = c;
   move_centroids_to_samples(source);
   const std::optional<QuarterTurn> turn = quarter_turn_of(source);

@@ -184,7 +184,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
-  if (clip->clip_distance_count == 0) return not_applicable();
+  if (clip->clip_distance_count == 0) return not_applicable("the case has no clip distances");
   SharingCheck sharing(*clip);
   for (std::size_t d = 0; d < clip->clip_distance_count; ++d) {
     const cases::Case without = without_distance(*clip, d);

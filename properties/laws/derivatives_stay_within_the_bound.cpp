@@ -123,6 +123,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
+     .unpromised = "the contract bounds no derivatives",
      .covers = {cover(12, "clipped"), cover(5, "no one derivative"), cover(17, "several samples"),
                 cover(8, "w <= 0")}});
 

@@ -193,6 +193,8 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
+     .unpromised =
+         "the backend draws no pictures, or its contract bounds no differences across quads",
      .covers = {cover(25, "along x"), cover(24, "along y"), cover(35, "beyond the triangle"),
                 cover(26, "cancellation"), cover(11, "clipped"), cover(14, "several samples"),
                 cover(7, "w <= 0")}});

@@ -216,6 +216,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &draws_pictures,
+     .unpromised = "the backend draws no pictures",
      .covers = {cover(5, "clipped"), cover(38, "discarded"), cover(7, "exactly the limit"),
                 cover(38, "kept"), cover(30, "overdraw"), cover(15, "several samples")}});
 

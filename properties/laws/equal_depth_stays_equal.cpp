@@ -203,6 +203,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
+     .unpromised = "the contract does not keep equal depth equal",
      .covers = {cover(37, "different w"), cover(15, "middle between floats"),
                 cover(27, "several triangles"), cover(20, "several samples"), cover(27, "snapped"),
                 cover(18, "clipped"), cover(8, "w <= 0")}});

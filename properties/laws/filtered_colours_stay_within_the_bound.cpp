@@ -175,6 +175,7 @@ const LawRegistration kRegistration(
      .generate = &textured_case,
      .check = &check,
      .is_promised = &is_promised,
+     .unpromised = "the backend draws no pictures, or its contract bounds no filtered colours",
      .covers = {cover(9, "between levels"), cover(25, "bilinear"), cover(8, "clipped"),
                 cover(7, "last level"), cover(6, "level 0"), cover(14, "several samples"),
                 cover(24, "trilinear")}});

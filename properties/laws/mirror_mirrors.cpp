@@ -210,7 +210,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   const std::optional<cases::Case> changed = mirrored_case(*clip, *mirror);
   if (!changed) return not_applicable();
   const auto contract = mirrored_back(*clip, backend.contract(*changed), *mirror);
-  if (!contract) return not_applicable();
+  if (!contract) return not_applicable("the contract is not the same in a mirror");
 
   const Result<cases::Framebuffer> before = draw(*clip, backend);
   if (!before) return tl::unexpected(before.error());

@@ -213,6 +213,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
+     .unpromised = "the backend has no vertex stage, or its contract bounds no normals",
      .covers = {cover(14, "mirrored"), cover(22, "no direction"), cover(13, "singular")}});
 
 }  // namespace

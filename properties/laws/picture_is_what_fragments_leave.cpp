@@ -118,6 +118,7 @@ const LawRegistration kRegistration(
      .generate = &overlapping_case,
      .check = &check,
      .is_promised = &draws_pictures,
+     .unpromised = "the backend draws no pictures",
      .covers = {cover(21, "blend additive"),
                 cover(12, "blend off"),
                 cover(16, "blend over"),

@@ -39,7 +39,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   cases::Case changed = turned_window(*clip, *turn);
   for (cases::ClipVertex& p : changed.positions) p = turned(p, *turn);
   const auto contract = turned_back(*clip, backend.contract(changed));
-  if (!contract) return not_applicable();
+  if (!contract) return not_applicable("the contract does not turn with the case");
 
   const Result<cases::Framebuffer> drawn = draw(changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());

@@ -341,7 +341,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   const cases::Case changed = changed_case(*clip, maps);
   // Both drawings are held to one promise.
   const cases::Contract contract = backend.contract(*clip);
-  if (backend.contract(changed) != contract) return not_applicable();
+  if (backend.contract(changed) != contract) {
+    return not_applicable("the contract promises something else of the changed case");
+  }
   const Result<cases::Framebuffer> before = draw(*clip, backend);
   if (!before) return tl::unexpected(before.error());
   const Result<cases::Framebuffer> drawn = draw(changed, backend);

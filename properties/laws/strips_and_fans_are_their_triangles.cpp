@@ -224,6 +224,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
+     .unpromised = "the backend assembles no strips and fans",
      .covers = {cover(7, "clipped"), cover(9, "culled"), cover(42, "drawn"), cover(19, "fan"),
                 cover(10, "list"), cover(21, "restart"), cover(16, "several samples"),
                 cover(20, "strip"), cover(6, "w <= 0")}});

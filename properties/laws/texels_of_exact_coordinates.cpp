@@ -154,6 +154,7 @@ const LawRegistration kRegistration(
      .generate = &textured_case,
      .check = &check,
      .is_promised = &draws_pictures,
+     .unpromised = "the backend draws no pictures",
      .covers = {cover(37, "beyond 0 to 1"), cover(15, "clamp"), cover(10, "clipped"),
                 cover(17, "mirror"), cover(29, "repeat"), cover(14, "several samples"),
                 cover(16, "texel border")}});

@@ -238,6 +238,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
+     .unpromised = "the backend does not trace",
      .covers = {cover(13, "clipped"), cover_decided(14, "decided in_double"),
                 cover_decided(27, "decided in_whole_numbers"), cover_decided(9, "exact value"),
                 cover(8, "located elsewhere"), cover(48, "not drawn"), cover(16, "several samples"),

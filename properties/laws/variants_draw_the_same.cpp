@@ -117,6 +117,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
+     .unpromised = "no other backend is promised to draw the same bits",
      .covers = {cover(40, "drawn"), cover(10, "beyond 64 pixels"), cover(15, "several samples"),
                 cover(20, "three attributes and more"), cover(10, "clipped")}});
 

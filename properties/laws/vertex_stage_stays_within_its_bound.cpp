@@ -238,6 +238,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
+     .unpromised = "the backend has no vertex stage, or its contract does not bound it",
      .covers = {cover(5, "cancellation"), cover(6, "subnormal"), cover(41, "w <= 0")}});
 
 }  // namespace

@@ -355,6 +355,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &is_promised,
+     .unpromised = "the contract does not keep the vertices' values",
      .covers = {cover(17, "several samples"), cover(30, "snapped"), cover(44, "vertex value"),
                 cover(30, "vertex value far below the others"), cover(11, "vertex zero")}});
 

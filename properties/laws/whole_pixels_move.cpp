@@ -120,7 +120,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   const cases::Contract contract = backend.contract(moved->after);
   if (contract.coverage && !(keeps_even_points(*contract.coverage, move.du) &&
                              keeps_even_points(*contract.coverage, move.dv))) {
-    return not_applicable();
+    return not_applicable("the contract rounds moved positions otherwise");
   }
 
   const Result<cases::Framebuffer> before = draw(moved->before, backend);

@@ -1,0 +1,138 @@
+#!/usr/bin/python3
+"""Holds the reader of lists of known defects and cases/schema/known.schema.json together.
+
+    known_schema_test.py RASTERCHECK_BINARY SCHEMA LISTS_DIR
+
+The schema is valid, closed and described; both accept every LISTS_DIR/*/known.json; and of one list
+with every key, changed in one step, both come to the same verdict, but for what compares two places.
+The reader is asked through `rastercheck list known`. Needs python3-jsonschema.
+"""
+
+import concurrent.futures
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import jsonschema
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "cases"))
+from schema_test import TIMEOUT_SECONDS, check_schema, mutations, run_all  # noqa: E402
+
+DRIVER = "a-driver"
+FULL_LIST = {
+    "format": "rastercheck-known",
+    "version": 1,
+    "driver": {"name": DRIVER, "version": "Mesa 22.3.6"},
+    "entries": [
+        {
+            "id": "a-driver-1",
+            "reason": "Why.",
+            "rule": "14.6.1",
+            "finding": "a-driver-1",
+            "laws": ["a law", "*edge*"],
+            "verdicts": ["beyond bound", "crash"],
+            "when": {
+                "rules": ["vulkan", "opengl"],
+                "samples": [2, 4],
+                "attribute_kind": ["depth", "smooth"],
+                "interpolation": ["flat", "noperspective"],
+                "location": ["centroid", "center"],
+                "note": "lost",
+                **{
+                    fact: True
+                    for fact in (
+                        "nonpositive_w", "clipped", "depth_clipped", "clip_distances",
+                        "depth_clamp", "depth_test", "scissor", "culling",
+                        "reversed_depth_range", "negative_height", "fractional_viewport",
+                    )
+                },
+                **{
+                    limit: 2.5
+                    for limit in (
+                        "error_at_most", "distance_at_most", "largest_coordinate_at_least",
+                        "w_ratio_at_least", "height_at_most", "largest_value_at_least",
+                        "least_value_at_most",
+                    )
+                },
+            },
+            "case": "known/a-driver-1.json",
+        }
+    ],
+}
+
+
+def accepts(binary, document):
+    """Whether the program reads the list; ValueError if it says neither."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / DRIVER / "known.json"
+        file.parent.mkdir()
+        file.write_text(json.dumps(document), encoding="utf-8")
+        done = subprocess.run(
+            [binary, "list", "known", "--known", folder, "--json"],
+            capture_output=True,
+            timeout=TIMEOUT_SECONDS,
+            check=False,
+        )
+    said = done.stderr.decode("utf-8", errors="replace")
+    if done.returncode == 0:
+        return True
+    if done.returncode != 2 or not said.startswith(f"rastercheck: {file}: /"):
+        raise ValueError(f"exit code {done.returncode}, standard error: {said!r}")
+    return False
+
+
+def reader_only(document):
+    """Whether only the reader can refuse it: two places, or the folder, are compared."""
+    ids = [entry["id"] for entry in document["entries"]]
+    return len(set(ids)) < len(ids) or document["driver"]["name"] != DRIVER
+
+
+def check_mutations(binary, validator, pool):
+    """Failures among the mutations, and how many there are."""
+    jobs = [("unchanged", FULL_LIST), *mutations(FULL_LIST)]
+
+    def judge(document):
+        is_valid = validator.is_valid(document)
+        is_read = accepts(binary, document)
+        if is_valid and reader_only(document):
+            return "the reader accepts it" if is_read else None
+        if is_valid == is_read:
+            return None
+        return f"schema: {is_valid}, reader: {is_read}"
+
+    return run_all(pool, judge, jobs), len(jobs)
+
+
+def main(arguments):
+    binary, schema_file, lists = arguments[1:]
+    schema = json.loads(pathlib.Path(schema_file).read_text(encoding="utf-8"))
+    validator = jsonschema.Draft202012Validator(schema)
+    failures, keys = check_schema(schema)
+    if not validator.is_valid(FULL_LIST):
+        failures.append("the schema refuses the list of this test")
+    if set(FULL_LIST["entries"][0]["when"]) != set(schema["$defs"]["conditions"]["properties"]):
+        failures.append("the list of this test does not have every condition of the schema")
+    files = sorted(pathlib.Path(lists).glob("*/known.json"))
+    for file in files:
+        error = jsonschema.exceptions.best_match(
+            validator.iter_errors(json.loads(file.read_text(encoding="utf-8")))
+        )
+        if error:
+            failures.append(f"{file}: {error.message[:200]}")
+    done = subprocess.run([binary, "list", "known", "--known", lists], check=False)
+    if done.returncode != 0:
+        failures.append(f"the reader refuses a list of {lists}")
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        mutation_failures, count = check_mutations(binary, validator, pool)
+    failures += mutation_failures
+    for failure in failures[:40]:
+        print(failure)
+    print(f"{keys} keys, {len(files)} lists, {count} mutations, {len(failures)} failures")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv))
