@@ -150,6 +150,10 @@ using MakeForeign =
     std::function<Result<std::unique_ptr<Backend>>(const std::string& specification)>;
 void make_foreign_with(MakeForeign make);
 
+/// What becomes of every backend that make_backend() makes from now on; of nothing, itself.
+using Wrap = std::function<std::unique_ptr<Backend>(std::unique_ptr<Backend>)>;
+void wrap_backends_with(Wrap with);
+
 /// Everything that could be asked for, by kind.
 std::vector<Listing> list_backends();
 

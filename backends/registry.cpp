@@ -17,9 +17,21 @@ MakeForeign& make_foreign() {
   return make;
 }
 
+/// Empty: backends are handed out as they are made.
+Wrap& wrap() {
+  static Wrap wrap;
+  return wrap;
+}
+
+Result<std::unique_ptr<Backend>> wrapped(Result<std::unique_ptr<Backend>> made) {
+  if (made && wrap()) return wrap()(*std::move(made));
+  return made;
+}
+
 }  // namespace
 
 void make_foreign_with(MakeForeign make) { make_foreign() = std::move(make); }
+void wrap_backends_with(Wrap with) { wrap() = std::move(with); }
 
 BackendRegistration::BackendRegistration(const BackendKind& kind) {
   // The order in which files register is the linker's; lists have one of their own.
@@ -38,7 +50,7 @@ Result<std::unique_ptr<Backend>> make_backend(const std::string& specification) 
   for (const BackendKind& candidate : registry()) {
     if (candidate.kind == kind) {
       const bool is_apart = candidate.is_foreign && make_foreign();
-      return is_apart ? make_foreign()(specification) : candidate.make(options);
+      return wrapped(is_apart ? make_foreign()(specification) : candidate.make(options));
     }
     known += (known.empty() ? "" : ", ") + std::string(candidate.kind);
   }

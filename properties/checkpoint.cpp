@@ -3,14 +3,15 @@
 //   {"format": "rastercheck-unfinished", "version": 1,
 //    "plan": {"seed": 1, "cases_per_law": 1000, "backends": ["cpu"], "laws": ["…"],
 //             "shrink_tries": 1000, "shrink_seconds": 5, "corpus": "…", "corpus_digest": "…",
-//             "scene": "", "scene_size": 512, "program": "0.1.0"},
+//             "scene": "", "scene_size": 512, "program": "0.1.0",
+//             "contract_file": "…", "contract": {a contract file}},
 //    "saved": [{a case file}, …],
 //    "tasks": 4400, "done": [[0, 17], [19, 20]],
 //    "records": […], "counterexamples": […], "unexpected": […]}
 //
 // "done" has ranges of all tasks, from the first to one past the last. "shrink_seconds" is absent
-// where there is no such limit; "known" and "known_digest" of the plan, and "unexpected", are where
-// there is nothing of the kind.
+// where there is no such limit, the contract where each backend is held to its own; "known" and
+// "known_digest" of the plan, and "unexpected", are absent where there is nothing of the kind.
 
 #include "properties/checkpoint.h"
 
@@ -21,6 +22,7 @@
 
 #include "cases/case_reader.h"
 #include "cases/case_writer.h"
+#include "cases/contract_json.h"
 #include "cases/json.h"
 #include "cases/json_node.h"
 #include "properties/draw.h"
@@ -53,6 +55,10 @@ json plan_to_json(const RunPlan& plan) {
   if (const auto& seconds = plan.campaign.shrinking.seconds) {
     object["shrink_seconds"] = cases::float64_to_json(*seconds);
   }
+  if (!plan.contract_file.empty()) {
+    object["contract_file"] = plan.contract_file;
+    object["contract"] = cases::parse_json(cases::to_json(plan.terms), "").value_or(json());
+  }
   return object;
 }
 
@@ -65,7 +71,7 @@ std::vector<std::string> texts_of(const JsonNode& node) {
 RunPlan read_plan(const JsonNode& node) {
   node.expect_object({"seed", "cases_per_law", "backends", "laws", "shrink_tries", "corpus",
                       "corpus_digest", "scene", "scene_size", "program"},
-                     {"shrink_seconds", "known", "known_digest"});
+                     {"shrink_seconds", "known", "known_digest", "contract_file", "contract"});
   RunPlan plan;
   plan.campaign.seed = node["seed"].count();
   plan.campaign.cases_per_law = node["cases_per_law"].count();
@@ -82,6 +88,13 @@ RunPlan read_plan(const JsonNode& node) {
   plan.scene = node["scene"].text();
   plan.scene_size = static_cast<int>(node["scene_size"].integer(1, cases::kMaxSize));
   plan.program = node["program"].text();
+  if (node.has("contract_file")) {
+    plan.contract_file = node["contract_file"].text();
+    if (plan.contract_file.empty()) node["contract_file"].refuse("must be a file");
+    plan.terms = cases::read_contract_terms(node["contract"]);
+  } else if (node.has("contract")) {
+    node.refuse("missing key 'contract_file'");
+  }
   return plan;
 }
 
@@ -164,13 +177,13 @@ std::string to_json(const Checkpoint& checkpoint) {
     counterexamples.push_back(records::counterexample_to_json(one));
   }
   json document{{"format", "rastercheck-unfinished"},
-                      {"version", 1},
-                      {"plan", plan_to_json(checkpoint.plan)},
-                      {"saved", std::move(saved)},
-                      {"tasks", checkpoint.is_done.size()},
-                      {"done", done_to_json(checkpoint.is_done)},
-                      {"records", records::records_to_json(checkpoint.findings.records)},
-                      {"counterexamples", std::move(counterexamples)}};
+                {"version", 1},
+                {"plan", plan_to_json(checkpoint.plan)},
+                {"saved", std::move(saved)},
+                {"tasks", checkpoint.is_done.size()},
+                {"done", done_to_json(checkpoint.is_done)},
+                {"records", records::records_to_json(checkpoint.findings.records)},
+                {"counterexamples", std::move(counterexamples)}};
   for (const records::UnexpectedPass& pass : checkpoint.findings.unexpected) {
     document["unexpected"].push_back(records::unexpected_pass_to_json(pass));
   }

@@ -39,6 +39,10 @@ std::string unexpected_sentence(const UnexpectedPass& pass) {
 
 std::vector<std::string> caveats(const Run& run) {
   std::vector<std::string> all;
+  if (!run.contract_file.empty()) {
+    all.push_back(fmt::format("Held to the contract of {}, not to what the backends promise.",
+                              run.contract_file));
+  }
   if (run.cases_left > 0) {
     all.push_back(
         fmt::format("The run was interrupted: {} cases were not checked.", run.cases_left));

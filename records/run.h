@@ -43,7 +43,9 @@ struct Run {
   std::vector<std::string> backends;  ///< as asked for
   std::vector<std::string> laws;      ///< those that were run, in the order of tables
   std::string scene;                  ///< its name; empty where there was none
-  std::uint64_t cases_left = 0;       ///< not checked, as the run was interrupted
+  /// The contract file that the backends were held to; empty: each to its own contract.
+  std::string contract_file;
+  std::uint64_t cases_left = 0;  ///< not checked, as the run was interrupted
   /// Seconds that shrinking one counterexample might take, where that was limited: how small they
   /// are depends on the machine then.
   std::optional<double> shrink_seconds;

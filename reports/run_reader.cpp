@@ -24,9 +24,10 @@ void check_header(const JsonNode& root) {
   if (root.has("version") && root["version"].count() != 1) {
     root["version"].refuse("version must be 1");
   }
-  root.expect_object({"format", "version", "seed", "cases_per_law", "backends", "laws", "scene",
-                      "records", "counterexamples", "unreached", "pictures", "environment"},
-                     {"cases_left", "shrink_seconds", "known", "unexpected_passes"});
+  root.expect_object(
+      {"format", "version", "seed", "cases_per_law", "backends", "laws", "scene", "records",
+       "counterexamples", "unreached", "pictures", "environment"},
+      {"contract_file", "cases_left", "shrink_seconds", "known", "unexpected_passes"});
 }
 
 std::vector<std::string> read_texts(const JsonNode& node) {
@@ -70,6 +71,7 @@ records::Run read_document(const JsonNode& root) {
   run.backends = read_texts(root["backends"]);
   run.laws = read_texts(root["laws"]);
   run.scene = root["scene"].text();
+  if (root.has("contract_file")) run.contract_file = root["contract_file"].text();
   if (root.has("cases_left")) run.cases_left = root["cases_left"].count();
   if (root.has("shrink_seconds")) run.shrink_seconds = root["shrink_seconds"].float64();
   for (const JsonNode& node : root["counterexamples"].elements()) {

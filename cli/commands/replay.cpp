@@ -12,6 +12,7 @@
 #include "cases/json.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
+#include "cli/contract_option.h"
 #include "cli/isolation.h"
 #include "cli/known_option.h"
 #include "oracle/transform.h"
@@ -27,6 +28,7 @@ struct Options {
   std::vector<std::string> files;
   std::string backend;
   KnownOption known;
+  std::string contract;
   double timeout = kDefaultTimeout;
   bool json = false;
   bool quiet = false;
@@ -177,6 +179,8 @@ Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs,
 
 ExitCode run(const Options& options) {
   isolate_foreign_backends(options.timeout);
+  const Result<cases::ContractTerms> terms = hold_backends_to(options.contract);
+  if (!terms) return fail(terms.error());
   const Result<std::vector<Input>> inputs = read_inputs(options);
   if (!inputs) return fail(inputs.error());
   std::vector<std::string> specifications;
@@ -204,12 +208,14 @@ Action set_up(CLI::App& app) {
   app.add_option("--backend", options->backend,
                  "What draws; without it the one it was found with, or cpu");
   add_known(app, options->known);
+  add_contract(app, options->contract);
   add_timeout(app, options->timeout);
   app.add_flag("--json", options->json, "As JSON");
   app.add_flag("-q,--quiet", options->quiet, "Verdicts only");
   app.footer(
       "A counterexample is checked by the property that it was found by, any other case by all.\n"
-      "Exit code 0 if they held or failed as is known of the driver, 1 if one was violated, 5 if none says anything of the case.");
+      "Exit code 0 if they held or failed as is known of the driver, 1 if one was violated, 5 if "
+      "none says anything of the case.");
   return [options] { return run(*options); };
 }
 

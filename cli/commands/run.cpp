@@ -13,8 +13,11 @@
 #include <memory>
 #include <random>
 
+#include "backends/held_backend.h"
+#include "cases/contract_json.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
+#include "cli/contract_option.h"
 #include "cli/corpus_folder.h"
 #include "cli/environment.h"
 #include "cli/interrupt.h"
@@ -44,6 +47,7 @@ struct Options {
   std::optional<std::uint64_t> seed;
   std::string scene;
   int scene_size = 512;
+  std::string contract;
   std::string corpus;
   KnownOption known;
   std::string output = "rastercheck-out";
@@ -93,7 +97,12 @@ Result<properties::RunPlan> plan_of(const Options& options) {
   plan.scene = options.scene;
   plan.scene_size = options.scene_size;
   plan.program = RASTERCHECK_VERSION;
-  return plan;
+  plan.contract_file = options.contract;
+  if (plan.contract_file.empty()) return plan;
+  return cases::read_contract(plan.contract_file).map([&plan](const cases::ContractTerms& terms) {
+    plan.terms = terms;
+    return plan;
+  });
 }
 
 /// How tasks are run: in this process, or in several.
@@ -108,6 +117,9 @@ class Executor {
                  "--shrink-tries", std::to_string(plan.campaign.shrinking.tries),
                  "--timeout",      fmt::format("{}", options.timeout)},
         jobs_(options.jobs) {
+    if (!plan.contract_file.empty()) {
+      command_.insert(command_.end(), {"--contract", cases::to_json(plan.terms)});
+    }
     if (const auto& seconds = plan.campaign.shrinking.seconds) {
       command_.insert(command_.end(), {"--shrink-seconds", fmt::format("{}", *seconds)});
     }
@@ -228,6 +240,7 @@ records::Run planned(const properties::RunPlan& plan, const properties::KnownByB
   run.backends = plan.campaign.backends;
   run.laws = plan.campaign.laws;
   run.scene = plan.scene;
+  run.contract_file = plan.contract_file;
   run.shrink_seconds = plan.campaign.shrinking.seconds;
   for (const auto& [backend, defects] : known) {
     run.known.push_back({backend, defects.driver.version, defects.list});
@@ -251,6 +264,9 @@ ExitCode run_campaign(const Options& options) {
   Result<Work> work = prepare(options);
   if (!work) return fail(work.error());
   if (const auto can_write = check_output(options); !can_write) return fail(can_write.error());
+  if (!work->start.plan.contract_file.empty()) {
+    backends::hold_backends_to(work->start.plan.terms);
+  }
   // Last: input that cannot be read goes before backends that cannot run.
   if (const ExitCode code = check_backends(work->start.plan.campaign.backends);
       code != ExitCode::ok) {
@@ -266,8 +282,9 @@ ExitCode run_campaign(const Options& options) {
       fmt::format("\nrastercheck: ending; once more ends at once. `rastercheck run --resume "
                   "--output {}` goes on.\n",
                   options.output));
-  properties::CampaignRun campaign(work->start, options.output, work->corpus.size(),
-                                   [](const Error& error) { fail(error); }, *known);
+  properties::CampaignRun campaign(
+      work->start, options.output, work->corpus.size(), [](const Error& error) { fail(error); },
+      *known);
   if (const Result<void> begun = campaign.begin(); !begun) return fail(begun.error());
   const Result<void> found = find(options, executor, plan, work->scene, *known, run, campaign);
   campaign.save();
@@ -316,6 +333,7 @@ Action set_up(CLI::App& app) {
   app.add_option("--scene-size", options->scene_size, "Width and height of a mesh's picture")
       ->check(CLI::Range(1, cases::kMaxSize))
       ->capture_default_str();
+  add_contract(app, options->contract);
   app.add_option("--corpus", options->corpus,
                  "Folder of case files that takes the place of the project's own");
   add_known(app, options->known);
@@ -334,9 +352,9 @@ Action set_up(CLI::App& app) {
   CLI::Option* resume =
       app.add_flag("--resume", options->resume,
                    "Goes on with the interrupted run of the output folder, as it was");
-  for (const char* settled : {"--backend", "--property", "--cases", "--seed", "--scene",
-                              "--scene-size", "--corpus", "--known", "--no-known", "--shrink-tries",
-                              "--shrink-seconds"}) {
+  for (const char* settled :
+       {"--backend", "--property", "--cases", "--seed", "--scene", "--scene-size", "--contract",
+        "--corpus", "--known", "--no-known", "--shrink-tries", "--shrink-seconds"}) {
     resume->excludes(settled);
   }
   app.add_option("--jobs", options->jobs, "Processes")

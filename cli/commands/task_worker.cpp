@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include "backends/held_backend.h"
+#include "cases/contract_json.h"
 #include "cli/command.h"
 #include "cli/isolation.h"
 #include "properties/corpus.h"
@@ -15,20 +17,26 @@ struct Options {
   std::uint64_t seed = 0;
   std::string corpus;
   std::string known;
+  std::string contract;  ///< the text of a contract file
   properties::ShrinkBudget shrinking;
   double timeout = kDefaultTimeout;
 };
 
 ExitCode run(const Options& options) {
   isolate_foreign_backends(options.timeout);
+  if (!options.contract.empty()) {
+    const Result<cases::ContractTerms> terms =
+        cases::parse_contract(options.contract, "--contract");
+    if (!terms) return fail(terms.error());
+    backends::hold_backends_to(*terms);
+  }
   std::vector<cases::Case> corpus;
   if (!options.corpus.empty()) {
     Result<std::vector<cases::Case>> read = properties::read_corpus(options.corpus);
     if (!read) return fail(read.error());
     corpus = *std::move(read);
   }
-  properties::TaskRunner runner(options.seed, std::move(corpus), options.shrinking,
-                                options.known);
+  properties::TaskRunner runner(options.seed, std::move(corpus), options.shrinking, options.known);
   const Result<void> served = properties::serve_tasks(runner);
   if (!served) return fail_internally(served.error());
   return ExitCode::ok;
@@ -40,6 +48,7 @@ Action set_up(CLI::App& app) {
   app.add_option("--seed", options->seed)->required();
   app.add_option("--corpus", options->corpus);
   app.add_option("--known", options->known);
+  app.add_option("--contract", options->contract);
   app.add_option("--shrink-tries", options->shrinking.tries);
   app.add_option("--shrink-seconds", options->shrinking.seconds);
   add_timeout(app, options->timeout);

@@ -30,6 +30,9 @@ Checkpoint sample() {
   plan.corpus_digest = "0123456789abcdef";
   plan.scene = "bunny.obj";
   plan.scene_size = 640;
+  plan.contract_file = "lax.json";
+  plan.terms.coverage = cases::Coverage(cases::Snapping{4, cases::Rounding::half_up, 0.1F});
+  plan.terms.keeps_constants = false;
   plan.program = "1.2.3";
   checkpoint.saved = {square()};
   checkpoint.saved[0].found = cases::Found{kCoverage, "cpu", "missing", 3, 4};

@@ -48,8 +48,10 @@ TEST(Caveats, SayWhatIsMissing) {
   EXPECT_THAT(caveats(run), IsEmpty());
   run.cases_left = 120;
   run.shrink_seconds = 2.5;
+  run.contract_file = "lax.json";
   EXPECT_THAT(caveats(run),
-              ElementsAre("The run was interrupted: 120 cases were not checked.",
+              ElementsAre("Held to the contract of lax.json, not to what the backends promise.",
+                          "The run was interrupted: 120 cases were not checked.",
                           "Shrinking was limited to 2.5 s a counterexample: how small they are "
                           "depends on the machine."));
 }

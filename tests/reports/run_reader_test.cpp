@@ -71,6 +71,7 @@ RC_GTEST_PROP(ParseRun, GivesBackAnyRun, ()) {
     run.pictures.push_back(picture);
   }
   run.cases_left = *rc::gen::element<std::uint64_t>(0, 1, 1000);
+  run.contract_file = *rc::gen::element<std::string>("", "a \"b\".json");
   if (*rc::gen::arbitrary<bool>()) run.shrink_seconds = *rc::gen::element(0.25, 1e-9, 3600.0);
   const std::string text = written(run);
   const Result<records::Run> again = parse_run(text, "run.json");

@@ -1,0 +1,247 @@
+#include "cases/contract_json.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "cases/files.h"
+#include "cases/json.h"
+#include "cases/names.h"
+
+namespace rastercheck::cases {
+
+constexpr auto names_of(Claim /*type*/) {
+  return std::to_array<std::string_view>({"perspective", "affine"});
+}
+
+namespace {
+
+constexpr float kMost = std::numeric_limits<float>::max();
+constexpr std::string_view kAsAsked = "as_asked";
+constexpr std::string_view kUnspecified = "unspecified";
+constexpr std::string_view kNone = "none";
+
+bool is_word(const JsonNode& node, std::string_view word) {
+  return node.is_string() && node.text() == word;
+}
+
+Coverage read_coverage(const JsonNode& node) {
+  if (node.is_string()) {
+    if (node.text() != "exact") {
+      node.refuse("must be \"exact\", \"as_asked\" or an object with subpixel_bits");
+    }
+    return std::nullopt;
+  }
+  node.expect_object({"subpixel_bits"}, {"rounding", "position_error"});
+  Snapping snapping;
+  snapping.subpixel_bits = static_cast<int>(node["subpixel_bits"].integer(0, kMaxSubpixelBits));
+  if (node.has("rounding")) snapping.rounding = node["rounding"].enumerator<Rounding>();
+  if (node.has("position_error")) {
+    snapping.position_error = node["position_error"].float32(0, kMaxPositionError);
+  }
+  return snapping;
+}
+
+TieRule read_tie_rule(const JsonNode& node) {
+  if (is_word(node, kUnspecified)) return TieRule::unspecified;
+  const auto rule = node.is_string() ? from_name<TieRule>(node.text()) : std::nullopt;
+  if (!rule) node.refuse("must be top_left, bottom_left, unspecified or as_asked");
+  return rule.value_or(TieRule::unspecified);
+}
+
+ValueBound read_bound(const JsonNode& node) {
+  node.expect_object({"constant"}, {"per_horizon", "per_condition", "range_share"});
+  const auto part = [&node](std::string_view key) {
+    return node.has(key) ? node[key].float32(0, kMost) : 0;
+  };
+  return {node["constant"].float32(0, kMost), part("per_horizon"), part("per_condition"),
+          part("range_share")};
+}
+
+MagnitudeRange read_numbers(const JsonNode& node) {
+  node.expect_object({}, {"least", "greatest"});
+  MagnitudeRange range;
+  if (node.has("least")) range.least = node["least"].float32(0, kMost);
+  if (node.has("greatest")) range.greatest = node["greatest"].float32(0, kMost);
+  if (!node.failed() && range.least > range.greatest) node.refuse("least is above greatest");
+  return range;
+}
+
+/// Nothing of "none".
+std::optional<float> read_promised_bound(const JsonNode& node) {
+  if (is_word(node, kNone)) return std::nullopt;
+  return node.float32(0, kMost);
+}
+
+/// The term of a key that the file has.
+template <typename Promise, typename Read>
+void read_term(const JsonNode& root, std::string_view key, std::optional<Promise>& term,
+               const Read& read) {
+  if (root.has(key)) term = read(root[key]);
+}
+
+template <typename Promise, typename Read>
+void read_asked_term(const JsonNode& root, std::string_view key, Term<Promise>& term,
+                     const Read& read) {
+  if (!root.has(key)) return;
+  if (is_word(root[key], kAsAsked)) {
+    term = AsAsked{};
+  } else {
+    term = read(root[key]);
+  }
+}
+
+void read_bounds(const JsonNode& node, ContractTerms& terms) {
+  node.expect_object({}, {"smooth", "noperspective", "depth"});
+  read_term(node, "smooth", terms.smooth, &read_bound);
+  read_term(node, "noperspective", terms.noperspective, &read_bound);
+  read_term(node, "depth", terms.depth, &read_bound);
+  const auto& depth = terms.depth;
+  if (depth && !node.failed() && !depth->is_constant()) {
+    node["depth"].refuse("of depth the constant alone counts");
+  }
+}
+
+void check_header(const JsonNode& root) {
+  // These first: of a later version, its unknown keys are not what is wrong.
+  if (root.has("format") && root["format"].text() != "rastercheck-contract") {
+    root["format"].refuse("must be \"rastercheck-contract\"");
+  }
+  if (root.has("version") && root["version"].integer(0, std::numeric_limits<int>::max()) != 1) {
+    root["version"].refuse("version must be 1");
+  }
+  root.expect_object({"format", "version"},
+                     {"name", "coverage", "is_on_grid", "basis", "tie_rule", "guard_band",
+                      "clip_tolerance", "claims", "bounds", "keeps_equal_depth", "keeps_constants",
+                      "keeps_vertex_values", "derivative_bound", "quad_share", "numbers"});
+}
+
+// Writing.
+
+std::string quoted(std::string_view word) { return fmt::format("\"{}\"", word); }
+/// The shortest digits that are the same double, and so the same float32.
+std::string text_of(float number) { return fmt::format("{}", double{number}); }
+std::string text_of(bool value) { return value ? "true" : "false"; }
+std::string text_of(const std::optional<float>& bound) {
+  return bound ? text_of(*bound) : quoted(kNone);
+}
+std::string text_of(Basis basis) { return quoted(name_of(basis)); }
+std::string text_of(Claim claim) { return quoted(name_of(claim)); }
+std::string text_of(TieRule rule) {
+  return quoted(rule == TieRule::unspecified ? kUnspecified : name_of(rule));
+}
+
+std::string text_of(const Coverage& coverage) {
+  if (!coverage) return quoted("exact");
+  return fmt::format(R"({{"subpixel_bits": {}, "rounding": "{}", "position_error": {}}})",
+                     coverage->subpixel_bits, name_of(coverage->rounding),
+                     text_of(coverage->position_error));
+}
+
+std::string text_of(const ValueBound& bound) {
+  return fmt::format(
+      R"({{"constant": {}, "per_horizon": {}, "per_condition": {}, "range_share": {}}})",
+      text_of(bound.constant), text_of(bound.per_horizon), text_of(bound.per_condition),
+      text_of(bound.range_share));
+}
+
+std::string text_of(const MagnitudeRange& range) {
+  return fmt::format(R"({{"least": {}, "greatest": {}}})", text_of(range.least),
+                     text_of(range.greatest));
+}
+
+/// The members of an object, those that there are.
+class Members {
+ public:
+  void add(std::string_view key, const std::string& value) {
+    members_.push_back(fmt::format("\"{}\": {}", key, value));
+  }
+  template <typename Promise>
+  void add(std::string_view key, const std::optional<Promise>& term) {
+    if (term) add(key, text_of(*term));
+  }
+  template <typename Promise>
+  void add_asked(std::string_view key, const Term<Promise>& term) {
+    if (!term) return;
+    const auto* named = std::get_if<Promise>(&*term);
+    add(key, named == nullptr ? quoted(kAsAsked) : text_of(*named));
+  }
+  bool is_empty() const { return members_.empty(); }
+  std::string joined(std::string_view between) const {
+    return fmt::format("{}", fmt::join(members_, between));
+  }
+
+ private:
+  std::vector<std::string> members_;
+};
+
+std::string bounds_text(const ContractTerms& terms) {
+  Members bounds;
+  bounds.add("smooth", terms.smooth);
+  bounds.add("noperspective", terms.noperspective);
+  bounds.add("depth", terms.depth);
+  return bounds.is_empty() ? "" : fmt::format("{{\n    {}\n  }}", bounds.joined(",\n    "));
+}
+
+}  // namespace
+
+std::string to_json(const ContractTerms& terms) {
+  Members all;
+  all.add("format", quoted("rastercheck-contract"));
+  all.add("version", "1");
+  if (!terms.name.empty()) all.add("name", json_string(terms.name));
+  all.add_asked("coverage", terms.coverage);
+  all.add("is_on_grid", terms.is_on_grid);
+  all.add_asked("basis", terms.basis);
+  all.add_asked("tie_rule", terms.tie_rule);
+  all.add("guard_band", terms.guard_band);
+  all.add("clip_tolerance", terms.clip_tolerance);
+  all.add("claims", terms.claims);
+  if (const std::string bounds = bounds_text(terms); !bounds.empty()) all.add("bounds", bounds);
+  all.add("keeps_equal_depth", terms.keeps_equal_depth);
+  all.add("keeps_constants", terms.keeps_constants);
+  all.add("keeps_vertex_values", terms.keeps_vertex_values);
+  all.add("derivative_bound", terms.derivative_bound);
+  all.add("quad_share", terms.quad_share);
+  all.add("numbers", terms.numbers);
+  return fmt::format("{{\n  {}\n}}\n", all.joined(",\n  "));
+}
+
+ContractTerms read_contract_terms(const JsonNode& root) {
+  ContractTerms terms;
+  check_header(root);
+  if (root.failed()) return terms;
+  if (root.has("name")) terms.name = root["name"].text();
+  read_asked_term(root, "coverage", terms.coverage, &read_coverage);
+  const auto boolean = [](const JsonNode& node) { return node.boolean(); };
+  read_term(root, "is_on_grid", terms.is_on_grid, boolean);
+  read_asked_term(root, "basis", terms.basis,
+                  [](const JsonNode& node) { return node.enumerator<Basis>(); });
+  read_asked_term(root, "tie_rule", terms.tie_rule, &read_tie_rule);
+  const auto size = [](const JsonNode& node) { return node.float32(0, kMost); };
+  read_term(root, "guard_band", terms.guard_band, size);
+  read_term(root, "clip_tolerance", terms.clip_tolerance, size);
+  read_term(root, "claims", terms.claims,
+            [](const JsonNode& node) { return node.enumerator<Claim>(); });
+  if (root.has("bounds")) read_bounds(root["bounds"], terms);
+  read_term(root, "keeps_equal_depth", terms.keeps_equal_depth, boolean);
+  read_term(root, "keeps_constants", terms.keeps_constants, boolean);
+  read_term(root, "keeps_vertex_values", terms.keeps_vertex_values, boolean);
+  read_term(root, "derivative_bound", terms.derivative_bound, &read_promised_bound);
+  read_term(root, "quad_share", terms.quad_share, &read_promised_bound);
+  read_term(root, "numbers", terms.numbers, &read_numbers);
+  return terms;
+}
+
+Result<ContractTerms> parse_contract(std::string_view text, const std::string& file) {
+  return read_json(text, file, [](const JsonNode& root) { return read_contract_terms(root); });
+}
+
+Result<ContractTerms> read_contract(const std::string& file) {
+  return read_text(file).and_then(
+      [&file](const std::string& text) { return parse_contract(text, file); });
+}
+
+}  // namespace rastercheck::cases

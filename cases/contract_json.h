@@ -1,0 +1,24 @@
+#pragma once
+
+// Contract files: JSON, "rastercheck-contract", version 1. cases/schema/contract.schema.json says
+// what each key means; all but "format" and "version" are optional.
+
+#include <string>
+#include <string_view>
+
+#include "cases/contract_terms.h"
+#include "cases/error.h"
+#include "cases/json_node.h"
+
+namespace rastercheck::cases {
+
+/// One key a line; numbers in decimal, as exactly those floats.
+std::string to_json(const ContractTerms& terms);
+
+/// Refuses unknown keys, and what no contract has.
+ContractTerms read_contract_terms(const JsonNode& root);
+Result<ContractTerms> parse_contract(std::string_view text, const std::string& file);
+/// "-" is standard input.
+Result<ContractTerms> read_contract(const std::string& file);
+
+}  // namespace rastercheck::cases

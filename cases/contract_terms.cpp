@@ -1,0 +1,41 @@
+#include "cases/contract_terms.h"
+
+namespace rastercheck::cases {
+namespace {
+
+template <typename Named, typename Promise>
+void keep(const std::optional<Named>& term, Promise& own) {
+  if (term) own = *term;
+}
+
+template <typename Promise>
+void keep(const Term<Promise>& term, const Promise& asked, Promise& own) {
+  if (!term) return;
+  const auto* named = std::get_if<Promise>(&*term);
+  own = named == nullptr ? asked : *named;
+}
+
+}  // namespace
+
+Contract with_terms(Contract own, const ContractTerms& terms, const Case& c) {
+  keep(terms.coverage, c.coverage, own.coverage);
+  keep(terms.is_on_grid, own.is_on_grid);
+  keep(terms.basis, c.basis, own.basis);
+  if (!own.coverage) own.basis = Basis::ideal;  // there are no snapped positions
+  keep(terms.tie_rule, c.fill_rule, own.tie_rule);
+  keep(terms.guard_band, own.guard_band);
+  keep(terms.clip_tolerance, own.clip_tolerance);
+  keep(terms.claims, own.claims);
+  keep(terms.smooth, own.bounds.smooth);
+  keep(terms.noperspective, own.bounds.noperspective);
+  keep(terms.depth, own.bounds.depth);
+  keep(terms.keeps_equal_depth, own.keeps_equal_depth);
+  keep(terms.keeps_constants, own.keeps_constants);
+  keep(terms.keeps_vertex_values, own.keeps_vertex_values);
+  keep(terms.derivative_bound, own.derivative_bound);
+  keep(terms.quad_share, own.quad_share);
+  keep(terms.numbers, own.numbers);
+  return own;
+}
+
+}  // namespace rastercheck::cases

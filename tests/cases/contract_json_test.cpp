@@ -1,0 +1,139 @@
+#include "cases/contract_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace rastercheck::cases {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* kHeader = R"("format": "rastercheck-contract", "version": 1)";
+
+Result<ContractTerms> parse(const std::string& members) {
+  const std::string comma = members.empty() ? "" : ", ";
+  return parse_contract(std::string("{") + kHeader + comma + members + "}", "c.json");
+}
+
+std::string refusal(const std::string& members) {
+  const Result<ContractTerms> terms = parse(members);
+  return terms ? "" : to_string(terms.error());
+}
+
+/// Every term, none of which a contract has by default.
+ContractTerms all_terms() {
+  ContractTerms terms;
+  terms.name = "measured \"so\"";
+  terms.coverage = Coverage(Snapping{4, Rounding::unspecified, 0.1F});
+  terms.is_on_grid = false;
+  terms.basis = Basis::unspecified;
+  terms.tie_rule = TieRule::unspecified;
+  terms.guard_band = 16384.5F;
+  terms.clip_tolerance = 2.25F;
+  terms.claims = Claim::affine;
+  terms.smooth = ValueBound{6.84F, 0.25F, 0x1p-24F, 1e-7F};
+  terms.noperspective = ValueBound{1, 2, 3, 4};
+  terms.depth = ValueBound{0.51F};
+  terms.keeps_equal_depth = true;
+  terms.keeps_constants = true;
+  terms.keeps_vertex_values = true;
+  terms.derivative_bound = std::optional<float>(0.75F);
+  terms.quad_share = std::optional<float>(0x1p-29F);
+  terms.numbers = MagnitudeRange{0x1p-126F, 0x1p62F};
+  return terms;
+}
+
+TEST(ContractJson, ComesBackAsItWasWritten) {
+  const ContractTerms terms = all_terms();
+  const Result<ContractTerms> again = parse_contract(to_json(terms), "c.json");
+  ASSERT_TRUE(again.has_value()) << to_string(again.error());
+  EXPECT_EQ(*again, terms);
+}
+
+TEST(ContractJson, TellsWhatIsAskedForFromNothingSaid) {
+  ContractTerms terms;
+  terms.coverage = AsAsked{};
+  terms.basis = AsAsked{};
+  terms.tie_rule = AsAsked{};
+  terms.derivative_bound = std::optional<float>();
+  terms.quad_share = std::optional<float>();
+  const Result<ContractTerms> again = parse_contract(to_json(terms), "c.json");
+  ASSERT_TRUE(again.has_value()) << to_string(again.error());
+  EXPECT_EQ(*again, terms);
+  EXPECT_EQ(parse("").value_or(terms), ContractTerms());
+  EXPECT_THAT(to_json(ContractTerms()), Not(HasSubstr("coverage")));
+}
+
+TEST(ContractJson, ExactIsNoGrid) {
+  const Result<ContractTerms> terms = parse(R"("coverage": "exact")");
+  ASSERT_TRUE(terms.has_value());
+  EXPECT_EQ(terms->coverage, Term<Coverage>(Coverage()));
+}
+
+TEST(ContractJson, RefusesWhatNoContractHas) {
+  EXPECT_EQ(refusal(R"("bound": {})"), "c.json: /bound: unknown key 'bound'");
+  EXPECT_THAT(refusal(R"("coverage": "snapped")"), HasSubstr("c.json: /coverage: must be"));
+  EXPECT_THAT(refusal(R"("coverage": {"subpixel_bits": 17})"),
+              HasSubstr("/coverage/subpixel_bits"));
+  EXPECT_THAT(refusal(R"("tie_rule": "top_right")"), HasSubstr("/tie_rule: must be top_left"));
+  EXPECT_THAT(refusal(R"("guard_band": -1)"), HasSubstr("/guard_band"));
+  EXPECT_THAT(refusal(R"("bounds": {"smooth": {}})"), HasSubstr("/bounds/smooth"));
+  EXPECT_THAT(refusal(R"("bounds": {"depth": {"constant": 1, "per_horizon": 1}})"),
+              HasSubstr("/bounds/depth: of depth the constant alone counts"));
+  EXPECT_THAT(refusal(R"("numbers": {"least": 2, "greatest": 1})"), HasSubstr("/numbers: least"));
+  EXPECT_THAT(refusal(R"("derivative_bound": "nothing")"), HasSubstr("/derivative_bound"));
+  const Result<ContractTerms> later =
+      parse_contract(R"({"format": "rastercheck-contract", "version": 2, "new": 1})", "c.json");
+  ASSERT_FALSE(later.has_value());
+  EXPECT_EQ(to_string(later.error()), "c.json: /version: version must be 1");
+}
+
+// Kills: a term that is read and then forgotten.
+TEST(ContractTerms, TakeThePlaceOfWhatIsPromised) {
+  const Contract held = with_terms(Contract(), all_terms(), Case());
+  Contract expected;
+  expected.coverage = Snapping{4, Rounding::unspecified, 0.1F};
+  expected.basis = Basis::unspecified;
+  expected.tie_rule = TieRule::unspecified;
+  expected.guard_band = 16384.5F;
+  expected.is_on_grid = false;
+  expected.clip_tolerance = 2.25;
+  expected.claims = Claim::affine;
+  expected.bounds = {{6.84F, 0.25F, 0x1p-24F, 1e-7F}, {1, 2, 3, 4}, {0.51F}};
+  expected.keeps_equal_depth = true;
+  expected.keeps_constants = true;
+  expected.keeps_vertex_values = true;
+  expected.derivative_bound = 0.75F;
+  expected.quad_share = 0x1p-29F;
+  expected.numbers = {0x1p-126F, 0x1p62F};
+  EXPECT_EQ(held, expected);
+}
+
+TEST(ContractTerms, NothingSaidLeavesWhatIsPromised) {
+  const Contract own = with_terms(Contract(), all_terms(), Case());
+  EXPECT_EQ(with_terms(own, ContractTerms(), Case()), own);
+}
+
+TEST(ContractTerms, AsAskedIsWhatTheCaseNames) {
+  ContractTerms terms;
+  terms.coverage = AsAsked{};
+  terms.basis = AsAsked{};
+  terms.tie_rule = AsAsked{};
+  Case c;
+  c.coverage = Snapping{5, Rounding::half_up, 0};
+  c.basis = Basis::snapped;
+  c.fill_rule = TieRule::bottom_left;
+  Contract expected;
+  expected.coverage = c.coverage;
+  expected.basis = Basis::snapped;
+  expected.tie_rule = TieRule::bottom_left;
+  EXPECT_EQ(with_terms(Contract(), terms, c), expected);
+  c.coverage.reset();
+  EXPECT_EQ(with_terms(Contract(), terms, c).basis, Basis::ideal);
+}
+
+}  // namespace
+}  // namespace rastercheck::cases
