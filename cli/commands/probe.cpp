@@ -1,0 +1,188 @@
+// `rastercheck probe BACKEND`: what a backend does, measured, beside what it declares.
+
+#include "properties/probing/probe.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "cases/contract_json.h"
+#include "cases/files.h"
+#include "cases/json.h"
+#include "cases/names.h"
+#include "cli/backend_failure.h"
+#include "cli/command.h"
+#include "cli/isolation.h"
+#include "cli/progress.h"
+#include "cli/whole_number.h"
+#include "reports/text_table.h"
+
+namespace rastercheck::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+  std::string backend;
+  std::string ask;
+  std::string ask_basis;
+  std::string ask_fill_rule;
+  std::string contract_out;
+  std::uint64_t seed = 1;
+  int cases = properties::ProbeOptions().cases;
+  double timeout = kDefaultTimeout;
+  bool json = false;
+  bool quiet = false;
+};
+
+Error refused(const std::string& option, const std::string& reason) { return {option, "", reason}; }
+
+/// "exact", "snapped:8" or "snapped:8:half_up".
+Result<cases::Coverage> read_coverage(const std::string& text) {
+  if (text == "exact") return cases::Coverage();
+  constexpr std::string_view kSnapped = "snapped:";
+  const auto refuse = [] {
+    return tl::unexpected(
+        refused("--ask", "must be exact, snapped:BITS or snapped:BITS:ROUNDING, BITS 0 to 16"));
+  };
+  if (!text.starts_with(kSnapped)) return refuse();
+  const std::string rest = text.substr(kSnapped.size());
+  const std::size_t colon = rest.find(':');
+  const std::string digits = rest.substr(0, colon);
+  const bool are_digits = digits.find_first_not_of("0123456789") == std::string::npos;
+  if (digits.empty() || digits.size() > 2 || !are_digits) return refuse();
+  cases::Snapping snapping{std::stoi(digits)};
+  if (snapping.subpixel_bits > cases::kMaxSubpixelBits) return refuse();
+  if (colon != std::string::npos) {
+    const auto rounding = cases::from_name<cases::Rounding>(rest.substr(colon + 1));
+    if (!rounding) return refuse();
+    snapping.rounding = *rounding;
+  }
+  return cases::Coverage(snapping);
+}
+
+Result<properties::ProbeOptions> read_options(const Options& options) {
+  properties::ProbeOptions read;
+  read.seed = options.seed;
+  read.cases = options.cases;
+  if (!options.ask.empty()) {
+    const Result<cases::Coverage> coverage = read_coverage(options.ask);
+    if (!coverage) return tl::unexpected(coverage.error());
+    read.asked.coverage = *coverage;
+  }
+  if (!options.ask_basis.empty()) {
+    read.asked.basis = cases::from_name<cases::Basis>(options.ask_basis);
+  }
+  if (!options.ask_fill_rule.empty()) {
+    read.asked.fill_rule = cases::from_name<cases::TieRule>(options.ask_fill_rule);
+  }
+  return read;
+}
+
+void print_json(const records::Probe& probe) {
+  ordered_json rows = ordered_json::array();
+  for (const records::Measured& row : probe.rows) {
+    rows.push_back({{"what", row.what},
+                    {"declared", row.declared},
+                    {"measured", row.measured},
+                    {"detail", row.detail}});
+  }
+  const auto contract = cases::parse_json(cases::to_json(probe.terms), "");
+  const ordered_json document{{"format", "rastercheck-probe"},
+                              {"version", 1},
+                              {"backend", probe.backend},
+                              {"description", probe.description},
+                              {"seed", probe.seed},
+                              {"measured", std::move(rows)},
+                              {"drawings", probe.drawings},
+                              {"unsupported", probe.unsupported},
+                              {"failed", probe.failed},
+                              {"failure", probe.failure},
+                              {"contract", contract.value_or(nlohmann::json())}};
+  fmt::print("{}\n", document.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+}
+
+void print_table(const records::Probe& probe, bool quiet) {
+  std::vector<std::vector<std::string>> cells;
+  if (!quiet) {
+    if (!probe.description.empty()) fmt::print("{}\n", cases::one_line(probe.description));
+    cells.push_back({"", "declared", "measured", "from"});
+  }
+  for (const records::Measured& row : probe.rows) {
+    cells.push_back({row.what, row.declared, row.measured, row.detail});
+  }
+  fmt::print("{}", reports::text_table(cells));
+  if (quiet) return;
+  fmt::print("\n{} drawings, {} of cases that it does not draw, {} failed{}\n", probe.drawings,
+             probe.unsupported, probe.failed,
+             probe.failure.empty() ? "" : ": " + cases::one_line(probe.failure));
+}
+
+ExitCode run(const Options& options) {
+  const Result<properties::ProbeOptions> read = read_options(options);
+  if (!read) return fail(read.error());
+  isolate_foreign_backends(options.timeout);
+  const auto backend = backends::make_backend(options.backend);
+  if (!backend) return fail_backend(backend.error());
+  ProgressBar bar(options.quiet || options.json);
+  const auto progress = [&bar](std::uint64_t done, std::uint64_t all) {
+    bar.show(done, all, "generators");
+  };
+  const Result<records::Probe> probe =
+      properties::probe(options.backend, **backend, *read, progress);
+  if (!probe) {
+    fail(probe.error());
+    return ExitCode::backend_unavailable;
+  }
+  if (options.json) {
+    print_json(*probe);
+  } else {
+    print_table(*probe, options.quiet);
+  }
+  if (options.contract_out.empty()) return ExitCode::ok;
+  const Result<void> written =
+      cases::write_file(options.contract_out, cases::to_json(probe->terms));
+  if (!written) return fail(written.error());
+  if (!options.json && !options.quiet) {
+    fmt::print("Contract: {} (rastercheck run --backend {} --contract {})\n", options.contract_out,
+               options.backend, options.contract_out);
+  }
+  return ExitCode::ok;
+}
+
+Action set_up(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("BACKEND", options->backend, "What is measured, as cpu or plugin:PATH.so")
+      ->required();
+  app.add_option("--contract-out", options->contract_out,
+                 "File for what was measured, as a contract that `run --contract` takes");
+  app.add_option("--ask", options->ask,
+                 "Coverage that all cases ask for: exact, snapped:BITS or snapped:BITS:ROUNDING; "
+                 "without it, whether the backend follows what is asked is measured too");
+  app.add_option("--ask-basis", options->ask_basis, "Basis that all cases ask for, likewise")
+      ->check(CLI::IsMember({"ideal", "snapped"}));
+  app.add_option("--ask-fill-rule", options->ask_fill_rule,
+                 "Fill rule that all cases ask for, likewise")
+      ->check(CLI::IsMember({"top_left", "bottom_left"}));
+  app.add_option("--cases", options->cases, "Random cases of each generator")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app.add_option("--seed", options->seed, "Seed of what is drawn")
+      ->check(whole_number())
+      ->capture_default_str();
+  add_timeout(app, options->timeout);
+  app.add_flag("--json", options->json, "As JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Rows only, no progress bar");
+  app.footer(
+      "Nothing is judged: exit code 0 says that it was measured, 4 that the backend cannot run "
+      "here\nor draws nothing.");
+  return [options] { return run(*options); };
+}
+
+const Registration kRegistration("probe", "Measures what a backend draws, beside what it declares",
+                                 &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

@@ -1,0 +1,152 @@
+// What becomes of triangles that clip planes cut: by the near plane, the far plane, and by w = 0.
+//
+// A clipper makes new vertices, which are rounded to the grid in turn, so that edges which were cut
+// move; how far, in grid units, is the clip tolerance: the least under which the judge finds
+// nothing wrong. Vertices with w <= 0 are apart: a triangle may be drawn rightly, not at all, or
+// wrongly.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "properties/internal/random_state.h"
+#include "properties/probing/measures.h"
+
+namespace rastercheck::properties {
+namespace {
+
+/// A vertex that appears about the window, in front of the eye and between the depth planes.
+cases::ClipVertex visible_vertex(Draw& draw, const cases::Case& c) {
+  const float w = draw.uniform(0.5F, 2);
+  const WindowPoint p = point_about(draw, c);
+  return at_window(c, p, random_depth(draw, c), w);
+}
+
+using MakeVertex = cases::ClipVertex (*)(Draw& draw, const cases::Case& c);
+
+cases::ClipVertex before_near(Draw& draw, const cases::Case& c) {
+  cases::ClipVertex vertex = visible_vertex(draw, c);
+  vertex.z = (near_depth(c) - draw.uniform(0.125F, 2)) * vertex.w;
+  return vertex;
+}
+cases::ClipVertex beyond_far(Draw& draw, const cases::Case& c) {
+  cases::ClipVertex vertex = visible_vertex(draw, c);
+  vertex.z = draw.uniform(1.125F, 3) * vertex.w;
+  return vertex;
+}
+/// z stays between the planes' own signs, so that it is w that is cut.
+cases::ClipVertex behind_eye(Draw& draw, const cases::Case& /*c*/) {
+  const float x = draw.uniform(-2, 2);
+  const float y = draw.uniform(-2, 2);
+  const float z = draw.uniform(-1, 1);
+  return {x, y, z, -draw.uniform(0.125F, 2)};
+}
+cases::ClipVertex at_eye(Draw& draw, const cases::Case& /*c*/) {
+  const float x = draw.uniform(-2, 2);
+  const float y = draw.uniform(-2, 2);
+  return {x, y, 0, 0};
+}
+
+/// Triangles of which `cut` vertices are made so, the others visible; a case each, so that a
+/// triangle is right or wrong for itself.
+std::vector<Drawn> draw_cut(Subject& subject, const std::string& name, MakeVertex make, int cut) {
+  constexpr std::uint64_t kCases = 48;
+  std::vector<Drawn> all;
+  for (std::uint64_t i = 0; i < kCases; ++i) {
+    MeasureDraw draw(subject, name, i);
+    cases::Case c = subject.base();
+    std::array<cases::ClipVertex, 3> corners;
+    for (int k = 0; k < 3; ++k) {
+      corners[static_cast<std::size_t>(k)] = k < cut ? make(draw, c) : visible_vertex(draw, c);
+    }
+    const int turns = draw.between(0, 2);
+    std::rotate(corners.begin(), corners.begin() + turns, corners.end());
+    add_triangle(c, corners[0], corners[1], corners[2]);
+    if (auto drawn = subject.drawn(std::move(c))) all.push_back(*std::move(drawn));
+  }
+  return all;
+}
+
+constexpr float kGreatestTolerance = 1024;
+
+/// The least tolerance under which they hold, in grid units; nothing where none does.
+std::optional<float> tolerance_of(const Subject& subject, const std::vector<Drawn>& drawn) {
+  cases::ContractTerms terms = subject.result.terms;
+  terms.clip_tolerance = 0.0F;
+  if (subject.tally(drawn, terms).holds()) return 0.0F;
+  for (float units = 1.0F / 16; units <= kGreatestTolerance; units *= 2) {
+    terms.clip_tolerance = units;
+    if (subject.tally(drawn, terms).holds()) return units;
+  }
+  return std::nullopt;
+}
+
+/// How many of the triangles came out how.
+struct Outcomes {
+  int right = 0;
+  int left_out = 0;
+  int wrong = 0;
+  int empty = 0;  ///< nothing of them had to be drawn, and was not
+
+  std::string text() const {
+    if (right == 0 && left_out == 0 && wrong == 0) return "nothing to draw, and nothing drawn";
+    if (left_out == 0 && wrong == 0) return "drawn right";
+    if (right == 0 && wrong == 0) return "left out";
+    return fmt::format("right {}, left out {}, wrong {}", right, left_out, wrong);
+  }
+};
+
+Outcomes outcomes_of(const Subject& subject, const std::vector<Drawn>& drawn) {
+  Outcomes outcomes;
+  for (const Drawn& one : drawn) {
+    const Tally tally = subject.tally({one}, subject.result.terms);
+    const bool is_left_out = one.framebuffer.size() == 0;
+    if (tally.holds()) {
+      ++(tally.required == 0 && is_left_out ? outcomes.empty : outcomes.right);
+    } else {
+      ++(is_left_out ? outcomes.left_out : outcomes.wrong);
+    }
+  }
+  return outcomes;
+}
+
+}  // namespace
+
+void measure_clipping(Subject& subject) {
+  struct Cut {
+    const char* name;
+    MakeVertex make;
+    int vertices;
+  };
+  constexpr std::array kPlanes{Cut{"near plane", &before_near, 1}, Cut{"far plane", &beyond_far, 1},
+                               Cut{"w = 0", &behind_eye, 1}};
+  const cases::Contract declared = subject.contract(subject.base());
+  const std::string units =
+      declared.coverage ? fmt::format("{:g} grid units", declared.clip_tolerance) : kNotDeclared;
+  float greatest = 0;
+  for (const Cut& cut : kPlanes) {
+    const std::vector<Drawn> drawn = draw_cut(subject, cut.name, cut.make, cut.vertices);
+    const auto tolerance = tolerance_of(subject, drawn);
+    if (tolerance) greatest = std::max(greatest, *tolerance);
+    subject.add(fmt::format("clip tolerance, {}", cut.name), units,
+                tolerance ? fmt::format("{:g} grid units", *tolerance)
+                          : fmt::format("more than {:g} grid units", kGreatestTolerance),
+                fmt::format("{} triangles", drawn.size()));
+  }
+  subject.result.terms.clip_tolerance = greatest;
+
+  constexpr std::array kBehind{
+      Cut{"one vertex with w < 0", &behind_eye, 1}, Cut{"two vertices with w < 0", &behind_eye, 2},
+      Cut{"three vertices with w < 0", &behind_eye, 3}, Cut{"one vertex with w = 0", &at_eye, 1},
+      Cut{"all zero but x and y", &at_eye, 3}};
+  for (const Cut& cut : kBehind) {
+    const std::vector<Drawn> drawn = draw_cut(subject, cut.name, cut.make, cut.vertices);
+    subject.add(cut.name, kNotDeclared,
+                drawn.empty() ? "not drawn" : outcomes_of(subject, drawn).text());
+  }
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,258 @@
+#include "properties/probing/grid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace rastercheck::properties {
+namespace {
+
+constexpr std::int64_t kPixel = std::int64_t{1} << kFineBits;
+constexpr int kSide = 64;
+/// Triangles for each size of move, and in a case.
+constexpr int kTriangles = 64;
+
+constexpr std::array kRoundings{GridRounding::nearest_even, GridRounding::half_up,
+                                GridRounding::half_down, GridRounding::down, GridRounding::up};
+
+const char* name_of(GridRounding rounding) {
+  switch (rounding) {
+    case GridRounding::nearest_even:
+      return "nearest_even";
+    case GridRounding::half_up:
+      return "half_up";
+    case GridRounding::half_down:
+      return "half_down";
+    case GridRounding::down:
+      return "down";
+    case GridRounding::up:
+      break;
+  }
+  return "up";
+}
+
+/// A triangle with an edge through a sample, then moved by a few units of 2^-k pixels; of 0 not.
+FineTriangle near_sample(Draw& draw, int k) {
+  const std::int64_t sample_x = draw.between(20, 43) * kPixel + kPixel / 2;
+  const std::int64_t sample_y = draw.between(20, 43) * kPixel + kPixel / 2;
+  // A quarter of the edges are upright or level: these are ties of their own.
+  const bool is_along = draw.one_in(4);
+  const bool is_level = draw.one_in(2);
+  int along_x = draw.between(-4, 4);
+  int along_y = draw.between(-4, 4);
+  if (is_along) (is_level ? along_y : along_x) = 0;
+  if (along_x == 0 && along_y == 0) (is_level ? along_x : along_y) = 3;
+  const int before = draw.between(1, 3);
+  const int beyond = draw.between(1, 3);
+  const int away = draw.one_in(2) ? 1 : -1;
+  const int slide = draw.between(-3, 3);
+  FineTriangle triangle;
+  triangle.x = {sample_x + before * along_x * kPixel, sample_x - beyond * along_x * kPixel,
+                sample_x + (slide - 2 * away * along_y) * kPixel};
+  triangle.y = {sample_y + before * along_y * kPixel, sample_y - beyond * along_y * kPixel,
+                sample_y + (slide + 2 * away * along_x) * kPixel};
+  const std::int64_t unit = k == 0 ? 0 : kPixel >> k;
+  for (std::size_t i = 0; i < 3; ++i) {
+    triangle.x[i] += draw.between(-3, 3) * unit;
+    triangle.y[i] += draw.between(-3, 3) * unit;
+  }
+  return triangle;
+}
+
+/// An edge function over samples, oriented inwards.
+struct FineEdge {
+  std::int64_t a = 0;  ///< its change by a fine unit of x
+  std::int64_t b = 0;  ///< … of y
+  std::int64_t x = 0;  ///< a point on it
+  std::int64_t y = 0;
+  std::int64_t at(int pixel_x, int pixel_y) const {
+    return a * (pixel_x * kPixel + kPixel / 2 - x) + b * (pixel_y * kPixel + kPixel / 2 - y);
+  }
+};
+
+std::array<FineEdge, 3> edges_of(const FineTriangle& t) {
+  const std::int64_t sign = area_of(t) < 0 ? -1 : 1;
+  std::array<FineEdge, 3> edges;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    edges[i] = {-sign * (t.y[j] - t.y[i]), sign * (t.x[j] - t.x[i]), t.x[i], t.y[i]};
+  }
+  return edges;
+}
+
+/// Pixels whose samples may be inside: lo <= pixel < hi.
+std::pair<int, int> pixels_of(const std::array<std::int64_t, 3>& coordinates) {
+  const auto [least, most] = std::minmax_element(coordinates.begin(), coordinates.end());
+  const auto lo = static_cast<int>(*least / kPixel) - 1;
+  const auto hi = static_cast<int>(*most / kPixel) + 2;
+  return {std::clamp(lo, 0, kSide), std::clamp(hi, 0, kSide)};
+}
+
+/// How far an edge has to move for the sample's answer to change, in pixels per axis.
+double move_of(const std::array<FineEdge, 3>& edges, int x, int y, bool is_drawn) {
+  double outside = 0;
+  double inside = std::numeric_limits<double>::max();
+  for (const FineEdge& edge : edges) {
+    const auto slope = static_cast<double>(std::abs(edge.a) + std::abs(edge.b));
+    if (slope == 0) continue;
+    const double distance =
+        static_cast<double>(edge.at(x, y)) / slope / static_cast<double>(kPixel);
+    outside = std::max(outside, -distance);
+    inside = std::min(inside, distance);
+  }
+  return is_drawn ? outside : inside;
+}
+
+void compare(const FineTriangle& placed, const std::array<std::uint64_t, 64>& rows, GridFit& fit) {
+  const bool is_flat = area_of(placed) == 0;
+  const std::array<FineEdge, 3> edges = edges_of(placed);
+  const auto [x0, x1] = pixels_of(placed.x);
+  const auto [y0, y1] = pixels_of(placed.y);
+  for (int y = 0; y < kSide; ++y) {
+    const std::uint64_t row = rows[static_cast<std::size_t>(y)];
+    if (y < y0 || y >= y1) {
+      fit.mismatches += row == 0 ? 0 : 1;
+      continue;
+    }
+    for (int x = x0; x < x1; ++x) {
+      std::int64_t least = edges[0].at(x, y);
+      for (const FineEdge& edge : {edges[1], edges[2]}) least = std::min(least, edge.at(x, y));
+      if (least == 0 && !is_flat) continue;  // a tie
+      const bool is_inside = least > 0 && !is_flat;
+      const bool is_drawn = ((row >> static_cast<unsigned>(x)) & 1U) != 0;
+      ++fit.samples;
+      if (is_inside == is_drawn) continue;
+      ++fit.mismatches;
+      fit.farthest = std::max(fit.farthest, move_of(edges, x, y, is_drawn));
+    }
+  }
+}
+
+/// How well a grid explains what was drawn; no further than it takes to see that it is worse.
+GridFit fit_of(const Grid& grid, const std::vector<FineDrawing>& drawings, std::uint64_t most) {
+  GridFit fit{grid};
+  for (const FineDrawing& drawing : drawings) {
+    for (std::size_t i = 0; i < drawing.triangles.size(); ++i) {
+      compare(rounded(drawing.triangles[i], grid), drawing.rows[i], fit);
+      if (fit.mismatches > most) return fit;
+    }
+  }
+  return fit;
+}
+
+}  // namespace
+
+std::int64_t rounded(std::int64_t fine, int bits, GridRounding rounding) {
+  const int shift = kFineBits - bits;
+  if (shift == 0) return fine;
+  const std::int64_t unit = std::int64_t{1} << shift;
+  const std::int64_t below = fine >> shift;  // towards −∞
+  const std::int64_t rest = 2 * (fine - below * unit);
+  bool goes_up = rest > unit;
+  if (rounding == GridRounding::down) goes_up = false;
+  if (rounding == GridRounding::up) goes_up = rest > 0;
+  if (rest == unit && rounding == GridRounding::nearest_even) goes_up = below % 2 != 0;
+  if (rest == unit && rounding == GridRounding::half_up) goes_up = true;
+  return (below + (goes_up ? 1 : 0)) * unit;
+}
+
+FineTriangle rounded(const FineTriangle& triangle, const Grid& grid) {
+  FineTriangle placed;
+  for (std::size_t i = 0; i < 3; ++i) {
+    placed.x[i] = rounded(triangle.x[i], grid.bits, grid.x);
+    placed.y[i] = rounded(triangle.y[i], grid.bits, grid.y);
+  }
+  return placed;
+}
+
+std::int64_t area_of(const FineTriangle& t) {
+  return (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]) - (t.y[1] - t.y[0]) * (t.x[2] - t.x[0]);
+}
+
+FinePlace place_in(const FineTriangle& triangle, int x, int y) {
+  FinePlace place;
+  if (area_of(triangle) == 0) return place;
+  place.is_inside = true;
+  for (const FineEdge& edge : edges_of(triangle)) {
+    const std::int64_t value = edge.at(x, y);
+    if (value < 0) place.is_inside = false;
+    if (value != 0) continue;
+    ++place.zero_edges;
+    place.normal_x = edge.a;
+    place.normal_y = edge.b;
+  }
+  return place;
+}
+
+cases::ClipVertex fine_vertex(const cases::Case& c, std::int64_t x, std::int64_t y, float depth) {
+  const auto pixels = [](std::int64_t fine) {
+    return static_cast<double>(fine) / static_cast<double>(kPixel);
+  };
+  return at_window(c, {pixels(x), pixels(y)}, depth, 1);
+}
+
+std::optional<FineDrawing> draw_fine(Subject& subject, const std::vector<FineTriangle>& triangles) {
+  cases::Case c = subject.base();
+  for (const FineTriangle& t : triangles) {
+    add_triangle(c, fine_vertex(c, t.x[0], t.y[0], 0.5F), fine_vertex(c, t.x[1], t.y[1], 0.5F),
+                 fine_vertex(c, t.x[2], t.y[2], 0.5F));
+  }
+  std::optional<Drawn> drawn = subject.drawn(std::move(c));
+  if (!drawn) return std::nullopt;
+  FineDrawing drawing{triangles, {}, *std::move(drawn)};
+  drawing.rows.resize(triangles.size());
+  const cases::Framebuffer& fragments = drawing.drawn.framebuffer;
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    if (fragments.triangle[i] >= triangles.size() || fragments.x[i] >= kSide ||
+        fragments.y[i] >= kSide) {
+      continue;
+    }
+    drawing.rows[fragments.triangle[i]][fragments.y[i]] |= std::uint64_t{1} << fragments.x[i];
+  }
+  return drawing;
+}
+
+std::vector<FineDrawing> draw_grid_cases(Subject& subject) {
+  std::vector<FineDrawing> drawings;
+  for (int k = 0; k <= kFineBits; ++k) {  // 0: nothing is moved
+    MeasureDraw draw(subject, "grid", static_cast<std::uint64_t>(k));
+    std::vector<FineTriangle> triangles;
+    for (int i = 0; i < kTriangles; ++i) {
+      triangles.push_back(near_sample(draw, k));
+    }
+    if (auto drawing = draw_fine(subject, triangles)) drawings.push_back(*std::move(drawing));
+  }
+  return drawings;
+}
+
+GridFit fit_grid(const std::vector<FineDrawing>& drawings) {
+  GridFit best = fit_of({}, drawings, std::numeric_limits<std::uint64_t>::max());
+  const auto consider = [&](const Grid& grid) {
+    const GridFit fit = fit_of(grid, drawings, best.mismatches);
+    if (fit.mismatches < best.mismatches) best = fit;
+  };
+  for (int bits = 0; bits <= cases::kMaxSubpixelBits; ++bits) {
+    for (const GridRounding rounding : kRoundings) consider({bits, rounding, rounding});
+  }
+  if (best.grid.is_none()) return best;
+  // The axes may differ, as where window y is turned round before it is rounded.
+  const int bits = best.grid.bits;
+  for (int near = std::max(bits - 1, 0); near <= std::min(bits + 1, cases::kMaxSubpixelBits);
+       ++near) {
+    for (const GridRounding x : kRoundings) {
+      for (const GridRounding y : kRoundings) consider({near, x, y});
+    }
+  }
+  return best;
+}
+
+std::string to_string(const Grid& grid) {
+  if (grid.is_none()) return "none: positions are not rounded";
+  const std::string x = name_of(grid.x);
+  const std::string y = name_of(grid.y);
+  return fmt::format("{} bits, {}", grid.bits, x == y ? x : x + " in x, " + y + " in y");
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,209 @@
+// The grid, whether it is the one asked for, and the position error.
+//
+// Where the drawings of grid.h agree with a grid but for a few samples, or are of a rounding that
+// contracts have no name for, the contract says how far positions may be off before they are
+// rounded: the least such error under which the judge finds nothing wrong. It is looked for in two
+// sorts of drawings: those of grid.h, and others whose positions a float32 viewport transform has
+// to round, near the middle between two grid points, where a small error is seen as a whole unit.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "cases/names.h"
+#include "properties/internal/random_floats.h"
+#include "properties/probing/measures.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Rounding;
+using cases::Snapping;
+
+/// As a contract has it; `unspecified` where it has no name for the rounding.
+Snapping named(const Grid& grid) {
+  if (grid.is_none()) return {cases::kMaxSubpixelBits, Rounding::unspecified, 0};
+  Snapping snapping{grid.bits, Rounding::unspecified, 0};
+  if (grid.x != grid.y) return snapping;
+  if (grid.x == GridRounding::nearest_even) snapping.rounding = Rounding::nearest_even;
+  if (grid.x == GridRounding::half_up) snapping.rounding = Rounding::half_up;
+  return snapping;
+}
+
+std::string declared_of(const cases::Coverage& coverage) {
+  if (!coverage) return "none: exact";
+  std::string text =
+      fmt::format("{} bits, {}", coverage->subpixel_bits, name_of(coverage->rounding));
+  if (coverage->position_error > 0) text += fmt::format(" ± {}", coverage->position_error);
+  return text;
+}
+
+/// Triangles with an edge whose one end lies within a few floats of the middle between grid points
+/// of `bits`, in viewports of odd sizes, with several weights.
+std::vector<Drawn> draw_inexact(Subject& subject, int bits, float size) {
+  constexpr int kCases = 6;
+  constexpr int kTriangles = 48;
+  std::vector<Drawn> all;
+  const double unit = std::ldexp(1.0, -bits);
+  for (std::uint64_t i = 0; i < kCases; ++i) {
+    MeasureDraw draw(subject, fmt::format("position error {}", size), i);
+    cases::Case c = subject.base();
+    c.viewport.width = size + 0.25F * static_cast<float>(draw.between(-3, 3));
+    c.viewport.height = size + 0.25F * static_cast<float>(draw.between(-3, 3));
+    // The far corner: where coordinates are greatest, and what is drawn small.
+    c.viewport.x = size > 64 ? std::floor(64 - c.viewport.width) : 0.0F;
+    c.viewport.y = size > 64 ? std::floor(64 - c.viewport.height) : 0.0F;
+    for (int k = 0; k < kTriangles; ++k) {
+      const double sample_x = draw.between(20, 43) + 0.5;
+      const double sample_y = draw.between(20, 43) + 0.5;
+      const int along_x = draw.between(-4, 4);
+      const int along_y = along_x == 0 ? draw.between(1, 4) : draw.between(-4, 4);
+      const double off_x = (draw.between(-1, 1) + 0.5) * unit;
+      const double off_y = (draw.between(-1, 1) + 0.5) * unit;
+      const std::array<float, 3> w{draw.uniform(0.5F, 4), draw.uniform(0.5F, 4), 1};
+      const WindowPoint a{sample_x + along_x + off_x, sample_y + along_y + off_y};
+      const WindowPoint b{sample_x - 2.0 * along_x, sample_y - 2.0 * along_y};
+      const WindowPoint d{sample_x - 4.0 * along_y, sample_y + 4.0 * along_x};
+      const cases::ClipVertex first = at_window(c, a, 0.5F, w[0]);
+      const cases::ClipVertex second = at_window(c, b, 0.5F, w[1]);
+      add_triangle(c, first, second, at_window(c, d, 0.5F, w[2]));
+    }
+    if (auto drawn = subject.drawn(std::move(c))) all.push_back(*std::move(drawn));
+  }
+  return all;
+}
+
+/// The least of these with which drawings hold; nothing where none does.
+std::optional<Snapping> least_holding(const Subject& subject, const std::vector<Drawn>& drawn,
+                                      const Snapping& from) {
+  cases::ContractTerms terms = subject.result.terms;
+  terms.tie_rule = cases::TieRule::unspecified;  // of which nothing is known yet
+  terms.is_on_grid = from.rounding != Rounding::unspecified;
+  const auto holds = [&](const Snapping& snapping) {
+    terms.coverage = cases::Coverage(snapping);
+    return subject.tally(drawn, terms).holds();
+  };
+  if (holds(from)) return from;
+  Snapping wider = from;
+  if (from.rounding != Rounding::unspecified) {
+    for (int e = -14; e <= -2; ++e) {
+      wider.position_error = std::ldexp(1.0F, e);
+      if (holds(wider)) return wider;
+    }
+    wider.rounding = Rounding::unspecified;
+    wider.position_error = 0;
+    if (holds(wider)) return wider;
+  }
+  for (int e = -2; e <= 12; ++e) {
+    wider.position_error = std::ldexp(1.0F, e);
+    if (holds(wider)) return wider;
+  }
+  return std::nullopt;
+}
+
+std::string text_of(const std::optional<Snapping>& snapping) {
+  if (!snapping) return "more than 4096 grid units";
+  if (snapping->rounding == Rounding::unspecified) {
+    const double units = 1 + double{snapping->position_error};
+    return fmt::format("less than {:g} grid units, rounding included", units);
+  }
+  if (snapping->position_error == 0) return "none";
+  return fmt::format("{:g} grid units", snapping->position_error);
+}
+
+/// The wider of two, which have the same bits.
+Snapping wider_of(const Snapping& a, const Snapping& b) {
+  const auto size = [](const Snapping& s) {
+    return double{s.position_error} + (s.rounding == Rounding::unspecified ? 0.5 : 0);
+  };
+  return size(a) >= size(b) ? a : b;
+}
+
+/// The position error, in a window and far from the origin of a large viewport.
+void measure_position_error(Subject& subject, const Sight& sight) {
+  const Snapping grid = named(sight.fit.grid);
+  std::vector<Drawn> exact;
+  for (const FineDrawing& one : sight.drawings) exact.push_back(one.drawn);
+  const int bits = grid.subpixel_bits;
+  const std::array<std::pair<std::string, std::vector<Drawn>>, 3> sorts{
+      {{"of positions that floats hold", exact},
+       {"of others, 64 pixels", draw_inexact(subject, bits, 64)},
+       {"of others, viewport of 8192", draw_inexact(subject, bits, 8192)}}};
+  const bool is_exact = sight.fit.grid.is_none() && sight.fit.mismatches == 0;
+  cases::ContractTerms& terms = subject.result.terms;
+  if (is_exact) {
+    terms.coverage = cases::Coverage();
+    terms.tie_rule = cases::TieRule::unspecified;
+    Tally tally;
+    for (const auto& [name, drawn] : sorts) tally += subject.tally(drawn, terms);
+    if (tally.holds()) {
+      subject.add("position error", kNotDeclared, "none");
+      return;
+    }
+  }
+  Snapping widest = grid;
+  bool is_bounded = true;
+  for (const auto& [name, drawn] : sorts) {
+    if (drawn.empty()) continue;
+    const std::optional<Snapping> least = least_holding(subject, drawn, grid);
+    subject.add("position error", kNotDeclared, text_of(least), name);
+    is_bounded = is_bounded && least;
+    if (least) widest = wider_of(least.value(), widest);
+  }
+  if (!is_bounded) widest.position_error = 4096;
+  terms.coverage = cases::Coverage(widest);
+  terms.is_on_grid = widest.rounding != Rounding::unspecified || !sight.fit.grid.is_none();
+}
+
+}  // namespace
+
+void measure_grid(Subject& subject, Sight& sight) {
+  const AskedDrawing said = subject.asked();
+  AskedDrawing asked = said;
+  if (!said.coverage) {
+    asked.coverage = cases::Coverage();
+    subject.ask(asked);
+  }
+  sight.drawings = draw_grid_cases(subject);
+  sight.fit = fit_grid(sight.drawings);
+  const Grid unasked = sight.fit.grid;
+  const std::string declared = declared_of(subject.backend().contract(subject.base()).coverage);
+  if (!said.coverage) {
+    asked.coverage = cases::Coverage(Snapping{kAskedBits - 1, Rounding::nearest_even, 0});
+    subject.ask(asked);
+    const Grid odd = fit_grid(draw_grid_cases(subject)).grid;
+    sight.follows_coverage = odd.bits == kAskedBits - 1 && odd != unasked;
+  }
+  if (sight.follows_coverage) {
+    asked.coverage = cases::Coverage(Snapping{kAskedBits, Rounding::nearest_even, 0});
+    subject.ask(asked);
+    sight.drawings = draw_grid_cases(subject);
+    sight.fit = fit_grid(sight.drawings);
+    subject.add("grid where exact is asked", declared, to_string(unasked));
+  } else {
+    subject.ask(said);
+  }
+  const GridFit& fit = sight.fit;
+  const std::string on = declared_of(subject.backend().contract(subject.base()).coverage);
+  const std::string what = sight.follows_coverage
+                               ? fmt::format("grid where {} bits are asked", kAskedBits)
+                               : "subpixel grid";
+  std::string detail = fmt::format("{} samples", fit.samples);
+  if (fit.mismatches > 0) {
+    detail +=
+        fmt::format(", {} drawn otherwise, by {:.2g} pixels at most", fit.mismatches, fit.farthest);
+  }
+  subject.add(what, on, to_string(fit.grid), detail);
+  measure_position_error(subject, sight);
+  if (!sight.follows_coverage) return;
+  // Of one that rounds to the grid asked for, in another way, no term says so: its own stands.
+  cases::ContractTerms& terms = subject.result.terms;
+  const bool is_as_asked = terms.coverage == cases::Term<cases::Coverage>(subject.base().coverage);
+  terms.coverage.reset();
+  terms.is_on_grid.reset();
+  if (is_as_asked) terms.coverage = cases::AsAsked{};
+}
+
+}  // namespace rastercheck::properties

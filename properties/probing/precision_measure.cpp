@@ -1,0 +1,240 @@
+// How far values are off, by generator; and whether coverage keeps to what was measured, on random
+// cases of all generators.
+//
+// Errors are those against the triangle that the basis names (records::ErrorStatistics::ideal). The
+// bounds are what the contract needs: what a value is beyond what coverage and basis leave open. A
+// bound is constant where the hardest cases are not much worse than the ordinary ones; else a part
+// is per condition, or per horizon (cases::ValueBound), the least power of two with which all that
+// was drawn is within it. Twice what was seen is written, as a sample does not show the worst; what
+// is rounded correctly, to 1/2 and next to nothing, is not doubled.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "properties/generator.h"
+#include "properties/probing/measures.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+
+constexpr std::array kKinds{AttributeKind::smooth, AttributeKind::noperspective,
+                            AttributeKind::depth};
+
+/// Generators whose errors are shown one by one.
+constexpr std::array<std::string_view, 6> kShown{"ordinary", "slivers", "through-eye",
+                                                 "clipping", "huge",    "tiny"};
+
+/// Above every error that is a number.
+constexpr float kUnbounded = 0x1p127F;
+
+double worst_of(const records::ErrorSizes& sizes) {
+  double worst = 0;
+  for (const auto& end : {sizes.extremes.most_negative, sizes.extremes.most_positive}) {
+    if (end) worst = std::max({worst, std::abs(end->error.lo), std::abs(end->error.hi)});
+  }
+  return worst;
+}
+
+/// Of one kind of value.
+struct Worst {
+  double ideal = 0;
+  double excess = 0;
+  std::uint64_t values = 0;
+  std::uint64_t no_numbers = 0;  ///< NaN, and infinities where there should be a number
+
+  void add(const records::ErrorStatistics& errors) {
+    ideal = std::max(ideal, worst_of(errors.ideal));
+    excess = std::max(excess, worst_of(errors.excess));
+    for (const FragmentClass one : {FragmentClass::correct, FragmentClass::beyond_bound}) {
+      values += errors.classes[one];
+    }
+    no_numbers +=
+        errors.classes[FragmentClass::not_a_number] + errors.classes[FragmentClass::infinite];
+  }
+};
+
+using WorstByKind = std::map<AttributeKind, Worst>;
+
+std::optional<cases::ValueBound>& bound_of(cases::ContractTerms& terms, AttributeKind kind) {
+  if (kind == AttributeKind::depth) return terms.depth;
+  return kind == AttributeKind::smooth ? terms.smooth : terms.noperspective;
+}
+
+/// The random cases that the contract says something of, drawn.
+using DrawnByGenerator = std::map<std::string, std::vector<Drawn>>;
+
+DrawnByGenerator draw_all(Subject& subject, const Progress& progress) {
+  DrawnByGenerator all;
+  const AskedDrawing asked = subject.asked();
+  subject.ask(subject.options().asked);
+  std::uint64_t done = 0;
+  for (const Generator& generator : generators()) {
+    const std::string name(generator.name);
+    for (int i = 0; i < subject.options().cases; ++i) {
+      MeasureDraw draw(subject, name, static_cast<std::uint64_t>(i));
+      cases::Case c = generator.make(draw);
+      subject.ask_of(c);
+      if (!cases::makes_promises_of(subject.contract(c), c)) continue;
+      if (auto drawn = subject.drawn(std::move(c))) all[name].push_back(*std::move(drawn));
+    }
+    if (progress) progress(++done, generators().size());
+  }
+  subject.ask(asked);
+  return all;
+}
+
+WorstByKind worst_by_kind(const Subject& subject, const std::vector<Drawn>& drawn,
+                          const cases::ContractTerms& terms) {
+  WorstByKind worst;
+  for (const Drawn& one : drawn) {
+    const records::Judgement judged = subject.judgement(one, terms);
+    for (const AttributeKind kind : kKinds) {
+      const auto found = judged.errors.find(kind);
+      if (found != judged.errors.end()) worst[kind].add(found->second);
+    }
+  }
+  return worst;
+}
+
+/// A bound for what was seen at most: twice that, in numbers that people read.
+float bound_for(double seen) {
+  constexpr double kRounded = 0.51;  // of what is rounded correctly but for next to nothing
+  if (seen <= kRounded) return 0.51F;
+  const double power = std::exp2(std::floor(std::log2(2 * seen)));
+  for (const double part : {1.0, 1.25, 1.5, 1.75}) {
+    if (part * power >= 2 * seen) return static_cast<float>(part * power);
+  }
+  return static_cast<float>(2 * power);
+}
+
+/// Whether all values of a kind are within the bounds of the terms.
+bool is_within(const Subject& subject, const DrawnByGenerator& drawn, AttributeKind kind,
+               const cases::ContractTerms& terms) {
+  for (const auto& [name, some] : drawn) {
+    for (const Drawn& one : some) {
+      const records::Judgement judged = subject.judgement(one, terms);
+      const auto found = judged.errors.find(kind);
+      if (found != judged.errors.end() && found->second.classes[FragmentClass::beyond_bound] > 0) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The least bound with parts per condition, or per horizon, that all are within; nothing where
+/// there is none.
+std::optional<cases::ValueBound> varying_bound(const Subject& subject,
+                                               const DrawnByGenerator& drawn, AttributeKind kind,
+                                               float constant) {
+  cases::ContractTerms terms = subject.result.terms;
+  for (const auto part : {&cases::ValueBound::per_condition, &cases::ValueBound::per_horizon}) {
+    for (int e = -8; e <= 8; e += 2) {
+      cases::ValueBound bound{constant};
+      bound.*part = std::ldexp(1.0F, e);
+      bound_of(terms, kind) = bound;
+      if (!is_within(subject, drawn, kind, terms)) continue;
+      bound.*part *= 2;
+      return bound;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string text_of(const cases::ValueBound& bound) {
+  std::string text = fmt::format("{:g}", bound.constant);
+  if (bound.per_horizon > 0) text += fmt::format(" + {:g} per horizon", bound.per_horizon);
+  if (bound.per_condition > 0) text += fmt::format(" + {:g} per condition", bound.per_condition);
+  if (bound.range_share > 0) text += fmt::format(" + {:g} of the range", bound.range_share);
+  return text;
+}
+
+std::string text_of(const Worst& worst) {
+  std::string text = fmt::format("{:.4g} ULP", worst.ideal);
+  if (worst.no_numbers > 0) text += fmt::format(", {} no numbers", worst.no_numbers);
+  return text;
+}
+
+void measure_bound(Subject& subject, const DrawnByGenerator& drawn, AttributeKind kind,
+                   const Worst& ordinary, const Worst& all, const cases::ValueBound& declared) {
+  // Hard cases that are less than so many times worse are no kind of their own.
+  constexpr double kMuchWorse = 16;
+  cases::ValueBound bound{bound_for(all.excess)};
+  const bool is_much_worse = all.excess > kMuchWorse * std::max(ordinary.excess, 0.5);
+  if (kind != AttributeKind::depth && is_much_worse) {
+    const auto varying = varying_bound(subject, drawn, kind, bound_for(ordinary.excess));
+    if (varying) bound = *varying;
+  }
+  bound_of(subject.result.terms, kind) = bound;
+  subject.add(fmt::format("bound of {}", records::to_string(kind)), text_of(declared),
+              text_of(bound),
+              fmt::format("{} values, {:.4g} ULP beyond at most", all.values, all.excess));
+}
+
+void measure_coverage(Subject& subject, const DrawnByGenerator& drawn) {
+  std::uint64_t violated = 0;
+  std::uint64_t checked = 0;
+  std::string generators;
+  for (const auto& [name, some] : drawn) {
+    const std::uint64_t before = violated;
+    for (const Drawn& one : some) {
+      ++checked;
+      if (!subject.tally({one}, subject.result.terms).holds()) ++violated;
+    }
+    if (violated > before) generators += (generators.empty() ? "of " : ", ") + name;
+  }
+  subject.add("coverage as measured", kNotDeclared,
+              violated == 0 ? fmt::format("holds in {} random cases", checked)
+                            : fmt::format("violated in {} of {} random cases", violated, checked),
+              generators);
+}
+
+}  // namespace
+
+void measure_precision(Subject& subject, const Progress& progress) {
+  const DrawnByGenerator drawn = draw_all(subject, progress);
+  cases::ContractTerms lax = subject.result.terms;
+  for (const AttributeKind kind : kKinds) bound_of(lax, kind) = cases::ValueBound{kUnbounded};
+  WorstByKind all;
+  WorstByKind ordinary;
+  std::map<std::string, WorstByKind> shown;
+  for (const auto& [name, some] : drawn) {
+    const WorstByKind worst = worst_by_kind(subject, some, lax);
+    for (const auto& [kind, one] : worst) {
+      Worst& most = all[kind];
+      most.ideal = std::max(most.ideal, one.ideal);
+      most.excess = std::max(most.excess, one.excess);
+      most.values += one.values;
+      most.no_numbers += one.no_numbers;
+    }
+    if (name == "ordinary") ordinary = worst;
+    shown[name] = worst;
+  }
+  for (const AttributeKind kind : kKinds) {
+    for (const std::string_view generator : kShown) {
+      const auto found = shown.find(std::string(generator));
+      if (found == shown.end() || found->second[kind].values == 0) continue;
+      subject.add(fmt::format("worst error of {}, {}", records::to_string(kind), generator),
+                  kNotDeclared, text_of(found->second[kind]),
+                  fmt::format("{} values", found->second[kind].values));
+    }
+  }
+  const cases::ValueBounds declared = subject.backend().contract(subject.base()).bounds;
+  const std::array<cases::ValueBound, 3> says{declared.smooth, declared.noperspective,
+                                              declared.depth};
+  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+    if (all[kKinds[i]].values == 0) continue;
+    measure_bound(subject, drawn, kKinds[i], ordinary[kKinds[i]], all[kKinds[i]], says[i]);
+  }
+  measure_coverage(subject, drawn);
+}
+
+}  // namespace rastercheck::properties

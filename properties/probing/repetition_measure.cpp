@@ -1,0 +1,72 @@
+// Whether the same case is the same picture, and which values come back to the bit: laws ask that
+// (properties/laws/), of a backend that is held to the promise.
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "backends/held_backend.h"
+#include "properties/check_case.h"
+#include "properties/law.h"
+#include "properties/probing/measures.h"
+
+namespace rastercheck::properties {
+namespace {
+
+struct Counts {
+  int checked = 0;
+  int violated = 0;
+  std::string detail() const { return fmt::format("{} of {} cases otherwise", violated, checked); }
+};
+
+Counts count(Subject& subject, const char* law_name, const cases::ContractTerms& terms) {
+  Counts counts;
+  const Law* law = find_law(law_name);
+  if (law == nullptr) return counts;
+  const auto held = backends::held_to(terms, subject.backend());
+  for (int i = 0; i < subject.options().cases; ++i) {
+    MeasureDraw draw(subject, law_name, static_cast<std::uint64_t>(i));
+    Generated generated = law->generate(draw);
+    AskedDrawing back = subject.asked();
+    subject.ask(subject.options().asked);
+    subject.ask_of(generated.source);
+    subject.ask(back);
+    const Result<Check> check = law->check(generated.source, *held, {});
+    ++subject.result.drawings;
+    if (!check || !check->is_applicable || check->fault) continue;
+    ++counts.checked;
+    counts.violated += check->violation_count > 0 ? 1 : 0;
+  }
+  return counts;
+}
+
+}  // namespace
+
+void measure_repetition(Subject& subject) {
+  cases::ContractTerms& terms = subject.result.terms;
+  const Counts twice = count(subject, "drawing twice draws the same bits", terms);
+  subject.add(
+      "drawing twice", kNotDeclared,
+      twice.checked == 0 ? "not seen" : (twice.violated == 0 ? "the same bits" : "other bits"),
+      twice.detail());
+
+  const cases::Contract declared = subject.backend().contract(subject.base());
+  const auto keep = [&](const char* what, const char* law, bool is_declared,
+                        std::optional<bool> cases::ContractTerms::*term) {
+    cases::ContractTerms promised = terms;
+    promised.*term = true;
+    const Counts counts = count(subject, law, promised);
+    const bool keeps = counts.checked > 0 && counts.violated == 0;
+    subject.add(what, is_declared ? "kept" : "not promised", keeps ? "kept" : "not kept",
+                counts.detail());
+    terms.*term = keeps;
+  };
+  keep("constants to the bit", "constants stay constant", declared.keeps_constants,
+       &cases::ContractTerms::keeps_constants);
+  keep("equal depths", "equal depth stays equal", declared.keeps_equal_depth,
+       &cases::ContractTerms::keeps_equal_depth);
+  keep("values at vertices to the bit", "values at vertices come back",
+       declared.keeps_vertex_values, &cases::ContractTerms::keeps_vertex_values);
+}
+
+}  // namespace rastercheck::properties

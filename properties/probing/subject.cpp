@@ -1,0 +1,122 @@
+#include "properties/probing/subject.h"
+
+#include <utility>
+
+#include "oracle/judge.h"
+#include "properties/drawing.h"
+
+namespace rastercheck::properties {
+namespace {
+
+/// Pixels of a side.
+constexpr int kSide = 64;
+
+cases::Contract held(const cases::Case& c, const backends::Backend& backend,
+                     const cases::ContractTerms& terms) {
+  return cases::with_terms(backend.contract(c), terms, c);
+}
+
+}  // namespace
+
+Tally& Tally::operator+=(const Tally& other) {
+  required += other.required;
+  missing += other.missing;
+  extra += other.extra;
+  return *this;
+}
+
+Subject::Subject(std::string name, backends::Backend& backend, const ProbeOptions& options)
+    : backend_(&backend), options_(options), asked_(options.asked) {
+  result.backend = std::move(name);
+  result.description = backend.description();
+  result.seed = options.seed;
+}
+
+Result<void> Subject::choose_rules() {
+  std::optional<Error> why;
+  for (const cases::Rules rules : {cases::Rules::vulkan, cases::Rules::opengl, cases::Rules::d3d}) {
+    rules_ = rules;
+    cases::Case c = base();
+    add_triangle(c, {-1, -1, 0.5F, 1}, {1, -1, 0.5F, 1}, {0, 1, 0.5F, 1});
+    const Result<cases::Framebuffer> first = properties::draw(c, *backend_);
+    ++result.drawings;
+    if (first) return {};
+    if (!why) why = first.error();
+  }
+  return tl::unexpected(*why);
+}
+
+cases::Case Subject::base() const {
+  cases::Case c;
+  c.framebuffer = {kSide, kSide, 1};
+  c.viewport = {0, 0, kSide, kSide, 0, 1};
+  c.rules = rules_;
+  c.fill_rule = cases::default_fill_rule(rules_);
+  c.basis = cases::default_basis(rules_);
+  ask_of(c);
+  return c;
+}
+
+void Subject::ask_of(cases::Case& c) const {
+  if (asked_.coverage) c.coverage = *asked_.coverage;
+  if (asked_.basis) c.basis = *asked_.basis;
+  if (asked_.fill_rule) c.fill_rule = *asked_.fill_rule;
+}
+
+std::optional<cases::Framebuffer> Subject::draw(const cases::Case& c) {
+  if (backend_->is_lost()) return std::nullopt;
+  Result<cases::Framebuffer> drawn = properties::draw(c, *backend_);
+  if (drawn) {
+    ++result.drawings;
+    return *std::move(drawn);
+  }
+  if (drawn.error().failure == Failure::unsupported) {
+    ++result.unsupported;
+  } else {
+    ++result.failed;
+    if (result.failure.empty()) result.failure = to_string(drawn.error());
+  }
+  return std::nullopt;
+}
+
+std::optional<Drawn> Subject::drawn(cases::Case c) {
+  std::optional<cases::Framebuffer> framebuffer = draw(c);
+  if (!framebuffer) return std::nullopt;
+  return Drawn{std::move(c), *std::move(framebuffer)};
+}
+
+cases::Contract Subject::contract(const cases::Case& c) const {
+  return held(c, *backend_, result.terms);
+}
+
+Tally Subject::tally(const std::vector<Drawn>& drawn, const cases::ContractTerms& terms) const {
+  oracle::JudgeOptions options;
+  options.judges_values = false;
+  options.shows_ordinary = false;
+  Tally tally;
+  for (const Drawn& one : drawn) {
+    const oracle::SceneTruth scene(one.source, held(one.source, *backend_, terms));
+    records::Judgement judged = oracle::judge(scene, one.framebuffer, options).judgement;
+    const records::ClassCounts& classes = judged.errors[records::AttributeKind::coverage].classes;
+    tally.required += judged.counts.required;
+    tally.missing +=
+        classes[records::FragmentClass::missing] + classes[records::FragmentClass::wrong_triangle];
+    tally.extra += classes[records::FragmentClass::extra];
+  }
+  return tally;
+}
+
+records::Judgement Subject::judgement(const Drawn& drawn, const cases::ContractTerms& terms) const {
+  oracle::JudgeOptions options;
+  options.shows_ordinary = false;
+  const oracle::SceneTruth scene(drawn.source, held(drawn.source, *backend_, terms));
+  return oracle::judge(scene, drawn.framebuffer, options).judgement;
+}
+
+void Subject::add(std::string what, std::string declared, std::string measured,
+                  std::string detail) {
+  result.rows.push_back(
+      {std::move(what), std::move(declared), std::move(measured), std::move(detail)});
+}
+
+}  // namespace rastercheck::properties

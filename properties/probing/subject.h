@@ -1,0 +1,87 @@
+#pragma once
+
+// The backend that is probed, the cases it is asked to draw, and what is known of it so far.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "backends/backend.h"
+#include "cases/case.h"
+#include "cases/contract_terms.h"
+#include "cases/framebuffer.h"
+#include "properties/draw.h"
+#include "properties/internal/window_position.h"
+#include "properties/probing/probe.h"
+#include "records/judgement.h"
+#include "records/probe.h"
+
+namespace rastercheck::properties {
+
+/// A case and what came of it.
+struct Drawn {
+  cases::Case source;
+  cases::Framebuffer framebuffer;
+};
+
+/// How drawings came out under a contract.
+struct Tally {
+  std::uint64_t required = 0;
+  std::uint64_t missing = 0;
+  std::uint64_t extra = 0;
+  bool holds() const { return missing == 0 && extra == 0; }
+  Tally& operator+=(const Tally& other);
+};
+
+class Subject {
+ public:
+  Subject(std::string name, backends::Backend& backend, const ProbeOptions& options);
+
+  /// Whether it draws anything; chooses the rules its cases have. Fails as probe() does.
+  Result<void> choose_rules();
+
+  backends::Backend& backend() { return *backend_; }
+  const ProbeOptions& options() const { return options_; }
+
+  /// A case of 64×64 pixels without vertices that asks for what asked() says.
+  cases::Case base() const;
+  /// What cases ask for from now on.
+  const AskedDrawing& asked() const { return asked_; }
+  void ask(const AskedDrawing& asked) { asked_ = asked; }
+  /// The same of a case that somebody else made: only what was said is changed.
+  void ask_of(cases::Case& c) const;
+
+  /// What it draws; nothing where it does not.
+  std::optional<cases::Framebuffer> draw(const cases::Case& c);
+  std::optional<Drawn> drawn(cases::Case c);
+
+  /// The contract that is known so far, for a case.
+  cases::Contract contract(const cases::Case& c) const;
+  /// The same with terms that take the place of the known ones.
+  Tally tally(const std::vector<Drawn>& drawn, const cases::ContractTerms& terms) const;
+  /// All that a judge says, by the kind of value.
+  records::Judgement judgement(const Drawn& drawn, const cases::ContractTerms& terms) const;
+
+  void add(std::string what, std::string declared, std::string measured, std::string detail = "");
+
+  records::Probe result;  ///< its rows and terms are what is known so far
+
+ private:
+  backends::Backend* backend_;
+  ProbeOptions options_;
+  AskedDrawing asked_;
+  cases::Rules rules_ = cases::Rules::vulkan;
+};
+
+/// A stream of choices for one measure.
+class MeasureDraw : public Draw {
+ public:
+  MeasureDraw(const Subject& subject, const std::string& measure, std::uint64_t index = 0)
+      : Draw(subject.options().seed, "probe: " + measure, index) {}
+};
+
+/// "-" for contracts that say nothing of something.
+inline constexpr const char* kNotDeclared = "–";
+
+}  // namespace rastercheck::properties

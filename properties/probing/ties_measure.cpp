@@ -1,0 +1,146 @@
+// Who owns samples on edges.
+//
+// Of the triangles that the grid was read from, rounded to it, many have an edge exactly through a
+// sample; whether such a sample was drawn is noted by where the edge's inward normal points, in the
+// eight directions that the rules tell apart: to the axes, and between them. A rule of the APIs is
+// one that all eight keep. Samples on two edges are left out.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "cases/names.h"
+#include "properties/probing/measures.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::TieRule;
+
+/// How ties of one direction went.
+struct Owned {
+  int drawn = 0;
+  int seen = 0;
+};
+
+/// [sign of the normal's x + 1][sign of its y + 1]
+using Directions = std::array<std::array<Owned, 3>, 3>;
+
+std::size_t index_of(std::int64_t number) {
+  return number < 0 ? 0 : static_cast<std::size_t>(number > 0 ? 2 : 1);
+}
+
+Directions directions_of(const Grid& grid, const std::vector<FineDrawing>& drawings) {
+  Directions directions;
+  for (const FineDrawing& drawing : drawings) {
+    for (std::size_t i = 0; i < drawing.triangles.size(); ++i) {
+      const FineTriangle placed = rounded(drawing.triangles[i], grid);
+      for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+          const FinePlace place = place_in(placed, x, y);
+          if (!place.is_inside || place.zero_edges != 1) continue;
+          Owned& owned = directions[index_of(place.normal_x)][index_of(place.normal_y)];
+          const std::uint64_t row = drawing.rows[i][static_cast<std::size_t>(y)];
+          ++owned.seen;
+          owned.drawn += ((row >> static_cast<unsigned>(x)) & 1U) != 0 ? 1 : 0;
+        }
+      }
+    }
+  }
+  return directions;
+}
+
+/// Whether a rule owns samples on an edge whose inward normal points there (RULES §2).
+bool owns(TieRule rule, bool is_y_up, std::size_t x, std::size_t y) {
+  const bool is_down_right = (rule == TieRule::top_left) != is_y_up;
+  const std::size_t right = 2;
+  return x == right || (x == 1 && y == (is_down_right ? 2 : 0));
+}
+
+struct Reading {
+  std::optional<TieRule> rule;
+  std::string text;
+  std::string detail;
+};
+
+Reading read(const Directions& directions, bool is_y_up) {
+  constexpr std::array<std::array<const char*, 3>, 3> kNames{
+      {{"−x−y", "−x", "−x+y"}, {"−y", "", "+y"}, {"+x−y", "+x", "+x+y"}}};
+  int seen = 0;
+  int against = 0;
+  std::string owners;
+  bool keeps_top = true;
+  bool keeps_bottom = true;
+  for (std::size_t x = 0; x < 3; ++x) {
+    for (std::size_t y = 0; y < 3; ++y) {
+      const Owned& one = directions[x][y];
+      if ((x == 1 && y == 1) || one.seen == 0) continue;
+      seen += one.seen;
+      const bool is_owner = 2 * one.drawn >= one.seen;
+      against += is_owner ? one.seen - one.drawn : one.drawn;
+      if (is_owner) owners += fmt::format("{}{}", owners.empty() ? "" : ", ", kNames[x][y]);
+      keeps_top = keeps_top && is_owner == owns(TieRule::top_left, is_y_up, x, y);
+      keeps_bottom = keeps_bottom && is_owner == owns(TieRule::bottom_left, is_y_up, x, y);
+    }
+  }
+  Reading reading;
+  reading.detail = fmt::format("{} ties", seen);
+  if (against > 0) reading.detail += fmt::format(", {} the other way", against);
+  if (seen == 0) {
+    reading.text = "not seen";
+  } else if (keeps_top || keeps_bottom) {
+    const TieRule rule = keeps_top ? TieRule::top_left : TieRule::bottom_left;
+    reading.text = name_of(rule);
+    if (against == 0) reading.rule = rule;
+  } else {
+    reading.text = "of another kind: inward normals towards " + owners;
+  }
+  return reading;
+}
+
+std::string declared_of(TieRule rule) {
+  return rule == TieRule::unspecified ? "unspecified" : std::string(name_of(rule));
+}
+
+}  // namespace
+
+void measure_ties(Subject& subject, const Sight& sight) {
+  const AskedDrawing said = subject.asked();
+  const bool is_y_up = subject.base().rules == cases::Rules::opengl;
+  const auto reading_of = [&](TieRule rule) {
+    AskedDrawing asked = said;
+    asked.fill_rule = rule;
+    subject.ask(asked);
+    return read(directions_of(sight.fit.grid, draw_grid_cases(subject)), is_y_up);
+  };
+  const auto declared = [&subject] {
+    return declared_of(subject.backend().contract(subject.base()).tie_rule);
+  };
+  cases::ContractTerms& terms = subject.result.terms;
+  if (said.fill_rule) {
+    const Reading reading = read(directions_of(sight.fit.grid, sight.drawings), is_y_up);
+    subject.add("tie rule", declared(), reading.text, reading.detail);
+    terms.tie_rule = reading.rule.value_or(TieRule::unspecified);
+    return;
+  }
+  const Reading bottom = reading_of(TieRule::bottom_left);
+  const std::string bottom_declared = declared();
+  const Reading top = reading_of(TieRule::top_left);
+  const bool is_followed = top.rule == TieRule::top_left && bottom.rule == TieRule::bottom_left;
+  if (is_followed || top.rule != bottom.rule) {
+    subject.add("tie rule where top_left is asked", declared(), top.text, top.detail);
+    subject.add("tie rule where bottom_left is asked", bottom_declared, bottom.text, bottom.detail);
+  } else {
+    subject.add("tie rule", declared(), top.text, top.detail);
+  }
+  if (is_followed) {
+    terms.tie_rule = cases::AsAsked{};
+  } else {
+    terms.tie_rule =
+        top.rule == bottom.rule ? top.rule.value_or(TieRule::unspecified) : TieRule::unspecified;
+  }
+  subject.ask(said);
+}
+
+}  // namespace rastercheck::properties
