@@ -27,21 +27,24 @@ bool is_word(const JsonNode& node, std::string_view word) {
   return node.is_string() && node.text() == word;
 }
 
-Coverage read_coverage(const JsonNode& node) {
+CoverageTerm read_coverage(const JsonNode& node) {
+  if (is_word(node, kAsAsked)) return AsAsked{};
   if (node.is_string()) {
     if (node.text() != "exact") {
       node.refuse("must be \"exact\", \"as_asked\" or an object with subpixel_bits");
     }
-    return std::nullopt;
+    return Coverage();
   }
   node.expect_object({"subpixel_bits"}, {"rounding", "position_error"});
   Snapping snapping;
-  snapping.subpixel_bits = static_cast<int>(node["subpixel_bits"].integer(0, kMaxSubpixelBits));
   if (node.has("rounding")) snapping.rounding = node["rounding"].enumerator<Rounding>();
   if (node.has("position_error")) {
     snapping.position_error = node["position_error"].float32(0, kMaxPositionError);
   }
-  return snapping;
+  const JsonNode bits = node["subpixel_bits"];
+  if (is_word(bits, kAsAsked)) return AskedGrid{snapping.rounding, snapping.position_error};
+  snapping.subpixel_bits = static_cast<int>(bits.integer(0, kMaxSubpixelBits));
+  return Coverage(snapping);
 }
 
 TieRule read_tie_rule(const JsonNode& node) {
@@ -133,11 +136,20 @@ std::string text_of(TieRule rule) {
   return quoted(rule == TieRule::unspecified ? kUnspecified : name_of(rule));
 }
 
-std::string text_of(const Coverage& coverage) {
-  if (!coverage) return quoted("exact");
-  return fmt::format(R"({{"subpixel_bits": {}, "rounding": "{}", "position_error": {}}})",
-                     coverage->subpixel_bits, name_of(coverage->rounding),
-                     text_of(coverage->position_error));
+std::string grid_text(const std::string& bits, Rounding rounding, float position_error) {
+  return fmt::format(R"({{"subpixel_bits": {}, "rounding": "{}", "position_error": {}}})", bits,
+                     name_of(rounding), text_of(position_error));
+}
+
+std::string text_of(const std::variant<AsAsked, AskedGrid, Coverage>& term) {
+  if (const auto* grid = std::get_if<AskedGrid>(&term)) {
+    return grid_text(quoted(kAsAsked), grid->rounding, grid->position_error);
+  }
+  const auto* named = std::get_if<Coverage>(&term);
+  if (named == nullptr) return quoted(kAsAsked);
+  if (!*named) return quoted("exact");
+  const Snapping& s = **named;
+  return grid_text(std::to_string(s.subpixel_bits), s.rounding, s.position_error);
 }
 
 std::string text_of(const ValueBound& bound) {
@@ -192,7 +204,7 @@ std::string to_json(const ContractTerms& terms) {
   all.add("format", quoted("rastercheck-contract"));
   all.add("version", "1");
   if (!terms.name.empty()) all.add("name", json_string(terms.name));
-  all.add_asked("coverage", terms.coverage);
+  all.add("coverage", terms.coverage);
   all.add("is_on_grid", terms.is_on_grid);
   all.add_asked("basis", terms.basis);
   all.add_asked("tie_rule", terms.tie_rule);
@@ -214,7 +226,7 @@ ContractTerms read_contract_terms(const JsonNode& root) {
   check_header(root);
   if (root.failed()) return terms;
   if (root.has("name")) terms.name = root["name"].text();
-  read_asked_term(root, "coverage", terms.coverage, &read_coverage);
+  if (root.has("coverage")) terms.coverage = read_coverage(root["coverage"]);
   const auto boolean = [](const JsonNode& node) { return node.boolean(); };
   read_term(root, "is_on_grid", terms.is_on_grid, boolean);
   read_asked_term(root, "basis", terms.basis,

@@ -15,10 +15,18 @@ void keep(const Term<Promise>& term, const Promise& asked, Promise& own) {
   own = named == nullptr ? asked : *named;
 }
 
+Coverage coverage_of(const CoverageTerm& term, const Contract& own, const Case& c) {
+  if (!term) return own.coverage;
+  if (const auto* named = std::get_if<Coverage>(&*term)) return *named;
+  const auto* grid = std::get_if<AskedGrid>(&*term);
+  if (grid == nullptr || !c.coverage) return c.coverage;
+  return Snapping{c.coverage->subpixel_bits, grid->rounding, grid->position_error};
+}
+
 }  // namespace
 
 Contract with_terms(Contract own, const ContractTerms& terms, const Case& c) {
-  keep(terms.coverage, c.coverage, own.coverage);
+  own.coverage = coverage_of(terms.coverage, own, c);
   keep(terms.is_on_grid, own.is_on_grid);
   keep(terms.basis, c.basis, own.basis);
   if (!own.coverage) own.basis = Basis::ideal;  // there are no snapped positions

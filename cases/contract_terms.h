@@ -20,9 +20,18 @@ struct AsAsked {
 template <typename Promise>
 using Term = std::optional<std::variant<AsAsked, Promise>>;
 
+/// The grid that the case names, whatever rounding and error it names; exact where it asks for
+/// none.
+struct AskedGrid {
+  Rounding rounding = Rounding::nearest_even;
+  float position_error = 0;
+  bool operator==(const AskedGrid&) const = default;
+};
+using CoverageTerm = std::optional<std::variant<AsAsked, AskedGrid, Coverage>>;
+
 struct ContractTerms {
   std::string name;  ///< for people
-  Term<Coverage> coverage;
+  CoverageTerm coverage;
   std::optional<bool> is_on_grid;
   Term<Basis> basis;  ///< ideal wherever coverage is exact
   Term<TieRule> tie_rule;

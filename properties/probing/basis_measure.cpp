@@ -252,7 +252,7 @@ void measure_basis(Subject& subject, const Sight& sight) {
   cases::ContractTerms& terms = subject.result.terms;
   if (grid.is_none()) {
     subject.add("basis", kNotDeclared, "no grid: there is one only");
-    const bool is_exact = terms.coverage == cases::Term<cases::Coverage>(cases::Coverage());
+    const bool is_exact = terms.coverage == cases::CoverageTerm(cases::Coverage());
     terms.basis = is_exact ? Basis::ideal : Basis::unspecified;
     return;
   }

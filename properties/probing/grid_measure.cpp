@@ -41,7 +41,8 @@ std::string declared_of(const cases::Coverage& coverage) {
 }
 
 /// Triangles with an edge whose one end lies within a few floats of the middle between grid points
-/// of `bits`, in viewports of odd sizes, with several weights.
+/// of `bits`, in viewports of odd sizes, with several weights; or exactly there, where dividing by
+/// w has something to round.
 std::vector<Drawn> draw_inexact(Subject& subject, int bits, float size) {
   constexpr int kCases = 6;
   constexpr int kTriangles = 48;
@@ -50,8 +51,10 @@ std::vector<Drawn> draw_inexact(Subject& subject, int bits, float size) {
   for (std::uint64_t i = 0; i < kCases; ++i) {
     MeasureDraw draw(subject, fmt::format("position error {}", size), i);
     cases::Case c = subject.base();
-    c.viewport.width = size + 0.25F * static_cast<float>(draw.between(-3, 3));
-    c.viewport.height = size + 0.25F * static_cast<float>(draw.between(-3, 3));
+    const bool is_exact = size == 64 && i % 2 == 0;
+    const auto beside = [&] { return is_exact ? 0.0F : static_cast<float>(draw.between(-3, 3)); };
+    c.viewport.width = size + 0.25F * beside();
+    c.viewport.height = size + 0.25F * beside();
     // The far corner: where coordinates are greatest, and what is drawn small.
     c.viewport.x = size > 64 ? std::floor(64 - c.viewport.width) : 0.0F;
     c.viewport.y = size > 64 ? std::floor(64 - c.viewport.height) : 0.0F;
@@ -62,13 +65,17 @@ std::vector<Drawn> draw_inexact(Subject& subject, int bits, float size) {
       const int along_y = along_x == 0 ? draw.between(1, 4) : draw.between(-4, 4);
       const double off_x = (draw.between(-1, 1) + 0.5) * unit;
       const double off_y = (draw.between(-1, 1) + 0.5) * unit;
-      const std::array<float, 3> w{draw.uniform(0.5F, 4), draw.uniform(0.5F, 4), 1};
+      const auto weight = [&] {
+        return is_exact ? draw.pick(std::array{3.0F, 5.0F, 7.0F, 11.0F}) : draw.uniform(0.5F, 4);
+      };
+      const float w0 = weight();
+      const float w1 = weight();
       const WindowPoint a{sample_x + along_x + off_x, sample_y + along_y + off_y};
       const WindowPoint b{sample_x - 2.0 * along_x, sample_y - 2.0 * along_y};
       const WindowPoint d{sample_x - 4.0 * along_y, sample_y + 4.0 * along_x};
-      const cases::ClipVertex first = at_window(c, a, 0.5F, w[0]);
-      const cases::ClipVertex second = at_window(c, b, 0.5F, w[1]);
-      add_triangle(c, first, second, at_window(c, d, 0.5F, w[2]));
+      const cases::ClipVertex first = at_window(c, a, 0.5F, w0);
+      const cases::ClipVertex second = at_window(c, b, 0.5F, w1);
+      add_triangle(c, first, second, at_window(c, d, 0.5F, 1));
     }
     if (auto drawn = subject.drawn(std::move(c))) all.push_back(*std::move(drawn));
   }
@@ -88,7 +95,7 @@ std::optional<Snapping> least_holding(const Subject& subject, const std::vector<
   if (holds(from)) return from;
   Snapping wider = from;
   if (from.rounding != Rounding::unspecified) {
-    for (int e = -14; e <= -2; ++e) {
+    for (int e = -28; e <= -2; e += e < -14 ? 4 : 1) {
       wider.position_error = std::ldexp(1.0F, e);
       if (holds(wider)) return wider;
     }
@@ -110,7 +117,7 @@ std::string text_of(const std::optional<Snapping>& snapping) {
     return fmt::format("less than {:g} grid units, rounding included", units);
   }
   if (snapping->position_error == 0) return "none";
-  return fmt::format("{:g} grid units", snapping->position_error);
+  return fmt::format("{:.3g} grid units", snapping->position_error);
 }
 
 /// The wider of two, which have the same bits.
@@ -157,6 +164,43 @@ void measure_position_error(Subject& subject, const Sight& sight) {
   terms.is_on_grid = widest.rounding != Rounding::unspecified || !sight.fit.grid.is_none();
 }
 
+/// Of one that rounds to a grid asked for: to which, and whether as the case says. The term is that
+/// it does, in its own way or in the case's; where it does not always, its own promise stands.
+void measure_what_is_followed(Subject& subject, AskedDrawing asked) {
+  const AskedDrawing as_before = asked;
+  const cases::Coverage measured = subject.contract(subject.base()).coverage;
+  const auto grid_asked = [&](const Snapping& snapping) {
+    asked.coverage = cases::Coverage(snapping);
+    subject.ask(asked);
+    return fit_grid(draw_grid_cases(subject)).grid;
+  };
+  std::string others;
+  for (int bits = 0; bits <= cases::kMaxSubpixelBits; ++bits) {
+    const int drawn = grid_asked({bits, Rounding::nearest_even, 0}).bits;
+    if (drawn != bits)
+      others += fmt::format("{}{} for {}", others.empty() ? "" : ", ", drawn, bits);
+  }
+  subject.add("bits asked for", kNotDeclared,
+              others.empty() ? "0 to 16, all followed" : "all of 0 to 16 but " + others);
+  const Grid half_up = grid_asked({kAskedBits, Rounding::half_up, 0});
+  subject.add("grid where half_up is asked",
+              declared_of(subject.backend().contract(subject.base()).coverage), to_string(half_up));
+  subject.ask(as_before);
+
+  cases::ContractTerms& terms = subject.result.terms;
+  const bool is_named = measured && measured->subpixel_bits == kAskedBits;
+  terms.coverage.reset();
+  if (!is_named || !others.empty()) {
+    terms.is_on_grid.reset();
+    return;
+  }
+  const bool follows_rounding =
+      measured == cases::Coverage(Snapping{kAskedBits}) &&
+      half_up == Grid{kAskedBits, GridRounding::half_up, GridRounding::half_up};
+  terms.coverage = cases::AskedGrid{measured->rounding, measured->position_error};
+  if (follows_rounding) terms.coverage = cases::AsAsked{};
+}
+
 }  // namespace
 
 void measure_grid(Subject& subject, Sight& sight) {
@@ -197,13 +241,7 @@ void measure_grid(Subject& subject, Sight& sight) {
   }
   subject.add(what, on, to_string(fit.grid), detail);
   measure_position_error(subject, sight);
-  if (!sight.follows_coverage) return;
-  // Of one that rounds to the grid asked for, in another way, no term says so: its own stands.
-  cases::ContractTerms& terms = subject.result.terms;
-  const bool is_as_asked = terms.coverage == cases::Term<cases::Coverage>(subject.base().coverage);
-  terms.coverage.reset();
-  terms.is_on_grid.reset();
-  if (is_as_asked) terms.coverage = cases::AsAsked{};
+  if (sight.follows_coverage) measure_what_is_followed(subject, asked);
 }
 
 }  // namespace rastercheck::properties

@@ -1,20 +1,20 @@
 // How far out vertices may lie: the guard band, and the greatest window coordinate that draws
 // right.
 //
-// Triangles with w = 1 and two vertices D pixels away, on opposite sides, so that long edges cross
-// the window. With no clip tolerance at all they keep to the contract as far as the guard band
-// goes: beyond it a clipper makes new vertices. With the tolerance that was measured they do as far
-// as they are drawn right. D is doubled until it fails, and the last step then halved.
+// Triangles with w = 1 whose vertices lie D pixels from the window's origin, two of them on
+// opposite sides, so that long edges cross the window. With no clip tolerance at all they keep to
+// the contract as far as the guard band goes: beyond it a clipper makes new vertices. With the
+// tolerance that was measured they do as far as they are drawn right. D is doubled until it fails,
+// and the last step then halved.
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 
-#include "properties/internal/float_numbers.h"
 #include "properties/probing/measures.h"
 
 namespace rastercheck::properties {
@@ -26,24 +26,56 @@ constexpr int kFarthest = 96;
 /// Halvings of the last step.
 constexpr int kHalvings = 3;
 
+/// The point on the ray from `from` whose greater coordinate is `distance` from the origin.
+WindowPoint far_point(const WindowPoint& from, double along_u, double along_v, double distance) {
+  const auto steps = [distance](double start, double along) {
+    if (along == 0) return std::numeric_limits<double>::infinity();
+    return ((along > 0 ? distance : -distance) - start) / along;
+  };
+  const double t = std::min(steps(from.u, along_u), steps(from.v, along_v));
+  return {from.u + t * along_u, from.v + t * along_v};
+}
+
+/// A triangle with a long edge anywhere across the window.
+void add_random_far(Draw& draw, cases::Case& c, double distance) {
+  const double x = draw.between(16, 47) + double{draw.unit()};
+  const double y = draw.between(16, 47) + double{draw.unit()};
+  const double along_u = double{draw.uniform(-1, 1)};
+  const double along_v = double{draw.uniform(-1, 1)};
+  const double side = draw.one_in(2) ? 1 : -1;
+  const auto far = [&](double u, double v) {
+    return at_window(c, far_point({x, y}, u, v, distance), 0.5F, 1);
+  };
+  const cases::ClipVertex first = far(along_u, along_v);
+  const cases::ClipVertex second = far(-along_u, -along_v);
+  add_triangle(c, first, second, far(-side * along_v, side * along_u));
+}
+
+/// A triangle with a long edge exactly through samples, of a slope that no grid holds: wherever it
+/// is cut the new corner has to be rounded, and the samples are no longer on the edge. Exact in
+/// float32 up to kMostExact pixels.
+void add_far_through_samples(Draw& draw, cases::Case& c, double distance) {
+  const double x = draw.between(16, 47) + 0.5;
+  const double y = draw.between(16, 47) + 0.5;
+  const double run = draw.pick(std::array{3, 5, 7}) * (draw.one_in(2) ? 1 : -1);
+  const double rise = draw.pick(std::array{1, 2, 4}) * (draw.one_in(2) ? 1 : -1);
+  const bool is_steep = draw.one_in(2);
+  const double side = draw.one_in(2) ? 1 : -1;
+  const double steps = std::floor((distance - 64) / std::max(std::abs(run), std::abs(rise)));
+  const double u = steps * (is_steep ? rise : run);
+  const double v = steps * (is_steep ? run : rise);
+  add_triangle(c, at_window(c, {x + u, y + v}, 0.5F, 1), at_window(c, {x - u, y - v}, 0.5F, 1),
+               at_window(c, {x - side * v, y + side * u}, 0.5F, 1));
+}
+
 std::optional<Drawn> draw_far(Subject& subject, double distance) {
-  constexpr int kTriangles = 40;
+  constexpr int kTriangles = 32;
+  constexpr double kMostExact = 0x1p21;
   MeasureDraw draw(subject, "reach");
   cases::Case c = subject.base();
   for (int i = 0; i < kTriangles; ++i) {
-    const double x = draw.between(16, 47) + double{draw.unit()};
-    const double y = draw.between(16, 47) + double{draw.unit()};
-    double along_x = double{draw.uniform(-1, 1)};
-    double along_y = double{draw.uniform(-1, 1)};
-    // The greater of the two is D.
-    const double scale = distance / std::max(std::abs(along_x), std::abs(along_y));
-    along_x *= scale;
-    along_y *= scale;
-    const double side = draw.one_in(2) ? 1 : -1;
-    const WindowPoint third{x - side * along_y, y + side * along_x};
-    const cases::ClipVertex first = at_window(c, {x + along_x, y + along_y}, 0.5F, 1);
-    const cases::ClipVertex second = at_window(c, {x - along_x, y - along_y}, 0.5F, 1);
-    add_triangle(c, first, second, at_window(c, third, 0.5F, 1));
+    add_random_far(draw, c, distance);
+    if (distance <= kMostExact) add_far_through_samples(draw, c, distance);
   }
   return subject.drawn(std::move(c));
 }
@@ -54,6 +86,7 @@ class Reach {
 
   /// The greatest distance, of those tried, up to which all hold; 0 where none does.
   double greatest(const cases::ContractTerms& terms) {
+    is_refused_ = false;
     double good = 0;
     double bad = std::ldexp(1.0, kFarthest + 1);
     for (int e = kNearest; e <= kFarthest; ++e) {
@@ -72,14 +105,20 @@ class Reach {
     return good;
   }
 
+  /// Whether what lies farther was not drawn, rather than drawn wrongly.
+  bool is_refused() const { return is_refused_; }
+
  private:
   bool holds(double distance, const cases::ContractTerms& terms) {
     const auto [at, is_new] = drawn_.try_emplace(distance);
     if (is_new) at->second = draw_far(*subject_, distance);
-    return at->second && subject_->tally({*at->second}, terms).holds();
+    if (at->second && subject_->tally({*at->second}, terms).holds()) return true;
+    is_refused_ = !at->second;
+    return false;
   }
 
   Subject* subject_;
+  bool is_refused_ = false;
   std::map<double, std::optional<Drawn>> drawn_;
 };
 
@@ -96,19 +135,30 @@ void measure_reach(Subject& subject) {
   const cases::Contract declared = subject.backend().contract(subject.base());
   Reach reach(subject);
   cases::ContractTerms& terms = subject.result.terms;
-  cases::ContractTerms strict = terms;
-  strict.guard_band = kEverything;
-  strict.clip_tolerance = 0.0F;
-  const double band = reach.greatest(strict);
-  const bool is_snapped = subject.contract(subject.base()).coverage.has_value();
-  if (is_snapped) {
-    const std::string says =
-        declared.coverage ? fmt::format("{:g} pixels", declared.guard_band) : kNotDeclared;
-    subject.add("guard band", says, text_of(band));
-    terms.guard_band = static_cast<float>(band);
+  // Positions far out lie midway between grid points often, and it is not their rounding that is
+  // looked at.
+  cases::ContractTerms placed = terms;
+  const cases::Coverage known = subject.contract(subject.base()).coverage;
+  if (known) {
+    cases::Snapping lax = *known;
+    lax.position_error = std::max(lax.position_error, 0x1p-14F);
+    placed.coverage = cases::Coverage(lax);
   }
-  subject.add("greatest coordinate drawn right", kNotDeclared, text_of(reach.greatest(terms)),
-              is_snapped ? "within the clip tolerance" : "");
+  const auto add = [&](const char* what, const std::string& says, double pixels) {
+    const bool is_last = pixels > 0 && pixels < std::ldexp(1.0, kFarthest);
+    subject.add(what, says, text_of(pixels),
+                is_last && reach.is_refused() ? "farther out nothing is drawn" : "");
+  };
+  if (known) {
+    cases::ContractTerms strict = placed;
+    strict.guard_band = kEverything;
+    strict.clip_tolerance = 0.0F;
+    const double band = reach.greatest(strict);
+    add("guard band",
+        declared.coverage ? fmt::format("{:g} pixels", declared.guard_band) : kNotDeclared, band);
+    terms.guard_band = placed.guard_band = static_cast<float>(band);
+  }
+  add("greatest coordinate drawn right", kNotDeclared, reach.greatest(placed));
 }
 
 }  // namespace rastercheck::properties

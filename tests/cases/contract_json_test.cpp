@@ -70,7 +70,20 @@ TEST(ContractJson, TellsWhatIsAskedForFromNothingSaid) {
 TEST(ContractJson, ExactIsNoGrid) {
   const Result<ContractTerms> terms = parse(R"("coverage": "exact")");
   ASSERT_TRUE(terms.has_value());
-  EXPECT_EQ(terms->coverage, Term<Coverage>(Coverage()));
+  EXPECT_EQ(terms->coverage, CoverageTerm(Coverage()));
+}
+
+// Kills: a grid that is asked for, rounded as the case says instead of as the file does.
+TEST(ContractJson, HasGridsOfTheCaseRoundedInOneWay) {
+  ContractTerms terms;
+  terms.coverage = AskedGrid{Rounding::unspecified, 0.25F};
+  EXPECT_EQ(parse_contract(to_json(terms), "c.json").value_or(ContractTerms()), terms);
+  Case c;
+  c.coverage = Snapping{5, Rounding::half_up, 0};
+  EXPECT_EQ(with_terms(Contract(), terms, c).coverage,
+            Coverage(Snapping{5, Rounding::unspecified, 0.25F}));
+  c.coverage.reset();
+  EXPECT_EQ(with_terms(Contract(), terms, c).coverage, Coverage());
 }
 
 TEST(ContractJson, RefusesWhatNoContractHas) {
