@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -22,13 +23,17 @@ namespace {
 using cases::Rounding;
 using cases::Snapping;
 
-/// As a contract has it; `unspecified` where it has no name for the rounding.
+bool is_nearest(GridRounding rounding) {
+  return rounding != GridRounding::down && rounding != GridRounding::up;
+}
+
+/// As a contract has it; `unspecified` where no rounding with a name comes near.
 Snapping named(const Grid& grid) {
   if (grid.is_none()) return {cases::kMaxSubpixelBits, Rounding::unspecified, 0};
   Snapping snapping{grid.bits, Rounding::unspecified, 0};
-  if (grid.x != grid.y) return snapping;
-  if (grid.x == GridRounding::nearest_even) snapping.rounding = Rounding::nearest_even;
-  if (grid.x == GridRounding::half_up) snapping.rounding = Rounding::half_up;
+  if (!is_nearest(grid.x) || !is_nearest(grid.y)) return snapping;
+  const bool is_half_up = grid.x == GridRounding::half_up && grid.y == GridRounding::half_up;
+  snapping.rounding = is_half_up ? Rounding::half_up : Rounding::nearest_even;
   return snapping;
 }
 
@@ -82,32 +87,36 @@ std::vector<Drawn> draw_inexact(Subject& subject, int bits, float size) {
   return all;
 }
 
-/// The least of these with which drawings hold; nothing where none does.
+/// Errors beyond a rounding, each wider than the one before.
+std::vector<Snapping> ladder_from(const Snapping& from) {
+  std::vector<Snapping> ladder{from};
+  const auto add = [&ladder, &from](Rounding rounding, float error) {
+    ladder.push_back({from.subpixel_bits, rounding, error});
+  };
+  if (from.rounding != Rounding::unspecified) {
+    for (int e = -28; e <= -2; e += e < -14 ? 4 : 1) add(from.rounding, std::ldexp(1.0F, e));
+    add(Rounding::unspecified, 0);
+  }
+  for (int e = -2; e <= 12; ++e) add(Rounding::unspecified, std::ldexp(1.0F, e));
+  return ladder;
+}
+
+/// The least of the ladder with which drawings hold; nothing where none does.
 std::optional<Snapping> least_holding(const Subject& subject, const std::vector<Drawn>& drawn,
                                       const Snapping& from) {
   cases::ContractTerms terms = subject.result.terms;
   terms.tie_rule = cases::TieRule::unspecified;  // of which nothing is known yet
   terms.is_on_grid = from.rounding != Rounding::unspecified;
+  const std::vector<Snapping> ladder = ladder_from(from);
   const auto holds = [&](const Snapping& snapping) {
     terms.coverage = cases::Coverage(snapping);
     return subject.tally(drawn, terms).holds();
   };
   if (holds(from)) return from;
-  Snapping wider = from;
-  if (from.rounding != Rounding::unspecified) {
-    for (int e = -28; e <= -2; e += e < -14 ? 4 : 1) {
-      wider.position_error = std::ldexp(1.0F, e);
-      if (holds(wider)) return wider;
-    }
-    wider.rounding = Rounding::unspecified;
-    wider.position_error = 0;
-    if (holds(wider)) return wider;
-  }
-  for (int e = -2; e <= 12; ++e) {
-    wider.position_error = std::ldexp(1.0F, e);
-    if (holds(wider)) return wider;
-  }
-  return std::nullopt;
+  const auto least = std::partition_point(ladder.begin() + 1, ladder.end(),
+                                          [&](const Snapping& one) { return !holds(one); });
+  if (least == ladder.end()) return std::nullopt;
+  return *least;
 }
 
 std::string text_of(const std::optional<Snapping>& snapping) {

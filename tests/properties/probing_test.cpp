@@ -1,0 +1,313 @@
+// What is known of a backend is what a probe finds. What is known: `cpu` in each of its modes,
+// which draws what a case asks for, and `cpu` bent in one way, by hand.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "properties/probing/grid.h"
+#include "properties/probing/probe.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Basis;
+using cases::Case;
+using cases::Coverage;
+using cases::Framebuffer;
+using cases::Rounding;
+using cases::Snapping;
+using cases::TieRule;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+records::Probe probed(backends::Backend& backend, const AskedDrawing& asked) {
+  ProbeOptions options;
+  options.cases = 4;
+  options.asked = asked;
+  Result<records::Probe> result = probe("bent", backend, options, {});
+  EXPECT_TRUE(result.has_value()) << to_string(result.error());
+  return std::move(result).value_or(records::Probe());
+}
+
+records::Probe probed(const std::string& specification, const AskedDrawing& asked) {
+  const auto backend = backends::make_backend(specification);
+  EXPECT_TRUE(backend.has_value());
+  return backend ? probed(**backend, asked) : records::Probe();
+}
+
+AskedDrawing ask(const Coverage& coverage, TieRule fill_rule = TieRule::top_left,
+                 Basis basis = Basis::ideal) {
+  return {coverage, basis, fill_rule};
+}
+
+/// What was measured of something; of several rows of one name the first.
+std::string measured(const records::Probe& probe, const std::string& what) {
+  for (const records::Measured& row : probe.rows) {
+    if (row.what == what) return row.measured;
+  }
+  return "no row " + what;
+}
+
+// ---- The grid's own arithmetic. A pixel is 2^18.
+
+constexpr std::int64_t kPixel = std::int64_t{1} << kFineBits;
+
+TEST(FineGrid, GoesToTheNearestPoint) {
+  const std::int64_t unit = kPixel / 4;  // of 2 bits
+  const std::int64_t midway = 5 * unit + unit / 2;
+  EXPECT_EQ(rounded(midway - 1, 2, GridRounding::half_up), 5 * unit);
+  EXPECT_EQ(rounded(midway, 2, GridRounding::half_up), 6 * unit);
+  EXPECT_EQ(rounded(midway, 2, GridRounding::half_down), 5 * unit);
+  EXPECT_EQ(rounded(midway, 2, GridRounding::nearest_even), 6 * unit);
+  EXPECT_EQ(rounded(midway + unit, 2, GridRounding::nearest_even), 6 * unit);
+  EXPECT_EQ(rounded(midway + 1, 2, GridRounding::down), 5 * unit);
+  EXPECT_EQ(rounded(5 * unit + 1, 2, GridRounding::up), 6 * unit);
+  EXPECT_EQ(rounded(5 * unit, 2, GridRounding::up), 5 * unit);
+  EXPECT_EQ(rounded(-1, 2, GridRounding::down), -unit);
+  EXPECT_EQ(rounded(midway + 1, kFineBits, GridRounding::down), midway + 1);
+}
+
+TEST(FineGrid, KnowsWhereSamplesLie) {
+  // The corner (0, 0) to (2, 0) to (0, 2): its hypotenuse runs through the centres of (1, 0), (0,
+  // 1).
+  FineTriangle triangle;
+  triangle.x = {0, 2 * kPixel, 0};
+  triangle.y = {0, 0, 2 * kPixel};
+  EXPECT_EQ(area_of(triangle), 4 * kPixel * kPixel);
+  EXPECT_TRUE(place_in(triangle, 0, 0).is_inside);
+  EXPECT_EQ(place_in(triangle, 0, 0).zero_edges, 0);
+  const FinePlace on_edge = place_in(triangle, 1, 0);
+  EXPECT_TRUE(on_edge.is_inside);
+  EXPECT_EQ(on_edge.zero_edges, 1);
+  EXPECT_LT(on_edge.normal_x, 0);
+  EXPECT_LT(on_edge.normal_y, 0);
+  EXPECT_FALSE(place_in(triangle, 1, 1).is_inside);
+}
+
+// ---- cpu, as cases ask it to draw.
+
+TEST(Probe, FindsThatNothingIsRounded) {
+  const records::Probe probe = probed("cpu", ask(Coverage()));
+  EXPECT_THAT(measured(probe, "subpixel grid"), StartsWith("none"));
+  EXPECT_EQ(measured(probe, "position error"), "none");
+  EXPECT_EQ(measured(probe, "tie rule"), "top_left");
+  EXPECT_EQ(measured(probe, "greatest coordinate drawn right"), "2^96 pixels or more");
+  EXPECT_EQ(measured(probe, "one vertex with w < 0"), "drawn right");
+  EXPECT_EQ(measured(probe, "three vertices with w < 0"), "nothing to draw, and nothing drawn");
+  EXPECT_EQ(measured(probe, "subnormal clip positions"), "kept");
+  EXPECT_EQ(measured(probe, "subnormal attribute values"), "kept");
+  EXPECT_EQ(measured(probe, "drawing twice"), "the same bits");
+  EXPECT_EQ(measured(probe, "values at vertices to the bit"), "kept");
+  EXPECT_THAT(measured(probe, "coverage as measured"), StartsWith("holds"));
+  EXPECT_EQ(probe.terms.coverage, cases::CoverageTerm(Coverage()));
+  EXPECT_EQ(probe.terms.smooth, cases::ValueBound{0.51F});
+  EXPECT_EQ(probe.terms.depth, cases::ValueBound{0.51F});
+  EXPECT_EQ(probe.terms.numbers, cases::MagnitudeRange());
+}
+
+class ProbeOfGrid : public ::testing::TestWithParam<int> {};
+
+TEST_P(ProbeOfGrid, FindsItsBits) {
+  const int bits = GetParam();
+  const records::Probe probe =
+      probed("cpu", ask(Snapping{bits}, TieRule::bottom_left, Basis::snapped));
+  EXPECT_EQ(measured(probe, "subpixel grid"), std::to_string(bits) + " bits, nearest_even");
+  EXPECT_EQ(measured(probe, "position error"), "none");
+  EXPECT_EQ(measured(probe, "tie rule"), "bottom_left");
+  EXPECT_EQ(measured(probe, "guard band"), "32768 pixels");
+  for (const char* of : {"smooth attributes", "noperspective attributes", "depth", "facing"}) {
+    EXPECT_EQ(measured(probe, std::string("basis of ") + of), "snapped") << of;
+  }
+  EXPECT_EQ(probe.terms.coverage, cases::CoverageTerm(Coverage(Snapping{bits})));
+  EXPECT_EQ(probe.terms.basis, cases::Term<Basis>(Basis::snapped));
+  EXPECT_THAT(measured(probe, "coverage as measured"), StartsWith("holds"));
+}
+INSTANTIATE_TEST_SUITE_P(Cpu, ProbeOfGrid, ::testing::Values(4, 5, 8, 12, 16));
+
+// cpu rounds to even, whatever rounding is asked for.
+TEST(Probe, FindsTheRoundingThatIsDrawn) {
+  const records::Probe probe = probed("cpu", ask(Snapping{8, Rounding::half_up, 0}));
+  EXPECT_EQ(measured(probe, "subpixel grid"), "8 bits, nearest_even");
+  EXPECT_EQ(measured(probe, "basis of smooth attributes"), "ideal");
+  EXPECT_EQ(measured(probe, "basis of facing"), "ideal");
+}
+
+TEST(Probe, FindsThatWhatIsAskedIsFollowed) {
+  const records::Probe probe = probed("cpu", {});
+  EXPECT_THAT(measured(probe, "grid where exact is asked"), StartsWith("none"));
+  EXPECT_EQ(measured(probe, "grid where 8 bits are asked"), "8 bits, nearest_even");
+  EXPECT_EQ(measured(probe, "bits asked for"),
+            "all of 0 to 16 but 4 for 0, 4 for 1, 4 for 2, 4 for 3");
+  EXPECT_EQ(probe.terms.coverage, std::nullopt);  // its own promise says that
+  EXPECT_EQ(probe.terms.tie_rule, cases::Term<TieRule>(cases::AsAsked()));
+  EXPECT_EQ(probe.terms.basis, cases::Term<Basis>(cases::AsAsked()));
+}
+
+TEST(Probe, FindsThatFloatsAreLessPrecise) {
+  const records::Probe probe = probed("cpu:precision=float32", ask(Coverage()));
+  ASSERT_TRUE(probe.terms.smooth.has_value());
+  EXPECT_GT(probe.terms.smooth->constant, 0.51F);
+  EXPECT_LT(probe.terms.smooth->constant, 2 * 6.84F + 1);  // twice what it may be at most
+  EXPECT_EQ(probe.terms.depth, cases::ValueBound{0.51F});
+}
+
+// ---- cpu, bent.
+
+struct Bending {
+  /// What is drawn in place of a case; nothing where none is.
+  std::function<std::optional<Case>(Case)> before = [](Case c) { return c; };
+  std::function<void(Framebuffer&)> after = [](Framebuffer& /*drawn*/) {};
+};
+
+class Bent : public backends::Backend {
+ public:
+  explicit Bent(Bending bending)
+      : bending_(std::move(bending)), cpu_(*backends::make_backend("cpu")) {}
+  cases::Contract contract(const Case& c) const override { return cases::contract_of(c); }
+  Result<Framebuffer> draw(const Case& c) override {
+    const std::optional<Case> bent = bending_.before(c);
+    if (!bent) return tl::unexpected(Error{"", "", "not that", Failure::unsupported});
+    Result<Framebuffer> drawn = cpu_->draw(*bent);
+    if (drawn) bending_.after(*drawn);
+    return drawn;
+  }
+
+ private:
+  Bending bending_;
+  std::unique_ptr<backends::Backend> cpu_;
+};
+
+records::Probe probe_of(const Bending& bending, const AskedDrawing& asked) {
+  Bent backend(bending);
+  return probed(backend, asked);
+}
+
+TEST(ProbeOfBent, FindsAGridThatNobodyAskedFor) {
+  Bending bending;
+  bending.before = [](Case c) {
+    c.coverage = Snapping{6};
+    c.fill_rule = TieRule::bottom_left;
+    c.basis = Basis::snapped;
+    return c;
+  };
+  const records::Probe probe = probe_of(bending, {});
+  EXPECT_EQ(measured(probe, "subpixel grid"), "6 bits, nearest_even");
+  EXPECT_EQ(probe.terms.coverage, cases::CoverageTerm(Coverage(Snapping{6})));
+  EXPECT_EQ(measured(probe, "tie rule where top_left is asked"),
+            "no row tie rule where top_left is asked");
+  EXPECT_EQ(probe.terms.tie_rule, cases::Term<TieRule>(TieRule::bottom_left));
+  EXPECT_EQ(probe.terms.basis, cases::Term<Basis>(Basis::snapped));
+}
+
+/// Moves every vertex by that many pixels in x, with a viewport of 64 pixels.
+Case moved(Case c, float pixels) {
+  for (cases::ClipVertex& p : c.positions) p.x += pixels / 32 * p.w;
+  return c;
+}
+
+TEST(ProbeOfBent, FindsThePositionError) {
+  Bending bending;
+  bending.before = [](Case c) { return moved(std::move(c), 0.2F / 256); };
+  const records::Probe probe = probe_of(bending, ask(Snapping{8}));
+  EXPECT_THAT(measured(probe, "subpixel grid"), StartsWith("8 bits"));
+  EXPECT_EQ(measured(probe, "position error"), "0.25 grid units");
+}
+
+TEST(ProbeOfBent, FindsTrianglesThatAreLeftOut) {
+  Bending bending;
+  bending.before = [](Case c) {
+    for (cases::Triangle& t : c.triangles) {
+      for (const std::uint32_t i : cases::Triangle(t)) {
+        if (c.positions[i].w <= 0) t = {i, i, i};
+      }
+    }
+    return c;
+  };
+  const records::Probe probe = probe_of(bending, ask(Coverage()));
+  EXPECT_THAT(measured(probe, "one vertex with w < 0"), StartsWith("left out"));
+  EXPECT_EQ(measured(probe, "clip tolerance, near plane"), "0 grid units");
+  EXPECT_THAT(measured(probe, "clip tolerance, w = 0"), StartsWith("more than"));
+}
+
+TEST(ProbeOfBent, FindsFlushedNumbers) {
+  const auto flush = [](float& number) {
+    if (std::fabs(number) < std::numeric_limits<float>::min()) number = 0;
+  };
+  Bending bending;
+  bending.before = [flush](Case c) {
+    for (cases::ClipVertex& p : c.positions) {
+      for (float* number : {&p.x, &p.y, &p.z, &p.w}) flush(*number);
+    }
+    for (float& value : c.attribute_values) flush(value);
+    return c;
+  };
+  const records::Probe probe = probe_of(bending, ask(Coverage()));
+  EXPECT_EQ(measured(probe, "subnormal clip positions"), "lost");
+  EXPECT_EQ(measured(probe, "subnormal attribute values"), "lost");
+  ASSERT_TRUE(probe.terms.numbers.has_value());
+  EXPECT_GE(probe.terms.numbers->least, 0x1p-126F);
+  EXPECT_LE(probe.terms.numbers->least, 0x1p-116F);
+  EXPECT_EQ(probe.terms.numbers->greatest, std::numeric_limits<float>::max());
+}
+
+TEST(ProbeOfBent, FindsPicturesThatChange) {
+  Bending bending;
+  bending.after = [count = 0](Framebuffer& drawn) mutable {
+    if (++count % 2 == 0 && !drawn.depth.empty()) drawn.depth[0] += 0x1p-20F;
+  };
+  EXPECT_EQ(measured(probe_of(bending, ask(Coverage())), "drawing twice"), "other bits");
+}
+
+TEST(ProbeOfBent, FindsHowFarValuesAreOff) {
+  Bending bending;
+  bending.after = [](Framebuffer& drawn) {
+    // 2^-20 of itself: 8 to 16 ulp, or less where a vertex has a greater value.
+    for (float& value : drawn.attributes) value *= 1 + 0x1p-20F;
+  };
+  const records::Probe probe = probe_of(bending, ask(Coverage()));
+  ASSERT_TRUE(probe.terms.smooth.has_value());
+  EXPECT_GE(probe.terms.smooth->constant, 16);
+  EXPECT_LE(probe.terms.smooth->constant, 40);
+  EXPECT_EQ(probe.terms.keeps_constants, false);
+}
+
+TEST(ProbeOfBent, FindsHowFarOutItDraws) {
+  Bending bending;
+  bending.before = [](Case c) -> std::optional<Case> {
+    for (const cases::ClipVertex& p : c.positions) {
+      if (std::fabs(p.x * 32 + 32) > 1024 * p.w) return std::nullopt;
+    }
+    return c;
+  };
+  const records::Probe probe = probe_of(bending, ask(Snapping{8}));
+  EXPECT_EQ(measured(probe, "guard band"), "1024 pixels");
+  EXPECT_GT(probe.unsupported, 0U);
+}
+
+TEST(ProbeOfBent, AsksByRulesThatAreDrawn) {
+  Bending bending;
+  bending.before = [](Case c) {
+    return c.rules == cases::Rules::opengl ? std::optional(c) : std::nullopt;
+  };
+  const records::Probe probe = probe_of(bending, ask(Coverage(), TieRule::top_left));
+  EXPECT_THAT(measured(probe, "subpixel grid"), StartsWith("none"));
+  EXPECT_EQ(measured(probe, "tie rule"), "top_left");
+}
+
+TEST(ProbeOfBent, FailsWhereNothingIsDrawn) {
+  Bending bending;
+  bending.before = [](const Case& /*c*/) { return std::nullopt; };
+  Bent backend(bending);
+  const Result<records::Probe> result = probe("bent", backend, {}, {});
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().failure, Failure::unsupported);
+}
+
+}  // namespace
+}  // namespace rastercheck::properties
