@@ -55,8 +55,8 @@ FineTriangle near_sample(Draw& draw, int k) {
                 sample_y + (slide + 2 * away * along_x) * kPixel};
   const std::int64_t unit = k == 0 ? 0 : kPixel >> k;
   for (std::size_t i = 0; i < 3; ++i) {
-    triangle.x[i] += draw.between(-3, 3) * unit;
-    triangle.y[i] += draw.between(-3, 3) * unit;
+    triangle.x[i] += draw.between(-7, 7) * unit;
+    triangle.y[i] += draw.between(-7, 7) * unit;
   }
   return triangle;
 }

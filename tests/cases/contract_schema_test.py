@@ -1,0 +1,170 @@
+#!/usr/bin/python3
+"""Holds the contract reader and cases/schema/contract.schema.json together.
+
+    contract_schema_test.py RASTERCHECK_BINARY SCHEMA
+
+The reader is the truth, the schema its documentation for editors: the schema is valid, closes every
+object and describes every key, and of a base file and its mutations of one step both say the same,
+but for the rules in reader_only(), each of which must have decided at least one mutation.
+
+The reader is asked through `rastercheck replay --contract -`, one process a file.
+"""
+
+import concurrent.futures
+import copy
+import itertools
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import jsonschema
+
+import schema_test
+
+# Every key there is, at least once.
+FULL_CONTRACT = {
+    "format": "rastercheck-contract",
+    "version": 1,
+    "name": "every key",
+    "coverage": {"subpixel_bits": 8, "rounding": "half_up", "position_error": 0.125},
+    "is_on_grid": False,
+    "basis": "snapped",
+    "tie_rule": "bottom_left",
+    "guard_band": 16384,
+    "clip_tolerance": "0x1p-1",
+    "claims": "affine",
+    "bounds": {
+        "smooth": {"constant": 2, "per_horizon": 1, "per_condition": 0.5, "range_share": 0.25},
+        "noperspective": {"constant": "0x1p+0"},
+        "depth": {"constant": 1, "per_horizon": 0},
+    },
+    "keeps_equal_depth": True,
+    "keeps_constants": True,
+    "keeps_vertex_values": True,
+    "derivative_bound": "none",
+    "quad_share": 0.5,
+    "numbers": {"least": 0.5, "greatest": 1},
+}
+WORDS_CONTRACT = {
+    "format": "rastercheck-contract",
+    "version": 1,
+    "coverage": {"subpixel_bits": "as_asked"},
+    "basis": "as_asked",
+    "tie_rule": "unspecified",
+    "derivative_bound": 1,
+}
+# Of one law, and of nothing to draw.
+CASE = {
+    "format": "rastercheck-case",
+    "version": 1,
+    "framebuffer": {"width": 1, "height": 1},
+    "viewport": {"x": 0, "y": 0, "width": 1, "height": 1},
+    "rules": "vulkan",
+    "vertices": [{"position": [0, 0, 0, 1]}],
+    "triangles": [[0, 0, 0]],
+    "found": {"law": "coverage obeys the contract", "backend": "cpu"},
+}
+
+
+class ContractReader:
+    """Asks the program under test."""
+
+    def __init__(self, binary, case_file):
+        self.command = [binary, "replay", "--quiet", "--contract", "-", case_file]
+
+    def refusal(self, data):
+        """None if the file is accepted, what was said if refused; ValueError if neither."""
+        done = subprocess.run(
+            self.command,
+            input=data,
+            capture_output=True,
+            timeout=schema_test.TIMEOUT_SECONDS,
+            check=False,
+        )
+        said = done.stderr.decode("utf-8", errors="replace")
+        if done.returncode == schema_test.EXIT_REFUSED:
+            if not said.startswith("rastercheck: -: /"):
+                raise ValueError(f"no place: {said!r}")
+            return said
+        if said:
+            raise ValueError(f"exit code {done.returncode}, standard error: {said!r}")
+        return None
+
+
+def number(value):
+    return float.fromhex(value) if isinstance(value, str) else value
+
+
+def reader_only(contract):
+    """Why only the reader can refuse a file that the schema accepts; None if it should not."""
+    numbers = contract.get("numbers", {})
+    if number(numbers.get("least", 0)) > number(numbers.get("greatest", 3.4e38)):
+        return "least is above greatest"
+    depth = contract.get("bounds", {}).get("depth", {})
+    if any(number(value) != 0 for key, value in depth.items() if key != "constant"):
+        return "a bound of depth varies"
+    return None
+
+
+READER_ONLY_RULES = 2  # the reasons above
+
+
+def mutations(base):
+    """(what was done, mutated file) for every mutation of one step."""
+    yield from schema_test.mutations(base)
+    changed = copy.deepcopy(base)
+    changed.setdefault("bounds", {})["depth"] = {"constant": 1, "per_horizon": 1}
+    yield "a bound of depth that varies", changed
+
+
+def main(arguments):
+    if len(arguments) != 3:
+        print(f"usage: {arguments[0]} RASTERCHECK_BINARY SCHEMA", file=sys.stderr)
+        return 2
+    schema = json.loads(pathlib.Path(arguments[2]).read_text(encoding="utf-8"))
+    validator = jsonschema.Draft202012Validator(schema)
+    failures, keys = schema_test.check_schema(schema)
+    reasons = set()
+    counts = {True: 0, False: 0}
+    jobs = []
+    for name, base in (("full", FULL_CONTRACT), ("words", WORDS_CONTRACT)):
+        for what, contract in itertools.chain([("unchanged", base)], mutations(base)):
+            accepted = validator.is_valid(contract)
+            reason = reader_only(contract) if accepted else None
+            if what == "unchanged" and (reason or not accepted):
+                failures.append(f"{name} contract: the schema refuses it")
+            if reason:
+                reasons.add(reason)
+            expected = accepted and not reason
+            counts[expected] += 1
+            jobs.append((f"{name} contract, {what}", (json.dumps(contract).encode(), expected)))
+
+    with tempfile.TemporaryDirectory() as folder:
+        case_file = pathlib.Path(folder) / "case.json"
+        case_file.write_text(json.dumps(CASE), encoding="utf-8")
+        reader = ContractReader(arguments[1], str(case_file))
+
+        def judge(job):
+            data, expected = job
+            said = reader.refusal(data)
+            if expected and said:
+                return f"refused: {said}"
+            return None if expected or said else "accepted"
+
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            failures += schema_test.run_all(pool, judge, jobs)
+    if len(reasons) != READER_ONLY_RULES:
+        failures.append(f"only these reader's rules were reached: {sorted(reasons)}")
+
+    print(f"{keys} keys, {counts[True]} accepted, {counts[False]} refused")
+    for failure in failures[: schema_test.SHOWN_FAILURES]:
+        print(f"FAILED {failure}")
+    print(f"{len(failures)} failures")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv))

@@ -1,0 +1,130 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+#include "tests/temporary_folder.h"
+
+namespace rastercheck::cli {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// What takes little time: one case of each generator, and nothing to follow.
+std::vector<std::string> quick(std::vector<std::string> more) {
+  std::vector<std::string> arguments{"probe", "--cases",         "1",
+                                     "--ask", "snapped:8",       "--ask-basis",
+                                     "ideal", "--ask-fill-rule", "top_left"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+// From the probe to a campaign that is held to what it found.
+TEST(Probe, WritesAContractThatHolds) {
+  const TemporaryFolder folder;
+  const std::string contract = folder.path("contract.json");
+  const Outcome probe = run_program({"probe", "cpu", "--cases", "4", "--contract-out", contract});
+  ASSERT_EQ(probe.code, 0) << probe;
+  EXPECT_THAT(probe.out, AllOf(HasSubstr("declared"), HasSubstr("8 bits, nearest_even"),
+                               HasSubstr("Contract: " + contract)));
+  const Outcome run =
+      run_program({"run", "--contract", contract, "--cases", "10", "--seed", "1", "--output",
+                   folder.path("out"), "--property", "*bound*", "--jobs", "2"});
+  EXPECT_THAT(run.out, HasSubstr("Held to the contract of " + contract));
+  EXPECT_NE(run.code, 1) << run;
+}
+
+TEST(Probe, PrintsJson) {
+  const Outcome probe = run_program(quick({"cpu", "--json"}));
+  ASSERT_EQ(probe.code, 0) << probe;
+  const json document = json::parse(probe.out);
+  EXPECT_EQ(document.at("format"), "rastercheck-probe");
+  EXPECT_EQ(document.at("backend"), "cpu");
+  EXPECT_EQ(document.at("failed"), 0);
+  EXPECT_EQ(document.at("measured").at(0).at("what"), "subpixel grid");
+  EXPECT_EQ(document.at("measured").at(0).at("measured"), "8 bits, nearest_even");
+  EXPECT_EQ(document.at("contract").at("format"), "rastercheck-contract");
+  EXPECT_EQ(document.at("contract").at("coverage").at("subpixel_bits"), 8);
+}
+
+TEST(Probe, IsTheSameForTheSameSeed) {
+  const Outcome first = run_program(quick({"cpu", "-q"}));
+  EXPECT_EQ(first.code, 0) << first;
+  EXPECT_EQ(first.out, run_program(quick({"cpu", "-q"})).out);
+}
+
+TEST(Probe, RefusesWhatItCannotAskFor) {
+  for (const char* ask : {"snapped", "snapped:17", "snapped:8:up", "snapped:-1", "rounded"}) {
+    EXPECT_TRUE(is_failure(run_program({"probe", "cpu", "--ask", ask}), 2)) << ask;
+  }
+  EXPECT_TRUE(is_failure(run_program({"probe", "nothing"}), 2));
+}
+
+TEST(Probe, SaysThatABackendIsNotThere) {
+  const Outcome probe = run_program({"probe", "plugin:/nowhere/at/all.so"});
+  EXPECT_NE(probe.code, 0) << probe;
+  EXPECT_EQ(probe.out, "");
+}
+
+// ---- run --contract
+
+constexpr const char* kTooStrict = R"({"format": "rastercheck-contract", "version": 1,
+  "bounds": {"smooth": {"constant": 0.25}}})";
+
+std::vector<std::string> held_run(const TemporaryFolder& folder, const std::string& output,
+                                  std::vector<std::string> more) {
+  std::vector<std::string> arguments{"run",
+                                     "--contract",
+                                     folder.path("strict.json"),
+                                     "--property",
+                                     "values stay within*",
+                                     "--cases",
+                                     "10",
+                                     "--seed",
+                                     "1",
+                                     "--corpus",
+                                     folder.path("corpus"),
+                                     "--shrink-tries",
+                                     "5",
+                                     "--output",
+                                     folder.path(output)};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+// Kills: a contract that processes are not told of.
+TEST(RunWithContract, HoldsBackendsToIt) {
+  const TemporaryFolder folder;
+  folder.put("strict.json", kTooStrict);
+  folder.put("corpus/square.json", square_case());
+  const Outcome alone = run_program(held_run(folder, "alone", {}));
+  EXPECT_EQ(alone.code, 1) << alone;
+  const Outcome together = run_program(held_run(folder, "together", {"--jobs", "2"}));
+  EXPECT_EQ(together.code, 1) << together;
+  const std::string found = folder.content("alone/run.json");
+  EXPECT_EQ(without_environment(found), without_environment(folder.content("together/run.json")));
+  EXPECT_EQ(json::parse(found).at("contract_file"), folder.path("strict.json"));
+  EXPECT_THAT(folder.content("alone/summary.md"), HasSubstr("strict.json"));
+
+  const std::vector<std::string> files = folder.files("alone/counterexamples");
+  ASSERT_FALSE(files.empty());
+  const std::string file = folder.path("alone/counterexamples/" + files.front());
+  EXPECT_EQ(run_program({"replay", file}).code, 0);
+  EXPECT_EQ(run_program({"replay", "--contract", folder.path("strict.json"), file}).code, 1);
+}
+
+TEST(RunWithContract, RefusesWhatIsNone) {
+  const TemporaryFolder folder;
+  folder.put("strict.json", R"({"format": "rastercheck-contract", "version": 1, "bound": 1})");
+  const Outcome run = run_program(held_run(folder, "out", {}));
+  EXPECT_TRUE(is_failure(run, 2)) << run;
+  EXPECT_THAT(run.err, HasSubstr("strict.json: /bound: unknown key 'bound'"));
+  EXPECT_TRUE(is_failure(run_program({"run", "--contract", folder.path("none.json")}), 2));
+}
+
+}  // namespace
+}  // namespace rastercheck::cli
