@@ -37,18 +37,12 @@ class IsolatedBackend : public Backend {
 
   cases::Contract contract(const cases::Case& c) const override {
     if (remembered_ && remembered_->first == c) return remembered_->second;
-    withheld_.reset();
-    std::optional<cases::Contract> said;
-    // Twice: a process that had ended already says nothing of this case.
-    for (int i = 0; i < 2 && !said; ++i) {
-      const Result<std::string> answer = ask({Question::contract, c});
-      if (answer) said = unpack_contract(*answer);
-      if (!said) withheld_ = {c, answer ? nonsense() : answer.error()};
-    }
-    if (!said) return cases::contract_of(c);  // There is no telling why: the case's drawing does.
-    withheld_.reset();
-    remembered_ = {c, *said};
-    return *said;
+    if (!c.triangles.empty()) return asked_for_contract(c);
+    // What laws ask before each case.
+    if (of_nothing_ && of_nothing_->first == c) return of_nothing_->second;
+    const cases::Contract said = asked_for_contract(c);
+    if (!withheld_) of_nothing_ = {c, said};
+    return said;
   }
 
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
@@ -66,6 +60,21 @@ class IsolatedBackend : public Backend {
   }
 
  private:
+  cases::Contract asked_for_contract(const cases::Case& c) const {
+    withheld_.reset();
+    std::optional<cases::Contract> said;
+    // Twice: a process that had ended already says nothing of this case.
+    for (int i = 0; i < 2 && !said; ++i) {
+      const Result<std::string> answer = ask({Question::contract, c});
+      if (answer) said = unpack_contract(*answer);
+      if (!said) withheld_ = {c, answer ? nonsense() : answer.error()};
+    }
+    if (!said) return cases::contract_of(c);  // There is no telling why: the case's drawing does.
+    withheld_.reset();
+    remembered_ = {c, *said};
+    return *said;
+  }
+
   /// The answer of the process, started anew where the last one is gone.
   Result<std::string> ask(const Request& request) const {
     if (!process_) {
@@ -98,6 +107,7 @@ class IsolatedBackend : public Backend {
   mutable std::optional<Error> last_loss_;
   mutable std::optional<std::pair<cases::Case, Error>> withheld_;
   mutable std::optional<std::pair<cases::Case, cases::Contract>> remembered_;
+  mutable std::optional<std::pair<cases::Case, cases::Contract>> of_nothing_;
 };
 
 }  // namespace

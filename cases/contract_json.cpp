@@ -117,8 +117,9 @@ void check_header(const JsonNode& root) {
   }
   root.expect_object({"format", "version"},
                      {"name", "coverage", "is_on_grid", "basis", "tie_rule", "guard_band",
-                      "clip_tolerance", "claims", "bounds", "keeps_equal_depth", "keeps_constants",
-                      "keeps_vertex_values", "derivative_bound", "quad_share", "numbers"});
+                      "clip_tolerance", "clip_error", "claims", "bounds", "keeps_equal_depth",
+                      "keeps_constants", "keeps_vertex_values", "keeps_sign_of_zero",
+                      "is_invariant", "derivative_bound", "quad_share", "numbers"});
 }
 
 // Writing.
@@ -210,11 +211,14 @@ std::string to_json(const ContractTerms& terms) {
   all.add_asked("tie_rule", terms.tie_rule);
   all.add("guard_band", terms.guard_band);
   all.add("clip_tolerance", terms.clip_tolerance);
+  all.add("clip_error", terms.clip_error);
   all.add("claims", terms.claims);
   if (const std::string bounds = bounds_text(terms); !bounds.empty()) all.add("bounds", bounds);
   all.add("keeps_equal_depth", terms.keeps_equal_depth);
   all.add("keeps_constants", terms.keeps_constants);
   all.add("keeps_vertex_values", terms.keeps_vertex_values);
+  all.add("keeps_sign_of_zero", terms.keeps_sign_of_zero);
+  all.add("is_invariant", terms.is_invariant);
   all.add("derivative_bound", terms.derivative_bound);
   all.add("quad_share", terms.quad_share);
   all.add("numbers", terms.numbers);
@@ -235,12 +239,15 @@ ContractTerms read_contract_terms(const JsonNode& root) {
   const auto size = [](const JsonNode& node) { return node.float32(0, kMost); };
   read_term(root, "guard_band", terms.guard_band, size);
   read_term(root, "clip_tolerance", terms.clip_tolerance, size);
+  read_term(root, "clip_error", terms.clip_error, size);
   read_term(root, "claims", terms.claims,
             [](const JsonNode& node) { return node.enumerator<Claim>(); });
   if (root.has("bounds")) read_bounds(root["bounds"], terms);
   read_term(root, "keeps_equal_depth", terms.keeps_equal_depth, boolean);
   read_term(root, "keeps_constants", terms.keeps_constants, boolean);
   read_term(root, "keeps_vertex_values", terms.keeps_vertex_values, boolean);
+  read_term(root, "keeps_sign_of_zero", terms.keeps_sign_of_zero, boolean);
+  read_term(root, "is_invariant", terms.is_invariant, boolean);
   read_term(root, "derivative_bound", terms.derivative_bound, &read_promised_bound);
   read_term(root, "quad_share", terms.quad_share, &read_promised_bound);
   read_term(root, "numbers", terms.numbers, &read_numbers);

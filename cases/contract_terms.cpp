@@ -33,6 +33,7 @@ Contract with_terms(Contract own, const ContractTerms& terms, const Case& c) {
   keep(terms.tie_rule, c.fill_rule, own.tie_rule);
   keep(terms.guard_band, own.guard_band);
   keep(terms.clip_tolerance, own.clip_tolerance);
+  keep(terms.clip_error, own.clip_error);
   keep(terms.claims, own.claims);
   keep(terms.smooth, own.bounds.smooth);
   keep(terms.noperspective, own.bounds.noperspective);
@@ -40,6 +41,8 @@ Contract with_terms(Contract own, const ContractTerms& terms, const Case& c) {
   keep(terms.keeps_equal_depth, own.keeps_equal_depth);
   keep(terms.keeps_constants, own.keeps_constants);
   keep(terms.keeps_vertex_values, own.keeps_vertex_values);
+  keep(terms.keeps_sign_of_zero, own.keeps_sign_of_zero);
+  keep(terms.is_invariant, own.is_invariant);
   keep(terms.derivative_bound, own.derivative_bound);
   keep(terms.quad_share, own.quad_share);
   keep(terms.numbers, own.numbers);

@@ -37,6 +37,7 @@ struct ContractTerms {
   Term<TieRule> tie_rule;
   std::optional<float> guard_band;
   std::optional<float> clip_tolerance;
+  std::optional<float> clip_error;
   std::optional<Claim> claims;
   std::optional<ValueBound> smooth;
   std::optional<ValueBound> noperspective;
@@ -44,6 +45,8 @@ struct ContractTerms {
   std::optional<bool> keeps_equal_depth;
   std::optional<bool> keeps_constants;
   std::optional<bool> keeps_vertex_values;
+  std::optional<bool> keeps_sign_of_zero;
+  std::optional<bool> is_invariant;
   /// Nothing within: none are promised.
   std::optional<std::optional<float>> derivative_bound;
   std::optional<std::optional<float>> quad_share;

@@ -69,6 +69,7 @@ std::string reason_of(const Law& law, const backends::Backend& backend, const Ch
 
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& options) {
+  if (!is_promised(law, backend)) return not_applicable("");
   Result<Check> checked = law.check(c, backend, options);
   // Positions beyond float32 cannot even be handed over: that is nobody's fault.
   if (!checked && !oracle::to_clip_case(c, "")) {
@@ -207,8 +208,8 @@ void check_known_case(const Law& law, const std::string& specification, backends
                         {source, stratum, index, records::Origin::saved}, check, findings, &known);
     return;
   }
-  keep(findings, records::UnexpectedPass{specification, id, std::string(law.name),
-                                         known.is_same_version()});
+  keep(findings,
+       records::UnexpectedPass{specification, id, std::string(law.name), known.is_same_version()});
   if (known.is_same_version()) ++record.cases.violations;
 }
 

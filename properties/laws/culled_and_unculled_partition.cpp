@@ -143,6 +143,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &draws_invariantly,
+     .unpromised = "the contract promises no invariance",
      .covers = {cover(20, "both"), cover(30, "front faces"), cover(30, "back faces"),
                 cover(10, "clipped"), cover(5, "w <= 0")}});
 

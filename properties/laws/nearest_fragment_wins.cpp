@@ -189,6 +189,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &draws_invariantly,
+     .unpromised = "the contract promises no invariance",
      .covers = {cover(30, "overdraw"), cover(20, "equal nearest"), cover(20, "farther drawn first"),
                 cover(20, "three and more"), cover(5, "clipped"), cover(5, "several samples")}});
 

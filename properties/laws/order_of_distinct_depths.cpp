@@ -180,6 +180,7 @@ const LawRegistration kRegistration(
      .generate = &generate,
      .check = &check,
      .is_promised = &draws_invariantly,
+     .unpromised = "the contract promises no invariance",
      .covers = {cover(13, "clipped"), cover(45, "depth test"), cover(36, "distinct depths"),
                 cover(7, "equal depths"), cover(17, "several samples"), cover(23, "three and more"),
                 cover(9, "w <= 0")}});

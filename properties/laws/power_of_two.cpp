@@ -159,6 +159,7 @@ const LawRegistration kRegistration(
      .generate = &generate_any,
      .check = &check,
      .is_promised = &draws_invariantly,
+     .unpromised = "the contract promises no invariance",
      .covers = {cover(35, "larger"), cover(35, "smaller"), cover(25, "far"), cover(10, "clipped"),
                 cover(7, "w <= 0")}});
 

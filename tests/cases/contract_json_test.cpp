@@ -33,6 +33,7 @@ ContractTerms all_terms() {
   terms.tie_rule = TieRule::unspecified;
   terms.guard_band = 16384.5F;
   terms.clip_tolerance = 2.25F;
+  terms.clip_error = 0.0625F;
   terms.claims = Claim::affine;
   terms.smooth = ValueBound{6.84F, 0.25F, 0x1p-24F, 1e-7F};
   terms.noperspective = ValueBound{1, 2, 3, 4};
@@ -40,6 +41,8 @@ ContractTerms all_terms() {
   terms.keeps_equal_depth = true;
   terms.keeps_constants = true;
   terms.keeps_vertex_values = true;
+  terms.keeps_sign_of_zero = false;
+  terms.is_invariant = false;
   terms.derivative_bound = std::optional<float>(0.75F);
   terms.quad_share = std::optional<float>(0x1p-29F);
   terms.numbers = MagnitudeRange{0x1p-126F, 0x1p62F};
@@ -114,11 +117,14 @@ TEST(ContractTerms, TakeThePlaceOfWhatIsPromised) {
   expected.guard_band = 16384.5F;
   expected.is_on_grid = false;
   expected.clip_tolerance = 2.25;
+  expected.clip_error = 0.0625;
   expected.claims = Claim::affine;
   expected.bounds = {{6.84F, 0.25F, 0x1p-24F, 1e-7F}, {1, 2, 3, 4}, {0.51F}};
   expected.keeps_equal_depth = true;
   expected.keeps_constants = true;
   expected.keeps_vertex_values = true;
+  expected.keeps_sign_of_zero = false;
+  expected.is_invariant = false;
   expected.derivative_bound = 0.75F;
   expected.quad_share = 0x1p-29F;
   expected.numbers = {0x1p-126F, 0x1p62F};

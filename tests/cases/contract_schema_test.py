@@ -35,6 +35,7 @@ FULL_CONTRACT = {
     "tie_rule": "bottom_left",
     "guard_band": 16384,
     "clip_tolerance": "0x1p-1",
+    "clip_error": 0.25,
     "claims": "affine",
     "bounds": {
         "smooth": {"constant": 2, "per_horizon": 1, "per_condition": 0.5, "range_share": 0.25},
@@ -44,6 +45,8 @@ FULL_CONTRACT = {
     "keeps_equal_depth": True,
     "keeps_constants": True,
     "keeps_vertex_values": True,
+    "keeps_sign_of_zero": False,
+    "is_invariant": False,
     "derivative_bound": "none",
     "quad_share": 0.5,
     "numbers": {"least": 0.5, "greatest": 1},
