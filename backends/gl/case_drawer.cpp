@@ -157,7 +157,8 @@ Result<void> CaseDrawer::Impl::prepare() {
   const std::array<GLfloat, 4> one = {1, 0, 0, 0};
   glClearBufferfv(GL_COLOR, 0, one.data());
   glClearBufferfv(GL_DEPTH, 0, &kFarthest);
-  if (const Result<void> read = (*layers)->read(0, {false}, content); !read) return read;
+  const std::vector<bool> none(1);
+  if (auto read = (*layers)->read(0, none, content); !read) return read;
   if (content.is_empty) return failure("what a target is cleared to does not come back");
   has.clears_beyond_one = content.depth[0] == kFarthest;
   return {};
