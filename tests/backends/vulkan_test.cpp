@@ -28,13 +28,14 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 constexpr int kSize = 8;
+constexpr float kHalf = kSize * 0.5F;
 /// The shared triangle's right angle is window (0, 0), its legs are so long, pixels: no centre, and
 /// no sample of four, is within 1/12 pixel of its hypotenuse.
 constexpr float kLeg = 7.625F;
 constexpr std::size_t kFragments = 28;
 
 /// The NDC of a window coordinate.
-float ndc(float window) { return window / (kSize / 2) - 1; }
+float ndc(float window) { return window / kHalf - 1; }
 
 /// A vertex at a window position.
 cases::ClipVertex at(float x, float y, float z = 0.25F) { return {ndc(x), ndc(y), z, 1}; }

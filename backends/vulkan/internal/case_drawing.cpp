@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "backends/vulkan/internal/commands.h"
 #include "backends/vulkan/internal/memory.h"
 #include "backends/vulkan/internal/pipelines.h"
 #include "backends/vulkan/internal/sample_reader.h"
@@ -60,11 +61,13 @@ std::vector<Layer> layers_of(const cases::Case& c) {
   return layers;
 }
 
-PipelineKind kind_of(const cases::Case& c, Pass pass) {
+PipelineKind kind_of(const cases::Case& c, const Limits& limits, Pass pass) {
   PipelineKind kind;
   kind.samples = c.framebuffer.samples;
   kind.depth_clamp = c.depth_clamp;
-  kind.is_opengl = c.rules == cases::Rules::opengl;
+  kind.negative_one_to_one = c.rules == cases::Rules::opengl;
+  // Where a device does not have it there is no flat attribute.
+  kind.provoking_last = kind.negative_one_to_one && limits.provoking_vertex_last;
   kind.clip_distances = shader_clip_distances(c.clip_distance_count);
   for (const Slot& slot : pass) kind.slots.push_back(slot.qualifier);
   return kind;
@@ -222,24 +225,24 @@ cases::Framebuffer Fragments::take() {
 }  // namespace
 
 struct CaseDrawing::Impl {
-  Impl(const Device& the_device, Pipelines the_pipelines, SampleReader the_reader)
-      : device(&the_device), pipelines(std::move(the_pipelines)), reader(std::move(the_reader)) {}
+  Impl(const Device& the_device, Pipelines the_pipelines, SampleReader the_reader,
+       Commands the_commands)
+      : device(&the_device),
+        pipelines(std::move(the_pipelines)),
+        reader(std::move(the_reader)),
+        commands(std::move(the_commands)) {}
 
-  Result<void> make_commands();
   Result<const Target*> target_for(TargetShape shape);
   Result<void> hand_over(const std::vector<float>& vertices);
   Result<void> draw_layers(const cases::Case& c, Pass pass, std::span<const Layer> layers,
                            const Target& target);
-  void record(const cases::Case& c, VkPipeline pipeline, std::span<const Layer> layers,
-              const Target& target) const;
-  Result<void> run();
+  void record(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
+              std::span<const Layer> layers, const Target& target) const;
 
   const Device* device;
   Pipelines pipelines;
   SampleReader reader;
-  CommandPool pool;
-  VkCommandBuffer commands = VK_NULL_HANDLE;  ///< the pool's
-  Fence fence;
+  Commands commands;
   HostBuffer vertices;
   std::optional<Target> target;
 };
@@ -248,31 +251,6 @@ CaseDrawing::CaseDrawing(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 CaseDrawing::CaseDrawing(CaseDrawing&& other) noexcept = default;
 CaseDrawing& CaseDrawing::operator=(CaseDrawing&& other) noexcept = default;
 CaseDrawing::~CaseDrawing() = default;
-
-Result<void> CaseDrawing::Impl::make_commands() {
-  VkCommandPoolCreateInfo pool_info{};
-  pool_info.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-  pool_info.queueFamilyIndex = device->queue_family();
-  Result<CommandPool> made = make_object<CommandPool>("vkCreateCommandPool", &vkCreateCommandPool,
-                                                      device->get(), pool_info);
-  if (!made) return tl::unexpected(made.error());
-  pool = *std::move(made);
-  VkCommandBufferAllocateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-  info.commandPool = pool.get();
-  info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-  info.commandBufferCount = 1;
-  Result<void> allocated =
-      check("vkAllocateCommandBuffers", vkAllocateCommandBuffers(device->get(), &info, &commands));
-  if (!allocated) return allocated;
-  VkFenceCreateInfo fence_info{};
-  fence_info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
-  Result<Fence> made_fence =
-      make_object<Fence>("vkCreateFence", &vkCreateFence, device->get(), fence_info);
-  if (!made_fence) return tl::unexpected(made_fence.error());
-  fence = *std::move(made_fence);
-  return {};
-}
 
 /// The target of the case before where it serves, one with at least so many layers otherwise.
 Result<const Target*> CaseDrawing::Impl::target_for(TargetShape shape) {
@@ -306,7 +284,7 @@ Result<void> CaseDrawing::Impl::hand_over(const std::vector<float>& floats) {
 Result<void> CaseDrawing::Impl::draw_layers(const cases::Case& c, Pass pass,
                                             std::span<const Layer> layers,
                                             const Target& target_of) {
-  const PipelineKind kind = kind_of(c, pass);
+  const PipelineKind kind = kind_of(c, device->limits(), pass);
   const Result<VkPipeline> pipeline = pipelines.get(*device, kind);
   if (!pipeline) return tl::unexpected(pipeline.error());
   const VertexLayout layout = vertex_layout(kind);
@@ -320,61 +298,35 @@ Result<void> CaseDrawing::Impl::draw_layers(const cases::Case& c, Pass pass,
   }
   if (Result<void> handed = hand_over(floats); !handed) return handed;
 
-  Result<void> reset =
-      check("vkResetCommandPool", vkResetCommandPool(device->get(), pool.get(), 0));
-  if (!reset) return reset;
-  VkCommandBufferBeginInfo begin{};
-  begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  Result<void> begun = check("vkBeginCommandBuffer", vkBeginCommandBuffer(commands, &begin));
-  if (!begun) return begun;
-  record(c, *pipeline, layers, target_of);
-  Result<void> ended = check("vkEndCommandBuffer", vkEndCommandBuffer(commands));
-  if (!ended) return ended;
-  return run();
+  return commands.run(
+      *device, [&](VkCommandBuffer buffer) { record(buffer, c, *pipeline, layers, target_of); });
 }
 
-void CaseDrawing::Impl::record(const cases::Case& c, VkPipeline pipeline,
+void CaseDrawing::Impl::record(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
                                std::span<const Layer> layers, const Target& target_of) const {
   const VkViewport viewport = viewport_of(c.viewport);
   const VkRect2D scissor = scissor_of(c);
-  const VkBuffer buffer = vertices.buffer.get();
+  const VkBuffer from = vertices.buffer.get();
   constexpr VkDeviceSize kBegin = 0;
-  target_of.begin(commands);
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-  vkCmdBindVertexBuffers(commands, 0, 1, &buffer, &kBegin);
-  vkCmdSetViewport(commands, 0, 1, &viewport);
-  vkCmdSetScissor(commands, 0, 1, &scissor);
-  vkCmdSetCullMode(commands, cull_of(c.cull));
-  vkCmdSetFrontFace(commands, front_face_of(c));
-  vkCmdSetDepthCompareOp(commands, c.depth_test == cases::DepthTest::none
-                                       ? VK_COMPARE_OP_ALWAYS
-                                       : VK_COMPARE_OP_LESS_OR_EQUAL);
+  target_of.begin(buffer);
+  vkCmdBindPipeline(buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+  vkCmdBindVertexBuffers(buffer, 0, 1, &from, &kBegin);
+  vkCmdSetViewport(buffer, 0, 1, &viewport);
+  vkCmdSetScissor(buffer, 0, 1, &scissor);
+  vkCmdSetCullMode(buffer, cull_of(c.cull));
+  vkCmdSetFrontFace(buffer, front_face_of(c));
+  vkCmdSetDepthCompareOp(buffer, c.depth_test == cases::DepthTest::none
+                                     ? VK_COMPARE_OP_ALWAYS
+                                     : VK_COMPARE_OP_LESS_OR_EQUAL);
   std::uint32_t first = 0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const auto count = static_cast<std::uint32_t>(3 * layers[i].size());
-    target_of.begin_layer(commands, i);
-    vkCmdDraw(commands, count, 1, first, 0);
-    Target::end_layer(commands);
+    target_of.begin_layer(buffer, i);
+    vkCmdDraw(buffer, count, 1, first, 0);
+    Target::end_layer(buffer);
     first += count;
   }
-  target_of.end(commands, reader, layers.size());
-}
-
-Result<void> CaseDrawing::Impl::run() {
-  VkSubmitInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
-  info.commandBufferCount = 1;
-  info.pCommandBuffers = &commands;
-  Result<void> submitted =
-      check("vkQueueSubmit", vkQueueSubmit(device->queue(), 1, &info, fence.get()));
-  if (!submitted) return submitted;
-  // Whoever waits for the case ends this process where it takes too long.
-  const VkFence done = fence.get();
-  Result<void> waited = check("vkWaitForFences",
-                              vkWaitForFences(device->get(), 1, &done, VK_TRUE, ~std::uint64_t{0}));
-  if (!waited) return waited;
-  return check("vkResetFences", vkResetFences(device->get(), 1, &done));
+  target_of.end(buffer, reader, layers.size());
 }
 
 Result<CaseDrawing> CaseDrawing::create(const Device& device) {
@@ -382,9 +334,10 @@ Result<CaseDrawing> CaseDrawing::create(const Device& device) {
   if (!pipelines) return tl::unexpected(pipelines.error());
   Result<SampleReader> reader = SampleReader::create(device);
   if (!reader) return tl::unexpected(reader.error());
-  auto impl = std::make_unique<Impl>(device, *std::move(pipelines), *std::move(reader));
-  if (const Result<void> made = impl->make_commands(); !made) return tl::unexpected(made.error());
-  return CaseDrawing(std::move(impl));
+  Result<Commands> commands = Commands::create(device);
+  if (!commands) return tl::unexpected(commands.error());
+  return CaseDrawing(std::make_unique<Impl>(device, *std::move(pipelines), *std::move(reader),
+                                            *std::move(commands)));
 }
 
 Result<cases::Framebuffer> CaseDrawing::draw(const cases::Case& c) {

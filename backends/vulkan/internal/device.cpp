@@ -19,12 +19,16 @@ namespace {
 
 struct Properties {
   VkPhysicalDeviceProperties device{};
-  VkPhysicalDeviceDriverProperties driver{};
+  VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES,
+                                          nullptr,
+                                          VK_DRIVER_ID_MAX_ENUM,  // of no driver
+                                          {},
+                                          {},
+                                          {}};
 };
 
 Properties properties_of(VkPhysicalDevice physical) {
   Properties all;
-  all.driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
   VkPhysicalDeviceProperties2 properties{};
   properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
   // Of an older device there is nothing about its driver.

@@ -2,18 +2,41 @@
 
 #include <fmt/format.h>
 
-// The C header has no names of results; this one has, and is compiled here only.
-#define VULKAN_HPP_NO_EXCEPTIONS
-#include <vulkan/vulkan.hpp>
+#include <array>
+#include <utility>
 
 namespace rastercheck::backends::vulkan {
+namespace {
+
+// The C header has no names of results; the C++ one does, and takes as long to compile as all else.
+constexpr std::array<std::pair<VkResult, const char*>, 10> kNames{{
+    {VK_TIMEOUT, "VK_TIMEOUT"},
+    {VK_ERROR_OUT_OF_HOST_MEMORY, "VK_ERROR_OUT_OF_HOST_MEMORY"},
+    {VK_ERROR_OUT_OF_DEVICE_MEMORY, "VK_ERROR_OUT_OF_DEVICE_MEMORY"},
+    {VK_ERROR_INITIALIZATION_FAILED, "VK_ERROR_INITIALIZATION_FAILED"},
+    {VK_ERROR_DEVICE_LOST, "VK_ERROR_DEVICE_LOST"},
+    {VK_ERROR_MEMORY_MAP_FAILED, "VK_ERROR_MEMORY_MAP_FAILED"},
+    {VK_ERROR_TOO_MANY_OBJECTS, "VK_ERROR_TOO_MANY_OBJECTS"},
+    {VK_ERROR_EXTENSION_NOT_PRESENT, "VK_ERROR_EXTENSION_NOT_PRESENT"},
+    {VK_ERROR_FEATURE_NOT_PRESENT, "VK_ERROR_FEATURE_NOT_PRESENT"},
+    {VK_ERROR_UNKNOWN, "VK_ERROR_UNKNOWN"},
+}};
+
+std::string name_of(VkResult result) {
+  for (const auto& [value, name] : kNames) {
+    if (value == result) return name;
+  }
+  return fmt::format("VkResult {}", static_cast<int>(result));
+}
+
+}  // namespace
 
 tl::unexpected<Error> failed(const std::string& reason, Failure failure) {
   return tl::unexpected(Error{"", "", reason, failure});
 }
 
 tl::unexpected<Error> failed(const char* call, VkResult result) {
-  return failed(fmt::format("{} gave {}", call, vk::to_string(static_cast<vk::Result>(result))));
+  return failed(fmt::format("{} gave {}", call, name_of(result)));
 }
 
 Result<void> check(const char* call, VkResult result) {

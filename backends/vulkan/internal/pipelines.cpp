@@ -1,10 +1,10 @@
 #include "backends/vulkan/internal/pipelines.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
 
+#include "backends/vulkan/internal/pipeline.h"
 #include "backends/vulkan/internal/shaders.h"
 #include "backends/vulkan/spirv.h"
 
@@ -40,112 +40,6 @@ std::vector<VkVertexInputAttributeDescription> inputs_of(const PipelineKind& kin
   return all;
 }
 
-/// The parts of a pipeline's description, which point at each other.
-struct Description {
-  VkVertexInputBindingDescription binding{};
-  std::vector<VkVertexInputAttributeDescription> inputs;
-  VkPipelineVertexInputStateCreateInfo vertices{};
-  VkPipelineInputAssemblyStateCreateInfo assembly{};
-  VkPipelineViewportDepthClipControlCreateInfoEXT clip_control{};
-  VkPipelineViewportStateCreateInfo viewport{};
-  VkPipelineRasterizationProvokingVertexStateCreateInfoEXT provoking{};
-  VkPipelineRasterizationStateCreateInfo rasterization{};
-  VkPipelineMultisampleStateCreateInfo multisampling{
-      VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
-      nullptr,
-      0,
-      VK_SAMPLE_COUNT_1_BIT,
-      VK_FALSE,
-      0,
-      nullptr,
-      VK_FALSE,
-      VK_FALSE};
-  VkPipelineDepthStencilStateCreateInfo depth{};
-  std::vector<VkPipelineColorBlendAttachmentState> attachments;
-  VkPipelineColorBlendStateCreateInfo blending{};
-  VkPipelineDynamicStateCreateInfo dynamic{};
-  std::vector<VkFormat> formats;
-  VkPipelineRenderingCreateInfo rendering{};
-
-  explicit Description(const PipelineKind& kind);
-  Description(const Description&) = delete;
-  Description& operator=(const Description&) = delete;
-  ~Description() = default;
-
- private:
-  void describe_vertices(const PipelineKind& kind);
-  void describe_rasterization(const PipelineKind& kind);
-  void describe_output(const PipelineKind& kind);
-};
-
-Description::Description(const PipelineKind& kind) {
-  describe_vertices(kind);
-  describe_rasterization(kind);
-  describe_output(kind);
-  static constexpr std::array kDynamic{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                       VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE,
-                                       VK_DYNAMIC_STATE_DEPTH_COMPARE_OP};
-  dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
-  dynamic.dynamicStateCount = kDynamic.size();
-  dynamic.pDynamicStates = kDynamic.data();
-}
-
-void Description::describe_vertices(const PipelineKind& kind) {
-  binding = {0, bytes(vertex_layout(kind).size), VK_VERTEX_INPUT_RATE_VERTEX};
-  inputs = inputs_of(kind);
-  vertices.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
-  vertices.vertexBindingDescriptionCount = 1;
-  vertices.pVertexBindingDescriptions = &binding;
-  vertices.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(inputs.size());
-  vertices.pVertexAttributeDescriptions = inputs.data();
-  assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
-  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-}
-
-void Description::describe_rasterization(const PipelineKind& kind) {
-  clip_control.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_DEPTH_CLIP_CONTROL_CREATE_INFO_EXT;
-  clip_control.negativeOneToOne = VK_TRUE;
-  viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
-  viewport.viewportCount = 1;
-  viewport.scissorCount = 1;
-  provoking.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_PROVOKING_VERTEX_STATE_CREATE_INFO_EXT;
-  provoking.provokingVertexMode = VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT;
-  rasterization.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
-  rasterization.depthClampEnable = kind.depth_clamp ? VK_TRUE : VK_FALSE;
-  rasterization.polygonMode = VK_POLYGON_MODE_FILL;
-  rasterization.lineWidth = 1;
-  const auto has_flat = [](const Qualifier& q) {
-    return q.interpolation == cases::Interpolation::flat;
-  };
-  if (kind.is_opengl) {
-    viewport.pNext = &clip_control;
-    // A device that has it not draws cases without flat attributes all the same.
-    if (std::any_of(kind.slots.begin(), kind.slots.end(), has_flat)) {
-      rasterization.pNext = &provoking;
-    }
-  }
-}
-
-void Description::describe_output(const PipelineKind& kind) {
-  multisampling.rasterizationSamples = static_cast<VkSampleCountFlagBits>(kind.samples);
-  depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
-  depth.depthTestEnable = VK_TRUE;
-  depth.depthWriteEnable = VK_TRUE;
-  VkPipelineColorBlendAttachmentState attachment{};
-  attachment.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
-                              VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-  attachments.assign(kind.slots.size() + 1, attachment);
-  blending.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
-  blending.attachmentCount = static_cast<std::uint32_t>(attachments.size());
-  blending.pAttachments = attachments.data();
-  formats.assign(attachments.size(), kSlotFormat);
-  formats[0] = kNumberFormat;
-  rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
-  rendering.colorAttachmentCount = static_cast<std::uint32_t>(formats.size());
-  rendering.pColorAttachmentFormats = formats.data();
-  rendering.depthAttachmentFormat = kDepthFormat;
-}
-
 /// Which slots are to be evaluated at the centre, of pixels that have other places to do it at.
 class Centers {
  public:
@@ -178,16 +72,6 @@ class Centers {
   bool any_ = false;
 };
 
-VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, const ShaderModule& module) {
-  return {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-          nullptr,
-          0,
-          which,
-          module.get(),
-          "main",
-          nullptr};
-}
-
 }  // namespace
 
 VertexLayout vertex_layout(const PipelineKind& kind) {
@@ -199,20 +83,8 @@ VertexLayout vertex_layout(const PipelineKind& kind) {
   return layout;
 }
 
-Result<ShaderModule> make_module(const Device& device, std::span<const std::uint32_t> words) {
-  VkShaderModuleCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-  info.codeSize = words.size_bytes();
-  info.pCode = words.data();
-  return make_object<ShaderModule>("vkCreateShaderModule", &vkCreateShaderModule, device.get(),
-                                   info);
-}
-
 Result<Pipelines> Pipelines::create(const Device& device) {
-  VkPipelineLayoutCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-  Result<PipelineLayout> layout = make_object<PipelineLayout>(
-      "vkCreatePipelineLayout", &vkCreatePipelineLayout, device.get(), info);
+  Result<PipelineLayout> layout = make_empty_layout(device);
   if (!layout) return tl::unexpected(layout.error());
   Pipelines pipelines;
   pipelines.layout_ = *std::move(layout);
@@ -222,40 +94,25 @@ Result<Pipelines> Pipelines::create(const Device& device) {
 Result<VkPipeline> Pipelines::get(const Device& device, const PipelineKind& kind) {
   if (const auto made = made_.find(kind); made != made_.end()) return made->second.get();
   if (made_.size() >= kKept) made_.clear();
-  ShaderModule& vertex = vertex_[kind.clip_distances];
-  if (vertex.get() == VK_NULL_HANDLE) {
-    Result<ShaderModule> module = make_module(device, vertex_shader(kind.clip_distances));
-    if (!module) return tl::unexpected(module.error());
-    vertex = *std::move(module);
-  }
   const Centers centers(kind);
-  const Result<ShaderModule> fragment =
-      make_module(device, qualified(fragment_shader(kind.slots.size(), centers.any()), kind.slots));
-  if (!fragment) return tl::unexpected(fragment.error());
-
-  const Description description(kind);
-  std::array stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex),
-                    stage(VK_SHADER_STAGE_FRAGMENT_BIT, *fragment)};
-  stages[1].pSpecializationInfo = centers.info();
-  VkGraphicsPipelineCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
-  info.pNext = &description.rendering;
-  info.stageCount = stages.size();
-  info.pStages = stages.data();
-  info.pVertexInputState = &description.vertices;
-  info.pInputAssemblyState = &description.assembly;
-  info.pViewportState = &description.viewport;
-  info.pRasterizationState = &description.rasterization;
-  info.pMultisampleState = &description.multisampling;
-  info.pDepthStencilState = &description.depth;
-  info.pColorBlendState = &description.blending;
-  info.pDynamicState = &description.dynamic;
-  info.layout = layout_.get();
-  VkPipeline handle = VK_NULL_HANDLE;
-  const VkResult result =
-      vkCreateGraphicsPipelines(device.get(), VK_NULL_HANDLE, 1, &info, nullptr, &handle);
-  if (result != VK_SUCCESS) return failed("vkCreateGraphicsPipelines", result);
-  made_[kind] = Pipeline(device.get(), handle);
+  const std::vector<std::uint32_t> fragment_words =
+      qualified(fragment_shader(kind.slots.size(), centers.any()), kind.slots);
+  PipelineSource source;
+  source.vertex_shader = vertex_shader(kind.clip_distances);
+  source.fragment_shader = fragment_words;
+  source.fragment_constants = centers.info();
+  source.vertex_size = bytes(vertex_layout(kind).size);
+  source.inputs = inputs_of(kind);
+  source.samples = kind.samples;
+  source.depth_clamp = kind.depth_clamp;
+  source.negative_one_to_one = kind.negative_one_to_one;
+  source.provoking_last = kind.provoking_last;
+  source.colors.assign(kind.slots.size() + 1, kSlotFormat);
+  source.colors[0] = kNumberFormat;
+  Result<Pipeline> made = make_pipeline(device, layout_.get(), source);
+  if (!made) return tl::unexpected(made.error());
+  const VkPipeline handle = made->get();
+  made_.insert_or_assign(kind, *std::move(made));
   return handle;
 }
 

@@ -14,7 +14,8 @@ namespace rastercheck::backends::vulkan {
 struct PipelineKind {
   int samples = 1;
   bool depth_clamp = false;
-  bool is_opengl = false;          ///< clip depth −w…w, last vertex provoking
+  bool negative_one_to_one = false;  ///< clip depth −w…w
+  bool provoking_last = false;
   std::size_t clip_distances = 0;  ///< of the shader (shaders.h)
   std::vector<Qualifier> slots;
   auto operator<=>(const PipelineKind&) const = default;
@@ -42,10 +43,7 @@ class Pipelines {
   Pipelines() = default;
 
   PipelineLayout layout_;
-  std::map<std::size_t, ShaderModule> vertex_;  ///< by clip distances
   std::map<PipelineKind, Pipeline> made_;
 };
-
-Result<ShaderModule> make_module(const Device& device, std::span<const std::uint32_t> words);
 
 }  // namespace rastercheck::backends::vulkan

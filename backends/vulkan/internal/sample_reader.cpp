@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "backends/vulkan/internal/pipelines.h"
+#include "backends/vulkan/internal/pipeline.h"
 #include "backends/vulkan/internal/shaders.h"
 
 namespace rastercheck::backends::vulkan {
@@ -39,15 +39,13 @@ Result<PipelineLayout> make_layout(const Device& device, VkDescriptorSetLayout b
 Result<Pipeline> make_pipeline(const Device& device, VkPipelineLayout layout) {
   const Result<ShaderModule> module = make_module(device, samples_shader());
   if (!module) return tl::unexpected(module.error());
-  const VkPipelineShaderStageCreateInfo stage{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                                              nullptr,
-                                              0,
-                                              VK_SHADER_STAGE_COMPUTE_BIT,
-                                              module->get(),
-                                              "main",
-                                              nullptr};
-  const VkComputePipelineCreateInfo info{
-      VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO, nullptr, 0, stage, layout, VK_NULL_HANDLE, 0};
+  const VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                                         nullptr,
+                                         0,
+                                         stage_of(VK_SHADER_STAGE_COMPUTE_BIT, *module),
+                                         layout,
+                                         VK_NULL_HANDLE,
+                                         0};
   VkPipeline handle = VK_NULL_HANDLE;
   const VkResult result =
       vkCreateComputePipelines(device.get(), VK_NULL_HANDLE, 1, &info, nullptr, &handle);

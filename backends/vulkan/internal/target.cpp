@@ -69,7 +69,8 @@ VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout) {
 }  // namespace
 
 std::size_t TargetShape::bytes() const {
-  return 2 * (2 * part_bytes(*this, 1) + slots * part_bytes(*this, kSlotSize));
+  const std::size_t single = has_numbers ? 2 : 1;
+  return 2 * (single * part_bytes(*this, 1) + slots * part_bytes(*this, kSlotSize));
 }
 
 Result<void> Target::add_part(const Device& device, VkFormat format, std::size_t components) {
@@ -99,11 +100,11 @@ Result<Target> Target::create(const Device& device, const SampleReader& reader,
                               const TargetShape& shape) {
   Target target;
   target.shape_ = shape;
-  Result<void> added = target.add_part(device, kNumberFormat, 1);
-  if (added) added = target.add_part(device, kDepthFormat, 1);
+  Result<void> added = target.add_part(device, kDepthFormat, 1);
   for (std::size_t i = 0; added && i < shape.slots; ++i) {
     added = target.add_part(device, kSlotFormat, kSlotSize);
   }
+  if (added && shape.has_numbers) added = target.add_part(device, kNumberFormat, 1);
   if (!added) return tl::unexpected(added.error());
 
   std::size_t size = 0;
@@ -171,17 +172,15 @@ void Target::begin(VkCommandBuffer commands) const {
 }
 
 void Target::begin_layer(VkCommandBuffer commands, std::size_t layer) const {
+  const auto color = [&](const Part& part) {
+    return attachment(part.views[layer].get(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+  };
   std::vector<VkRenderingAttachmentInfo> colors;
-  VkRenderingAttachmentInfo depth{};
-  for (const Part& part : parts_) {
-    const VkImageView view = part.views[layer].get();
-    if (part.is_depth) {
-      depth = attachment(view, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
-      depth.clearValue.depthStencil = {1, 0};
-    } else {
-      colors.push_back(attachment(view, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL));
-    }
-  }
+  if (shape_.has_numbers) colors.push_back(color(parts_.back()));
+  for (std::size_t i = 0; i < shape_.slots; ++i) colors.push_back(color(parts_[1 + i]));
+  VkRenderingAttachmentInfo depth =
+      attachment(parts_[0].views[layer].get(), VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
+  depth.clearValue.depthStencil = {1, 0};
   VkRenderingInfo info{};
   info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
   info.renderArea.extent = {static_cast<std::uint32_t>(shape_.width),
@@ -230,10 +229,12 @@ std::span<const float> Target::read(const Part& part, std::size_t layer) const {
   return {floats + layer * count, count};
 }
 
-std::span<const float> Target::numbers(std::size_t layer) const { return read(parts_[0], layer); }
-std::span<const float> Target::depths(std::size_t layer) const { return read(parts_[1], layer); }
+std::span<const float> Target::numbers(std::size_t layer) const {
+  return read(parts_.back(), layer);
+}
+std::span<const float> Target::depths(std::size_t layer) const { return read(parts_[0], layer); }
 std::span<const float> Target::slot(std::size_t slot, std::size_t layer) const {
-  return read(parts_[2 + slot], layer);
+  return read(parts_[1 + slot], layer);
 }
 
 }  // namespace rastercheck::backends::vulkan

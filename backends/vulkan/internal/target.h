@@ -17,6 +17,7 @@ struct TargetShape {
   int samples = 1;
   std::size_t slots = 0;
   std::size_t layers = 1;
+  bool has_numbers = true;  ///< else there are no numbers()
   bool operator==(const TargetShape&) const = default;
 
   std::size_t layer_samples() const {
@@ -28,7 +29,7 @@ struct TargetShape {
 };
 
 /// Images of several layers that are drawn into one after the other and read back together: the
-/// triangles' numbers, depths, and the slots.
+/// triangles' numbers, depths, and the slots; colours of a pass in this order, numbers first.
 class Target {
  public:
   static Result<Target> create(const Device& device, const SampleReader& reader,
@@ -66,7 +67,7 @@ class Target {
   std::span<const float> read(const Part& part, std::size_t layer) const;
 
   TargetShape shape_;
-  std::vector<Part> parts_;  ///< numbers, depths, slots
+  std::vector<Part> parts_;  ///< depths, slots, numbers where there are some
   HostBuffer buffer_;
   SampleReader::Bindings bindings_;
 };
