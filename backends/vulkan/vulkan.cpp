@@ -6,14 +6,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -21,7 +17,7 @@
 #include "backends/backend.h"
 #include "backends/vulkan/internal/case_drawing.h"
 #include "backends/vulkan/internal/device.h"
-#include "backends/vulkan/internal/instance.h"
+#include "backends/vulkan/internal/open_device.h"
 #include "backends/vulkan/limits.h"
 #include "cases/json.h"
 
@@ -30,74 +26,6 @@ namespace {
 
 using vulkan::CaseDrawing;
 using vulkan::Device;
-using vulkan::DeviceChoice;
-using vulkan::Instance;
-using vulkan::InstanceOptions;
-
-/// A driver that is asked for by name.
-struct KnownDriver {
-  std::string_view name;
-  std::array<std::string_view, 2> folders;  ///< where files that describe it lie
-  std::string_view file;                    ///< what their names begin with
-  std::string_view package;                 ///< that has it in Debian
-};
-constexpr std::array<KnownDriver, 2> kKnownDrivers{{
-    {"lavapipe",
-     {"/usr/share/vulkan/icd.d", "/etc/vulkan/icd.d"},
-     "lvp_icd",
-     "mesa-vulkan-drivers"},
-    {"swiftshader",
-     {"/usr/lib/chromium", "/usr/lib/chromium-browser"},
-     "vk_swiftshader_icd",
-     "chromium-common"},
-}};
-
-/// What a specification asks for.
-struct Wanted {
-  DeviceChoice device;
-  const KnownDriver* driver = nullptr;
-  bool validates = false;
-};
-
-Wanted wanted(const std::string& options) {
-  constexpr std::string_view kValidate = "validate";
-  Wanted wanted;
-  std::string which = options;
-  if (which == kValidate) {
-    which.clear();
-    wanted.validates = true;
-  } else if (which.ends_with("," + std::string(kValidate))) {
-    which.resize(which.size() - kValidate.size() - 1);
-    wanted.validates = true;
-  }
-  const auto known = std::find_if(kKnownDrivers.begin(), kKnownDrivers.end(),
-                                  [&](const KnownDriver& d) { return d.name == which; });
-  std::size_t index = 0;
-  const auto [end, problem] = std::from_chars(which.data(), which.data() + which.size(), index);
-  if (known != kKnownDrivers.end()) {
-    wanted.driver = &*known;
-    wanted.device.driver = which;
-  } else if (problem == std::errc() && end == which.data() + which.size()) {
-    wanted.device.index = index;
-  } else {
-    wanted.device.name = which;
-  }
-  return wanted;
-}
-
-std::vector<std::string> files_of(const KnownDriver& driver) {
-  std::vector<std::string> files;
-  for (const std::string_view folder : driver.folders) {
-    std::error_code problem;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, problem)) {
-      const std::string name = entry.path().filename().string();
-      if (name.starts_with(driver.file) && name.ends_with(".json")) {
-        files.push_back(entry.path().string());
-      }
-    }
-  }
-  return files;
-}
 
 class VulkanBackend : public Backend {
  public:
@@ -134,40 +62,22 @@ class VulkanBackend : public Backend {
   CaseDrawing drawing_;
 };
 
-Result<std::unique_ptr<Backend>> make_wanted(const std::string& specification,
-                                             const Wanted& wanted) {
-  InstanceOptions options;
-  options.validates = wanted.validates;
-  if (wanted.driver != nullptr) {
-    options.driver_files = files_of(*wanted.driver);
-    if (options.driver_files.empty()) {
-      return tl::unexpected(
-          Error{"", "",
-                fmt::format("there is no {}*.json in {} (Debian's {} has it)", wanted.driver->file,
-                            wanted.driver->folders[0], wanted.driver->package),
-                Failure::unavailable});
-    }
-  }
-  Result<Instance> instance = Instance::create(options);
-  if (!instance) return tl::unexpected(instance.error());
-  Result<Device> made = Device::create(*std::move(instance), wanted.device);
-  if (!made) return tl::unexpected(made.error());
-  auto device = std::make_unique<Device>(*std::move(made));
+Result<std::unique_ptr<Backend>> make_on(const std::string& specification, Device opened) {
+  auto device = std::make_unique<Device>(std::move(opened));
   Result<CaseDrawing> drawing = CaseDrawing::create(*device);
-  if (!drawing) {
-    Error error = drawing.error();
-    error.failure = Failure::unavailable;
-    return tl::unexpected(std::move(error));
-  }
+  if (!drawing) return tl::unexpected(drawing.error());
   return std::make_unique<VulkanBackend>(specification, std::move(device), *std::move(drawing));
 }
 
 Result<std::unique_ptr<Backend>> make(const std::string& options) {
   const std::string specification = "vulkan" + (options.empty() ? "" : ":" + options);
-  Result<std::unique_ptr<Backend>> made = make_wanted(specification, wanted(options));
+  Result<Device> device = vulkan::open_device(options);
+  Result<std::unique_ptr<Backend>> made =
+      device ? make_on(specification, *std::move(device)) : tl::unexpected(device.error());
   if (made) return made;
   Error error = made.error();
   error.file = specification;
+  error.failure = Failure::unavailable;
   return tl::unexpected(std::move(error));
 }
 
@@ -181,8 +91,8 @@ Listing row_of(const std::string& specification) {
 
 std::vector<Listing> list() {
   std::vector<Listing> rows{row_of("vulkan")};
-  for (const KnownDriver& driver : kKnownDrivers) {
-    rows.push_back(row_of(fmt::format("vulkan:{}", driver.name)));
+  for (const std::string_view driver : vulkan::driver_names()) {
+    rows.push_back(row_of(fmt::format("vulkan:{}", driver)));
   }
   return rows;
 }

@@ -1,6 +1,7 @@
-// raster/draw…/threads:T/SCENE and raster/llvmpipe…/threads:T/width:W/SCENE: whole frames, cleared
-// and drawn with a depth test, two perspective attributes in float32 (frame_scenes.h). Ours by
-// `draw`; llvmpipe's (llvmpipe.h) into depth32F, in the same run, by processes of its own.
+// raster/draw…/threads:T/SCENE, raster/llvmpipe…/threads:T/width:W/SCENE, raster/lavapipe… and
+// raster/swiftshader…/threads:T/SCENE: whole frames, cleared and drawn with a depth test, two
+// perspective attributes in float32 (frame_scenes.h). Ours by `draw`; drivers' (driver_peer.h) into
+// depth32F, in the same run, by processes of their own.
 //
 //   draw             exact coverage, values in double, one sample per pixel
 //   draw-avx2        the same by vectors of 256 bits, where the processor has longer ones
@@ -10,6 +11,11 @@
 //   llvmpipe             into RGBA32F
 //   llvmpipe-rgba8       into bytes: what it is best at, while ours writes two floats per pixel
 //   llvmpipe-samples:4   four samples per pixel, RGBA32F
+//   lavapipe, lavapipe-samples:4, swiftshader, swiftshader-samples:4     the same, by Vulkan
+//
+// raster/beside/threads:T/SCENE: `draw`, and after each frame one by each driver; the time is ours,
+// ratio_llvmpipe, ratio_lavapipe and ratio_swiftshader are the median of theirs over the median of
+// ours. The label names a driver that cannot run here, or draws another picture, and why.
 //
 // fraction_of_limit of filled frames: the least time that the machine can do it in over the time
 // taken (machine_limits.h); the limit is measured before each repetition, on as many threads.
@@ -17,15 +23,18 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "tests/bench/driver_peer.h"
 #include "tests/bench/frame_scenes.h"
 #include "tests/bench/frame_timing.h"
-#include "tests/bench/llvmpipe.h"
 #include "tests/bench/machine_limits.h"
 #include "tests/bench/summary.h"
 #include "tests/on_target.h"
@@ -110,17 +119,81 @@ void draw(benchmark::State& bench, const std::string& name, const Mode& mode, un
   }
 }
 
-void draw_by_llvmpipe(benchmark::State& bench, const std::string& name, const PeerTarget& target,
-                      const Configuration& configuration) {
+void draw_by(benchmark::State& bench, const std::string& name, const PeerTarget& target,
+             const Configuration& configuration) {
   const Result<Scene>& scene = frame_scene(name);
   if (!scene) return bench.SkipWithError(to_string(scene.error()).c_str());
   const Result<Summary>& summary = summary_of(name, target.samples);
   if (!summary) return bench.SkipWithError(to_string(summary.error()).c_str());
-  Llvmpipe& peer = llvmpipe(configuration);
+  DriverPeer& peer = driver_peer(configuration);
   if (const Result<void> ready = peer.take(name, target, *summary); !ready) {
-    return bench.SkipWithError(("no llvmpipe: " + to_string(ready.error())).c_str());
+    return bench.SkipWithError(
+        fmt::format("no {}: {}", configuration.driver, to_string(ready.error())).c_str());
   }
   time_frames_of(peer, bench, name);
+}
+
+/// A driver that stands beside ours, and its times.
+struct Beside {
+  std::string driver;
+  DriverPeer* peer = nullptr;
+  std::vector<double> seconds;
+};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The drivers that draw the scene on so many threads; of others the label says why not.
+std::vector<Beside> drivers_beside(benchmark::State& bench, const std::string& name,
+                                   unsigned threads, const Summary& summary) {
+  std::vector<Configuration> all = llvmpipe_configurations();
+  // Of its two widths the default, which lavapipe has too.
+  std::erase_if(all, [](const Configuration& c) { return !c.name.ends_with("width:default"); });
+  for (const Configuration& configuration : vulkan_configurations()) all.push_back(configuration);
+  std::vector<Beside> beside;
+  std::string missing;
+  for (const Configuration& configuration : all) {
+    if (!configuration.name.starts_with(fmt::format("threads:{}", threads))) continue;
+    DriverPeer& peer = driver_peer(configuration);
+    if (const Result<void> ready = peer.take(name, {}, summary); !ready) {
+      missing += fmt::format("{}no {}: {}", missing.empty() ? "" : "; ", configuration.driver,
+                             to_string(ready.error()));
+    } else {
+      beside.push_back({configuration.driver, &peer, {}});
+    }
+  }
+  bench.SetLabel(missing);
+  return beside;
+}
+
+void draw_beside(benchmark::State& bench, const std::string& name, unsigned threads) {
+  const Result<Scene>& scene = frame_scene(name);
+  if (!scene) return bench.SkipWithError(to_string(scene.error()).c_str());
+  const Result<Summary>& summary = summary_of(name, 1);
+  if (!summary) return bench.SkipWithError(to_string(summary.error()).c_str());
+  std::vector<Beside> all = drivers_beside(bench, name, threads, *summary);
+  const rasterizer::State state = state_of({}, *scene);
+  rasterizer::Framebuffer framebuffer;
+  std::vector<double> ours;
+  for (auto _ : bench) {
+    const auto start = std::chrono::steady_clock::now();
+    if (!draw_frame(state, *scene, 1, framebuffer, threads)) return bench.SkipWithError("refused");
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    ours.push_back(taken.count());
+    bench.SetIterationTime(taken.count());
+    for (Beside& one : all) {
+      const Result<double> seconds = one.peer->draw();
+      if (!seconds) return bench.SkipWithError(to_string(seconds.error()).c_str());
+      one.seconds.push_back(*seconds);
+    }
+  }
+  set_rates(bench, name);
+  for (const Beside& one : all) {
+    bench.counters["ratio_" + one.driver] = median(one.seconds) / median(ours);
+  }
 }
 
 void add(const std::string& name, const Mode& mode) {
@@ -133,11 +206,24 @@ void add(const std::string& name, const Mode& mode) {
   }
 }
 
-void add(const std::string& name, const std::string& kind, const PeerTarget& target) {
-  for (const Configuration& configuration : llvmpipe_configurations()) {
+/// `what` of how it draws, behind the driver's name.
+void add(const std::string& name, const std::string& what, const PeerTarget& target,
+         const std::vector<Configuration>& configurations) {
+  for (const Configuration& configuration : configurations) {
     benchmark::RegisterBenchmark(
-        fmt::format("raster/{}/{}/{}", kind, configuration.name, name).c_str(),
-        [=](benchmark::State& bench) { draw_by_llvmpipe(bench, name, target, configuration); })
+        fmt::format("raster/{}{}/{}/{}", configuration.driver, what, configuration.name, name)
+            .c_str(),
+        [=](benchmark::State& bench) { draw_by(bench, name, target, configuration); })
+        ->Unit(benchmark::kMillisecond)
+        ->UseManualTime();
+  }
+}
+
+void add_beside(const std::string& name) {
+  for (const unsigned threads : {1U, 2U}) {
+    benchmark::RegisterBenchmark(
+        fmt::format("raster/beside/threads:{}/{}", threads, name).c_str(),
+        [=](benchmark::State& bench) { draw_beside(bench, name, threads); })
         ->Unit(benchmark::kMillisecond)
         ->UseManualTime();
   }
@@ -148,14 +234,17 @@ const bool kRegistered = [] {
     const std::string name(scene);
     add(name, Mode{});
     add(name, Mode{.name = "draw-avx2", .on_avx2 = true});
-    add(name, "llvmpipe", {});
-    add(name, "llvmpipe-rgba8", {"rgba8"});
+    add(name, "", {}, llvmpipe_configurations());
+    add(name, "-rgba8", {"rgba8"}, llvmpipe_configurations());
+    add(name, "", {}, vulkan_configurations());
+    add_beside(name);
   }
   for (const std::string name : {"fill_32_layers", "random_8px", "random_72px", "bunny"}) {
     add(name, Mode{.name = "draw-samples:4", .samples = 4});
     add(name, Mode{.name = "draw-snapped:8", .snapping = rasterizer::Snapping{8}});
     add(name, Mode{.name = "draw-float32", .precision = rasterizer::Precision::float32});
-    add(name, "llvmpipe-samples:4", {"rgba32f", 4});
+    add(name, "-samples:4", {"rgba32f", 4}, llvmpipe_configurations());
+    add(name, "-samples:4", {"rgba32f", 4}, vulkan_configurations());
   }
   return true;
 }();

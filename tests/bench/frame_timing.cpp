@@ -24,7 +24,7 @@ void set_rates(benchmark::State& bench, const std::string& name) {
   bench.counters["pixels_per_second"] = rate(scene_area(name));
 }
 
-void time_frames_of(Llvmpipe& peer, benchmark::State& bench, const std::string& name) {
+void time_frames_of(DriverPeer& peer, benchmark::State& bench, const std::string& name) {
   for (auto _ : bench) {
     const Result<double> seconds = peer.draw();
     if (!seconds) return bench.SkipWithError(to_string(seconds.error()).c_str());

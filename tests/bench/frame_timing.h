@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "tests/bench/llvmpipe.h"
+#include "tests/bench/driver_peer.h"
 
 namespace rastercheck::bench {
 
@@ -17,6 +17,6 @@ double scene_area(const std::string& name);
 void set_rates(benchmark::State& bench, const std::string& name);
 
 /// A benchmark whose iterations are frames of what the peer has taken, by the peer's own clock.
-void time_frames_of(Llvmpipe& peer, benchmark::State& bench, const std::string& name);
+void time_frames_of(DriverPeer& peer, benchmark::State& bench, const std::string& name);
 
 }  // namespace rastercheck::bench

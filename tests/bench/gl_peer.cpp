@@ -12,7 +12,6 @@
 //   probes        ok PROBES          of the last frame, one sample per pixel (probes.h)
 
 #include <chrono>
-#include <iostream>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -25,6 +24,7 @@
 #include "backends/gl/texture.h"
 #include "tests/bench/draw_kinds.h"
 #include "tests/bench/frame_scenes.h"
+#include "tests/bench/peer_answers.h"
 #include "tests/bench/probes.h"
 #include "tests/bench/summary.h"
 #include "tests/bench/texture_scenes.h"
@@ -153,15 +153,6 @@ class GlPeer {
                                [&](std::size_t pixel) { return picture->color[pixel]; }));
   }
 
-  /// Numbers with all their digits.
-  template <typename... Numbers>
-  static std::string text(Numbers... numbers) {
-    std::ostringstream out;
-    out.precision(17);
-    ((out << numbers << ' '), ...);
-    return out.str();
-  }
-
   const gl::Context* context_;
   std::optional<gl::Texture> texture_;
   std::optional<gl::Program> program_;
@@ -169,15 +160,7 @@ class GlPeer {
   std::optional<gl::Mesh> mesh_;
 };
 
-void say(const Result<std::string>& answer) {
-  if (answer) {
-    std::cout << "ok " << *answer << std::endl;
-  } else {
-    std::cout << "error " << to_string(answer.error()) << std::endl;
-  }
-}
-
-int serve() {
+int serve_context() {
   const Result<gl::Context> context = gl::Context::create();
   if (!context) {
     say(tl::unexpected(context.error()));
@@ -185,11 +168,11 @@ int serve() {
   }
   say(context->renderer());
   GlPeer peer(*context);
-  for (std::string line; std::getline(std::cin, line);) say(peer.answer(line));
+  serve([&peer](const std::string& line) { return peer.answer(line); });
   return 0;
 }
 
 }  // namespace
 }  // namespace rastercheck::bench
 
-int main() { return rastercheck::bench::serve(); }
+int main() { return rastercheck::bench::serve_context(); }

@@ -19,8 +19,8 @@
 #include "rasterizer/shading.h"
 #include "rasterizer/texture.h"
 #include "tests/bench/draw_kinds.h"
+#include "tests/bench/driver_peer.h"
 #include "tests/bench/frame_timing.h"
-#include "tests/bench/llvmpipe.h"
 #include "tests/bench/probes.h"
 #include "tests/bench/texture_scenes.h"
 
@@ -135,7 +135,7 @@ void draw_by_llvmpipe(benchmark::State& bench, const std::string& name, const Dr
   if (!scene) return bench.SkipWithError(to_string(scene.error()).c_str());
   const Result<ExpectedProbes>& expected = expected_probes(kind, name, *scene, format);
   if (!expected) return bench.SkipWithError(to_string(expected.error()).c_str());
-  Llvmpipe& peer = llvmpipe(configuration);
+  DriverPeer& peer = driver_peer(configuration);
   const PeerTarget target{.color = format == ColorFormat::rgba8 ? "rgba8" : "rgba32f",
                           .kind = std::string(kind.name)};
   if (const Result<void> ready = peer.take(name, target, *expected); !ready) {

@@ -1,7 +1,8 @@
 #pragma once
 
-// Mesa's llvmpipe, the fastest software driver there is to compare with, through OpenGL: a process
-// for each configuration, as it reads its settings from the environment once.
+// Software drivers to compare with: Mesa's llvmpipe, the fastest there is, through OpenGL, and its
+// sister lavapipe and SwiftShader through Vulkan. A process for each configuration, as drivers read
+// their settings from the environment once.
 
 #include <functional>
 #include <memory>
@@ -15,7 +16,7 @@
 
 namespace rastercheck::bench {
 
-/// What it draws into, beside a depth of float32.
+/// What a driver draws into, beside a depth of float32.
 struct PeerTarget {
   std::string color = "rgba32f";  ///< or "rgba8"
   int samples = 1;
@@ -29,11 +30,18 @@ struct ExpectedProbes {
   double share_apart = 0;  ///< of pixels that may be further away
 };
 
-class Llvmpipe {
- public:
-  explicit Llvmpipe(const std::vector<std::string>& settings);
+/// A driver, and how its process is started.
+struct Configuration {
+  std::string driver;                 ///< "llvmpipe"
+  std::string name;                   ///< what it is called in a benchmark: "threads:1"
+  std::string program;                ///< gl_peer.cpp or vulkan_peer.cpp
+  std::vector<std::string> settings;  ///< of the environment
+};
 
-  /// As the driver names itself.
+class DriverPeer {
+ public:
+  explicit DriverPeer(const Configuration& configuration);
+
   const std::string& renderer() const { return renderer_; }
 
   /// Makes it ready to draw this scene; an error where its picture is another than the `expected`.
@@ -62,13 +70,13 @@ class Llvmpipe {
 /// to a core, and `threads:2` is 2, which leaves it at least the two cores that ours has: a draw is
 /// binned before it is rasterized, so that the third thread waits most of the time. `width` is that
 /// of its vectors in bits (LP_NATIVE_VECTOR_WIDTH); by default 256 where there is AVX.
-struct Configuration {
-  std::string name;
-  std::vector<std::string> settings;
-};
 std::vector<Configuration> llvmpipe_configurations();
 
+/// lavapipe, which has llvmpipe's threads, and SwiftShader, which has as many as there are cores
+/// that it may run on, and is held to `threads:T` of them. Both with their default vectors.
+std::vector<Configuration> vulkan_configurations();
+
 /// The process of a configuration: started when it is asked for first, ended with this one.
-Llvmpipe& llvmpipe(const Configuration& configuration);
+DriverPeer& driver_peer(const Configuration& configuration);
 
 }  // namespace rastercheck::bench

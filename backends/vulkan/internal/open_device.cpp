@@ -1,0 +1,110 @@
+#include "backends/vulkan/internal/open_device.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "backends/vulkan/internal/error.h"
+#include "backends/vulkan/internal/instance.h"
+
+namespace rastercheck::backends::vulkan {
+namespace {
+
+/// A driver that is asked for by name.
+struct KnownDriver {
+  std::string_view name;
+  std::array<std::string_view, 2> folders;  ///< where files that describe it lie
+  std::string_view file;                    ///< what their names begin with
+  std::string_view package;                 ///< that has it in Debian
+};
+constexpr std::array<KnownDriver, 2> kKnownDrivers{{
+    {"lavapipe",
+     {"/usr/share/vulkan/icd.d", "/etc/vulkan/icd.d"},
+     "lvp_icd",
+     "mesa-vulkan-drivers"},
+    {"swiftshader",
+     {"/usr/lib/chromium", "/usr/lib/chromium-browser"},
+     "vk_swiftshader_icd",
+     "chromium-common"},
+}};
+
+/// What a specification asks for.
+struct Wanted {
+  DeviceChoice device;
+  const KnownDriver* driver = nullptr;
+  bool validates = false;
+};
+
+Wanted wanted(const std::string& options) {
+  constexpr std::string_view kValidate = "validate";
+  Wanted wanted;
+  std::string which = options;
+  if (which == kValidate) {
+    which.clear();
+    wanted.validates = true;
+  } else if (which.ends_with("," + std::string(kValidate))) {
+    which.resize(which.size() - kValidate.size() - 1);
+    wanted.validates = true;
+  }
+  const auto known = std::find_if(kKnownDrivers.begin(), kKnownDrivers.end(),
+                                  [&](const KnownDriver& d) { return d.name == which; });
+  std::size_t index = 0;
+  const auto [end, problem] = std::from_chars(which.data(), which.data() + which.size(), index);
+  if (known != kKnownDrivers.end()) {
+    wanted.driver = &*known;
+    wanted.device.driver = which;
+  } else if (problem == std::errc() && end == which.data() + which.size()) {
+    wanted.device.index = index;
+  } else {
+    wanted.device.name = which;
+  }
+  return wanted;
+}
+
+std::vector<std::string> files_of(const KnownDriver& driver) {
+  std::vector<std::string> files;
+  for (const std::string_view folder : driver.folders) {
+    std::error_code problem;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, problem)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with(driver.file) && name.ends_with(".json")) {
+        files.push_back(entry.path().string());
+      }
+    }
+  }
+  return files;
+}
+
+}  // namespace
+
+std::vector<std::string_view> driver_names() {
+  std::vector<std::string_view> names;
+  names.reserve(kKnownDrivers.size());
+  for (const KnownDriver& driver : kKnownDrivers) names.push_back(driver.name);
+  return names;
+}
+
+Result<Device> open_device(const std::string& options) {
+  const Wanted which = wanted(options);
+  InstanceOptions instance_options;
+  instance_options.validates = which.validates;
+  if (which.driver != nullptr) {
+    instance_options.driver_files = files_of(*which.driver);
+    if (instance_options.driver_files.empty()) {
+      return failed(
+          fmt::format("there is no {}*.json in {} (Debian's {} has it)", which.driver->file,
+                      which.driver->folders[0], which.driver->package),
+          Failure::unavailable);
+    }
+  }
+  Result<Instance> instance = Instance::create(instance_options);
+  if (!instance) return tl::unexpected(instance.error());
+  return Device::create(*std::move(instance), which.device);
+}
+
+}  // namespace rastercheck::backends::vulkan
