@@ -36,6 +36,7 @@ struct Configuration {
   std::string name;                   ///< what it is called in a benchmark: "threads:1"
   std::string program;                ///< gl_peer.cpp or vulkan_peer.cpp
   std::vector<std::string> settings;  ///< of the environment
+  double covered_tolerance = 0.01;    ///< share of covered pixels (show_the_same())
 };
 
 class DriverPeer {
@@ -57,6 +58,7 @@ class DriverPeer {
   Result<void> take(const std::string& scene, const PeerTarget& target, const char* question,
                     const std::function<std::string(const std::string& answer)>& check);
 
+  double covered_tolerance_;
   std::unique_ptr<PeerProcess> process_;
   Error problem_;
   std::string renderer_;

@@ -32,11 +32,11 @@ inline Summary summarize(std::span<const float> depth, std::span<const float> co
 
 /// Whether both come from the same scene. Rasterizers differ at edges, where one snaps vertices and
 /// the other does not, and a pixel there may show what lies behind: less than a hundredth of the
-/// pixels of any scene here. A triangle's edges given to its neighbour, another depth test, or
-/// rows upside down make more.
-inline bool show_the_same(const Summary& a, const Summary& b) {
+/// pixels of any scene here, on a grid of 2^-8 pixels. A triangle's edges given to its neighbour,
+/// another depth test, or rows upside down make more.
+inline bool show_the_same(const Summary& a, const Summary& b, double covered_tolerance) {
   constexpr double kTolerance = 0.01;
-  return std::abs(a.covered - b.covered) <= kTolerance * b.covered &&
+  return std::abs(a.covered - b.covered) <= covered_tolerance * b.covered &&
          std::abs(a.red - b.red) <= kTolerance && std::abs(a.green - b.green) <= kTolerance &&
          std::abs(a.depth - b.depth) <= kTolerance;
 }
