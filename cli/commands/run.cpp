@@ -113,13 +113,13 @@ class Executor {
         command_{kOwnProgram,      "task-worker",
                  "--seed",         std::to_string(plan.campaign.seed),
                  "--corpus",       plan.corpus,
-                 "--known",        plan.known,
                  "--shrink-tries", std::to_string(plan.campaign.shrinking.tries),
                  "--timeout",      fmt::format("{}", options.timeout)},
         jobs_(options.jobs) {
     if (!plan.contract_file.empty()) {
       command_.insert(command_.end(), {"--contract", cases::to_json(plan.terms)});
     }
+    if (!plan.known.empty()) command_.insert(command_.end(), {"--known", plan.known});
     if (const auto& seconds = plan.campaign.shrinking.seconds) {
       command_.insert(command_.end(), {"--shrink-seconds", fmt::format("{}", *seconds)});
     }

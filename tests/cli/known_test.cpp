@@ -70,7 +70,7 @@ TEST_F(Known, CountsAreTheSameForAnySplit) {
 TEST_F(Known, DefectsAreViolationsWithoutTheList) {
   const Outcome outcome =
       run_damaged_program({"run", "--backend", "damaged:driver", "--property", kCoverage, "--cases",
-                           "0", "--no-known", "--output", output_.path()});
+                           "0", "--no-known", "--jobs", "2", "--output", output_.path()});
   EXPECT_EQ(outcome.code, 1) << outcome;
   EXPECT_FALSE(run_json().contains("known"));
 }

@@ -120,6 +120,8 @@ struct Observation {
   Levels levels;
   std::string label;
   bool is_violation = false;
+  std::string known;    ///< an entry's id; empty: none
+  std::string why_not;  ///< why the law says nothing of another case
 };
 
 inline Observation random_observation() {
@@ -134,6 +136,8 @@ inline Observation random_observation() {
   observation.levels.values = random_levels();
   observation.label = one_of<std::string>({"tie", "w <= 0", "clipped"});
   observation.is_violation = *rc::gen::arbitrary<bool>();
+  observation.known = one_of<std::string>({"", "driver-1", "driver-2"});
+  observation.why_not = one_of<std::string>({"", "it has no tie", "it draws no pictures"});
   return observation;
 }
 
@@ -161,6 +165,14 @@ inline void add(RecordSet& records, const Observation& observation) {
   ++record.cases.checked;
   record.cases.violations += observation.is_violation ? 1 : 0;
   ++record.labels[observation.label];
+  if (!observation.known.empty()) {
+    ++record.cases.known;
+    ++record.known[observation.known];
+  }
+  if (!observation.why_not.empty()) {
+    ++record.cases.not_applicable;
+    ++record.not_applicable_because[observation.why_not];
+  }
 }
 
 inline std::vector<Observation> random_observations() {

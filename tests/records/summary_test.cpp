@@ -206,6 +206,8 @@ TEST(Summarize, VerdictsAreThreeValued) {
   EXPECT_EQ(verdict_with({9, 0, 1}, 0), LawVerdict::violated);
   EXPECT_EQ(verdict_with({9, 0, 0}), LawVerdict::held);
   EXPECT_EQ(verdict_with({9, 0, 1}), LawVerdict::violated);
+  EXPECT_EQ(verdict_with({9, 0, 0, 2}), LawVerdict::known);
+  EXPECT_EQ(verdict_with({9, 0, 1, 2}), LawVerdict::violated);
   EXPECT_EQ(summary_of({}).verdict, LawVerdict::not_checked);
 }
 
@@ -227,6 +229,33 @@ TEST(Summarize, TakesUnreachedLabelsForNotChecked) {
   EXPECT_EQ(verdict_with(0, "another"), LawVerdict::held);
 }
 
+TEST(WhyNotChecked, IsWhatHoldsOfMostCases) {
+  LawSummary row;
+  EXPECT_EQ(why_not_checked(row), "");
+  row.not_applicable_because = {{"a", 1}, {"b", 3}, {"c", 2}};
+  EXPECT_EQ(why_not_checked(row), "b");
+  row.cases.checked = 1;
+  EXPECT_EQ(why_not_checked(row), "");
+}
+
+TEST(KnownDefects, CountTheCasesOfAllLaws) {
+  records::Run run;
+  KnownOfBackend known{"gl", "1", {"driver", "1", {{}, {}, {}}}};
+  for (std::size_t i = 0; i < 3; ++i) known.list.entries[i].id = "driver-" + std::to_string(i);
+  run.known = {known};
+  run.unexpected = {{"gl", "driver-2", "law", true}};
+  for (const char* law : {"law", "another"}) {
+    run.records[{law, "gl", AttributeKind::coverage, ""}].known = {{"driver-1", 2}};
+    run.records[{law, "cpu", AttributeKind::coverage, ""}].known = {{"driver-0", 7}};
+  }
+  const std::vector<KnownSummary> all = known_defects(run);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].cases, 0U);  // of another backend
+  EXPECT_EQ(all[1].cases, 4U);
+  EXPECT_FALSE(all[1].is_passed);
+  EXPECT_TRUE(all[2].is_passed);
+}
+
 TEST(VerdictOf, IsThatOfAllRows) {
   LawSummary held;
   held.cases = {3, 0, 0};
@@ -238,11 +267,17 @@ TEST(VerdictOf, IsThatOfAllRows) {
   EXPECT_EQ(verdict_of({LawSummary()}), LawVerdict::not_checked);
   EXPECT_EQ(verdict_of({LawSummary(), held}), LawVerdict::held);
   EXPECT_EQ(verdict_of({held, violated, held}), LawVerdict::violated);
+  LawSummary known;
+  known.verdict = LawVerdict::known;
+  EXPECT_EQ(verdict_of({LawSummary(), known}), LawVerdict::known);
+  EXPECT_EQ(verdict_of({held, known}), LawVerdict::held);
+  EXPECT_EQ(verdict_of({violated, known}), LawVerdict::violated);
 }
 
 TEST(LawVerdict, HasWords) {
   EXPECT_EQ(to_string(LawVerdict::held), "held");
   EXPECT_EQ(to_string(LawVerdict::violated), "violated");
+  EXPECT_EQ(to_string(LawVerdict::known), "known");
   EXPECT_EQ(to_string(LawVerdict::not_checked), "not checked");
 }
 

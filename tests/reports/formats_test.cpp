@@ -32,9 +32,29 @@ TEST_P(ApprovedFormat, WritesWhatWasApproved) {
 INSTANTIATE_TEST_SUITE_P(Formats, ApprovedFormat, ::testing::ValuesIn(format_names()),
                          [](const auto& format) { return format.param; });
 
+TEST(Formats, TellWhatIsKnownOfDrivers) {
+  records::Run run = sample_run();
+  run.unreached.clear();
+  add_known_defects(run);
+  const std::string page = written("html", run);
+  EXPECT_THAT(page, HasSubstr("≈ known in 3 cases"));
+  EXPECT_THAT(page, HasSubstr("<td>driver-1</td><td>cpu</td><td class=\"number\" "
+                              "data-name=\"cases\">3</td><td>Depth &lt;is&gt; wrong.</td>"));
+  EXPECT_THAT(page, HasSubstr("not checked<br><small>the backend &lt;draws&gt; no pictures"));
+  EXPECT_THAT(page, HasSubstr("Unexpected pass: the case of driver-2 no longer violates"));
+  EXPECT_THAT(page, HasSubstr("What is known of cpu was found with Mesa 22, and this is Mesa 23."));
+  const std::string summary = written("markdown", run);
+  EXPECT_THAT(summary, HasSubstr("| driver-1 | cpu | 3 | Depth \\<is\\> wrong. | 14.6.1 |"));
+  EXPECT_THAT(summary, HasSubstr("| driver-2 | cpu | **unexpected pass** |"));
+  EXPECT_THAT(summary, HasSubstr("| not checked: the backend \\<draws\\> no pictures |"));
+  EXPECT_THAT(summary, HasSubstr("| known in 3 cases |"));
+  EXPECT_THAT(summary, HasSubstr("- Unexpected pass: the case of driver-2"));
+}
+
 // Kills: a text that goes into the page as it is.
 TEST(HtmlFormat, EscapesEveryText) {
   records::Run run = sample_run();
+  add_known_defects(run);
   const std::string attack = "<script>'\"&";
   run.laws.push_back(attack);
   run.backends = {attack};

@@ -31,6 +31,12 @@ TEST(ParseRun, ReadsWhatWasWritten) {
             cases::to_json(sample_run().counterexamples[0].source));
 }
 
+TEST(ParseRun, ReadsWhatIsKnownOfDrivers) {
+  records::Run run = sample_run();
+  add_known_defects(run);
+  EXPECT_EQ(parse_run(written(run), "run.json").value(), run);
+}
+
 TEST(ParseRun, ReadsAnEmptyRun) {
   EXPECT_EQ(parse_run(written({}), "run.json").value(), records::Run());
 }

@@ -112,6 +112,31 @@ inline void add_sample_records(records::RecordSet& into, const std::string& law,
   into[{law, backend, AttributeKind::smooth, "grid"}] = smooth;
 }
 
+/// The run, of a driver with known defects: one that was seen, one that is gone; and with a law
+/// that says nothing.
+inline void add_known_defects(records::Run& run) {
+  records::KnownList list{"driver", "Mesa 22", {{}, {}}};
+  for (records::KnownEntry& entry : list.entries) {
+    entry.id = &entry == &list.entries[0] ? "driver-1" : "driver-2";
+    entry.reason = "Depth <is> wrong.";
+    entry.rule = "14.6.1";
+    entry.finding = entry.id;
+    entry.laws = {run.laws[0]};
+    entry.verdicts = {records::FragmentClass::missing};
+    entry.when.facts[records::KnownFact::clipped] = true;
+    entry.case_file = "known/" + entry.id + ".json";
+  }
+  run.known = {{"cpu", "Mesa 23", list}};
+  run.unexpected = {{"cpu", "driver-2", run.laws[0], false}};
+  using records::AttributeKind;
+  records::Record& seen = run.records[{run.laws[0], "cpu", AttributeKind::coverage, "grid"}];
+  seen.cases.known = 3;
+  seen.known["driver-1"] = 3;
+  records::Record& none = run.records[{run.laws[2], "cpu", AttributeKind::coverage, "grid"}];
+  none.cases.not_applicable = 9;
+  none.not_applicable_because["the backend <draws> no pictures"] = 9;
+}
+
 inline records::Run sample_run() {
   records::Run run;
   run.seed = std::numeric_limits<std::uint64_t>::max();

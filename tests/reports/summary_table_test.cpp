@@ -37,6 +37,25 @@ TEST(SummaryTable, HasARowForEachLawAndBackend) {
   EXPECT_THAT(summary_table({row()}, false), StartsWith("law  "));
 }
 
+TEST(KnownText, CountsTheCasesOfWhatWasSeen) {
+  records::Run run = sample_run();
+  EXPECT_EQ(known_text(run), "");
+  add_known_defects(run);
+  EXPECT_EQ(known_text(run), "Known defects of cpu: driver-1 in 3 cases.\n");
+}
+
+TEST(NotCheckedText, GathersLawsByReason) {
+  records::LawSummary none;
+  none.law = "a law";
+  none.backend = "cpu";
+  none.not_applicable_because = {{"there is no camera", 3}};
+  records::LawSummary other = none;
+  other.law = "another";
+  EXPECT_EQ(not_checked_text({row(), none, other}),
+            "Not checked on cpu, as there is no camera: a law; another.\n");
+  EXPECT_EQ(not_checked_text({row()}), "");
+}
+
 TEST(SummaryCounts, AddUpAllRows) {
   const std::string text = summary_counts({row(), row()});
   EXPECT_THAT(text, StartsWith("Samples: 2 required, 4 forbidden, 6 permitted, 8 undecided.\n"));

@@ -141,6 +141,21 @@ TEST(VerdictSentence, CountsChecks) {
             "Violated: 1 of 3 checks; 1 not checked.");
 }
 
+// Kills: what is known of a driver taken for held, or for a violation.
+TEST(VerdictSentence, TellsKnownDefects) {
+  LawSummary known = row_with(3, 0);
+  known.cases.known = 2;
+  known.verdict = LawVerdict::known;
+  EXPECT_EQ(verdict_sentence({known, row_with(3, 0)}),
+            "Held: 1 of 2 checks; 1 violated in known ways only.");
+  EXPECT_EQ(verdict_sentence({known, row_with(3, 1), row_with(0, 0)}),
+            "Violated: 1 of 3 checks; 1 violated in known ways only; 1 not checked.");
+  EXPECT_EQ(verdict_sentence({known}), "Violated in known ways only: 1 of 1 checks.");
+  EXPECT_EQ(verdict_text(known), "known in 2 cases");
+  EXPECT_EQ(verdict_text(row_with(3, 1)), "violated in 1 case");
+  EXPECT_EQ(verdict_text(row_with(3, 0)), "held");
+}
+
 TEST(Totals, AddsRows) {
   LawSummary row = row_with(3, 1);
   row.fragments = 10;
