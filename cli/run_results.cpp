@@ -71,7 +71,8 @@ ExitCode exit_code_of(const std::vector<LawSummary>& rows) {
   const bool is_missing = some([](const LawSummary& row) {
     return row.verdict == LawVerdict::not_checked && is_promised(row);
   });
-  const bool is_checked = some(has_verdict(LawVerdict::held)) || some(has_verdict(LawVerdict::known));
+  const bool is_checked =
+      some(has_verdict(LawVerdict::held)) || some(has_verdict(LawVerdict::known));
   return is_missing || !is_checked ? ExitCode::nothing_checked : ExitCode::ok;
 }
 

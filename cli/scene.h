@@ -19,7 +19,6 @@ Result<cases::Case> read_scene(const std::string& file, int size);
 /// Judges the scene with each of the run's backends, in `jobs` threads, and adds what was drawn and
 /// its error map to the run's pictures. What is `known` of a backend is counted as known.
 Result<properties::Findings> judge_scene_of(records::Run& run, const cases::Case& scene,
-                                            unsigned jobs,
-                                            const properties::KnownByBackend& known);
+                                            unsigned jobs, const properties::KnownByBackend& known);
 
 }  // namespace rastercheck::cli

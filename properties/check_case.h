@@ -61,8 +61,8 @@ Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& bac
 /// violation, or "held".
 std::string verdict_of(const Check& check);
 
-/// Why a law says nothing of a case, as records count it: one of few texts, what follows a colon left
-/// out. The check is not applicable.
+/// Why a law says nothing of a case, as records count it: one of few texts, what follows a colon
+/// left out. The check is not applicable.
 std::string reason_of(const Law& law, const backends::Backend& backend, const Check& check);
 
 /// Keeps a counterexample of the case in the findings, if none before it failed in the same way.

@@ -25,7 +25,7 @@ struct RunPlan {
   std::string corpus;          ///< folder
   std::string corpus_digest;   ///< of its cases (digest_of)
   std::string known;           ///< folder of what is known of drivers; empty: none
-  std::string known_digest;    ///< of what it has of the backends (digest_of); empty: nothing
+  std::string known_digest;    ///< what of it is of the backends, in a word; empty: none
   std::string scene;           ///< file; empty: none
   int scene_size = 512;        ///< pixels
   std::string contract_file;   ///< empty: backends are held to their own contracts

@@ -202,9 +202,33 @@ Check not_applicable(std::string_view why) {
   return none;
 }
 
+namespace {
+
+bool is_alike(const records::Violation& a, const records::Violation& b) {
+  return a.fragment_class == b.fragment_class && a.kind == b.kind && a.attribute == b.attribute;
+}
+
+/// Keeps the first ones, and in place of the last that are like others the first of each sort that
+/// comes later: what is known of a driver is not to hide what it is not.
+void keep(std::vector<records::Violation>& kept, const records::Violation& violation) {
+  const auto is_like = [](const records::Violation& one) {
+    return [&one](const records::Violation& other) { return is_alike(one, other); };
+  };
+  if (kept.size() == records::kMostViolations) {
+    if (std::any_of(kept.begin(), kept.end(), is_like(violation))) return;
+    auto last = kept.end() - 1;
+    while (last != kept.begin() && !std::any_of(kept.begin(), last, is_like(*last))) --last;
+    if (last == kept.begin()) return;  // eight sorts
+    kept.erase(last);
+  }
+  kept.push_back(violation);
+}
+
+}  // namespace
+
 void note(Check& check, const records::Violation& violation) {
   ++check.violation_count;
-  if (check.violations.size() < records::kMostViolations) check.violations.push_back(violation);
+  keep(check.violations, violation);
 }
 
 void report(Check& check, const records::Violation& violation) {
@@ -219,10 +243,7 @@ void add_label(Check& check, std::string_view label) {
 
 void merge(Check& into, const Check& from) {
   into.violation_count += from.violation_count;
-  for (const records::Violation& violation : from.violations) {
-    if (into.violations.size() == records::kMostViolations) break;
-    into.violations.push_back(violation);
-  }
+  for (const records::Violation& violation : from.violations) keep(into.violations, violation);
   records::merge(into.judgement, from.judgement);
   std::set<std::string> labels(into.labels.begin(), into.labels.end());
   labels.insert(from.labels.begin(), from.labels.end());

@@ -169,7 +169,7 @@ std::vector<std::size_t> entries_to_check(const KnownDefects& known,
   return entries;
 }
 
-std::string digest_of(const KnownByBackend& known) {
+std::string digest_of_known(const KnownByBackend& known) {
   std::string all;
   for (const auto& [backend, defects] : known) {
     all += backend + '\n' + defects.driver.name + '\n' + defects.driver.version + '\n' +

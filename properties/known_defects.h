@@ -57,6 +57,6 @@ std::vector<std::size_t> entries_to_check(const KnownDefects& known,
                                           const std::vector<std::string>& laws);
 
 /// A word that tells lists apart, drivers and cases included; empty where there are none.
-std::string digest_of(const KnownByBackend& known);
+std::string digest_of_known(const KnownByBackend& known);
 
 }  // namespace rastercheck::properties

@@ -38,12 +38,12 @@ struct Generated {
 /// What a law found of one case.
 struct Check {
   bool is_applicable = true;  ///< else the law says nothing of the case, and the rest is empty
-  /// Else why, in a clause of the law's or the backend's own; may be empty. One of few texts: records
+  /// Else why, in a clause of the law's or the backend's own; may be empty. Of few texts: records
   /// count cases by what is before a colon.
   std::string why_not = {};
   records::Judgement judgement;
   std::uint64_t violation_count = 0;
-  std::vector<records::Violation> violations;  ///< the first records::kMostViolations
+  std::vector<records::Violation> violations;  ///< records::kMostViolations, of each sort the first
   std::vector<std::string> labels;             ///< what the case reached, each once
   /// A fault of the oracle itself (oracle::Judged::fault), or of the harness: nothing else counts.
   std::optional<std::string> fault;

@@ -84,7 +84,7 @@ Result<Checkpoint> resume_run(const std::string& directory, const std::string& p
 Result<void> check_same(const Checkpoint& checkpoint, const std::vector<cases::Case>& corpus,
                         const KnownByBackend& known) {
   const RunPlan& plan = checkpoint.plan;
-  if (digest_of(known) != plan.known_digest) {
+  if (digest_of_known(known) != plan.known_digest) {
     return tl::unexpected(Error{plan.known.empty() ? "what is known of drivers" : plan.known, "",
                                 "is not as it was when the run was begun, or a driver is another"});
   }

@@ -66,7 +66,6 @@ class SceneReader {
   }
 
  private:
-
   void note_violation(Few& few, const JudgedSample& sample, const JudgedValue* value,
                       const oracle::TriangleTruth* truth) {
     const FragmentClass way = value == nullptr ? sample.fragment_class : value->fragment_class;

@@ -25,9 +25,10 @@
 // that answered nothing are left out. Means, quantiles and rates follow from these and are not
 // written. A "sum" of nothing and "strata" without one are left out; so they are in files from
 // before there were any, which say nothing of them. "cases" has "known" where some were violated in
-// known ways only; "known": {"llvmpipe-3": 5} says of which entries (known.h). Why a law says nothing
-// of cases is in "not_applicable_because": {"its contract lacks 8 samples": 7}. All three are absent
-// where there are none. The float32 of "actual" is a hex float, as in all files. Objects list their keys alphabetically, so that equal records give equal bytes.
+// known ways only; "known": {"llvmpipe-3": 5} says of which entries (known.h). Why a law says
+// nothing of cases is in "not_applicable_because": {"its contract lacks 8 samples": 7}. All three
+// are absent where there are none. The float32 of "actual" is a hex float, as in all files. Objects
+// list their keys alphabetically, so that equal records give equal bytes.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -67,7 +67,8 @@ struct Run {
 /// "Not reached: LAW on BACKEND: 'tie' in 2 of 1000 cases, where at least 13 had to."
 std::string unreached_sentence(const UnreachedLabel& label);
 
-/// "Unexpected pass: the case of llvmpipe-3 no longer violates LAW on gl:llvmpipe."; what that means.
+/// "Unexpected pass: the case of llvmpipe-3 no longer violates LAW on gl:llvmpipe."; what that
+/// means.
 std::string unexpected_sentence(const UnexpectedPass& pass);
 
 /// The label of cases that were not drawn any more, as their backend was given up: they count as

@@ -60,11 +60,11 @@ std::string summary_table(const std::vector<records::LawSummary>& rows, bool qui
                      "beyond contract", "verdict"});
   }
   for (const records::LawSummary& row : rows) {
-    cells.push_back({row.law, row.backend, std::to_string(row.cases.checked),
-                     std::to_string(row.fragments), number_text(row.ideal.worst),
-                     at_most_text(row.ideal.p99), number_text(row.excess.worst),
-                     row.verdict == records::LawVerdict::known ? verdict_text(row)
-                                                               : std::string(to_string(row.verdict))});
+    cells.push_back(
+        {row.law, row.backend, std::to_string(row.cases.checked), std::to_string(row.fragments),
+         number_text(row.ideal.worst), at_most_text(row.ideal.p99), number_text(row.excess.worst),
+         row.verdict == records::LawVerdict::known ? verdict_text(row)
+                                                   : std::string(to_string(row.verdict))});
   }
   return text_table(cells);
 }

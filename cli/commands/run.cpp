@@ -225,7 +225,7 @@ Result<properties::KnownByBackend> read_known(Executor& executor, const Options&
   Result<properties::KnownByBackend> known = executor.known_of(plan.campaign.backends);
   if (!known) return known;
   if (!options.resume) {
-    plan.known_digest = properties::digest_of(*known);
+    plan.known_digest = properties::digest_of_known(*known);
   } else if (const auto same = properties::check_same(work.start, work.corpus, *known); !same) {
     return tl::unexpected(same.error());
   }

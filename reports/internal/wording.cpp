@@ -146,8 +146,9 @@ std::string verdict_sentence(const std::vector<LawSummary>& rows) {
   const auto violated = count(LawVerdict::violated);
   const auto unchecked = count(LawVerdict::not_checked);
   const auto known = count(LawVerdict::known);
-  const std::string rest = (known > 0 ? fmt::format("; {} violated in known ways only", known) : "") +
-                           (unchecked > 0 ? fmt::format("; {} not checked", unchecked) : "");
+  const std::string rest =
+      (known > 0 ? fmt::format("; {} violated in known ways only", known) : "") +
+      (unchecked > 0 ? fmt::format("; {} not checked", unchecked) : "");
   switch (records::verdict_of(rows)) {
     case LawVerdict::violated:
       return fmt::format("Violated: {} of {} checks{}.", violated, rows.size(), rest);

@@ -133,9 +133,10 @@ TEST(Replay, ThatNoLawAppliesToIsNotOk) {
   replace("[1, 1, 0.25, 1]", "[1, 1, 0.5, 1]");
   const Outcome outcome = run_program({"replay", "-"}, text);
   EXPECT_EQ(outcome.code, 5) << outcome;
-  EXPECT_EQ(outcome.out,
-            "-: constants stay constant, cpu: not applicable (found as: beyond bound): the law says "
-            "nothing of such cases\n");
+  EXPECT_EQ(
+      outcome.out,
+      "-: constants stay constant, cpu: not applicable (found as: beyond bound): the law says "
+      "nothing of such cases\n");
 }
 
 TEST(Replay, RefusesWhatItCannotReplay) {

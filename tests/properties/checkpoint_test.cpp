@@ -28,6 +28,8 @@ Checkpoint sample() {
   plan.campaign.shrinking = {77, 0.25};
   plan.corpus = "/some/folder";
   plan.corpus_digest = "0123456789abcdef";
+  plan.known = "/another/folder";
+  plan.known_digest = "fedcba9876543210";
   plan.scene = "bunny.obj";
   plan.scene_size = 640;
   plan.contract_file = "lax.json";
@@ -39,6 +41,7 @@ Checkpoint sample() {
   checkpoint.is_done = {true, false, true, true, false, false, true};
   DamagedBackend backend([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 1, 1); });
   check_case(*find_law(kCoverage), "cpu", backend, 1, {square(), "here", 4}, checkpoint.findings);
+  keep(checkpoint.findings, records::UnexpectedPass{"cpu", "driver-1", kCoverage, false});
   return checkpoint;
 }
 

@@ -37,8 +37,9 @@ Error error_of(const std::string& line) {
 }
 
 TEST(FindingsLine, ComesBackAsItWas) {
-  const Findings findings = some_findings();
+  Findings findings = some_findings();
   ASSERT_FALSE(findings.counterexamples.empty());
+  keep(findings, records::UnexpectedPass{kOdd, "driver-1", kCoverage, true});
   const std::string line = findings_to_line(findings);
   EXPECT_THAT(line, Not(HasSubstr("\n")));
   EXPECT_EQ(findings_from_line(line).value(), findings);
@@ -106,6 +107,7 @@ TEST(TaskLine, ComesBackAsItWas) {
   constexpr std::uint64_t kLast = std::numeric_limits<std::uint64_t>::max();
   for (const Task& task : {Task{"cpu", kCoverage, TaskKind::corpus, 0, 10},
                            Task{kOdd, kOdd, TaskKind::random, kLast - 1, kLast},
+                           Task{"cpu", kCoverage, TaskKind::known, 3, 4},
                            Task{"cpu", kCoverage, TaskKind::saved, 0, 1, found.counterexamples[0]},
                            shrink_tasks(some_findings()).at(0)}) {
     const std::string line = task_to_line(task);

@@ -30,6 +30,25 @@ TEST(Note, CountsAllAndKeepsTheFirst) {
   EXPECT_EQ(check.violations.back().x, records::kMostViolations - 1);
 }
 
+// Kills: a new defect behind eight violations that are known.
+TEST(Note, KeepsTheFirstOfEachSort) {
+  Check check;
+  const auto note_of = [&check](records::AttributeKind kind, std::uint32_t x) {
+    records::Violation violation;
+    violation.kind = kind;
+    violation.x = x;
+    note(check, violation);
+  };
+  for (std::uint32_t x = 0; x < 20; ++x) note_of(records::AttributeKind::depth, x);
+  note_of(records::AttributeKind::smooth, 20);
+  note_of(records::AttributeKind::smooth, 21);
+  note_of(records::AttributeKind::flat, 22);
+  std::vector<std::uint32_t> kept;
+  for (const records::Violation& violation : check.violations) kept.push_back(violation.x);
+  EXPECT_THAT(kept, testing::ElementsAre(0, 1, 2, 3, 4, 5, 20, 22));
+  EXPECT_EQ(check.violation_count, 23U);
+}
+
 TEST(Merge, AddsCountsViolationsAndLabels) {
   Check a;
   a.labels = {"drawn", "tie"};

@@ -187,13 +187,13 @@ TEST(KnownDefects, AreReadByWhoRunsTheTasks) {
 
 TEST(KnownDefects, AreToldApartByADigest) {
   const KnownDefects known = known_defects(*driver());
-  EXPECT_EQ(digest_of({}), "");
-  const std::string digest = digest_of({{"damaged:driver", known}});
-  EXPECT_EQ(digest, digest_of({{"damaged:driver", known}}));
+  EXPECT_EQ(digest_of_known({}), "");
+  const std::string digest = digest_of_known({{"damaged:driver", known}});
+  EXPECT_EQ(digest, digest_of_known({{"damaged:driver", known}}));
   KnownDefects other = known;
   other.cases[0].positions[0].x = 0;
-  EXPECT_NE(digest, digest_of({{"damaged:driver", other}}));
-  EXPECT_NE(digest, digest_of({{"damaged:newer", known_defects(*driver("newer"))}}));
+  EXPECT_NE(digest, digest_of_known({{"damaged:driver", other}}));
+  EXPECT_NE(digest, digest_of_known({{"damaged:newer", known_defects(*driver("newer"))}}));
 }
 
 }  // namespace
