@@ -234,7 +234,7 @@ std::optional<Basis> common(const std::vector<Shares>& all) {
 std::optional<Basis> read_basis(Subject& subject, const Grid& grid, const std::string& where) {
   const ValueShares values = value_shares(subject, grid);
   const Shares facing = facing_shares(subject, grid);
-  const std::string declared(name_of(subject.backend().contract(subject.base()).basis));
+  const std::string declared(name_of(subject.declared().basis));
   const auto add = [&](const char* of, const Shares& shares) {
     subject.add(fmt::format("basis of {}{}", of, where), declared, shares.text(), shares.detail());
   };

@@ -70,18 +70,33 @@ std::vector<Drawn> draw_cut(Subject& subject, const std::string& name, MakeVerte
   return all;
 }
 
-constexpr float kGreatestTolerance = 1024;
+constexpr float kGreatestTolerance = 4096;
 
 /// The least tolerance under which they hold, in grid units; nothing where none does.
 std::optional<float> tolerance_of(const Subject& subject, const std::vector<Drawn>& drawn) {
   cases::ContractTerms terms = subject.result.terms;
   terms.clip_tolerance = 0.0F;
-  if (subject.tally(drawn, terms).holds()) return 0.0F;
+  if (subject.holds(drawn, terms)) return 0.0F;
   for (float units = 1.0F / 16; units <= kGreatestTolerance; units *= 2) {
     terms.clip_tolerance = units;
-    if (subject.tally(drawn, terms).holds()) return units;
+    if (subject.holds(drawn, terms)) return units;
   }
   return std::nullopt;
+}
+
+/// How many keep to a unit, which is what rounding a corner takes.
+std::string within_a_unit(const Subject& subject, const std::vector<Drawn>& drawn) {
+  cases::ContractTerms terms = subject.result.terms;
+  terms.clip_tolerance = 1.0F;
+  const auto kept = std::count_if(drawn.begin(), drawn.end(),
+                                  [&](const Drawn& one) { return subject.holds({one}, terms); });
+  return fmt::format("{} of {} triangles within 1", kept, drawn.size());
+}
+
+/// A pixel in grid units: more than that is another triangle.
+float pixel_of(const Subject& subject) {
+  const cases::Coverage coverage = subject.contract(subject.base()).coverage;
+  return coverage ? std::ldexp(1.0F, coverage->subpixel_bits) : 0.0F;
 }
 
 /// How many of the triangles came out how.
@@ -101,8 +116,10 @@ struct Outcomes {
 
 Outcomes outcomes_of(const Subject& subject, const std::vector<Drawn>& drawn) {
   Outcomes outcomes;
+  cases::ContractTerms terms = subject.result.terms;
+  terms.clip_tolerance = std::min(*terms.clip_tolerance, pixel_of(subject));
   for (const Drawn& one : drawn) {
-    const Tally tally = subject.tally({one}, subject.result.terms);
+    const Tally tally = subject.tally({one}, terms);
     const bool is_left_out = one.framebuffer.size() == 0;
     if (tally.holds()) {
       ++(tally.required == 0 && is_left_out ? outcomes.empty : outcomes.right);
@@ -138,7 +155,7 @@ void measure_clipping(Subject& subject) {
     subject.add(fmt::format("clip tolerance, {}", cut.name), units,
                 tolerance ? fmt::format("{:g} grid units", *tolerance)
                           : fmt::format("more than {:g} grid units", kGreatestTolerance),
-                fmt::format("{} triangles", drawn.size()));
+                within_a_unit(subject, drawn));
   }
   // A sample does not show the worst, which of corners rounded to the grid is about a unit.
   subject.result.terms.clip_tolerance = greatest == 0 ? 0.0F : std::max(1.0F, 2 * greatest);

@@ -41,7 +41,7 @@ std::string declared_of(const cases::Coverage& coverage) {
   if (!coverage) return "none: exact";
   std::string text =
       fmt::format("{} bits, {}", coverage->subpixel_bits, name_of(coverage->rounding));
-  if (coverage->position_error > 0) text += fmt::format(" ± {}", coverage->position_error);
+  if (coverage->position_error > 0) text += fmt::format(" ± {:.2g}", coverage->position_error);
   return text;
 }
 
@@ -110,7 +110,7 @@ std::optional<Snapping> least_holding(const Subject& subject, const std::vector<
   const std::vector<Snapping> ladder = ladder_from(from);
   const auto holds = [&](const Snapping& snapping) {
     terms.coverage = cases::Coverage(snapping);
-    return subject.tally(drawn, terms).holds();
+    return subject.holds(drawn, terms);
   };
   if (holds(from)) return from;
   const auto least = std::partition_point(ladder.begin() + 1, ladder.end(),
@@ -162,7 +162,10 @@ void measure_position_error(Subject& subject, const Sight& sight) {
   Snapping widest = grid;
   bool is_bounded = true;
   for (const auto& [name, drawn] : sorts) {
-    if (drawn.empty()) continue;
+    if (drawn.empty()) {
+      subject.add("position error", kNotDeclared, "not drawn", name);
+      continue;
+    }
     const std::optional<Snapping> least = least_holding(subject, drawn, grid);
     subject.add("position error", kNotDeclared, text_of(least), name);
     is_bounded = is_bounded && least;
@@ -192,8 +195,8 @@ void measure_what_is_followed(Subject& subject, AskedDrawing asked) {
   subject.add("bits asked for", kNotDeclared,
               others.empty() ? "0 to 16, all followed" : "all of 0 to 16 but " + others);
   const Grid half_up = grid_asked({kAskedBits, Rounding::half_up, 0});
-  subject.add("grid where half_up is asked",
-              declared_of(subject.backend().contract(subject.base()).coverage), to_string(half_up));
+  subject.add("grid where half_up is asked", declared_of(subject.declared().coverage),
+              to_string(half_up));
   subject.ask(as_before);
 
   cases::ContractTerms& terms = subject.result.terms;
@@ -222,7 +225,7 @@ void measure_grid(Subject& subject, Sight& sight) {
   sight.drawings = draw_grid_cases(subject);
   sight.fit = fit_grid(sight.drawings);
   const Grid unasked = sight.fit.grid;
-  const std::string declared = declared_of(subject.backend().contract(subject.base()).coverage);
+  const std::string declared = declared_of(subject.declared().coverage);
   if (!said.coverage) {
     asked.coverage = cases::Coverage(Snapping{kAskedBits - 1, Rounding::nearest_even, 0});
     subject.ask(asked);
@@ -239,7 +242,7 @@ void measure_grid(Subject& subject, Sight& sight) {
     subject.ask(said);
   }
   const GridFit& fit = sight.fit;
-  const std::string on = declared_of(subject.backend().contract(subject.base()).coverage);
+  const std::string on = declared_of(subject.declared().coverage);
   const std::string what = sight.follows_coverage
                                ? fmt::format("grid where {} bits are asked", kAskedBits)
                                : "subpixel grid";

@@ -123,7 +123,7 @@ void measure_numbers(Subject& subject) {
   const cases::ContractTerms& terms = subject.result.terms;
   const Range positions = range_of([&](int e) {
     const auto drawn = subject.drawn(with_scaled_positions(c, e));
-    return drawn && subject.tally({*drawn}, terms).holds();
+    return drawn && subject.holds({*drawn}, terms);
   });
   // What is off by twice as much and more is lost.
   const double usual = 2 * std::max(worst_smooth(subject, *plain), 0.5);
@@ -131,7 +131,7 @@ void measure_numbers(Subject& subject) {
     const auto drawn = subject.drawn(with_scaled_values(c, e));
     return drawn && worst_smooth(subject, *drawn) <= usual;
   });
-  const cases::MagnitudeRange declared = subject.backend().contract(c).numbers;
+  const cases::MagnitudeRange declared = subject.declared().numbers;
   const std::string says = fmt::format("{:g} to {:g}", declared.least, declared.greatest);
   subject.add("clip positions that draw right", says, text_of(positions, ""));
   subject.add("attribute values that come back", says, text_of(values, ""));

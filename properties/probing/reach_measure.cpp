@@ -112,7 +112,7 @@ class Reach {
   bool holds(double distance, const cases::ContractTerms& terms) {
     const auto [at, is_new] = drawn_.try_emplace(distance);
     if (is_new) at->second = draw_far(*subject_, distance);
-    if (at->second && subject_->tally({*at->second}, terms).holds()) return true;
+    if (at->second && subject_->holds({*at->second}, terms)) return true;
     is_refused_ = !at->second;
     return false;
   }
@@ -132,7 +132,7 @@ std::string text_of(double pixels) {
 
 void measure_reach(Subject& subject) {
   constexpr float kEverything = std::numeric_limits<float>::max();
-  const cases::Contract declared = subject.backend().contract(subject.base());
+  const cases::Contract declared = subject.declared();
   Reach reach(subject);
   cases::ContractTerms& terms = subject.result.terms;
   // Positions far out lie midway between grid points often, and it is not their rounding that is

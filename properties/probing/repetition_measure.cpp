@@ -50,7 +50,7 @@ void measure_repetition(Subject& subject) {
       twice.checked == 0 ? "not seen" : (twice.violated == 0 ? "the same bits" : "other bits"),
       twice.detail());
 
-  const cases::Contract declared = subject.backend().contract(subject.base());
+  const cases::Contract declared = subject.declared();
   const auto keep = [&](const char* what, const char* law, bool is_declared,
                         std::optional<bool> cases::ContractTerms::*term) {
     cases::ContractTerms promised = terms;

@@ -1,7 +1,9 @@
 #include "properties/probing/subject.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "backends/held_backend.h"
 #include "oracle/judge.h"
 #include "properties/drawing.h"
 
@@ -10,6 +12,13 @@ namespace {
 
 /// Pixels of a side.
 constexpr int kSide = 64;
+
+/// The backend, promising something of every case: properties::draw() asks no other.
+std::unique_ptr<backends::Backend> of_all_numbers(backends::Backend& backend) {
+  cases::ContractTerms terms;
+  terms.numbers = cases::MagnitudeRange();
+  return backends::held_to(terms, backend);
+}
 
 cases::Contract held(const cases::Case& c, const backends::Backend& backend,
                      const cases::ContractTerms& terms) {
@@ -26,7 +35,10 @@ Tally& Tally::operator+=(const Tally& other) {
 }
 
 Subject::Subject(std::string name, backends::Backend& backend, const ProbeOptions& options)
-    : backend_(&backend), options_(options), asked_(options.asked) {
+    : declared_(&backend),
+      backend_(of_all_numbers(backend)),
+      options_(options),
+      asked_(options.asked) {
   result.backend = std::move(name);
   result.description = backend.description();
   result.seed = options.seed;
@@ -87,6 +99,17 @@ std::optional<Drawn> Subject::drawn(cases::Case c) {
 
 cases::Contract Subject::contract(const cases::Case& c) const {
   return held(c, *backend_, result.terms);
+}
+
+cases::Contract Subject::declared() const {
+  cases::Case c = base();
+  add_triangle(c, {-0.5F, -0.5F, 0.5F, 1}, {0.5F, -0.5F, 0.5F, 1}, {0, 0.5F, 0.5F, 1});
+  return declared_->contract(c);
+}
+
+bool Subject::holds(const std::vector<Drawn>& drawn, const cases::ContractTerms& terms) const {
+  return std::all_of(drawn.begin(), drawn.end(),
+                     [&](const Drawn& one) { return tally({one}, terms).holds(); });
 }
 
 Tally Subject::tally(const std::vector<Drawn>& drawn, const cases::ContractTerms& terms) const {

@@ -3,6 +3,7 @@
 // The backend that is probed, the cases it is asked to draw, and what is known of it so far.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,7 +42,10 @@ class Subject {
   /// Whether it draws anything; chooses the rules its cases have. Fails as probe() does.
   Result<void> choose_rules();
 
+  /// The backend, which is asked of all numbers, whatever it promises of them.
   backends::Backend& backend() { return *backend_; }
+  /// What it promises of a triangle in the middle of a base() case.
+  cases::Contract declared() const;
   const ProbeOptions& options() const { return options_; }
 
   /// A case of 64×64 pixels without vertices that asks for what asked() says.
@@ -60,6 +64,8 @@ class Subject {
   cases::Contract contract(const cases::Case& c) const;
   /// The same with terms that take the place of the known ones.
   Tally tally(const std::vector<Drawn>& drawn, const cases::ContractTerms& terms) const;
+  /// Whether nothing is missing, and nothing too much.
+  bool holds(const std::vector<Drawn>& drawn, const cases::ContractTerms& terms) const;
   /// All that a judge says, by the kind of value.
   records::Judgement judgement(const Drawn& drawn, const cases::ContractTerms& terms) const;
 
@@ -68,7 +74,8 @@ class Subject {
   records::Probe result;  ///< its rows and terms are what is known so far
 
  private:
-  backends::Backend* backend_;
+  backends::Backend* declared_;
+  std::unique_ptr<backends::Backend> backend_;
   ProbeOptions options_;
   AskedDrawing asked_;
   cases::Rules rules_ = cases::Rules::vulkan;

@@ -1,0 +1,81 @@
+// A probe finds out what is known of a mutant: its defect, from what it draws alone.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include "backends/backend.h"
+#include "properties/probing/probe.h"
+
+namespace rastercheck::mutants {
+namespace {
+
+using cases::Coverage;
+using cases::Snapping;
+
+struct Known {
+  const char* mutant;
+  Coverage coverage;  ///< that cases ask for
+  cases::Basis basis;
+  const char* what;      ///< the row
+  const char* measured;  ///< what its mutant is measured to be begins so
+  const char* unharmed;  ///< and cpu as it is
+};
+std::ostream& operator<<(std::ostream& stream, const Known& known) {
+  return stream << known.mutant;
+}
+
+constexpr auto kIdeal = cases::Basis::ideal;
+constexpr auto kSnapped = cases::Basis::snapped;
+
+class ProbeOfMutant : public ::testing::TestWithParam<Known> {
+ protected:
+  static std::string measured(const std::string& specification) {
+    const Known& known = GetParam();
+    const auto backend = backends::make_backend(specification);
+    if (!backend) return to_string(backend.error());
+    properties::ProbeOptions options;
+    options.cases = 4;
+    options.asked = {known.coverage, known.basis, cases::TieRule::top_left};
+    const auto probe = properties::probe(specification, **backend, options, {});
+    if (!probe) return to_string(probe.error());
+    for (const records::Measured& row : probe->rows) {
+      if (row.what == known.what) return row.measured;
+    }
+    return "no such row";
+  }
+};
+
+TEST_P(ProbeOfMutant, FindsItsDefect) {
+  const Known& known = GetParam();
+  EXPECT_THAT(measured(std::string("mutant:") + known.mutant),
+              ::testing::StartsWith(known.measured));
+  EXPECT_THAT(measured("cpu"), ::testing::StartsWith(known.unharmed));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mutants, ProbeOfMutant,
+    ::testing::Values(
+        Known{"snap-truncates", Snapping{8}, kIdeal, "subpixel grid", "8 bits, down",
+              "8 bits, nearest_even"},
+        Known{"snap-halves-up", Snapping{8}, kIdeal, "subpixel grid", "8 bits, half_up",
+              "8 bits, nearest_even"},
+        Known{"snap-ties-turned", Snapping{8}, kIdeal, "tie rule", "bottom_left", "top_left"},
+        Known{"snap-values-of-clip-positions", Snapping{8}, kSnapped, "basis of smooth attributes",
+              "ideal", "snapped"},
+        Known{"snap-facing-of-clip-positions", Snapping{8}, kSnapped, "basis of facing", "ideal",
+              "snapped"},
+        Known{"snap-positions-in-24-bits", Snapping{8}, kIdeal, "greatest coordinate drawn right",
+              "32", "2^96 pixels or more"},
+        Known{"ties-always-inside", Coverage(), kIdeal, "tie rule", "of another kind", "top_left"},
+        Known{"vertex-value-interpolated", Coverage(), kIdeal, "values at vertices to the bit",
+              "not kept", "kept"},
+        Known{"equal-depth-by-equal-w", Coverage(), kIdeal, "equal depths", "not kept", "kept"},
+        Known{"rows-of-the-draw-before", Coverage(), kIdeal, "drawing twice", "other bits",
+              "the same bits"}));
+
+}  // namespace
+}  // namespace rastercheck::mutants
