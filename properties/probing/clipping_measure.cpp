@@ -70,16 +70,17 @@ std::vector<Drawn> draw_cut(Subject& subject, const std::string& name, MakeVerte
   return all;
 }
 
-constexpr float kGreatestTolerance = 4096;
+/// Of the greatest tolerance that is tried, in grid units.
+constexpr int kGreatestExponent = 12;
 
 /// The least tolerance under which they hold, in grid units; nothing where none does.
 std::optional<float> tolerance_of(const Subject& subject, const std::vector<Drawn>& drawn) {
   cases::ContractTerms terms = subject.result.terms;
   terms.clip_tolerance = 0.0F;
   if (subject.holds(drawn, terms)) return 0.0F;
-  for (float units = 1.0F / 16; units <= kGreatestTolerance; units *= 2) {
-    terms.clip_tolerance = units;
-    if (subject.holds(drawn, terms)) return units;
+  for (int e = -4; e <= kGreatestExponent; ++e) {
+    terms.clip_tolerance = std::ldexp(1.0F, e);
+    if (subject.holds(drawn, terms)) return terms.clip_tolerance;
   }
   return std::nullopt;
 }
@@ -154,7 +155,7 @@ void measure_clipping(Subject& subject) {
     if (tolerance) greatest = std::max(greatest, *tolerance);
     subject.add(fmt::format("clip tolerance, {}", cut.name), units,
                 tolerance ? fmt::format("{:g} grid units", *tolerance)
-                          : fmt::format("more than {:g} grid units", kGreatestTolerance),
+                          : fmt::format("more than {} grid units", 1 << kGreatestExponent),
                 within_a_unit(subject, drawn));
   }
   // A sample does not show the worst, which of corners rounded to the grid is about a unit.

@@ -45,7 +45,7 @@ Subject::Subject(std::string name, backends::Backend& backend, const ProbeOption
 }
 
 Result<void> Subject::choose_rules() {
-  std::optional<Error> why;
+  Result<void> chosen;
   for (const cases::Rules rules : {cases::Rules::vulkan, cases::Rules::opengl, cases::Rules::d3d}) {
     rules_ = rules;
     cases::Case c = base();
@@ -53,9 +53,9 @@ Result<void> Subject::choose_rules() {
     const Result<cases::Framebuffer> first = properties::draw(c, *backend_);
     ++result.drawings;
     if (first) return {};
-    if (!why) why = first.error();
+    if (chosen) chosen = tl::unexpected(first.error());
   }
-  return tl::unexpected(*why);
+  return chosen;
 }
 
 cases::Case Subject::base() const {

@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
         Known{"snap-facing-of-clip-positions", Snapping{8}, kSnapped, "basis of facing", "ideal",
               "snapped"},
         Known{"snap-positions-in-24-bits", Snapping{8}, kIdeal, "greatest coordinate drawn right",
-              "32", "2^96 pixels or more"},
+              "30720 pixels", "2^96 pixels or more"},
         Known{"ties-always-inside", Coverage(), kIdeal, "tie rule", "of another kind", "top_left"},
         Known{"vertex-value-interpolated", Coverage(), kIdeal, "values at vertices to the bit",
               "not kept", "kept"},
