@@ -117,10 +117,8 @@ struct Outcomes {
 
 Outcomes outcomes_of(const Subject& subject, const std::vector<Drawn>& drawn) {
   Outcomes outcomes;
-  cases::ContractTerms terms = subject.result.terms;
-  terms.clip_tolerance = std::min(*terms.clip_tolerance, pixel_of(subject));
   for (const Drawn& one : drawn) {
-    const Tally tally = subject.tally({one}, terms);
+    const Tally tally = subject.tally({one}, subject.result.terms);
     const bool is_left_out = one.framebuffer.size() == 0;
     if (tally.holds()) {
       ++(tally.required == 0 && is_left_out ? outcomes.empty : outcomes.right);
@@ -159,7 +157,9 @@ void measure_clipping(Subject& subject) {
                 within_a_unit(subject, drawn));
   }
   // A sample does not show the worst, which of corners rounded to the grid is about a unit.
-  subject.result.terms.clip_tolerance = greatest == 0 ? 0.0F : std::max(1.0F, 2 * greatest);
+  // Beyond a pixel it would permit any triangle: a run shows these as violations.
+  const float tolerance = greatest == 0 ? 0.0F : std::max(1.0F, 2 * greatest);
+  subject.result.terms.clip_tolerance = std::min(tolerance, pixel_of(subject));
 
   constexpr std::array kBehind{
       Cut{"one vertex with w < 0", &behind_eye, 1}, Cut{"two vertices with w < 0", &behind_eye, 2},

@@ -84,7 +84,11 @@ DrawnByGenerator draw_all(Subject& subject, const Progress& progress) {
       cases::Case c = generator.make(draw);
       subject.ask_of(c);
       if (!cases::makes_promises_of(subject.contract(c), c)) continue;
-      if (auto drawn = subject.drawn(std::move(c))) all[name].push_back(*std::move(drawn));
+      std::optional<Drawn> drawn = subject.drawn(c);
+      // By rules that it does not draw, it may draw by others.
+      const cases::Rules rules = subject.base().rules;
+      if (!drawn && std::exchange(c.rules, rules) != rules) drawn = subject.drawn(std::move(c));
+      if (drawn) all[name].push_back(*std::move(drawn));
     }
     if (progress) progress(++done, generators().size());
   }
