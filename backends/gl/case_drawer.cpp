@@ -218,7 +218,7 @@ Result<void> CaseDrawer::Impl::draw_pass(const Plan& plan, const Pass& pass, std
                                          int layer_count, Layers& layers) {
   const cases::Case& c = *plan.c;
   const std::size_t count = static_cast<std::size_t>(layer_count) * plan.triangles;
-  const Result<GLuint> program = programs.get(pass);
+  const Result<GLuint> program = programs.get(pass, c.framebuffer.samples > 1);
   if (!program) return tl::unexpected(program.error());
   const std::vector<float> values =
       vertices_of(has, c, std::span(c.triangles).subspan(first, count), pass);

@@ -66,10 +66,10 @@ std::string lacks_of_attributes(const Capabilities& has, const cases::Case& c) {
     if (a.interpolation == cases::Interpolation::noperspective && !has.has_noperspective) {
       return has.api + " has no noperspective";
     }
-    const bool is_at_sample = a.interpolation != cases::Interpolation::flat &&
-                              a.location == cases::Location::sample && c.framebuffer.samples > 1;
-    if (is_at_sample && !has.has_sample_qualifier) {
-      return has.api + " has no qualifier `sample`";
+    const bool has_place =
+        a.interpolation != cases::Interpolation::flat && c.framebuffer.samples > 1;
+    if (has_place && a.location != cases::Location::centroid && !has.has_sample_qualifier) {
+      return has.api + " has neither the qualifier `sample` nor interpolateAtOffset()";
     }
   }
   return "";

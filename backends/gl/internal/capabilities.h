@@ -18,8 +18,8 @@ struct Capabilities {
   bool has_provoking_vertex = false;
   bool has_depth_clamp = false;
   bool has_noperspective = false;
-  bool has_sample_qualifier = false;
-  bool has_sample_targets = false;  ///< multisampled arrays
+  bool has_sample_qualifier = false;  ///< and interpolateAtOffset()
+  bool has_sample_targets = false;    ///< multisampled arrays
   bool has_viewport_fractions = false;
   bool clears_beyond_one = false;  ///< float depth, to a value above 1
   int subpixel_bits = 4;

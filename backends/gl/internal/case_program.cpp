@@ -39,14 +39,24 @@ std::string vertex_shader(const Capabilities& has, const std::vector<VaryingClas
   return outside + "void main() {\n" + inside + "}\n";
 }
 
-std::string fragment_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings) {
+/// Of several samples an input without a place of its own may be interpolated anywhere in the
+/// pixel: centres are asked for.
+bool asks_for_centre(const VaryingClass& varies, bool is_multisampled) {
+  return is_multisampled && varies.interpolation != cases::Interpolation::flat &&
+         varies.location == cases::Location::center;
+}
+
+std::string fragment_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings,
+                            bool is_multisampled) {
   std::string outside =
       shader_head(has) + "flat in float number;\nlayout(location = 0) out float number_out;\n";
   std::string inside = "  number_out = number;\n";
   for (std::size_t i = 0; i < varyings.size(); ++i) {
     outside += fmt::format("{0} in vec4 value{1};\nlayout(location = {2}) out vec4 out{1};\n",
                            qualifiers(varyings[i]), i, i + 1);
-    inside += fmt::format("  out{0} = value{0};\n", i);
+    const bool asks = asks_for_centre(varyings[i], is_multisampled) && has.has_sample_qualifier;
+    inside += asks ? fmt::format("  out{0} = interpolateAtOffset(value{0}, vec2(0));\n", i)
+                   : fmt::format("  out{0} = value{0};\n", i);
   }
   return outside + "void main() {\n" + inside + "}\n";
 }
@@ -69,15 +79,16 @@ std::string shader_head(const Capabilities& has) {
   return head;
 }
 
-Result<GLuint> CasePrograms::get(const Pass& pass) {
-  std::vector<VaryingClass> varyings;
-  for (const Varying& varying : pass) varyings.push_back(varying.varies);
-  if (const auto found = made_.find(varyings); found != made_.end()) return found->second.name();
-  Result<Object> program = make_program(vertex_shader(*has_, varyings).c_str(),
-                                        fragment_shader(*has_, varyings).c_str());
+Result<GLuint> CasePrograms::get(const Pass& pass, bool is_multisampled) {
+  Key key{{}, is_multisampled};
+  for (const Varying& varying : pass) key.varyings.push_back(varying.varies);
+  if (const auto found = made_.find(key); found != made_.end()) return found->second.name();
+  Result<Object> program =
+      make_program(vertex_shader(*has_, key.varyings).c_str(),
+                   fragment_shader(*has_, key.varyings, is_multisampled).c_str());
   if (!program) return tl::unexpected(program.error());
   const GLuint name = program->name();
-  made_.emplace(std::move(varyings), *std::move(program));
+  made_.emplace(std::move(key), *std::move(program));
   return name;
 }
 

@@ -19,11 +19,17 @@ class CasePrograms {
   explicit CasePrograms(const Capabilities& has) : has_(&has) {}
 
   /// The one for a pass, made where it is asked for first. Fails where it does not compile.
-  Result<GLuint> get(const Pass& pass);
+  Result<GLuint> get(const Pass& pass, bool is_multisampled);
 
  private:
+  struct Key {
+    std::vector<VaryingClass> varyings;
+    bool is_multisampled = false;
+    auto operator<=>(const Key&) const = default;
+  };
+
   const Capabilities* has_;
-  std::map<std::vector<VaryingClass>, Object> made_;
+  std::map<Key, Object> made_;
 };
 
 /// "#version …" and what else a shader begins with.

@@ -92,7 +92,9 @@ TEST(Capabilities, NameWhatThisContextLacks) {
   expect(&Capabilities::has_noperspective, c, "OpenGL 4.6 has no noperspective");
   c = small_case();
   c.framebuffer.samples = 4;
-  expect(&Capabilities::has_sample_qualifier, c, "no qualifier `sample`");
+  expect(&Capabilities::has_sample_qualifier, c, "neither the qualifier `sample`");
+  c.attributes[0].location = Location::center;
+  expect(&Capabilities::has_sample_qualifier, c, "nor interpolateAtOffset()");
   expect(&Capabilities::has_sample_targets, c, "no arrays of multisampled textures");
   c = small_case();
   c.depth_clamp = true;
