@@ -139,63 +139,9 @@ double greatest(const std::array<Vertex, 3>& triangle, const Of& of) {
       {std::fabs(of(triangle[0])), std::fabs(of(triangle[1])), std::fabs(of(triangle[2]))});
 }
 
-/// How far off the numbers of a case's triangles may be, the most of all.
-struct Errors {
-  double position = 0;      ///< of given vertices, pixels
-  double new_position = 0;  ///< of new ones, pixels
-  double cut_at_sides = 0;  ///< of those of triangles that only the viewport's sides cut
-  double new_weight = 0;    ///< ω, of itself
-  double condition = 0;     ///< K of depth
-  int planes = 0;           ///< that cut a triangle
-
-  void add(const cases::Case& c, const std::array<Vertex, 3>& triangle);
-
- private:
-  void add_positions(const cases::Viewport& viewport, const std::array<Vertex, 3>& triangle);
-  void add_condition(const cases::Viewport& viewport, const std::array<Vertex, 3>& triangle);
-};
-
-void Errors::add(const cases::Case& c, const std::array<Vertex, 3>& triangle) {
-  const Clipped clipped = clip(c, triangle);
-  if (clipped.polygon.empty()) return;
-  const cases::Viewport& viewport = c.viewport;
-  add_positions(viewport, triangle);
-  add_condition(viewport, triangle);
-  double least_w = std::numeric_limits<double>::infinity();
-  for (const Vertex& v : clipped.polygon) least_w = std::min(least_w, v.w);
-  // With a vertex in the eye itself, division by 0 gives an unspecified result.
-  if (clipped.planes == 0 && least_w > 0) return;
-  const double greatest_w = greatest(triangle, [](const Vertex& v) { return v.w; });
-  const double x = greatest(triangle, [](const Vertex& v) { return v.x; });
-  const double y = greatest(triangle, [](const Vertex& v) { return v.y; });
-  const double share =
-      std::max(clipped.planes, 1) * kClipping * kOperation / std::max(least_w, 0.0);
-  const double pixels = share *
-                        std::max((x + greatest_w) * std::fabs(double{viewport.width}),
-                                 (y + greatest_w) * std::fabs(double{viewport.height})) /
-                        2;
-  new_position = std::max(new_position, pixels);
-  planes = std::max(planes, clipped.planes);
-  if (clipped.is_cut_at_the_sides) cut_at_sides = std::max(cut_at_sides, pixels);
-  const double z = greatest(triangle, [](const Vertex& v) { return v.z; });
-  new_weight = std::max(new_weight, share * std::max(greatest_w, z));
-}
-
-void Errors::add_positions(const cases::Viewport& viewport, const std::array<Vertex, 3>& triangle) {
-  const auto error = [](double number, double w, double origin, double extent) {
-    const double ndc = number / w * extent / 2;
-    return kOperation * (kPosition * std::fabs(ndc) + kCentre * std::fabs(origin + extent / 2));
-  };
-  for (const Vertex& v : triangle) {
-    if (v.w <= 0) continue;  // it is cut off
-    position = std::max({position, error(v.x, v.w, double{viewport.x}, double{viewport.width}),
-                         error(v.y, v.w, double{viewport.y}, double{viewport.height})});
-  }
-}
-
 /// K of the affine weights (cases::ValueBound) at the corner of the viewport farthest from the
 /// window's origin, where it is greatest.
-void Errors::add_condition(const cases::Viewport& viewport, const std::array<Vertex, 3>& triangle) {
+double condition_of(const cases::Viewport& viewport, const std::array<Vertex, 3>& triangle) {
   const auto farthest = [](float from, float extent) {
     return std::max(std::fabs(double{from}), std::fabs(double{from} + double{extent}));
   };
@@ -226,7 +172,64 @@ void Errors::add_condition(const cases::Viewport& viewport, const std::array<Ver
     sizes += size[i][2] *
              ((y_j * w_k + y_k * w_j) * u + (x_j * w_k + x_k * w_j) * v + x_j * y_k + x_k * y_j);
   }
-  condition = std::max(condition, sizes / std::fabs(determinant));
+  return sizes / std::fabs(determinant);
+}
+
+/// How far off the numbers of a case's triangles may be, the most of all.
+struct Errors {
+  double position = 0;      ///< of given vertices, pixels
+  double new_position = 0;  ///< of new ones, pixels
+  double cut_at_sides = 0;  ///< of those of triangles that only the viewport's sides cut
+  double new_weight = 0;    ///< ω, of itself
+  double condition = 0;     ///< K of depth
+  int planes = 0;           ///< that cut a triangle
+
+  void add(const cases::Case& c, const std::array<Vertex, 3>& triangle);
+
+ private:
+  void add_positions(const cases::Viewport& viewport, const std::array<Vertex, 3>& triangle);
+};
+
+void Errors::add(const cases::Case& c, const std::array<Vertex, 3>& triangle) {
+  const Clipped clipped = clip(c, triangle);
+  const cases::Viewport& viewport = c.viewport;
+  const double of_weights = condition_of(viewport, triangle);
+  // Edges through the eye, or as near as numbers tell, are cut there: 0/0.
+  const bool has_no_area = !(kPerCondition * kOperation * of_weights < 1);
+  if (clipped.polygon.empty() && !has_no_area) return;
+  add_positions(viewport, triangle);
+  condition = std::max(condition, of_weights);
+  double least_w = std::numeric_limits<double>::infinity();
+  for (const Vertex& v : clipped.polygon) least_w = std::min(least_w, v.w);
+  if (has_no_area && clipped.planes > 0) least_w = 0;
+  // With a vertex in the eye itself, division by 0 gives an unspecified result.
+  if (clipped.planes == 0 && least_w > 0) return;
+  const double greatest_w = greatest(triangle, [](const Vertex& v) { return v.w; });
+  const double x = greatest(triangle, [](const Vertex& v) { return v.x; });
+  const double y = greatest(triangle, [](const Vertex& v) { return v.y; });
+  const double share =
+      std::max(clipped.planes, 1) * kClipping * kOperation / std::max(least_w, 0.0);
+  const double pixels = share *
+                        std::max((x + greatest_w) * std::fabs(double{viewport.width}),
+                                 (y + greatest_w) * std::fabs(double{viewport.height})) /
+                        2;
+  new_position = std::max(new_position, pixels);
+  planes = std::max(planes, clipped.planes);
+  if (clipped.is_cut_at_the_sides) cut_at_sides = std::max(cut_at_sides, pixels);
+  const double z = greatest(triangle, [](const Vertex& v) { return v.z; });
+  new_weight = std::max(new_weight, share * std::max(greatest_w, z));
+}
+
+void Errors::add_positions(const cases::Viewport& viewport, const std::array<Vertex, 3>& triangle) {
+  const auto error = [](double number, double w, double origin, double extent) {
+    const double ndc = number / w * extent / 2;
+    return kOperation * (kPosition * std::fabs(ndc) + kCentre * std::fabs(origin + extent / 2));
+  };
+  for (const Vertex& v : triangle) {
+    if (v.w <= 0) continue;  // it is cut off
+    position = std::max({position, error(v.x, v.w, double{viewport.x}, double{viewport.width}),
+                         error(v.y, v.w, double{viewport.y}, double{viewport.height})});
+  }
 }
 
 Errors errors_of(const cases::Case& c) {

@@ -87,6 +87,18 @@ TEST(ApiPromise, OfWhatReachesTheEyeIsNothing) {
   EXPECT_EQ(api_promise(case_of(through), kEightBits).clip_tolerance, cases::kMaxPositionError);
 }
 
+TEST(ApiPromise, OfWhatIsSeenEdgeOnAndCutIsNothing) {
+  // The edge from p to −p passes through the eye.
+  const std::array<cases::ClipVertex, 3> opposite{
+      {{0.5F, 0.25F, 0.5F, 1}, {-0.5F, -0.25F, -0.5F, -1}, {0, 0.5F, 0.5F, 1}}};
+  EXPECT_EQ(api_promise(case_of(opposite), kEightBits).clip_tolerance, cases::kMaxPositionError);
+  // Whole, it only loses its values.
+  const std::array<cases::ClipVertex, 3> thin{
+      {{-0.5F, 0, 0.5F, 1}, {0.5F, 0, 0.5F, 1}, {0, 0, 0.5F, 1}}};
+  EXPECT_LT(api_promise(case_of(thin), kEightBits).clip_tolerance, 2);
+  EXPECT_EQ(api_promise(case_of(thin), kEightBits).bounds.depth.constant, 0x1p24F);
+}
+
 TEST(ApiPromise, OfNumbersWhoseProductsAreTooLargeIsNothing) {
   cases::Case c = case_of(kPlain);
   EXPECT_TRUE(cases::makes_promises_of(api_promise(c, kEightBits), c));
