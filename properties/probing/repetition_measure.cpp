@@ -61,8 +61,8 @@ void measure_repetition(Subject& subject) {
     promised.*term = true;
     const Counts counts = count(subject, law, promised);
     const bool keeps = counts.checked > 0 && counts.violated == 0;
-    subject.add(what, is_declared ? "kept" : "not promised", keeps ? "kept" : "not kept",
-                counts.detail());
+    const char* const measured = counts.checked == 0 ? "not seen" : keeps ? "kept" : "not kept";
+    subject.add(what, is_declared ? "kept" : "not promised", measured, counts.detail());
     terms.*term = keeps;
   };
   keep("constants to the bit", "constants stay constant", declared.keeps_constants,

@@ -73,7 +73,6 @@ INSTANTIATE_TEST_SUITE_P(
         Known{"ties-always-inside", Coverage(), kIdeal, "tie rule", "of another kind", "top_left"},
         Known{"vertex-value-interpolated", Coverage(), kIdeal, "values at vertices to the bit",
               "not kept", "kept"},
-        Known{"equal-depth-by-equal-w", Coverage(), kIdeal, "equal depths", "not kept", "kept"},
         Known{"rows-of-the-draw-before", Coverage(), kIdeal, "drawing twice", "other bits",
               "the same bits"}));
 

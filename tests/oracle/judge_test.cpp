@@ -146,7 +146,8 @@ class JudgeUnder : public testing::Test {
     cases::Framebuffer drawn;
     push(drawn, 0, 0, 0, 0, 0, {value});
     const SceneTruth scene(c, contract);
-    return judge(scene, drawn).judgement.errors.at(records::kind_of(declared)).classes;
+    records::Judgement judgement = judge(scene, drawn).judgement;
+    return judgement.errors[records::kind_of(declared)].classes;
   }
 };
 

@@ -113,12 +113,17 @@ class Contents(unittest.TestCase):
         self.assertEqual(held["usr/bin/rastercheck"], "-rwxr-xr-x")
         corpus = {path.name for path in (SOURCE / "cases/corpus").glob("*")}
         self.assertGreater(len(corpus), 300)
-        self.assertEqual({name.removeprefix("usr/share/rastercheck/corpus/") for name in held
-                          if name.startswith("usr/share/rastercheck/")}, corpus)
+        data = {name.removeprefix("usr/share/rastercheck/") for name in held
+                if name.startswith("usr/share/rastercheck/")}
+        known = {f"known/{path.relative_to(SOURCE / 'backends')}"
+                 for path in [*(SOURCE / "backends").glob("*/known.json"),
+                              *(SOURCE / "backends").glob("*/known/*.json")]}
+        self.assertGreater(len(known), 20)
+        self.assertEqual(data, {f"corpus/{name}" for name in corpus} | known)
         docs = "usr/share/doc/rastercheck/"
         for name in ["copyright", "README.md", "docs/when-it-fails.md", "docs/images/bunny-cpu.png"]:
             self.assertIn(docs + name, held)
-        others = {name for name in held if not name.startswith((docs, "usr/share/rastercheck/corpus/"))}
+        others = {name for name in held if not name.startswith((docs, "usr/share/rastercheck/"))}
         self.assertEqual(others, {"usr/bin/rastercheck"})
 
     def test_the_program_needs_libraries_and_no_headers(self):
