@@ -1,6 +1,11 @@
-// The bounds of api_promise(). Throughout, δ is the error of one operation, relative to its result,
-// and first order in δ is what is counted; kRest makes up for the rest, and for computing the
-// bounds themselves in double.
+// The bounds of api_promise(). Throughout, δ is the error of one operation, relative to its result.
+// What is counted is of first order in δ; kRest makes up for the rest, but for the quotient of
+// section 3, and for computing the bounds themselves in double.
+//
+// What is taken for granted of an implementation: it clips only by planes that a given vertex is
+// beyond, computes positions and weights by the formulas below or better ones, and the products on
+// the way to them have room in its numbers. Of clipped triangles K is that of the whole, as if
+// their pieces were set up by its planes.
 //
 // 1. Window positions. X = x · (1/w) · W/2 + (x0 + W/2) is five operations: three for the product,
 //    one for the centre, one for the sum, which is off by δ|X|. So |ΔX| <= 4δ |x/w W/2| +
@@ -28,8 +33,9 @@
 //    and summed: 4δ more in the numerator, 3δ in the denominator; the quotient 2δ. All errors of
 //    both sums are of terms whose magnitudes sum to K times the denominator (cases::ValueBound), so
 //
-//      |Δr| <= (19 + 18) δ K max|r| + 2δ |r|.
+//      |Δr| <= (19 + 18) δ K / (1 − 18 δ K) max|r| + 2δ |r|,
 //
+//    and 37 / (1 − 18 δ K) <= 55 as long as 55 δ K <= 1; beyond that nothing is promised.
 //    An ulp(max|r|) is at least 2^-24 max|r|. Of depth the same, with the K of affine weights, and
 //    three operations for the depth range. Weights of vertices whose w is off by ω are off by ω:
 //    r, a mean of the values there, by 2ω of their range, and by ω max|r| for these.
@@ -40,6 +46,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace rastercheck::backends {
@@ -55,14 +62,22 @@ constexpr double kPosition = 4;
 constexpr double kCentre = 2;
 /// 4δ of t and 3δ of the sum, each of twice the greatest number.
 constexpr double kClipping = 14;
-constexpr double kPerCondition = 37;
+constexpr double kPerCondition = 55;
 constexpr double kQuotient = 2;
 constexpr double kDepthRange = 3;
 /// 2ω of a range that is at most twice the magnitude, and ω.
 constexpr double kNewWeights = 5;
 
-/// Products and quotients of two such numbers lie within 2^-32 and 2^32.
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// All digits of a number, in units of the last.
+constexpr float kAllDigits = 0x1p24F;
+
+/// Products and quotients of two such numbers lie within 2^-32 and 2^32; those of window positions,
+/// which the specifications do not write down, are taken to have room as well.
 constexpr cases::MagnitudeRange kNumbers{0x1p-16F, 0x1p16F};
+
+/// No number but 0.
+constexpr cases::MagnitudeRange kNone{std::numeric_limits<float>::max(), 0};
 
 /// A vertex in clip space with its clip distances.
 struct Vertex {
@@ -85,14 +100,17 @@ Vertex mean(const Vertex& a, const Vertex& b, double t) {
   return c;
 }
 
-/// What is left of a triangle in the view volume, and how many planes have cut it.
+/// What is left of a triangle in the view volume, or was before the plane that left nothing, and
+/// how many planes have cut it.
 struct Clipped {
   std::vector<Vertex> polygon;
   int planes = 0;
   bool is_cut_at_the_sides = false;
+  bool is_empty = false;
 };
 
-void clip(Clipped& clipped, Plane plane, std::size_t index, bool is_side) {
+void clip_by(Clipped& clipped, Plane plane, std::size_t index, bool is_side) {
+  if (clipped.is_empty) return;
   std::vector<Vertex> left;
   bool cuts = false;
   const std::vector<Vertex>& all = clipped.polygon;
@@ -107,11 +125,13 @@ void clip(Clipped& clipped, Plane plane, std::size_t index, bool is_side) {
   }
   clipped.planes += cuts ? 1 : 0;
   clipped.is_cut_at_the_sides = clipped.is_cut_at_the_sides || (cuts && is_side);
-  clipped.polygon = std::move(left);
+  clipped.is_empty = left.empty();
+  // After another plane, whose new vertices are a little off, something may be left all the same.
+  if (!clipped.is_empty || clipped.planes == 1) clipped.polygon = std::move(left);
 }
 
-Clipped clip(const cases::Case& c, const std::array<Vertex, 3>& triangle) {
-  Clipped clipped{{triangle.begin(), triangle.end()}, 0, false};
+Clipped clipped_to_view(const cases::Case& c, const std::array<Vertex, 3>& triangle) {
+  Clipped clipped{{triangle.begin(), triangle.end()}};
   constexpr std::array<Plane, 4> kSides{[](const Vertex& v, std::size_t) { return v.w + v.x; },
                                         [](const Vertex& v, std::size_t) { return v.w - v.x; },
                                         [](const Vertex& v, std::size_t) { return v.w + v.y; },
@@ -120,15 +140,15 @@ Clipped clip(const cases::Case& c, const std::array<Vertex, 3>& triangle) {
     const bool from_minus_one = c.rules == cases::Rules::opengl;
     const Plane near = [](const Vertex& v, std::size_t) { return v.z; };
     const Plane near_of_opengl = [](const Vertex& v, std::size_t) { return v.w + v.z; };
-    clip(clipped, from_minus_one ? near_of_opengl : near, 0, false);
-    clip(
+    clip_by(clipped, from_minus_one ? near_of_opengl : near, 0, false);
+    clip_by(
         clipped, [](const Vertex& v, std::size_t) { return v.w - v.z; }, 0, false);
   }
   for (std::size_t i = 0; i < c.clip_distance_count; ++i) {
-    clip(
+    clip_by(
         clipped, [](const Vertex& v, std::size_t index) { return v.distances[index]; }, i, false);
   }
-  for (const Plane side : kSides) clip(clipped, side, 0, true);
+  for (const Plane side : kSides) clip_by(clipped, side, 0, true);
   return clipped;
 }
 
@@ -179,53 +199,58 @@ double condition_of(const cases::Viewport& viewport, const std::array<Vertex, 3>
 struct Errors {
   double position = 0;      ///< of given vertices, pixels
   double new_position = 0;  ///< of new ones, pixels
-  double cut_at_sides = 0;  ///< of those of triangles that only the viewport's sides cut
+  double cut_at_sides = 0;  ///< of those of triangles that the viewport's sides cut
   double new_weight = 0;    ///< ω, of itself
   double condition = 0;     ///< K of depth
   int planes = 0;           ///< that cut a triangle
+  bool divides_by_zero = false;
 
   void add(const cases::Case& c, const std::array<Vertex, 3>& triangle);
 
  private:
-  void add_positions(const cases::Viewport& viewport, const std::array<Vertex, 3>& triangle);
+  void add_positions(const cases::Viewport& viewport, std::span<const Vertex> vertices);
 };
 
 void Errors::add(const cases::Case& c, const std::array<Vertex, 3>& triangle) {
-  const Clipped clipped = clip(c, triangle);
+  const Clipped clipped = clipped_to_view(c, triangle);
   const cases::Viewport& viewport = c.viewport;
   const double of_weights = condition_of(viewport, triangle);
-  // Edges through the eye, or as near as numbers tell, are cut there: 0/0.
-  const bool has_no_area = !(kPerCondition * kOperation * of_weights < 1);
-  if (clipped.polygon.empty() && !has_no_area) return;
+  // Of no more area than numbers tell: values have no digits left, and an edge may pass through the
+  // eye, where cutting it divides 0 by 0.
+  const bool has_area = kPerCondition * kOperation * of_weights < 1;
+  if (clipped.polygon.empty() && has_area) return;
   add_positions(viewport, triangle);
-  condition = std::max(condition, of_weights);
-  double least_w = std::numeric_limits<double>::infinity();
+  add_positions(viewport, clipped.polygon);
+  condition = has_area ? std::max(condition, of_weights) : kInfinity;
+  double least_w = kInfinity;
   for (const Vertex& v : clipped.polygon) least_w = std::min(least_w, v.w);
-  if (has_no_area && clipped.planes > 0) least_w = 0;
-  // With a vertex in the eye itself, division by 0 gives an unspecified result.
-  if (clipped.planes == 0 && least_w > 0) return;
+  if (!has_area && clipped.planes > 0) least_w = 0;
+  planes = std::max(planes, clipped.planes);
+  if (!(least_w > 0)) {
+    divides_by_zero = true;
+    return;
+  }
+  if (clipped.planes == 0) return;
   const double greatest_w = greatest(triangle, [](const Vertex& v) { return v.w; });
   const double x = greatest(triangle, [](const Vertex& v) { return v.x; });
   const double y = greatest(triangle, [](const Vertex& v) { return v.y; });
-  const double share =
-      std::max(clipped.planes, 1) * kClipping * kOperation / std::max(least_w, 0.0);
+  const double share = clipped.planes * kClipping * kOperation / least_w;
   const double pixels = share *
                         std::max((x + greatest_w) * std::fabs(double{viewport.width}),
                                  (y + greatest_w) * std::fabs(double{viewport.height})) /
                         2;
   new_position = std::max(new_position, pixels);
-  planes = std::max(planes, clipped.planes);
   if (clipped.is_cut_at_the_sides) cut_at_sides = std::max(cut_at_sides, pixels);
   const double z = greatest(triangle, [](const Vertex& v) { return v.z; });
   new_weight = std::max(new_weight, share * std::max(greatest_w, z));
 }
 
-void Errors::add_positions(const cases::Viewport& viewport, const std::array<Vertex, 3>& triangle) {
+void Errors::add_positions(const cases::Viewport& viewport, std::span<const Vertex> vertices) {
   const auto error = [](double number, double w, double origin, double extent) {
     const double ndc = number / w * extent / 2;
     return kOperation * (kPosition * std::fabs(ndc) + kCentre * std::fabs(origin + extent / 2));
   };
-  for (const Vertex& v : triangle) {
+  for (const Vertex& v : vertices) {
     if (v.w <= 0) continue;  // it is cut off
     position = std::max({position, error(v.x, v.w, double{viewport.x}, double{viewport.width}),
                          error(v.y, v.w, double{viewport.y}, double{viewport.height})});
@@ -253,9 +278,6 @@ float no_less(double bound, float greatest) {
   return std::nextafter(static_cast<float>(bound), greatest);
 }
 
-/// All digits of a number.
-constexpr float kAllDigits = 0x1p24F;
-
 }  // namespace
 
 cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits) {
@@ -269,6 +291,11 @@ cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits) {
   if (!cases::makes_promises_of(contract, c)) return contract;
 
   const Errors errors = errors_of(c);
+  if (errors.divides_by_zero) {
+    // "Division by zero produces an unspecified result": anything may be drawn, and anywhere.
+    contract.numbers = kNone;
+    return contract;
+  }
   const double units = std::ldexp(kRest, limits.subpixel_bits);
   contract.coverage = cases::Snapping{
       limits.subpixel_bits, cases::Rounding::unspecified,
@@ -280,7 +307,9 @@ cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits) {
 
   const double new_weights = kNewWeights * errors.new_weight / kOperation;
   cases::ValueBound value;
-  value.constant = no_less((kQuotient + new_weights) * kOperationInUlps + 0.5, kAllDigits);
+  // Of a triangle without area the constant is all that counts.
+  const double of_values = errors.condition < kInfinity ? kQuotient + new_weights : kInfinity;
+  value.constant = no_less(of_values * kOperationInUlps + 0.5, kAllDigits);
   value.per_condition = static_cast<float>(kPerCondition * kOperationInUlps);
   contract.bounds = {value, value, {}};
   contract.bounds.depth.constant =

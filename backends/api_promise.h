@@ -12,6 +12,8 @@
 // depth by the quotients of RULES §1. How positions are rounded, and whether attributes come from
 // the rounded ones, is left open.
 //
+// What else is taken for granted stands in api_promise.cpp.
+//
 // Nothing here knows what a driver does in fact: probing measures that.
 
 #include "cases/case.h"

@@ -34,7 +34,7 @@ rational arithmetic, holds what a rasterizer draws against it, on a corpus and o
 what is wrong as a case of a few pixels.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS TRUE)
 # What is looked for when a driver is to be judged, and a driver.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libegl1, libopengl0, libgles2, libgl1-mesa-dri")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libegl1, libopengl0, libgles2, libgl1-mesa-dri, mesa-vulkan-drivers")
 
 # The corpus is the program's, of the same version; the rest is what RasterCheckConfig.cmake.in looks for.
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME rastercheck-dev)

@@ -21,6 +21,7 @@
 #include "backends/gl/internal/case_state.h"
 #include "backends/gl/internal/layers.h"
 #include "backends/gl/internal/objects.h"
+#include "cases/json.h"
 #include "backends/gl/internal/varyings.h"
 
 namespace rastercheck::backends::gl {
@@ -134,7 +135,7 @@ void CaseDrawer::Impl::listen() {
     // It is the one that was handed over, which is not const.
     auto* const self = static_cast<Impl*>(const_cast<void*>(impl));
     const bool is_error = type == GL_DEBUG_TYPE_ERROR && severity == GL_DEBUG_SEVERITY_HIGH;
-    if (is_error && self->complaint.empty()) self->complaint = text;
+    if (is_error && self->complaint.empty()) self->complaint = cases::one_line(text);
   };
   glDebugMessageCallback(note, this);
 }

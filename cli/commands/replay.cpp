@@ -158,18 +158,27 @@ Outcome check_law(const properties::Law& law, const Input& input, const Drawer& 
   return outcome;
 }
 
-Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs,
-                                          const std::string& known_folder) {
-  std::vector<Outcome> outcomes;
-  std::map<std::string, Drawer> made;
+/// What draws, by specification.
+using Drawers = std::map<std::string, Drawer>;
+
+Result<Drawers> make_drawers(const std::vector<Input>& inputs, const std::string& known_folder) {
+  Drawers made;
   for (const Input& input : inputs) {
-    if (!made.contains(input.backend)) {
-      Result<Drawer> drawer = make_drawer(input.backend, known_folder);
-      if (!drawer) return tl::unexpected(drawer.error());
-      made[input.backend] = *std::move(drawer);
-    }
+    if (made.contains(input.backend)) continue;
+    Result<Drawer> drawer = make_drawer(input.backend, known_folder);
+    if (!drawer) return tl::unexpected(drawer.error());
+    made[input.backend] = *std::move(drawer);
+  }
+  return made;
+}
+
+/// Fails where the oracle does.
+Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs,
+                                          const Drawers& drawers) {
+  std::vector<Outcome> outcomes;
+  for (const Input& input : inputs) {
     for (const properties::Law* law : input.laws) {
-      outcomes.push_back(check_law(*law, input, made[input.backend]));
+      outcomes.push_back(check_law(*law, input, drawers.at(input.backend)));
       const std::optional<std::string>& fault = outcomes.back().check.fault;
       if (fault) return tl::unexpected(Error{input.file, "", *fault});
     }
@@ -186,7 +195,9 @@ ExitCode run(const Options& options) {
   std::vector<std::string> specifications;
   for (const Input& input : *inputs) specifications.push_back(input.backend);
   if (const ExitCode code = check_backends(specifications); code != ExitCode::ok) return code;
-  const Result<std::vector<Outcome>> checked = check_inputs(*inputs, options.known.folder());
+  const Result<Drawers> drawers = make_drawers(*inputs, options.known.folder());
+  if (!drawers) return fail(drawers.error());
+  const Result<std::vector<Outcome>> checked = check_inputs(*inputs, *drawers);
   if (!checked) return fail_internally(checked.error());
   const std::vector<Outcome>& outcomes = *checked;
   if (options.json) {

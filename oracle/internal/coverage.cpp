@@ -295,10 +295,11 @@ SampleVerdict decide_cut(const TriangleSetup& triangle, const Point& p) {
   if (!snapped_edges.possible) return {Verdict::forbidden, Reason::outside};
   for (const ClipFunctional& functional : triangle.clip_functionals()) {
     if (!functional.is_violated) continue;
-    if (side_within(functional.outer, triangle.tolerance, p) < 0) {
-      return {Verdict::forbidden, Reason::clipped};
-    }
-    near_cut = near_cut || side_within(functional.inner, triangle.tolerance, p) <= 0;
+    const int where = side_within(functional.outer, triangle.tolerance, p);
+    if (where < 0) return {Verdict::forbidden, Reason::clipped};
+    const bool is_near = where == 0 || (scene.contract().clip_error > 0 &&
+                                        side_within(functional.inner, triangle.tolerance, p) <= 0);
+    near_cut = near_cut || is_near;
   }
 
   // Lines meet far beyond a sharp or a moved corner; nothing drawn reaches there.

@@ -194,10 +194,21 @@ const ProjectiveMap* TriangleSetup::value_map() const {
 }
 
 std::vector<HomogeneousPoint> TriangleSetup::corners_beside(std::size_t edge) const {
-  const ConvexRegion polygon = clipped_to_triangle(guard_band_of(*scene));
+  std::vector<HomogeneousPoint> all;
+  const auto take = [&all](const ConvexRegion& polygon) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) all.push_back(polygon.vertex(i));
+  };
+  take(clipped_to_triangle(guard_band_of(*scene)));
+  if (scene->contract().clip_error > 0) {  // as near to the edge as they may come
+    ConvexRegion least = guard_band_of(*scene);
+    for (std::size_t i = 0; i < 3; ++i) least.clip(ideal.edge(i));
+    for (const ClipFunctional& functional : clip_functionals()) {
+      if (functional.is_violated) least.clip(functional.inner);
+    }
+    take(least);
+  }
   std::vector<HomogeneousPoint> corners;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const HomogeneousPoint& p = polygon.vertex(i);
+  for (const HomogeneousPoint& p : all) {
     const auto is_at = [&p](const RingVector3& column) {
       return p.u * column[2] == column[0] * p.t && p.v * column[2] == column[1] * p.t;
     };

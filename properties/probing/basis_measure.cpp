@@ -139,6 +139,7 @@ ValueShares value_shares(Subject& subject, const Grid& grid) {
     if (!drawn) continue;
     for (std::size_t f = 0; f < drawn->size(); ++f) {
       const std::uint32_t t = drawn->triangle[f];
+      if (t >= given.triangles.size()) continue;
       const FineTriangle placed = rounded(given.triangles[t], grid);
       const auto add = [&](Shares& to, float value, const std::array<float, 3>& values) {
         const int x = drawn->x[f];
@@ -203,7 +204,9 @@ Shares facing_shares(Subject& subject, const Grid& grid) {
     std::vector<bool> is_drawn(triangles.size());
     const auto drawn = subject.draw(c);
     if (!drawn) return is_drawn;
-    for (const std::uint32_t t : drawn->triangle) is_drawn[t] = true;
+    for (const std::uint32_t t : drawn->triangle) {
+      if (t < is_drawn.size()) is_drawn[t] = true;
+    }
     return is_drawn;
   };
   const std::vector<bool> all = drawn_with(cases::Cull::none);

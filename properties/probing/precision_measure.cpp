@@ -113,6 +113,9 @@ WorstByKind worst_by_kind(const Subject& subject, const std::vector<Drawn>& draw
 float bound_for(double seen) {
   constexpr double kRounded = 0.51;  // of what is rounded correctly but for next to nothing
   if (seen <= kRounded) return 0.51F;
+  if (!(4 * seen < double{std::numeric_limits<float>::max()})) {
+    return std::numeric_limits<float>::max();
+  }
   const double power = std::exp2(std::floor(std::log2(2 * seen)));
   for (const double part : {1.0, 1.25, 1.5, 1.75}) {
     if (part * power >= 2 * seen) return static_cast<float>(part * power);

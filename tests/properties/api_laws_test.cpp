@@ -95,6 +95,21 @@ INSTANTIATE_TEST_SUITE_P(
                     Way{"four_bits", grid(4), cases::Basis::snapped, cases::TieRule::bottom_left}),
     [](const testing::TestParamInfo<Way>& test) { return test.param.name; });
 
+// Kills: laws to the bit asked of who promises none.
+TEST(ApiLaws, ThatRestOnInvarianceAreNotAsked) {
+  const Driver driver(Way{"exact", std::nullopt});
+  const auto cpu = backends::make_backend("cpu").value();
+  for (const char* const name :
+       {"a power of two changes no bit", "a scaled and moved attribute is scaled and moved",
+        "culled and unculled partition", "distinct depths are drawn in any order",
+        "the nearest fragment wins"}) {
+    const Law* const law = find_law(name);
+    ASSERT_NE(law, nullptr) << name;
+    EXPECT_FALSE(is_promised(*law, driver)) << name;
+    EXPECT_TRUE(is_promised(*law, *cpu)) << name;
+  }
+}
+
 // Kills: a contract that leaves everything open.
 TEST(ApiLaws, NoticeASixteenthOfAPixel) {
   Driver driver(

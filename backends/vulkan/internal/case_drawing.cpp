@@ -186,7 +186,8 @@ Result<void> Fragments::add(const Target& target, std::size_t layer, const Layer
       if (Result<void> placed = place(i, numbers[i], triangles); !placed) return placed;
       drawn_.depth.push_back(depths[i]);
       drawn_.attributes.resize(drawn_.attributes.size() + drawn_.attribute_count);
-    } else if (!(numbers[i] >= 1) || !is_next(static_cast<std::size_t>(numbers[i]) - 1, i)) {
+    } else if (!(numbers[i] >= 1 && numbers[i] <= 0x1p24F) ||
+               !is_next(static_cast<std::size_t>(numbers[i]) - 1, i)) {
       return other_coverage();
     }
     for (std::size_t s = 0; s < pass.size(); ++s) {
