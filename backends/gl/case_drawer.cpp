@@ -21,8 +21,8 @@
 #include "backends/gl/internal/case_state.h"
 #include "backends/gl/internal/layers.h"
 #include "backends/gl/internal/objects.h"
-#include "cases/json.h"
 #include "backends/gl/internal/varyings.h"
+#include "cases/json.h"
 
 namespace rastercheck::backends::gl {
 namespace {
