@@ -44,10 +44,10 @@ FineTriangle near_sample(Draw& draw, int k) {
   int along_y = draw.between(-4, 4);
   if (is_along) (is_level ? along_y : along_x) = 0;
   if (along_x == 0 && along_y == 0) (is_level ? along_x : along_y) = 3;
-  const int before = draw.between(1, 3);
-  const int beyond = draw.between(1, 3);
-  const int away = draw.one_in(2) ? 1 : -1;
-  const int slide = draw.between(-3, 3);
+  const std::int64_t before = draw.between(1, 3);
+  const std::int64_t beyond = draw.between(1, 3);
+  const std::int64_t away = draw.one_in(2) ? 1 : -1;
+  const std::int64_t slide = draw.between(-3, 3);
   FineTriangle triangle;
   triangle.x = {sample_x + before * along_x * kPixel, sample_x - beyond * along_x * kPixel,
                 sample_x + (slide - 2 * away * along_y) * kPixel};
@@ -219,6 +219,7 @@ std::vector<FineDrawing> draw_grid_cases(Subject& subject) {
   for (int k = 0; k <= kFineBits; ++k) {  // 0: nothing is moved
     MeasureDraw draw(subject, "grid", static_cast<std::uint64_t>(k));
     std::vector<FineTriangle> triangles;
+    triangles.reserve(kTriangles);
     for (int i = 0; i < kTriangles; ++i) {
       triangles.push_back(near_sample(draw, k));
     }

@@ -141,6 +141,7 @@ Snapping wider_of(const Snapping& a, const Snapping& b) {
 void measure_position_error(Subject& subject, const Sight& sight) {
   const Snapping grid = named(sight.fit.grid);
   std::vector<Drawn> exact;
+  exact.reserve(sight.drawings.size());
   for (const FineDrawing& one : sight.drawings) exact.push_back(one.drawn);
   const int bits = grid.subpixel_bits;
   const std::array<std::pair<std::string, std::vector<Drawn>>, 3> sorts{

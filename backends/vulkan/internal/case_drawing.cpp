@@ -186,9 +186,11 @@ Result<void> Fragments::add(const Target& target, std::size_t layer, const Layer
       if (Result<void> placed = place(i, numbers[i], triangles); !placed) return placed;
       drawn_.depth.push_back(depths[i]);
       drawn_.attributes.resize(drawn_.attributes.size() + drawn_.attribute_count);
-    } else if (!(numbers[i] >= 1 && numbers[i] <= 0x1p24F) ||
-               !is_next(static_cast<std::size_t>(numbers[i]) - 1, i)) {
-      return other_coverage();
+    } else {
+      const bool is_number = numbers[i] >= 1 && numbers[i] <= 0x1p24F;
+      if (!is_number || !is_next(static_cast<std::size_t>(numbers[i]) - 1, i)) {
+        return other_coverage();
+      }
     }
     for (std::size_t s = 0; s < pass.size(); ++s) {
       const std::span<const float> values = target.slot(s, layer).subspan(i * kSlotSize, kSlotSize);
