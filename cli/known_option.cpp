@@ -13,7 +13,8 @@ void add_known(CLI::App& app, KnownOption& option) {
   CLI::Option* known =
       app.add_option("--known", option.directory,
                      "Folder of lists of known defects, DRIVER/known.json, that takes the place of "
-                     "the project's own");
+                     "the project's own")
+          ->check(CLI::ExistingDirectory);
   app.add_flag("--no-known", option.is_none, "Known defects count as any other")->excludes(known);
 }
 

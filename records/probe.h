@@ -22,7 +22,6 @@ struct Measured {
 struct Probe {
   std::string backend;  ///< specification
   std::string description;
-  std::string asked;  ///< the coverage that its cases asked for, where someone said
   std::uint64_t seed = 0;
   std::vector<Measured> rows;
   std::uint64_t drawings = 0;     ///< cases drawn

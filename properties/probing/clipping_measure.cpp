@@ -139,7 +139,7 @@ void measure_clipping(Subject& subject) {
   };
   constexpr std::array kPlanes{Cut{"near plane", &before_near, 1}, Cut{"far plane", &beyond_far, 1},
                                Cut{"w = 0", &behind_eye, 1}};
-  const cases::Contract declared = subject.contract(subject.base());
+  const cases::Contract declared = subject.declared();
   const std::string units =
       declared.coverage ? fmt::format("{:g} grid units", declared.clip_tolerance) : kNotDeclared;
   float greatest = 0;

@@ -126,6 +126,15 @@ TEST_F(Known, ListsThatCannotBeReadEndTheRun) {
   EXPECT_THAT(outcome.err, HasSubstr("known.json: /entries/0/rule: must not be empty"));
 }
 
+// Kills: a folder that is misspelt, taken for one without lists.
+TEST_F(Known, ListsAreWhereTheyAreSaidToBe) {
+  for (const char* const command : {"run", "list"}) {
+    const Outcome outcome = run_program({command, "--known", known_.path() + "-elsewhere"});
+    EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+    EXPECT_THAT(outcome.err, HasSubstr("--known"));
+  }
+}
+
 // Kills: going on with another list, whose tasks are others.
 TEST_F(Known, ListsMayNotChangeUnderARunThatGoesOn) {
   RunningProgram running({"run", "--backend", "damaged:slow", "--backend", "damaged:driver",
