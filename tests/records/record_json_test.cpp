@@ -207,6 +207,11 @@ struct Fault {
   std::string reason;  ///< part of it
 };
 
+/// In a test's name, which would otherwise hold addresses, another in every run.
+void PrintTo(const Fault& fault, std::ostream* out) {
+  *out << (fault.value.empty() ? "without " + fault.pointer : fault.pointer + " = " + fault.value);
+}
+
 class BadRecords : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(BadRecords, AreRefusedOnOneLineWithTheirPlace) {
