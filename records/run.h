@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "records/counterexample.h"
+#include "records/inspection.h"
 #include "records/known.h"
 #include "records/record.h"
 
@@ -52,6 +53,8 @@ struct Run {
   RecordSet records;
   /// Ordered by (law, backend, verdict), one of each.
   std::vector<Counterexample> counterexamples;
+  /// Counterexamples in their order, then worst cases by (law, backend, kind, stratum).
+  std::vector<Inspection> inspections = {};
   /// Ordered by (law, backend, label).
   std::vector<UnreachedLabel> unreached;
   /// What was known of the backends' drivers, where there are lists.

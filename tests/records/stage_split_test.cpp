@@ -1,0 +1,23 @@
+#include "records/stage_split.h"
+
+#include <gtest/gtest.h>
+
+namespace rastercheck::records {
+namespace {
+
+// Kills: the last of equally large parts; signs that count.
+TEST(LargestPart, IsTheFirstOfTheGreatestMagnitude) {
+  ErrorSplit split;
+  split.parts = {{Stage::set_up, {1, 1}}, {Stage::weights, {-3, -3}}, {Stage::evaluation, {3, 3}}};
+  EXPECT_EQ(largest_part(split), Stage::weights);
+}
+
+TEST(LargestPart, IsNothingWhereThereIsNoError) {
+  ErrorSplit split;
+  EXPECT_EQ(largest_part(split), std::nullopt);
+  split.parts = {{Stage::set_up, {0, 0}}, {Stage::rounding, {0, 0}}};
+  EXPECT_EQ(largest_part(split), std::nullopt);
+}
+
+}  // namespace
+}  // namespace rastercheck::records
