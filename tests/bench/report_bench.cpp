@@ -1,0 +1,93 @@
+// report/…: a run's reports made again from its run.json: read, each format written, and the whole
+// command as a process, with the most memory that it had.
+//
+// The run is a default one of 50 cases a law, or what the environment names, as the figures of a
+// large run are taken:
+//
+//   rastercheck run --cases 22223 --output DIR
+//   RASTERCHECK_BENCH_RUN=DIR rastercheck-bench --benchmark_filter=report
+
+#include "tests/bench/report_bench.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "cases/child_process.h"
+#include "reports/format.h"
+#include "reports/run_reader.h"
+#include "tests/temporary_folder.h"
+
+namespace rastercheck::bench {
+namespace {
+
+/// The folder of the run that is reported, made when it is first asked for; empty where it cannot
+/// be.
+const std::string& run_folder() {
+  static const TemporaryFolder temporary;
+  static const std::string folder = [] {
+    if (const char* given = std::getenv("RASTERCHECK_BENCH_RUN")) return std::string(given);
+    const auto made = cases::run_child({RASTERCHECK_BENCH_PROGRAM, "run", "--cases", "50", "--seed",
+                                        "1", "--quiet", "--output", temporary.path()},
+                                       1 << 20);
+    return made && made->end.signal == 0 && made->end.exit_code == 0 ? temporary.path()
+                                                                     : std::string();
+  }();
+  return folder;
+}
+
+Result<records::Run> read() { return reports::read_run(run_folder() + "/run.json"); }
+
+void count_cases(benchmark::State& bench, const records::Run& run) {
+  std::uint64_t cases = 0;
+  for (const auto& [key, record] : run.records) cases += record.cases.checked;
+  bench.counters["cases"] = static_cast<double>(cases);
+}
+
+void read_again(benchmark::State& bench) {
+  for (auto _ : bench) {
+    const Result<records::Run> run = read();
+    if (!run) return bench.SkipWithError(to_string(run.error()).c_str());
+    count_cases(bench, *run);
+  }
+}
+
+void write(benchmark::State& bench, const reports::Format& format) {
+  const Result<records::Run> run = read();
+  if (!run) return bench.SkipWithError(to_string(run.error()).c_str());
+  std::size_t bytes = 0;
+  for (auto _ : bench) bytes = format.write(*run).size();
+  bench.counters["bytes"] = static_cast<double>(bytes);
+  count_cases(bench, *run);
+}
+
+/// `rastercheck report`, from its start to its end.
+void report(benchmark::State& bench) {
+  if (run_folder().empty()) return bench.SkipWithError("there is no run");
+  double most_memory = 0;
+  for (auto _ : bench) {
+    const auto outcome =
+        cases::run_child({RASTERCHECK_BENCH_PROGRAM, "report", run_folder(), "--quiet"}, 1 << 20);
+    if (!outcome || outcome->end.exit_code != 0) return bench.SkipWithError("it failed");
+    most_memory = static_cast<double>(outcome->end.most_memory);
+  }
+  bench.counters["peak_MiB"] = most_memory / 0x1p20;
+}
+
+}  // namespace
+
+void register_reports() {
+  benchmark::RegisterBenchmark("report/whole", &report)
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime();
+  benchmark::RegisterBenchmark("report/read", &read_again)->Unit(benchmark::kMillisecond);
+  for (const reports::Format& format : reports::formats()) {
+    benchmark::RegisterBenchmark(("report/" + std::string(format.name)).c_str(),
+                                 [format](benchmark::State& bench) { write(bench, format); })
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+}  // namespace rastercheck::bench
