@@ -21,6 +21,7 @@ struct Format {
   std::string_view file_name;  ///< within the run's folder, "report.html"
   /// The whole file, UTF-8. Depends on nothing but the run; texts of the run may be any bytes.
   std::string (*write)(const records::Run& run);
+  bool is_on_request = false;  ///< written only where it is asked for by name
 };
 
 /// All formats, in the order of their names.
@@ -28,6 +29,8 @@ const std::vector<Format>& formats();
 
 /// The same, "html" and so on.
 std::vector<std::string> format_names();
+/// Those that every run writes.
+std::vector<std::string> default_format_names();
 
 /// The error names those there are.
 Result<Format> find_format(std::string_view name);

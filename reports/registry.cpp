@@ -30,6 +30,14 @@ std::vector<std::string> format_names() {
   return names;
 }
 
+std::vector<std::string> default_format_names() {
+  std::vector<std::string> names;
+  for (const Format& format : registry()) {
+    if (!format.is_on_request) names.emplace_back(format.name);
+  }
+  return names;
+}
+
 Result<Format> find_format(std::string_view name) {
   for (const Format& format : registry()) {
     if (format.name == name) return format;

@@ -15,7 +15,7 @@ namespace {
 
 struct Options {
   std::string directory;
-  std::vector<std::string> formats = reports::format_names();
+  std::vector<std::string> formats = reports::default_format_names();
   bool quiet = false;
 };
 

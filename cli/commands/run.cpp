@@ -51,7 +51,7 @@ struct Options {
   std::string corpus;
   KnownOption known;
   std::string output = "rastercheck-out";
-  std::vector<std::string> formats = reports::format_names();
+  std::vector<std::string> formats = reports::default_format_names();
   std::uint64_t shrink_tries = properties::ShrinkBudget().tries;
   std::optional<double> shrink_seconds;
   double timeout = kDefaultTimeout;

@@ -17,8 +17,6 @@ using records::Counterexample;
 using records::LawSummary;
 using records::Run;
 
-constexpr std::size_t kLongestValue = 60;  ///< characters
-
 /// A text that Markdown shows as it is, on one line and within a table's cell.
 std::string markdown(std::string_view text) {
   std::string escaped;
@@ -106,26 +104,6 @@ std::string known_of(const Run& run) {
   return text;
 }
 
-std::string violation_line(const records::Violation& violation, const cases::Case& source) {
-  if (!violation.has_place()) {
-    return fmt::format("- {}: {}\n", to_string(violation.fragment_class), markdown(violation.note));
-  }
-  std::string text =
-      fmt::format("- {} ({}) at {}; exact: {}; actual: {}", to_string(violation.fragment_class),
-                  to_string(violation.kind), markdown(place_text(violation, source)),
-                  markdown(elided(violation.exact, kLongestValue)),
-                  markdown(elided(violation.actual, kLongestValue)));
-  if (violation.error) {
-    text += fmt::format("; error {} ULP", markdown(number_text(violation.error)));
-  }
-  if (violation.bound) text += fmt::format(", bound {}", markdown(number_text(violation.bound)));
-  if (violation.distance) {
-    text += fmt::format("; {} pixels from the boundary", markdown(number_text(violation.distance)));
-  }
-  if (!violation.note.empty()) text += "; " + markdown(violation.note);
-  return text + "\n";
-}
-
 std::string counterexample_text(const Counterexample& counterexample) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
   std::string text = fmt::format("\n### {} on {}, case {}\n\n", markdown(found.law),
@@ -137,7 +115,7 @@ std::string counterexample_text(const Counterexample& counterexample) {
           command_block(replay_command(counterexample));
   if (!counterexample.violations.empty()) text += "\n";
   for (const records::Violation& violation : counterexample.violations) {
-    text += violation_line(violation, counterexample.source);
+    text += fmt::format("- {}\n", markdown(violation_text(violation, counterexample.source)));
   }
   if (!counterexample.close_up.empty()) text += "\n";
   for (const std::string& line : counterexample.close_up) text += command_block(line);

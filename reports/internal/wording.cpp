@@ -210,4 +210,23 @@ std::string place_text(const records::Violation& violation, const cases::Case& s
   return text;
 }
 
+std::string violation_text(const records::Violation& violation, const cases::Case& source) {
+  constexpr std::size_t kLongestValue = 60;  // characters
+  if (!violation.has_place()) {
+    return fmt::format("{}: {}", to_string(violation.fragment_class), violation.note);
+  }
+  std::string text = fmt::format("{} ({}) at {}; exact: {}; actual: {}",
+                                 to_string(violation.fragment_class), to_string(violation.kind),
+                                 place_text(violation, source),
+                                 elided(violation.exact, kLongestValue),
+                                 elided(violation.actual, kLongestValue));
+  if (violation.error) text += fmt::format("; error {} ULP", number_text(violation.error));
+  if (violation.bound) text += fmt::format(", bound {}", number_text(violation.bound));
+  if (violation.distance) {
+    text += fmt::format("; {} pixels from the boundary", number_text(violation.distance));
+  }
+  if (!violation.note.empty()) text += "; " + violation.note;
+  return text;
+}
+
 }  // namespace rastercheck::reports

@@ -86,4 +86,8 @@ bool has_precision(const std::vector<records::LawSummary>& rows);
 /// "triangle 0, pixel (3, 5), sample 0, attribute u"; "–" where it has none.
 std::string place_text(const records::Violation& violation, const cases::Case& source);
 
+/// Class, place, what is exact and what was drawn, by how much it is off: on one line where the
+/// law's note is. Long values are elided.
+std::string violation_text(const records::Violation& violation, const cases::Case& source);
+
 }  // namespace rastercheck::reports

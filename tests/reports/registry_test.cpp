@@ -13,6 +13,7 @@ namespace rastercheck::reports {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::IsSupersetOf;
 using ::testing::StartsWith;
@@ -20,11 +21,16 @@ using ::testing::StartsWith;
 // Kills: a registrar that the linker dropped; an order that is the linker's.
 TEST(Formats, AreListedByName) {
   const std::vector<std::string> names = format_names();
-  EXPECT_THAT(names, IsSupersetOf({"html", "json", "markdown"}));
+  EXPECT_THAT(names, IsSupersetOf({"html", "json", "junit", "markdown", "sarif"}));
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
   ASSERT_EQ(formats().size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(formats()[i].name, names[i]);
+}
+
+// What CONTRACT says a run's folder holds. Kills: a file in every run that few want.
+TEST(Formats, AreWrittenByEveryRunOrOnRequest) {
+  EXPECT_THAT(default_format_names(), ElementsAre("html", "json", "junit", "markdown"));
 }
 
 // Kills: two formats of which one writes over the other's file.
@@ -42,9 +48,10 @@ TEST(FindFormat, KnowsNamesOnly) {
   const Result<Format> none = find_format("run.json");
   ASSERT_FALSE(none.has_value());
   EXPECT_EQ(none.error().file, "run.json");
-  EXPECT_THAT(none.error().reason,
-              AllOf(StartsWith("no report format of that name; there are: html, json"),
-                    EndsWith(format_names().back())));
+  EXPECT_THAT(
+      none.error().reason,
+      AllOf(StartsWith("no report format of that name; there are: bencher, benchmark, html, json"),
+            EndsWith(format_names().back())));
 }
 
 }  // namespace

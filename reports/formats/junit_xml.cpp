@@ -1,0 +1,137 @@
+// junit.xml: the form of test results that CI servers read. A suite is a backend, a test a law.
+//
+//   failure   the law is violated: by class, with the command that replays each counterexample
+//   error     a label that had to be reached was not: the law did not test what it claims to
+//   skipped   the law checked nothing; why
+//
+// Violations that are known of a driver are no failures; a test's output tells of them. Times are
+// not part of it, as nothing here depends on the machine. reports/schema/junit.xsd describes it.
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "records/share.h"
+#include "records/summary.h"
+#include "reports/format.h"
+#include "reports/internal/html.h"
+#include "reports/internal/wording.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using records::LawSummary;
+using records::LawVerdict;
+using records::Run;
+
+/// What becomes of tests, counted.
+struct Outcomes {
+  std::size_t tests = 0;
+  std::size_t failures = 0;
+  std::size_t errors = 0;
+  std::size_t skipped = 0;
+
+  void add(const LawSummary& row) {
+    ++tests;
+    if (row.verdict == LawVerdict::violated) {
+      ++failures;
+    } else if (!row.unreached.empty()) {
+      ++errors;
+    } else if (row.verdict == LawVerdict::not_checked) {
+      ++skipped;
+    }
+  }
+  std::string attributes() const {
+    return fmt::format(R"(tests="{}" failures="{}" errors="{}" skipped="{}")", tests, failures,
+                       errors, skipped);
+  }
+};
+
+/// What a reader of a failed test wants first: where, by how much, and how to see it again.
+std::string failure_text(const Run& run, const LawSummary& row) {
+  std::string text;
+  for (const records::Counterexample& counterexample : run.counterexamples) {
+    const cases::Found found = counterexample.source.found.value_or(cases::Found());
+    if (found.law != row.law || found.backend != row.backend) continue;
+    text += replay_command(counterexample) + "\n";
+    for (const records::Violation& violation : counterexample.violations) {
+      text += violation_text(violation, counterexample.source) + "\n";
+    }
+  }
+  return text;
+}
+
+std::string outcome_of(const Run& run, const LawSummary& row) {
+  if (row.verdict == LawVerdict::violated) {
+    std::string_view type = "violated";
+    for (const records::Counterexample& counterexample : run.counterexamples) {
+      const auto& found = counterexample.source.found;
+      if (!found || found->law != row.law || found->backend != row.backend) continue;
+      type = found->verdict;
+      break;
+    }
+    return fmt::format("<failure message=\"{}\" type=\"{}\">{}</failure>\n",
+                       html(verdict_text(row)), html(type), html(failure_text(run, row)));
+  }
+  std::string text;
+  for (const records::UnreachedLabel& label : row.unreached) {
+    text += fmt::format("<error message=\"{}\" type=\"label not reached\"/>\n",
+                        html(records::unreached_sentence(label)));
+  }
+  if (row.unreached.empty() && row.verdict == LawVerdict::not_checked) {
+    const std::string why = records::why_not_checked(row);
+    text += fmt::format("<skipped message=\"{}\"/>\n", html(why.empty() ? verdict_text(row) : why));
+  }
+  return text;
+}
+
+std::string test_of(const Run& run, const LawSummary& row) {
+  std::string text = fmt::format("<testcase classname=\"rastercheck.{}\" name=\"{}\">\n",
+                                 html(row.backend), html(row.law));
+  text += outcome_of(run, row);
+  text += fmt::format(
+      "<system-out>{} checked, {}; worst {} scale ULP{}</system-out>\n",
+      counted(row.cases.checked, "case", "cases"), counted(row.fragments, "fragment", "fragments"),
+      html(number_text(row.ideal.worst)),
+      row.cases.known == 0 ? "" : ", " + counted(row.cases.known, "known case", "known cases"));
+  return text + "</testcase>\n";
+}
+
+std::string properties_of(const Run& run) {
+  std::string text = "<properties>\n";
+  const auto add = [&text](std::string_view name, const std::string& value) {
+    text += fmt::format("<property name=\"{}\" value=\"{}\"/>\n", html(name), html(value));
+  };
+  add("command", run_command(run));
+  for (const auto& [name, value] : run.environment) add(name, value);
+  return text + "</properties>\n";
+}
+
+std::string write(const Run& run) {
+  const std::vector<LawSummary> rows = records::summarize(run);
+  Outcomes of_all;
+  std::string suites;
+  for (const std::string& backend : run.backends) {
+    Outcomes outcomes;
+    std::string tests;
+    for (const LawSummary& row : rows) {
+      if (row.backend != backend) continue;
+      outcomes.add(row);
+      of_all.add(row);
+      tests += test_of(run, row);
+    }
+    suites += fmt::format("<testsuite name=\"{}\" {}>\n{}{}</testsuite>\n", html(backend),
+                          outcomes.attributes(), properties_of(run), tests);
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"RasterCheck\" {}>\n"
+      "{}</testsuites>\n",
+      of_all.attributes(), suites);
+}
+
+const FormatRegistration kRegistration({"junit", "junit.xml", &write});
+
+}  // namespace
+}  // namespace rastercheck::reports

@@ -1,0 +1,69 @@
+// results.sarif: SARIF 2.1.0, for code scanning. A rule is a law, a result a counterexample; its
+// location is the case file, relative to the run's folder, and its fingerprint what it is one of.
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "records/summary.h"
+#include "reports/format.h"
+#include "reports/internal/wording.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using nlohmann::json;
+using records::Run;
+
+json rules_of(const Run& run) {
+  json rules = json::array();
+  for (const std::string& law : run.laws) {
+    rules.push_back({{"id", law},
+                     {"shortDescription", {{"text", law}}},
+                     {"defaultConfiguration", {{"level", "error"}}}});
+  }
+  return rules;
+}
+
+json result_of(const Run& run, const records::Counterexample& counterexample) {
+  const cases::Found found = counterexample.source.found.value_or(cases::Found());
+  std::string text = counted(counterexample.violation_count, "violation", "violations") + " on " +
+                     found.backend + ".";
+  if (!counterexample.violations.empty()) {
+    text += " " + violation_text(counterexample.violations.front(), counterexample.source) + ".";
+  }
+  text += " Replay with: " + replay_command(counterexample);
+  const json location = {{"physicalLocation",
+                          {{"artifactLocation", {{"uri", records::file_of(counterexample)}}},
+                           {"region", {{"startLine", 1}}}}}};
+  json result = {
+      {"ruleId", found.law},
+      {"level", "error"},
+      {"message", {{"text", text}}},
+      {"locations", json::array({location})},
+      {"partialFingerprints",
+       {{"lawBackendVerdict/v1", found.law + "/" + found.backend + "/" + found.verdict}}}};
+  const auto law = std::find(run.laws.begin(), run.laws.end(), found.law);
+  if (law != run.laws.end()) result["ruleIndex"] = law - run.laws.begin();
+  return result;
+}
+
+std::string write(const Run& run) {
+  json driver = {{"name", "RasterCheck"}, {"rules", rules_of(run)}};
+  const auto version = run.environment.find("version");
+  if (version != run.environment.end()) driver["version"] = version->second;
+  json results = json::array();
+  for (const records::Counterexample& counterexample : run.counterexamples) {
+    results.push_back(result_of(run, counterexample));
+  }
+  const json document = {
+      {"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+      {"version", "2.1.0"},
+      {"runs", json::array({{{"tool", {{"driver", driver}}}, {"results", results}}})}};
+  return document.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+const FormatRegistration kRegistration({"sarif", "results.sarif", &write, true});
+
+}  // namespace
+}  // namespace rastercheck::reports
