@@ -215,11 +215,10 @@ std::string violation_text(const records::Violation& violation, const cases::Cas
   if (!violation.has_place()) {
     return fmt::format("{}: {}", to_string(violation.fragment_class), violation.note);
   }
-  std::string text = fmt::format("{} ({}) at {}; exact: {}; actual: {}",
-                                 to_string(violation.fragment_class), to_string(violation.kind),
-                                 place_text(violation, source),
-                                 elided(violation.exact, kLongestValue),
-                                 elided(violation.actual, kLongestValue));
+  std::string text =
+      fmt::format("{} ({}) at {}; exact: {}; actual: {}", to_string(violation.fragment_class),
+                  to_string(violation.kind), place_text(violation, source),
+                  elided(violation.exact, kLongestValue), elided(violation.actual, kLongestValue));
   if (violation.error) text += fmt::format("; error {} ULP", number_text(violation.error));
   if (violation.bound) text += fmt::format(", bound {}", number_text(violation.bound));
   if (violation.distance) {
