@@ -8,6 +8,7 @@
 #include "backends/backend.h"
 #include "properties/findings.h"
 #include "properties/law.h"
+#include "reports/commands.h"
 #include "reports/counterexample_text.h"
 #include "reports/summary_table.h"
 
@@ -33,17 +34,18 @@ bool is_promised(const LawSummary& row) {
 void print_counterexamples(const records::Run& run, const std::vector<LawSummary>& rows,
                            const std::string& output) {
   if (run.counterexamples.empty()) return;
-  const auto file_of = [&output](const records::Counterexample& one) {
-    return (std::filesystem::path(output) / records::file_of(one)).string();
+  const auto command_of = [&](const records::Counterexample& one) {
+    const std::filesystem::path file = std::filesystem::path(output) / records::file_of(one);
+    return reports::replay_command(run, file.string());
   };
   for (const records::Counterexample& found : run.counterexamples) {
-    fmt::print("{}", reports::counterexample_text(found, file_of(found)));
+    fmt::print("{}", reports::counterexample_text(found, command_of(found)));
   }
   fmt::print("\nViolated: {} of {} checks. Counterexamples above, one of each way to fail: {}.\n",
              std::count_if(rows.begin(), rows.end(), has_verdict(LawVerdict::violated)),
              rows.size(), run.counterexamples.size());
   const std::size_t first = properties::first_to_read(run.counterexamples);
-  fmt::print("Begin with: rastercheck replay {}\n", file_of(run.counterexamples[first]));
+  fmt::print("Begin with: {}\n", command_of(run.counterexamples[first]));
 }
 
 }  // namespace

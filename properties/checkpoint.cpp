@@ -50,6 +50,7 @@ json plan_to_json(const RunPlan& plan) {
               {"scene", plan.scene},
               {"scene_size", plan.scene_size},
               {"program", plan.program}};
+  if (!plan.options.empty()) object["options"] = plan.options;
   if (!plan.known.empty()) object["known"] = plan.known;
   if (!plan.known_digest.empty()) object["known_digest"] = plan.known_digest;
   if (const auto& seconds = plan.campaign.shrinking.seconds) {
@@ -69,9 +70,10 @@ std::vector<std::string> texts_of(const JsonNode& node) {
 }
 
 RunPlan read_plan(const JsonNode& node) {
-  node.expect_object({"seed", "cases_per_law", "backends", "laws", "shrink_tries", "corpus",
-                      "corpus_digest", "scene", "scene_size", "program"},
-                     {"shrink_seconds", "known", "known_digest", "contract_file", "contract"});
+  node.expect_object(
+      {"seed", "cases_per_law", "backends", "laws", "shrink_tries", "corpus", "corpus_digest",
+       "scene", "scene_size", "program"},
+      {"options", "shrink_seconds", "known", "known_digest", "contract_file", "contract"});
   RunPlan plan;
   plan.campaign.seed = node["seed"].count();
   plan.campaign.cases_per_law = node["cases_per_law"].count();
@@ -81,6 +83,7 @@ RunPlan read_plan(const JsonNode& node) {
   if (node.has("shrink_seconds")) {
     plan.campaign.shrinking.seconds = node["shrink_seconds"].float64();
   }
+  if (node.has("options")) plan.options = texts_of(node["options"]);
   plan.corpus = node["corpus"].text();
   plan.corpus_digest = node["corpus_digest"].text();
   if (node.has("known")) plan.known = node["known"].text();

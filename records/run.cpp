@@ -72,6 +72,23 @@ std::vector<std::string> caveats(const Run& run) {
   return all;
 }
 
+std::vector<std::string> replay_options(const Run& run) {
+  std::vector<std::string> options;
+  for (std::size_t i = 0; i < run.options.size(); ++i) {
+    const std::string& word = run.options[i];
+    if (word == "--no-known") {
+      options.push_back(word);
+      continue;
+    }
+    // All others have a value, which may look like an option.
+    const bool is_taken = word == "--contract" || word == "--known" || word == "--timeout";
+    if (++i < run.options.size() && is_taken) {
+      options.insert(options.end(), {word, run.options[i]});
+    }
+  }
+  return options;
+}
+
 std::string file_of(const Counterexample& counterexample) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
   return fmt::format("counterexamples/{}-{}-{}.json", file_word(found.law),

@@ -46,6 +46,8 @@ struct Run {
   std::string scene;                  ///< its name; empty where there was none
   /// The contract file that the backends were held to; empty: each to its own contract.
   std::string contract_file;
+  /// What else of the command decides what is found, as its words: "--property", "*edge*".
+  std::vector<std::string> options = {};
   std::uint64_t cases_left = 0;  ///< not checked, as the run was interrupted
   /// Seconds that shrinking one counterexample might take, where that was limited: how small they
   /// are depends on the machine then.
@@ -81,6 +83,10 @@ inline constexpr std::string_view kGivenUp = "not drawn, as the backend was give
 /// What else a reader has to know of a run: that it was interrupted, that shrinking was cut short,
 /// that a list of known defects is of another version of the driver.
 std::vector<std::string> caveats(const Run& run);
+
+/// Those of the options that replaying one of its cases takes as well: what drawings are held to,
+/// and what is known of them.
+std::vector<std::string> replay_options(const Run& run);
 
 /// The file that a counterexample is saved as, within the run's folder:
 /// "counterexamples/LAW-BACKEND-VERDICT.json", with what is neither letter nor digit made '-'.

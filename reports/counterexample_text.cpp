@@ -238,7 +238,7 @@ std::string case_text(const cases::Case& c) {
   return text + "\n";
 }
 
-std::string counterexample_text(const Counterexample& counterexample, const std::string& file) {
+std::string counterexample_text(const Counterexample& counterexample, const std::string& command) {
   const cases::Case& c = counterexample.source;
   const cases::Found found = c.found.value_or(cases::Found());
   std::string text = fmt::format("\n{}\n  on {}: {}. It is {}.\n", cases::printable(found.law),
@@ -249,7 +249,7 @@ std::string counterexample_text(const Counterexample& counterexample, const std:
   }
   for (const std::string& line : counterexample.close_up) text += "    " + line + "\n";
   text += case_text(c);
-  return text + fmt::format("  Again: rastercheck replay {}\n", file);
+  return text + fmt::format("  Again: {}\n", command);
 }
 
 }  // namespace rastercheck::reports

@@ -11,10 +11,9 @@
 namespace rastercheck::reports {
 
 /// A counterexample over several lines: what failed and where, exact and actual value, the pixels
-/// around it, the case's state and vertices, and the command that checks it again. `file` is where
-/// it is saved.
+/// around it, the case's state and vertices, and the command that checks it again (commands.h).
 std::string counterexample_text(const records::Counterexample& counterexample,
-                                const std::string& file);
+                                const std::string& command);
 
 /// The part of it that shows the case: pixels, state, vertices, triangles; indented lines.
 std::string case_text(const cases::Case& c);

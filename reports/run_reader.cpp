@@ -27,7 +27,7 @@ void check_header(const JsonNode& root) {
   root.expect_object(
       {"format", "version", "seed", "cases_per_law", "backends", "laws", "scene", "records",
        "counterexamples", "unreached", "pictures", "environment"},
-      {"contract_file", "cases_left", "shrink_seconds", "known", "unexpected_passes"});
+      {"contract_file", "options", "cases_left", "shrink_seconds", "known", "unexpected_passes"});
 }
 
 std::vector<std::string> read_texts(const JsonNode& node) {
@@ -72,6 +72,7 @@ records::Run read_document(const JsonNode& root) {
   run.laws = read_texts(root["laws"]);
   run.scene = root["scene"].text();
   if (root.has("contract_file")) run.contract_file = root["contract_file"].text();
+  if (root.has("options")) run.options = read_texts(root["options"]);
   if (root.has("cases_left")) run.cases_left = root["cases_left"].count();
   if (root.has("shrink_seconds")) run.shrink_seconds = root["shrink_seconds"].float64();
   for (const JsonNode& node : root["counterexamples"].elements()) {

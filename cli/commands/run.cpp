@@ -80,6 +80,29 @@ std::vector<std::string> without_repetitions(const std::vector<std::string>& all
   return once;
 }
 
+/// What of the command records::Run has no member for and yet decides what is found.
+std::vector<std::string> other_options(const Options& options) {
+  std::vector<std::string> words;
+  const auto add = [&words](const char* name, const std::string& value) {
+    words.insert(words.end(), {name, value});
+  };
+  const Options usual;
+  if (options.property != usual.property) add("--property", options.property);
+  if (!options.scene.empty() && options.scene_size != usual.scene_size) {
+    add("--scene-size", std::to_string(options.scene_size));
+  }
+  if (!options.contract.empty()) add("--contract", options.contract);
+  if (!options.corpus.empty()) add("--corpus", options.corpus);
+  if (options.known.is_none) words.emplace_back("--no-known");
+  if (!options.known.directory.empty()) add("--known", options.known.directory);
+  if (options.shrink_tries != usual.shrink_tries) {
+    add("--shrink-tries", std::to_string(options.shrink_tries));
+  }
+  if (options.shrink_seconds) add("--shrink-seconds", fmt::format("{}", *options.shrink_seconds));
+  if (options.timeout != usual.timeout) add("--timeout", fmt::format("{}", options.timeout));
+  return words;
+}
+
 /// What the options ask for.
 Result<properties::RunPlan> plan_of(const Options& options) {
   properties::RunPlan plan;
@@ -96,6 +119,7 @@ Result<properties::RunPlan> plan_of(const Options& options) {
   plan.known = options.known.folder();
   plan.scene = options.scene;
   plan.scene_size = options.scene_size;
+  plan.options = other_options(options);
   plan.program = RASTERCHECK_VERSION;
   plan.contract_file = options.contract;
   if (plan.contract_file.empty()) return plan;
@@ -241,6 +265,7 @@ records::Run planned(const properties::RunPlan& plan, const properties::KnownByB
   run.laws = plan.campaign.laws;
   run.scene = plan.scene;
   run.contract_file = plan.contract_file;
+  run.options = plan.options;
   run.shrink_seconds = plan.campaign.shrinking.seconds;
   for (const auto& [backend, defects] : known) {
     run.known.push_back({backend, defects.driver.version, defects.list});

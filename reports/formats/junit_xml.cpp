@@ -15,6 +15,7 @@
 
 #include "records/share.h"
 #include "records/summary.h"
+#include "reports/commands.h"
 #include "reports/format.h"
 #include "reports/internal/html.h"
 #include "reports/internal/wording.h"
@@ -55,7 +56,7 @@ std::string failure_text(const Run& run, const LawSummary& row) {
   for (const records::Counterexample& counterexample : run.counterexamples) {
     const cases::Found found = counterexample.source.found.value_or(cases::Found());
     if (found.law != row.law || found.backend != row.backend) continue;
-    text += replay_command(counterexample) + "\n";
+    text += replay_command(run, records::file_of(counterexample)) + "\n";
     for (const records::Violation& violation : counterexample.violations) {
       text += violation_text(violation, counterexample.source) + "\n";
     }

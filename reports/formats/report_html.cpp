@@ -10,6 +10,7 @@
 #include "records/share.h"
 #include "records/summary.h"
 #include "reports/base64.h"
+#include "reports/commands.h"
 #include "reports/format.h"
 #include "reports/internal/histogram_svg.h"
 #include "reports/internal/html.h"
@@ -264,7 +265,7 @@ std::string violation_row(const records::Violation& violation, const cases::Case
          number_cell("distance, pixels", number(violation.distance)) + "</tr>\n";
 }
 
-std::string counterexample_section(const Counterexample& counterexample) {
+std::string counterexample_section(const Run& run, const Counterexample& counterexample) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
   std::string text =
       fmt::format("<section class=\"law\">\n<h3>{} <small>on {}, case {}</small></h3>\n",
@@ -272,7 +273,8 @@ std::string counterexample_section(const Counterexample& counterexample) {
   if (!counterexample.source.name.empty()) {
     text += "<p>“" + html(counterexample.source.name) + "”</p>\n";
   }
-  text += fmt::format("<p><code>{}</code></p>\n", html(replay_command(counterexample)));
+  text += fmt::format("<p><code>{}</code></p>\n",
+                      html(replay_command(run, records::file_of(counterexample))));
   text += fmt::format("<p>{}{}</p>\n",
                       counted(counterexample.violation_count, "violation", "violations"),
                       counterexample.violation_count > counterexample.violations.size()
@@ -339,7 +341,7 @@ std::string write(const Run& run) {
         "<section id=\"counterexamples\">\n<h2>Counterexamples</h2>\n<p>Commands are for the "
         "folder that this file is in.</p>\n";
     for (const Counterexample& counterexample : run.counterexamples) {
-      text += counterexample_section(counterexample);
+      text += counterexample_section(run, counterexample);
     }
     text += "</section>\n";
   }

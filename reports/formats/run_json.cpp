@@ -10,6 +10,7 @@
 //     "laws": ["…"],
 //     "scene": "bunny",
 //     "contract_file": "…",     only where backends were held to one
+//     "options": ["--property", "*edge*"],   only where there were any
 //     "cases_left": 120,        only of a run that was interrupted
 //     "shrink_seconds": 5,      only where shrinking was limited by time
 //     "records": […],           records/record_json.h
@@ -94,6 +95,7 @@ std::string write(const records::Run& run) {
   add("laws", text_of(run.laws));
   add("scene", text_of(run.scene));
   if (!run.contract_file.empty()) add("contract_file", text_of(run.contract_file));
+  if (!run.options.empty()) add("options", text_of(run.options));
   if (run.cases_left > 0) add("cases_left", std::to_string(run.cases_left));
   if (run.shrink_seconds) {
     add("shrink_seconds", text_of(cases::float64_to_json(*run.shrink_seconds)));

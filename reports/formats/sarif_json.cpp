@@ -6,6 +6,7 @@
 #include <string>
 
 #include "records/summary.h"
+#include "reports/commands.h"
 #include "reports/format.h"
 #include "reports/internal/wording.h"
 
@@ -32,7 +33,7 @@ json result_of(const Run& run, const records::Counterexample& counterexample) {
   if (!counterexample.violations.empty()) {
     text += " " + violation_text(counterexample.violations.front(), counterexample.source) + ".";
   }
-  text += " Replay with: " + replay_command(counterexample);
+  text += " Replay with: " + replay_command(run, records::file_of(counterexample));
   const json location = {{"physicalLocation",
                           {{"artifactLocation", {{"uri", records::file_of(counterexample)}}},
                            {"region", {{"startLine", 1}}}}}};

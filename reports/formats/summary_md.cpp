@@ -7,6 +7,7 @@
 #include "cases/json.h"
 #include "records/share.h"
 #include "records/summary.h"
+#include "reports/commands.h"
 #include "reports/format.h"
 #include "reports/internal/wording.h"
 
@@ -104,7 +105,7 @@ std::string known_of(const Run& run) {
   return text;
 }
 
-std::string counterexample_text(const Counterexample& counterexample) {
+std::string counterexample_text(const Run& run, const Counterexample& counterexample) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
   std::string text = fmt::format("\n### {} on {}, case {}\n\n", markdown(found.law),
                                  markdown(found.backend), found.index);
@@ -112,7 +113,7 @@ std::string counterexample_text(const Counterexample& counterexample) {
     text += fmt::format("“{}”. ", markdown(counterexample.source.name));
   }
   text += counted(counterexample.violation_count, "violation", "violations") + "; replay with\n\n" +
-          command_block(replay_command(counterexample));
+          command_block(replay_command(run, records::file_of(counterexample)));
   if (!counterexample.violations.empty()) text += "\n";
   for (const records::Violation& violation : counterexample.violations) {
     text += fmt::format("- {}\n", markdown(violation_text(violation, counterexample.source)));
@@ -140,7 +141,7 @@ std::string write(const Run& run) {
   if (!run.counterexamples.empty())
     text += "\n## Counterexamples\n\nCommands are for the folder that this file is in.\n";
   for (const Counterexample& counterexample : run.counterexamples) {
-    text += counterexample_text(counterexample);
+    text += counterexample_text(run, counterexample);
   }
   text += known_of(run) + precision_of(rows) + "\n## Environment\n\n";
   for (const auto& [name, value] : run.environment) {

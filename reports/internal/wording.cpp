@@ -12,7 +12,6 @@
 namespace rastercheck::reports {
 namespace {
 
-using records::Counterexample;
 using records::LawSummary;
 using records::LawVerdict;
 using records::Run;
@@ -35,24 +34,6 @@ std::string rounded_up(double value, int digits) {
   std::from_chars(sign_skipped, text.data() + text.size(), exponent);
   const double unit = to_double(fmt::format("1e{}", exponent - digits + 1));
   return fmt::format("{:.{}g}", nearest + unit, digits);
-}
-
-/// A word as a shell reads it back.
-std::string shell_word(std::string_view word) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=:,./@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) {
-    return std::string(word);
-  }
-  std::string quoted = "'";
-  for (const char c : word) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + "'";
 }
 
 }  // namespace
@@ -124,18 +105,6 @@ std::string elided(std::string_view text, std::size_t most) {
     } while (continues(end));
   }
   return std::string(text.substr(0, start)) + "…" + std::string(text.substr(end));
-}
-
-std::string run_command(const Run& run) {
-  std::string command = "rastercheck run";
-  for (const std::string& backend : run.backends) command += " --backend " + shell_word(backend);
-  command += fmt::format(" --cases {} --seed {}", run.cases_per_law, run.seed);
-  if (!run.scene.empty()) command += " --scene " + shell_word(run.scene);
-  return command;
-}
-
-std::string replay_command(const Counterexample& counterexample) {
-  return "rastercheck replay " + records::file_of(counterexample);
 }
 
 std::string verdict_sentence(const std::vector<LawSummary>& rows) {

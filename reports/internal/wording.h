@@ -66,11 +66,6 @@ std::string_view stratum_text(const records::Precision& precision);
 /// fractions may have hundreds of digits; run.json has all of them. Characters of UTF-8 stay whole.
 std::string elided(std::string_view text, std::size_t most);
 
-/// What does the run again, as a line for a shell: with the same backends, cases, seed and scene.
-/// Which of the laws were asked for, another corpus, a size of the scene, run.json does not hold.
-std::string run_command(const records::Run& run);
-std::string replay_command(const records::Counterexample& counterexample);
-
 /// "Violated: 2 of 12 checks." A check is one law on one backend.
 std::string verdict_sentence(const std::vector<records::LawSummary>& rows);
 

@@ -35,6 +35,7 @@ Checkpoint sample() {
   plan.contract_file = "lax.json";
   plan.terms.coverage = cases::Coverage(cases::Snapping{4, cases::Rounding::half_up, 0.1F});
   plan.terms.keeps_constants = false;
+  plan.options = {"--property", "*edge*"};
   plan.program = "1.2.3";
   checkpoint.saved = {square()};
   checkpoint.saved[0].found = cases::Found{kCoverage, "cpu", "missing", 3, 4};

@@ -125,10 +125,11 @@ TEST(AllFormats, AnEmptyRunIsNotChecked) {
 TEST(MarkdownFormat, SaysHowToDoItAgain) {
   const std::string text = written("markdown", sample_run());
   EXPECT_THAT(text, HasSubstr("    rastercheck run --backend cpu --backend method:float32 --cases "
-                              "1000 --seed 18446744073709551615 --scene 'it'\\''s a bunny'\n"));
+                              "1000 --seed 18446744073709551615 --scene 'it'\\''s a bunny' "
+                              "--property '*<values>*' --timeout 2.5\n"));
   EXPECT_THAT(text, HasSubstr("    rastercheck replay "
                               "counterexamples/values-are-within-bounds-method-float32-"
-                              "beyond-bound.json\n"));
+                              "beyond-bound.json --timeout 2.5\n"));
 }
 
 }  // namespace

@@ -8,9 +8,11 @@
 
 namespace rastercheck::reports {
 
-/// These files and one for each report format, in the order of their names.
+/// These files and one for each report format that every run writes, in the order of their names.
 inline std::vector<std::string> with_reports(std::vector<std::string> files) {
-  for (const Format& format : formats()) files.emplace_back(format.file_name);
+  for (const Format& format : formats()) {
+    if (!format.is_on_request) files.emplace_back(format.file_name);
+  }
   std::sort(files.begin(), files.end());
   return files;
 }

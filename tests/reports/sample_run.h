@@ -144,6 +144,7 @@ inline records::Run sample_run() {
   run.backends = {"cpu", "method:float32"};
   run.laws = {"coverage is exact", "values are within bounds", "a law <that> says | nothing"};
   run.scene = "it's a bunny";
+  run.options = {"--property", "*<values>*", "--timeout", "2.5"};
   for (const std::string& backend : run.backends) {
     add_sample_records(run.records, run.laws[0], backend, 0);
     add_sample_records(run.records, run.laws[1], backend, backend == "cpu" ? 0 : 2);

@@ -45,7 +45,7 @@ constexpr const char* kEarlierThird =
     "counterexamples/earlier/values-are-within-bounds-method-float32-beyond-bound.json";
 
 TEST_F(WriteReports, WritesWhatTheContractLists) {
-  ASSERT_TRUE(write_reports(sample_run(), directory(), format_names()).has_value());
+  ASSERT_TRUE(write_reports(sample_run(), directory(), default_format_names()).has_value());
   EXPECT_EQ(files(), with_reports({kThird, kOther}));
   EXPECT_EQ(read_run(directory() + "/run.json").value(), sample_run());
   EXPECT_EQ(cases::read_case(directory() + "/" + kThird).value(),
@@ -67,7 +67,7 @@ TEST_F(WriteReports, AMisspeltFormatStopsItBeforeAnythingIsWritten) {
 
 // Kills: counterexamples of an earlier run that look like today's, or are lost.
 TEST_F(WriteReports, PutsTheCounterexamplesOfEarlierRunsAside) {
-  ASSERT_TRUE(write_reports(sample_run(), directory(), format_names()).has_value());
+  ASSERT_TRUE(write_reports(sample_run(), directory(), default_format_names()).has_value());
   records::Run later = sample_run();
   later.laws = {"values are within bounds"};
   later.backends = {"method:float32"};
@@ -76,7 +76,7 @@ TEST_F(WriteReports, PutsTheCounterexamplesOfEarlierRunsAside) {
   interrupted.cases_left = 1;  // perhaps these
   ASSERT_TRUE(write_reports(interrupted, directory(), {}).has_value());
   EXPECT_EQ(files(), with_reports({kThird, kOther}));
-  ASSERT_TRUE(write_reports(later, directory(), format_names()).has_value());
+  ASSERT_TRUE(write_reports(later, directory(), default_format_names()).has_value());
   EXPECT_EQ(files(), with_reports({kEarlierThird, kOther}));
 }
 
@@ -117,7 +117,7 @@ TEST_F(WriteReports, LeavesWhatItDidNotWrite) {
 
 TEST_F(WriteReports, NamesTheFileThatCannotBeWritten) {
   put("summary.md/in-the-way", "");
-  const Result<void> done = write_reports(sample_run(), directory(), format_names());
+  const Result<void> done = write_reports(sample_run(), directory(), default_format_names());
   ASSERT_FALSE(done.has_value());
   EXPECT_EQ(to_string(done.error()),
             directory() + "/summary.md: cannot be written: Is a directory");
@@ -127,7 +127,7 @@ TEST_F(WriteReports, NamesTheFileThatCannotBeWritten) {
 
 TEST_F(WriteReports, NamesAFolderThatCannotBeMade) {
   folder_.put("out", "a file");
-  const Result<void> done = write_reports(sample_run(), directory(), format_names());
+  const Result<void> done = write_reports(sample_run(), directory(), default_format_names());
   ASSERT_FALSE(done.has_value());
   EXPECT_EQ(to_string(done.error()), directory() + ": cannot be made: Not a directory");
 }

@@ -107,19 +107,6 @@ TEST(Elided, KeepsBothEnds) {
   EXPECT_EQ(elided(text, 16), "éééééééé…ééééééé");
 }
 
-TEST(RunCommand, NamesWhatDecidesTheRun) {
-  records::Run run;
-  run.seed = 7;
-  run.cases_per_law = 20;
-  run.backends = {"cpu:threads=2,simd=sse4", "plugin:my renderer.so"};
-  EXPECT_EQ(run_command(run),
-            "rastercheck run --backend cpu:threads=2,simd=sse4 --backend 'plugin:my renderer.so' "
-            "--cases 20 --seed 7");
-  run.backends.clear();
-  run.scene = "it's";
-  EXPECT_EQ(run_command(run), "rastercheck run --cases 20 --seed 7 --scene 'it'\\''s'");
-}
-
 LawSummary row_with(std::uint64_t checked, std::uint64_t violations) {
   LawSummary row;
   row.cases = {checked, 0, violations};

@@ -1,0 +1,48 @@
+#include "reports/commands.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace rastercheck::reports {
+namespace {
+
+/// A word as a shell reads it back.
+std::string shell_word(std::string_view word) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=:,./@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) {
+    return std::string(word);
+  }
+  std::string quoted = "'";
+  for (const char c : word) {
+    if (c == '\'') {
+      quoted += "'\\''";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "'";
+}
+
+std::string words(const std::vector<std::string>& all) {
+  std::string text;
+  for (const std::string& word : all) text += " " + shell_word(word);
+  return text;
+}
+
+}  // namespace
+
+std::string run_command(const records::Run& run) {
+  std::string command = "rastercheck run";
+  for (const std::string& backend : run.backends) command += " --backend " + shell_word(backend);
+  command += fmt::format(" --cases {} --seed {}", run.cases_per_law, run.seed);
+  if (!run.scene.empty()) command += " --scene " + shell_word(run.scene);
+  return command + words(run.options);
+}
+
+std::string replay_command(const records::Run& run, const std::string& file) {
+  return "rastercheck replay " + shell_word(file) + words(records::replay_options(run));
+}
+
+}  // namespace rastercheck::reports

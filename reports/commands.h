@@ -1,0 +1,18 @@
+#pragma once
+
+// The commands that reports name, as lines for a shell.
+
+#include <string>
+
+#include "records/run.h"
+
+namespace rastercheck::reports {
+
+/// What does the run again. Of runs from before run.json had "options", with the same backends,
+/// cases, seed and scene only.
+std::string run_command(const records::Run& run);
+
+/// What checks a counterexample of the run again, which is saved as `file`, in the same way.
+std::string replay_command(const records::Run& run, const std::string& file);
+
+}  // namespace rastercheck::reports

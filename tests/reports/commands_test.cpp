@@ -1,0 +1,43 @@
+#include "reports/commands.h"
+
+#include <gtest/gtest.h>
+
+namespace rastercheck::reports {
+namespace {
+
+TEST(RunCommand, NamesWhatDecidesTheRun) {
+  records::Run run;
+  run.seed = 7;
+  run.cases_per_law = 20;
+  run.backends = {"cpu:threads=2,simd=sse4", "plugin:my renderer.so"};
+  EXPECT_EQ(run_command(run),
+            "rastercheck run --backend cpu:threads=2,simd=sse4 --backend 'plugin:my renderer.so' "
+            "--cases 20 --seed 7");
+  run.backends.clear();
+  run.scene = "it's";
+  EXPECT_EQ(run_command(run), "rastercheck run --cases 20 --seed 7 --scene 'it'\\''s'");
+}
+
+// Kills: a campaign on all laws where some were asked for.
+TEST(RunCommand, HasItsOtherOptions) {
+  records::Run run;
+  run.backends = {"cpu"};
+  run.cases_per_law = 20;
+  run.options = {"--property", "*edge*", "--no-known", "--contract", "lax.json"};
+  EXPECT_EQ(run_command(run),
+            "rastercheck run --backend cpu --cases 20 --seed 0 --property '*edge*' --no-known "
+            "--contract lax.json");
+}
+
+// Kills: a replay that holds drawings to another contract; options that it does not know.
+TEST(ReplayCommand, TakesTheOptionsThatItKnows) {
+  records::Run run;
+  EXPECT_EQ(replay_command(run, "out/a b.json"), "rastercheck replay 'out/a b.json'");
+  run.options = {"--property", "--known",    "--contract", "lax.json", "--corpus",
+                 "c",          "--no-known", "--timeout",  "2.5"};
+  EXPECT_EQ(replay_command(run, "x"),
+            "rastercheck replay x --contract lax.json --no-known --timeout 2.5");
+}
+
+}  // namespace
+}  // namespace rastercheck::reports
