@@ -20,6 +20,7 @@
 #include "cli/contract_option.h"
 #include "cli/corpus_folder.h"
 #include "cli/environment.h"
+#include "cli/github.h"
 #include "cli/interrupt.h"
 #include "cli/isolation.h"
 #include "cli/known_option.h"
@@ -335,6 +336,7 @@ ExitCode run_campaign(const Options& options) {
     }
   }
   if (!written) return fail_to_write(options, written.error());
+  if (const auto told = tell_github(run, options.output, !options.json); !told) fail(told.error());
   const bool is_whole = run.cases_left == 0 && campaign.is_shrunk();
   if (is_whole) campaign.remove();
   const ExitCode code = exit_code_of(rows);

@@ -1,0 +1,50 @@
+#include "reports/annotations.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/reports/sample_run.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+TEST(GithubAnnotations, NameTheFileOfEachCounterexample) {
+  records::Run run = sample_run();
+  run.unreached.clear();
+  const std::string text = github_annotations(run, "out");
+  EXPECT_THAT(text,
+              StartsWith("::error file=out/counterexamples/values-are-within-bounds-method-float32-"
+                         "beyond-bound.json,line=1,title=values are within bounds on "
+                         "method%3Afloat32::beyond bound (smooth) at triangle 0, pixel (3, 5), "));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
+  EXPECT_THAT(text, HasSubstr("%0Arastercheck replay out/counterexamples/"));
+}
+
+// Kills: a text that ends the command, or is taken for an escape.
+TEST(GithubAnnotations, EscapeTexts) {
+  records::Run run;
+  run.unreached = {{"50%\nof, a: law", "cpu", "tie", 2, 13, 1000}};
+  EXPECT_EQ(
+      github_annotations(run, "out"),
+      "::error title=label not reached::Not reached: 50%25%0Aof, a: law on cpu: 'tie' in 2 of "
+      "1000 cases, where at least 13 had to.\n");
+}
+
+TEST(GithubAnnotations, AreNoneWhereAllHeld) { EXPECT_EQ(github_annotations({}, "out"), ""); }
+
+// Kills: an error for what only the driver's version explains.
+TEST(GithubAnnotations, WarnOfPassesUnderAnotherVersion) {
+  records::Run run;
+  run.unexpected = {{"gl", "driver-1", "a law", false}, {"gl", "driver-2", "a law", true}};
+  const std::string text = github_annotations(run, "out");
+  EXPECT_THAT(text, StartsWith("::warning title=unexpected pass::"));
+  EXPECT_THAT(text, HasSubstr("\n::error title=unexpected pass::"));
+}
+
+}  // namespace
+}  // namespace rastercheck::reports
