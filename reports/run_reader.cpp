@@ -7,6 +7,7 @@
 #include "cases/files.h"
 #include "cases/json_node.h"
 #include "records/counterexample_json.h"
+#include "records/inspection_json.h"
 #include "records/known_json.h"
 #include "records/record_json.h"
 #include "reports/base64.h"
@@ -24,10 +25,10 @@ void check_header(const JsonNode& root) {
   if (root.has("version") && root["version"].count() != 1) {
     root["version"].refuse("version must be 1");
   }
-  root.expect_object(
-      {"format", "version", "seed", "cases_per_law", "backends", "laws", "scene", "records",
-       "counterexamples", "unreached", "pictures", "environment"},
-      {"contract_file", "options", "cases_left", "shrink_seconds", "known", "unexpected_passes"});
+  root.expect_object({"format", "version", "seed", "cases_per_law", "backends", "laws", "scene",
+                      "records", "counterexamples", "unreached", "pictures", "environment"},
+                     {"contract_file", "options", "cases_left", "shrink_seconds", "inspections",
+                      "known", "unexpected_passes"});
 }
 
 std::vector<std::string> read_texts(const JsonNode& node) {
@@ -78,6 +79,12 @@ records::Run read_document(const JsonNode& root) {
   for (const JsonNode& node : root["counterexamples"].elements()) {
     if (root.failed()) return run;
     run.counterexamples.push_back(records::counterexample_from_json(node));
+  }
+  if (root.has("inspections")) {
+    for (const JsonNode& node : root["inspections"].elements()) {
+      if (root.failed()) return run;
+      run.inspections.push_back(records::inspection_from_json(node));
+    }
   }
   for (const JsonNode& node : root["unreached"].elements()) {
     if (root.failed()) return run;

@@ -15,6 +15,7 @@
 //     "shrink_seconds": 5,      only where shrinking was limited by time
 //     "records": […],           records/record_json.h
 //     "counterexamples": […],   records/counterexample_json.h
+//     "inspections": […],       records/inspection_json.h; only where there are any
 //     "unreached": [{"law": "…", "backend": "cpu", "label": "tie", "reached": 2, "least": 13,
 //                    "checked": 1000}],
 //     "known": […],             records/known_json.h; only where something is known of a driver
@@ -23,15 +24,18 @@
 //     "environment": {"version": "0.1.0", …}
 //   }
 //
-// A record, a counterexample and a picture take a line each, so that a text comparison of two runs
-// shows which differ.
+// A record, a counterexample, an inspection and a picture take a line each, so that a text
+// comparison of two runs shows which differ.
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "cases/json_node.h"
 #include "records/counterexample_json.h"
+#include "records/inspection_json.h"
 #include "records/known_json.h"
 #include "records/record_json.h"
 #include "reports/base64.h"
@@ -52,6 +56,17 @@ std::string lines_of(const json& array) {
   std::string text = "[";
   for (const json& element : array) text += (text.size() > 1 ? ",\n" : "\n") + text_of(element);
   return text + (array.empty() ? "]" : "\n]");
+}
+
+/// Each inspection, the largest of all that a run holds, as a document of its own: all together
+/// would take many times their text.
+std::string lines_of(const std::vector<records::Inspection>& inspections) {
+  std::string text = "[";
+  for (const records::Inspection& inspection : inspections) {
+    text += text.size() > 1 ? ",\n" : "\n";
+    text += text_of(records::inspection_to_json(inspection));
+  }
+  return text + "\n]";
 }
 
 json json_of(const records::Picture& picture) {
@@ -102,6 +117,7 @@ std::string write(const records::Run& run) {
   }
   add("records", lines_of(records::records_to_json(run.records)));
   add("counterexamples", lines_of(counterexamples));
+  if (!run.inspections.empty()) add("inspections", lines_of(run.inspections));
   add("unreached", lines_of(unreached));
   if (!run.known.empty()) add("known", lines_of(known));
   if (!run.unexpected.empty()) add("unexpected_passes", lines_of(unexpected));

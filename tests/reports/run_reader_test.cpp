@@ -9,6 +9,7 @@
 
 #include "cases/case_writer.h"
 #include "reports/format.h"
+#include "tests/records/random_inspection.h"
 #include "tests/records/random_record.h"
 #include "tests/reports/sample_run.h"
 
@@ -69,6 +70,7 @@ RC_GTEST_PROP(ParseRun, GivesBackAnyRun, ()) {
     if (*rc::gen::arbitrary<bool>()) violation.attribute.reset();
     if (*rc::gen::arbitrary<bool>()) violation.bound.reset();
     run.counterexamples.push_back(counterexample);
+    run.inspections.push_back(records::random_inspection());
     records::Picture picture;
     picture.name = run.scene;
     picture.width = *rc::gen::inRange(0, 20000);

@@ -1,0 +1,37 @@
+#pragma once
+
+// An inspection as JSON:
+//
+//   {"occasion": "counterexample", "law": "…", "backend": "cpu", "counterexample": 0,
+//    "kind": "smooth", "stratum": "sliver", "case": {the case file, docs/case-format.md},
+//    "pattern": [[0.5, 0.5]], "triangle": 0, "x": 3, "y": 5, "sample": 0, "attribute": 0,
+//    "q_matrix": [["1/2", "0", "-3/4"], […], […]], "outlines": [[[0.5, 1.25], [8, 1], [3, 7]]],
+//    "left": 0, "top": 0, "width": 8, "height": 8,
+//    "samples": [{"x": 3, "y": 5, "sample": 0, "verdict": "required", "reason": "inside",
+//                 "is_drawn": true, "distance": [0.125, 0.125], "edges": [[1, 1], [0, 0], [2, 2]],
+//                 "values": [{"attribute": 0, "exact": "84/5", "nearest": 16.8,
+//                             "actual": "0x1.0cccccp+4", "scale_error": [0.7, 0.7],
+//                             "local_error": [0.7, 0.7], "excess": [0.2, 0.2],
+//                             "kappa": [1, 1], "kappa_d": [3.5, 3.5]}]}],
+//    "splits": [{"attribute": 0, "parts": [{"stage": "set-up", "error": [0.7, 0.7]}],
+//                "total": [0.7, 0.7], "is_traced": true}],
+//    "coverage_stage": "snap"}
+//
+// Keys are the members of records/inspection.h, but for "case", its source. What an inspection does
+// not have is absent, "values" where there are none included. Exact values are texts; "actual" is a
+// hex float, "nan", "inf" or "-inf". Texts are UTF-8.
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "cases/json_node.h"
+#include "records/inspection.h"
+
+namespace rastercheck::records {
+
+nlohmann::json inspection_to_json(const Inspection& inspection);
+
+/// Refuses unknown and missing keys, whatever a case file may not have, and samples that are not
+/// within the part that is inspected.
+Inspection inspection_from_json(const cases::JsonNode& node);
+
+}  // namespace rastercheck::records
