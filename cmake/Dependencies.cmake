@@ -22,6 +22,8 @@ find_package(PNG REQUIRED)
 find_package(rapidcheck REQUIRED)
 find_package(Vulkan REQUIRED)
 find_program(RASTERCHECK_GLSLANG glslangValidator REQUIRED)
+# d3, which goes into every report.html.
+find_file(RASTERCHECK_D3 d3.min.js PATHS /usr/share/nodejs/d3/dist NO_DEFAULT_PATH REQUIRED)
 
 # libepoxy, which finds OpenGL's functions when the program runs. It comes without a CMake file.
 find_path(RASTERCHECK_EPOXY_INCLUDE epoxy/egl.h REQUIRED)

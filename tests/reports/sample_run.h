@@ -7,6 +7,7 @@
 #include <string>
 
 #include "records/run.h"
+#include "tests/reports/sample_inspections.h"
 
 namespace rastercheck::reports {
 
@@ -151,6 +152,7 @@ inline records::Run sample_run() {
   }
   run.unreached = {{run.laws[0], "cpu", "<clipped>", 57, 412, 1000}};
   run.counterexamples = {sample_counterexample(3), sample_counterexample(41)};
+  run.inspections = {sample_counterexample_inspection(), sample_worst_inspection()};
   run.pictures = {{"bunny-cpu", "What cpu draws <of it>.", 64, 48, std::string("\x89PNG\0\xff", 6)},
                   {"bunny-error", "Its error.", 64, 80, "P"}};
   run.environment = {{"version", "0.1.0"}, {"compiler", "g++ <12> & more"}, {"seconds", "1.5"}};

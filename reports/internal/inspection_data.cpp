@@ -1,0 +1,173 @@
+#include "reports/internal/inspection_data.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "cases/float_text.h"
+#include "cases/names.h"
+#include "reports/internal/wording.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using nlohmann::json;
+using records::Enclosure;
+using records::InspectedSample;
+using records::InspectedValue;
+using records::Inspection;
+
+constexpr int kDigits = 6;  ///< significant, of what is certified
+constexpr std::size_t kAllDigits = std::numeric_limits<std::size_t>::max();
+/// How many digits of a whole number are kept, from what is tried first to what has to do.
+constexpr std::array<std::size_t, 4> kMostDigits{kAllDigits, 60, 30, 16};
+
+json certain(const std::optional<Enclosure>& number) {
+  return number ? json(records::to_decimal(*number, kDigits)) : json();
+}
+
+/// Each whole number of a fraction, or of two, with "…" for its middle where it has more digits.
+std::string shortened(std::string_view fraction, std::size_t most_digits) {
+  std::string text;
+  for (std::size_t at = 0; at < fraction.size();) {
+    const std::size_t end = std::min(fraction.find_first_not_of("0123456789", at), fraction.size());
+    if (end == at) {
+      text += fraction[at++];
+      continue;
+    }
+    text += elided(fraction.substr(at, end - at), most_digits);
+    at = end;
+  }
+  return text;
+}
+
+json points(const std::vector<records::WindowPoint>& all) {
+  json array = json::array();
+  for (const records::WindowPoint& point : all) array.push_back({point.x, point.y});
+  return array;
+}
+
+/// A rounded sum is off by less than the step to its neighbours.
+Enclosure sum_of(const Enclosure& a, const Enclosure& b) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto end = [](double x, double y, double towards) {
+    return x == 0 || y == 0 ? x + y : std::nextafter(x + y, towards);
+  };
+  return {end(a.lo, b.lo, -kInfinity), end(a.hi, b.hi, kInfinity)};
+}
+
+json value_data(const InspectedValue& value, std::size_t most_digits) {
+  json data = json::array();
+  data.push_back(value.attribute ? static_cast<int>(*value.attribute) : -1);
+  data.push_back(value.exact.empty() ? json() : json(shortened(value.exact, most_digits)));
+  data.push_back(value.nearest ? json(*value.nearest) : json());
+  data.push_back(value.actual ? json(cases::to_hex(*value.actual)) : json());
+  for (const auto& number :
+       {value.scale_error, value.local_error, value.excess, value.kappa, value.kappa_d}) {
+    data.push_back(certain(number));
+  }
+  return data;
+}
+
+json sample_data(const InspectedSample& sample, const Inspection& of, std::size_t most_digits) {
+  const bool is_looked_for = sample.x == of.x && sample.y == of.y && sample.sample == of.sample;
+  if (is_looked_for) most_digits = kAllDigits;
+  json data{sample.x - of.left,        sample.y - of.top,        sample.sample,
+            to_string(sample.verdict), to_string(sample.reason), sample.is_drawn ? 1 : 0,
+            certain(sample.distance)};
+  json edges;
+  if (sample.edges) {
+    Enclosure sum;
+    for (const Enclosure& edge : *sample.edges) {
+      edges.push_back(certain(edge));
+      sum = sum_of(sum, edge);
+    }
+    edges.push_back(certain(sum));
+  }
+  data.push_back(std::move(edges));
+  json values = json::array();
+  for (const InspectedValue& value : sample.values) {
+    values.push_back(value_data(value, most_digits));
+  }
+  data.push_back(std::move(values));
+  return data;
+}
+
+json inspection_json(const Inspection& inspection, std::size_t most_digits) {
+  json attributes = json::array();
+  for (const cases::Attribute& attribute : inspection.source.attributes) {
+    attributes.push_back({attribute.name, cases::name_of(attribute.interpolation)});
+  }
+  json outlines = json::array();
+  for (const auto& outline : inspection.outlines) outlines.push_back(points(outline));
+  json samples = json::array();
+  for (const InspectedSample& sample : inspection.samples) {
+    samples.push_back(sample_data(sample, inspection, most_digits));
+  }
+  // Of a sample that was to be looked at for its coverage no attribute was, nor its depth.
+  const bool is_of_value = !inspection.splits.empty();
+  json value;
+  if (inspection.attribute) {
+    value = *inspection.attribute;
+  } else if (is_of_value) {
+    value = -1;
+  }
+  return {{"rules", cases::name_of(inspection.source.rules)},
+          {"attributes", std::move(attributes)},
+          {"pattern", points(inspection.pattern)},
+          {"triangle", inspection.triangle},
+          {"x", inspection.x},
+          {"y", inspection.y},
+          {"sample", inspection.sample},
+          {"value", std::move(value)},
+          {"q", inspection.q_matrix ? json(*inspection.q_matrix) : json()},
+          {"outlines", std::move(outlines)},
+          {"left", inspection.left},
+          {"top", inspection.top},
+          {"width", inspection.width},
+          {"height", inspection.height},
+          {"shortened", most_digits != kAllDigits},
+          {"samples", std::move(samples)}};
+}
+
+/// JSON that no HTML parser takes for markup.
+std::string embedded(const json& data) {
+  const std::string text = data.dump(-1, ' ', true, json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+}  // namespace
+
+std::vector<std::string> inspection_data(const std::vector<Inspection>& inspections,
+                                         std::size_t most) {
+  std::vector<std::string> data;
+  for (const std::size_t most_digits : kMostDigits) {
+    data.clear();
+    std::size_t bytes = 0;
+    for (const Inspection& inspection : inspections) {
+      data.push_back(embedded(inspection_json(inspection, most_digits)));
+      bytes += data.back().size();
+      if (bytes > most) break;
+    }
+    if (bytes <= most || most_digits == kMostDigits.back()) break;
+  }
+  // What even so few digits leave too large is left out.
+  data.resize(inspections.size());
+  return data;
+}
+
+}  // namespace rastercheck::reports

@@ -1,0 +1,97 @@
+#include "reports/internal/page.h"
+
+#include <fmt/format.h>
+
+#include "reports/internal/html.h"
+#include "reports/internal/wording.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using records::LawSummary;
+using records::LawVerdict;
+
+std::string cell_of(std::string_view style, std::string_view name, const std::string& content) {
+  const std::string_view none = content == kNothing ? " none" : "";
+  return fmt::format("<td class=\"{}{}\" data-name=\"{}\">{}</td>", style, none, name, content);
+}
+
+/// As application/x-www-form-urlencoded, which is what links of the viewer are written in.
+std::string url_encoded(std::string_view text) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789*-._";
+  std::string encoded;
+  for (const char c : text) {
+    if (c == ' ') {
+      encoded += '+';
+    } else if (kPlain.find(c) != std::string_view::npos) {
+      encoded += c;
+    } else {
+      encoded += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+  }
+  return encoded;
+}
+
+}  // namespace
+
+std::string named_cell(std::string_view name, const std::string& content) {
+  return cell_of("named", name, content);
+}
+std::string number_cell(std::string_view name, const std::string& content) {
+  return cell_of("number", name, content);
+}
+
+std::string definition(std::string_view term, const std::string& content) {
+  return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", term, content);
+}
+
+std::string counted_spans(const std::map<std::string, std::uint64_t>& all) {
+  std::string text;
+  for (const auto& [name, cases] : all) {
+    text += fmt::format("<span>{} {}</span> ", html(name), grouped(cases));
+  }
+  return text;
+}
+
+std::string_view verdict_class(LawVerdict verdict) {
+  switch (verdict) {
+    case LawVerdict::held:
+      return "held";
+    case LawVerdict::violated:
+      return "violated";
+    case LawVerdict::known:
+    case LawVerdict::not_checked:
+      break;
+  }
+  return "unchecked";
+}
+
+std::string_view verdict_sign(LawVerdict verdict) {
+  switch (verdict) {
+    case LawVerdict::held:
+      return "✓";
+    case LawVerdict::violated:
+      return "✗";
+    case LawVerdict::known:
+      return "≈";
+    case LawVerdict::not_checked:
+      break;
+  }
+  return kNothing;
+}
+
+std::string verdict_mark(const LawSummary& row) {
+  const std::string why = records::why_not_checked(row);
+  const bool is_unchecked = row.verdict == LawVerdict::not_checked;
+  return fmt::format(R"(<span class="{}">{} {}{}</span>)", verdict_class(row.verdict),
+                     verdict_sign(row.verdict), verdict_text(row),
+                     is_unchecked && !why.empty() ? "<br><small>" + html(why) + "</small>" : "");
+}
+
+std::string law_link(std::string_view law) { return "law=" + url_encoded(law); }
+std::string inspection_link(std::size_t inspection) {
+  return fmt::format("inspection={}", inspection);
+}
+
+}  // namespace rastercheck::reports

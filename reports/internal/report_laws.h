@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "records/summary.h"
+
+namespace rastercheck::reports {
+
+/// report.html, law by law: what was found on each backend. Violated laws are open.
+std::string laws_of(const std::vector<records::LawSummary>& rows);
+
+}  // namespace rastercheck::reports

@@ -1,0 +1,166 @@
+// The picture of an inspection: the pixel grid, its samples, the triangle.
+
+import { geometryOf, labelStep } from './geometry.js';
+import { glyphOf } from './glyphs.js';
+import { outcomeOf } from './inspection.js';
+import { newId } from './dom.js';
+import { fillsOf } from './views.js';
+
+const kLeastForText = 34; // CSS pixels of a sample's side that a number of three digits takes
+
+function drawAxes(svg, inspection, g) {
+  const { left, top, width, height } = inspection;
+  const step = labelStep(g.pixel);
+  const labelled = (first, count) => d3.range(first, first + count).filter((i) => i % step === 0);
+  const axis = svg.append('g').attr('class', 'axis');
+  axis.selectAll('.across').data(labelled(left, width)).join('text')
+    .attr('x', (i) => g.x(i + 0.5)).attr('y', g.height - 7).attr('text-anchor', 'middle')
+    .text((i) => i);
+  axis.selectAll('.down').data(labelled(top, height)).join('text')
+    .attr('x', g.plot.x - 6).attr('y', (j) => g.y(j + 0.5)).attr('dy', '.35em')
+    .attr('text-anchor', 'end').text((j) => j);
+}
+
+function drawGrid(svg, inspection, g) {
+  const { left, top, width, height } = inspection;
+  const lines = [
+    ...d3.range(left, left + width + 1).map((i) => [g.x(i), g.plot.y, g.x(i), g.y(top + height)]),
+    ...d3.range(top, top + height + 1).map((j) => [g.plot.x, g.y(j), g.x(left + width), g.y(j)]),
+  ];
+  // Vertical lines run to the plot's other end, wherever window y points.
+  const bottom = g.plot.y + g.plot.height;
+  svg.append('g').attr('class', 'grid').selectAll('line').data(lines).join('line')
+    .attr('x1', (l) => l[0]).attr('x2', (l) => l[2])
+    .attr('y1', (l) => (l[0] === l[2] ? g.plot.y : l[1]))
+    .attr('y2', (l) => (l[0] === l[2] ? bottom : l[3]));
+}
+
+function drawFills(layer, inspection, g, fills) {
+  const cell = layer.selectAll('g').data(fills.filter((f) => f.fill)).join('g')
+    .attr('transform', (f) => `translate(${cellCentre(inspection, g, f.sample)})`);
+  cell.append('rect').attr('x', -g.side / 2).attr('y', -g.side / 2)
+    .attr('width', g.side).attr('height', g.side).style('fill', (f) => f.fill);
+  cell.filter((f) => f.text && (g.side >= kLeastForText || f.isSign)).append('text')
+    .attr('class', 'in-cell').attr('dy', '.36em').attr('text-anchor', 'middle')
+    .style('fill', (f) => f.ink)
+    .style('font-size', (f) => `${f.isSign && g.side < kLeastForText
+      ? Math.max(g.side * 0.6, 6) : Math.min(g.side * 0.3, 13)}px`)
+    .text((f) => (g.side >= kLeastForText ? f.text : f.sign));
+}
+
+/** Of one sample a pixel the cell is the pixel; of several they are around their samples. */
+function cellCentre(inspection, g, sample) {
+  if (inspection.pattern.length > 1) return g.place(sample);
+  return [g.x(sample.x + 0.5), g.y(sample.y + 0.5)];
+}
+
+function drawSigns(layer, inspection, g, shown) {
+  const signs = inspection.samples.filter((sample) => shown(outcomeOf(sample)));
+  layer.selectAll('g').data(signs).join('g')
+    .attr('transform', (s) => `translate(${cellCentre(inspection, g, s)})`)
+    .each(function draw(sample) {
+      this.append(...glyphOf(outcomeOf(sample), g.side));
+    });
+}
+
+function drawOutlines(svg, inspection, g, clip) {
+  const line = d3.line().x((p) => g.x(p[0])).y((p) => g.y(p[1]));
+  svg.append('g').attr('clip-path', `url(#${clip})`).selectAll('path').data(inspection.outlines)
+    .join('path')
+    .attr('class', (_, i) => (i === inspection.triangle ? 'outline' : 'outline other'))
+    .attr('d', (points) => (points.length > 0 ? line(points) + 'Z' : ''));
+}
+
+function drawSamplePoints(svg, inspection, g) {
+  if (g.side < 12) return;
+  svg.append('g').attr('class', 'points').selectAll('circle').data(inspection.samples)
+    .join('circle').attr('r', 1.2).attr('cx', (s) => g.place(s)[0])
+    .attr('cy', (s) => g.place(s)[1]);
+}
+
+function drawTarget(svg, inspection, g) {
+  const [x, y] = cellCentre(inspection, g, inspection);
+  svg.append('circle').attr('class', 'target').attr('cx', x).attr('cy', y)
+    .attr('r', Math.max(g.side * 0.62, 7));
+}
+
+/**
+ * @param {import('./inspection.js').Inspection} inspection
+ */
+export class Picture {
+  constructor(inspection) {
+    this.inspection = inspection;
+    this.svg = d3.create('svg').attr('class', 'picture').attr('aria-hidden', 'true');
+    this.node = this.svg.node();
+    this.clip = newId('part');
+    this.swipe = newId('swipe');
+  }
+
+  /**
+   * Draws a view; show() and swipeTo() then move what is on top of it.
+   * @param {{view: string, attribute: number}} state
+   * @param {number} room  CSS pixels
+   */
+  draw({ view, attribute }, room) {
+    const { svg, inspection } = this;
+    const g = geometryOf(inspection, room);
+    this.geometry = g;
+    svg.attr('viewBox', `0 0 ${g.width} ${g.height}`).attr('width', g.width)
+      .attr('height', g.height).selectAll('*').remove();
+    const defs = svg.append('defs');
+    const plot = (id) => defs.append('clipPath').attr('id', id).append('rect')
+      .attr('x', g.plot.x).attr('y', g.plot.y).attr('width', g.plot.width)
+      .attr('height', g.plot.height);
+    plot(this.clip);
+    this.right = plot(this.swipe);
+    svg.append('rect').attr('class', 'plot').attr('x', g.plot.x).attr('y', g.plot.y)
+      .attr('width', g.plot.width).attr('height', g.plot.height);
+    if (view !== 'coverage') drawSamplePoints(svg, inspection, g);
+    for (const { fills, side } of fillsOf(inspection, view, attribute)) {
+      const layer = svg.append('g');
+      if (side === 'right') layer.attr('clip-path', `url(#${this.swipe})`);
+      if (side === 'right') this.coverUp(layer, g);
+      drawFills(layer.append('g'), inspection, g, fills);
+      const isActual = side === 'right' || view === 'ulp' || view === 'difference' ||
+        view === 'actual';
+      if (isActual) drawSigns(layer.append('g'), inspection, g, (o) => o === 'missing' || o === 'extra');
+    }
+    drawGrid(svg, inspection, g);
+    if (view === 'coverage') drawSigns(svg.append('g'), inspection, g, () => true);
+    drawOutlines(svg, inspection, g, this.clip);
+    drawTarget(svg, inspection, g);
+    drawAxes(svg, inspection, g);
+    this.divider = svg.append('line').attr('class', 'divider').attr('y1', g.plot.y)
+      .attr('y2', g.plot.y + g.plot.height).attr('visibility', view === 'compare' ? null : 'hidden');
+    this.cursor = svg.append('g').attr('class', 'cursor');
+  }
+
+  /** The right side of a comparison hides what is under it. */
+  coverUp(layer, g) {
+    layer.append('rect').attr('class', 'plot').attr('x', g.plot.x).attr('y', g.plot.y)
+      .attr('width', g.plot.width).attr('height', g.plot.height);
+  }
+
+  /** Expected up to `share` of the width, actual beyond. */
+  swipeTo(share) {
+    const { plot } = this.geometry;
+    const at = plot.x + share * plot.width;
+    this.right.attr('x', at).attr('width', plot.x + plot.width - at);
+    this.divider.attr('x1', at).attr('x2', at);
+  }
+
+  /** Puts the cursor on a sample. */
+  show(sample, isPinned) {
+    const g = this.geometry;
+    const [x, y] = g.corner(sample.x, sample.y);
+    const [u, v] = g.place(sample);
+    this.cursor.classed('pinned', isPinned).selectAll('*').remove();
+    for (const name of ['halo', 'line']) {
+      this.cursor.append('rect').attr('class', name).attr('x', x).attr('y', y)
+        .attr('width', g.pixel).attr('height', g.pixel);
+    }
+    if (this.inspection.pattern.length === 1) return;
+    this.cursor.append('circle').attr('class', 'line').attr('cx', u).attr('cy', v)
+      .attr('r', Math.max(2.5, Math.min(g.side * 0.2, 6)));
+  }
+}

@@ -1,0 +1,134 @@
+// What each view of an inspection fills its samples with.
+
+import { valueOf } from './inspection.js';
+import { brief } from './numbers.js';
+import { errorSign, errorStep, inkOn, kOddFill, kOddInk } from './palette.js';
+
+/** The views, in the order in which they are offered: [name in links, name for readers]. */
+export const kViews = [
+  ['coverage', 'Coverage'],
+  ['expected', 'Expected'],
+  ['actual', 'Actual'],
+  ['compare', 'Compare'],
+  ['difference', 'Difference'],
+  ['ulp', 'ULP'],
+];
+
+/**
+ * @typedef {object} Fill
+ * @property {import('./inspection.js').Sample} sample
+ * @property {string | null} fill  null: nothing
+ * @property {string} ink  of its text
+ * @property {string} text  a number, where there is room
+ * @property {string} sign  where there is not
+ * @property {boolean} isSign  whether it has one
+ */
+const filled = (sample, fill, text, sign = '') => ({
+  sample,
+  fill,
+  ink: fill === kOddFill ? kOddInk : inkOn(fill),
+  text,
+  sign,
+  isSign: sign !== '',
+});
+
+/** The range of exact values, which colours run over; drawn ones may leave it. */
+export function rangeOf(inspection, attribute) {
+  const all = inspection.samples.map((s) => valueOf(s, attribute)?.nearest)
+    .filter((n) => Number.isFinite(n));
+  const [low, high] = d3.extent(all);
+  return low === undefined ? [0, 1] : [low, high];
+}
+
+export function valueColours(inspection, attribute) {
+  const [low, high] = rangeOf(inspection, attribute);
+  return d3.scaleSequential(d3.interpolateViridis).domain(low === high ? [low - 1, high + 1] : [low, high])
+    .clamp(true);
+}
+
+/** How far values are off at most, in their own unit. */
+export function largestDifference(inspection, attribute) {
+  return d3.max(inspection.samples, (s) => {
+    const value = valueOf(s, attribute);
+    const size = value ? Math.abs(value.actual - value.nearest) : NaN;
+    return Number.isFinite(size) ? size : 0;
+  }) || 0;
+}
+
+export function differenceColours(most) {
+  return d3.scaleLinear().domain([-most, 0, most]).range(['#d55e00', '#f7f7f4', '#0072b2'])
+    .interpolate(d3.interpolateLab);
+}
+
+function fillsBy(inspection, attribute, fillOf) {
+  return inspection.samples.flatMap((sample) => {
+    const value = valueOf(sample, attribute);
+    const fill = value && fillOf(value, sample);
+    return fill ? [fill] : [];
+  });
+}
+
+function expectedFills(inspection, attribute) {
+  const colour = valueColours(inspection, attribute);
+  return fillsBy(inspection, attribute, (value, sample) =>
+    Number.isFinite(value.nearest) && sample.verdict !== 'forbidden' &&
+      filled(sample, colour(value.nearest), brief(value.nearest)));
+}
+
+function oddFill(value, sample) {
+  return filled(sample, kOddFill, brief(value.actual), Number.isNaN(value.actual) ? '?' : '∞');
+}
+
+function actualFills(inspection, attribute) {
+  const colour = valueColours(inspection, attribute);
+  return fillsBy(inspection, attribute, (value, sample) => {
+    if (value.hex === null) return null;
+    if (!Number.isFinite(value.actual)) return oddFill(value, sample);
+    return filled(sample, colour(value.actual), brief(value.actual));
+  });
+}
+
+function differenceFills(inspection, attribute) {
+  const colour = differenceColours(largestDifference(inspection, attribute) || 1);
+  return fillsBy(inspection, attribute, (value, sample) => {
+    if (value.hex === null) return null;
+    if (!Number.isFinite(value.actual)) return oddFill(value, sample);
+    const difference = value.actual - value.nearest;
+    if (!Number.isFinite(difference)) return null;
+    const sign = difference === 0 ? '' : difference > 0 ? '+' : '−';
+    return filled(sample, colour(difference), brief(difference, 2), sign);
+  });
+}
+
+function errorFills(inspection, attribute) {
+  return fillsBy(inspection, attribute, (value, sample) => {
+    if (value.hex === null) return null;
+    if (!Number.isFinite(value.actual)) return oddFill(value, sample);
+    const step = errorStep(value.error);
+    if (!step) return null;
+    const fill = filled(sample, step.fill, brief(value.error, 2), errorSign(value.error));
+    return { ...fill, ink: step.ink };
+  });
+}
+
+/**
+ * The layers of a view, from below; of a comparison the second is on its right side only.
+ * @returns {{fills: Fill[], side: 'all' | 'right'}[]}
+ */
+export function fillsOf(inspection, view, attribute) {
+  const all = (fills, side = 'all') => ({ fills: fills(inspection, attribute), side });
+  switch (view) {
+    case 'expected':
+      return [all(expectedFills)];
+    case 'actual':
+      return [all(actualFills)];
+    case 'compare':
+      return [all(expectedFills), all(actualFills, 'right')];
+    case 'difference':
+      return [all(differenceFills)];
+    case 'ulp':
+      return [all(errorFills)];
+    default:
+      return [];
+  }
+}
