@@ -1,10 +1,12 @@
 #pragma once
 
 // How one sample of a draw came about, stage by stage: for reports that split an error by stages,
-// and for whoever asks why.
+// and for whoever asks why. What a stage handed on is there where there is such a stage, and
+// otherwise not. Numbers are those that the drawing computed with, to the bit.
 
 #include <array>
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <vector>
 
@@ -20,53 +22,104 @@ struct SampleAddress {
   int sample = 0;
 };
 
-/// The stage `edges`: from clip positions to the lines E_i = a_i U + (b_i V + c_i T). Numbers as
-/// double holds them.
-struct TracedEdges {
-  std::array<glm::vec4, 3> positions;                   ///< received
-  std::array<std::array<double, 3>, 3> coefficients{};  ///< handed on: a, b, c of each edge
-  std::array<double, 3> bands{};                        ///< how far an evaluation may be off
-  bool is_snapped = false;                              ///< of the snapped vertices, or of a piece
-  /// The stage `certificate`: Σ E_i from which on double is enough for smooth values.
-  double least_sum = 0;
+/// A corner of what is drawn of a triangle: a vertex, or one that clipping made.
+struct TracedCorner {
+  double x = 0;  ///< window position, pixels; where `is_homogeneous` times w
+  double y = 0;
+  double z = 0;  ///< of clip space, as w
+  double w = 0;
+  bool is_homogeneous = false;
+  /// How much of each vertex is in it, r = Σ share_v r_v.
+  std::array<double, 3> share{};
+};
+
+/// A window coordinate for lines and planes: scale · (2 at − shift), `at` in pixels.
+struct TracedAxis {
+  double scale = 0;
+  double shift = 0;
+};
+struct TracedFrame {
+  TracedAxis u;
+  TracedAxis v;
+  double t = 0;
+};
+
+/// a U + (b V + c), each operation rounded to double; of a line a U + (b V + c T).
+struct TracedPlane {
+  double a = 0;
+  double b = 0;
+  double c = 0;
+};
+
+/// What double knows of the weights (rasterizer/internal/certificates.h).
+struct TracedCertificate {
+  std::array<double, 3> bands{};   ///< how far an evaluated line may be off
+  double least_sum = 0;            ///< Σ E_i from which on double is enough for smooth values
   bool affine_is_certain = false;  ///< whether it is for values that are linear in the window
   bool depth_is_certain = false;
 };
 
-/// How a sample was found to be covered.
+/// How it was found out whether a sample is covered.
 enum class Decision {
+  outside,           ///< beyond viewport, scissor, or the box that the triangle touches
   in_double,         ///< farther from every edge than double is off
   exactly,           ///< by a sum without rounding, or the fill rule
   in_whole_numbers,  ///< on the subpixel grid
+  clipped,           ///< inside the edges, and beyond a clip plane
 };
 
-/// An attribute, or depth, as the stage `evaluation` handed it on.
+/// An attribute, or depth. It comes from planes, from the lines of the trace, or from neither: then
+/// it is copied, or comes from sums without rounding.
 struct TracedValue {
-  float value = 0;
-  bool is_exact = false;     ///< from sums without rounding, as double was not enough; at the
-                             ///< sample only: of others it is not recorded
-  bool is_at_sample = true;  ///< else at (u, v), its pixel's centre or a sample that is covered
-  double u = 0;
+  double u = 0;  ///< where it was evaluated, pixels
   double v = 0;
+  /// Whether it belongs to the clip positions as they are, past `corners` and `snapped`.
+  bool is_from_vertices = false;
+  /// The value is numerator / denominator, or the numerator alone, and both at (u, v) are these.
+  std::optional<TracedPlane> numerator = std::nullopt;
+  std::optional<TracedPlane> denominator = std::nullopt;
+  std::optional<double> numerator_at = std::nullopt;
+  std::optional<double> denominator_at = std::nullopt;
+  bool is_from_lines = false;
+  /// Of such a value the lines at (u, v), or, in float32, the shares of the corners in it, which
+  /// belong to Σ share_c r_c / Σ share_c.
+  std::optional<std::array<double, 3>> weights = std::nullopt;
+  std::optional<std::array<double, 3>> shares = std::nullopt;
+  bool is_exact = false;  ///< from sums without rounding, as double was not enough
+  /// Before it was rounded to float32; nothing where that was the last operation.
+  std::optional<double> evaluated = std::nullopt;
+  float value = 0;
 };
 
 struct Trace {
-  TracedEdges edges;
-  Decision decision = Decision::in_double;  ///< the stage `coverage`
-  std::array<double, 3> place{};            ///< the sample as the edges take it: U, V, T
-  /// The stage `weights`: E_i at the sample, each operation of the line rounded once.
-  std::array<double, 3> weights{};
+  bool is_drawn = false;                 ///< else there are no values
+  std::array<glm::vec4, 3> positions{};  ///< received, clip space
+  /// Of a triangle that is clipped the corners of the part that the sample is of, before they were
+  /// snapped: vertices among them rounded to double.
+  std::optional<std::array<TracedCorner, 3>> corners = std::nullopt;
+  /// Where vertices are snapped the same on the grid: what is covered comes from them.
+  std::optional<std::array<TracedCorner, 3>> snapped = std::nullopt;
+  /// E_i of the part's corners, or of the clip positions (Basis::ideal).
+  TracedFrame frame;
+  std::array<TracedPlane, 3> lines{};
+  TracedCertificate certificate;
+  double u = 0;  ///< where the sample was taken to be, pixels
+  double v = 0;
+  std::array<double, 3> edges{};  ///< E_i there
+  Decision decision = Decision::outside;
   TracedValue depth;
   std::vector<TracedValue> attributes;
 };
 
 struct TraceResult {
   std::optional<Error> error;
-  std::optional<Trace> trace;  ///< nothing where the sample is not covered, or not of the target
+  /// Nothing where the triangle was not set up (culled, hidden, without area, not finite), or the
+  /// sample is not of the target.
+  std::optional<Trace> trace;
 };
 
-/// Draws one triangle as draw_fragments does and says how a sample of it came about. A triangle
-/// that the mesh does not have is Error::index.
+/// Draws one triangle as draw_fragments does and says how a sample of it came about, or that it is
+/// not drawn. A triangle that the mesh does not have is Error::index.
 TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize& size,
                          const SampleAddress& address);
 

@@ -1,25 +1,13 @@
 #pragma once
 
 // How one sample of a drawing came about, stage by stage, as plain data: what a backend that can
-// tell says of itself (backends/backend.h).
-//
-//   stage        received                  handed on
-//   edges        x0 y0 z0 w0 … w2          a0 b0 c0 band0 … band2, is_snapped
-//   certificate  band0 band1 band2         least_sum, affine_is_certain, depth_is_certain
-//   coverage     U V T                     in_double, exactly or in_whole_numbers, which is 1
-//   weights      U V T                     E0 E1 E2
-//   evaluation   E0 E1 E2                  depth, depth_is_exact, and of attribute number a: r[a],
-//                                          r[a]_is_exact, and r[a]_u and r[a]_v where that is not
-//                                          at the sample
-//
-// A weight is E_i = a_i U + (b_i V + c_i T), each operation rounded to double; band_i is how far it
-// may be off. Whether something is so is 1 or 0. Numbers are doubles; a float32 is one, to the bit.
+// tell says of itself (backends/backend.h). What a stage handed on is there where there is such a
+// stage and the backend tells it. Numbers are those that it computed with, to the bit.
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace rastercheck::records {
@@ -31,20 +19,6 @@ struct SampleAddress {
   std::uint32_t y = 0;         ///< pixels
   std::uint32_t sample = 0;    ///< index into the sample pattern
   bool operator==(const SampleAddress&) const = default;
-};
-
-struct NamedNumber {
-  std::string name;
-  double value = 0;
-  bool operator==(const NamedNumber&) const = default;
-};
-using NamedNumbers = std::vector<NamedNumber>;
-
-struct StageTrace {
-  std::string stage;
-  NamedNumbers received;
-  NamedNumbers handed_on;
-  bool operator==(const StageTrace&) const = default;
 };
 
 /// A corner of what is drawn of a triangle: a vertex, or one that clipping made.
@@ -72,8 +46,8 @@ struct TracedFrame {
   bool operator==(const TracedFrame&) const = default;
 };
 
-/// E_i = a U + b V + c T of a corner, a positive multiple of e_i (RULES §1), the same for all
-/// three.
+/// E_i = a U + (b V + c T) of a corner, a positive multiple of e_i (RULES §1), the same for all
+/// three. In the order in which it is evaluated, each operation rounded to double.
 struct TracedLine {
   double a = 0;
   double b = 0;
@@ -81,7 +55,7 @@ struct TracedLine {
   bool operator==(const TracedLine&) const = default;
 };
 
-/// a U + b V + c.
+/// a U + (b V + c), likewise.
 struct TracedPlane {
   double a = 0;
   double b = 0;
@@ -90,20 +64,28 @@ struct TracedPlane {
 };
 
 /// How depth or an attribute came about. What a stage handed on is there where the value comes from
-/// that; what was computed beside it is not.
+/// that; what was computed beside it is not. A value with neither planes nor lines nor weights was
+/// copied, comes from sums without rounding, or in a way that the backend does not tell.
 struct TracedValue {
   double u = 0;  ///< where it was evaluated, pixels
   double v = 0;
+  /// Whether it belongs to the clip positions as they are: `corners` and `snapped` of the trace are
+  /// what is covered, and no part of how the value came about.
+  bool is_from_vertices = false;
   /// The stage `set_up`: the value is numerator / denominator, or the numerator alone.
   std::optional<TracedPlane> numerator = std::nullopt;
   std::optional<TracedPlane> denominator = std::nullopt;
   /// Or it comes from SampleTrace::lines.
   bool is_from_lines = false;
-  /// The stage `weights`: these planes at (u, v).
+  /// The stage `weights`: these planes at (u, v), depth before it is held to its range.
   std::optional<double> numerator_at = std::nullopt;
   std::optional<double> denominator_at = std::nullopt;
-  /// Or a multiple of the weights of the corners there.
+  /// Or a multiple of the weights of the corners there; where it is from lines, E_i.
   std::optional<std::array<double, 3>> weights = std::nullopt;
+  /// Or a multiple of the shares of the corners in the value, of whatever interpolation: it is
+  /// Σ share_c r_c / Σ share_c.
+  std::optional<std::array<double, 3>> shares = std::nullopt;
+  bool is_exact = false;  ///< from sums without rounding
   /// The stage `evaluation`: before it was rounded to float32; nothing where that was the last
   /// operation.
   std::optional<double> evaluated = std::nullopt;
@@ -112,10 +94,6 @@ struct TracedValue {
 };
 
 struct SampleTrace {
-  std::vector<StageTrace> stages;  ///< in the order they ran
-  float depth = 0;
-  std::vector<float> attributes;
-
   bool is_drawn = true;  ///< else there are no values
   /// The stage `transform`: the clip positions (x, y, z, w) that were received.
   std::array<std::array<float, 4>, 3> positions{};
@@ -123,7 +101,8 @@ struct SampleTrace {
   std::optional<std::array<TracedCorner, 3>> corners = std::nullopt;
   /// The stage `snap`, where there is one: the same on the grid.
   std::optional<std::array<TracedCorner, 3>> snapped = std::nullopt;
-  /// The stage `set_up`: of those corners, or of the vertices where there are none.
+  /// The stage `set_up`: of those corners, or of the vertices where there are none or values are
+  /// `is_from_vertices`.
   std::optional<TracedFrame> frame = std::nullopt;
   std::optional<std::array<TracedLine, 3>> lines = std::nullopt;
   /// The stage `coverage`: where the sample was taken to be, pixels, E_i there as they were
@@ -136,10 +115,5 @@ struct SampleTrace {
   std::vector<TracedValue> traced_attributes = {};
   bool operator==(const SampleTrace&) const = default;
 };
-
-/// The stage of a name; nullptr where there is none.
-const StageTrace* find_stage(const SampleTrace& trace, std::string_view stage);
-/// The number of a name; nothing where there is none.
-std::optional<double> find_number(const NamedNumbers& numbers, std::string_view name);
 
 }  // namespace rastercheck::records

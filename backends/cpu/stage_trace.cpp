@@ -1,82 +1,89 @@
 #include "backends/cpu/stage_trace.h"
 
 #include <cstddef>
-#include <string>
 #include <string_view>
-#include <utility>
 
 namespace rastercheck::backends {
 namespace {
 
 namespace ras = rasterizer;
 
-std::string numbered(const char* name, std::size_t index) { return name + std::to_string(index); }
-
 std::string_view word(ras::Decision decision) {
   switch (decision) {
+    case ras::Decision::outside:
+      return "outside";
     case ras::Decision::in_double:
       return "in_double";
     case ras::Decision::exactly:
       return "exactly";
     case ras::Decision::in_whole_numbers:
+      return "in_whole_numbers";
+    case ras::Decision::clipped:
       break;
   }
-  return "in_whole_numbers";
+  return "clipped";
 }
 
-double number(bool is_so) { return is_so ? 1 : 0; }
+using Corners = std::array<records::TracedCorner, 3>;
 
-/// What the stage `evaluation` handed on of a value.
-void add_value(const std::string& name, const ras::TracedValue& value,
-               records::NamedNumbers& numbers) {
-  numbers.push_back({name, value.value});
-  numbers.push_back({name + "_is_exact", number(value.is_exact)});
-  if (value.is_at_sample) return;
-  numbers.push_back({name + "_u", value.u});
-  numbers.push_back({name + "_v", value.v});
+std::optional<Corners> corners_of(const std::optional<std::array<ras::TracedCorner, 3>>& traced) {
+  if (!traced) return std::nullopt;
+  Corners corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ras::TracedCorner& corner = (*traced)[i];
+    corners[i] = {corner.x, corner.y, corner.z, corner.w, corner.is_homogeneous, corner.share};
+  }
+  return corners;
+}
+
+std::optional<records::TracedPlane> plane_of(const std::optional<ras::TracedPlane>& plane) {
+  if (!plane) return std::nullopt;
+  return records::TracedPlane{plane->a, plane->b, plane->c};
+}
+
+records::TracedValue value_of(const ras::TracedValue& traced) {
+  records::TracedValue value;
+  value.u = traced.u;
+  value.v = traced.v;
+  value.is_from_vertices = traced.is_from_vertices;
+  value.numerator = plane_of(traced.numerator);
+  value.denominator = plane_of(traced.denominator);
+  value.is_from_lines = traced.is_from_lines;
+  value.numerator_at = traced.numerator_at;
+  value.denominator_at = traced.denominator_at;
+  value.weights = traced.weights;
+  value.shares = traced.shares;
+  value.is_exact = traced.is_exact;
+  value.evaluated = traced.evaluated;
+  value.value = traced.value;
+  return value;
 }
 
 }  // namespace
 
 records::SampleTrace sample_trace(const ras::Trace& trace) {
-  records::StageTrace edges{"edges", {}, {}};
-  records::NamedNumbers bands;
-  records::NamedNumbers weights;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const glm::vec4& p = trace.edges.positions[i];
-    const auto& [a, b, c] = trace.edges.coefficients[i];
-    edges.received.push_back({numbered("x", i), p.x});
-    edges.received.push_back({numbered("y", i), p.y});
-    edges.received.push_back({numbered("z", i), p.z});
-    edges.received.push_back({numbered("w", i), p.w});
-    edges.handed_on.push_back({numbered("a", i), a});
-    edges.handed_on.push_back({numbered("b", i), b});
-    edges.handed_on.push_back({numbered("c", i), c});
-    bands.push_back({numbered("band", i), trace.edges.bands[i]});
-    edges.handed_on.push_back(bands.back());
-    weights.push_back({numbered("E", i), trace.weights[i]});
-  }
-  edges.handed_on.push_back({"is_snapped", number(trace.edges.is_snapped)});
-  const records::NamedNumbers certificate{
-      {"least_sum", trace.edges.least_sum},
-      {"affine_is_certain", number(trace.edges.affine_is_certain)},
-      {"depth_is_certain", number(trace.edges.depth_is_certain)}};
-  const records::NamedNumbers place{
-      {"U", trace.place[0]}, {"V", trace.place[1]}, {"T", trace.place[2]}};
-
   records::SampleTrace result;
-  records::NamedNumbers values;
-  add_value("depth", trace.depth, values);
-  result.depth = trace.depth.value;
-  for (std::size_t a = 0; a < trace.attributes.size(); ++a) {
-    add_value("r[" + std::to_string(a) + "]", trace.attributes[a], values);
-    result.attributes.push_back(trace.attributes[a].value);
+  result.is_drawn = trace.is_drawn;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::vec4& p = trace.positions[i];
+    result.positions[i] = {p.x, p.y, p.z, p.w};
   }
-  result.stages = {std::move(edges),
-                   {"certificate", std::move(bands), certificate},
-                   {"coverage", place, {{std::string(word(trace.decision)), 1}}},
-                   {"weights", place, weights},
-                   {"evaluation", weights, std::move(values)}};
+  result.corners = corners_of(trace.corners);
+  result.snapped = corners_of(trace.snapped);
+  const auto& [along_u, along_v, t] = trace.frame;
+  result.frame = {{along_u.scale, along_u.shift}, {along_v.scale, along_v.shift}, t};
+  auto& lines = result.lines.emplace();
+  for (std::size_t i = 0; i < 3; ++i) {
+    lines[i] = {trace.lines[i].a, trace.lines[i].b, trace.lines[i].c};
+  }
+  result.u = trace.u;
+  result.v = trace.v;
+  result.edges = trace.edges;
+  result.decision = word(trace.decision);
+  result.traced_depth = value_of(trace.depth);
+  for (const ras::TracedValue& value : trace.attributes) {
+    result.traced_attributes.push_back(value_of(value));
+  }
   return result;
 }
 

@@ -3,9 +3,11 @@
 // an error that nobody made.
 //
 // Of up to four fragments of each triangle, spread over all that were drawn: there is a trace, its
-// depth and attributes are the drawn ones to the bit, and its weights are what its edges give,
-// E_i = a_i U + (b_i V + c_i T) with every operation rounded to double (records/stage_trace.h). Of
-// samples beside them that were not drawn: there is no trace. Triangles are traced alone, so the
+// depth and attributes are the drawn ones to the bit, and it holds together. The weights at the
+// sample, and those of a value, are what its lines give, and of a value from planes numerator and
+// denominator are what these give, every operation rounded to double (records/stage_trace.h); what
+// was evaluated is rounded to the value. Of samples beside them that were not drawn: if there is a
+// trace it says so, and its weights are those of its lines. Triangles are traced alone, so the
 // depth test is left out. Judged of backends that trace.
 
 #include <fmt/format.h>
@@ -30,6 +32,7 @@ using records::AttributeKind;
 using records::FragmentClass;
 using records::SampleAddress;
 using records::SampleTrace;
+using records::TracedValue;
 
 /// Fragments of a triangle that are traced, and samples beside each of them that are asked for.
 constexpr std::size_t kMostTraced = 4;
@@ -38,27 +41,59 @@ bool is_same_float(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
-/// What is wrong with the weights of a trace; empty where nothing is.
-std::string fault_of_weights(const SampleTrace& trace) {
-  const records::StageTrace* edges = records::find_stage(trace, "edges");
-  const records::StageTrace* weights = records::find_stage(trace, "weights");
-  if (edges == nullptr || weights == nullptr) return "the trace has no edges or no weights";
-  const auto u = records::find_number(weights->received, "U");
-  const auto v = records::find_number(weights->received, "V");
-  const auto t = records::find_number(weights->received, "T");
-  for (int i = 0; i < 3; ++i) {
-    const auto number = std::to_string(i);
-    const auto a = records::find_number(edges->handed_on, "a" + number);
-    const auto b = records::find_number(edges->handed_on, "b" + number);
-    const auto c = records::find_number(edges->handed_on, "c" + number);
-    const auto weight = records::find_number(weights->handed_on, "E" + number);
-    if (!u || !v || !t || !a || !b || !c || !weight) return "a number of edge " + number + " lacks";
-    const double expected = *a * *u + (*b * *v + *c * *t);
-    if (*weight != expected) {
-      return fmt::format("weight {} is {}, and its edge gives {}", i, *weight, expected);
+double on_axis(const records::TracedAxis& axis, double at) {
+  return axis.scale * (2 * at - axis.shift);
+}
+
+/// A line or a plane; `c` is that of a plane.
+template <typename Plane>
+double value_at(const Plane& plane, const records::TracedFrame& frame, double c, double u,
+                double v) {
+  return plane.a * on_axis(frame.u, u) + (plane.b * on_axis(frame.v, v) + c);
+}
+
+using Weights = std::array<double, 3>;
+
+/// What is wrong with weights at (u, v); empty where nothing is.
+std::string fault_of_weights(const SampleTrace& trace, const Weights& weights, double u, double v) {
+  if (!trace.lines || !trace.frame) return "the trace has weights and no lines";
+  for (std::size_t i = 0; i < 3; ++i) {
+    const records::TracedLine& line = (*trace.lines)[i];
+    const double expected = value_at(line, *trace.frame, line.c * trace.frame->t, u, v);
+    if (weights[i] != expected) {
+      return fmt::format("weight {} is {}, and its line gives {}", i, weights[i], expected);
     }
   }
   return {};
+}
+
+std::string fault_of_weights(const SampleTrace& trace) {
+  if (!trace.edges) return trace.lines ? "the trace has lines and no weights" : "";
+  return fault_of_weights(trace, *trace.edges, trace.u, trace.v);
+}
+
+std::string fault_of_plane(const SampleTrace& trace, const TracedValue& value,
+                           const std::optional<records::TracedPlane>& plane,
+                           const std::optional<double>& at) {
+  if (!plane && !at) return {};
+  if (!plane || !at || !trace.frame) return "a plane, what it gives or its frame lacks";
+  const double expected = value_at(*plane, *trace.frame, plane->c, value.u, value.v);
+  if (*at == expected) return {};
+  return fmt::format("a plane is {} there, and gives {}", *at, expected);
+}
+
+std::string fault_of_value(const SampleTrace& trace, const TracedValue& value) {
+  std::string fault = fault_of_plane(trace, value, value.numerator, value.numerator_at);
+  if (fault.empty()) {
+    fault = fault_of_plane(trace, value, value.denominator, value.denominator_at);
+  }
+  if (fault.empty() && value.is_from_lines && value.weights) {
+    fault = fault_of_weights(trace, *value.weights, value.u, value.v);
+  }
+  if (!fault.empty() || !value.evaluated) return fault;
+  const auto rounded = static_cast<float>(*value.evaluated);
+  if (is_same_float(rounded, value.value)) return {};
+  return fmt::format("{} is rounded to {}", *value.evaluated, value.value);
 }
 
 class TraceCheck {
@@ -143,19 +178,20 @@ class TraceCheck {
     ++tally_.counts().required;
     tally_.see(at.triangle);
     if (!trace) return report(at, FragmentClass::missing, "drawn", "no trace");
+    if (!trace->is_drawn) return report(at, FragmentClass::missing, "drawn", "not drawn");
     tally_.pass(AttributeKind::coverage);
-    check_value(at, AttributeKind::depth, std::nullopt, drawn_->depth[i], trace->depth);
+    note_fault(at, fault_of_weights(*trace));
+    tally_.label("decided " + trace->decision);
+    check_value(at, AttributeKind::depth, std::nullopt, drawn_->depth[i], *trace,
+                trace->traced_depth);
     const auto drawn = drawn_->attributes_of(i);
-    if (trace->attributes.size() != drawn.size()) {
-      note_fault(at, "the trace has another number of attributes");
-    } else {
-      for (std::uint32_t a = 0; a < drawn.size(); ++a) {
-        check_value(at, records::kind_of(case_->attributes[a].interpolation), a, drawn[a],
-                    trace->attributes[a]);
-      }
+    if (trace->traced_attributes.size() != drawn.size()) {
+      return note_fault(at, "the trace has another number of attributes");
     }
-    if (const std::string fault = fault_of_weights(*trace); !fault.empty()) note_fault(at, fault);
-    add_labels(*trace);
+    for (std::uint32_t a = 0; a < drawn.size(); ++a) {
+      check_value(at, records::kind_of(case_->attributes[a].interpolation), a, drawn[a], *trace,
+                  trace->traced_attributes[a]);
+    }
   }
 
   void check_not_drawn(const SampleAddress& at) {
@@ -163,34 +199,28 @@ class TraceCheck {
     if (error_) return;
     ++tally_.counts().forbidden;
     tally_.label("not drawn");
-    if (trace) report(at, FragmentClass::extra, "not drawn", "a trace");
+    if (!trace) return;
+    if (trace->is_drawn) return report(at, FragmentClass::extra, "not drawn", "a trace");
+    note_fault(at, fault_of_weights(*trace));
   }
 
   void check_value(const SampleAddress& at, AttributeKind kind,
-                   std::optional<std::uint32_t> attribute, float drawn, float traced) {
-    if (is_same_float(drawn, traced)) return tally_.pass(kind);
-    tally_.report(violation_at(place_of(at), FragmentClass::beyond_bound, value_text(drawn),
-                               "the trace has another value than the drawing",
-                               {kind, attribute, traced}));
+                   std::optional<std::uint32_t> attribute, float drawn, const SampleTrace& trace,
+                   const TracedValue& traced) {
+    if (traced.is_exact) tally_.label("exact value");
+    if (traced.u != trace.u || traced.v != trace.v) tally_.label("located elsewhere");
+    if (!is_same_float(drawn, traced.value)) {
+      return tally_.report(violation_at(
+          place_of(at), FragmentClass::beyond_bound, value_text(drawn),
+          "the trace has another value than the drawing", {kind, attribute, traced.value}));
+    }
+    tally_.pass(kind);
+    note_fault(at, fault_of_value(trace, traced));
   }
 
   void note_fault(const SampleAddress& at, const std::string& fault) {
+    if (fault.empty()) return;
     report(at, FragmentClass::beyond_bound, "a trace that holds together", "a trace", fault);
-  }
-
-  /// How the sample was decided, and that values needed more than double.
-  void add_labels(const SampleTrace& trace) {
-    if (const records::StageTrace* coverage = records::find_stage(trace, "coverage")) {
-      for (const records::NamedNumber& decision : coverage->handed_on) {
-        tally_.label("decided " + decision.name);
-      }
-    }
-    if (const records::StageTrace* evaluation = records::find_stage(trace, "evaluation")) {
-      for (const records::NamedNumber& number : evaluation->handed_on) {
-        if (number.name.ends_with("_is_exact") && number.value != 0) tally_.label("exact value");
-        if (number.name.ends_with("_u")) tally_.label("located elsewhere");
-      }
-    }
   }
 
   static FragmentPlace place_of(const SampleAddress& at) {

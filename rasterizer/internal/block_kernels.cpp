@@ -59,33 +59,64 @@ std::uint64_t SumWeights(const PlaneRow& plane, double least, int count, BlockWe
   return above;
 }
 
-HWY_INLINE void StoreRounded(Vector value, float* out) {
+HWY_INLINE void StoreValue(Vector value, float* out) {
   hn::StoreU(RoundToFloats(value), Halves(), out);
 }
+HWY_INLINE void StoreValue(Vector value, double* out) { hn::StoreU(value, Doubles(), out); }
 
-void EvaluateSmooth(const PlaneRow& numerator, int count, const BlockWeights& weights, float* out) {
+template <typename T>
+HWY_INLINE void Smooth(const PlaneRow& numerator, int count, const BlockWeights& weights, T* out) {
   const Doubles d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int j = 0; j < count; j += lanes) {
     const auto reciprocal = hn::Load(d, weights.reciprocal.data() + j);
-    StoreRounded(hn::Mul(Along(numerator, weights, j), reciprocal), out + j);
+    StoreValue(hn::Mul(Along(numerator, weights, j), reciprocal), out + j);
   }
 }
 
-void EvaluateAffine(const PlaneRow& plane, int count, const BlockWeights& weights, float* out) {
+template <typename T>
+HWY_INLINE void Affine(const PlaneRow& plane, int count, const BlockWeights& weights, T* out) {
   const Doubles d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int j = 0; j < count; j += lanes) StoreRounded(Along(plane, weights, j), out + j);
+  for (int j = 0; j < count; j += lanes) StoreValue(Along(plane, weights, j), out + j);
 }
 
-void EvaluateDepth(const PlaneRow& plane, double least, double greatest, int count,
-                   const BlockWeights& weights, float* out) {
+template <typename T>
+HWY_INLINE void Depth(const PlaneRow& plane, double least, double greatest, int count,
+                      const BlockWeights& weights, T* out) {
   const Doubles d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int j = 0; j < count; j += lanes) {
     const auto depth = hn::Max(Along(plane, weights, j), hn::Set(d, least));
-    StoreRounded(hn::Min(depth, hn::Set(d, greatest)), out + j);
+    StoreValue(hn::Min(depth, hn::Set(d, greatest)), out + j);
   }
+}
+
+void EvaluateSmooth(const PlaneRow& numerator, int count, const BlockWeights& weights, float* out) {
+  Smooth(numerator, count, weights, out);
+}
+
+void EvaluateAffine(const PlaneRow& plane, int count, const BlockWeights& weights, float* out) {
+  Affine(plane, count, weights, out);
+}
+
+void EvaluateDepth(const PlaneRow& plane, double least, double greatest, int count,
+                   const BlockWeights& weights, float* out) {
+  Depth(plane, least, greatest, count, weights, out);
+}
+
+void SmoothInDouble(const PlaneRow& numerator, int count, const BlockWeights& weights,
+                    double* out) {
+  Smooth(numerator, count, weights, out);
+}
+
+void AffineInDouble(const PlaneRow& plane, int count, const BlockWeights& weights, double* out) {
+  Affine(plane, count, weights, out);
+}
+
+void DepthInDouble(const PlaneRow& plane, double least, double greatest, int count,
+                   const BlockWeights& weights, double* out) {
+  Depth(plane, least, greatest, count, weights, out);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -100,6 +131,9 @@ HWY_EXPORT(SumWeights);
 HWY_EXPORT(EvaluateSmooth);
 HWY_EXPORT(EvaluateAffine);
 HWY_EXPORT(EvaluateDepth);
+HWY_EXPORT(SmoothInDouble);
+HWY_EXPORT(AffineInDouble);
+HWY_EXPORT(DepthInDouble);
 
 BlockCoverage evaluate_edges(const EdgeRow& row, int first, int count, BlockWeights& weights) {
   return HWY_DYNAMIC_DISPATCH(EvaluateEdges)(row, first, count, weights);
@@ -121,6 +155,20 @@ void evaluate_affine(const PlaneRow& plane, int count, const BlockWeights& weigh
 void evaluate_depth(const PlaneRow& plane, double least, double greatest, int count,
                     const BlockWeights& weights, float* out) {
   HWY_DYNAMIC_DISPATCH(EvaluateDepth)(plane, least, greatest, count, weights, out);
+}
+
+void evaluate_smooth(const PlaneRow& numerator, int count, const BlockWeights& weights,
+                     double* out) {
+  HWY_DYNAMIC_DISPATCH(SmoothInDouble)(numerator, count, weights, out);
+}
+
+void evaluate_affine(const PlaneRow& plane, int count, const BlockWeights& weights, double* out) {
+  HWY_DYNAMIC_DISPATCH(AffineInDouble)(plane, count, weights, out);
+}
+
+void evaluate_depth(const PlaneRow& plane, double least, double greatest, int count,
+                    const BlockWeights& weights, double* out) {
+  HWY_DYNAMIC_DISPATCH(DepthInDouble)(plane, least, greatest, count, weights, out);
 }
 
 }  // namespace rastercheck::rasterizer

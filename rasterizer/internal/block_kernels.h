@@ -54,4 +54,11 @@ void evaluate_affine(const PlaneRow& plane, int count, const BlockWeights& weigh
 void evaluate_depth(const PlaneRow& plane, double least, double greatest, int count,
                     const BlockWeights& weights, float* out);
 
+// The same by the same operations, but for the last one: not rounded to float32.
+void evaluate_smooth(const PlaneRow& numerator, int count, const BlockWeights& weights,
+                     double* out);
+void evaluate_affine(const PlaneRow& plane, int count, const BlockWeights& weights, double* out);
+void evaluate_depth(const PlaneRow& plane, double least, double greatest, int count,
+                    const BlockWeights& weights, double* out);
+
 }  // namespace rastercheck::rasterizer

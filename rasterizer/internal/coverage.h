@@ -13,6 +13,8 @@
 //   kLeavesWeights              whether that leaves the weights of the one part there is behind
 //   part_mask(block, part)      which samples of the last block belong to a part
 //   part_at(u, v)               the part that a window position belongs to
+//   polygon()                   the polygon of grid points that is drawn; nullptr where none is
+//   corners_at(u, v)            the three of its corners that a window position lies between
 //
 // Triangles are InputTriangles; the last one set up is meant.
 

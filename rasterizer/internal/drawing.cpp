@@ -68,10 +68,14 @@ class Drawing {
   void evaluate_part(const BlockPlace& place, const DrawnPart& part, PartMasks masks,
                      SampleBlock& out);
   void weigh(const BlockPlace& place, const DrawnPart& part, PartMasks& masks);
-  Mask evaluate_attribute(const BlockPlace& place, const DrawnPart& part, std::size_t attribute,
+  void evaluate_attribute(const BlockPlace& place, const DrawnPart& part, std::size_t attribute,
                           const PartMasks& masks, SampleBlock& out);
   PlaneRow row_of(const Plane& plane, const BlockPlace& place, const DrawnPart& part) const {
     return plane_row(plane, *part.weights.frame, place.y + setting_.pattern[place.sample].y);
+  }
+  /// What a Tap is shown.
+  WeighedBlock shown(const BlockPlace& place, const DrawnPart& part, Mask drawn) const {
+    return {place, setting_.pattern[place.sample], part, drawn, weights_};
   }
   void evaluate_pixels(int y, int first, Mask touched);
   void derive(const BlockPlace& place, const DrawnPart& part, Mask mask);
@@ -105,7 +109,7 @@ Fate Drawing<Coverage, Tap, Output>::set_up(std::size_t index) {
   const Fate fate = set_up_parts(state_, mesh_, index, state_.derivatives, coverage_, parts_);
   if (fate != Fate::drawn) return fate;
   triangle_ = static_cast<std::uint32_t>(index);
-  for (std::size_t k = 0; k < parts_.size(); ++k) tap_.set_up(triangle_, parts_[k], k);
+  tap_.set_up(setting_, triangle_, coverage_, std::span<const DrawnPart>(parts_));
   if (parts_.size() > 1 && !of_part_) of_part_ = std::make_unique<SampleBlock>();
   return fate;
 }
@@ -144,7 +148,7 @@ void Drawing<Coverage, Tap, Output>::draw_block(int y, int first, int count, Mas
     block.coverage.keep(wanted);
     touched |= block.coverage.covered;
     const BlockPlace place{triangle_, s, y, first, count};
-    tap_.covered(place, block.coverage);
+    tap_.covered(place, block.coverage, weights_);
     evaluate(place, block);
   }
   if (touched == 0) return;
@@ -165,7 +169,7 @@ void Drawing<Coverage, Tap, Output>::evaluate(const BlockPlace& place, SampleBlo
           edge_row(part.weights.edges, *part.weights.frame, place.y + offset.y, offset.x);
       masks.inside = evaluate_edges(row, place.first, place.count, weights_).possible;
     }
-    tap_.weighed(place, offset, k, mask, weights_);
+    tap_.weighed(shown(place, part, mask));
     SampleBlock& out = parts_.size() == 1 ? block : *of_part_;
     evaluate_part(place, part, masks, out);
     if (parts_.size() > 1) block.take(mask, out, state_.attributes.size());
@@ -180,6 +184,7 @@ void Drawing<Coverage, Tap, Output>::weigh(const BlockPlace& place, const DrawnP
   const TriangleValues& values = part.values;
   const double least_sum = values.certificates.least_sum;
   const PlaneRow sum = row_of(values.sum, place, part);
+  tap_.summed(shown(place, part, masks.drawn), sum);
   if (values.has_smooth) masks.certain = sum_weights(sum, least_sum, place.count, weights_);
   if (values.has_smooth_float) {
     // Mostly the same as `certain`: a band is 2^-50 of the largest terms, or 0.
@@ -203,35 +208,41 @@ void Drawing<Coverage, Tap, Output>::evaluate_part(const BlockPlace& place, cons
   const bool is_depth_exact = !values.has_constant_depth && !values.certificates.depth_is_certain;
   if (!is_depth_exact) {
     const DepthLine& depth = values.depth;
-    evaluate_depth(row_of(depth.plane, place, part), depth.least, depth.greatest, place.count,
-                   weights_, out.depth.data());
+    const PlaneRow row = row_of(depth.plane, place, part);
+    evaluate_depth(row, depth.least, depth.greatest, place.count, weights_, out.depth.data());
+    tap_.depth(shown(place, part, masks.drawn), row, out.depth.data());
   } else {
     for_each_bit(masks.drawn, [&](int j) {
-      out.depth[static_cast<std::size_t>(j)] =
-          exact_depth_at(values, part.weights, place.first + j + offset.x, place.y + offset.y);
+      const PartPoint at{part, place.first + j + offset.x, place.y + offset.y};
+      const double exact = exact_depth_at(values, part.weights, at.u, at.v);
+      float& depth = out.depth[static_cast<std::size_t>(j)];
+      depth = static_cast<float>(exact);
+      tap_.exact(place, j, std::nullopt, at, exact, depth);
     });
   }
-  tap_.depth(place, masks.drawn, is_depth_exact, out.depth.data());
   for (std::size_t a = 0; a < values.attributes.size(); ++a) {
     if (blocks_.size() > 1 && state_.attributes[a].location != Location::sample) continue;
-    const Mask exact = evaluate_attribute(place, part, a, masks, out);
-    tap_.attribute(place, a, masks.drawn, exact, out.attributes[a].data());
+    evaluate_attribute(place, part, a, masks, out);
   }
 }
 
-/// Returns the samples for which double was not enough.
 template <typename Coverage, typename Tap, typename Output>
-Mask Drawing<Coverage, Tap, Output>::evaluate_attribute(const BlockPlace& place,
+void Drawing<Coverage, Tap, Output>::evaluate_attribute(const BlockPlace& place,
                                                         const DrawnPart& part,
                                                         std::size_t attribute,
                                                         const PartMasks& masks, SampleBlock& out) {
   const ValueLine& line = part.values.attributes[attribute];
   std::array<float, kBlockSize>& values = out.attributes[attribute];
+  const auto show = [&] {
+    tap_.attribute(shown(place, part, masks.drawn), attribute, row_of(line.plane, place, part),
+                   line.kind == ValueLine::Kind::smooth ? float_smooth_ : float_affine_,
+                   values.data());
+  };
   Mask certain = 0;
   switch (line.kind) {
     case ValueLine::Kind::copied:
       values.fill(line.copy);
-      return 0;
+      return show();
     case ValueLine::Kind::smooth:
       if (line.is_float) {
         evaluate_float(line.r, place.count, float_smooth_, values.data());
@@ -251,13 +262,16 @@ Mask Drawing<Coverage, Tap, Output>::evaluate_attribute(const BlockPlace& place,
       }
       break;
   }
+  show();
   const Mask exact = masks.drawn & (~certain | masks.at_vertex);
   const SampleOffset& offset = setting_.pattern[place.sample];
   for_each_bit(exact, [&](int j) {
-    values[static_cast<std::size_t>(j)] = static_cast<float>(
-        exact_value_at(line, part.weights, place.first + j + offset.x, place.y + offset.y));
+    const PartPoint at{part, place.first + j + offset.x, place.y + offset.y};
+    const double value = exact_value_at(line, part.weights, at.u, at.v);
+    float& rounded = values[static_cast<std::size_t>(j)];
+    rounded = static_cast<float>(value);
+    tap_.exact(place, j, attribute, at, value, rounded);
   });
-  return exact;
 }
 
 /// Attributes that belong to the pixel and not to its samples: at the centre, or, centroid, at the
@@ -280,12 +294,13 @@ void Drawing<Coverage, Tap, Output>::evaluate_pixels(int y, int first, Mask touc
       const double u = first + j + at.x;
       const double v = y + at.y;
       const DrawnPart& part = parts_[coverage_.part_at(u, v)];
-      const auto value =
-          static_cast<float>(value_at(part.values.attributes[a], part.values, part.weights, u, v));
+      const double value = value_at(part.values.attributes[a], part.values, part.weights, u, v);
+      const auto rounded_value = static_cast<float>(value);
       for (std::size_t s = 0; s < blocks_.size(); ++s) {
-        blocks_[s].attributes[a][static_cast<std::size_t>(j)] = value;
+        blocks_[s].attributes[a][static_cast<std::size_t>(j)] = rounded_value;
         if (is_covered(blocks_[s])) {
-          tap_.located({triangle_, s, y, first, kBlockSize}, j, a, u, v, value);
+          tap_.located(BlockPlace{triangle_, s, y, first, kBlockSize}, j, a, PartPoint{part, u, v},
+                       value, rounded_value);
         }
       }
       if (!state_.derivatives) return;

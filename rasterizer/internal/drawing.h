@@ -11,7 +11,7 @@
 //                exact_values.h); in float32 where that is asked for (float_kernels.h). Their
 //                screen derivatives, where asked for (derivatives.h)
 //
-// Every stage hands what it made to a Tap (tap.h) as well.
+// Every stage shows what it made to a Tap (tap.h) as well.
 
 #include <cstdint>
 #include <memory>
@@ -29,7 +29,7 @@ namespace rastercheck::rasterizer {
 DrawCounts draw_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
                      Fragments& fragments);
 
-/// The trace of a covered sample. The arguments were checked.
+/// The trace of a sample; nothing where its triangle is not set up. The arguments were checked.
 std::optional<Trace> trace_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
                                 const SampleAddress& address);
 

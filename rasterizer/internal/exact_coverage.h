@@ -32,6 +32,8 @@ class ExactCoverage {
   CoveredBlock cover(std::size_t sample, int y, int first, int count, BlockWeights& weights) const;
   static Mask part_mask(const CoveredBlock& block, std::size_t /*part*/) { return block.covered; }
   static std::size_t part_at(double /*u*/, double /*v*/) { return 0; }
+  static const GridPolygon* polygon() { return nullptr; }
+  static PieceCorners corners_at(double /*u*/, double /*v*/) { return {}; }
 
  private:
   void find_box(const InputTriangle& triangle);

@@ -26,8 +26,8 @@ double plane_depth(const Positions& p) {
   return double{at.z} / double{at.w};
 }
 
-float rounded_depth(const DepthLine& line, double depth) {
-  return static_cast<float>(std::clamp(depth, line.least, line.greatest));
+double held_depth(const DepthLine& line, double depth) {
+  return std::clamp(depth, line.least, line.greatest);
 }
 
 bool is_same_zero(float a, float b, float c) {
@@ -211,26 +211,32 @@ double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, con
   }
 }
 
-double value_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
-                double u, double v) {
-  if (line.kind == ValueLine::Kind::copied) return line.copy;
-  const std::array<double, 3> e = weights.at(u, v);
+std::optional<double> certain_value(const ValueLine& line, const TriangleValues& triangle,
+                                    double det_t, const std::array<double, 3>& e) {
   const double numerator =
       line.numerators[0] * e[0] + line.numerators[1] * e[1] + line.numerators[2] * e[2];
   if (line.kind == ValueLine::Kind::smooth) {
     if (triangle.certificates.is_smooth_certain(e)) return numerator / (e[0] + e[1] + e[2]);
-  } else if (triangle.certificates.is_affine_certain(e, weights.det_t)) {
-    return numerator / weights.det_t;
+  } else if (line.kind == ValueLine::Kind::affine) {
+    if (triangle.certificates.is_affine_certain(e, det_t)) return numerator / det_t;
   }
-  return exact_value_at(line, weights, u, v);
+  return std::nullopt;
 }
 
-float exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v) {
+double value_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
+                double u, double v) {
+  if (line.kind == ValueLine::Kind::copied) return line.copy;
+  const std::optional<double> certain =
+      certain_value(line, triangle, weights.det_t, weights.at(u, v));
+  return certain ? *certain : exact_value_at(line, weights, u, v);
+}
+
+double exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v) {
   const DepthLine& line = triangle.depth;
-  if (triangle.has_constant_depth) return rounded_depth(line, line.plane.c);
+  if (triangle.has_constant_depth) return held_depth(line, line.plane.c);
   const std::array<ExactSum, 3> e = weights.exact_at(u, v);
   const double z = combine(e, line.k).nearest() / weights.exact_det_t();
-  return rounded_depth(line, line.low + line.span * z);
+  return held_depth(line, line.low + line.span * z);
 }
 
 }  // namespace rastercheck::rasterizer

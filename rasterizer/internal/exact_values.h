@@ -25,6 +25,7 @@
 
 #include <array>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -83,12 +84,15 @@ struct TriangleValues {
   Certificates certificates;
 };
 
+/// The corners of a piece (grid_piece.h), or nullptr.
+using PieceCorners = std::array<const GridCorner*, 3>;
+
 /// What values are made of: a triangle's clip positions and attributes, and, where the weights
 /// belong to snapped corners, these.
 struct ValueSource {
   std::array<glm::vec4, 3> positions;
   std::array<std::span<const float>, 3> attributes;
-  std::array<const GridCorner*, 3> corners{};  ///< or nullptr
+  PieceCorners corners{};
 };
 
 /// Prepares the values.
@@ -100,13 +104,19 @@ void set_up_values(const State& state, const ValueSource& source, const Weights&
 double value_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
                 double u, double v);
 
-/// The same without asking whether double is enough: within 2^-50 of itself.
+/// The same of weights E_i at some place, in double; nothing where that is not certain, or where
+/// the value is copied.
+std::optional<double> certain_value(const ValueLine& line, const TriangleValues& triangle,
+                                    double det_t, const std::array<double, 3>& e);
+
+/// value_at() without asking whether double is enough: within 2^-50 of itself.
 double exact_value_at(const ValueLine& line, const Weights& weights, double u, double v);
 /// ⌊scale · r⌋ of the same r as std::fmod by `period` leaves it, or an equal number modulo that,
 /// less than 2 · period from 0; without rounding if `period` is a whole number below 2^51. With an
 /// infinite one that is ⌊scale · r⌋, beyond 2^53 a double next to it.
 double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
                       double u, double v, double scale, double period);
-float exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v);
+/// Held to its range.
+double exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v);
 
 }  // namespace rastercheck::rasterizer

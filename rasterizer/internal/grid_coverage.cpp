@@ -56,12 +56,8 @@ void GridCoverage::set_up_pieces(const InputTriangle& triangle,
                                  std::vector<DrawnPart>& parts) const {
   parts.resize(drawn_pieces_);
   for (std::size_t k = 0; k < drawn_pieces_; ++k) {
-    const GridPiece& piece = pieces_[k];
-    parts[k].weights.set_placed(piece, polygon_.corners, frame_);
-    parts[k].source = {triangle.positions, triangle.attributes, {}};
-    for (std::size_t i = 0; i < 3; ++i) {
-      parts[k].source.corners[i] = &polygon_.corners[piece.corners[i]];
-    }
+    parts[k].weights.set_placed(pieces_[k], polygon_.corners, frame_);
+    parts[k].source = {triangle.positions, triangle.attributes, corners_of(pieces_[k])};
   }
 }
 
@@ -120,9 +116,22 @@ Mask GridCoverage::part_mask(const CoveredBlock& block, std::size_t part) const 
   return has_parts_of_pieces_ ? piece_masks_[part] : block.covered;
 }
 
-/// A centre that no piece owns takes the values of the first, continued.
 std::size_t GridCoverage::part_at(double u, double v) const {
-  if (!has_parts_of_pieces_) return 0;
+  return has_parts_of_pieces_ ? piece_at(u, v) : 0;
+}
+
+PieceCorners GridCoverage::corners_at(double u, double v) const {
+  return corners_of(pieces_[piece_at(u, v)]);
+}
+
+PieceCorners GridCoverage::corners_of(const GridPiece& piece) const {
+  PieceCorners corners{};
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = &polygon_.corners[piece.corners[i]];
+  return corners;
+}
+
+/// A centre that no piece owns takes the values of the first, continued.
+std::size_t GridCoverage::piece_at(double u, double v) const {
   const GridPoint p{static_cast<std::int64_t>(frame_.u.at(u)),
                     static_cast<std::int64_t>(frame_.v.at(v))};
   for (std::size_t k = 0; k < drawn_pieces_; ++k) {

@@ -35,8 +35,12 @@ class GridCoverage {
   CoveredBlock cover(std::size_t sample, int y, int first, int count, BlockWeights& weights);
   Mask part_mask(const CoveredBlock& block, std::size_t part) const;
   std::size_t part_at(double u, double v) const;
+  const GridPolygon* polygon() const { return &polygon_; }
+  PieceCorners corners_at(double u, double v) const;
 
  private:
+  PieceCorners corners_of(const GridPiece& piece) const;
+  std::size_t piece_at(double u, double v) const;
   void set_up_pieces(const InputTriangle& triangle, std::vector<DrawnPart>& parts) const;
 
   const DrawSetting& setting_;

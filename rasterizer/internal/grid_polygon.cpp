@@ -54,7 +54,7 @@ class Clipping {
     return corners;
   }
 
-  GridCorner on_grid(const Corner& corner) const {
+  GridCorner on_grid(const Corner& corner, glm::dvec2& window) const {
     GridCorner result;
     ExactSum sum;
     ExactSum x;
@@ -74,7 +74,9 @@ class Clipping {
     const double whole = sum.nearest();
     const double depth = w.nearest();
     if (!(depth > 0)) return result;
-    result.at = {nearest_point(x.nearest() / depth), nearest_point(y.nearest() / depth)};
+    const glm::dvec2 twice_window{x.nearest() / depth, y.nearest() / depth};
+    window = twice_window / 2.0;
+    result.at = {nearest_point(twice_window.x), nearest_point(twice_window.y)};
     result.w = depth / whole;
     result.z = z.nearest() / whole;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -246,10 +248,11 @@ void grid_polygon(const State& state, const Grid& grid, const std::array<glm::ve
     return;
   }
   const Clipping clipping(state, grid, positions, distances);
+  out.window.clear();
   for (const Corner& corner : clipping.polygon()) {
     const bool is_vertex = std::count_if(corner.weights.begin(), corner.weights.end(),
                                          [](const ExactSum& w) { return w.sign() != 0; }) == 1;
-    GridCorner on_grid = clipping.on_grid(corner);
+    GridCorner on_grid = clipping.on_grid(corner, out.window.emplace_back());
     on_grid.is_new = !is_vertex;
     if (is_vertex && on_grid.w > 0) {  // else the eye itself
       for (std::size_t i = 0; i < 3; ++i) {

@@ -19,6 +19,7 @@
 // corner with w = 0 would make the triangle one that is seen edge-on; such a one is not drawn.
 
 #include <array>
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <span>
 #include <vector>
@@ -38,6 +39,8 @@ struct GridCorner {
 struct GridPolygon {
   std::vector<GridCorner> corners;  ///< in the order of the triangle's vertices; none: not drawn
   bool is_cut = false;
+  /// Of a polygon that is cut where its corners belong, pixels: before they were put on the grid.
+  std::vector<glm::dvec2> window;
 };
 
 /// `distances[i]` are vertex i's clip distances. All numbers are finite.

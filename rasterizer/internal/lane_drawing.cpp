@@ -126,7 +126,7 @@ class LaneDrawingBy : public LaneDrawing {
   float depth_at(const DrawnPart& part, const WindowPlace& at) const {
     const TriangleValues& values = part.values;
     if (!values.has_constant_depth && !values.certificates.depth_is_certain) {
-      return exact_depth_at(values, part.weights, at.u, at.v);
+      return static_cast<float>(exact_depth_at(values, part.weights, at.u, at.v));
     }
     const double depth = row_of(part, values.depth.plane, at);
     return static_cast<float>(std::min(std::max(depth, values.depth.least), values.depth.greatest));

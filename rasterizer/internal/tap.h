@@ -1,17 +1,20 @@
 #pragma once
 
 // What a draw shows of itself: the stages hand every intermediate result to a Tap. NoTap takes
-// nothing and compiles away; RecordingTap keeps what concerns one sample.
-//
-// Stages, in order (rasterizer/trace.h says what each records): edges, certificate, coverage,
-// weights, evaluation.
+// nothing and compiles away; RecordingTap keeps what concerns one sample (rasterizer/trace.h), and
+// has what is not kept in a drawing, doubles before they are rounded, computed once more by what
+// drew it.
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 
 #include "rasterizer/internal/block_kernels.h"
 #include "rasterizer/internal/coverage.h"
-#include "rasterizer/internal/standard_pattern.h"
+#include "rasterizer/internal/draw_setting.h"
+#include "rasterizer/internal/float_kernels.h"
 #include "rasterizer/trace.h"
 
 namespace rastercheck::rasterizer {
@@ -25,51 +28,105 @@ struct BlockPlace {
   int count = 0;
 };
 
+/// What the values of a block's samples are evaluated from: a part, and its weights at the samples
+/// `drawn`, which lie at `offset` in their pixels.
+struct WeighedBlock {
+  const BlockPlace& place;
+  const SampleOffset& offset;
+  const DrawnPart& part;
+  Mask drawn = 0;
+  const BlockWeights& weights;
+};
+
+/// Where in the window a value is evaluated, and whose.
+struct PartPoint {
+  const DrawnPart& part;
+  double u = 0;
+  double v = 0;
+};
+
 struct NoTap {
-  static void set_up(std::uint32_t /*triangle*/, const DrawnPart& /*part*/, std::size_t /*index*/) {
-  }
-  static void covered(const BlockPlace& /*place*/, const CoveredBlock& /*block*/) {}
-  static void weighed(const BlockPlace& /*place*/, const SampleOffset& /*offset*/,
-                      std::size_t /*part*/, Mask /*mask*/, const BlockWeights& /*weights*/) {}
-  static void depth(const BlockPlace& /*place*/, Mask /*mask*/, bool /*is_exact*/,
-                    const float* /*values*/) {}
-  static void attribute(const BlockPlace& /*place*/, std::size_t /*attribute*/, Mask /*mask*/,
-                        Mask /*exact*/, const float* /*values*/) {}
-  static void located(const BlockPlace& /*place*/, int /*column*/, std::size_t /*attribute*/,
-                      double /*u*/, double /*v*/, float /*value*/) {}
+  template <typename... Shown>
+  static void set_up(const Shown&... /*shown*/) {}
+  template <typename... Shown>
+  static void covered(const Shown&... /*shown*/) {}
+  template <typename... Shown>
+  static void weighed(const Shown&... /*shown*/) {}
+  template <typename... Shown>
+  static void summed(const Shown&... /*shown*/) {}
+  template <typename... Shown>
+  static void depth(const Shown&... /*shown*/) {}
+  template <typename... Shown>
+  static void attribute(const Shown&... /*shown*/) {}
+  template <typename... Shown>
+  static void exact(const Shown&... /*shown*/) {}
+  template <typename... Shown>
+  static void located(const Shown&... /*shown*/) {}
 };
 
 class RecordingTap {
  public:
   explicit RecordingTap(const SampleAddress& address) : address_(address) {}
 
-  void set_up(std::uint32_t triangle, const DrawnPart& part, std::size_t index);
-  void covered(const BlockPlace& place, const CoveredBlock& block);
-  void weighed(const BlockPlace& place, const SampleOffset& offset, std::size_t part, Mask mask,
-               const BlockWeights& weights);
-  void depth(const BlockPlace& place, Mask mask, bool is_exact, const float* values);
-  void attribute(const BlockPlace& place, std::size_t attribute, Mask mask, Mask exact,
-                 const float* values);
-  void located(const BlockPlace& place, int column, std::size_t attribute, double u, double v,
-               float value);
+  /// A triangle and the parts that it is drawn in.
+  template <typename Coverage>
+  void set_up(const DrawSetting& setting, std::uint32_t triangle, const Coverage& coverage,
+              std::span<const DrawnPart> parts) {
+    if (triangle != address_.triangle) return;
+    const SampleOffset& offset = setting.pattern[static_cast<std::size_t>(address_.sample)];
+    trace_.emplace();
+    trace_->u = address_.x + offset.x;
+    trace_->v = address_.y + offset.y;
+    polygon_ = coverage.polygon();
+    if (setting.state.snapping) {
+      units_of_a_pixel_ = std::ldexp(1.0, setting.state.snapping->subpixel_bits);
+    }
+    if (polygon_ != nullptr) set_corners(coverage.corners_at(trace_->u, trace_->v));
+    set_part(parts[coverage.part_at(trace_->u, trace_->v)]);
+    if (is_looked_at(setting.bounds, coverage.box())) {
+      trace_->decision =
+          Coverage::kLeavesWeights ? Decision::in_double : Decision::in_whole_numbers;
+    }
+  }
+  /// `weights`: those that decided, of Coverage::kLeavesWeights.
+  void covered(const BlockPlace& place, const CoveredBlock& block, const BlockWeights& weights);
+  void weighed(const WeighedBlock& block);
+  /// The row of Σ E_i.
+  void summed(const WeighedBlock& block, const PlaneRow& sum);
+  /// Depth that is evaluated in double.
+  void depth(const WeighedBlock& block, const PlaneRow& row, const float* values);
+  /// An attribute that is copied, or is evaluated in double or, from `shares`, in float32.
+  void attribute(const WeighedBlock& block, std::size_t attribute, const PlaneRow& row,
+                 const FloatWeights& shares, const float* values);
+  /// An attribute, or depth, for which double was not enough.
+  void exact(const BlockPlace& place, int column, std::optional<std::size_t> attribute,
+             const PartPoint& at, double evaluated, float value);
+  /// An attribute that belongs to the pixel.
+  void located(const BlockPlace& place, int column, std::size_t attribute, const PartPoint& at,
+               double evaluated, float value);
 
-  /// What was recorded; nothing where the sample is not covered.
-  std::optional<Trace> trace() const;
+  /// What was recorded; nothing where the triangle was not set up.
+  const std::optional<Trace>& trace() const { return trace_; }
 
  private:
   bool is_at(const BlockPlace& place, Mask mask) const;
   std::size_t column(const BlockPlace& place) const {
     return static_cast<std::size_t>(address_.x - place.first);
   }
+  bool is_looked_at(const DrawBounds& bounds, const PixelBox& box) const;
+  void set_corners(const PieceCorners& corners);
+  void set_part(const DrawnPart& part);
+  Decision decision_of(const BlockPlace& place, const CoveredBlock& block) const;
+  TracedValue value_of(const PartPoint& at) const;
+  TracedValue value_of(const WeighedBlock& block) const;
 
   SampleAddress address_;
-  struct Part {
-    TracedEdges edges;
-    const SampleFrame* frame = nullptr;
-  };
-  std::vector<Part> parts_;  ///< of the triangle
-  Trace trace_;
-  bool is_covered_ = false;
+  std::optional<Trace> trace_;
+  // Of the triangle, while it is drawn.
+  const GridPolygon* polygon_ = nullptr;
+  double units_of_a_pixel_ = 1;      ///< of the grid
+  const DrawnPart* part_ = nullptr;  ///< that the sample is of
+  double sum_ = 0;                   ///< Σ E_i at the sample
 };
 
 }  // namespace rastercheck::rasterizer

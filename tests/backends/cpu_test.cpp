@@ -103,18 +103,21 @@ TEST(Cpu, TracesWhatItDraws) {
   const records::SampleAddress at{drawn.triangle[0], drawn.x[0], drawn.y[0], drawn.sample[0]};
   const auto trace = backend->trace(c, at).value();
   ASSERT_TRUE(trace.has_value());
-  EXPECT_EQ(trace->depth, drawn.depth[0]);
-  ASSERT_EQ(trace->attributes.size(), drawn.attribute_count);
-  std::vector<std::string> stages;
-  for (const records::StageTrace& stage : trace->stages) {
-    stages.push_back(stage.stage);
-    EXPECT_FALSE(stage.received.empty()) << stage.stage;
-    EXPECT_FALSE(stage.handed_on.empty()) << stage.stage;
+  EXPECT_TRUE(trace->is_drawn);
+  const cases::Triangle& corners = c.triangles[at.triangle];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const cases::ClipVertex& p = c.positions[corners[i]];
+    EXPECT_EQ(trace->positions[i], (std::array<float, 4>{p.x, p.y, p.z, p.w}));
   }
-  EXPECT_EQ(stages, (std::vector<std::string>{"edges", "certificate", "coverage", "weights",
-                                              "evaluation"}));
-  const records::StageTrace* evaluation = records::find_stage(*trace, "evaluation");
-  EXPECT_EQ(records::find_number(evaluation->handed_on, "depth"), double{trace->depth});
+  EXPECT_FALSE(trace->corners || trace->snapped);
+  EXPECT_TRUE(trace->frame && trace->lines && trace->edges);
+  EXPECT_EQ(trace->decision, "in_double");
+  EXPECT_EQ(trace->traced_depth.value, drawn.depth[0]);
+  EXPECT_TRUE(trace->traced_depth.numerator_at && trace->traced_depth.evaluated);
+  ASSERT_EQ(trace->traced_attributes.size(), drawn.attribute_count);
+  for (std::size_t a = 0; a < drawn.attribute_count; ++a) {
+    EXPECT_EQ(trace->traced_attributes[a].value, drawn.attributes_of(0)[a]);
+  }
 }
 
 TEST(Cpu, HasNoTraceOfWhatIsNotThere) {

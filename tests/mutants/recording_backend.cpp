@@ -1,6 +1,7 @@
 #include "tests/mutants/recording_backend.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <type_traits>
@@ -41,27 +42,83 @@ bool is_same(const cases::Picture& a, const cases::Picture& b) {
          is_same(a.depth, b.depth);
 }
 
-bool is_same(const records::NamedNumber& a, const records::NamedNumber& b) {
-  return a.name == b.name &&
-         std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value);
+bool is_same(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-bool is_same(const records::NamedNumbers& a, const records::NamedNumbers& b) {
+bool is_same(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+bool is_same(const std::string& a, const std::string& b) { return a == b; }
+
+template <typename T>
+bool is_same(const std::array<T, 3>& a, const std::array<T, 3>& b);
+template <typename T>
+bool is_same(const std::optional<T>& a, const std::optional<T>& b);
+
+/// Of numbers by pairs: the first and the second are one's and the other's, and so on.
+template <typename T, typename... Rest>
+bool are_same(const T& a, const T& b, const Rest&... rest) {
+  if constexpr (sizeof...(rest) == 0) {
+    return is_same(a, b);
+  } else {
+    return is_same(a, b) && are_same(rest...);
+  }
+}
+
+bool is_same(const records::TracedCorner& a, const records::TracedCorner& b) {
+  return are_same(a.x, b.x, a.y, b.y, a.z, b.z, a.w, b.w, a.is_homogeneous, b.is_homogeneous,
+                  a.share, b.share);
+}
+
+bool is_same(const records::TracedFrame& a, const records::TracedFrame& b) {
+  return are_same(a.u.scale, b.u.scale, a.u.shift, b.u.shift, a.v.scale, b.v.scale, a.v.shift,
+                  b.v.shift, a.t, b.t);
+}
+
+bool is_same(const records::TracedLine& a, const records::TracedLine& b) {
+  return are_same(a.a, b.a, a.b, b.b, a.c, b.c);
+}
+
+bool is_same(const records::TracedPlane& a, const records::TracedPlane& b) {
+  return are_same(a.a, b.a, a.b, b.b, a.c, b.c);
+}
+
+bool is_same(const records::TracedValue& a, const records::TracedValue& b) {
+  return are_same(a.u, b.u, a.v, b.v, a.is_from_vertices, b.is_from_vertices, a.numerator,
+                  b.numerator, a.denominator, b.denominator, a.is_from_lines, b.is_from_lines,
+                  a.numerator_at, b.numerator_at, a.denominator_at, b.denominator_at, a.weights,
+                  b.weights, a.shares, b.shares, a.is_exact, b.is_exact, a.evaluated, b.evaluated,
+                  a.value, b.value);
+}
+
+bool is_same(const std::vector<records::TracedValue>& a,
+             const std::vector<records::TracedValue>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const auto& one, const auto& other) { return is_same(one, other); });
 }
 
-bool is_same(const records::StageTrace& a, const records::StageTrace& b) {
-  return a.stage == b.stage && is_same(a.received, b.received) && is_same(a.handed_on, b.handed_on);
+bool is_same(const records::SampleTrace& a, const records::SampleTrace& b) {
+  return are_same(a.is_drawn, b.is_drawn, a.positions, b.positions, a.corners, b.corners, a.snapped,
+                  b.snapped, a.frame, b.frame, a.lines, b.lines, a.u, b.u, a.v, b.v, a.edges,
+                  b.edges, a.decision, b.decision, a.traced_depth, b.traced_depth,
+                  a.traced_attributes, b.traced_attributes);
 }
 
-bool is_same(const std::optional<records::SampleTrace>& a,
-             const std::optional<records::SampleTrace>& b) {
+bool is_same(const std::array<float, 4>& a, const std::array<float, 4>& b) {
+  return std::memcmp(a.data(), b.data(), sizeof(a)) == 0;
+}
+
+template <typename T>
+bool is_same(const std::array<T, 3>& a, const std::array<T, 3>& b) {
+  return are_same(a[0], b[0], a[1], b[1], a[2], b[2]);
+}
+
+template <typename T>
+bool is_same(const std::optional<T>& a, const std::optional<T>& b) {
   if (!a || !b) return a.has_value() == b.has_value();
-  return std::bit_cast<std::uint32_t>(a->depth) == std::bit_cast<std::uint32_t>(b->depth) &&
-         is_same(a->attributes, b->attributes) &&
-         std::equal(a->stages.begin(), a->stages.end(), b->stages.begin(), b->stages.end(),
-                    [](const auto& one, const auto& other) { return is_same(one, other); });
+  return is_same(*a, *b);
 }
 
 template <typename T>

@@ -155,7 +155,7 @@ TEST(ExactValues, ExactPathsRoundOnce) {
       EXPECT_TRUE(is_within(rounded(exact_value_at(p.values.attributes[a], p.weights, at.x, at.y)),
                             expected, kExactBound));
     }
-    const float depth = exact_depth_at(p.values, p.weights, at.x, at.y);
+    const auto depth = static_cast<float>(exact_depth_at(p.values, p.weights, at.x, at.y));
     EXPECT_TRUE(is_within(depth, exact_depth(p, e), kExactBound));
   }
 }
@@ -444,7 +444,7 @@ float depth_of(const Prepared& p) {
   std::array<float, kBlockSize> out{};
   evaluate_depth(row_at(p, depth.plane, middle), depth.least, depth.greatest, 1,
                  block_at(p, middle), out.data());
-  EXPECT_EQ(out[0], exact_depth_at(p.values, p.weights, middle.x, middle.y));
+  EXPECT_EQ(out[0], static_cast<float>(exact_depth_at(p.values, p.weights, middle.x, middle.y)));
   return out[0];
 }
 

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
+#include "rasterizer/simd.h"
 #include "tests/rasterizer/small_draw.h"
 
 namespace rastercheck::rasterizer {
@@ -33,15 +35,50 @@ std::optional<Trace> trace_of(const State& state, const SmallMesh& mesh, const T
   return result.trace;
 }
 
-void expect_weights_of_edges(const Trace& trace) {
+double on_axis(const TracedAxis& axis, double at) { return axis.scale * (2 * at - axis.shift); }
+
+double plane_at(const Trace& trace, const TracedPlane& plane, double u, double v) {
+  return plane.a * on_axis(trace.frame.u, u) + (plane.b * on_axis(trace.frame.v, v) + plane.c);
+}
+
+double line_at(const Trace& trace, std::size_t i, double u, double v) {
+  const TracedPlane& line = trace.lines[i];
+  return plane_at(trace, {line.a, line.b, line.c * trace.frame.t}, u, v);
+}
+
+void expect_weights_of_lines(const Trace& trace) {
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto& [a, b, c] = trace.edges.coefficients[i];
-    const auto& [u, v, t] = trace.place;
-    EXPECT_EQ(trace.weights[i], a * u + (b * v + c * t)) << i;
+    EXPECT_EQ(trace.edges[i], line_at(trace, i, trace.u, trace.v)) << i;
   }
 }
 
-/// Every fragment has a trace of its values, and every other sample has none.
+/// What planes and lines are said to give is what they do, and what was evaluated comes of it by
+/// the operations of the block kernels, and is rounded to the value.
+void expect_value_of_its_parts(const Trace& trace, const TracedValue& value) {
+  EXPECT_EQ(value.evaluated.has_value(), !value.shares.has_value());
+  if (value.evaluated) {
+    EXPECT_EQ(static_cast<float>(*value.evaluated), value.value);
+  }
+  ASSERT_EQ(value.numerator.has_value(), value.numerator_at.has_value());
+  ASSERT_EQ(value.denominator.has_value(), value.denominator_at.has_value());
+  if (value.numerator) {
+    EXPECT_FALSE(value.is_exact || value.is_from_lines);
+    EXPECT_EQ(*value.numerator_at, plane_at(trace, *value.numerator, value.u, value.v));
+    if (value.denominator) {
+      EXPECT_EQ(*value.denominator_at, plane_at(trace, *value.denominator, value.u, value.v));
+      EXPECT_EQ(*value.evaluated, *value.numerator_at * (1 / *value.denominator_at));
+    } else {
+      EXPECT_EQ(*value.evaluated, *value.numerator_at);
+    }
+  }
+  if (!value.weights) return;
+  EXPECT_TRUE(value.is_from_lines);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ((*value.weights)[i], line_at(trace, i, value.u, value.v));
+  }
+}
+
+/// Every fragment has a trace of its values, and every other sample one that says so.
 void expect_traces_of_all(const State& state, const SmallMesh& mesh, const TargetSize& size) {
   const Fragments fragments = fragments_of(state, mesh, size);
   ASSERT_GT(fragments.size(), 0U);
@@ -55,13 +92,16 @@ void expect_traces_of_all(const State& state, const SmallMesh& mesh, const Targe
           ++i;
         }
         const std::optional<Trace> trace = trace_of(state, mesh, size, {0, x, y, s});
-        ASSERT_EQ(trace.has_value(), i < fragments.size()) << x << ", " << y;
-        if (!trace) continue;
-        expect_weights_of_edges(*trace);
+        ASSERT_TRUE(trace.has_value());
+        ASSERT_EQ(trace->is_drawn, i < fragments.size()) << x << ", " << y;
+        expect_weights_of_lines(*trace);
+        if (!trace->is_drawn) continue;
         EXPECT_EQ(trace->depth.value, fragments.depth[i]);
+        expect_value_of_its_parts(*trace, trace->depth);
         ASSERT_EQ(trace->attributes.size(), count);
         for (std::size_t a = 0; a < count; ++a) {
           EXPECT_EQ(trace->attributes[a].value, fragments.attributes[i * count + a]) << a;
+          expect_value_of_its_parts(*trace, trace->attributes[a]);
         }
       }
     }
@@ -83,28 +123,160 @@ TEST(Trace, IsOfWhatIsDrawn) {
   }
 }
 
-TEST(Trace, SaysWhatTheEdgesReceived) {
+// The doubles before the last rounding are those of the vectors that drew.
+TEST(Trace, IsOfWhatIsDrawnOnAllVectors) {
+  State state = small_state(8, 8);
+  SmallMesh mesh = corner(state);
+  mesh.positions[1] = at(state, 6.3F, 0.7F, 3, 0.7F);
+  mesh.attributes[0] = 0.1F;
+  for (const SimdTarget& target : simd_targets()) {
+    const OnSimdTarget on(target.name);
+    expect_traces_of_all(state, mesh, kTarget);
+  }
+}
+
+TEST(Trace, SaysWhatTheLinesReceived) {
   State state = small_state(8, 8);
   const SmallMesh mesh = corner(state);
   const std::optional<Trace> trace = trace_of(state, mesh, kTarget, {0, 2, 1, 0});
   ASSERT_TRUE(trace.has_value());
+  EXPECT_TRUE(trace->is_drawn);
   EXPECT_EQ(trace->decision, Decision::in_double);
-  EXPECT_FALSE(trace->edges.is_snapped);
+  EXPECT_FALSE(trace->corners || trace->snapped);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(trace->edges.positions[i], mesh.positions[i]);
-    EXPECT_GT(trace->weights[i], trace->edges.bands[i]);
+    EXPECT_EQ(trace->positions[i], mesh.positions[i]);
+    EXPECT_GT(trace->edges[i], trace->certificate.bands[i]);
   }
+  EXPECT_EQ(trace->u, 2.5);
+  EXPECT_EQ(trace->v, 1.5);
   // U = |H| (2u − W), V = |W| (2v − H), T = |W H| at (2.5, 1.5).
-  EXPECT_EQ(trace->place, (std::array<double, 3>{-24, -40, 64}));
+  EXPECT_EQ(on_axis(trace->frame.u, trace->u), -24);
+  EXPECT_EQ(on_axis(trace->frame.v, trace->v), -40);
+  EXPECT_EQ(trace->frame.t, 64);
 }
 
-TEST(Trace, IsNotOfWhatIsNotCovered) {
+// By hand: r/w is linear in the window. At (2.5, 1.5), a third of the way to vertex 1 and a sixth
+// to vertex 2, the smooth attribute is (1/2 · 1/1 + 1/3 · 2/2 + 1/6 · 5/4) / (1/2 + 1/3/2 + 1/6/4).
+TEST(Trace, TellsTheQuotientApart) {
   State state = small_state(8, 8);
   const SmallMesh mesh = corner(state);
-  EXPECT_FALSE(trace_of(state, mesh, kTarget, {0, 6, 6, 0}).has_value());
-  EXPECT_FALSE(trace_of(state, mesh, kTarget, {0, 6, 0, 0}).has_value());  // a corner, not owned
+  const std::optional<Trace> trace = trace_of(state, mesh, kTarget, {0, 2, 1, 0});
+  ASSERT_TRUE(trace.has_value());
+  const TracedValue& smooth = trace->attributes[0];
+  ASSERT_TRUE(smooth.numerator_at && smooth.denominator_at);
+  const double numerator = 1.0 / 2 + 1.0 / 3 + 5.0 / 24;
+  const double denominator = 1.0 / 2 + 1.0 / 6 + 1.0 / 24;
+  EXPECT_NEAR(*smooth.numerator_at / *smooth.denominator_at, numerator / denominator, 0x1p-50);
+  EXPECT_NEAR(*smooth.denominator_at, trace->edges[0] + trace->edges[1] + trace->edges[2], 0x1p-30);
+  EXPECT_FALSE(trace->attributes[1].denominator.has_value());
+  EXPECT_NEAR(*trace->attributes[1].numerator_at, 10.0 / 2 + 20.0 / 3 + 50.0 / 6, 0x1p-45);
+  EXPECT_FALSE(trace->attributes[2].numerator.has_value());
+  EXPECT_EQ(trace->attributes[2].evaluated, 7);
+}
+
+TEST(Trace, OfFloat32HasShares) {
+  State state = small_state(8, 8);
+  const SmallMesh mesh = corner(state);
+  state.precision = Precision::float32;
+  const std::optional<Trace> trace = trace_of(state, mesh, kTarget, {0, 2, 1, 0});
+  ASSERT_TRUE(trace.has_value());
+  const auto expect_shares = [](const TracedValue& value, std::array<double, 3> expected) {
+    EXPECT_TRUE(value.is_from_lines);
+    ASSERT_TRUE(value.shares.has_value());
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR((*value.shares)[i], expected[i], 0x1p-23);
+  };
+  const double sum = 1.0 / 2 + 1.0 / 6 + 1.0 / 24;
+  expect_shares(trace->attributes[0], {1.0 / 2 / sum, 1.0 / 6 / sum, 1.0 / 24 / sum});
+  expect_shares(trace->attributes[1], {1.0 / 2, 1.0 / 3, 1.0 / 6});
+  EXPECT_FALSE(trace->depth.shares.has_value());
+}
+
+// The near plane cuts two edges in the middle: the corners are (2, 2), (6, 2), (4, 4) and (2, 4),
+// and the first lies a quarter of a grid unit off its point.
+TEST(Trace, OfAClippedTriangleHasCornersOfItsPart) {
+  State state = small_state(8, 8);
+  state.snapping = Snapping{8};
+  state.basis = Basis::snapped;
+  state.attributes = {{}};
+  SmallMesh mesh;
+  mesh.positions = {at(state, 2 + 0x1p-10F, 2, 1, 0.5F), at(state, 6, 2, 1, 0.5F),
+                    at(state, 2, 6, 1, -0.5F)};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.attributes = {1, 2, 4};
+  expect_traces_of_all(state, mesh, {8, 8, 4});
+  const std::optional<Trace> trace = trace_of(state, mesh, kTarget, {0, 4, 2, 0});
+  ASSERT_TRUE(trace.has_value());
+  ASSERT_TRUE(trace->is_drawn);
+  ASSERT_TRUE(trace->corners && trace->snapped);
+  const auto expect_corner = [&](std::size_t i, double x, double y, std::array<double, 3> share) {
+    const TracedCorner& corner = (*trace->corners)[i];
+    EXPECT_EQ(corner.x, x);
+    EXPECT_EQ(corner.y, y);
+    EXPECT_EQ(corner.share, share);
+    EXPECT_EQ(corner.w, 1);
+    EXPECT_EQ(corner.z, share[0] / 2 + share[1] / 2 - share[2] / 2);
+    EXPECT_FALSE(corner.is_homogeneous);
+    EXPECT_EQ((*trace->snapped)[i].x, i == 0 ? 2 : x);
+    EXPECT_EQ((*trace->snapped)[i].y, y);
+    EXPECT_EQ((*trace->snapped)[i].share, share);
+  };
+  expect_corner(0, 2 + 0x1p-10, 2, {1, 0, 0});
+  expect_corner(1, 6, 2, {0, 1, 0});
+  expect_corner(2, 4, 4, {0, 0.5, 0.5});
+  EXPECT_FALSE(trace->attributes[0].is_from_vertices);
+}
+
+// What is covered is of the snapped vertices, and values of the vertices.
+TEST(Trace, OfTheIdealBasisHasValuesOfTheVertices) {
+  State state = small_state(8, 8);
+  const SmallMesh mesh = corner(state);
+  state.snapping = Snapping{4};
+  const std::optional<Trace> trace = trace_of(state, mesh, kTarget, {0, 2, 1, 0});
+  ASSERT_TRUE(trace.has_value());
+  ASSERT_TRUE(trace->snapped.has_value());
+  EXPECT_FALSE(trace->corners.has_value());
+  EXPECT_EQ((*trace->snapped)[1].x, 6.5);
+  EXPECT_EQ((*trace->snapped)[1].w, 2);
+  EXPECT_TRUE(trace->depth.is_from_vertices);
+  EXPECT_TRUE(trace->attributes[0].is_from_vertices);
+}
+
+TEST(Trace, SaysWhyASampleIsNotDrawn) {
+  State state = small_state(8, 8);
+  SmallMesh mesh = corner(state);
+  const auto expect_not_drawn = [&](int x, int y, Decision decision) {
+    const std::optional<Trace> trace = trace_of(state, mesh, kTarget, {0, x, y, 0});
+    ASSERT_TRUE(trace.has_value());
+    EXPECT_FALSE(trace->is_drawn);
+    EXPECT_TRUE(trace->attributes.empty());
+    EXPECT_EQ(trace->u, x + 0.5);
+    EXPECT_EQ(trace->v, y + 0.5);
+    EXPECT_EQ(trace->positions[1], mesh.positions[1]);
+    expect_weights_of_lines(*trace);
+    EXPECT_EQ(trace->decision, decision) << x << ", " << y;
+  };
+  expect_not_drawn(5, 5, Decision::in_double);
+  expect_not_drawn(6, 0, Decision::exactly);  // a corner, not owned
+  state.scissor = {{3, 0}, {5, 8}};
+  expect_not_drawn(1, 1, Decision::outside);
+  state.scissor = {};
+  state.clip_distance_count = 1;
+  mesh.clip_distances = {-1, 1, 1};
+  expect_not_drawn(1, 1, Decision::clipped);
+  state.snapping = Snapping{8};
+  expect_not_drawn(1, 1, Decision::in_whole_numbers);
+}
+
+TEST(Trace, OfATriangleThatIsNotSetUpIsNothing) {
+  State state = small_state(8, 8);
+  SmallMesh mesh = corner(state);
   state.cull = Cull::back;
   state.front_face = FrontFace::ccw;
+  EXPECT_FALSE(trace_of(state, mesh, kTarget, {0, 2, 1, 0}).has_value());
+  state.cull = Cull::none;
+  mesh.positions[0].x = std::numeric_limits<float>::infinity();
+  EXPECT_FALSE(trace_of(state, mesh, kTarget, {0, 2, 1, 0}).has_value());
+  mesh.positions[0] = mesh.positions[1];
   EXPECT_FALSE(trace_of(state, mesh, kTarget, {0, 2, 1, 0}).has_value());
 }
 
@@ -115,8 +287,8 @@ TEST(Trace, OfATieIsNotDecidedByRounding) {
   const std::optional<Trace> trace = trace_of(state, mesh, kTarget, {0, 3, 0, 0});
   ASSERT_TRUE(trace.has_value());
   EXPECT_EQ(trace->decision, Decision::exactly);
-  EXPECT_EQ(trace->weights[2], 0);
-  EXPECT_EQ(trace->edges.bands[2], 0);
+  EXPECT_EQ(trace->edges[2], 0);
+  EXPECT_EQ(trace->certificate.bands[2], 0);
 }
 
 TEST(Trace, OfSnappedVerticesIsDecidedInWholeNumbers) {
@@ -126,13 +298,14 @@ TEST(Trace, OfSnappedVerticesIsDecidedInWholeNumbers) {
   std::optional<Trace> trace = trace_of(state, mesh, kTarget, {0, 3, 0, 0});
   ASSERT_TRUE(trace.has_value());
   EXPECT_EQ(trace->decision, Decision::in_whole_numbers);
-  EXPECT_FALSE(trace->edges.is_snapped);  // values are those of the clip positions
+  EXPECT_EQ(trace->frame.t, 64);  // the lines are those of the clip positions
   state.basis = Basis::snapped;
   trace = trace_of(state, mesh, kTarget, {0, 3, 0, 0});
   ASSERT_TRUE(trace.has_value());
   EXPECT_EQ(trace->decision, Decision::in_whole_numbers);
-  EXPECT_TRUE(trace->edges.is_snapped);
-  EXPECT_EQ(trace->place, (std::array<double, 3>{3.5 * 256, 0.5 * 256, 1}));
+  EXPECT_EQ(on_axis(trace->frame.u, trace->u), 3.5 * 256);
+  EXPECT_EQ(on_axis(trace->frame.v, trace->v), 0.5 * 256);
+  EXPECT_EQ(trace->frame.t, 1);
 }
 
 // A sliver about a row of samples, 2^-19 of a pixel high: its weights are differences of numbers a
@@ -150,10 +323,13 @@ TEST(Trace, OfASliverSaysThatDoubleWasNotEnough) {
   const Fragments fragments = fragments_of(state, mesh, kTarget);
   const std::optional<Trace> trace = trace_of(state, mesh, kTarget, {0, fragments.x[0], 3, 0});
   ASSERT_TRUE(trace.has_value());
-  EXPECT_LT(trace->weights[0] + trace->weights[1] + trace->weights[2], trace->edges.least_sum);
-  EXPECT_TRUE(trace->attributes[0].is_exact);
-  EXPECT_FALSE(trace->edges.depth_is_certain);
-  EXPECT_TRUE(trace->depth.is_exact);
+  EXPECT_LT(trace->edges[0] + trace->edges[1] + trace->edges[2], trace->certificate.least_sum);
+  EXPECT_FALSE(trace->certificate.depth_is_certain);
+  for (const TracedValue* value : {&trace->attributes[0], &trace->depth}) {
+    EXPECT_TRUE(value->is_exact);
+    EXPECT_FALSE(value->numerator || value->is_from_lines || value->weights);
+    EXPECT_TRUE(value->evaluated.has_value());
+  }
 }
 
 // Pixel (3, 2) is cut by the hypotenuse: of its four samples some are covered.
@@ -163,23 +339,24 @@ TEST(Trace, SaysWhereCentresAndCentroidsAre) {
   state.attributes = {{{}, Location::sample}, {{}, Location::center}, {{}, Location::centroid}};
   const TargetSize size{8, 8, 4};
   const std::optional<Trace> cut = trace_of(state, mesh, size, {0, 3, 3, 0});
-  ASSERT_TRUE(cut.has_value());  // (3.375, 3.125)
-  ASSERT_FALSE(trace_of(state, mesh, size, {0, 3, 3, 3}).has_value());
-  EXPECT_TRUE(cut->attributes[0].is_at_sample);
-  EXPECT_FALSE(cut->attributes[1].is_at_sample);
-  EXPECT_EQ(cut->attributes[1].u, 3.5);
-  EXPECT_EQ(cut->attributes[1].v, 3.5);
-  EXPECT_FALSE(cut->attributes[2].is_at_sample);
-  EXPECT_EQ(cut->attributes[2].u, 3.375);
-  EXPECT_EQ(cut->attributes[2].v, 3.125);
+  ASSERT_TRUE(cut && cut->is_drawn);
+  ASSERT_FALSE(trace_of(state, mesh, size, {0, 3, 3, 3})->is_drawn);
+  const auto expect_at = [](const TracedValue& value, double u, double v) {
+    EXPECT_EQ(value.u, u);
+    EXPECT_EQ(value.v, v);
+  };
+  expect_at(cut->attributes[0], 3.375, 3.125);
+  expect_at(cut->attributes[1], 3.5, 3.5);
+  expect_at(cut->attributes[2], 3.375, 3.125);
+  EXPECT_FALSE(cut->attributes[0].weights.has_value());
+  EXPECT_TRUE(cut->attributes[1].weights && cut->attributes[2].weights);
   const std::optional<Trace> whole = trace_of(state, mesh, size, {0, 1, 1, 3});
   ASSERT_TRUE(whole.has_value());
-  EXPECT_EQ(whole->attributes[2].u, 1.5);
-  EXPECT_EQ(whole->attributes[2].v, 1.5);
+  expect_at(whole->attributes[2], 1.5, 1.5);
   // With one sample a pixel all three are the same place.
   const std::optional<Trace> one = trace_of(state, mesh, kTarget, {0, 1, 1, 0});
   ASSERT_TRUE(one.has_value());
-  EXPECT_TRUE(one->attributes[1].is_at_sample);
+  EXPECT_TRUE(one->attributes[1].numerator.has_value());
 }
 
 TEST(Trace, OfABadAddressIsRefusedOrNothing) {

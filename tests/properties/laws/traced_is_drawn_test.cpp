@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <string>
 
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
@@ -15,6 +17,7 @@ using records::AttributeKind;
 using records::FragmentClass;
 using records::SampleAddress;
 using records::SampleTrace;
+using records::TracedValue;
 using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "the traced value is the drawn value";
@@ -48,8 +51,10 @@ TEST(TracedIsDrawn, HoldsOfCpu) {
 }
 
 TEST(TracedIsDrawn, FindsAnotherDepth) {
-  const records::Violation violation =
-      only_of_first([](SampleTrace& trace) { trace.depth = std::nextafter(trace.depth, 1.0F); });
+  const records::Violation violation = only_of_first([](SampleTrace& trace) {
+    float& depth = trace.traced_depth.value;
+    depth = std::nextafter(depth, 1.0F);
+  });
   EXPECT_EQ(violation.kind, AttributeKind::depth);
   EXPECT_EQ(violation.fragment_class, FragmentClass::beyond_bound);
   EXPECT_THAT(violation.exact, HasSubstr("0.25"));
@@ -57,26 +62,56 @@ TEST(TracedIsDrawn, FindsAnotherDepth) {
 
 TEST(TracedIsDrawn, FindsAnotherAttributeAndTheOtherZero) {
   const records::Violation violation =
-      only_of_first([](SampleTrace& trace) { trace.attributes[2] = -0.0F; });
+      only_of_first([](SampleTrace& trace) { trace.traced_attributes[2].value = -0.0F; });
   EXPECT_EQ(violation.kind, AttributeKind::smooth);
   EXPECT_EQ(violation.attribute, 2U);
-  EXPECT_EQ(only_of_first([](SampleTrace& trace) { trace.attributes.pop_back(); }).note,
+  EXPECT_EQ(only_of_first([](SampleTrace& trace) { trace.traced_attributes.pop_back(); }).note,
             "the trace has another number of attributes");
 }
 
+/// What the law notes of the trace of the square's first fragment, changed so.
+std::string note_of_first(const std::function<void(SampleTrace&)>& change) {
+  return only_of_first(change).note;
+}
+
 TEST(TracedIsDrawn, FindsWeightsOfAnotherPlace) {
-  const auto stage = [](SampleTrace& trace, std::string_view name) -> records::StageTrace& {
-    return const_cast<records::StageTrace&>(*records::find_stage(trace, name));
-  };
-  EXPECT_THAT(only_of_first([&](SampleTrace& trace) {
-                stage(trace, "weights").handed_on[1].value += 1;
-              }).note,
+  EXPECT_THAT(note_of_first([](SampleTrace& trace) { (*trace.edges)[1] += 1; }),
               HasSubstr("weight 1 is "));
-  EXPECT_EQ(
-      only_of_first([&](SampleTrace& trace) { stage(trace, "weights").received.clear(); }).note,
-      "a number of edge 0 lacks");
-  EXPECT_EQ(only_of_first([&](SampleTrace& trace) { stage(trace, "edges").stage = "lines"; }).note,
-            "the trace has no edges or no weights");
+  EXPECT_THAT(note_of_first([](SampleTrace& trace) { trace.u += 1; }), HasSubstr("weight 0 is "));
+  EXPECT_EQ(note_of_first([](SampleTrace& trace) { trace.edges.reset(); }),
+            "the trace has lines and no weights");
+  EXPECT_EQ(note_of_first([](SampleTrace& trace) { trace.lines.reset(); }),
+            "the trace has weights and no lines");
+}
+
+TEST(TracedIsDrawn, FindsPlanesThatDoNotGiveTheValue) {
+  EXPECT_THAT(note_of_first([](SampleTrace& trace) { *trace.traced_depth.numerator_at += 1; }),
+              HasSubstr("a plane is "));
+  const auto smooth = [](SampleTrace& trace) -> TracedValue& { return trace.traced_attributes[0]; };
+  EXPECT_THAT(note_of_first([&](SampleTrace& trace) { smooth(trace).numerator->b += 1; }),
+              HasSubstr("a plane is "));
+  EXPECT_EQ(note_of_first([&](SampleTrace& trace) { smooth(trace).numerator_at.reset(); }),
+            "a plane, what it gives or its frame lacks");
+  EXPECT_THAT(note_of_first([&](SampleTrace& trace) { *smooth(trace).evaluated += 0.25; }),
+              HasSubstr(" is rounded to "));
+}
+
+TEST(TracedIsDrawn, FindsWeightsOfAValueThatAreNotThoseOfTheLines) {
+  const auto at = [](std::array<double, 3> weights) {
+    return [weights](SampleTrace& trace) {
+      TracedValue& value = trace.traced_attributes[0];
+      value.numerator.reset();
+      value.numerator_at.reset();
+      value.is_from_lines = true;
+      value.weights = *trace.edges;
+      for (std::size_t i = 0; i < 3; ++i) (*value.weights)[i] += weights[i];
+    };
+  };
+  EXPECT_THAT(note_of_first(at({0, 0, 1})), HasSubstr("weight 2 is "));
+  const Check good = checked(square(), [&](const SampleAddress& address, auto& trace) {
+    if (is_first(address)) at({0, 0, 0})(*trace);
+  });
+  EXPECT_EQ(good.violation_count, 0U);
 }
 
 TEST(TracedIsDrawn, FindsNoTraceOfWhatWasDrawn) {
@@ -91,11 +126,25 @@ TEST(TracedIsDrawn, FindsNoTraceOfWhatWasDrawn) {
 TEST(TracedIsDrawn, FindsATraceOfWhatWasNotDrawn) {
   const Check check =
       checked(square(), [](const SampleAddress& at, std::optional<SampleTrace>& trace) {
-        if (!trace && at.triangle == 0) trace.emplace();
+        if (trace && at.triangle == 0) trace->is_drawn = true;
       });
   ASSERT_GT(check.violation_count, 0U);
   EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::extra);
   EXPECT_EQ(check.violations.front().triangle, 0U);
+}
+
+TEST(TracedIsDrawn, FindsADrawnSampleWhoseTraceSaysThatItIsNot) {
+  const records::Violation violation =
+      only_of_first([](SampleTrace& trace) { trace.is_drawn = false; });
+  EXPECT_EQ(violation.fragment_class, FragmentClass::missing);
+}
+
+TEST(TracedIsDrawn, FindsWeightsOfAnotherPlaceWhereNothingWasDrawn) {
+  const Check check =
+      checked(square(), [](const SampleAddress&, std::optional<SampleTrace>& trace) {
+        if (trace && !trace->is_drawn) (*trace->edges)[0] += 1;
+      });
+  EXPECT_GT(check.violation_count, 0U);
 }
 
 // Kills: a law that compares with what a depth test left.
