@@ -170,10 +170,14 @@ bool Scene::is_culled(int orientation) const {
 
 Ring Scene::depth_numerator(std::size_t vertex) const {
   const RingVector4 p = clip_position(vertex);
+  return depth_numerator(p[2], p[3]);
+}
+
+Ring Scene::depth_numerator(const Ring& z, const Ring& w) const {
   const Ring n = exact_ring(case_->viewport.min_depth);
   const Ring f = exact_ring(case_->viewport.max_depth);
-  const Ring z = conventions_.depth_is_halved ? half(p[2] + p[3]) : p[2];
-  return n * p[3] + (f - n) * z;
+  const Ring share = conventions_.depth_is_halved ? half(z + w) : z;
+  return n * w + (f - n) * share;
 }
 
 bool Scene::clamps_depth() const { return case_->depth_clamp || conventions_.depth_always_clamped; }

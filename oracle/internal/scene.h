@@ -77,6 +77,8 @@ class Scene {
   /// A vertex's part in the depth: Σ E_i numerator_i / |det M| is the depth at a point, numerator /
   /// w that at the vertex itself.
   Ring depth_numerator(std::size_t vertex) const;
+  /// The same of a clip position with that z and w.
+  Ring depth_numerator(const Ring& z, const Ring& w) const;
   const Ring& least_depth() const { return least_depth_; }
   const Ring& greatest_depth() const { return greatest_depth_; }
   bool clamps_depth() const;

@@ -245,33 +245,36 @@ std::optional<OpenValue> TriangleValues::attribute(std::size_t index, int x, int
   return OpenValue{*range, always_open || single_map() == nullptr};
 }
 
+TriangleValues::CentroidSamples TriangleValues::centroid_samples(int x, int y) const {
+  const int count = triangle_->scene->source().framebuffer.samples;
+  CentroidSamples found{{}, true};
+  bool all_sure = true;
+  bool first_found = false;
+  for (int s = 0; s < count; ++s) {
+    const Verdict verdict = decide(*triangle_, x, y, s).verdict;
+    found.has_center = found.has_center && verdict != Verdict::forbidden;
+    all_sure = all_sure && verdict == Verdict::required;
+    if (!first_found && verdict != Verdict::forbidden) found.firsts.push_back(s);
+    first_found = first_found || verdict == Verdict::required;
+  }
+  if (all_sure) found.firsts.clear();
+  return found;
+}
+
 /// D3D: the centre if all samples are covered, else the first covered sample. Samples that are only
 /// permitted leave several of these open.
 std::optional<OpenValue> TriangleValues::centroid_sample(const Quantity& quantity,
                                                          const FractionRange& ends, int x,
                                                          int y) const {
   const Scene& scene = *triangle_->scene;
-  const int count = scene.source().framebuffer.samples;
-  bool all_possible = true;
-  bool all_sure = true;
-  bool first_found = false;
-  std::vector<int> firsts;
-  for (int s = 0; s < count; ++s) {
-    const Verdict verdict = decide(*triangle_, x, y, s).verdict;
-    all_possible = all_possible && verdict != Verdict::forbidden;
-    all_sure = all_sure && verdict == Verdict::required;
-    if (!first_found && verdict != Verdict::forbidden) firsts.push_back(s);
-    first_found = first_found || verdict == Verdict::required;
-  }
-  if (all_sure) firsts.clear();
-
+  const CentroidSamples places = centroid_samples(x, y);
   std::optional<FractionRange> range;
-  for (const int s : firsts) {
+  for (const int s : places.firsts) {
     const auto value = value_at(quantity, ends, scene.sample_point(x, y, s), Place::sample);
     if (!value) return std::nullopt;
     range = hull(range, value);
   }
-  if (all_possible) {
+  if (places.has_center) {
     // Where all samples of a standard pattern are covered, so is their hull; the centre lies in it.
     const Place place = single_map() == nullptr ? Place::sample : Place::center;
     const auto value = value_at(quantity, ends, Scene::center_point(x, y), place);
@@ -279,7 +282,7 @@ std::optional<OpenValue> TriangleValues::centroid_sample(const Quantity& quantit
     range = hull(range, value);
   }
   if (!range) return std::nullopt;
-  const std::size_t locations = firsts.size() + (all_possible ? 1 : 0);
+  const std::size_t locations = places.firsts.size() + (places.has_center ? 1 : 0);
   return OpenValue{*range, locations > 1 || single_map() == nullptr};
 }
 

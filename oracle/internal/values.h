@@ -74,6 +74,13 @@ class TriangleValues {
   /// The point an attribute of a fragment is evaluated at; for a centroid that is a range of
   /// points: the sample.
   Point location(std::size_t attribute, int x, int y, int sample) const;
+  /// Where D3D lets a centroid be: at the centre where all samples are covered, else at the first
+  /// that is. Several of these where coverage is open.
+  struct CentroidSamples {
+    std::vector<int> firsts;
+    bool has_center = false;
+  };
+  CentroidSamples centroid_samples(int x, int y) const;
   /// The map that the contract's basis evaluates; nothing where it leaves several.
   const ProjectiveMap* single_map() const;
 

@@ -1,0 +1,62 @@
+#pragma once
+
+// The triangles that a split compares (oracle/stage_split.h).
+
+#include <cstdint>
+#include <optional>
+
+#include "cases/case.h"
+#include "cases/contract.h"
+#include "oracle/internal/line.h"
+#include "oracle/internal/triangle_setup.h"
+#include "oracle/internal/values.h"
+#include "oracle/stage_split.h"
+#include "oracle/triangle_truth.h"
+
+namespace rastercheck::oracle {
+
+/// A triangle alone, as a contract has it.
+struct TriangleUnder {
+  TriangleUnder(const cases::Case& alone, const cases::Contract& contract)
+      : scene(alone, contract), truth(scene, 0), values(truth.setup()) {}
+
+  const TriangleSetup& setup() const { return truth.setup(); }
+
+  /// The value of the triangle that the basis names, as the rules interpolate; nothing where they
+  /// leave it undefined. Not of flat attributes.
+  std::optional<Field> value_at(std::optional<std::uint32_t> attribute, const Point& p) const;
+
+  SceneTruth scene;
+  TriangleTruth truth;
+  TriangleValues values;
+};
+
+struct StageSplit::Triangles {
+  Triangles(const cases::Case& given_alone, const cases::Case& drawn_alone,
+            const cases::Contract& contract);
+
+  /// V_0, and where.
+  struct Start {
+    Field value;
+    Point place;
+  };
+  /// `taken` is where the value was evaluated, if that is told.
+  std::optional<Start> start(std::optional<std::uint32_t> attribute, int x, int y, int sample,
+                             const std::optional<Point>& taken) const;
+  /// The value of a flat attribute; nothing of another, and of the depth.
+  std::optional<Field> copy_of(std::optional<std::uint32_t> attribute) const;
+  /// Depths as the rules clamp them.
+  Field clamped(std::optional<std::uint32_t> attribute, Field value) const;
+  /// A scale ULP of errors against an exact value.
+  Rational unit(std::optional<std::uint32_t> attribute, const Field& exact) const;
+
+  TriangleUnder given;  ///< exact, of the object positions
+  TriangleUnder drawn;  ///< exact, of the clip positions
+  TriangleUnder open;   ///< of these, as the contract has it
+
+ private:
+  std::optional<Point> centroid(int x, int y, const std::optional<Point>& taken) const;
+  bool may_be_centroid(int x, int y, const Point& p) const;
+};
+
+}  // namespace rastercheck::oracle

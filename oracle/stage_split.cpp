@@ -1,0 +1,200 @@
+#include "oracle/stage_split.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "oracle/internal/floating_point.h"
+#include "oracle/internal/rational_number.h"
+#include "oracle/internal/stage_forms.h"
+#include "oracle/internal/stage_triangles.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+using records::SampleTrace;
+using records::Stage;
+using records::TracedValue;
+
+const TracedValue* traced_value(const SampleTrace& trace, std::optional<std::uint32_t> attribute) {
+  if (!trace.is_drawn) return nullptr;
+  if (!attribute) return &trace.traced_depth;
+  return *attribute < trace.traced_attributes.size() ? &trace.traced_attributes[*attribute]
+                                                     : nullptr;
+}
+
+/// What the stages make of a value, one after the other.
+class Steps {
+ public:
+  explicit Steps(Field exact) : value_(std::move(exact)) {}
+
+  /// The next stage's; it is left out where there is none.
+  void take(Stage stage, const std::optional<Field>& value) {
+    if (!value) return;
+    parts_.push_back({stage, to_rational(*value - value_)});
+    value_ = *value;
+  }
+  std::vector<ExactSplit::Part> finish() { return std::move(parts_); }
+
+ private:
+  Field value_;
+  std::vector<ExactSplit::Part> parts_;
+};
+
+/// The stages from the received positions to the last that says where values come from, and what
+/// becomes of one value on the way.
+class Forms {
+ public:
+  Forms(const SampleTrace& trace, const TracedValue& value, const TriangleUnder& received,
+        std::optional<std::uint32_t> attribute)
+      : trace_(&trace), value_(&value), received_(&received), attribute_(attribute) {
+    take(Stage::transform, vertices_of(received.setup()));
+    take_corners(Stage::clip_space, trace.corners);
+    take_corners(Stage::snap, trace.snapped);
+    take_set_up();
+  }
+
+  const std::vector<std::pair<Stage, Form>>& all() const { return forms_; }
+  /// Of the corners that values are made of at last.
+  const Terms& terms() const { return terms_; }
+
+ private:
+  void take(Stage stage, const Corners& corners) {
+    terms_ = terms_of(corners, received_->setup(), attribute_);
+    forms_.emplace_back(stage, form_of(corners, terms_));
+  }
+  void take_corners(Stage stage,
+                    const std::optional<std::array<records::TracedCorner, 3>>& traced) {
+    if (!traced) return;
+    if (const auto corners = traced_corners(*traced, received_->scene.scene())) {
+      take(stage, *corners);
+    }
+  }
+  void take_set_up() {
+    if (!trace_->frame) return;
+    std::optional<Form> form;
+    if (value_->numerator) {
+      form = form_of(*value_->numerator, value_->denominator, *trace_->frame);
+    } else if (value_->is_from_lines && trace_->lines) {
+      form = form_of(*trace_->lines, *trace_->frame, terms_);
+    }
+    if (form) forms_.emplace_back(Stage::set_up, *std::move(form));
+  }
+
+  const SampleTrace* trace_;
+  const TracedValue* value_;
+  const TriangleUnder* received_;
+  std::optional<std::uint32_t> attribute_;
+  Terms terms_;
+  std::vector<std::pair<Stage, Form>> forms_;
+};
+
+/// What exact arithmetic makes of the numbers computed at the place.
+std::optional<Field> value_of_weights(const TracedValue& value, const Terms& terms) {
+  if (value.weights) {
+    const std::optional<Weights> weights = exact_weights(*value.weights);
+    return weights ? terms.at(*weights) : std::nullopt;
+  }
+  if (!value.numerator_at || !std::isfinite(*value.numerator_at)) return std::nullopt;
+  const double denominator = value.denominator_at.value_or(1);
+  if (!std::isfinite(denominator) || denominator == 0) return std::nullopt;
+  return Field(*value.numerator_at) / Field(denominator);
+}
+
+}  // namespace
+
+bool adds_up(const ExactSplit& split, float actual) {
+  Field sum(0);
+  for (const ExactSplit::Part& part : split.parts) sum += to_field(part.error);
+  return sum == exact_field(actual) - to_field(split.exact);
+}
+
+records::ErrorSplit enclose(const ExactSplit& split) {
+  const Field& unit = to_field(split.unit);
+  records::ErrorSplit record;
+  record.attribute = split.attribute;
+  record.is_traced = split.is_traced;
+  Field total(0);
+  for (const ExactSplit::Part& part : split.parts) {
+    const Field& error = to_field(part.error);
+    record.parts.push_back({part.stage, enclose(error / unit)});
+    total += error;
+  }
+  record.total = enclose(total / unit);
+  return record;
+}
+
+StageSplit::StageSplit(const cases::Case& given, const cases::Case& drawn,
+                       const cases::Contract& contract, std::uint32_t triangle) {
+  const DefaultFloatingPoint modes;
+  triangles_ = std::make_unique<const Triangles>(triangle_alone(given, triangle),
+                                                 triangle_alone(drawn, triangle), contract);
+}
+
+StageSplit::~StageSplit() = default;
+
+std::optional<ExactSplit> StageSplit::traced(std::optional<std::uint32_t> attribute,
+                                             std::uint32_t x, std::uint32_t y, std::uint32_t sample,
+                                             float actual, const SampleTrace& trace) const {
+  const DefaultFloatingPoint modes;
+  const TracedValue* value = traced_value(trace, attribute);
+  if (value == nullptr || !std::isfinite(actual) ||
+      std::bit_cast<std::uint32_t>(value->value) != std::bit_cast<std::uint32_t>(actual)) {
+    return std::nullopt;
+  }
+  const std::optional<Point> taken = exact_point(value->u, value->v);
+  const std::optional<cases::Case> source = received_case(trace, triangles_->drawn.scene.source());
+  if (!taken || !source) return std::nullopt;
+  const auto start = triangles_->start(attribute, static_cast<int>(x), static_cast<int>(y),
+                                       static_cast<int>(sample), taken);
+  if (!start) return std::nullopt;
+
+  const auto clamped = [&](std::optional<Field> exact) {
+    if (exact) exact = triangles_->clamped(attribute, *std::move(exact));
+    return exact;
+  };
+  Steps steps(start->value);
+  if (!triangles_->copy_of(attribute)) {
+    const TriangleUnder handed(*source, triangles_->drawn.scene.contract());
+    const Forms forms(trace, *value, handed, attribute);
+    for (const auto& [stage, form] : forms.all()) steps.take(stage, clamped(form(start->place)));
+    steps.take(Stage::coverage, clamped(forms.all().back().second(*taken)));
+    steps.take(Stage::weights, clamped(value_of_weights(*value, forms.terms())));
+  }
+  const Field last = exact_field(actual);
+  const bool is_told = value->evaluated && std::isfinite(*value->evaluated);
+  if (is_told) steps.take(Stage::evaluation, Field(*value->evaluated));
+  steps.take(is_told ? Stage::rounding : Stage::evaluation, last);
+  return ExactSplit{attribute, to_rational(start->value), triangles_->unit(attribute, start->value),
+                    steps.finish(), true};
+}
+
+std::optional<ExactSplit> StageSplit::untraced(std::optional<std::uint32_t> attribute,
+                                               std::uint32_t x, std::uint32_t y,
+                                               std::uint32_t sample, float actual) const {
+  const DefaultFloatingPoint modes;
+  const auto px = static_cast<int>(x);
+  const auto py = static_cast<int>(y);
+  const auto ps = static_cast<int>(sample);
+  if (!std::isfinite(actual)) return std::nullopt;
+  const auto start = triangles_->start(attribute, px, py, ps, std::nullopt);
+  if (!start) return std::nullopt;
+
+  Steps steps(start->value);
+  std::optional<Field> handed = triangles_->copy_of(attribute);
+  if (!handed) handed = triangles_->drawn.value_at(attribute, start->place);
+  if (handed) steps.take(Stage::transform, triangles_->clamped(attribute, *handed));
+  const Field last = exact_field(actual);
+  const TriangleTruth& truth = triangles_->open.truth;
+  const std::optional<ValueRange> range =
+      attribute ? truth.attribute(*attribute, px, py, ps) : truth.depth(px, py, ps);
+  const bool is_free = !range || (attribute && truth.is_value_free(*attribute));
+  steps.take(Stage::left_open,
+             is_free ? last : std::clamp(last, to_field(range->lo), to_field(range->hi)));
+  steps.take(Stage::excess, last);
+  return ExactSplit{attribute, to_rational(start->value), triangles_->unit(attribute, start->value),
+                    steps.finish(), false};
+}
+
+}  // namespace rastercheck::oracle

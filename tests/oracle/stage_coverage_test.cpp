@@ -1,0 +1,159 @@
+// Samples that hand-made traces lose or draw too much: the stage that was made to.
+
+#include <gtest/gtest.h>
+
+#include "oracle/stage_split.h"
+#include "tests/oracle/stage_traces.h"
+
+namespace rastercheck::oracle {
+namespace {
+
+using records::SampleTrace;
+using records::Stage;
+
+/// The triangle covers pixel (1, 1) and not pixel (3, 3); the centre of pixel (3, 0) lies on its
+/// hypotenuse, which owns nothing.
+SampleTrace right_trace(const cases::Case& c, std::uint32_t x, std::uint32_t y, bool is_drawn) {
+  SampleTrace trace = bare_trace(c, x + 0.5, y + 0.5);
+  trace.is_drawn = is_drawn;
+  trace.frame = kFrame;
+  trace.lines = lines();
+  const double u = trace.u;
+  const double v = trace.v;
+  trace.edges = {{1 - (u + v) / 4, u / 4, v / 4}};
+  trace.decision = "in_double";
+  return trace;
+}
+
+std::optional<Stage> stage_of(const cases::Case& c, std::uint32_t x, std::uint32_t y,
+                              const SampleTrace& trace) {
+  return StageSplit(c, c, cases::contract_of(c), 0).coverage_stage(x, y, 0, trace.is_drawn, &trace);
+}
+
+cases::Case snapped_case() {
+  cases::Case c = traced_case();
+  c.coverage = cases::Snapping{4, cases::Rounding::nearest_even, 0};
+  c.basis = cases::Basis::snapped;
+  return c;
+}
+
+TEST(CoverageStage, IsNothingWhereCoverageIsRight) {
+  const cases::Case c = traced_case();
+  EXPECT_EQ(stage_of(c, 1, 1, right_trace(c, 1, 1, true)), std::nullopt);
+  EXPECT_EQ(stage_of(c, 3, 3, right_trace(c, 3, 3, false)), std::nullopt);
+}
+
+TEST(CoverageStage, IsNothingWhereEitherIsRight) {
+  const cases::Case c = traced_case();
+  cases::Contract contract = cases::contract_of(c);
+  contract.tie_rule = cases::TieRule::unspecified;
+  const StageSplit triangle(c, c, contract, 0);
+  const SampleTrace trace = right_trace(c, 3, 0, true);
+  EXPECT_EQ(triangle.coverage_stage(3, 0, 0, true, &trace), std::nullopt);
+}
+
+TEST(CoverageStage, IsTheDecisionWhereAllElseIsRight) {
+  const cases::Case c = traced_case();
+  EXPECT_EQ(stage_of(c, 1, 1, right_trace(c, 1, 1, false)), Stage::coverage);
+  EXPECT_EQ(stage_of(c, 3, 3, right_trace(c, 3, 3, true)), Stage::coverage);
+  EXPECT_EQ(stage_of(c, 3, 0, right_trace(c, 3, 0, true)), Stage::coverage);
+}
+
+TEST(CoverageStage, IsTheDecisionOfATriangleWithoutATrace) {
+  const cases::Case c = traced_case();
+  const StageSplit triangle(c, c, cases::contract_of(c), 0);
+  EXPECT_EQ(triangle.coverage_stage(1, 1, 0, false, nullptr), Stage::coverage);
+  EXPECT_EQ(triangle.coverage_stage(1, 1, 0, true, nullptr), std::nullopt);
+}
+
+TEST(CoverageStage, IsNothingOfATraceOfAnotherDrawing) {
+  const cases::Case c = traced_case();
+  const SampleTrace trace = right_trace(c, 1, 1, true);
+  const StageSplit triangle(c, c, cases::contract_of(c), 0);
+  EXPECT_EQ(triangle.coverage_stage(1, 1, 0, false, &trace), std::nullopt);
+}
+
+TEST(CoverageStage, IsTheTransformOfOtherPositions) {
+  const cases::Case c = traced_case();
+  SampleTrace trace = right_trace(c, 1, 1, false);
+  for (auto& p : trace.positions) p[0] += 4;  // two widths to the right
+  EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::transform);
+}
+
+TEST(CoverageStage, IsTheSnapThatMovedACorner) {
+  const cases::Case c = snapped_case();
+  SampleTrace trace = right_trace(c, 1, 1, false);
+  trace.corners = window_corners();
+  trace.snapped = window_corners();
+  (*trace.snapped)[2].y = 1;
+  trace.decision = "in_whole_numbers";
+  EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::snap);
+  (*trace.corners)[2].y = 1;
+  EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::clip_space);
+  // What the exact snap stage would have mended is not the corners' doing.
+  (*trace.corners)[2].y = 4.03;
+  EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::snap);
+}
+
+TEST(CoverageStage, IsTheCornersOfAPartThatReachesTooFar) {
+  // z/w = (u + v)/2: beyond u + v = 2 the triangle is clipped.
+  cases::Case c = snapped_case();
+  c.positions[1].z = 2;
+  c.positions[2].z = 2;
+  SampleTrace trace = right_trace(c, 2, 0, true);
+  trace.decision = "in_whole_numbers";
+  trace.corners = window_corners();
+  (*trace.corners)[1] = {3.5, 0, 1.75, 1, false, {0.125, 0.875, 0}};
+  EXPECT_EQ(stage_of(c, 2, 0, trace), Stage::clip_space);
+  // A whole triangle says nothing of what clipping should have left of it.
+  trace.corners.reset();
+  EXPECT_EQ(stage_of(c, 2, 0, trace), Stage::coverage);
+}
+
+TEST(CoverageStage, IsNotToldOfASampleThatACutTriangleLacks) {
+  cases::Case c = snapped_case();
+  c.positions[1].z = 2;
+  SampleTrace trace = right_trace(c, 0, 0, false);
+  trace.corners = window_corners();
+  EXPECT_EQ(stage_of(c, 0, 0, trace), Stage::coverage);
+  (*trace.corners)[1].share = {0.5, 0.5, 0};
+  EXPECT_EQ(stage_of(c, 0, 0, trace), std::nullopt);
+}
+
+TEST(CoverageStage, IsTheSetUpOfAWrongLine) {
+  const cases::Case c = traced_case();
+  SampleTrace trace = right_trace(c, 1, 1, false);
+  (*trace.lines)[0].c = 0;  // −(u + v)/4 + 1/2
+  EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::set_up);
+  // Lines that did not decide are no fault.
+  trace.decision = "exactly";
+  EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::coverage);
+}
+
+TEST(CoverageStage, IsCoverageWhereTheSampleWasTakenToBeElsewhere) {
+  const cases::Case c = traced_case();
+  SampleTrace trace = right_trace(c, 1, 1, false);
+  trace.u = 3.5;
+  trace.edges = {{-0.25, 0.875, 0.375}};
+  EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::coverage);
+}
+
+TEST(CoverageStage, IsTheWeightsThatWereComputedWrong) {
+  const cases::Case c = traced_case();
+  SampleTrace trace = right_trace(c, 1, 1, false);
+  trace.edges = {{-0.25, 0.375, 0.375}};
+  EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::weights);
+  trace.edges = {{0, 0.375, 0.375}};  // a tie says nothing
+  EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::coverage);
+}
+
+TEST(CoverageStage, IsTheDecisionOfWhatIsNotOfTheTriangleAlone) {
+  cases::Case c = traced_case();
+  c.scissor = cases::Scissor{2, 2, 2, 2};
+  SampleTrace trace = right_trace(c, 1, 1, true);
+  (*trace.lines)[0].c = 1;  // says inside even more
+  EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::coverage);
+}
+
+}  // namespace
+}  // namespace rastercheck::oracle
