@@ -60,10 +60,9 @@ std::optional<std::array<RingVector3, 3>> placed(const Corners& corners, const S
   return columns;
 }
 
-/// Whether the lines decided: else exact sums did, or whole numbers on the subpixel grid.
-bool decides_by_lines(std::string_view decision) {
-  return decision != "exactly" && decision != "in_whole_numbers";
-}
+/// Whether the lines decided: exact sums may have, or whole numbers on the subpixel grid, or what
+/// is none of the lines' business.
+bool decides_by_lines(std::string_view decision) { return decision == "in_double"; }
 
 std::optional<std::array<Line, 3>> window_lines(const SampleTrace& trace) {
   if (!trace.lines || !trace.frame) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "oracle/internal/floating_point.h"
+#include "oracle/internal/prepared_values.h"
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/stage_forms.h"
 #include "oracle/internal/stage_triangles.h"
@@ -133,6 +134,8 @@ StageSplit::StageSplit(const cases::Case& given, const cases::Case& drawn,
 }
 
 StageSplit::~StageSplit() = default;
+
+records::Stratum StageSplit::stratum() const { return stratum_of(triangles_->open.setup()); }
 
 std::optional<ExactSplit> StageSplit::traced(std::optional<std::uint32_t> attribute,
                                              std::uint32_t x, std::uint32_t y, std::uint32_t sample,

@@ -35,6 +35,7 @@
 #include "cases/case.h"
 #include "cases/contract.h"
 #include "oracle/rational.h"
+#include "records/judgement.h"
 #include "records/stage_split.h"
 #include "records/stage_trace.h"
 
@@ -68,6 +69,9 @@ class StageSplit {
   StageSplit(const cases::Case& given, const cases::Case& drawn, const cases::Contract& contract,
              std::uint32_t triangle);
   ~StageSplit();
+
+  /// What makes the triangle's fragments hard.
+  records::Stratum stratum() const;
 
   /// By what the backend tells of the sample: of an attribute, or of the depth where `attribute` is
   /// nothing. Nothing of a value that is no finite number, that the rules leave undefined, or that

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace rastercheck::records {
 namespace {
 
@@ -14,6 +17,12 @@ std::string in_decimals(double value, int digits) {
 
 bool contains(const Enclosure& enclosure, double value) {
   return enclosure.lo <= value && value <= enclosure.hi;
+}
+
+Enclosure magnitude(const Enclosure& enclosure) {
+  const double a = std::abs(enclosure.lo);
+  const double b = std::abs(enclosure.hi);
+  return {contains(enclosure, 0) ? 0 : std::min(a, b), std::max(a, b)};
 }
 
 std::optional<std::string> certain_decimal(const Enclosure& enclosure, int digits) {

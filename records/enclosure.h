@@ -16,6 +16,9 @@ struct Enclosure {
 /// Whether `value` may be the enclosed number.
 bool contains(const Enclosure& enclosure, double value);
 
+/// |x| of the enclosed x.
+Enclosure magnitude(const Enclosure& enclosure);
+
 /// The enclosed number in at most `digits` significant decimals, all of which are certain; nothing
 /// where not even one is.
 std::optional<std::string> certain_decimal(const Enclosure& enclosure, int digits);

@@ -15,6 +15,7 @@
 #include "records/enclosure.h"
 #include "records/histogram.h"
 #include "records/signed_sum.h"
+#include "records/stage_split.h"
 
 namespace rastercheck::records {
 
@@ -176,6 +177,9 @@ struct ErrorStatistics {
   ClassCounts classes;
   /// `ideal` by what makes a fragment hard; only strata that have one.
   std::map<Stratum, ErrorSizes> strata;
+  /// Magnitudes of the parts of errors, by what makes a fragment hard and the stage that made them
+  /// (stage_split.h); of laws that split errors.
+  std::map<Stratum, std::map<Stage, SignedSum>> stages;
   bool operator==(const ErrorStatistics&) const = default;
 };
 

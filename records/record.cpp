@@ -110,6 +110,9 @@ void merge(ErrorStatistics& into, const ErrorStatistics& from) {
   merge(into.ideal, from.ideal);
   merge(into.classes, from.classes);
   for (const auto& [stratum, sizes] : from.strata) merge(into.strata[stratum], sizes);
+  for (const auto& [stratum, stages] : from.stages) {
+    for (const auto& [stage, sum] : stages) into.stages[stratum][stage].merge(sum);
+  }
 }
 
 void merge(LevelCounts& into, const LevelCounts& from) {

@@ -83,6 +83,15 @@ json json_of(const std::map<Stratum, ErrorSizes>& strata) {
   return object;
 }
 
+json json_of(const std::map<Stratum, std::map<Stage, SignedSum>>& strata) {
+  json object = json::object();
+  for (const auto& [stratum, stages] : strata) {
+    json& sums = object[std::string(to_string(stratum))] = json::object();
+    for (const auto& [stage, sum] : stages) sums[std::string(to_string(stage))] = json_of(sum);
+  }
+  return object;
+}
+
 json json_of(Levels levels) {
   const auto counts = counts_of(levels);
   json object = json::object();
@@ -114,6 +123,7 @@ json json_of(const RecordKey& key, const Record& record) {
               {"labels", json(record.labels)},
               {"decided_at", json_of(record.levels)}};
   if (!record.errors.strata.empty()) object["strata"] = json_of(record.errors.strata);
+  if (!record.errors.stages.empty()) object["stages"] = json_of(record.errors.stages);
   if (cases.known > 0) object["cases"]["known"] = cases.known;
   if (!record.known.empty()) object["known"] = record.known;
   if (!record.not_applicable_because.empty()) {
@@ -231,6 +241,23 @@ std::map<Stratum, ErrorSizes> read_strata(const JsonNode& node) {
   return strata;
 }
 
+std::map<Stratum, std::map<Stage, SignedSum>> read_stages(const JsonNode& node) {
+  constexpr auto kStrata = names_of(Stratum{});
+  constexpr auto kStages = names_of(Stage{});
+  node.expect_object({}, kStrata);
+  std::map<Stratum, std::map<Stage, SignedSum>> strata;
+  for (std::size_t i = 0; i < kStrata.size(); ++i) {
+    if (!node.has(kStrata[i])) continue;
+    const JsonNode stages = node[kStrata[i]];
+    stages.expect_object({}, kStages);
+    std::map<Stage, SignedSum>& sums = strata[static_cast<Stratum>(i)];
+    for (std::size_t k = 0; k < kStages.size(); ++k) {
+      if (stages.has(kStages[k])) sums[static_cast<Stage>(k)] = read_sum(stages[kStages[k]]);
+    }
+  }
+  return strata;
+}
+
 Levels read_levels(const JsonNode& node) {
   node.expect_object({}, kLevelNames);
   Levels levels;
@@ -266,6 +293,7 @@ Record read_record(const JsonNode& node) {
   record.errors.ideal = read_sizes(node["ideal"]);
   record.errors.classes = read_classes(node["classes"]);
   if (node.has("strata")) record.errors.strata = read_strata(node["strata"]);
+  if (node.has("stages")) record.errors.stages = read_stages(node["stages"]);
   record.labels = node["labels"].counts_by_name();
   record.levels = read_levels(node["decided_at"]);
   if (node.has("known")) record.known = node["known"].counts_by_name();
@@ -288,7 +316,7 @@ RecordSet records_from_json(const JsonNode& array) {
   for (const JsonNode& node : array.elements()) {
     node.expect_object({"law", "backend", "attribute_kind", "stratum", "cases", "counts", "classes",
                         "excess", "ideal", "labels", "decided_at"},
-                       {"strata", "known", "not_applicable_because"});
+                       {"strata", "stages", "known", "not_applicable_because"});
     if (node.failed()) break;
     RecordKey key = read_key(node);
     Record record = read_record(node);

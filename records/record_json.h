@@ -13,6 +13,7 @@
 //                "sum": {"lo": "-8589934592", "hi": "-8589934592", "count": 9, "beyond": 0}},
 //     "ideal": {"histogram": {"buckets": [[0, 9]], "non_finite": 0}},
 //     "strata": {"sliver": {as "ideal"}, "ordinary": {as "ideal"}},
+//     "stages": {"sliver": {"set-up": {as "sum"}, "rounding": {as "sum"}}},
 //     "labels": {"tie": 4}, "decided_at": {"samples by filter": 100}}]
 //
 // The array is ordered by key. A bucket is [its number (histogram.h), its count]; empty ones are
@@ -23,12 +24,13 @@
 // decimal text; it is of "count" errors, and "beyond" more were too large to be summed
 // (signed_sum.h). "decided_at" is the Levels, by what was asked and which level answered; those
 // that answered nothing are left out. Means, quantiles and rates follow from these and are not
-// written. A "sum" of nothing and "strata" without one are left out; so they are in files from
-// before there were any, which say nothing of them. "cases" has "known" where some were violated in
-// known ways only; "known": {"llvmpipe-3": 5} says of which entries (known.h). Why a law says
-// nothing of cases is in "not_applicable_because": {"its contract lacks 8 samples": 7}. All three
-// are absent where there are none. The float32 of "actual" is a hex float, as in all files. Objects
-// list their keys alphabetically, so that equal records give equal bytes.
+// written. A "sum" of nothing, and "strata" and "stages" without one, are left out; so they are in
+// files from before there were any, which say nothing of them. "stages" sums the magnitudes of the
+// parts of errors by the stage that made them (judgement.h). "cases" has "known" where some were
+// violated in known ways only; "known": {"llvmpipe-3": 5} says of which entries (known.h). Why a
+// law says nothing of cases is in "not_applicable_because": {"its contract lacks 8 samples": 7}.
+// All three are absent where there are none. The float32 of "actual" is a hex float, as in all
+// files. Objects list their keys alphabetically, so that equal records give equal bytes.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -14,18 +13,10 @@ constexpr double kMedian = 0.5;
 constexpr double kTail = 0.99;
 constexpr double kFarTail = 0.999;
 
-/// |x| of the enclosed x.
-Enclosure magnitude_of(const Enclosure& error) {
-  const double a = std::abs(error.lo);
-  const double b = std::abs(error.hi);
-  const bool holds_zero = error.lo <= 0 && error.hi >= 0;
-  return {holds_zero ? 0 : std::min(a, b), std::max(a, b)};
-}
-
 /// Takes in one side's extreme; of equally large ones the first stays, which is the negative.
 void keep_worst(SizeSummary& summary, const std::optional<WorstError>& extreme) {
   if (!extreme) return;
-  const Enclosure magnitude = magnitude_of(extreme->error);
+  const Enclosure magnitude = records::magnitude(extreme->error);
   const auto size = [](const Enclosure& of) { return std::pair(of.hi, of.lo); };
   if (summary.worst && size(magnitude) <= size(*summary.worst)) return;
   summary.worst = magnitude;
@@ -79,6 +70,21 @@ void append_precision(std::vector<Precision>& rows, AttributeKind kind,
   for (const auto& [stratum, sizes] : errors.strata) append(stratum, sizes);
 }
 
+void append_stages(std::vector<StageMean>& rows, AttributeKind kind,
+                   const ErrorStatistics& errors) {
+  const auto append = [&](std::optional<Stratum> stratum, const std::map<Stage, SignedSum>& sums) {
+    for (const auto& [stage, sum] : sums) {
+      rows.push_back({kind, stratum, stage, sum.count() + sum.beyond(), sum.mean()});
+    }
+  };
+  std::map<Stage, SignedSum> all;
+  for (const auto& [stratum, sums] : errors.stages) {
+    for (const auto& [stage, sum] : sums) all[stage].merge(sum);
+  }
+  append(std::nullopt, all);
+  for (const auto& [stratum, sums] : errors.stages) append(stratum, sums);
+}
+
 /// Cases in which nothing was drawn rightly say nothing for a law: it only held if it held of
 /// something.
 LawVerdict verdict_of(const CaseCounts& cases, std::uint64_t correct_fragments) {
@@ -115,6 +121,7 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
       take_in(row.ideal, record.errors.ideal);
       take_in(row.excess, record.errors.excess);
       append_precision(row.precision, kind, record.errors);
+      append_stages(row.stages, kind, record.errors);
     }
   }
   conclude(row.ideal);

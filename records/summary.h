@@ -57,6 +57,16 @@ struct Precision {
   std::uint64_t misrounded = 0;
 };
 
+/// How much of the errors of one kind one stage made, in the kind's own unit.
+struct StageMean {
+  AttributeKind kind = AttributeKind::smooth;
+  std::optional<Stratum> stratum;  ///< nothing: all of the kind
+  Stage stage = Stage::transform;
+  std::uint64_t values = 0;  ///< whose errors have a part of that stage
+  /// Of the magnitudes of those parts; nothing where some were too large to be summed.
+  std::optional<Enclosure> mean;
+};
+
 struct LawSummary {
   std::string law;
   std::string backend;
@@ -68,6 +78,8 @@ struct LawSummary {
   SizeSummary excess;   ///< beyond what the contract leaves open
   /// Of each kind that has values: all of them, then its strata.
   std::vector<Precision> precision;
+  /// Of laws that split errors: of each kind all of them, then its strata, each by stage.
+  std::vector<StageMean> stages;
   Levels levels;  ///< of the oracle, by what each decided
   std::map<std::string, std::uint64_t> labels;
   std::map<std::string, std::uint64_t> known;                   ///< id → cases violated so

@@ -16,8 +16,9 @@ using records::Stratum;
 /// 1/ulp(magnitude), a power of two.
 double units_of(float magnitude) { return std::ldexp(1.0, -ulp_exponent(magnitude)); }
 
-/// What makes a triangle's fragments hard (records::Stratum); window positions in double are near
-/// enough.
+}  // namespace
+
+/// Window positions in double are near enough.
 Stratum stratum_of(const TriangleSetup& triangle) {
   constexpr double kHorizon = 16;  // greatest w over least
   constexpr double kSliver = 64;   // longest edge over least height
@@ -36,8 +37,6 @@ Stratum stratum_of(const TriangleSetup& triangle) {
   return triangle.scene->source().framebuffer.samples > 1 ? Stratum::multisampled
                                                           : Stratum::ordinary;
 }
-
-}  // namespace
 
 void PreparedValues::prepare(const TriangleTruth& truth, const TriangleFilter& coverage) {
   truth_ = &truth;

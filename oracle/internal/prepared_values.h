@@ -45,6 +45,9 @@ struct PreparedValue {
   const records::Extremes* excess_extremes = nullptr;
 };
 
+/// What makes a triangle's fragments hard.
+records::Stratum stratum_of(const TriangleSetup& triangle);
+
 /// The values of one triangle after the other.
 class PreparedValues {
  public:

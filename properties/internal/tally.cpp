@@ -36,6 +36,10 @@ void Tally::pass_required(std::uint32_t triangle) {
 
 void Tally::report(const records::Violation& violation) { properties::report(check_, violation); }
 
+void Tally::add_part(AttributeKind kind, records::Stratum stratum, const records::StagePart& part) {
+  check_.judgement.errors[kind].stages[stratum][part.stage].add(records::magnitude(part.error));
+}
+
 Check Tally::finish() {
   add_state_labels(*case_, triangles_, labels_);
   check_.labels.assign(labels_.begin(), labels_.end());

@@ -33,6 +33,9 @@ class Tally {
   /// A required sample that the triangle drew.
   void pass_required(std::uint32_t triangle);
   void report(const records::Violation& violation);
+  /// A part of an error, in the unit of its kind.
+  void add_part(records::AttributeKind kind, records::Stratum stratum,
+                const records::StagePart& part);
 
   /// With the labels, those of the state too.
   Check finish();

@@ -18,6 +18,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMax = std::numeric_limits<double>::max();
 constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
+TEST(Magnitude, IsOfEitherSideOfZeroAndOfBoth) {
+  EXPECT_EQ(magnitude({1, 2}), (Enclosure{1, 2}));
+  EXPECT_EQ(magnitude({-2, -1}), (Enclosure{1, 2}));
+  EXPECT_EQ(magnitude({-3, 2}), (Enclosure{0, 3}));
+  EXPECT_EQ(magnitude({0, 2}), (Enclosure{0, 2}));
+}
+
 TEST(Contains, TakesBothEndsAndWhatLiesBetween) {
   const Enclosure enclosure{1, 2};
   EXPECT_TRUE(contains(enclosure, 1));

@@ -76,6 +76,10 @@ inline Stratum random_stratum() {
   return static_cast<Stratum>(*rc::gen::inRange<std::size_t>(0, names_of(Stratum{}).size()));
 }
 
+inline Stage random_stage() {
+  return static_cast<Stage>(*rc::gen::inRange<std::size_t>(0, names_of(Stage{}).size()));
+}
+
 inline LevelCounts random_levels() {
   LevelCounts levels;
   levels.filter = *rc::gen::inRange<std::uint64_t>(0, 3);

@@ -63,6 +63,8 @@ RecordSet small_records() {
   // 2^64 and 2^71, which are no 64-bit numbers.
   sliver.sum = {SignedSum::Units{1} << 64, SignedSum::Units{1} << 71, 1, 0};
   record.errors.strata[Stratum::near_horizon].histogram.add(0);
+  record.errors.stages[Stratum::sliver][Stage::set_up] = {1, 2, 3, 0};
+  record.errors.stages[Stratum::sliver][Stage::left_open] = {0, 0, 0, 4};
   record.labels = {{"tie", 4}};
   record.levels = {{100, 0, 2}, {3, 4, 5}};
   return {{{"law", "cpu", AttributeKind::smooth, "grid"}, record}};
@@ -96,6 +98,8 @@ TEST(RecordsToJson, WritesTheFormat) {
                "sliver": {"histogram": {"buckets": [[0, 1]], "non_finite": 0},
                           "sum": {"lo": "18446744073709551616", "hi": "2361183241434822606848",
                                   "count": 1, "beyond": 0}}},
+    "stages": {"sliver": {"set-up": {"lo": "1", "hi": "2", "count": 3, "beyond": 0},
+                          "left open": {"lo": "0", "hi": "0", "count": 0, "beyond": 4}}},
     "labels": {"tie": 4},
     "decided_at": {"samples by filter": 100, "samples by exact numbers": 2, "values by filter": 3,
                    "values by interval": 4, "values by exact numbers": 5}}])");
@@ -127,15 +131,17 @@ TEST(RecordsFromJson, ReadsWhatWasWritten) {
   EXPECT_EQ(read("[]").value(), RecordSet());
 }
 
-// Records of before there were sums and strata say nothing of them. Kills: old runs and baselines
-// that no longer read.
-TEST(RecordsFromJson, SumsAndStrataMayBeMissing) {
+// Records of before there were sums, strata and stages say nothing of them. Kills: old runs and
+// baselines that no longer read.
+TEST(RecordsFromJson, SumsStrataAndStagesMayBeMissing) {
   json array = records_to_json(small_records());
   array[0].erase("strata");
+  array[0].erase("stages");
   array[0]["excess"].erase("sum");
   RecordSet expected = small_records();
   ErrorStatistics& errors = expected.begin()->second.errors;
   errors.strata.clear();
+  errors.stages.clear();
   errors.excess.sum = SignedSum();
   EXPECT_EQ(read(array.dump()).value(), expected);
 }
@@ -168,6 +174,7 @@ RC_GTEST_PROP(RecordsFromJson, GivesBackAnyRecords, ()) {
     keep(record.errors.excess.extremes, worst);
     record.errors.excess.sum = random_sum();
     record.errors.strata[random_stratum()].sum = random_sum();
+    record.errors.stages[random_stratum()][random_stage()] = random_sum();
   }
   const std::string text = records_to_json(records).dump();
   const Result<RecordSet> again = read(text);
@@ -268,6 +275,10 @@ const Fault kFaults[] = {
     {"/0/strata/far", "{}", "/0/strata/far", "unknown key 'far'"},
     {"/0/strata/sliver/histogram", "", "/0/strata/sliver", "missing key 'histogram'"},
     {"/0/strata/sliver/sum/hi", R"("x")", "/0/strata/sliver/sum/hi", "must be a whole number"},
+    {"/0/stages", "[]", "/0/stages", "must be an object"},
+    {"/0/stages/far", "{}", "/0/stages/far", "unknown key 'far'"},
+    {"/0/stages/sliver/blur", "{}", "/0/stages/sliver/blur", "unknown key 'blur'"},
+    {"/0/stages/sliver/set-up/lo", R"("3")", "/0/stages/sliver/set-up", "must not be above"},
     {"/0/excess/sum", "null", "/0/excess/sum", "must be an object"},
     {"/0/excess/sum/mean", "[-2, -2]", "/0/excess/sum/mean", "unknown key 'mean'"},
     {"/0/excess/sum/beyond", "", "/0/excess/sum", "missing key 'beyond'"},

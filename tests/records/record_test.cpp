@@ -177,9 +177,11 @@ RC_GTEST_PROP(Add, OfMergedJudgementsIsAddingBoth, ()) {
   Judgement a;
   a.levels = {random_levels(), random_levels()};
   a.errors[AttributeKind::smooth].strata[random_stratum()].sum = random_sum();
+  a.errors[AttributeKind::smooth].stages[random_stratum()][random_stage()] = random_sum();
   Judgement b;
   b.levels = {random_levels(), random_levels()};
   b.errors[AttributeKind::smooth].strata[random_stratum()].sum = random_sum();
+  b.errors[AttributeKind::smooth].stages[random_stratum()][random_stage()] = random_sum();
   RecordSet one_by_one;
   add(one_by_one, {}, a);
   add(one_by_one, {}, b);
@@ -210,6 +212,24 @@ TEST(Merge, AddsStrataOneByOne) {
   EXPECT_EQ(sliver.sum, SignedSum(-2 * unit, -2 * unit, 2, 0));
   EXPECT_EQ(a.strata.at(Stratum::clipped).sum, SignedSum(2 * unit, 2 * unit, 1, 0));
   EXPECT_EQ(a.strata.at(Stratum::ordinary).sum, SignedSum(4 * unit, 4 * unit, 1, 0));
+}
+
+TEST(Merge, AddsStagesOneByOne) {
+  ErrorStatistics a;
+  a.stages[Stratum::sliver][Stage::weights].add({1, 1});
+  a.stages[Stratum::clipped][Stage::snap].add({2, 2});
+  ErrorStatistics b;
+  b.stages[Stratum::sliver][Stage::weights].add({3, 3});
+  b.stages[Stratum::sliver][Stage::rounding].add({0.5, 0.5});
+  merge(a, b);
+  const SignedSum::Units unit = SignedSum::Units{1} << 32;
+  using Sums = std::map<Stage, SignedSum>;
+  EXPECT_EQ(a.stages,
+            (std::map<Stratum, Sums>{
+                {Stratum::sliver,
+                 {{Stage::weights, SignedSum(4 * unit, 4 * unit, 2, 0)},
+                  {Stage::rounding, SignedSum(unit / 2, unit / 2, 1, 0)}}},
+                {Stratum::clipped, {{Stage::snap, SignedSum(2 * unit, 2 * unit, 1, 0)}}}}));
 }
 
 // Kills: a member that merging forgets.

@@ -183,6 +183,37 @@ TEST(Summarize, OfValuesThatAreNotAllSummedThereIsNoMean) {
   }
 }
 
+TEST(Summarize, MeansOfStagesAreByKindAndStratum) {
+  Record record;
+  auto& stages = record.errors.stages;
+  stages[Stratum::sliver][Stage::set_up].add({3, 3});
+  stages[Stratum::ordinary][Stage::set_up].add({1, 1});
+  stages[Stratum::ordinary][Stage::set_up].add({0.5, 0.5});
+  stages[Stratum::ordinary][Stage::rounding].add({0x1p41, 0x1p41});
+  RecordSet records;
+  records[{"law", "cpu", AttributeKind::smooth, "a"}] = record;
+  const LawSummary summary = summary_of(records);
+  ASSERT_EQ(summary.stages.size(), 5U);
+  const auto expect_row = [&](std::size_t i, std::optional<Stratum> stratum, Stage stage,
+                              std::uint64_t values, std::optional<double> mean) {
+    const StageMean& row = summary.stages[i];
+    EXPECT_EQ(row.kind, AttributeKind::smooth);
+    EXPECT_EQ(row.stratum, stratum) << i;
+    EXPECT_EQ(row.stage, stage) << i;
+    EXPECT_EQ(row.values, values) << i;
+    EXPECT_EQ(row.mean.has_value(), mean.has_value()) << i;
+    if (row.mean && mean) {
+      EXPECT_TRUE(contains(*row.mean, *mean)) << i;
+      EXPECT_LT(row.mean->hi - row.mean->lo, 0x1p-40) << i;
+    }
+  };
+  expect_row(0, std::nullopt, Stage::set_up, 3, 1.5);
+  expect_row(1, std::nullopt, Stage::rounding, 1, std::nullopt);
+  expect_row(2, Stratum::sliver, Stage::set_up, 1, 3);
+  expect_row(3, Stratum::ordinary, Stage::set_up, 2, 0.75);
+  expect_row(4, Stratum::ordinary, Stage::rounding, 1, std::nullopt);
+}
+
 TEST(Summarize, AddsLevels) {
   RecordSet records;
   Judgement judgement;

@@ -1,0 +1,208 @@
+// The parts of an error add up to the whole: what the stages of a drawing made of a value, each
+// from what it really received, is together the drawn value less the exact one, without a rest.
+// The parts are V_k − V_(k−1) of one chain (oracle/stage_split.h) that begins with the exact value
+// and ends with the drawn one, so that the sum is theirs, if the chain has a value at both ends and
+// loses none between.
+//
+// Of up to four fragments of each triangle and kMostFragments of a case: the sum of the parts is
+// actual − exact in exact numbers, both of the split by the backend's trace and of that which every
+// backend has; the exact value is the one that the truth of the case as given has there, its camera
+// included, and the total in ULP that of the two values. Fragments that must not be drawn are a
+// matter of coverage. How large parts are is counted, by stage and stratum. Triangles are traced
+// alone, so the depth test is left out.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oracle/stage_split.h"
+#include "oracle/transform.h"
+#include "oracle/triangle_truth.h"
+#include "oracle/ulp.h"
+#include "properties/internal/choices.h"
+#include "properties/internal/drawn_fragments.h"
+#include "properties/internal/random_state.h"
+#include "properties/internal/tally.h"
+#include "properties/internal/verdicts.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+using records::SampleTrace;
+
+/// Fragments of a triangle, and of a case, whose errors are split.
+constexpr std::size_t kMostOfTriangle = 4;
+constexpr std::size_t kMostFragments = 64;
+
+/// The exact triangle, whatever a contract leaves open.
+cases::Contract exact_contract(cases::Contract contract) {
+  contract.coverage.reset();
+  contract.basis = cases::Basis::ideal;
+  contract.claims = cases::Claim::perspective;
+  return contract;
+}
+
+class SplitCheck {
+ public:
+  /// `given` with its camera, if it has one; `clip` as it was drawn.
+  SplitCheck(const cases::Case& given, const cases::Case& clip, const cases::Framebuffer& drawn,
+             backends::Backend& backend)
+      : given_(&given),
+        case_(&clip),
+        drawn_(&drawn),
+        backend_(&backend),
+        contract_(backend.contract(clip)),
+        verdicts_(clip, contract_),
+        exact_(given, exact_contract(contract_)),
+        tally_(clip) {}
+
+  Result<Check> run() {
+    for (const std::size_t i : fragments()) {
+      if (error_) break;
+      check_fragment(i);
+    }
+    if (error_) return tl::unexpected(*error_);
+    return tally_.finish();
+  }
+
+ private:
+  /// In the order of their triangles.
+  std::vector<std::size_t> fragments() const {
+    std::map<std::uint32_t, std::vector<std::size_t>> by_triangle;
+    for (std::size_t i = 0; i < drawn_->size(); ++i) {
+      if (is_of_case(*case_, place_of(*drawn_, i))) by_triangle[drawn_->triangle[i]].push_back(i);
+    }
+    std::vector<std::size_t> all;
+    for (const auto& [triangle, of_triangle] : by_triangle) {
+      const std::vector<std::size_t> some = some_of(of_triangle, kMostOfTriangle);
+      all.insert(all.end(), some.begin(), some.end());
+    }
+    return some_of(all, kMostFragments);
+  }
+
+  void check_fragment(std::size_t i) {
+    const FragmentPlace place = place_of(*drawn_, i);
+    if (verdicts_.judge(place.triangle, place).verdict == records::Verdict::forbidden) return;
+    std::optional<SampleTrace> trace;
+    if (backend_->traces()) {
+      Result<std::optional<SampleTrace>> told =
+          backend_->trace(*case_, {place.triangle, place.x, place.y, place.sample});
+      if (!told) {
+        error_ = told.error();
+        return;
+      }
+      trace = *std::move(told);
+    }
+    if (!split_ || triangle_ != place.triangle) {
+      triangle_ = place.triangle;
+      split_ = std::make_unique<oracle::StageSplit>(*given_, *case_, contract_, triangle_);
+    }
+    tally_.pass_required(place.triangle);
+    check_value(place, std::nullopt, drawn_->depth[i], trace);
+    const auto attributes = drawn_->attributes_of(i);
+    for (std::uint32_t a = 0; a < attributes.size(); ++a) {
+      check_value(place, a, attributes[a], trace);
+    }
+  }
+
+  void check_value(const FragmentPlace& place, std::optional<std::uint32_t> attribute, float actual,
+                   const std::optional<SampleTrace>& trace) {
+    const auto& [triangle, y, x, sample] = place;
+    const auto seen = split_->untraced(attribute, x, y, sample, actual);
+    if (!seen) return;  // no finite number, or undefined
+    std::optional<oracle::ExactSplit> told;
+    if (trace) {
+      told = split_->traced(attribute, x, y, sample, actual, *trace);
+      if (!told) return report(place, attribute, actual, "a trace of the drawn value");
+    }
+    const AttributeKind kind = kind_of(*case_, attribute);
+    for (const auto& split : {seen, told}) {
+      if (!split) continue;
+      const std::string expected = fault_of(*split, place, actual);
+      if (!expected.empty()) return report(place, attribute, actual, expected);
+    }
+    tally_.pass(kind);
+    if (kind == AttributeKind::flat) return;
+    const records::Stratum stratum = split_->stratum();
+    for (const records::StagePart& part : enclose(told ? *told : *seen).parts) {
+      tally_.add_part(kind, stratum, part);
+      if (part.error != records::Enclosure{0, 0}) tally_.label(records::to_string(part.stage));
+    }
+  }
+
+  /// What a split should be and is not; empty where it is right.
+  std::string fault_of(const oracle::ExactSplit& split, const FragmentPlace& place, float actual) {
+    if (!adds_up(split, actual)) return "parts that add up to the error";
+    // A centroid's place may be open, and what only snapping covers is undefined.
+    const std::optional<std::uint32_t> attribute = split.attribute;
+    const bool is_centroid =
+        attribute && case_->attributes[*attribute].location == cases::Location::centroid;
+    const oracle::TriangleTruth truth(exact_, place.triangle);
+    const auto x = static_cast<int>(place.x);
+    const auto y = static_cast<int>(place.y);
+    const auto sample = static_cast<int>(place.sample);
+    const auto range =
+        attribute ? truth.attribute(*attribute, x, y, sample) : truth.depth(x, y, sample);
+    if (range && range->lo == range->hi && !is_centroid && split.exact != range->lo) {
+      return "parts of what is off from " + range->lo.to_string();
+    }
+    if (!attribute) return "";
+    const records::Enclosure total =
+        oracle::scale_ulp_error(actual, split.exact, truth.attribute_magnitude(*attribute));
+    if (enclose(split).total != total) return "a total of " + to_decimal(total, 9) + " scale ULP";
+    return "";
+  }
+
+  void report(const FragmentPlace& place, std::optional<std::uint32_t> attribute, float actual,
+              const std::string& expected) {
+    tally_.report(violation_at(place, FragmentClass::beyond_bound, expected,
+                               "the error is not what its parts are",
+                               {kind_of(*case_, attribute), attribute, actual}));
+  }
+
+  const cases::Case* given_;
+  const cases::Case* case_;
+  const cases::Framebuffer* drawn_;
+  backends::Backend* backend_;
+  cases::Contract contract_;
+  Verdicts verdicts_;
+  oracle::SceneTruth exact_;
+  Tally tally_;
+  std::uint32_t triangle_ = 0;
+  std::unique_ptr<oracle::StageSplit> split_;  ///< of that triangle
+  std::optional<Error> error_;
+};
+
+Result<Check> check(const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& /*options*/) {
+  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  clip->depth_test = cases::DepthTest::none;
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  return SplitCheck(c, *clip, *drawn, backend).run();
+}
+
+/// Any case, in half of them with snapped vertices.
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  if (draw.one_in(2)) set_snapped_coverage(draw, made.source);
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.name = "the parts of an error add up to the whole",
+     .reason = "Parts are differences of neighbours in one chain of exact numbers, from the exact "
+               "value to the drawn one.",
+     .exceptions = "values that are no finite numbers, or that the rules leave undefined",
+     .generate = &generate,
+     .check = &check,
+     .covers = {cover(13, "clipped"), cover(16, "several samples"), cover(8, "w <= 0")}});
+
+}  // namespace
+}  // namespace rastercheck::properties
