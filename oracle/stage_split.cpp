@@ -51,8 +51,10 @@ class Forms {
         std::optional<std::uint32_t> attribute)
       : trace_(&trace), value_(&value), received_(&received), attribute_(attribute) {
     take(Stage::transform, vertices_of(received.setup()));
-    take_corners(Stage::clip_space, trace.corners);
-    take_corners(Stage::snap, trace.snapped);
+    if (!value.is_from_vertices) {
+      take_corners(Stage::clip_space, trace.corners);
+      take_corners(Stage::snap, trace.snapped);
+    }
     take_set_up();
   }
 
@@ -96,6 +98,10 @@ std::optional<Field> value_of_weights(const TracedValue& value, const Terms& ter
   if (value.weights) {
     const std::optional<Weights> weights = exact_weights(*value.weights);
     return weights ? terms.at(*weights) : std::nullopt;
+  }
+  if (value.shares) {
+    const std::optional<Weights> shares = exact_weights(*value.shares);
+    return shares ? terms.mean(*shares) : std::nullopt;
   }
   if (!value.numerator_at || !std::isfinite(*value.numerator_at)) return std::nullopt;
   const double denominator = value.denominator_at.value_or(1);

@@ -14,7 +14,8 @@
 //   set_up      lines                  E_i as they are, in place of e_i
 //               planes                 numerator / denominator
 //   coverage    the last of these at the place where the value was evaluated
-//   weights     numerator and denominator, or E_i, as they were computed there
+//   weights     numerator and denominator, or E_i, or the corners' shares in the value, as they
+//               were computed there
 //   evaluation  the value before it was rounded; where that was the last operation, the drawn one
 //   rounding    the drawn value
 //

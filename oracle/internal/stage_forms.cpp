@@ -88,6 +88,17 @@ std::optional<Field> Terms::at(const Weights& weights) const {
   return quotient(numerator, denominator);
 }
 
+std::optional<Field> Terms::mean(const Weights& shares) const {
+  const Ring all = shares[0] + shares[1] + shares[2];
+  if (sign_of(all) == 0) return std::nullopt;
+  Field sum(0);
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (sign_of(denominators[c]) == 0) return std::nullopt;
+    sum += Field(shares[c]) * quotient(numerators[c], denominators[c]);
+  }
+  return sum / Field(all);
+}
+
 bool Corners::are_vertices() const {
   for (std::size_t c = 0; c < 3; ++c) {
     for (std::size_t v = 0; v < 3; ++v) {

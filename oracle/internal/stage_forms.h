@@ -35,6 +35,9 @@ struct Terms {
 
   /// Nothing where the denominator is 0.
   std::optional<Field> at(const Weights& weights) const;
+  /// The mean of the corners' values by these shares; nothing where they add up to 0, or a corner
+  /// has no value.
+  std::optional<Field> mean(const Weights& shares) const;
 };
 
 /// What is drawn of a triangle, as some stage has it: its vertices or three other corners.

@@ -223,6 +223,33 @@ TEST(TracedSplit, TellsWrongWeights) {
             (Parts{{Stage::weights, "-1/136"}, {Stage::evaluation, "1/136"}}));
 }
 
+TEST(TracedSplit, TakesSharesForWhatCornersHaveInTheValue) {
+  // Whatever w, shares 3/4, 1/8, 1/8 of the values 0, 1, 0 make 1/8.
+  cases::Case c = traced_case(2);
+  c.attributes[0].interpolation = cases::Interpolation::noperspective;
+  SampleTrace trace = trace_ending_in(c, 0.125);
+  trace.traced_attributes[0].shares = {{6, 1, 1}};
+  EXPECT_EQ(parts_of(split(c, trace)), Parts{});
+  trace.traced_attributes[0].shares = {{6, 2, 0}};
+  EXPECT_EQ(parts_of(split(c, trace)),
+            (Parts{{Stage::weights, "1/8"}, {Stage::evaluation, "-1/8"}}));
+  // A corner that clipping made half-way has 2/3 of the value there: (0 + 1·2)/2 over w = 3/2.
+  trace.corners = window_corners();
+  (*trace.corners)[1] = {4, 0, 0.25, 1.5, true, {0.5, 0.5, 0}};
+  trace.traced_attributes[0].shares = {{1, 3, 0}};
+  EXPECT_EQ(parts_of(split(c, trace)),
+            (Parts{{Stage::weights, "3/8"}, {Stage::evaluation, "-3/8"}}));
+}
+
+TEST(TracedSplit, TakesNoCornersThatAValueDoesNotComeFrom) {
+  const cases::Case c = traced_case();
+  SampleTrace trace = trace_ending_in(c, 0.125);
+  trace.snapped = window_corners();
+  (*trace.snapped)[1].x = 4.25;
+  trace.traced_attributes[0].is_from_vertices = true;
+  EXPECT_EQ(parts_of(split(c, trace)), Parts{});
+}
+
 TEST(TracedSplit, TellsEvaluationFromRounding) {
   const cases::Case c = traced_case();
   SampleTrace trace = right_trace(c);
