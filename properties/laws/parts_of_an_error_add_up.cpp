@@ -7,7 +7,8 @@
 // Of up to four fragments of each triangle and kMostFragments of a case: the sum of the parts is
 // actual − exact in exact numbers, both of the split by the backend's trace and of that which every
 // backend has; the exact value is the one that the truth of the case as given has there, its camera
-// included, and the total in ULP that of the two values. Fragments that must not be drawn are a
+// included, the total in ULP that of the two values, and what the backend says that it received
+// makes the same difference as what it was handed. Fragments that must not be drawn are a
 // matter of coverage. How large parts are is counted, by stage and stratum. Triangles are traced
 // alone, so the depth test is left out.
 
@@ -45,6 +46,13 @@ cases::Contract exact_contract(cases::Contract contract) {
   contract.basis = cases::Basis::ideal;
   contract.claims = cases::Claim::perspective;
   return contract;
+}
+
+/// 0 where there is none.
+oracle::Rational transform_part(const oracle::ExactSplit& split) {
+  const auto& parts = split.parts;
+  const bool has_one = !parts.empty() && parts.front().stage == records::Stage::transform;
+  return has_one ? parts.front().error : oracle::Rational(0);
 }
 
 class SplitCheck {
@@ -125,6 +133,9 @@ class SplitCheck {
       if (!split) continue;
       const std::string expected = fault_of(*split, place, actual);
       if (!expected.empty()) return report(place, attribute, actual, expected);
+    }
+    if (told && told->exact == seen->exact && transform_part(*told) != transform_part(*seen)) {
+      return report(place, attribute, actual, "a trace of the clip positions that were handed on");
     }
     tally_.pass(kind);
     if (kind == AttributeKind::flat) return;
