@@ -1,5 +1,7 @@
 #include "oracle/rational.h"
 
+#include <cmath>
+
 #include "oracle/internal/rational_number.h"
 
 namespace rastercheck::oracle {
@@ -16,6 +18,14 @@ std::string Rational::to_string() const {
 }
 
 records::Enclosure Rational::enclosure() const { return enclose(number_->value); }
+
+double Rational::nearest_double() const {
+  const records::Enclosure around = enclosure();
+  if (!std::isfinite(around.lo)) return around.lo;
+  if (!std::isfinite(around.hi)) return around.hi;
+  const Field& value = number_->value;
+  return value - Field(around.lo) <= Field(around.hi) - value ? around.lo : around.hi;
+}
 
 float Rational::nearest_float() const { return oracle::nearest_float(number_->value); }
 

@@ -23,6 +23,9 @@ class Rational {
   std::string to_string() const;
   /// Doubles around the value, equal where a double holds it.
   records::Enclosure enclosure() const;
+  /// The double nearest to the value; of two equally near ones the smaller; ±infinity beyond
+  /// doubles.
+  double nearest_double() const;
   /// The float32 nearest to the value, ties to even; ±infinity beyond float32.
   float nearest_float() const;
 

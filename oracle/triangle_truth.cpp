@@ -34,6 +34,31 @@ PixelBox TriangleTruth::pixels() const { return setup_->pixels(); }
 
 int TriangleTruth::orientation() const { return setup_->ideal.orientation(); }
 
+std::optional<QMatrix> TriangleTruth::q_matrix() const {
+  const ProjectiveMap& map = setup_->ideal;
+  if (map.orientation() == 0) return std::nullopt;
+  QMatrix q;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Line& e = map.edge(i);
+    const auto divided = [&map](const Ring& n) {
+      return to_rational(quotient(n, map.determinant()));
+    };
+    q[i] = {divided(e.a), divided(e.b), divided(e.c)};
+  }
+  return q;
+}
+
+std::optional<std::array<Rational, 3>> TriangleTruth::edges(int x, int y, int sample) const {
+  const ProjectiveMap& map = setup_->ideal;
+  if (map.orientation() == 0) return std::nullopt;
+  const Point p = setup_->scene->sample_point(x, y, sample);
+  std::array<Rational, 3> e;
+  for (std::size_t i = 0; i < 3; ++i) {
+    e[i] = to_rational(quotient(map.edge(i).at(p), map.determinant()));
+  }
+  return e;
+}
+
 bool TriangleTruth::has_certain_orientation() const { return setup_->has_certain_orientation(); }
 
 records::SampleVerdict TriangleTruth::judge(int x, int y, int sample) const {

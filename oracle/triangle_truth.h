@@ -82,6 +82,9 @@ struct Conditioning {
   std::optional<Rational> kappa_d;  ///< max_i(|A_i u| + |B_i v| + |C_i|)/D: cancellation in them
 };
 
+/// Rows (A_i, B_i, C_i) of Q.
+using QMatrix = std::array<std::array<Rational, 3>, 3>;
+
 /// All answers are for pixel (x, y) and sample `sample` of the framebuffer's pattern; `attribute`
 /// is an index into the case's attributes. The scene must outlive the truth.
 class TriangleTruth {
@@ -95,6 +98,12 @@ class TriangleTruth {
 
   /// sign(det M): +1, −1, or 0 for a triangle seen edge-on (it covers nothing).
   int orientation() const;
+
+  /// Q = M^-1 (RULES §1) of the exact vertices; nothing where det M = 0.
+  std::optional<QMatrix> q_matrix() const;
+
+  /// e = Q (u, v, 1) at a sample, whose sum is 1/w; nothing where det M = 0.
+  std::optional<std::array<Rational, 3>> edges(int x, int y, int sample) const;
 
   /// Whether no vertex is clipped and the triangle turns the same way however the contract lets it
   /// be placed.

@@ -59,9 +59,10 @@ struct InspectedSample {
 enum class Occasion {
   counterexample,  ///< the run's counterexample of that index
   worst,           ///< the largest error of a law, backend, kind and stratum
+  asked_for,       ///< by somebody, of no run
 };
 constexpr auto names_of(Occasion /*type*/) {
-  return std::to_array<std::string_view>({"counterexample", "worst"});
+  return std::to_array<std::string_view>({"counterexample", "worst", "asked for"});
 }
 constexpr std::string_view to_string(Occasion occasion) { return cases::name_of(occasion); }
 

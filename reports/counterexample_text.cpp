@@ -110,7 +110,24 @@ std::string history_text(const Counterexample& one) {
                             one.shrinking->is_least ? "" : ", which might go on");
 }
 
-/// What is not as a case file has it by default.
+std::string attribute_header(const cases::Attribute& attribute, std::size_t index) {
+  std::string text =
+      attribute.name.empty() ? fmt::format("[{}]", index) : cases::printable(attribute.name);
+  if (attribute.interpolation != cases::Interpolation::smooth) {
+    text += fmt::format(" {}", cases::name_of(attribute.interpolation));
+  }
+  if (attribute.location != cases::Location::sample) {
+    text += fmt::format(" at {}", cases::name_of(attribute.location));
+  }
+  return text;
+}
+
+std::string enclosure_text(const std::optional<records::Enclosure>& enclosure) {
+  return enclosure ? records::to_decimal(*enclosure, kDigits) : "-";
+}
+
+}  // namespace
+
 std::string state_text(const cases::Case& c) {
   const cases::Viewport& v = c.viewport;
   std::string text = fmt::format(
@@ -147,8 +164,6 @@ std::string state_text(const cases::Case& c) {
   return text + "\n";
 }
 
-/// Where a vertex is seen: pixels, or, where it is snapped, units of the subpixel grid; "-" where
-/// w <= 0. In double: to look at.
 std::pair<std::string, std::string> window_text(const cases::Case& c, const cases::ClipVertex& p) {
   if (!(p.w > 0)) return {"-", "-"};
   const cases::Viewport& v = c.viewport;
@@ -158,24 +173,6 @@ std::pair<std::string, std::string> window_text(const cases::Case& c, const case
   const double grid = c.coverage ? std::ldexp(1.0, c.coverage->subpixel_bits) : 1;
   return {fmt::format("{:.10g}", x * grid), fmt::format("{:.10g}", y * grid)};
 }
-
-std::string attribute_header(const cases::Attribute& attribute, std::size_t index) {
-  std::string text =
-      attribute.name.empty() ? fmt::format("[{}]", index) : cases::printable(attribute.name);
-  if (attribute.interpolation != cases::Interpolation::smooth) {
-    text += fmt::format(" {}", cases::name_of(attribute.interpolation));
-  }
-  if (attribute.location != cases::Location::sample) {
-    text += fmt::format(" at {}", cases::name_of(attribute.location));
-  }
-  return text;
-}
-
-std::string enclosure_text(const std::optional<records::Enclosure>& enclosure) {
-  return enclosure ? records::to_decimal(*enclosure, kDigits) : "-";
-}
-
-}  // namespace
 
 std::string violations_text(std::span<const Violation> violations, std::uint64_t all) {
   std::vector<std::vector<std::string>> rows{{"  class", "of", "triangle", "x", "y", "s", "exact",

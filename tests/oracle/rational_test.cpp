@@ -33,6 +33,22 @@ TEST(Rational, EnclosesItself) {
   EXPECT_EQ(third.hi, 0.33333333333333337);
 }
 
+// 2^53 + 1 lies midway between two doubles, a little more is nearer to the upper one.
+// Kills: an enclosure's lower end taken for the nearest.
+TEST(Rational, HasANearestDouble) {
+  EXPECT_EQ(ratio(3, 8).nearest_double(), 0.375);
+  EXPECT_EQ(ratio(1, 3).nearest_double(), 0.3333333333333333);
+  EXPECT_EQ(ratio(2, 3).nearest_double(), 0.6666666666666666);
+  EXPECT_EQ(ratio(3, 5).nearest_double(), 0.6);  // its upper neighbour
+  const Field middle = Field(0x1p53) + Field(1);
+  EXPECT_EQ(to_rational(middle).nearest_double(), 0x1p53);
+  EXPECT_EQ(to_rational(middle + Field(1, 1000)).nearest_double(), 0x1p53 + 2);
+  EXPECT_EQ(to_rational(Field(0x1p1023) * Field(4)).nearest_double(),
+            std::numeric_limits<double>::infinity());
+  EXPECT_EQ(to_rational(Field(0x1p1023) * Field(-4)).nearest_double(),
+            -std::numeric_limits<double>::infinity());
+}
+
 TEST(Rational, HasANearestFloat) {
   EXPECT_EQ(ratio(1, 3).nearest_float(), 0x1.555556p-2F);
   EXPECT_EQ(Rational(1e300).nearest_float(), std::numeric_limits<float>::infinity());

@@ -1,0 +1,136 @@
+// `rastercheck explain CASE --pixel X,Y`: how one sample came about, and what it should be.
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "backends/backend.h"
+#include "cases/case_reader.h"
+#include "cases/json.h"
+#include "cli/backend_failure.h"
+#include "cli/command.h"
+#include "cli/contract_option.h"
+#include "cli/isolation.h"
+#include "cli/sample_limit.h"
+#include "properties/explaining/inspect.h"
+#include "records/inspection_json.h"
+#include "reports/inspection_text.h"
+
+namespace rastercheck::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  std::vector<std::uint32_t> pixel;  ///< x and y, or nothing
+  std::optional<std::uint32_t> sample;
+  std::optional<std::uint32_t> triangle;
+  std::string backend;
+  std::string attribute;
+  std::string contract;
+  double timeout = kDefaultTimeout;
+  bool all = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+constexpr const char* kDepth = "depth";
+
+/// What the options settle; fails where there is no such attribute.
+Result<properties::FocusRequest> request_of(const Options& options, const cases::Case& c) {
+  properties::FocusRequest request;
+  request.triangle = options.triangle;
+  request.sample = options.sample;
+  if (!options.pixel.empty()) {
+    request.x = options.pixel[0];
+    request.y = options.pixel[1];
+  }
+  if (options.attribute.empty()) return request;
+  for (std::uint32_t i = 0; i < c.attributes.size(); ++i) {
+    if (c.attributes[i].name != options.attribute) continue;
+    request.attribute = i;
+    return request;
+  }
+  request.is_depth = options.attribute == kDepth;
+  if (request.is_depth) return request;
+  return tl::unexpected(
+      Error{options.file, "--attribute",
+            fmt::format("there is no attribute '{}'", cases::printable(options.attribute))});
+}
+
+/// The value to show, of a sample's; all without --attribute.
+std::optional<std::size_t> shown_value(const properties::FocusRequest& request) {
+  if (request.attribute) return 1 + *request.attribute;
+  return request.is_depth ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+Result<records::Inspection> inspect(const cases::Case& c, const properties::FocusRequest& request,
+                                    const std::string& specification, backends::Backend& backend) {
+  const Result<properties::Focus> focus = properties::find_focus(c, backend, request);
+  if (!focus) return tl::unexpected(focus.error());
+  Result<records::Inspection> inspection = properties::inspect(c, backend, *focus);
+  if (!inspection) return inspection;
+  inspection->occasion = records::Occasion::asked_for;
+  inspection->backend = specification;
+  if (c.found) inspection->law = c.found->law;
+  return inspection;
+}
+
+ExitCode run(const Options& options) {
+  isolate_foreign_backends(options.timeout);
+  const Result<cases::ContractTerms> terms = hold_backends_to(options.contract);
+  if (!terms) return fail(terms.error());
+  const Result<cases::Case> c = cases::read_case(options.file);
+  if (!c) return fail(c.error());
+  if (const auto few = check_sample_count(*c, options.file, options.all); !few) {
+    return fail(few.error());
+  }
+  const Result<properties::FocusRequest> request = request_of(options, *c);
+  if (!request) return fail(request.error());
+  std::string specification = options.backend;
+  if (specification.empty()) specification = c->found ? c->found->backend : "cpu";
+  const auto backend = backends::make_backend(specification);
+  if (!backend) return fail_backend(backend.error());
+  const Result<records::Inspection> found = inspect(*c, *request, specification, **backend);
+  if (!found) return fail({options.file, found.error().place, found.error().reason});
+  if (options.json) {
+    fmt::print("{}\n", records::inspection_to_json(*found).dump(
+                           -1, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else {
+    fmt::print("{}", reports::inspection_text(*found, shown_value(*request)));
+    if (!options.quiet) fmt::print("\n{}", reports::inspection_legend());
+  }
+  return ExitCode::ok;
+}
+
+Action set_up(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("CASE", options->file, "Case file or counterexample; - reads standard input")
+      ->required();
+  app.add_option("--pixel", options->pixel, "X,Y; without it the worst sample of the case")
+      ->delimiter(',')
+      ->expected(2);
+  app.add_option("--sample", options->sample, "Its number; without it the worst of the pixel");
+  app.add_option("--triangle", options->triangle,
+                 "Its number; without it one that is drawn there, or should be");
+  app.add_option("--backend", options->backend,
+                 "What draws; without it the one it was found with, or cpu");
+  app.add_option("--attribute", options->attribute,
+                 "Only this value: an attribute's name, or depth");
+  add_contract(app, options->contract);
+  add_timeout(app, options->timeout);
+  app.add_flag("--all", options->all, "Also where the framebuffer has more than 2^26 samples");
+  app.add_flag("--json", options->json, "The inspection as JSON, the pixels around included");
+  app.add_flag("-q,--quiet", options->quiet, "Without what the numbers mean");
+  app.footer(
+      "The triangle is drawn alone: a depth test has no say. A case with a camera is drawn from "
+      "its "
+      "clip\npositions, rounded once to float32.");
+  return [options] { return run(*options); };
+}
+
+const Registration kRegistration("explain", "How one sample came about, and what is exact there",
+                                 &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

@@ -1,0 +1,309 @@
+#include "properties/explaining/inspect.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "cases/sample_pattern.h"
+#include "oracle/transform.h"
+#include "oracle/triangle_truth.h"
+#include "oracle/ulp.h"
+#include "properties/drawing.h"
+#include "properties/explaining/elided.h"
+#include "properties/explaining/outline.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using oracle::PixelBox;
+using oracle::Rational;
+using oracle::SceneTruth;
+using oracle::TriangleTruth;
+using oracle::ValueRange;
+using records::Enclosure;
+using records::InspectedSample;
+using records::InspectedValue;
+using records::Inspection;
+using records::Verdict;
+
+/// Samples of a crop, at most.
+constexpr std::uint32_t kMostSamples = records::kMostInspected * records::kMostInspected;
+/// Pixels around what the triangle touches.
+constexpr int kMargin = 2;
+
+/// What the rules say of exact triangles, whatever the backend promises.
+cases::Contract exact_contract(const cases::Case& c) {
+  cases::Contract contract = cases::contract_of(c);
+  contract.coverage.reset();
+  contract.basis = cases::Basis::ideal;
+  return contract;
+}
+
+/// The drawn fragments of one triangle, by (y, x, sample): indices into the framebuffer.
+using Drawn = std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::size_t>;
+
+Drawn fragments_of(const cases::Framebuffer& all, std::uint32_t triangle) {
+  Drawn drawn;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all.triangle[i] == triangle)
+      drawn.emplace(std::tuple(all.y[i], all.x[i], all.sample[i]), i);
+  }
+  return drawn;
+}
+
+/// One triangle of a drawing, and both its truths.
+struct Subject {
+  const cases::Case* c;
+  const TriangleTruth* exact;     ///< of the exact triangle
+  const TriangleTruth* promised;  ///< as the contract has it
+  const cases::Framebuffer* framebuffer;
+  Drawn drawn;
+
+  std::optional<std::size_t> fragment_at(std::uint32_t x, std::uint32_t y,
+                                         std::uint32_t sample) const {
+    const auto found = drawn.find({y, x, sample});
+    if (found == drawn.end()) return std::nullopt;
+    return found->second;
+  }
+};
+
+// --- Values --------------------------------------------------------------------------------------
+
+/// What scale ULP are measured by (RULES §5).
+Rational magnitude_of(const Subject& subject, std::optional<std::uint32_t> attribute) {
+  if (attribute) return subject.exact->attribute_magnitude(*attribute);
+  const cases::Viewport& v = subject.c->viewport;
+  return Rational(std::max(std::abs(v.min_depth), std::abs(v.max_depth)));
+}
+
+std::optional<ValueRange> value_at(const TriangleTruth& truth,
+                                   std::optional<std::uint32_t> attribute, int x, int y,
+                                   int sample) {
+  return attribute ? truth.attribute(*attribute, x, y, sample) : truth.depth(x, y, sample);
+}
+
+/// The end of a range that a computed value lies beyond; nothing within.
+std::optional<Rational> passed_end(float computed, const ValueRange& range) {
+  const Rational value(computed);
+  if (value > range.hi) return range.hi;
+  if (value < range.lo) return range.lo;
+  return std::nullopt;
+}
+
+Enclosure scale_error(float computed, const ValueRange& range, const Rational& magnitude) {
+  const std::optional<Rational> end = passed_end(computed, range);
+  return end ? oracle::scale_ulp_error(computed, *end, magnitude) : Enclosure();
+}
+
+Enclosure local_error(float computed, const ValueRange& range) {
+  const std::optional<Rational> end = passed_end(computed, range);
+  return end ? oracle::local_ulp_error(computed, *end) : Enclosure();
+}
+
+/// A double within the range, as near to its middle as doubles tell.
+double middle_of(const ValueRange& range) {
+  if (range.lo == range.hi) return range.lo.nearest_double();
+  return range.lo.nearest_double() / 2 + range.hi.nearest_double() / 2;
+}
+
+void add_errors(const Subject& subject, const std::optional<ValueRange>& exact,
+                const InspectedSample& at, const Rational& magnitude, InspectedValue& value) {
+  if (!value.actual || !std::isfinite(*value.actual)) return;
+  if (exact) {
+    value.scale_error = scale_error(*value.actual, *exact, magnitude);
+    value.local_error = local_error(*value.actual, *exact);
+  }
+  const bool is_free = value.attribute && subject.promised->is_value_free(*value.attribute);
+  if (at.verdict == Verdict::forbidden || is_free) return;
+  const std::optional<ValueRange> promised =
+      value_at(*subject.promised, value.attribute, static_cast<int>(at.x), static_cast<int>(at.y),
+               static_cast<int>(at.sample));
+  if (promised) value.excess = scale_error(*value.actual, *promised, magnitude);
+}
+
+InspectedValue inspect_value(const Subject& subject, std::optional<std::uint32_t> attribute,
+                             const InspectedSample& at, std::optional<std::size_t> fragment) {
+  const auto x = static_cast<int>(at.x);
+  const auto y = static_cast<int>(at.y);
+  const auto sample = static_cast<int>(at.sample);
+  InspectedValue value;
+  value.attribute = attribute;
+  if (fragment) {
+    value.actual = attribute ? subject.framebuffer->attributes_of(*fragment)[*attribute]
+                             : subject.framebuffer->depth[*fragment];
+  }
+  const std::optional<ValueRange> exact = value_at(*subject.exact, attribute, x, y, sample);
+  if (exact) {
+    value.exact = elided(*exact);
+    value.nearest = middle_of(*exact);
+  }
+  add_errors(subject, exact, at, magnitude_of(subject, attribute), value);
+  // Of a range there is no one place to ask of.
+  if (!attribute || !exact || exact->lo != exact->hi) return value;
+  if (const auto condition = subject.exact->conditioning(*attribute, x, y, sample)) {
+    if (condition->kappa) value.kappa = condition->kappa->enclosure();
+    if (condition->kappa_d) value.kappa_d = condition->kappa_d->enclosure();
+  }
+  return value;
+}
+
+InspectedSample inspect_sample(const Subject& subject, std::uint32_t x, std::uint32_t y,
+                               std::uint32_t sample) {
+  const auto column = static_cast<int>(x);
+  const auto row = static_cast<int>(y);
+  const auto number = static_cast<int>(sample);
+  const records::SampleVerdict decision = subject.promised->judge(column, row, number);
+  InspectedSample found;
+  found.x = x;
+  found.y = y;
+  found.sample = sample;
+  found.verdict = decision.verdict;
+  found.reason = decision.reason;
+  found.distance = subject.promised->distance(column, row, number);
+  if (const auto edges = subject.exact->edges(column, row, number)) {
+    found.edges = {(*edges)[0].enclosure(), (*edges)[1].enclosure(), (*edges)[2].enclosure()};
+  }
+  const std::optional<std::size_t> fragment = subject.fragment_at(x, y, sample);
+  found.is_drawn = fragment.has_value();
+  if (!fragment && decision.verdict == Verdict::forbidden) return found;
+  found.values.push_back(inspect_value(subject, std::nullopt, found, fragment));
+  for (std::uint32_t a = 0; a < subject.c->attributes.size(); ++a) {
+    found.values.push_back(inspect_value(subject, a, found, fragment));
+  }
+  return found;
+}
+
+// --- The part that is shown ----------------------------------------------------------------------
+
+PixelBox intersection(const PixelBox& a, const PixelBox& b) {
+  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+PixelBox hull(const PixelBox& a, const PixelBox& b) {
+  if (a.x0 >= a.x1 || a.y0 >= a.y1) return b;
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
+/// At most `most` of [from, to), with `at` as near to the middle as they allow.
+std::pair<int, int> part_around(int at, int from, int to, int most) {
+  const int first = std::clamp(at - most / 2, from, std::max(from, to - most));
+  return {first, std::min(first + most, to)};
+}
+
+/// The pixels that are shown.
+PixelBox crop_of(const Subject& subject, const records::SampleAddress& at,
+                 const InspectOptions& options) {
+  const cases::FramebufferSize& size = subject.c->framebuffer;
+  const auto x = static_cast<int>(at.x);
+  const auto y = static_cast<int>(at.y);
+  PixelBox touched = hull(subject.promised->pixels(), {x, y, x + 1, y + 1});
+  for (const auto& [place, fragment] : subject.drawn) {
+    const auto column = static_cast<int>(std::get<1>(place));
+    const auto row = static_cast<int>(std::get<0>(place));
+    touched = hull(touched, {column, row, column + 1, row + 1});
+  }
+  const PixelBox shown = intersection(
+      {touched.x0 - kMargin, touched.y0 - kMargin, touched.x1 + kMargin, touched.y1 + kMargin},
+      {0, 0, size.width, size.height});
+  const auto samples = static_cast<std::uint32_t>(size.samples);
+  const auto values = static_cast<std::uint32_t>(subject.c->attributes.size() + 1);
+  const std::uint32_t most = std::min(kMostSamples, options.most_values / values) / samples;
+  const int side = std::max(1, static_cast<int>(std::sqrt(most)));
+  const auto [x0, x1] = part_around(x, shown.x0, shown.x1, side);
+  const auto [y0, y1] = part_around(y, shown.y0, shown.y1, side);
+  return {x0, y0, x1, y1};
+}
+
+void inspect_crop(const Subject& subject, const PixelBox& crop, Inspection& inspection) {
+  inspection.left = static_cast<std::uint32_t>(crop.x0);
+  inspection.top = static_cast<std::uint32_t>(crop.y0);
+  inspection.width = static_cast<std::uint32_t>(crop.x1 - crop.x0);
+  inspection.height = static_cast<std::uint32_t>(crop.y1 - crop.y0);
+  const auto samples = static_cast<std::uint32_t>(subject.c->framebuffer.samples);
+  for (std::uint32_t y = 0; y < inspection.height; ++y) {
+    for (std::uint32_t x = 0; x < inspection.width; ++x) {
+      for (std::uint32_t s = 0; s < samples; ++s) {
+        inspection.samples.push_back(
+            inspect_sample(subject, inspection.left + x, inspection.top + y, s));
+      }
+    }
+  }
+}
+
+/// What is the same for all samples.
+Inspection begin_inspection(const cases::Case& c, const Focus& focus, const TriangleTruth& exact) {
+  Inspection inspection;
+  inspection.source = c;
+  for (const cases::SamplePosition& p : cases::standard_pattern(c.framebuffer.samples)) {
+    inspection.pattern.push_back({p.x / 16.0, p.y / 16.0});
+  }
+  inspection.triangle = focus.at.triangle;
+  inspection.x = focus.at.x;
+  inspection.y = focus.at.y;
+  inspection.sample = focus.at.sample;
+  inspection.attribute = focus.attribute;
+  if (const std::optional<oracle::QMatrix> q = exact.q_matrix()) {
+    inspection.q_matrix.emplace();
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) (*inspection.q_matrix)[i][k] = elided((*q)[i][k]);
+    }
+  }
+  for (const cases::Triangle& triangle : c.triangles) {
+    inspection.outlines.push_back(outline_of(c, triangle));
+  }
+  return inspection;
+}
+
+Result<void> check_focus(const cases::Case& c, const Focus& focus) {
+  const auto refuse = [](std::string reason) {
+    return tl::unexpected(Error{"", "", std::move(reason)});
+  };
+  const auto& [triangle, x, y, sample] = focus.at;
+  const cases::FramebufferSize& size = c.framebuffer;
+  if (triangle >= c.triangles.size()) {
+    return refuse(fmt::format("there is no triangle {}; it has {}", triangle, c.triangles.size()));
+  }
+  if (std::cmp_greater_equal(x, size.width) || std::cmp_greater_equal(y, size.height)) {
+    return refuse(fmt::format("pixel ({}, {}) lies outside the framebuffer of {} × {} pixels", x, y,
+                              size.width, size.height));
+  }
+  if (std::cmp_greater_equal(sample, size.samples)) {
+    return refuse(fmt::format("there is no sample {}; a pixel has {}", sample, size.samples));
+  }
+  if (focus.attribute && *focus.attribute >= c.attributes.size()) {
+    return refuse(
+        fmt::format("there is no attribute {}; it has {}", *focus.attribute, c.attributes.size()));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Inspection> inspect(const cases::Case& c, backends::Backend& backend, const Focus& focus,
+                           const InspectOptions& options) {
+  if (const Result<void> is_there = check_focus(c, focus); !is_there) {
+    return tl::unexpected(is_there.error());
+  }
+  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  clip->depth_test = cases::DepthTest::none;
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+
+  const SceneTruth exact_scene(*clip, exact_contract(*clip));
+  const SceneTruth promised_scene(*clip, backend.contract(*clip));
+  const TriangleTruth exact(exact_scene, focus.at.triangle);
+  const TriangleTruth promised(promised_scene, focus.at.triangle);
+  const Subject subject{&*clip, &exact, &promised, &*drawn,
+                        fragments_of(*drawn, focus.at.triangle)};
+  Inspection inspection = begin_inspection(*clip, focus, exact);
+  inspect_crop(subject, crop_of(subject, focus.at, options), inspection);
+  return inspection;
+}
+
+}  // namespace rastercheck::properties

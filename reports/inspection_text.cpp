@@ -1,0 +1,354 @@
+#include "reports/inspection_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cases/float_text.h"
+#include "cases/json.h"
+#include "records/enclosure.h"
+#include "records/histogram.h"
+#include "reports/counterexample_text.h"
+#include "reports/text_table.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using records::Enclosure;
+using records::InspectedSample;
+using records::InspectedValue;
+using records::Inspection;
+using records::Verdict;
+
+constexpr std::size_t kWidth = 80;  ///< characters of a line
+constexpr int kDigits = 6;          ///< of errors and distances, at most
+
+/// Bytes of the text's first character (UTF-8).
+std::size_t first_length(std::string_view text) {
+  std::size_t length = 1;
+  while (length < text.size() && (text[length] & 0xc0) == 0x80) ++length;
+  return length;
+}
+
+/// `label`, then the text from column `indent` on, broken wherever a line ends.
+std::string broken(std::string_view label, std::size_t indent, std::string_view text) {
+  std::string lines = fmt::format("{:<{}}", label, indent);
+  std::size_t column = indent;
+  while (!text.empty()) {
+    if (column == kWidth) {
+      lines += "\n" + std::string(indent, ' ');
+      column = indent;
+    }
+    const std::size_t length = first_length(text);
+    lines += text.substr(0, length);
+    text.remove_prefix(length);
+    ++column;
+  }
+  return lines + "\n";
+}
+
+/// The same, broken at spaces.
+std::string wrapped(std::string_view label, std::size_t indent, std::string_view text) {
+  std::string lines = fmt::format("{:<{}}", label, indent);
+  std::size_t column = indent;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, end);
+    const auto width = static_cast<std::size_t>(
+        std::count_if(word.begin(), word.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+    if (column > indent && column + 1 + width > kWidth) {
+      lines += "\n" + std::string(indent, ' ');
+      column = indent;
+    }
+    if (column > indent) {
+      lines += " ";
+      ++column;
+    }
+    lines += word;
+    column += width;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines + "\n";
+}
+
+std::string number(const Enclosure& enclosure) { return records::to_decimal(enclosure, kDigits); }
+
+// --- Triangle and sample -------------------------------------------------------------------------
+
+std::string triangle_text(const Inspection& inspection) {
+  const cases::Case& c = inspection.source;
+  const cases::Triangle& triangle = c.triangles[inspection.triangle];
+  std::string text = wrapped("", 2, state_text(c).substr(2, state_text(c).size() - 3));
+  const char* unit = c.coverage ? "grid" : "window";
+  std::vector<std::vector<std::string>> rows{
+      {"  vertex", "x", "y", "z", "w", fmt::format("{} x", unit), fmt::format("{} y", unit)}};
+  std::size_t behind = 0;
+  for (const std::uint32_t vertex : triangle) {
+    const cases::ClipVertex& p = c.positions[vertex];
+    const auto [x, y] = window_text(c, p);
+    std::vector<std::string> row{fmt::format("  {}", vertex)};
+    for (const float coordinate : {p.x, p.y, p.z, p.w}) {
+      row.push_back(fmt::format("{:.6g}", coordinate));
+    }
+    row.insert(row.end(), {x, y});
+    rows.push_back(std::move(row));
+    if (p.w <= 0) ++behind;
+  }
+  text += text_table(rows);
+  if (!inspection.q_matrix) text += "  It is seen edge-on: det M = 0, and covers nothing.\n";
+  if (behind > 0) {
+    text += fmt::format("  {} of its vertices {} not in front of the eye (w <= 0).\n", behind,
+                        behind == 1 ? "is" : "are");
+  }
+  return text;
+}
+
+/// Verdict and drawing, put together.
+std::string coverage_words(const InspectedSample& sample) {
+  const bool is_permitted = sample.verdict == Verdict::permitted;
+  if (sample.is_drawn) {
+    if (sample.verdict == Verdict::forbidden) return "EXTRA: drawn, and must not be";
+    return is_permitted ? "drawn, as it may be" : "drawn, as it has to be";
+  }
+  if (sample.verdict == Verdict::required) return "MISSING: not drawn, and has to be";
+  return is_permitted ? "not drawn, as it may be" : "not drawn, rightly";
+}
+
+std::string coverage_text(const Inspection& inspection, const InspectedSample& sample) {
+  const records::WindowPoint in_pixel = sample.sample < inspection.pattern.size()
+                                            ? inspection.pattern[sample.sample]
+                                            : records::WindowPoint{};
+  std::string text =
+      fmt::format("sample at ({}, {}): {} ({}, {})\n", sample.x + in_pixel.x, sample.y + in_pixel.y,
+                  coverage_words(sample), to_string(sample.verdict), to_string(sample.reason));
+  if (sample.distance) {
+    text += wrapped("", 2,
+                    fmt::format("{} from the boundary that decides, in pixels, positive inside",
+                                number(*sample.distance)));
+  }
+  if (inspection.coverage_stage) {
+    text += fmt::format("  Up to the stage `{}` it is as the rules have it; there it goes wrong.\n",
+                        to_string(*inspection.coverage_stage));
+  }
+  return text;
+}
+
+// --- The projective map --------------------------------------------------------------------------
+
+/// A sum of enclosed numbers: each end rounded outwards.
+Enclosure sum_of(const std::array<Enclosure, 3>& numbers) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Enclosure sum = numbers[0];
+  for (std::size_t i = 1; i < numbers.size(); ++i) {
+    sum.lo = std::nextafter(sum.lo + numbers[i].lo, -kInfinity);
+    sum.hi = std::nextafter(sum.hi + numbers[i].hi, kInfinity);
+  }
+  return sum;
+}
+
+std::string map_text(const Inspection& inspection, const InspectedSample& sample) {
+  if (!inspection.q_matrix) return "";
+  std::string text = "q-matrix, of e_i = A_i u + B_i v + C_i\n";
+  std::vector<std::vector<std::string>> rows{{"  i", "A", "B", "C"}};
+  std::size_t width = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<std::string> row{fmt::format("  {}", i)};
+    row.insert(row.end(), (*inspection.q_matrix)[i].begin(), (*inspection.q_matrix)[i].end());
+    rows.push_back(std::move(row));
+  }
+  for (std::size_t column = 0; column < 4; ++column) {
+    std::size_t widest = 0;
+    for (const auto& row : rows) widest = std::max(widest, row[column].size());
+    width += widest + 2;
+  }
+  if (width <= kWidth) {
+    text += text_table(rows);
+  } else {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        text += broken(fmt::format("  {}_{}", "ABC"[k], i), 7, (*inspection.q_matrix)[i][k]);
+      }
+    }
+  }
+  if (!sample.edges) return text;
+  const auto& e = *sample.edges;
+  text += wrapped("", 2,
+                  fmt::format("Here e = ({}, {}, {}), and 1/w = D = Σ e_i = {}.", number(e[0]),
+                              number(e[1]), number(e[2]), number(sum_of(e))));
+  return text;
+}
+
+// --- The split -----------------------------------------------------------------------------------
+
+double middle_of(const Enclosure& enclosure) { return (enclosure.lo + enclosure.hi) / 2; }
+
+/// Decimals that show the largest of some numbers to six digits.
+int decimals_for(double largest) {
+  if (largest == 0 || !std::isfinite(largest)) return 1;
+  return std::clamp(5 - static_cast<int>(std::floor(std::log10(largest))), 0, 15);
+}
+
+/// Signed, with a fixed number of decimals; beyond columns in powers of ten.
+std::string signed_text(double value, int decimals) {
+  constexpr double kMost = 1e15;
+  if (value == 0) return "0";
+  return std::abs(value) < kMost ? fmt::format("{:+.{}f}", value, decimals)
+                                 : fmt::format("{:+.6e}", value);
+}
+
+/// `###|` or `|###`: as long as the value's share of the largest; a dot for what is too short.
+std::string bar_text(double value, double largest, std::size_t half) {
+  const bool is_visible = value != 0 && largest > 0 && std::isfinite(largest);
+  const auto length = is_visible ? static_cast<std::size_t>(std::lround(std::abs(value) / largest *
+                                                                        static_cast<double>(half)))
+                                 : 0;
+  std::string bar(length, '#');
+  if (is_visible && length == 0) bar = ".";
+  if (value < 0) return std::string(half - bar.size(), ' ') + bar + "|";
+  return std::string(half, ' ') + "|" + bar;
+}
+
+std::string split_text(const records::ErrorSplit& split) {
+  constexpr std::size_t kIndent = 4;
+  double largest = records::magnitude_bound(split.total);
+  for (const records::StagePart& part : split.parts) {
+    largest = std::max(largest, records::magnitude_bound(part.error));
+  }
+  const int decimals = decimals_for(largest);
+  std::vector<std::pair<std::string, double>> rows;
+  for (const records::StagePart& part : split.parts) {
+    rows.emplace_back(to_string(part.stage), middle_of(part.error));
+  }
+  rows.emplace_back("total", middle_of(split.total));
+  std::size_t names = 0;
+  std::size_t numbers = 0;
+  for (const auto& [name, value] : rows) {
+    names = std::max(names, name.size());
+    numbers = std::max(numbers, signed_text(value, decimals).size());
+  }
+  const std::size_t before = kIndent + names + 2 + numbers + 2;
+  const std::size_t half = (kWidth - before - 1) / 2;
+  std::string text =
+      fmt::format("  by stage, in scale ULP, {}:\n",
+                  split.is_traced ? "as the backend traced it" : "as far as any backend shows");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto& [name, value] = rows[i];
+    if (i + 1 == rows.size()) {
+      text += std::string(kIndent, ' ') + std::string(names + 2 + numbers, '-') + "\n";
+    }
+    text += fmt::format("{:{}}{:<{}}  {:>{}}  {}", "", kIndent, name, names,
+                        signed_text(value, decimals), numbers, bar_text(value, largest, half));
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += "\n";
+  }
+  return text;
+}
+
+const records::ErrorSplit* find_split(const Inspection& inspection,
+                                      std::optional<std::uint32_t> attribute) {
+  const auto found =
+      std::find_if(inspection.splits.begin(), inspection.splits.end(),
+                   [&](const records::ErrorSplit& one) { return one.attribute == attribute; });
+  return found == inspection.splits.end() ? nullptr : &*found;
+}
+
+// --- Values --------------------------------------------------------------------------------------
+
+constexpr std::size_t kColumn = 10;  ///< where what is said of a value begins
+
+std::string value_name(const Inspection& inspection, std::optional<std::uint32_t> attribute) {
+  if (!attribute) return "depth";
+  const cases::Attribute& declared = inspection.source.attributes[*attribute];
+  std::string text = fmt::format("attribute {}", *attribute);
+  if (!declared.name.empty()) text += fmt::format(" '{}'", cases::printable(declared.name));
+  text += fmt::format(", {}", cases::name_of(declared.interpolation));
+  if (declared.location != cases::Location::sample) {
+    text += fmt::format(" at the {}", cases::name_of(declared.location));
+  }
+  const cases::Triangle& triangle = inspection.source.triangles[inspection.triangle];
+  std::string values;
+  for (const std::uint32_t vertex : triangle) {
+    values += fmt::format("{}{:.9g}", values.empty() ? "" : ", ",
+                          inspection.source.attributes_of(vertex)[*attribute]);
+  }
+  return fmt::format("{}; at the vertices {}", text, values);
+}
+
+std::string actual_text(float actual) {
+  if (!std::isfinite(actual)) return fmt::format("{}", actual);
+  return fmt::format("{:.9g} = {}", actual, cases::to_hex(actual));
+}
+
+std::string errors_text(const InspectedValue& value) {
+  if (!value.scale_error) return "";
+  std::string text = fmt::format("{} scale ULP", number(*value.scale_error));
+  if (value.local_error) text += fmt::format(", {} local ULP", number(*value.local_error));
+  if (value.excess) {
+    text += fmt::format("; {} beyond what the contract leaves open", number(*value.excess));
+  }
+  return wrapped("  error", kColumn, text);
+}
+
+std::string conditions_text(const InspectedValue& value) {
+  if (!value.kappa && !value.kappa_d) return "";
+  const auto text_of = [](const std::optional<Enclosure>& condition) {
+    return condition ? number(*condition) : std::string("none");
+  };
+  return fmt::format("  {:<8}{}, κ_D {}\n", "κ", text_of(value.kappa), text_of(value.kappa_d));
+}
+
+std::string value_text(const Inspection& inspection, const InspectedValue& value) {
+  std::string text = wrapped("", 0, value_name(inspection, value.attribute));
+  text += value.exact.empty() ? broken("  exact", kColumn, "undefined")
+                              : broken("  exact", kColumn, value.exact);
+  if (value.nearest && value.exact != fmt::format("{:.17g}", *value.nearest)) {
+    text += broken("", kColumn, fmt::format("about {:.12g}", *value.nearest));
+  }
+  text += broken("  drawn", kColumn, value.actual ? actual_text(*value.actual) : "nothing");
+  text += errors_text(value) + conditions_text(value);
+  const records::ErrorSplit* split = find_split(inspection, value.attribute);
+  if (split != nullptr) text += split_text(*split);
+  return text;
+}
+
+constexpr std::string_view kLegend =
+    "Scale ULP: the spacing of float32 at the largest of the triangle's three values, of depth at "
+    "the greater end of the depth range; local ULP: at the exact value itself. κ: how relative "
+    "errors of the weights e_i are amplified; κ_D: how much cancels within them. Errors are drawn "
+    "minus exact.";
+
+const InspectedSample* find_sample(const Inspection& inspection) {
+  const auto found = std::find_if(
+      inspection.samples.begin(), inspection.samples.end(), [&](const InspectedSample& one) {
+        return one.x == inspection.x && one.y == inspection.y && one.sample == inspection.sample;
+      });
+  return found == inspection.samples.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string inspection_text(const Inspection& inspection, std::optional<std::size_t> value) {
+  const cases::Case& c = inspection.source;
+  const InspectedSample* sample = find_sample(inspection);
+  if (sample == nullptr || inspection.triangle >= c.triangles.size()) return "";
+  std::string text;
+  if (!c.name.empty()) text += wrapped("", 0, cases::printable(c.name));
+  text += fmt::format("triangle {} of {}, pixel ({}, {}), sample {}, on {}\n", inspection.triangle,
+                      c.triangles.size(), inspection.x, inspection.y, inspection.sample,
+                      cases::printable(inspection.backend));
+  text += triangle_text(inspection) + "\n";
+  text += coverage_text(inspection, *sample) + "\n" + map_text(inspection, *sample);
+  for (std::size_t i = 0; i < sample->values.size(); ++i) {
+    if (!value || *value == i) text += "\n" + value_text(inspection, sample->values[i]);
+  }
+  return text;
+}
+
+std::string inspection_legend() { return wrapped("", 0, kLegend); }
+
+}  // namespace rastercheck::reports
