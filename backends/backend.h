@@ -61,9 +61,10 @@ class Backend {
   /// Whether it can tell how what it draws comes about.
   virtual bool traces() const { return false; }
 
-  /// How a sample of a triangle came about, the triangle drawn alone: a depth test has no say.
-  /// Nothing where the sample is not drawn. Fails where the backend does not trace, cannot draw the
-  /// case, or the case has no such triangle.
+  /// How a sample of a triangle came about, or that it is not drawn, the triangle drawn alone: a
+  /// depth test has no say. Nothing where the sample is not of the target, or the triangle is not
+  /// set up at all. Fails where the backend does not trace, cannot draw the case, or the case has
+  /// no such triangle.
   virtual Result<std::optional<records::SampleTrace>> trace(const cases::Case& /*c*/,
                                                             const records::SampleAddress& /*at*/) {
     return tl::unexpected(Error{"", "", "this backend does not trace"});

@@ -5,7 +5,6 @@
 #include "rasterizer/internal/checked_draw.h"
 #include "rasterizer/internal/checked_frame.h"
 #include "rasterizer/internal/drawing.h"
-#include "rasterizer/internal/try_allocating.h"
 #include "rasterizer/trace.h"
 
 namespace rastercheck::rasterizer {
@@ -54,22 +53,7 @@ DrawResult draw_fragments(const State& state, const Mesh& mesh, const TargetSize
 
 TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize& size,
                          const SampleAddress& address) {
-  std::optional<Error> error = check_draw(state, mesh, size);
-  if (!error && (address.triangle >= mesh.triangles.size())) error = Error::index;
-  if (error) return {error, std::nullopt};
-  const auto is_below = [](int value, int count) { return value >= 0 && value < count; };
-  if (!is_below(address.x, size.width) || !is_below(address.y, size.height) ||
-      !is_below(address.sample, size.samples)) {
-    return {std::nullopt, std::nullopt};
-  }
-  Mesh alone = mesh;
-  alone.triangles = mesh.triangles.subspan(address.triangle, 1);
-  SampleAddress of_alone = address;
-  of_alone.triangle = 0;
-  std::optional<Trace> trace;
-  error = try_allocating([&] { trace = trace_mesh(state, alone, size, of_alone); });
-  if (error) return {error, std::nullopt};
-  return {std::nullopt, trace};
+  return trace_checked(&trace_mesh, state, mesh, size, address);
 }
 
 std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,

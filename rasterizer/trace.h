@@ -66,10 +66,11 @@ enum class Decision {
   exactly,           ///< by a sum without rounding, or the fill rule
   in_whole_numbers,  ///< on the subpixel grid
   clipped,           ///< inside the edges, and beyond a clip plane
+  by_span,           ///< between the ends of its row's span (rasterizer/internal/convex_scan.h)
 };
 
 /// An attribute, or depth. It comes from planes, from the lines of the trace, or from neither: then
-/// it is copied, or comes from sums without rounding.
+/// it is copied, comes from sums without rounding, or from the formula of a method.
 struct TracedValue {
   double u = 0;  ///< where it was evaluated, pixels
   double v = 0;
@@ -95,17 +96,18 @@ struct Trace {
   bool is_drawn = false;                 ///< else there are no values
   std::array<glm::vec4, 3> positions{};  ///< received, clip space
   /// Of a triangle that is clipped the corners of the part that the sample is of, before they were
-  /// snapped: vertices among them rounded to double.
+  /// snapped: vertices among them rounded to double. Of a method its window coordinates of the
+  /// vertices.
   std::optional<std::array<TracedCorner, 3>> corners = std::nullopt;
   /// Where vertices are snapped the same on the grid: what is covered comes from them.
   std::optional<std::array<TracedCorner, 3>> snapped = std::nullopt;
   /// E_i of the part's corners, or of the clip positions (Basis::ideal).
-  TracedFrame frame;
-  std::array<TracedPlane, 3> lines{};
-  TracedCertificate certificate;
+  std::optional<TracedFrame> frame = std::nullopt;
+  std::optional<std::array<TracedPlane, 3>> lines = std::nullopt;
+  std::optional<TracedCertificate> certificate = std::nullopt;
   double u = 0;  ///< where the sample was taken to be, pixels
   double v = 0;
-  std::array<double, 3> edges{};  ///< E_i there
+  std::optional<std::array<double, 3>> edges = std::nullopt;  ///< E_i there
   Decision decision = Decision::outside;
   TracedValue depth;
   std::vector<TracedValue> attributes;

@@ -7,6 +7,7 @@
 
 #include "backends/cpu/case_state.h"
 #include "backends/cpu/fragments.h"
+#include "backends/cpu/stage_trace.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::backends {
@@ -183,6 +184,14 @@ class MethodBackend : public Backend {
     const ras::DrawResult drawn = ras::draw_fragments_by(method_->name, state_of(c), memory.mesh(),
                                                          target_size(c), fragments);
     return drawn_fragments(c, drawn, fragments);
+  }
+  bool traces() const override { return true; }
+  Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
+                                                    const records::SampleAddress& at) override {
+    const CaseMesh memory(c);
+    const ras::TraceResult traced = ras::trace_sample_by(method_->name, state_of(c), memory.mesh(),
+                                                         target_size(c), sample_address(at));
+    return traced_sample(traced);
   }
 
  private:

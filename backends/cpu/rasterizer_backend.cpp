@@ -134,13 +134,8 @@ class RasterizerBackend : public Backend {
     ras::State state = state_of(c);
     state.precision = options_.precision;
     const CaseMesh memory(c);
-    const ras::SampleAddress address{at.triangle, static_cast<int>(at.x), static_cast<int>(at.y),
-                                     static_cast<int>(at.sample)};
-    const ras::TraceResult traced =
-        ras::trace_sample(state, memory.mesh(), target_size(c), address);
-    if (traced.error) return tl::unexpected(refused(*traced.error));
-    if (!traced.trace) return std::nullopt;
-    return sample_trace(*traced.trace);
+    return traced_sample(
+        ras::trace_sample(state, memory.mesh(), target_size(c), sample_address(at)));
   }
   bool assembles() const override { return true; }
   Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,

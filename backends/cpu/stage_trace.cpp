@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "backends/cpu/case_state.h"
+
 namespace rastercheck::backends {
 namespace {
 
@@ -19,9 +21,11 @@ std::string_view word(ras::Decision decision) {
     case ras::Decision::in_whole_numbers:
       return "in_whole_numbers";
     case ras::Decision::clipped:
+      return "clipped";
+    case ras::Decision::by_span:
       break;
   }
-  return "clipped";
+  return "by_span";
 }
 
 using Corners = std::array<records::TracedCorner, 3>;
@@ -59,8 +63,6 @@ records::TracedValue value_of(const ras::TracedValue& traced) {
   return value;
 }
 
-}  // namespace
-
 records::SampleTrace sample_trace(const ras::Trace& trace) {
   records::SampleTrace result;
   result.is_drawn = trace.is_drawn;
@@ -70,11 +72,16 @@ records::SampleTrace sample_trace(const ras::Trace& trace) {
   }
   result.corners = corners_of(trace.corners);
   result.snapped = corners_of(trace.snapped);
-  const auto& [along_u, along_v, t] = trace.frame;
-  result.frame = {{along_u.scale, along_u.shift}, {along_v.scale, along_v.shift}, t};
-  auto& lines = result.lines.emplace();
-  for (std::size_t i = 0; i < 3; ++i) {
-    lines[i] = {trace.lines[i].a, trace.lines[i].b, trace.lines[i].c};
+  if (trace.frame) {
+    const auto& [along_u, along_v, t] = *trace.frame;
+    result.frame = {{along_u.scale, along_u.shift}, {along_v.scale, along_v.shift}, t};
+  }
+  if (trace.lines) {
+    auto& lines = result.lines.emplace();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const ras::TracedPlane& line = (*trace.lines)[i];
+      lines[i] = {line.a, line.b, line.c};
+    }
   }
   result.u = trace.u;
   result.v = trace.v;
@@ -85,6 +92,18 @@ records::SampleTrace sample_trace(const ras::Trace& trace) {
     result.traced_attributes.push_back(value_of(value));
   }
   return result;
+}
+
+}  // namespace
+
+ras::SampleAddress sample_address(const records::SampleAddress& at) {
+  return {at.triangle, static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.sample)};
+}
+
+Result<std::optional<records::SampleTrace>> traced_sample(const ras::TraceResult& traced) {
+  if (traced.error) return tl::unexpected(refused(*traced.error));
+  if (!traced.trace) return std::nullopt;
+  return sample_trace(*traced.trace);
 }
 
 }  // namespace rastercheck::backends

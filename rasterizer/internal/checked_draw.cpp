@@ -89,4 +89,19 @@ DrawResult draw_checked(const DrawCall& draw, const State& state, const Mesh& me
   return {error, {}};
 }
 
+TraceResult trace_checked(const TraceCall& trace, const State& state, const Mesh& mesh,
+                          const TargetSize& size, const SampleAddress& address) {
+  std::optional<Error> error = check_draw(state, mesh, size);
+  if (!error && (address.triangle >= mesh.triangles.size())) error = Error::index;
+  if (error) return {error, std::nullopt};
+  const auto is_below = [](int value, int count) { return value >= 0 && value < count; };
+  if (!is_below(address.x, size.width) || !is_below(address.y, size.height) ||
+      !is_below(address.sample, size.samples)) {
+    return {std::nullopt, std::nullopt};
+  }
+  TraceResult result;
+  result.error = try_allocating([&] { result.trace = trace(state, mesh, size, address); });
+  return result;
+}
+
 }  // namespace rastercheck::rasterizer

@@ -1,12 +1,13 @@
 #pragma once
 
-// What every way of drawing fragments has in common: its arguments are checked first, and where
-// memory runs out the fragments are those of before.
+// What every way of drawing fragments, and of tracing one, has in common: its arguments are checked
+// first, and where memory runs out the fragments are those of before.
 
 #include <functional>
 #include <optional>
 
 #include "rasterizer/rasterizer.h"
+#include "rasterizer/trace.h"
 
 namespace rastercheck::rasterizer {
 
@@ -26,5 +27,13 @@ using DrawCall = std::function<DrawCounts(const State& state, const Mesh& mesh,
 /// allocation failed.
 DrawResult draw_checked(const DrawCall& draw, const State& state, const Mesh& mesh,
                         const TargetSize& size, Fragments& fragments);
+
+/// What traces a sample of a triangle of the mesh.
+using TraceCall = std::function<std::optional<Trace>(
+    const State& state, const Mesh& mesh, const TargetSize& size, const SampleAddress& address)>;
+
+/// Checks the arguments, then traces; nothing where the sample is not of the target.
+TraceResult trace_checked(const TraceCall& trace, const State& state, const Mesh& mesh,
+                          const TargetSize& size, const SampleAddress& address);
 
 }  // namespace rastercheck::rasterizer

@@ -389,9 +389,11 @@ DrawCounts draw_mesh(const State& state, const Mesh& mesh, const TargetSize& siz
 
 std::optional<Trace> trace_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
                                 const SampleAddress& address) {
-  RecordingTap tap(address);
+  Mesh alone = mesh;
+  alone.triangles = mesh.triangles.subspan(address.triangle, 1);
+  RecordingTap tap({0, address.x, address.y, address.sample});
   Fragments fragments;
-  draw_with(state, mesh, size, fragments, tap);
+  draw_with(state, alone, size, fragments, tap);
   return tap.trace();
 }
 

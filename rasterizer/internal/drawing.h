@@ -29,7 +29,8 @@ namespace rastercheck::rasterizer {
 DrawCounts draw_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
                      Fragments& fragments);
 
-/// The trace of a sample; nothing where its triangle is not set up. The arguments were checked.
+/// The trace of a sample, its triangle drawn alone; nothing where that is not set up. The arguments
+/// were checked.
 std::optional<Trace> trace_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
                                 const SampleAddress& address);
 

@@ -6,6 +6,7 @@
 #include <glm/vec4.hpp>
 
 #include "rasterizer/internal/drawing.h"
+#include "rasterizer/internal/method_tap.h"
 #include "rasterizer/internal/standard_pattern.h"
 #include "rasterizer/internal/window_map.h"
 
@@ -29,10 +30,11 @@ State without_smooth(const State& state) {
 class PointDrawing {
  public:
   PointDrawing(const State& state, const Mesh& mesh, const TargetSize& size, PointFormula& formula,
-               Fragments& fragments)
+               Fragments& fragments, MethodTap* tap)
       : mesh_(mesh),
         formula_(formula),
         fragments_(fragments),
+        tap_(tap),
         pattern_(standard_pattern(size.samples)),
         attribute_count_(state.attributes.size()),
         window_map_(state) {
@@ -100,6 +102,18 @@ class PointDrawing {
       }
     }
     formula_.set(vertices_, smooth_count_);
+    if (tap_ != nullptr && tap_->trace) show_vertices();
+  }
+
+  void show_vertices() const {
+    auto& corners = tap_->trace->corners.emplace();
+    const glm::uvec3& triangle = mesh_.triangles[triangle_];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const PointVertex& vertex = vertices_[i];
+      const double z = mesh_.positions[triangle[static_cast<int>(i)]].z;
+      corners[i] = {vertex.x, vertex.y, z, vertex.w, true, {}};
+      corners[i].share[i] = 1;
+    }
   }
 
   /// The fragments of one triangle in one pixel.
@@ -114,9 +128,13 @@ class PointDrawing {
       for (std::size_t k = 0; k < smooth_count_; ++k) {
         if (smooth_[k].location != location) continue;
         const bool is_copied = smooth_[k].is_zero || std::isnan(values[k]);
-        const auto value = static_cast<float>(is_copied ? vertices_[0].values[k] : values[k]);
+        const double evaluated = is_copied ? vertices_[0].values[k] : values[k];
+        const auto value = static_cast<float>(evaluated);
         for (std::size_t i = from; i < to; ++i) {
           fragments_.attributes[i * attribute_count_ + smooth_[k].attribute] = value;
+          if (tap_ == nullptr) continue;
+          show(i, smooth_[k].attribute,
+               {.u = x + offset.x, .v = y + offset.y, .evaluated = evaluated, .value = value});
         }
       }
     };
@@ -129,6 +147,13 @@ class PointDrawing {
              begin, end);
   }
 
+  void show(std::size_t fragment, std::size_t attribute, const TracedValue& value) const {
+    if (tap_->trace && tap_->is_at(triangle_, fragments_.x[fragment], fragments_.y[fragment],
+                                   fragments_.sample[fragment])) {
+      tap_->trace->attributes[attribute] = value;
+    }
+  }
+
   bool has(Location location) const {
     for (std::size_t k = 0; k < smooth_count_; ++k) {
       if (smooth_[k].location == location) return true;
@@ -139,6 +164,7 @@ class PointDrawing {
   const Mesh& mesh_;
   PointFormula& formula_;
   Fragments& fragments_;
+  MethodTap* tap_;  ///< or nullptr
   std::span<const SampleOffset> pattern_;
   std::size_t attribute_count_;
   WindowMap window_map_;
@@ -152,11 +178,12 @@ class PointDrawing {
 }  // namespace
 
 DrawCounts draw_points(const State& state, const Mesh& mesh, const TargetSize& size,
-                       PointFormula& formula, Fragments& fragments) {
+                       PointFormula& formula, Fragments& fragments, MethodTap* tap) {
   const std::size_t begin = fragments.size();
   const State others = without_smooth(state);
   const DrawCounts counts = draw_mesh(others, mesh, size, fragments);
-  PointDrawing(state, mesh, size, formula, fragments).fill(begin);
+  if (tap != nullptr) tap->trace = trace_mesh(others, mesh, size, tap->address());
+  PointDrawing(state, mesh, size, formula, fragments, tap).fill(begin);
   return counts;
 }
 

@@ -77,9 +77,10 @@ class PointFormula {
 };
 
 /// Appends the fragments of every triangle. A value that comes out as NaN is given as that of the
-/// first vertex: it is one of which nothing is promised.
+/// first vertex: it is one of which nothing is promised. `tap`, unless nullptr, is shown
+/// draw_fragments' own trace, the vertices, and smooth values before they are rounded.
 DrawCounts draw_points(const State& state, const Mesh& mesh, const TargetSize& size,
-                       PointFormula& formula, Fragments& fragments);
+                       PointFormula& formula, Fragments& fragments, MethodTap* tap);
 
 template <template <class> class Formula, class T>
 class PointFormulaOf : public PointFormula {
@@ -101,9 +102,9 @@ class PointFormulaOf : public PointFormula {
 /// DrawFragments of a formula.
 template <template <class> class Formula, class T>
 DrawCounts draw_by_formula(const State& state, const Mesh& mesh, const TargetSize& size,
-                           Fragments& fragments) {
+                           Fragments& fragments, MethodTap* tap) {
   PointFormulaOf<Formula, T> formula;
-  return draw_points(state, mesh, size, formula, fragments);
+  return draw_points(state, mesh, size, formula, fragments, tap);
 }
 
 /// A triangle in perspective, w = 1, 2 and 4, with two attributes.

@@ -14,6 +14,7 @@
 #include "rasterizer/internal/discard.h"
 #include "rasterizer/internal/draw_bounds.h"
 #include "rasterizer/internal/draw_setting.h"
+#include "rasterizer/internal/method_tap.h"
 #include "rasterizer/internal/standard_pattern.h"
 #include "rasterizer/internal/window_map.h"
 #include "rasterizer/methods/polygon.h"
@@ -56,10 +57,11 @@ class DepthMap {
         far_(state.viewport.max_depth),
         from_minus_one_(state.convention == Convention::opengl) {}
 
-  float operator()(double z) const {
+  /// To be rounded.
+  double operator()(double z) const {
     const double fraction = from_minus_one_ ? (z + 1) / 2 : z;
     const double depth = near_ + (far_ - near_) * fraction;
-    return rounded(std::clamp(depth, std::min(near_, far_), std::max(near_, far_)));
+    return std::clamp(depth, std::min(near_, far_), std::max(near_, far_));
   }
 
  private:
@@ -99,6 +101,9 @@ struct Source {
 
 /// What is found at a place, before it is rounded.
 struct PlaceValues {
+  double u = 0;
+  double v = 0;
+  bool is_from_plane = false;  ///< of the triangle, and not from a span
   double depth = 0;
   std::array<double, kMaxAttributes> attributes{};
 };
@@ -107,12 +112,13 @@ struct PlaceValues {
 class Drawing {
  public:
   Drawing(const State& state, const Mesh& mesh, const TargetSize& size,
-          ScanFormula<double>& formula, Claim claims, Fragments& fragments)
+          ScanFormula<double>& formula, Claim claims, Fragments& fragments, MethodTap* tap)
       : state_(state),
         mesh_(mesh),
         formula_(formula),
         claims_(claims),
         fragments_(fragments),
+        tap_(tap),
         pattern_(standard_pattern(size.samples)),
         bounds_(draw_bounds(state, size)),
         window_bounds_(draw_bounds_of_window(state, size)),
@@ -159,6 +165,7 @@ class Drawing {
 
   /// One row of samples: those with the same index, of one row of pixels.
   struct SampleRow {
+    double v = 0;
     PixelRange columns;         ///< covered
     SpanEnds<double> ends;      ///< defined where there are columns
     SpanEnds<double> smooth{};  ///< the formula's
@@ -177,16 +184,20 @@ class Drawing {
   void set_smooth_ends(const ScanSpan& span, double first, SampleRow& row) const;
   void draw_pixel(const ConvexScan& scan, int x, int y);
   void interpolate(const ConvexScan& scan, SampleRow& row, double u, PlaceValues& at) const;
+  void show_vertices() const;
+  void show_attribute(std::size_t attribute, const PlaceValues& at, float value) const;
   void center_values(const ConvexScan& scan, int x, int y, PlaceValues& at);
   void extrapolate(double u, double v, PlaceValues& at) const;
   void round(Location location, const PlaceValues& at, Values& values) const;
-  void append(int x, int y, std::size_t sample, double depth, const Values& values);
+  void append(int x, int y, std::size_t sample, const PlaceValues& at, const Values& values);
+  void show_fragment(const PlaceValues& at, double depth) const;
 
   const State& state_;
   const Mesh& mesh_;
   ScanFormula<double>& formula_;
   Claim claims_;
   Fragments& fragments_;
+  MethodTap* tap_;  ///< or nullptr
   std::span<const SampleOffset> pattern_;
   DrawBounds bounds_;
   DrawBounds window_bounds_;  ///< without a scissor
@@ -255,7 +266,8 @@ void Drawing::draw_corners(std::span<const std::uint32_t> corners, int orientati
   load(corners);                                 // steps 1 and 2
   if (!clip(volume_, clipped_, spare_)) return;  // step 3
   divide(orientation);                           // step 4
-  scan();                                        // step 5
+  if (tap_ != nullptr) show_vertices();
+  scan();  // step 5
 }
 
 void Drawing::load(std::span<const std::uint32_t> corners) {
@@ -349,6 +361,7 @@ void Drawing::scan_row(const ConvexScan& scan, int y) {
 }
 
 void Drawing::set_row(const ConvexScan& scan, const RowPlace& place, SampleRow& row) const {
+  row.v = place.v;
   row.columns = {};
   if (place.columns.empty()) return;
   const ScanSpan span = scan.span(place.v);
@@ -402,12 +415,15 @@ void Drawing::draw_pixel(const ConvexScan& scan, int x, int y) {
     if (has_location_[static_cast<std::size_t>(Location::sample)]) {
       round(Location::sample, at, values);
     }
-    append(x, y, sample, at.depth, values);
+    append(x, y, sample, at, values);
   }
 }
 
 /// What is on the span of a row.
 void Drawing::interpolate(const ConvexScan& scan, SampleRow& row, double u, PlaceValues& at) const {
+  at.u = u;
+  at.v = row.v;
+  at.is_from_plane = false;
   Parameters<double> linear;
   scan.interpolate(row.ends, u, linear);
   at.depth = linear[kDepth];
@@ -434,6 +450,9 @@ void Drawing::center_values(const ConvexScan& scan, int x, int y, PlaceValues& a
 
 /// The attributes at a point of the window by the triangle's plane.
 void Drawing::extrapolate(double u, double v, PlaceValues& at) const {
+  at.u = u;
+  at.v = v;
+  at.is_from_plane = true;
   const auto& [a, b, c] = corners_;
   const Numerators at_a = window_map_(a.x, a.y, a.w, u, v);
   const Numerators at_b = window_map_(b.x, b.y, b.w, u, v);
@@ -461,19 +480,65 @@ void Drawing::extrapolate(double u, double v, PlaceValues& at) const {
 void Drawing::round(Location location, const PlaceValues& at, Values& values) const {
   for (std::size_t i = 0; i < state_.attributes.size(); ++i) {
     const bool is_copied = sources_[i].interpolation == Interpolation::flat || is_zero_[i];
-    if (!is_copied && sources_[i].location == location) values[i] = rounded(at.attributes[i]);
+    if (is_copied || sources_[i].location != location) continue;
+    values[i] = rounded(at.attributes[i]);
+    if (tap_ != nullptr) show_attribute(i, at, values[i]);
   }
 }
 
-void Drawing::append(int x, int y, std::size_t sample, double depth, const Values& values) {
+void Drawing::append(int x, int y, std::size_t sample, const PlaceValues& at,
+                     const Values& values) {
+  const double depth = depth_map_(at.depth);
   fragments_.triangle.push_back(triangle_);
   fragments_.x.push_back(static_cast<std::uint16_t>(x));
   fragments_.y.push_back(static_cast<std::uint16_t>(y));
   fragments_.sample.push_back(static_cast<std::uint8_t>(sample));
-  fragments_.depth.push_back(depth_map_(depth));
+  fragments_.depth.push_back(rounded(depth));
   fragments_.attributes.insert(
       fragments_.attributes.end(), values.begin(),
       values.begin() + static_cast<std::ptrdiff_t>(state_.attributes.size()));
+  if (tap_ != nullptr && tap_->is_at(triangle_, x, y, sample)) show_fragment(at, depth);
+}
+
+/// What the samples of the triangle have in common; window positions only of one that is not
+/// clipped, as a corner that clipping makes has lost where it comes from.
+void Drawing::show_vertices() const {
+  Trace& trace = tap_->trace.emplace();
+  const SampleAddress& address = tap_->address();
+  const SampleOffset& offset = pattern_[static_cast<std::size_t>(address.sample)];
+  trace.u = address.x + offset.x;
+  trace.v = address.y + offset.y;
+  trace.decision = Decision::by_span;
+  tap_->attributes.assign(state_.attributes.size(), {});
+  for (std::size_t i = 0; i < state_.attributes.size(); ++i) {
+    tap_->attributes[i] = {.u = trace.u, .v = trace.v, .evaluated = flat_[i], .value = flat_[i]};
+  }
+  bool is_whole = clipped_.size == corners_.size();
+  std::array<TracedCorner, 3> window;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const ClipVertex& p = corners_[i];
+    const ClipVertex& q = clipped_.vertices[i];
+    trace.positions[i] = {p.x, p.y, p.z, p.w};
+    is_whole = is_whole && p.x == q.x && p.y == q.y && p.z == q.z && p.w == q.w;
+    window[i] = {window_.vertices[i].u, window_.vertices[i].v, p.z, p.w, false, {}};
+    window[i].share[i] = 1;
+  }
+  if (is_whole) trace.corners = window;
+}
+
+void Drawing::show_attribute(std::size_t attribute, const PlaceValues& at, float value) const {
+  tap_->attributes[attribute] = {.u = at.u,
+                                 .v = at.v,
+                                 .is_from_vertices = at.is_from_plane,
+                                 .evaluated = at.attributes[attribute],
+                                 .value = value};
+}
+
+void Drawing::show_fragment(const PlaceValues& at, double depth) const {
+  Trace& trace = *tap_->trace;
+  trace.is_drawn = true;
+  trace.depth = {.u = at.u, .v = at.v, .evaluated = depth, .value = rounded(depth)};
+  trace.attributes = tap_->attributes;
 }
 
 /// Whether clipping changes a triangle and leaves something to draw.
@@ -505,13 +570,14 @@ bool is_clipped(const ClipVolume& volume, const InputTriangle& triangle) {
 }  // namespace
 
 DrawCounts scan_triangles(const State& state, const Mesh& mesh, const TargetSize& size,
-                          ScanFormula<double>& formula, Claim claims, Fragments& fragments) {
-  return Drawing(state, mesh, size, formula, claims, fragments).draw_triangles();
+                          ScanFormula<double>& formula, Claim claims, Fragments& fragments,
+                          MethodTap* tap) {
+  return Drawing(state, mesh, size, formula, claims, fragments, tap).draw_triangles();
 }
 
 DrawCounts scan_polygon(const State& state, const Mesh& mesh, const TargetSize& size,
                         ScanFormula<double>& formula, Fragments& fragments) {
-  return Drawing(state, mesh, size, formula, Claim::perspective, fragments).draw_polygon();
+  return Drawing(state, mesh, size, formula, Claim::perspective, fragments, nullptr).draw_polygon();
 }
 
 bool is_any_clipped(const State& state, const Mesh& mesh) {

@@ -145,16 +145,18 @@ constexpr Promise scanned_promise(Claim claims, const MethodBound& smooth) {
 }
 
 /// Appends the fragments of every triangle. Centres that are not covered have the values of what is
-/// claimed.
+/// claimed. `tap`, unless nullptr, is shown the window vertices of a triangle that is not clipped,
+/// and values before they are rounded.
 DrawCounts scan_triangles(const State& state, const Mesh& mesh, const TargetSize& size,
-                          ScanFormula<double>& formula, Claim claims, Fragments& fragments);
+                          ScanFormula<double>& formula, Claim claims, Fragments& fragments,
+                          MethodTap* tap);
 
 /// DrawFragments of a formula that claims Claim::perspective.
 template <template <class> class Formula>
 DrawCounts scan_triangles_by(const State& state, const Mesh& mesh, const TargetSize& size,
-                             Fragments& fragments) {
+                             Fragments& fragments, MethodTap* tap) {
   Formula<double> formula;
-  return scan_triangles(state, mesh, size, formula, Claim::perspective, fragments);
+  return scan_triangles(state, mesh, size, formula, Claim::perspective, fragments, tap);
 }
 
 /// Appends the fragments of one polygon, as those of triangle 0: the mesh's vertices in their
@@ -166,7 +168,7 @@ DrawCounts scan_polygon(const State& state, const Mesh& mesh, const TargetSize& 
 /// Method::draw_polygon of a formula.
 template <template <class> class Formula>
 DrawCounts scan_polygon_by(const State& state, const Mesh& mesh, const TargetSize& size,
-                           Fragments& fragments) {
+                           Fragments& fragments, MethodTap* /*tap*/) {
   Formula<double> formula;
   return scan_polygon(state, mesh, size, formula, fragments);
 }

@@ -33,6 +33,10 @@ std::array<double, 3> shares_of(const FloatWeights& weights, std::size_t column)
   return shares;
 }
 
+std::array<double, 3> weights_at(const BlockWeights& weights, std::size_t column) {
+  return {weights.e[0][column], weights.e[1][column], weights.e[2][column]};
+}
+
 }  // namespace
 
 bool RecordingTap::is_at(const BlockPlace& place, Mask mask) const {
@@ -66,16 +70,18 @@ void RecordingTap::set_part(const DrawnPart& part) {
   const SampleFrame& frame = *part.weights.frame;
   trace_->positions = part.source.positions;
   trace_->frame = {axis_of(frame.u), axis_of(frame.v), frame.t};
+  auto& lines = trace_->lines.emplace();
+  TracedCertificate& certificate = trace_->certificate.emplace();
   for (std::size_t i = 0; i < 3; ++i) {
     const EdgeFunction& edge = part.weights.edges[i];
-    trace_->lines[i] = {edge.a.value, edge.b.value, edge.c.value};
-    trace_->certificate.bands[i] = edge.band;
+    lines[i] = {edge.a.value, edge.b.value, edge.c.value};
+    certificate.bands[i] = edge.band;
   }
   trace_->edges = part.weights.at(trace_->u, trace_->v);
   const Certificates& certificates = part.values.certificates;
-  trace_->certificate.least_sum = certificates.least_sum;
-  trace_->certificate.affine_is_certain = certificates.affine_is_certain;
-  trace_->certificate.depth_is_certain = certificates.depth_is_certain;
+  certificate.least_sum = certificates.least_sum;
+  certificate.affine_is_certain = certificates.affine_is_certain;
+  certificate.depth_is_certain = certificates.depth_is_certain;
 }
 
 /// Of a sample within the viewport and the scissor.
@@ -86,9 +92,10 @@ Decision RecordingTap::decision_of(const BlockPlace& place, const CoveredBlock& 
   }
   bool is_inside = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double band = trace_->certificate.bands[i];
-    if (trace_->edges[i] < -band) return Decision::in_double;
-    is_inside = is_inside && trace_->edges[i] > band;
+    const double band = trace_->certificate->bands[i];
+    const double edge = (*trace_->edges)[i];
+    if (edge < -band) return Decision::in_double;
+    is_inside = is_inside && edge > band;
   }
   return is_inside ? Decision::clipped : Decision::exactly;
 }
@@ -99,7 +106,7 @@ void RecordingTap::covered(const BlockPlace& place, const CoveredBlock& block,
   if (!is_at(place, looked_at)) return;
   if (trace_->decision == Decision::outside && !is_at(place, block.covered)) return;
   if (!block.is_whole_numbers) {
-    for (std::size_t i = 0; i < 3; ++i) trace_->edges[i] = weights.e[i][column(place)];
+    trace_->edges = weights_at(weights, column(place));
   }
   trace_->decision = decision_of(place, block);
 }
@@ -113,7 +120,7 @@ void RecordingTap::weighed(const WeighedBlock& block) {
   if (corners[0] != nullptr) set_corners(corners);
   trace_->u = address_.x + block.offset.x;
   trace_->v = address_.y + block.offset.y;
-  for (std::size_t i = 0; i < 3; ++i) trace_->edges[i] = block.weights.e[i][column(block.place)];
+  trace_->edges = weights_at(block.weights, column(block.place));
 }
 
 void RecordingTap::summed(const WeighedBlock& block, const PlaneRow& sum) {

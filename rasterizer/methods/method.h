@@ -14,13 +14,16 @@
 #include <string_view>
 
 #include "rasterizer/rasterizer.h"
+#include "rasterizer/trace.h"
 
 namespace rastercheck::rasterizer {
 
-/// Appends the fragments of every triangle, as if each were drawn alone. The arguments were
-/// checked.
+class MethodTap;
+
+/// Appends the fragments of every triangle, as if each were drawn alone, and shows a tap, unless it
+/// is nullptr, how. The arguments were checked.
 using DrawFragments = DrawCounts (*)(const State& state, const Mesh& mesh, const TargetSize& size,
-                                     Fragments& fragments);
+                                     Fragments& fragments, MethodTap* tap);
 
 /// What a method means smooth values to be: linear in clip space, or, of one that never divides,
 /// linear in window space, as noperspective ones are.
@@ -101,6 +104,11 @@ const Method* find_method(std::string_view name);
 /// draw_fragments by a textbook method; Error::unknown_method where there is none of that name.
 DrawResult draw_fragments_by(std::string_view method, const State& state, const Mesh& mesh,
                              const TargetSize& size, Fragments& fragments);
+
+/// trace_sample of a textbook method: what those of a kind have in common, and of a smooth value
+/// what its formula made before that was rounded.
+TraceResult trace_sample_by(std::string_view method, const State& state, const Mesh& mesh,
+                            const TargetSize& size, const SampleAddress& address);
 
 struct MethodRegistration {
   explicit MethodRegistration(const Method& method);

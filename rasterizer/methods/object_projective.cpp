@@ -239,7 +239,7 @@ ClusterDrawResult draw_object_projective(const State& state, const Mesh& mesh,
   if (const auto error = check_clusters(state, mesh, clusters)) return {std::nullopt, error, {}};
   ClusterFormula formula(state, clusters);
   const auto draw = [&](const State& s, const Mesh& m, const TargetSize& t, Fragments& f) {
-    return draw_points(s, m, t, formula, f);
+    return draw_points(s, m, t, formula, f, nullptr);
   };
   const DrawResult drawn = draw_checked(draw, state, mesh, size, fragments);
   return {drawn.error, std::nullopt, drawn.counts};

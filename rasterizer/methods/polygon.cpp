@@ -116,7 +116,10 @@ std::optional<PolygonFault> draw_polygon(std::string_view method, const State& s
                           corner.clip_distances.end());
   }
   const Mesh mesh{positions, attributes, clip_distances, {}};
-  refused = draw_checked(found->draw_polygon, state, mesh, size, fragments).error;
+  const auto draw = [found](const State& s, const Mesh& m, const TargetSize& t, Fragments& f) {
+    return found->draw_polygon(s, m, t, f, nullptr);
+  };
+  refused = draw_checked(draw, state, mesh, size, fragments).error;
   if (refused) return PolygonFault{PolygonError::draw, 0, refused};
   return std::nullopt;
 }

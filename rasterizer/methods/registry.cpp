@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "rasterizer/internal/checked_draw.h"
+#include "rasterizer/internal/method_tap.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {
@@ -35,7 +36,25 @@ DrawResult draw_fragments_by(std::string_view method, const State& state, const 
                              const TargetSize& size, Fragments& fragments) {
   const Method* found = find_method(method);
   if (found == nullptr) return {Error::unknown_method, {}};
-  return draw_checked(found->draw, state, mesh, size, fragments);
+  const auto draw = [found](const State& s, const Mesh& m, const TargetSize& t, Fragments& f) {
+    return found->draw(s, m, t, f, nullptr);
+  };
+  return draw_checked(draw, state, mesh, size, fragments);
+}
+
+TraceResult trace_sample_by(std::string_view method, const State& state, const Mesh& mesh,
+                            const TargetSize& size, const SampleAddress& address) {
+  const Method* found = find_method(method);
+  if (found == nullptr) return {Error::unknown_method, std::nullopt};
+  const auto trace = [found](const State& s, const Mesh& m, const TargetSize& t,
+                             const SampleAddress& a) {
+    // All of the mesh, as what a method does of one triangle may depend on what it promises of all.
+    MethodTap tap(a);
+    Fragments fragments;
+    found->draw(s, m, t, fragments, &tap);
+    return tap.trace;
+  };
+  return trace_checked(trace, state, mesh, size, address);
 }
 
 }  // namespace rastercheck::rasterizer

@@ -67,10 +67,11 @@ Promise promise(const State& state, const Mesh& mesh, const TargetSize& /*size*/
   return scanned_promise(Claim::perspective, within_range);
 }
 
-DrawCounts draw(const State& state, const Mesh& mesh, const TargetSize& size,
-                Fragments& fragments) {
+DrawCounts draw(const State& state, const Mesh& mesh, const TargetSize& size, Fragments& fragments,
+                MethodTap* tap) {
   ScanlineLinear<double> formula;
-  return scan_triangles(state, mesh, size, formula, promise(state, mesh, size).claims, fragments);
+  return scan_triangles(state, mesh, size, formula, promise(state, mesh, size).claims, fragments,
+                        tap);
 }
 
 const MethodRegistration kRegistration(

@@ -213,10 +213,10 @@ class Subdivision : public PointFormula {
 };
 
 template <int kCoarsest, int kMost>
-DrawCounts draw(const State& state, const Mesh& mesh, const TargetSize& size,
-                Fragments& fragments) {
+DrawCounts draw(const State& state, const Mesh& mesh, const TargetSize& size, Fragments& fragments,
+                MethodTap* tap) {
   Subdivision formula(kCoarsest, kMost);
-  return draw_points(state, mesh, size, formula, fragments);
+  return draw_points(state, mesh, size, formula, fragments, tap);
 }
 
 // --- What is promised ---------------------------------------------------------------------------

@@ -135,10 +135,36 @@ TEST(Cpu, HasNoTraceOfWhatIsNotThere) {
   }
 }
 
-TEST(Method, DoesNotTrace) {
-  const auto backend = make_backend("method:rational-linear").value();
-  EXPECT_FALSE(backend->traces());
-  const auto trace = backend->trace({}, {});
+TEST(Method, TracesWhatItDraws) {
+  const cases::Case c =
+      cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
+  for (const char* specification : {"method:rational-linear", "method:q-matrix"}) {
+    const auto backend = make_backend(specification).value();
+    ASSERT_TRUE(backend->traces());
+    const cases::Framebuffer drawn = backend->draw(c).value();
+    const records::SampleAddress at{drawn.triangle[0], drawn.x[0], drawn.y[0], drawn.sample[0]};
+    const auto trace = backend->trace(c, at).value();
+    ASSERT_TRUE(trace.has_value());
+    EXPECT_TRUE(trace->is_drawn);
+    EXPECT_EQ(trace->traced_depth.value, drawn.depth[0]);
+    ASSERT_EQ(trace->traced_attributes.size(), drawn.attribute_count);
+    EXPECT_EQ(trace->traced_attributes[0].value, drawn.attributes_of(0)[0]);
+    EXPECT_TRUE(trace->traced_attributes[0].evaluated.has_value());
+    EXPECT_FALSE(backend->trace({}, {}).has_value());
+  }
+}
+
+TEST(Backend, DoesNotTraceUnlessItSaysSo) {
+  class DrawsNothing : public Backend {
+   public:
+    cases::Contract contract(const cases::Case& /*c*/) const override { return {}; }
+    Result<cases::Framebuffer> draw(const cases::Case& /*c*/) override {
+      return cases::Framebuffer{};
+    }
+  };
+  DrawsNothing backend;
+  EXPECT_FALSE(backend.traces());
+  const auto trace = backend.trace({}, {});
   ASSERT_FALSE(trace.has_value());
   EXPECT_EQ(trace.error().reason, "this backend does not trace");
 }
