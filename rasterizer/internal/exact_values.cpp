@@ -211,24 +211,24 @@ double exact_floor_at(const ValueLine& line, const TriangleValues& triangle, con
   }
 }
 
-std::optional<double> certain_value(const ValueLine& line, const TriangleValues& triangle,
-                                    double det_t, const std::array<double, 3>& e) {
-  const double numerator =
-      line.numerators[0] * e[0] + line.numerators[1] * e[1] + line.numerators[2] * e[2];
-  if (line.kind == ValueLine::Kind::smooth) {
-    if (triangle.certificates.is_smooth_certain(e)) return numerator / (e[0] + e[1] + e[2]);
-  } else if (line.kind == ValueLine::Kind::affine) {
-    if (triangle.certificates.is_affine_certain(e, det_t)) return numerator / det_t;
-  }
-  return std::nullopt;
+bool is_certain(const ValueLine& line, const TriangleValues& triangle, double det_t,
+                const std::array<double, 3>& e) {
+  return line.kind == ValueLine::Kind::smooth ? triangle.certificates.is_smooth_certain(e)
+                                              : triangle.certificates.is_affine_certain(e, det_t);
 }
 
 double value_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
                 double u, double v) {
   if (line.kind == ValueLine::Kind::copied) return line.copy;
-  const std::optional<double> certain =
-      certain_value(line, triangle, weights.det_t, weights.at(u, v));
-  return certain ? *certain : exact_value_at(line, weights, u, v);
+  const std::array<double, 3> e = weights.at(u, v);
+  const double numerator =
+      line.numerators[0] * e[0] + line.numerators[1] * e[1] + line.numerators[2] * e[2];
+  if (line.kind == ValueLine::Kind::smooth) {
+    if (triangle.certificates.is_smooth_certain(e)) return numerator / (e[0] + e[1] + e[2]);
+  } else if (triangle.certificates.is_affine_certain(e, weights.det_t)) {
+    return numerator / weights.det_t;
+  }
+  return exact_value_at(line, weights, u, v);
 }
 
 double exact_depth_at(const TriangleValues& triangle, const Weights& weights, double u, double v) {

@@ -25,7 +25,6 @@
 
 #include <array>
 #include <glm/vec4.hpp>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -104,10 +103,9 @@ void set_up_values(const State& state, const ValueSource& source, const Weights&
 double value_at(const ValueLine& line, const TriangleValues& triangle, const Weights& weights,
                 double u, double v);
 
-/// The same of weights E_i at some place, in double; nothing where that is not certain, or where
-/// the value is copied.
-std::optional<double> certain_value(const ValueLine& line, const TriangleValues& triangle,
-                                    double det_t, const std::array<double, 3>& e);
+/// Whether double is enough for it, where the weights are these. It is not copied.
+bool is_certain(const ValueLine& line, const TriangleValues& triangle, double det_t,
+                const std::array<double, 3>& e);
 
 /// value_at() without asking whether double is enough: within 2^-50 of itself.
 double exact_value_at(const ValueLine& line, const Weights& weights, double u, double v);

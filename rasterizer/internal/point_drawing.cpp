@@ -102,7 +102,8 @@ class PointDrawing {
       }
     }
     formula_.set(vertices_, smooth_count_);
-    if (tap_ != nullptr && tap_->trace) show_vertices();
+    const bool is_traced = tap_ != nullptr && tap_->address().triangle == triangle_;
+    if (is_traced && tap_->trace) show_vertices();
   }
 
   void show_vertices() const {

@@ -184,6 +184,7 @@ class Drawing {
   void set_smooth_ends(const ScanSpan& span, double first, SampleRow& row) const;
   void draw_pixel(const ConvexScan& scan, int x, int y);
   void interpolate(const ConvexScan& scan, SampleRow& row, double u, PlaceValues& at) const;
+  bool is_traced() const { return tap_ != nullptr && tap_->address().triangle == triangle_; }
   void show_vertices() const;
   void show_attribute(std::size_t attribute, const PlaceValues& at, float value) const;
   void center_values(const ConvexScan& scan, int x, int y, PlaceValues& at);
@@ -266,7 +267,7 @@ void Drawing::draw_corners(std::span<const std::uint32_t> corners, int orientati
   load(corners);                                 // steps 1 and 2
   if (!clip(volume_, clipped_, spare_)) return;  // step 3
   divide(orientation);                           // step 4
-  if (tap_ != nullptr) show_vertices();
+  if (is_traced()) show_vertices();
   scan();  // step 5
 }
 
@@ -482,7 +483,7 @@ void Drawing::round(Location location, const PlaceValues& at, Values& values) co
     const bool is_copied = sources_[i].interpolation == Interpolation::flat || is_zero_[i];
     if (is_copied || sources_[i].location != location) continue;
     values[i] = rounded(at.attributes[i]);
-    if (tap_ != nullptr) show_attribute(i, at, values[i]);
+    if (is_traced()) show_attribute(i, at, values[i]);
   }
 }
 

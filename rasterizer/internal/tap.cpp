@@ -204,7 +204,7 @@ void RecordingTap::located(const BlockPlace& place, int column, std::size_t attr
   const ValueLine& line = values.attributes[attribute];
   if (line.kind == ValueLine::Kind::copied) return;
   const std::array<double, 3> weights = at.part.weights.at(at.u, at.v);
-  traced.is_exact = !certain_value(line, values, at.part.weights.det_t, weights);
+  traced.is_exact = !is_certain(line, values, at.part.weights.det_t, weights);
   // Of another part the lines are not those of the trace.
   if (traced.is_exact || &at.part != part_) return;
   traced.is_from_lines = true;
