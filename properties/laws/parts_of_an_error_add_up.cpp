@@ -22,6 +22,7 @@
 #include "oracle/transform.h"
 #include "oracle/triangle_truth.h"
 #include "oracle/ulp.h"
+#include "properties/internal/camera_cases.h"
 #include "properties/internal/choices.h"
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/random_state.h"
@@ -199,9 +200,14 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   return SplitCheck(c, *clip, *drawn, backend).run();
 }
 
-/// Any case, in half of them with snapped vertices.
+/// Any case, or, one in six, one that has a camera; in half of them with snapped vertices.
 Generated generate(Draw& draw) {
-  Generated made = generate_any(draw);
+  Generated made;
+  if (draw.one_in(6)) {
+    made = {camera_case(draw).source, "with a camera"};
+  } else {
+    made = generate_any(draw);
+  }
   if (draw.one_in(2)) set_snapped_coverage(draw, made.source);
   return made;
 }
@@ -213,7 +219,8 @@ const LawRegistration kRegistration(
      .exceptions = "values that are no finite numbers, or that the rules leave undefined",
      .generate = &generate,
      .check = &check,
-     .covers = {cover(13, "clipped"), cover(16, "several samples"), cover(8, "w <= 0")}});
+     .covers = {cover(12, "clipped"), cover(15, "several samples"), cover(6, "transform"),
+                cover(7, "w <= 0")}});
 
 }  // namespace
 }  // namespace rastercheck::properties
