@@ -67,11 +67,13 @@ const std::vector<std::string>& mutant_names() {
 
 Header header_of(const std::string& mutant) {
   Header header;
-  const std::pair<std::string_view, std::string*> fields[] = {{"Defect: ", &header.defect},
-                                                              {"Killed by: ", &header.killed_by},
-                                                              {"Equivalent: ", &header.equivalent},
-                                                              {"Of: ", &header.of},
-                                                              {"Least: ", &header.least}};
+  const std::pair<std::string_view, std::string*> fields[] = {
+      {"Defect: ", &header.defect},
+      {"Killed by: ", &header.killed_by},
+      {"Equivalent: ", &header.equivalent},
+      {"Of: ", &header.of},
+      {"Attributed to: ", &header.attributed_to},
+      {"Least: ", &header.least}};
   std::ifstream patch(RASTERCHECK_MUTANT_PATCHES "/" + mutant + ".patch");
   for (std::string line; std::getline(patch, line) && !line.starts_with("--- ");) {
     for (const auto& [name, value] : fields) {

@@ -17,6 +17,8 @@ struct Header {
   std::string killed_by;   ///< the name of a law; empty where nothing can kill it
   std::string equivalent;  ///< why nothing can
   std::string of;          ///< the backend whose sources it damages
+  /// The stage that the exact split of its errors has to name (records::Stage); empty: not asked.
+  std::string attributed_to;
   /// The triangles that show it, and why, where three do not: "8 triangles, …".
   std::string least;
 };

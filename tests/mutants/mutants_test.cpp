@@ -14,6 +14,7 @@
 #include "cases/case_writer.h"
 #include "properties/campaign.h"
 #include "properties/law.h"
+#include "tests/mutants/attribution.h"
 #include "tests/mutants/mutant_backend.h"
 
 namespace rastercheck::mutants {
@@ -112,6 +113,14 @@ void expect_shrinks(const properties::Law& law, const Header& header, backends::
   expect_unharmed_passes(law, header.of, {kill.index, least.source, {}});
 }
 
+/// The exact split of what the law found names the stage that is damaged.
+void expect_attributed(const Header& header, backends::Backend& mutant, const Kill& kill) {
+  if (header.attributed_to.empty()) return;
+  const auto stage = blamed_stage(header.killed_by, kill.source, mutant);
+  ASSERT_TRUE(stage) << "no stage is to blame";
+  EXPECT_EQ(to_string(*stage), header.attributed_to);
+}
+
 class Mutants : public testing::TestWithParam<std::string> {};
 
 TEST_P(Mutants, HasADefectAndALawThatKillsIt) {
@@ -136,6 +145,7 @@ TEST_P(Mutants, IsKilledByItsLawAtAFixedSeed) {
   expect_unharmed_passes(*law, header.of, **kill);
   expect_replays(*law, GetParam(), **kill);
   expect_shrinks(*law, header, **mutant, **kill);
+  expect_attributed(header, **mutant, **kill);
 }
 
 /// GoogleTest takes no hyphens.

@@ -1,0 +1,46 @@
+#include "tests/mutants/attribution.h"
+
+#include "oracle/stage_split.h"
+#include "oracle/transform.h"
+#include "properties/law.h"
+
+namespace rastercheck::mutants {
+namespace {
+
+using records::FragmentClass;
+using records::Stage;
+
+std::optional<Stage> stage_of(const cases::Case& given, const cases::Case& clip,
+                              backends::Backend& mutant, const records::Violation& found) {
+  const auto told = mutant.trace(clip, {found.triangle, found.x, found.y, found.sample});
+  if (!told) return std::nullopt;
+  const std::optional<records::SampleTrace>& trace = *told;
+  const oracle::StageSplit split(given, clip, mutant.contract(clip), found.triangle);
+  const bool is_missing = found.fragment_class == FragmentClass::missing;
+  if (is_missing || found.fragment_class == FragmentClass::extra) {
+    return split.coverage_stage(found.x, found.y, found.sample, !is_missing,
+                                trace ? &*trace : nullptr);
+  }
+  if (!trace || !trace->is_drawn) return std::nullopt;
+  const float actual =
+      (found.attribute ? trace->traced_attributes[*found.attribute] : trace->traced_depth).value;
+  const auto parts = split.traced(found.attribute, found.x, found.y, found.sample, actual, *trace);
+  return parts ? largest_part(enclose(*parts)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Stage> blamed_stage(std::string_view law, const cases::Case& source,
+                                  backends::Backend& mutant) {
+  Result<cases::Case> clip = oracle::to_clip_case(source, "");
+  const auto check = properties::find_law(law)->check(source, mutant, {});
+  if (!clip || !check) return std::nullopt;
+  clip->depth_test = cases::DepthTest::none;
+  for (const records::Violation& found : check->violations) {
+    if (!found.has_place() || found.triangle >= clip->triangles.size()) continue;
+    if (const auto stage = stage_of(source, *clip, mutant, found)) return stage;
+  }
+  return std::nullopt;
+}
+
+}  // namespace rastercheck::mutants
