@@ -58,7 +58,7 @@ function draw(svg, data, room, say) {
     .range([kChartHeight - kChartMargin.bottom, kChartMargin.top]);
   const ticks = y.ticks(4).filter((t) => t >= 1 && Number.isInteger(Math.log10(t)));
   svg.append('g').attr('class', 'axis').attr('transform', `translate(${kChartMargin.left - 4},0)`)
-    .call(d3.axisLeft(y).tickValues(ticks).tickFormat(d3.format('~s')).tickSize(-width))
+    .call(d3.axisLeft(y).tickValues(ticks).tickFormat(d3.format('~s')).tickSize(kChartMargin.left - 4 - x.range()[1]))
     .call((g) => g.select('.domain').remove());
   svg.append('g').attr('class', 'bars').selectAll('rect').data(all).join('rect')
     .attr('x', (_, i) => x(i)).attr('width', x.bandwidth())

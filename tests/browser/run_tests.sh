@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# The browser tests of report.html:
+#
+#   run_tests.sh NODE_FOLDER RASTERCHECK RUN_JSON
+#
+# RUN_JSON is a run whose report is tested; a short run of RASTERCHECK's is made beside it. What npm
+# installs, and the reports, go to NODE_FOLDER. Skips with 77 where node, npm or Chromium is missing,
+# or fails where RASTERCHECK_REQUIRE_BACKENDS says that all has to be there.
+set -euo pipefail
+tests=$(cd "$(dirname "$0")" && pwd)
+folder=$1 rastercheck=$2 run_json=$3
+
+missing() {
+  echo "browser tests: $1"
+  [ "${RASTERCHECK_REQUIRE_BACKENDS:-}" = all ] && exit 1
+  exit 77
+}
+for program in node npm; do
+  command -v "$program" >/dev/null || missing "$program is not installed"
+done
+[ "$(node --print 'parseInt(process.versions.node) >= 18')" = true ] || missing "node is older than 18"
+chromium=${RASTERCHECK_CHROMIUM:-$(command -v chromium || true)}
+[ -n "$chromium" ] || missing "chromium is not installed"
+
+# Node looks for packages beside the files that want them.
+mkdir -p "$folder"
+cp "$tests"/*.js "$tests"/package.json "$tests"/package-lock.json "$folder"
+if ! cmp -s "$tests/package-lock.json" "$folder/node_modules/installed-lock.json"; then
+  (cd "$folder" && npm ci --prefer-offline --no-audit --no-fund --ignore-scripts --loglevel=error) ||
+    missing "npm cannot install playwright-core"
+  cp "$tests/package-lock.json" "$folder/node_modules/installed-lock.json"
+fi
+
+mkdir -p "$folder/sample"
+cp "$run_json" "$folder/sample/run.json"
+"$rastercheck" report "$folder/sample" --quiet
+# Whether its laws hold is no question of this test.
+"$rastercheck" run --backend method:screen-linear --cases 30 --seed 1 --shrink-tries 20 \
+  --output "$folder/run" --quiet || [ $? -eq 1 ]
+
+cd "$folder"
+RASTERCHECK_CHROMIUM=$chromium RASTERCHECK_REPORT=$folder/sample/report.html \
+  RASTERCHECK_RUN_REPORT=$folder/run/report.html node --test --test-reporter=spec ./*.test.js
