@@ -66,7 +66,7 @@ std::string write(const Run& run) {
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
       "<title>RasterCheck: {}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
       viewer_policy(), html(verdict_sentence(rows)), kReportStyle, kViewerStyle);
-  text += front_of(run, rows) + findings_of(run) + laws_of(rows) + pictures_of(run) +
+  text += front_of(run, rows) + findings_of(run) + laws_of(run, rows) + pictures_of(run) +
           known_of(run) + "</main>\n";
   return text + viewer_scripts() + "</body>\n</html>\n";
 }

@@ -9,6 +9,7 @@
 #include "reports/internal/histogram_svg.h"
 #include "reports/internal/html.h"
 #include "reports/internal/page.h"
+#include "reports/internal/stage_table.h"
 #include "reports/internal/wording.h"
 
 namespace rastercheck::reports {
@@ -94,7 +95,22 @@ std::string reasons_of(const LawSummary& row) {
   return text;
 }
 
-std::string backend_section(const LawSummary& row) {
+/// What errors of a row are compared with: of a violated law the bound that was exceeded, which the
+/// contract may give each triangle another of; else what no correctly rounded value exceeds.
+Limit limit_of(const records::Run& run, const LawSummary& row) {
+  std::optional<records::Enclosure> bound;
+  for (const records::Counterexample& counterexample : run.counterexamples) {
+    const auto& found = counterexample.source.found;
+    if (!found || found->law != row.law || found->backend != row.backend) continue;
+    for (const records::Violation& violation : counterexample.violations) {
+      if (!bound) bound = violation.bound;
+    }
+  }
+  if (!bound || bound->hi <= 0) return {records::kRoundingError, "correct rounding"};
+  return {bound->hi, "bound"};
+}
+
+std::string backend_section(const records::Run& run, const LawSummary& row) {
   std::string text =
       fmt::format("<section class=\"backend\">\n<h3>{} <small>on {}</small></h3>\n<p>{}",
                   html(row.law), html(row.backend), verdict_mark(row));
@@ -104,19 +120,20 @@ std::string backend_section(const LawSummary& row) {
   }
   text += "</p>\n" + reasons_of(row);
   if (row.ideal.values + row.excess.values > 0) {
-    // What no correctly rounded value exceeds; the bound of a contract is none of all its kinds.
     const Limit rounding{records::kRoundingError, "correct rounding"};
-    text += "<div class=\"charts\">\n" +
-            histogram_figure(row.ideal, "Against the exact triangle", rounding) +
-            histogram_figure(row.excess, "Beyond what the contract leaves open", rounding) +
-            "</div>\n" + worst_text(row.ideal) + precision_of(row);
+    text +=
+        "<div class=\"charts\">\n" +
+        histogram_figure(row.ideal, "Against the exact triangle", rounding) +
+        histogram_figure(row.excess, "Beyond what the contract leaves open", limit_of(run, row)) +
+        "</div>\n" + worst_text(row.ideal) + precision_of(row);
   }
+  text += stage_table(row);
   return text + "<h4>Fragments and values by class</h4>\n" + classes_of(row.classes) +
          labels_of(row) + "</section>\n";
 }
 
 /// One law: its rows, which follow each other.
-std::string law_section(const LawSummary* first, const LawSummary* last) {
+std::string law_section(const records::Run& run, const LawSummary* first, const LawSummary* last) {
   std::string verdicts;
   bool is_violated = false;
   for (const LawSummary* row = first; row != last; ++row) {
@@ -131,13 +148,13 @@ std::string law_section(const LawSummary* first, const LawSummary* last) {
       "{}</summary>\n",
       law_link(first->law), html(first->law), is_violated ? " open" : "", html(first->law),
       verdicts);
-  for (const LawSummary* row = first; row != last; ++row) text += backend_section(*row);
+  for (const LawSummary* row = first; row != last; ++row) text += backend_section(run, *row);
   return text + "</details>\n";
 }
 
 }  // namespace
 
-std::string laws_of(const std::vector<LawSummary>& rows) {
+std::string laws_of(const records::Run& run, const std::vector<LawSummary>& rows) {
   if (rows.empty()) return "";
   std::string text = "<section>\n<h2>Law by law</h2>\n";
   if (has_precision(rows))
@@ -146,7 +163,7 @@ std::string laws_of(const std::vector<LawSummary>& rows) {
   for (const LawSummary* first = rows.data(); first != end;) {
     const LawSummary* const next =
         std::find_if(first, end, [first](const LawSummary& row) { return row.law != first->law; });
-    text += law_section(first, next);
+    text += law_section(run, first, next);
     first = next;
   }
   return text + "</section>\n";

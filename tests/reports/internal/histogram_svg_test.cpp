@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
 #include <regex>
 #include <string>
 #include <vector>
@@ -83,6 +84,45 @@ TEST(HistogramSvg, EscapesItsTitle) {
   histogram.add(1);
   EXPECT_THAT(histogram_svg(histogram, "a \"<b>\""),
               HasSubstr("aria-label=\"a &quot;&lt;b&gt;&quot;\""));
+}
+
+/// Where the line at a limit is; nothing where there is none.
+std::optional<double> line_at(const Histogram& histogram, double limit) {
+  const std::string svg = histogram_svg(histogram, "t", Limit{limit, "bound"});
+  const std::regex line(R"re(<line class="limit" x1="([0-9.]+)")re");
+  std::smatch match;
+  if (!std::regex_search(svg, match, line)) return std::nullopt;
+  return std::stod(match[1]);
+}
+
+// Three bars, (1/4, 1/2], (1/2, 1] and (1, 2], 34 units each, from 6 on.
+TEST(HistogramSvg, HasALineAtTheLimit) {
+  Histogram histogram;
+  for (const double magnitude : {0.3, 0.6, 2.0}) histogram.add(magnitude);
+  EXPECT_EQ(line_at(histogram, 0.5), 6 + 34);
+  EXPECT_EQ(line_at(histogram, 0.75), 6 + 51);
+  EXPECT_EQ(line_at(histogram, 2), 6 + 102);
+  EXPECT_EQ(line_at(histogram, 4), std::nullopt);
+  EXPECT_EQ(line_at(histogram, 0.25), std::nullopt);
+  EXPECT_THAT(histogram_svg(histogram, "t", Limit{0.5, "a < b"}),
+              HasSubstr(">a &lt; b 0.5</text>"));
+}
+
+TEST(HistogramSvg, TheLimitIsNoneOfZeros) {
+  Histogram histogram;
+  histogram.add(0);
+  EXPECT_EQ(line_at(histogram, 0.5), std::nullopt);
+  histogram.add(0.5);
+  EXPECT_EQ(line_at(histogram, 0.5), 6 + 68);
+}
+
+TEST(HistogramData, CountsByOctave) {
+  Histogram histogram;
+  EXPECT_EQ(histogram_data(histogram, {}), R"({"zero":0,"octaves":[],"beyond":0})");
+  for (const double magnitude : {0.0, 0.0, 0.5, 0.26, 2.0, 0x1p60}) histogram.add(magnitude);
+  EXPECT_EQ(histogram_data(histogram, Limit{0.5, "a \"bound\""}),
+            R"({"zero":2,"octaves":[[-1,2],[1,1]],"beyond":1,"limit":0.5,)"
+            R"("limitName":"a \"bound\""})");
 }
 
 }  // namespace

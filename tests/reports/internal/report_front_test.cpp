@@ -1,0 +1,63 @@
+#include "reports/internal/report_front.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/reports/sample_run.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string front(const records::Run& run) { return front_of(run, records::summarize(run)); }
+
+TEST(Front, WhatIsViolatedComesFirst) {
+  const std::string page = front(sample_run());
+  const std::size_t violated = page.find("✗ violated in 2 cases");
+  const std::size_t unchecked = page.find("– not checked");
+  const std::size_t held = page.find("✓ held");
+  EXPECT_LT(violated, unchecked);
+  EXPECT_LT(unchecked, held);
+  EXPECT_NE(held, std::string::npos);
+}
+
+TEST(Front, HasTheFiguresOfTheWholeRun) {
+  const std::string page = front(sample_run());
+  // Four rows of 1,000 cases, and of twice 3,012,040 samples each.
+  EXPECT_THAT(page, HasSubstr("<dt>cases checked</dt><dd><strong>4,000</strong>"));
+  EXPECT_THAT(page, HasSubstr("<dt>samples judged</dt><dd><strong>24,096,320</strong>"));
+  EXPECT_THAT(page, HasSubstr("<dt>worst error</dt><dd><strong>0.7</strong> <small>scale ULP, "
+                              "method:float32</small>"));
+}
+
+TEST(Front, SaysWhatWasNotChecked) {
+  records::Run run = sample_run();
+  add_known_defects(run);
+  const std::string page = front(run);
+  EXPECT_THAT(page, HasSubstr("<li>Not reached: coverage is exact on cpu: "));
+  EXPECT_THAT(page, HasSubstr("<li>a law &lt;that&gt; says | nothing on method:float32: no case "
+                              "says anything of it</li>"));
+  EXPECT_THAT(page, HasSubstr("nothing on cpu: the backend &lt;draws&gt; no pictures</li>"));
+  EXPECT_THAT(page, HasSubstr("<li>320 samples were permitted either way"));
+}
+
+TEST(Front, SaysThatNothingWasLeftOut) {
+  records::Run run;
+  run.laws = {"a law"};
+  run.backends = {"cpu"};
+  records::Record& record = run.records[{"a law", "cpu", records::AttributeKind::coverage, ""}];
+  record.cases.checked = 1;
+  record.errors.classes[records::FragmentClass::correct] = 1;
+  EXPECT_THAT(front(run), HasSubstr("<li>Nothing was left out.</li>"));
+}
+
+TEST(Front, SaysHowToDoItAgainAndWhereItWasDone) {
+  const std::string page = front(sample_run());
+  EXPECT_THAT(page, HasSubstr("<code>rastercheck run --backend cpu --backend method:float32 "));
+  EXPECT_THAT(page, HasSubstr("<dt>seed</dt><dd>18446744073709551615</dd>"));
+  EXPECT_THAT(page, HasSubstr("<dt>compiler</dt><dd>g++ &lt;12&gt; &amp; more</dd>"));
+}
+
+}  // namespace
+}  // namespace rastercheck::reports
