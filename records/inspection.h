@@ -102,6 +102,9 @@ struct Inspection {
   bool operator==(const Inspection&) const = default;
 };
 
+/// The sample that was looked for; nullptr where it is not among those inspected.
+const InspectedSample* inspected_sample(const Inspection& inspection);
+
 /// At most so many in a run, counterexamples first.
 inline constexpr std::size_t kMostInspections = 40;
 /// Pixels along either side.

@@ -187,18 +187,21 @@ std::string map_text(const Inspection& inspection, const InspectedSample& sample
 
 double middle_of(const Enclosure& enclosure) { return (enclosure.lo + enclosure.hi) / 2; }
 
-/// Decimals that show the largest of some numbers to six digits.
+/// Decimals that show the largest of some numbers, which is not 0, to six digits.
 int decimals_for(double largest) {
-  if (largest == 0 || !std::isfinite(largest)) return 1;
+  if (!std::isfinite(largest)) return 1;
   return std::clamp(5 - static_cast<int>(std::floor(std::log10(largest))), 0, 15);
 }
 
-/// Signed, with a fixed number of decimals; beyond columns in powers of ten.
+/// Signed, with a fixed number of decimals, so that parts can be added up by eye; in powers of ten
+/// what does not fit, or would be nothing but zeros.
 std::string signed_text(double value, int decimals) {
   constexpr double kMost = 1e15;
   if (value == 0) return "0";
-  return std::abs(value) < kMost ? fmt::format("{:+.{}f}", value, decimals)
-                                 : fmt::format("{:+.6e}", value);
+  if (std::abs(value) >= kMost) return fmt::format("{:+.6e}", value);
+  std::string text = fmt::format("{:+.{}f}", value, decimals);
+  const bool is_seen = text.find_first_of("123456789") != std::string::npos;
+  return is_seen ? text : fmt::format("{:+.1e}", value);
 }
 
 /// `###|` or `|###`: as long as the value's share of the largest; a dot for what is too short.
@@ -219,6 +222,7 @@ std::string split_text(const records::ErrorSplit& split) {
   for (const records::StagePart& part : split.parts) {
     largest = std::max(largest, records::magnitude_bound(part.error));
   }
+  if (largest == 0) return "  by stage, no stage is off\n";
   const int decimals = decimals_for(largest);
   std::vector<std::pair<std::string, double>> rows;
   for (const records::StagePart& part : split.parts) {
@@ -312,7 +316,13 @@ std::string value_text(const Inspection& inspection, const InspectedValue& value
   text += broken("  drawn", kColumn, value.actual ? actual_text(*value.actual) : "nothing");
   text += errors_text(value) + conditions_text(value);
   const records::ErrorSplit* split = find_split(inspection, value.attribute);
-  if (split != nullptr) text += split_text(*split);
+  if (split == nullptr) return text;
+  text += split_text(*split);
+  if (value.scale_error && *value.scale_error != split->total) {
+    text += value.exact.starts_with('[')
+                ? "    The total is against the exact value at the place that was taken.\n"
+                : "    The total is against the case's object positions, not yet rounded.\n";
+  }
   return text;
 }
 
@@ -322,19 +332,11 @@ constexpr std::string_view kLegend =
     "errors of the weights e_i are amplified; κ_D: how much cancels within them. Errors are drawn "
     "minus exact.";
 
-const InspectedSample* find_sample(const Inspection& inspection) {
-  const auto found = std::find_if(
-      inspection.samples.begin(), inspection.samples.end(), [&](const InspectedSample& one) {
-        return one.x == inspection.x && one.y == inspection.y && one.sample == inspection.sample;
-      });
-  return found == inspection.samples.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 std::string inspection_text(const Inspection& inspection, std::optional<std::size_t> value) {
   const cases::Case& c = inspection.source;
-  const InspectedSample* sample = find_sample(inspection);
+  const InspectedSample* sample = records::inspected_sample(inspection);
   if (sample == nullptr || inspection.triangle >= c.triangles.size()) return "";
   std::string text;
   if (!c.name.empty()) text += wrapped("", 0, cases::printable(c.name));

@@ -32,6 +32,7 @@
 #include "cli/whole_number.h"
 #include "properties/campaign_run.h"
 #include "properties/corpus.h"
+#include "properties/explaining/run_inspections.h"
 #include "records/share.h"
 #include "records/summary.h"
 #include "reports/format.h"
@@ -321,6 +322,8 @@ ExitCode run_campaign(const Options& options) {
   run.counterexamples = findings.counterexamples;
   run.unexpected = findings.unexpected;
   run.cases_left = campaign.cases_left();
+  const cases::Case* scene = work->scene ? &*work->scene : nullptr;
+  run.inspections = properties::inspect_run(run, {work->corpus, work->start.saved, *known, scene});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.environment = environment(options.jobs, seconds.count());
 

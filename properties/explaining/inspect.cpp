@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/sample_pattern.h"
+#include "oracle/stage_split.h"
 #include "oracle/transform.h"
 #include "oracle/triangle_truth.h"
 #include "oracle/ulp.h"
@@ -259,6 +260,39 @@ Inspection begin_inspection(const cases::Case& c, const Focus& focus, const Tria
   return inspection;
 }
 
+// --- How the sample came about -------------------------------------------------------------------
+
+/// What the backend tells of the sample; nothing where it does not.
+std::optional<records::SampleTrace> trace_of(const cases::Case& drawn, backends::Backend& backend,
+                                             const records::SampleAddress& at) {
+  if (!backend.traces()) return std::nullopt;
+  const auto traced = backend.trace(drawn, at);
+  return traced ? *traced : std::nullopt;
+}
+
+/// Splits the errors of the sample looked for: as it was traced or, where there is no trace of the
+/// value that was drawn, as far as can be seen of any backend.
+void add_splits(const cases::Case& given, const cases::Contract& contract,
+                backends::Backend& backend, Inspection& inspection) {
+  const auto [triangle, x, y, number] =
+      records::SampleAddress{inspection.triangle, inspection.x, inspection.y, inspection.sample};
+  const InspectedSample* sample = inspected_sample(inspection);
+  if (sample == nullptr) return;
+  const std::optional<records::SampleTrace> trace =
+      trace_of(inspection.source, backend, {triangle, x, y, number});
+  const oracle::StageSplit split(given, inspection.source, contract, triangle);
+  for (const InspectedValue& value : sample->values) {
+    if (!value.actual) continue;
+    std::optional<oracle::ExactSplit> parts;
+    if (trace) parts = split.traced(value.attribute, x, y, number, *value.actual, *trace);
+    if (!parts) parts = split.untraced(value.attribute, x, y, number, *value.actual);
+    if (parts) inspection.splits.push_back(oracle::enclose(*parts));
+  }
+  if (!backend.traces()) return;
+  inspection.coverage_stage =
+      split.coverage_stage(x, y, number, sample->is_drawn, trace ? &*trace : nullptr);
+}
+
 Result<void> check_focus(const cases::Case& c, const Focus& focus) {
   const auto refuse = [](std::string reason) {
     return tl::unexpected(Error{"", "", std::move(reason)});
@@ -296,13 +330,15 @@ Result<Inspection> inspect(const cases::Case& c, backends::Backend& backend, con
   if (!drawn) return tl::unexpected(drawn.error());
 
   const SceneTruth exact_scene(*clip, exact_contract(*clip));
-  const SceneTruth promised_scene(*clip, backend.contract(*clip));
+  const cases::Contract contract = backend.contract(*clip);
+  const SceneTruth promised_scene(*clip, contract);
   const TriangleTruth exact(exact_scene, focus.at.triangle);
   const TriangleTruth promised(promised_scene, focus.at.triangle);
   const Subject subject{&*clip, &exact, &promised, &*drawn,
                         fragments_of(*drawn, focus.at.triangle)};
   Inspection inspection = begin_inspection(*clip, focus, exact);
   inspect_crop(subject, crop_of(subject, focus.at, options), inspection);
+  add_splits(c, contract, backend, inspection);
   return inspection;
 }
 

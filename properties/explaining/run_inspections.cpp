@@ -1,0 +1,245 @@
+#include "properties/explaining/run_inspections.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <map>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "backends/backend.h"
+#include "oracle/transform.h"
+#include "properties/check_case.h"
+#include "properties/draw.h"
+#include "properties/explaining/inspect.h"
+#include "properties/law.h"
+#include "properties/shrink.h"
+#include "records/histogram.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::Inspection;
+using records::RecordKey;
+using records::Stratum;
+using records::WorstError;
+
+/// Values of each inspection: 16 × 16 pixels of a depth and an attribute. Forty make a page of some
+/// megabytes.
+constexpr InspectOptions kOfRuns{512};
+/// Of larger cases one triangle is taken out.
+constexpr std::size_t kMostTriangles = 8;
+/// Errors of one backend, kind and stratum that are tried, the largest first: those of a law that
+/// draws something else than the case itself do not come back.
+constexpr std::size_t kMostTries = 4;
+
+/// The run's backends, made when first asked for.
+class Backends {
+ public:
+  /// nullptr where there is none any more.
+  backends::Backend* find(const std::string& specification) {
+    const auto [made, is_new] = made_.try_emplace(specification);
+    if (is_new) {
+      auto backend = backends::make_backend(specification);
+      if (backend) made->second = *std::move(backend);
+    }
+    backends::Backend* backend = made->second.get();
+    return backend == nullptr || backend->is_lost() ? nullptr : backend;
+  }
+
+ private:
+  std::map<std::string, std::unique_ptr<backends::Backend>> made_;
+};
+
+/// Inspects a case or, of a large one, the triangle in question alone.
+std::optional<Inspection> inspect_part(const cases::Case& c, const std::string& specification,
+                                       Focus focus, Backends& made) {
+  backends::Backend* backend = made.find(specification);
+  if (backend == nullptr || focus.at.triangle >= c.triangles.size()) return std::nullopt;
+  std::optional<cases::Case> part;
+  if (c.triangles.size() > kMostTriangles) {
+    part = with_triangles(c, {{focus.at.triangle}});
+    focus.at.triangle = 0;
+  }
+  Result<Inspection> inspection = inspect(part ? *part : c, *backend, focus, kOfRuns);
+  if (!inspection) return std::nullopt;
+  inspection->backend = specification;
+  return *std::move(inspection);
+}
+
+// --- Counterexamples -----------------------------------------------------------------------------
+
+/// Where a counterexample is looked at: where it is violated, or, as that may be of a drawing of
+/// another size, where the case itself is worst.
+std::optional<Focus> focus_of(const records::Counterexample& found, backends::Backend& backend) {
+  const cases::Case& c = found.source;
+  if (found.violations.empty() || !found.violations.front().has_place()) return std::nullopt;
+  const records::Violation& v = found.violations.front();
+  const cases::FramebufferSize& size = c.framebuffer;
+  const bool is_there = v.triangle < c.triangles.size() && std::cmp_less(v.x, size.width) &&
+                        std::cmp_less(v.y, size.height) && std::cmp_less(v.sample, size.samples) &&
+                        (!v.attribute || *v.attribute < c.attributes.size());
+  if (is_there) return Focus{{v.triangle, v.x, v.y, v.sample}, v.attribute};
+  const Result<Focus> worst = find_focus(c, backend, {});
+  return worst ? std::optional(*worst) : std::nullopt;
+}
+
+void inspect_counterexamples(const records::Run& run, Backends& made,
+                             std::vector<Inspection>& inspections) {
+  for (std::size_t i = 0; i < run.counterexamples.size(); ++i) {
+    if (inspections.size() == records::kMostInspections) return;
+    const records::Counterexample& one = run.counterexamples[i];
+    const cases::Found found = one.source.found.value_or(cases::Found());
+    backends::Backend* backend = made.find(found.backend);
+    if (backend == nullptr) continue;
+    const std::optional<Focus> focus = focus_of(one, *backend);
+    if (!focus) continue;
+    std::optional<Inspection> inspection = inspect_part(one.source, found.backend, *focus, made);
+    if (!inspection) continue;
+    inspection->occasion = records::Occasion::counterexample;
+    inspection->law = found.law;
+    inspection->counterexample = i;
+    inspections.push_back(*std::move(inspection));
+  }
+}
+
+// --- Worst cases ---------------------------------------------------------------------------------
+
+/// An error, and the record that has it.
+struct Candidate {
+  const RecordKey* key = nullptr;
+  const WorstError* worst = nullptr;
+
+  double size() const { return records::magnitude_bound(worst->error); }
+};
+
+/// Larger ones; of equals those of the law that is about values, then in the order of records.
+bool comes_before(const Candidate& a, const Candidate& b) {
+  const auto is_of_values = [](const Candidate& one) { return one.key->law == kValuesLaw; };
+  if (a.size() != b.size()) return a.size() > b.size();
+  return is_of_values(a) && !is_of_values(b);
+}
+
+using CandidateKey = std::tuple<std::string, AttributeKind, Stratum>;  ///< of which backend
+using Candidates = std::map<CandidateKey, std::vector<Candidate>>;
+
+/// The errors of each backend, kind and stratum, the largest first.
+Candidates candidates_of(const records::Run& run) {
+  Candidates candidates;
+  for (const auto& [key, record] : run.records) {
+    if (key.attribute_kind == AttributeKind::flat) continue;  // copies
+    for (const auto& [stratum, sizes] : record.errors.strata) {
+      for (const auto& worst :
+           {std::cref(sizes.extremes.most_negative), std::cref(sizes.extremes.most_positive)}) {
+        if (!worst.get()) continue;
+        candidates[{key.backend, key.attribute_kind, stratum}].push_back({&key, &*worst.get()});
+      }
+    }
+  }
+  for (auto& [key, errors] : candidates) {
+    std::stable_sort(errors.begin(), errors.end(), &comes_before);
+  }
+  return candidates;
+}
+
+/// The first saved case of that law and index; nullptr where there is none.
+const cases::Case* find_saved(std::span<const cases::Case> saved, const std::string& law,
+                              std::uint64_t index) {
+  const auto found = std::find_if(saved.begin(), saved.end(), [&](const cases::Case& c) {
+    return c.found && c.found->law == law && c.found->index == index;
+  });
+  return found == saved.end() ? nullptr : &*found;
+}
+
+/// The case that an error is of; nothing where there is none any more.
+std::optional<cases::Case> case_of(const Candidate& candidate, std::uint64_t seed,
+                                   const CaseSources& sources) {
+  const auto& [law_name, backend, kind, stratum] = *candidate.key;
+  const std::uint64_t index = candidate.worst->case_index;
+  const auto copy_of = [](const cases::Case* c) {
+    return c == nullptr ? std::nullopt : std::optional(*c);
+  };
+  if (stratum.starts_with(kSceneStratum)) return copy_of(sources.scene);
+  if (stratum == kCorpusStratum) {
+    return index < sources.corpus.size() ? std::optional(sources.corpus[index]) : std::nullopt;
+  }
+  if (stratum == kSavedStratum) return copy_of(find_saved(sources.saved, law_name, index));
+  if (stratum == kKnownStratum) {
+    const auto known = sources.known.find(backend);
+    if (known == sources.known.end()) return std::nullopt;
+    return copy_of(find_saved(known->second.cases, law_name, index));
+  }
+  const Law* law = find_law(law_name);
+  if (law == nullptr || law->generate == nullptr) return std::nullopt;
+  Draw draw(seed, law->name, index);
+  return law->generate(draw).source;
+}
+
+/// Whether the sample looked for has the value that the error is of, to the bit.
+bool shows(const Inspection& inspection, const WorstError& worst) {
+  const records::InspectedSample* sample = records::inspected_sample(inspection);
+  if (sample == nullptr) return false;
+  const std::size_t value = worst.attribute ? 1 + *worst.attribute : 0;
+  if (value >= sample->values.size() || !sample->values[value].actual) return false;
+  return std::bit_cast<std::uint32_t>(*sample->values[value].actual) ==
+         std::bit_cast<std::uint32_t>(worst.actual);
+}
+
+std::optional<Inspection> inspect_candidate(const Candidate& candidate, std::uint64_t seed,
+                                            const CaseSources& sources, Backends& made) {
+  const std::optional<cases::Case> c = case_of(candidate, seed, sources);
+  if (!c) return std::nullopt;
+  const WorstError& worst = *candidate.worst;
+  const Focus focus{{worst.triangle, worst.x, worst.y, worst.sample}, worst.attribute};
+  std::optional<Inspection> inspection = inspect_part(*c, candidate.key->backend, focus, made);
+  if (!inspection || !shows(*inspection, worst)) return std::nullopt;
+  inspection->occasion = records::Occasion::worst;
+  inspection->law = candidate.key->law;
+  inspection->kind = candidate.key->attribute_kind;
+  return inspection;
+}
+
+void inspect_worst(const records::Run& run, const CaseSources& sources, Backends& made,
+                   std::vector<Inspection>& inspections) {
+  const Candidates candidates = candidates_of(run);
+  std::vector<Candidates::const_iterator> largest_first;
+  for (auto group = candidates.begin(); group != candidates.end(); ++group) {
+    largest_first.push_back(group);
+  }
+  std::stable_sort(largest_first.begin(), largest_first.end(), [](const auto& a, const auto& b) {
+    return a->second.front().size() > b->second.front().size();
+  });
+  const std::size_t room = records::kMostInspections - inspections.size();
+  std::vector<Inspection> worst;
+  for (const auto& group : largest_first) {
+    if (worst.size() == room) break;
+    const std::vector<Candidate>& errors = group->second;
+    for (std::size_t i = 0; i < std::min(errors.size(), kMostTries); ++i) {
+      std::optional<Inspection> inspection = inspect_candidate(errors[i], run.seed, sources, made);
+      if (!inspection) continue;
+      inspection->stratum = std::get<Stratum>(group->first);
+      worst.push_back(*std::move(inspection));
+      break;
+    }
+  }
+  std::sort(worst.begin(), worst.end(), [](const Inspection& a, const Inspection& b) {
+    return std::tie(a.law, a.backend, a.kind, a.stratum) <
+           std::tie(b.law, b.backend, b.kind, b.stratum);
+  });
+  std::move(worst.begin(), worst.end(), std::back_inserter(inspections));
+}
+
+}  // namespace
+
+std::vector<Inspection> inspect_run(const records::Run& run, const CaseSources& sources) {
+  Backends made;
+  std::vector<Inspection> inspections;
+  inspect_counterexamples(run, made, inspections);
+  inspect_worst(run, sources, made, inspections);
+  return inspections;
+}
+
+}  // namespace rastercheck::properties
