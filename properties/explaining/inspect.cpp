@@ -237,7 +237,9 @@ void inspect_crop(const Subject& subject, const PixelBox& crop, Inspection& insp
 }
 
 /// What is the same for all samples.
-Inspection begin_inspection(const cases::Case& c, const Focus& focus, const TriangleTruth& exact) {
+Inspection begin_inspection(const SceneTruth& scene, const Focus& focus,
+                            const TriangleTruth& exact) {
+  const cases::Case& c = scene.source();
   Inspection inspection;
   inspection.source = c;
   for (const cases::SamplePosition& p : cases::standard_pattern(c.framebuffer.samples)) {
@@ -254,8 +256,8 @@ Inspection begin_inspection(const cases::Case& c, const Focus& focus, const Tria
       for (std::size_t k = 0; k < 3; ++k) (*inspection.q_matrix)[i][k] = elided((*q)[i][k]);
     }
   }
-  for (const cases::Triangle& triangle : c.triangles) {
-    inspection.outlines.push_back(outline_of(c, triangle));
+  for (std::size_t triangle = 0; triangle < c.triangles.size(); ++triangle) {
+    inspection.outlines.push_back(outline_of(scene, triangle));
   }
   return inspection;
 }
@@ -336,7 +338,7 @@ Result<Inspection> inspect(const cases::Case& c, backends::Backend& backend, con
   const TriangleTruth promised(promised_scene, focus.at.triangle);
   const Subject subject{&*clip, &exact, &promised, &*drawn,
                         fragments_of(*drawn, focus.at.triangle)};
-  Inspection inspection = begin_inspection(*clip, focus, exact);
+  Inspection inspection = begin_inspection(exact_scene, focus, exact);
   inspect_crop(subject, crop_of(subject, focus.at, options), inspection);
   add_splits(c, contract, backend, inspection);
   return inspection;

@@ -1,70 +1,85 @@
-// Clipping in homogeneous coordinates, one half-space after the other (Sutherland & Hodgman): a
-// vertex behind the eye has no window position, but where its edges cross a plane has one.
+// A triangle with a vertex behind the eye is cut out of the guard by its three lines e_i >= 0, from
+// its exact q-matrix. The other way round, cutting its edges at the guard in homogeneous
+// coordinates, doubles lose it where the eye lies almost in its plane: the two points where its
+// edges pass w = 0 are then seen in opposite directions, and on which side the rest lies is lost.
 
 #include "properties/explaining/outline.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <optional>
 
 namespace rastercheck::properties {
 namespace {
 
-/// Window position times w, and w.
-using Corner = std::array<double, 3>;
-using Polygon = std::vector<Corner>;
+using records::WindowPoint;
+using Polygon = std::vector<WindowPoint>;
 
-Corner window_corner(const cases::Case& c, const cases::ClipVertex& p) {
+struct Guard {
+  WindowPoint lo;
+  WindowPoint hi;
+};
+
+Guard guard_of(const cases::Case& c) {
+  const double width = c.framebuffer.width;
+  const double height = c.framebuffer.height;
+  return {{-width, -height}, {2 * width, 2 * height}};
+}
+
+/// All three vertices, if they are seen within the guard.
+std::optional<Polygon> whole(const cases::Case& c, const cases::Triangle& triangle,
+                             const Guard& guard) {
   const cases::Viewport& v = c.viewport;
-  const double y = c.rules == cases::Rules::d3d ? -double{p.y} : double{p.y};
-  return {(double{p.x} + p.w) * v.width / 2 + double{p.w} * v.x,
-          (y + p.w) * v.height / 2 + double{p.w} * v.y, p.w};
+  const double up = c.rules == cases::Rules::d3d ? -1 : 1;
+  Polygon corners;
+  for (const std::uint32_t vertex : triangle) {
+    const cases::ClipVertex& p = c.positions[vertex];
+    if (!(p.w > 0)) return std::nullopt;
+    const double w = p.w;
+    const WindowPoint at{(p.x / w + 1) / 2 * v.width + v.x,
+                         (up * p.y / w + 1) / 2 * v.height + v.y};
+    const bool is_within =
+        at.x >= guard.lo.x && at.x <= guard.hi.x && at.y >= guard.lo.y && at.y <= guard.hi.y;
+    if (!is_within) return std::nullopt;
+    corners.push_back(at);
+  }
+  return corners;
 }
 
-double side_of(const Corner& plane, const Corner& corner) {
-  return plane[0] * corner[0] + plane[1] * corner[1] + plane[2] * corner[2];
-}
+/// a x + b y + c
+using Line = std::array<double, 3>;
 
-/// The part where plane · (x, y, w) >= 0.
-Polygon clipped(const Polygon& polygon, const Corner& plane) {
+/// The part of a polygon on the line's positive side, borders included (Sutherland & Hodgman).
+Polygon clipped(const Polygon& polygon, const Line& line) {
+  const auto at = [&line](const WindowPoint& p) { return line[0] * p.x + line[1] * p.y + line[2]; };
   Polygon inside;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Corner& from = polygon[i];
-    const Corner& to = polygon[(i + 1) % polygon.size()];
-    const double a = side_of(plane, from);
-    const double b = side_of(plane, to);
+    const WindowPoint& from = polygon[i];
+    const WindowPoint& to = polygon[(i + 1) % polygon.size()];
+    const double a = at(from);
+    const double b = at(to);
     if (a >= 0) inside.push_back(from);
     if ((a >= 0) == (b >= 0)) continue;
     const double t = a / (a - b);
-    Corner between{};
-    for (std::size_t k = 0; k < 3; ++k) between[k] = from[k] + t * (to[k] - from[k]);
-    inside.push_back(between);
+    inside.push_back({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
   }
   return inside;
 }
 
 }  // namespace
 
-std::vector<records::WindowPoint> outline_of(const cases::Case& c,
-                                             const cases::Triangle& triangle) {
-  Polygon polygon;
-  for (const std::uint32_t vertex : triangle) {
-    polygon.push_back(window_corner(c, c.positions[vertex]));
+std::vector<WindowPoint> outline_of(const oracle::SceneTruth& scene, std::size_t triangle) {
+  const cases::Case& c = scene.source();
+  const Guard guard = guard_of(c);
+  if (auto corners = whole(c, c.triangles[triangle], guard)) return *std::move(corners);
+  const std::optional<oracle::QMatrix> q = oracle::TriangleTruth(scene, triangle).q_matrix();
+  if (!q) return {};
+  // Where all e_i >= 0 so is their sum, 1/w.
+  Polygon polygon{guard.lo, {guard.hi.x, guard.lo.y}, guard.hi, {guard.lo.x, guard.hi.y}};
+  for (const auto& [a, b, e] : *q) {
+    polygon = clipped(polygon, {a.nearest_double(), b.nearest_double(), e.nearest_double()});
   }
-  const double width = c.framebuffer.width;
-  const double height = c.framebuffer.height;
-  const std::array<Corner, 5> planes{{{0, 0, 1},
-                                      {1, 0, width},       // x >= -width
-                                      {-1, 0, 2 * width},  // x <= 2 width
-                                      {0, 1, height},      // y alike
-                                      {0, -1, 2 * height}}};
-  for (const Corner& plane : planes) polygon = clipped(polygon, plane);
-  std::vector<records::WindowPoint> outline;
-  for (const auto& [x, y, w] : polygon) {
-    // Only the eye's own plane through the eye leaves w = 0.
-    const records::WindowPoint point{x / w, y / w};
-    if (std::isfinite(point.x) && std::isfinite(point.y)) outline.push_back(point);
-  }
-  return outline;
+  return polygon;
 }
 
 }  // namespace rastercheck::properties

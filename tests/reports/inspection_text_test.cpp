@@ -107,6 +107,7 @@ TEST(InspectionText, SaysWhatIsExactWhatWasDrawnAndHowFarOff) {
             "  κ       1, κ_D 1.5\n");
 }
 
+// Of 80 columns 24 and the axis are taken: 27 on either side are 1.75.
 // Kills: a bar on the wrong side, a sum that does not show.
 TEST(InspectionText, SplitsAnErrorByStage) {
   Inspection one = small_inspection();
@@ -115,16 +116,16 @@ TEST(InspectionText, SplitsAnErrorByStage) {
       inspection_text(one, 1),
       testing::EndsWith(
           "  by stage, in scale ULP, as the backend traced it:\n"
-          "    snap      -1.00000                ################|\n"
-          "    set-up    +1.75000                                |############################\n"
-          "    rounding  -0.25000                            ####|\n"
+          "    snap      -1.00000              ###############|\n"
+          "    set-up    +1.75000                             |###########################\n"
+          "    rounding  -0.25000                         ####|\n"
           "    ------------------\n"
-          "    total     +0.50000                                |########\n"));
+          "    total     +0.50000                             |########\n"));
   one.splits[0].is_traced = false;
   EXPECT_THAT(inspection_text(one), HasSubstr("in scale ULP, as far as any backend shows:\n"));
   one.splits[0].parts[2].error = exactly(-0x1p-40);
   EXPECT_THAT(inspection_text(one),
-              HasSubstr("    rounding  -9.1e-13                           .|\n"));
+              HasSubstr("    rounding  -9.1e-13                            .|\n"));
   one.splits[0].parts = {{Stage::rounding, exactly(0)}};
   one.splits[0].total = exactly(0);
   EXPECT_THAT(inspection_text(one), HasSubstr("  by stage, no stage is off\n"));

@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "tests/properties/damaged_backend.h"
 
@@ -21,7 +23,8 @@ std::vector<WindowPoint> outline(const std::array<cases::ClipVertex, 3>& positio
   cases::Case c = square();
   c.rules = rules;
   c.positions = {positions.begin(), positions.end()};
-  return outline_of(c, {0, 1, 2});
+  const oracle::SceneTruth scene(c, cases::contract_of(c));
+  return outline_of(scene, 0);
 }
 
 TEST(Outline, HasTheVerticesInTheirOrder) {
@@ -35,15 +38,37 @@ TEST(Outline, FollowsTheRules) {
               ElementsAre(WindowPoint{0, 8}, WindowPoint{8, 8}, WindowPoint{0, 2}));
 }
 
-// Two vertices at (4, 4) and (8, 4); the third is behind the eye, (0, 0, -1) as (X, Y, w). From the
-// first, (4, 4, 1), the edge to it is (4 - 4t, 4 - 4t, 1 - 2t), which grows without end before
-// w = 0 and leaves the guard where 4 - 4t = 16 (1 - 2t): at (16, 16). From the second, (8, 4, 1),
-// it is (8 - 8t, 4 - 4t, 1 - 2t), which leaves where 8 - 8t = 16 (1 - 2t): at (16, 8).
+/// x and y of all corners, from that with the least on, as they come round.
+std::vector<double> coordinates(std::vector<WindowPoint> corners) {
+  const auto first = std::min_element(corners.begin(), corners.end(),
+                                      [](const WindowPoint& a, const WindowPoint& b) {
+                                        return std::pair(a.x, a.y) < std::pair(b.x, b.y);
+                                      });
+  std::rotate(corners.begin(), first, corners.end());
+  std::vector<double> all;
+  for (const WindowPoint& corner : corners) {
+    all.push_back(corner.x);
+    all.push_back(corner.y);
+  }
+  return all;
+}
+
+// Two vertices are seen at (4, 4) and (8, 4), on lines from the third, which is behind the eye and
+// would be seen at (0, 0): y = x and y = x/2, that leave the guard at x = 16.
 // Kills: a corner that is taken to where it is seen behind the eye; corners beyond the guard.
 TEST(Outline, IsCutAtTheGuard) {
-  EXPECT_THAT(
-      outline({{{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, -1}}}),
-      ElementsAre(WindowPoint{4, 4}, WindowPoint{8, 4}, WindowPoint{16, 8}, WindowPoint{16, 16}));
+  using testing::DoubleEq;
+  EXPECT_THAT(coordinates(outline({{{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, -1}}})),
+              ElementsAre(DoubleEq(4), DoubleEq(4), DoubleEq(8), DoubleEq(4), DoubleEq(16),
+                          DoubleEq(8), DoubleEq(16), DoubleEq(16)));
+}
+
+// The third vertex would be seen at y = -2^-60 in NDC, the two others are at 2^-60: what is in
+// front of the eye is all where y is greater, and so are two corners of the guard.
+// Kills: an outline that is lost where the eye lies almost in the triangle's plane.
+TEST(Outline, IsThereWhereTheEyeIsAlmostInThePlane) {
+  EXPECT_THAT(outline({{{1, 0x1p-60F, 0, 1}, {-1, 0x1p-60F, 0, 1}, {0, 1, 0, -0x1p60F}}}),
+              testing::IsSupersetOf({WindowPoint{16, 16}, WindowPoint{-8, 16}}));
 }
 
 TEST(Outline, OfMoreThanTheScreenIsTheGuard) {
