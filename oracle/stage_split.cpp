@@ -165,8 +165,11 @@ std::optional<ExactSplit> StageSplit::traced(std::optional<std::uint32_t> attrib
   };
   Steps steps(start->value);
   if (!triangles_->copy_of(attribute)) {
-    const TriangleUnder handed(*source, triangles_->drawn.scene.contract());
-    const Forms forms(trace, *value, handed, attribute);
+    std::optional<TriangleUnder> other;
+    if (source->positions != triangles_->drawn.scene.source().positions) {
+      other.emplace(*source, triangles_->drawn.scene.contract());
+    }
+    const Forms forms(trace, *value, other ? *other : triangles_->drawn, attribute);
     for (const auto& [stage, form] : forms.all()) steps.take(stage, clamped(form(start->place)));
     steps.take(Stage::coverage, clamped(forms.all().back().second(*taken)));
     steps.take(Stage::weights, clamped(value_of_weights(*value, forms.terms())));
