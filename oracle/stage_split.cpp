@@ -20,9 +20,8 @@ using records::TracedValue;
 
 const TracedValue* traced_value(const SampleTrace& trace, std::optional<std::uint32_t> attribute) {
   if (!trace.is_drawn) return nullptr;
-  if (!attribute) return &trace.traced_depth;
-  return *attribute < trace.traced_attributes.size() ? &trace.traced_attributes[*attribute]
-                                                     : nullptr;
+  if (!attribute) return &trace.depth;
+  return *attribute < trace.attributes.size() ? &trace.attributes[*attribute] : nullptr;
 }
 
 /// What the stages make of a value, one after the other.

@@ -111,8 +111,8 @@ struct SampleTrace {
   double v = 0;
   std::optional<std::array<double, 3>> edges = std::nullopt;
   std::string decision = {};
-  TracedValue traced_depth = {};
-  std::vector<TracedValue> traced_attributes = {};
+  TracedValue depth = {};
+  std::vector<TracedValue> attributes = {};
   bool operator==(const SampleTrace&) const = default;
 };
 

@@ -87,9 +87,9 @@ records::SampleTrace sample_trace(const ras::Trace& trace) {
   result.v = trace.v;
   result.edges = trace.edges;
   result.decision = word(trace.decision);
-  result.traced_depth = value_of(trace.depth);
+  result.depth = value_of(trace.depth);
   for (const ras::TracedValue& value : trace.attributes) {
-    result.traced_attributes.push_back(value_of(value));
+    result.attributes.push_back(value_of(value));
   }
   return result;
 }

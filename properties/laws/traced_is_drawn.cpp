@@ -182,15 +182,14 @@ class TraceCheck {
     tally_.pass(AttributeKind::coverage);
     note_fault(at, fault_of_weights(*trace));
     tally_.label("decided " + trace->decision);
-    check_value(at, AttributeKind::depth, std::nullopt, drawn_->depth[i], *trace,
-                trace->traced_depth);
+    check_value(at, AttributeKind::depth, std::nullopt, drawn_->depth[i], *trace, trace->depth);
     const auto drawn = drawn_->attributes_of(i);
-    if (trace->traced_attributes.size() != drawn.size()) {
+    if (trace->attributes.size() != drawn.size()) {
       return note_fault(at, "the trace has another number of attributes");
     }
     for (std::uint32_t a = 0; a < drawn.size(); ++a) {
       check_value(at, records::kind_of(case_->attributes[a].interpolation), a, drawn[a], *trace,
-                  trace->traced_attributes[a]);
+                  trace->attributes[a]);
     }
   }
 

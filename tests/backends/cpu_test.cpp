@@ -112,11 +112,11 @@ TEST(Cpu, TracesWhatItDraws) {
   EXPECT_FALSE(trace->corners || trace->snapped);
   EXPECT_TRUE(trace->frame && trace->lines && trace->edges);
   EXPECT_EQ(trace->decision, "in_double");
-  EXPECT_EQ(trace->traced_depth.value, drawn.depth[0]);
-  EXPECT_TRUE(trace->traced_depth.numerator_at && trace->traced_depth.evaluated);
-  ASSERT_EQ(trace->traced_attributes.size(), drawn.attribute_count);
+  EXPECT_EQ(trace->depth.value, drawn.depth[0]);
+  EXPECT_TRUE(trace->depth.numerator_at && trace->depth.evaluated);
+  ASSERT_EQ(trace->attributes.size(), drawn.attribute_count);
   for (std::size_t a = 0; a < drawn.attribute_count; ++a) {
-    EXPECT_EQ(trace->traced_attributes[a].value, drawn.attributes_of(0)[a]);
+    EXPECT_EQ(trace->attributes[a].value, drawn.attributes_of(0)[a]);
   }
 }
 
@@ -146,10 +146,10 @@ TEST(Method, TracesWhatItDraws) {
     const auto trace = backend->trace(c, at).value();
     ASSERT_TRUE(trace.has_value());
     EXPECT_TRUE(trace->is_drawn);
-    EXPECT_EQ(trace->traced_depth.value, drawn.depth[0]);
-    ASSERT_EQ(trace->traced_attributes.size(), drawn.attribute_count);
-    EXPECT_EQ(trace->traced_attributes[0].value, drawn.attributes_of(0)[0]);
-    EXPECT_TRUE(trace->traced_attributes[0].evaluated.has_value());
+    EXPECT_EQ(trace->depth.value, drawn.depth[0]);
+    ASSERT_EQ(trace->attributes.size(), drawn.attribute_count);
+    EXPECT_EQ(trace->attributes[0].value, drawn.attributes_of(0)[0]);
+    EXPECT_TRUE(trace->attributes[0].evaluated.has_value());
     EXPECT_FALSE(backend->trace({}, {}).has_value());
   }
 }

@@ -22,8 +22,7 @@ std::optional<Stage> stage_of(const cases::Case& given, const cases::Case& clip,
                                 trace ? &*trace : nullptr);
   }
   if (!trace || !trace->is_drawn) return std::nullopt;
-  const float actual =
-      (found.attribute ? trace->traced_attributes[*found.attribute] : trace->traced_depth).value;
+  const float actual = (found.attribute ? trace->attributes[*found.attribute] : trace->depth).value;
   const auto parts = split.traced(found.attribute, found.x, found.y, found.sample, actual, *trace);
   return parts ? largest_part(enclose(*parts)) : std::nullopt;
 }

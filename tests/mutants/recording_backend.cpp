@@ -102,8 +102,7 @@ bool is_same(const std::vector<records::TracedValue>& a,
 bool is_same(const records::SampleTrace& a, const records::SampleTrace& b) {
   return are_same(a.is_drawn, b.is_drawn, a.positions, b.positions, a.corners, b.corners, a.snapped,
                   b.snapped, a.frame, b.frame, a.lines, b.lines, a.u, b.u, a.v, b.v, a.edges,
-                  b.edges, a.decision, b.decision, a.traced_depth, b.traced_depth,
-                  a.traced_attributes, b.traced_attributes);
+                  b.edges, a.decision, b.decision, a.depth, b.depth, a.attributes, b.attributes);
 }
 
 bool is_same(const std::array<float, 4>& a, const std::array<float, 4>& b) {

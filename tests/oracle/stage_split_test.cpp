@@ -43,7 +43,7 @@ Parts parts_of(const std::optional<ExactSplit>& split) {
 SampleTrace right_trace(const cases::Case& c) {
   SampleTrace trace = bare_trace(c, 0.5, 0.5);
   trace.frame = kFrame;
-  TracedValue& value = trace.traced_attributes[0];
+  TracedValue& value = trace.attributes[0];
   value.numerator = kQuarterU;
   value.denominator = kOne;
   value.numerator_at = 0.125;
@@ -56,15 +56,15 @@ SampleTrace right_trace(const cases::Case& c) {
 /// The same in what comes from corners or lines alone, with the value of those.
 SampleTrace trace_ending_in(const cases::Case& c, double value) {
   SampleTrace trace = bare_trace(c, 0.5, 0.5);
-  trace.traced_attributes[0].evaluated = value;
-  trace.traced_attributes[0].value = static_cast<float>(value);
+  trace.attributes[0].evaluated = value;
+  trace.attributes[0].value = static_cast<float>(value);
   return trace;
 }
 
 std::optional<ExactSplit> split(const cases::Case& c, const SampleTrace& trace,
                                 std::optional<std::uint32_t> attribute = 0, std::uint32_t x = 0,
                                 std::uint32_t y = 0) {
-  const float actual = (attribute ? trace.traced_attributes[*attribute] : trace.traced_depth).value;
+  const float actual = (attribute ? trace.attributes[*attribute] : trace.depth).value;
   const auto result =
       StageSplit(c, c, cases::contract_of(c), 0).traced(attribute, x, y, 0, actual, trace);
   EXPECT_TRUE(!result || adds_up(*result, actual));
@@ -159,7 +159,7 @@ TEST(TracedSplit, TellsSnapping) {
 TEST(TracedSplit, TellsAWrongPlane) {
   const cases::Case c = traced_case();
   SampleTrace trace = right_trace(c);
-  TracedValue& value = trace.traced_attributes[0];
+  TracedValue& value = trace.attributes[0];
   value.numerator->c += 0.125;
   value.numerator_at = 0.25;
   value.evaluated = 0.25;
@@ -180,8 +180,8 @@ TEST(TracedSplit, TellsAWrongLine) {
   trace.frame = kFrame;
   trace.lines = lines(2);
   for (records::TracedLine& line : *trace.lines) line = {3 * line.a, 3 * line.b, 3 * line.c};
-  trace.traced_attributes[0].is_from_lines = true;
-  trace.traced_attributes[0].weights = {{6, 0.5, 1}};  // eight times
+  trace.attributes[0].is_from_lines = true;
+  trace.attributes[0].weights = {{6, 0.5, 1}};  // eight times
   EXPECT_EQ(parts_of(split(c, trace)), Parts{});
   (*trace.lines)[1].b += 3.0 / 16;
   EXPECT_EQ(parts_of(split(c, trace)), (Parts{{Stage::set_up, "7/72"}, {Stage::weights, "-7/72"}}));
@@ -199,7 +199,7 @@ TEST(TracedSplit, TakesNoLinesThatAValueDoesNotComeFrom) {
 TEST(TracedSplit, TellsAnotherPlace) {
   const cases::Case c = traced_case();
   SampleTrace trace = right_trace(c);
-  TracedValue& value = trace.traced_attributes[0];
+  TracedValue& value = trace.attributes[0];
   value.u = 0.75;
   value.numerator_at = 0.1875;
   value.evaluated = 0.1875;
@@ -213,7 +213,7 @@ TEST(TracedSplit, TellsAnotherPlace) {
 TEST(TracedSplit, TellsWrongWeights) {
   const cases::Case c = traced_case();
   SampleTrace trace = right_trace(c);
-  TracedValue& value = trace.traced_attributes[0];
+  TracedValue& value = trace.attributes[0];
   value.denominator_at = 0.5;
   EXPECT_EQ(parts_of(split(c, trace)),
             (Parts{{Stage::weights, "1/8"}, {Stage::evaluation, "-1/8"}}));
@@ -228,15 +228,15 @@ TEST(TracedSplit, TakesSharesForWhatCornersHaveInTheValue) {
   cases::Case c = traced_case(2);
   c.attributes[0].interpolation = cases::Interpolation::noperspective;
   SampleTrace trace = trace_ending_in(c, 0.125);
-  trace.traced_attributes[0].shares = {{6, 1, 1}};
+  trace.attributes[0].shares = {{6, 1, 1}};
   EXPECT_EQ(parts_of(split(c, trace)), Parts{});
-  trace.traced_attributes[0].shares = {{6, 2, 0}};
+  trace.attributes[0].shares = {{6, 2, 0}};
   EXPECT_EQ(parts_of(split(c, trace)),
             (Parts{{Stage::weights, "1/8"}, {Stage::evaluation, "-1/8"}}));
   // A corner that clipping made half-way has 2/3 of the value there: (0 + 1·2)/2 over w = 3/2.
   trace.corners = window_corners();
   (*trace.corners)[1] = {4, 0, 0.25, 1.5, true, {0.5, 0.5, 0}};
-  trace.traced_attributes[0].shares = {{1, 3, 0}};
+  trace.attributes[0].shares = {{1, 3, 0}};
   EXPECT_EQ(parts_of(split(c, trace)),
             (Parts{{Stage::weights, "3/8"}, {Stage::evaluation, "-3/8"}}));
 }
@@ -246,14 +246,14 @@ TEST(TracedSplit, TakesNoCornersThatAValueDoesNotComeFrom) {
   SampleTrace trace = trace_ending_in(c, 0.125);
   trace.snapped = window_corners();
   (*trace.snapped)[1].x = 4.25;
-  trace.traced_attributes[0].is_from_vertices = true;
+  trace.attributes[0].is_from_vertices = true;
   EXPECT_EQ(parts_of(split(c, trace)), Parts{});
 }
 
 TEST(TracedSplit, TellsEvaluationFromRounding) {
   const cases::Case c = traced_case();
   SampleTrace trace = right_trace(c);
-  trace.traced_attributes[0].evaluated = 0.125 + 0x1p-30;
+  trace.attributes[0].evaluated = 0.125 + 0x1p-30;
   const auto result = split(c, trace);
   EXPECT_EQ(parts_of(result),
             (Parts{{Stage::evaluation, "1/1073741824"}, {Stage::rounding, "-1/1073741824"}}));
@@ -269,15 +269,15 @@ TEST(TracedSplit, TellsEvaluationFromRounding) {
 TEST(TracedSplit, GivesTheLastOperationsRoundingToIt) {
   const cases::Case c = traced_case();
   SampleTrace trace = right_trace(c);
-  trace.traced_attributes[0].evaluated.reset();
-  trace.traced_attributes[0].value = 0.25F;
+  trace.attributes[0].evaluated.reset();
+  trace.attributes[0].value = 0.25F;
   EXPECT_EQ(parts_of(split(c, trace)), (Parts{{Stage::evaluation, "1/8"}}));
 }
 
 TEST(TracedSplit, LeavesOutAStageWithoutAValue) {
   const cases::Case c = traced_case();
   SampleTrace trace = right_trace(c);
-  TracedValue& value = trace.traced_attributes[0];
+  TracedValue& value = trace.attributes[0];
   value.denominator = {0, 0, 0};
   value.denominator_at = 0;
   value.numerator_at = std::numeric_limits<double>::quiet_NaN();
@@ -308,9 +308,9 @@ TEST(TracedSplit, OfDepthIsByItsOwnPlane) {
   SampleTrace trace = bare_trace(c, 0.5, 0.5);
   trace.frame = kFrame;
   trace.corners = window_corners();
-  trace.traced_depth.numerator = {1.0 / 32, 1.0 / 16, 1.0 / 4};  // and v/8
-  trace.traced_depth.evaluated = 0.125;
-  trace.traced_depth.value = 0.125F;
+  trace.depth.numerator = {1.0 / 32, 1.0 / 16, 1.0 / 4};  // and v/8
+  trace.depth.evaluated = 0.125;
+  trace.depth.value = 0.125F;
   EXPECT_EQ(parts_of(split(c, trace, std::nullopt)), (Parts{{Stage::set_up, "1/16"}}));
   (*trace.corners)[2].z = 0.25;  // z/w has v/16 more
   EXPECT_EQ(parts_of(split(c, trace, std::nullopt)),
@@ -324,8 +324,8 @@ TEST(TracedSplit, OfDepthFollowsTheRules) {
   // 1/2 + (1/2)(u/8 + 1)/2 at u = 1/2: 49/64.
   SampleTrace trace = bare_trace(c, 0.5, 0.5);
   trace.corners = window_corners();
-  trace.traced_depth.evaluated = 49.0 / 64;
-  trace.traced_depth.value = 49.0F / 64;
+  trace.depth.evaluated = 49.0 / 64;
+  trace.depth.value = 49.0F / 64;
   EXPECT_EQ(parts_of(split(c, trace, std::nullopt)), Parts{});
   EXPECT_EQ(split(c, trace, std::nullopt)->unit, to_rational(power_of_two(-23)));
 }
@@ -337,10 +337,10 @@ TEST(TracedSplit, OfDepthIsClampedWhereTheRulesClamp) {
   c.viewport.max_depth = 0.75F;
   SampleTrace trace = bare_trace(c, 0.5, 0.5);
   trace.frame = kFrame;
-  trace.traced_depth.numerator = {0, 0, 3};
-  trace.traced_depth.numerator_at = 4;
-  trace.traced_depth.evaluated = 0.75;
-  trace.traced_depth.value = 0.75F;
+  trace.depth.numerator = {0, 0, 3};
+  trace.depth.numerator_at = 4;
+  trace.depth.evaluated = 0.75;
+  trace.depth.value = 0.75F;
   EXPECT_EQ(parts_of(split(c, trace, std::nullopt)), Parts{});
 }
 
@@ -357,7 +357,7 @@ cases::Case centroid_case(cases::Rules rules) {
 Parts centroid_parts(cases::Rules rules, double u, double v, Rational* exact) {
   const cases::Case c = centroid_case(rules);
   SampleTrace trace = bare_trace(c, 3.375, 0.125);
-  trace.traced_attributes[0] = {.u = u, .v = v, .evaluated = u, .value = static_cast<float>(u)};
+  trace.attributes[0] = {.u = u, .v = v, .evaluated = u, .value = static_cast<float>(u)};
   const auto result = split(c, trace, 0, 3, 0);
   if (result) *exact = result->exact;
   return parts_of(result);
@@ -394,7 +394,7 @@ TEST(TracedSplit, IsOfFiniteDrawnValuesOnly) {
   EXPECT_FALSE(triangle.traced(0, 0, 0, 0, 0.125F, trace));
   const float nan = std::numeric_limits<float>::quiet_NaN();
   trace = right_trace(c);
-  trace.traced_attributes[0].value = nan;
+  trace.attributes[0].value = nan;
   EXPECT_FALSE(triangle.traced(0, 0, 0, 0, nan, trace));
   EXPECT_FALSE(triangle.untraced(0, 0, 0, 0, nan));
 }
@@ -405,7 +405,7 @@ TEST(TracedSplit, IsOfDefinedValuesOnly) {
   const StageSplit triangle(c, c, cases::contract_of(c), 0);
   EXPECT_FALSE(triangle.traced(0, 2, 0, 0, 1, [&] {
     SampleTrace trace = bare_trace(c, 2.5, 0.5);
-    trace.traced_attributes[0].value = 1;
+    trace.attributes[0].value = 1;
     return trace;
   }()));
   EXPECT_FALSE(triangle.untraced(0, 2, 0, 0, 1));
@@ -415,7 +415,7 @@ TEST(TracedSplit, IsOfDefinedValuesOnly) {
 TEST(AddsUp, IsFalseWhereAPartLacks) {
   const cases::Case c = traced_case();
   SampleTrace trace = right_trace(c);
-  trace.traced_attributes[0].evaluated = 0.125 + 0x1p-30;
+  trace.attributes[0].evaluated = 0.125 + 0x1p-30;
   auto result = split(c, trace);
   ASSERT_TRUE(result && adds_up(*result, 0.125F));
   EXPECT_FALSE(adds_up(*result, 0x1.000002p-3F));

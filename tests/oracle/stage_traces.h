@@ -44,9 +44,9 @@ inline records::SampleTrace bare_trace(const cases::Case& c, double u, double v)
   }
   trace.u = u;
   trace.v = v;
-  trace.traced_depth.u = u;
-  trace.traced_depth.v = v;
-  trace.traced_attributes = {trace.traced_depth};
+  trace.depth.u = u;
+  trace.depth.v = v;
+  trace.attributes = {trace.depth};
   return trace;
 }
 

@@ -54,7 +54,7 @@ TEST(PartsAddUp, SumsMagnitudesByStage) {
   // An ulp of the scale, 8, is 2^-20: a quarter of one is too much before the rounding and too
   // little in it.
   const Check check =
-      with_traces([](SampleTrace& trace) { *trace.traced_attributes[0].evaluated += 0x1p-22; });
+      with_traces([](SampleTrace& trace) { *trace.attributes[0].evaluated += 0x1p-22; });
   EXPECT_EQ(check.violation_count, 0U);
   const auto& ordinary =
       check.judgement.errors.at(AttributeKind::smooth).stages.at(Stratum::ordinary);
@@ -65,8 +65,7 @@ TEST(PartsAddUp, SumsMagnitudesByStage) {
 }
 
 TEST(PartsAddUp, FindsATraceOfAnotherValue) {
-  const Check check =
-      with_traces([](SampleTrace& trace) { trace.traced_attributes[1].value += 1; });
+  const Check check = with_traces([](SampleTrace& trace) { trace.attributes[1].value += 1; });
   EXPECT_EQ(check.violation_count, 8U);
   EXPECT_EQ(check.violations.front().attribute, 1U);
   EXPECT_EQ(check.violations.front().exact, "a trace of the drawn value");

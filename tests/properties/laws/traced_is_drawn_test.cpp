@@ -52,7 +52,7 @@ TEST(TracedIsDrawn, HoldsOfCpu) {
 
 TEST(TracedIsDrawn, FindsAnotherDepth) {
   const records::Violation violation = only_of_first([](SampleTrace& trace) {
-    float& depth = trace.traced_depth.value;
+    float& depth = trace.depth.value;
     depth = std::nextafter(depth, 1.0F);
   });
   EXPECT_EQ(violation.kind, AttributeKind::depth);
@@ -62,10 +62,10 @@ TEST(TracedIsDrawn, FindsAnotherDepth) {
 
 TEST(TracedIsDrawn, FindsAnotherAttributeAndTheOtherZero) {
   const records::Violation violation =
-      only_of_first([](SampleTrace& trace) { trace.traced_attributes[2].value = -0.0F; });
+      only_of_first([](SampleTrace& trace) { trace.attributes[2].value = -0.0F; });
   EXPECT_EQ(violation.kind, AttributeKind::smooth);
   EXPECT_EQ(violation.attribute, 2U);
-  EXPECT_EQ(only_of_first([](SampleTrace& trace) { trace.traced_attributes.pop_back(); }).note,
+  EXPECT_EQ(only_of_first([](SampleTrace& trace) { trace.attributes.pop_back(); }).note,
             "the trace has another number of attributes");
 }
 
@@ -85,9 +85,9 @@ TEST(TracedIsDrawn, FindsWeightsOfAnotherPlace) {
 }
 
 TEST(TracedIsDrawn, FindsPlanesThatDoNotGiveTheValue) {
-  EXPECT_THAT(note_of_first([](SampleTrace& trace) { *trace.traced_depth.numerator_at += 1; }),
+  EXPECT_THAT(note_of_first([](SampleTrace& trace) { *trace.depth.numerator_at += 1; }),
               HasSubstr("a plane is "));
-  const auto smooth = [](SampleTrace& trace) -> TracedValue& { return trace.traced_attributes[0]; };
+  const auto smooth = [](SampleTrace& trace) -> TracedValue& { return trace.attributes[0]; };
   EXPECT_THAT(note_of_first([&](SampleTrace& trace) { smooth(trace).numerator->b += 1; }),
               HasSubstr("a plane is "));
   EXPECT_EQ(note_of_first([&](SampleTrace& trace) { smooth(trace).numerator_at.reset(); }),
@@ -99,7 +99,7 @@ TEST(TracedIsDrawn, FindsPlanesThatDoNotGiveTheValue) {
 TEST(TracedIsDrawn, FindsWeightsOfAValueThatAreNotThoseOfTheLines) {
   const auto at = [](std::array<double, 3> weights) {
     return [weights](SampleTrace& trace) {
-      TracedValue& value = trace.traced_attributes[0];
+      TracedValue& value = trace.attributes[0];
       value.numerator.reset();
       value.numerator_at.reset();
       value.is_from_lines = true;
