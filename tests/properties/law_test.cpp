@@ -123,8 +123,8 @@ TEST(Laws, SayNothingOfWhatIsNotPromised) {
            "discarding draws what keeping the kept texels draws",
            "filtered colours stay within the bound", "normals stay within their bound",
            "screen derivatives stay within the bound", "strips and fans are their triangles",
-           "texels are those of the exact coordinates", "the traced value is the drawn value",
-           "the vertex stage stays within its bound", "values at vertices come back"}));
+           "texels are those of the exact coordinates", "the vertex stage stays within its bound",
+           "values at vertices come back"}));
 }
 
 TEST(Laws, PassOnWhatABackendCannotDraw) {

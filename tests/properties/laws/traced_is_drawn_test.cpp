@@ -172,7 +172,20 @@ TEST(TracedIsDrawn, PassesOnATraceThatFails) {
 }
 
 TEST(TracedIsDrawn, SaysNothingOfABackendThatDoesNotTrace) {
-  EXPECT_FALSE(check_of(kLaw, square(), {}).is_applicable);
+  class DrawsOnly : public DamagedBackend {
+   public:
+    bool traces() const override { return false; }
+  };
+  DrawsOnly backend;
+  EXPECT_FALSE(is_promised(*find_law(kLaw), backend));
+  EXPECT_FALSE(check_of(kLaw, square(), backend).is_applicable);
+}
+
+TEST(TracedIsDrawn, HoldsOfMethods) {
+  const Check check = check_of(kLaw, square(), {});
+  EXPECT_TRUE(check.is_applicable);
+  EXPECT_EQ(check.violation_count, 0U);
+  EXPECT_EQ(check.judgement.counts.required, 8U);
 }
 
 }  // namespace
