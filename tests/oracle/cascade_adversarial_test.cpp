@@ -270,6 +270,16 @@ struct Tally {
   std::size_t least_at = 0;
 };
 
+/// Whether a zero is drawn where all vertices have the other.
+bool is_other_zero(const cases::Case& c, std::uint32_t triangle, std::size_t attribute,
+                   float actual) {
+  const cases::Triangle& vertices = c.triangles[triangle];
+  return actual == 0 && std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t vertex) {
+           const float value = c.attributes_of(vertex)[attribute];
+           return value == 0 && std::signbit(value) != std::signbit(actual);
+         });
+}
+
 /// Of drawings by an exact contract, in the order of places and each place once, of finite values.
 std::map<AttributeKind, Tally> tally_of(const SceneTruth& scene, const cases::Framebuffer& drawn) {
   std::map<AttributeKind, Tally> tallies;
@@ -286,14 +296,16 @@ std::map<AttributeKind, Tally> tally_of(const SceneTruth& scene, const cases::Fr
     const int sample = drawn.sample[i];
     if (truth->judge(x, y, sample).verdict == Verdict::forbidden) continue;
     const auto add = [&](AttributeKind kind, const std::optional<ValueRange>& value, float actual,
-                         const Field& magnitude_of_vertices, float bound) {
+                         const Field& magnitude_of_vertices, float bound, bool is_wrong_zero) {
       if (!value) return;
       const Field exact = to_field(value->lo);
       const Field size = std::max(magnitude(exact), magnitude_of_vertices);
       const long exponent = sign_of(size) == 0 ? -126 : std::max(floor_log2(size), -126L);
       const Field error = (exact_field(actual) - exact) * power_of_two(23 - exponent);
       Tally& tally = tallies[kind];
-      ++(magnitude(error) <= exact_field(bound) ? tally.correct : tally.beyond);
+      if (!is_wrong_zero) {
+        ++(magnitude(error) <= exact_field(bound) ? tally.correct : tally.beyond);
+      }
       const Enclosure around = enclose(error);
       tally.histogram.add(records::magnitude_bound(around));
       if (std::pair(around.hi, around.lo) > std::pair(tally.most.hi, tally.most.lo)) {
@@ -307,7 +319,7 @@ std::map<AttributeKind, Tally> tally_of(const SceneTruth& scene, const cases::Fr
     };
     const float far = std::max(c.viewport.min_depth, c.viewport.max_depth);
     add(AttributeKind::depth, truth->depth(x, y, sample), drawn.depth[i], exact_field(far),
-        scene.contract().bounds.depth.constant);
+        scene.contract().bounds.depth.constant, false);
     for (std::size_t a = 0; a < c.attributes.size(); ++a) {
       if (truth->is_value_free(a)) continue;
       Field largest = 0;
@@ -319,7 +331,9 @@ std::map<AttributeKind, Tally> tally_of(const SceneTruth& scene, const cases::Fr
                           : kind == AttributeKind::noperspective
                               ? scene.contract().bounds.noperspective.constant
                               : 0.0F;
-      add(kind, truth->attribute(a, x, y, sample), drawn.attributes_of(i)[a], largest, bound);
+      const float actual = drawn.attributes_of(i)[a];
+      add(kind, truth->attribute(a, x, y, sample), actual, largest, bound,
+          is_other_zero(c, drawn.triangle[i], a, actual));
     }
   }
   return tallies;
