@@ -50,9 +50,10 @@ class Forms {
         std::optional<std::uint32_t> attribute)
       : trace_(&trace), value_(&value), received_(&received), attribute_(attribute) {
     take(Stage::transform, vertices_of(received.setup()));
+    const bool is_of_another_part = value.corners || value.snapped;
     if (!value.is_from_vertices) {
-      take_corners(Stage::clip_space, trace.corners);
-      take_corners(Stage::snap, trace.snapped);
+      take_corners(Stage::clip_space, is_of_another_part ? value.corners : trace.corners);
+      take_corners(Stage::snap, is_of_another_part ? value.snapped : trace.snapped);
     }
     take_set_up();
   }

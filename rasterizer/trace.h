@@ -76,6 +76,9 @@ struct TracedValue {
   double v = 0;
   /// Whether it belongs to the clip positions as they are, past `corners` and `snapped`.
   bool is_from_vertices = false;
+  /// The corners that it comes from, where they are of another part than the sample's.
+  std::optional<std::array<TracedCorner, 3>> corners = std::nullopt;
+  std::optional<std::array<TracedCorner, 3>> snapped = std::nullopt;
   /// The value is numerator / denominator, or the numerator alone, and both at (u, v) are these.
   std::optional<TracedPlane> numerator = std::nullopt;
   std::optional<TracedPlane> denominator = std::nullopt;

@@ -72,6 +72,10 @@ struct TracedValue {
   /// Whether it belongs to the clip positions as they are: `corners` and `snapped` of the trace are
   /// what is covered, and no part of how the value came about.
   bool is_from_vertices = false;
+  /// The stages `clip_space` and `snap` of the part that it is of, where that is another than the
+  /// sample's: of a value at the centre, say.
+  std::optional<std::array<TracedCorner, 3>> corners = std::nullopt;
+  std::optional<std::array<TracedCorner, 3>> snapped = std::nullopt;
   /// The stage `set_up`: the value is numerator / denominator, or the numerator alone.
   std::optional<TracedPlane> numerator = std::nullopt;
   std::optional<TracedPlane> denominator = std::nullopt;

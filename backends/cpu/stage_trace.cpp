@@ -50,6 +50,8 @@ records::TracedValue value_of(const ras::TracedValue& traced) {
   value.u = traced.u;
   value.v = traced.v;
   value.is_from_vertices = traced.is_from_vertices;
+  value.corners = corners_of(traced.corners);
+  value.snapped = corners_of(traced.snapped);
   value.numerator = plane_of(traced.numerator);
   value.denominator = plane_of(traced.denominator);
   value.is_from_lines = traced.is_from_lines;

@@ -114,7 +114,9 @@ class RecordingTap {
     return static_cast<std::size_t>(address_.x - place.first);
   }
   bool is_looked_at(const DrawBounds& bounds, const PixelBox& box) const;
-  void set_corners(const PieceCorners& corners);
+  /// Those of a part, as the members `corners` and `snapped`.
+  template <typename Into>
+  void set_corners(const PieceCorners& corners, Into& into) const;
   void set_part(const DrawnPart& part);
   Decision decision_of(const BlockPlace& place, const CoveredBlock& block) const;
   TracedValue value_of(const PartPoint& at) const;

@@ -86,11 +86,11 @@ bool is_same(const records::TracedPlane& a, const records::TracedPlane& b) {
 }
 
 bool is_same(const records::TracedValue& a, const records::TracedValue& b) {
-  return are_same(a.u, b.u, a.v, b.v, a.is_from_vertices, b.is_from_vertices, a.numerator,
-                  b.numerator, a.denominator, b.denominator, a.is_from_lines, b.is_from_lines,
-                  a.numerator_at, b.numerator_at, a.denominator_at, b.denominator_at, a.weights,
-                  b.weights, a.shares, b.shares, a.is_exact, b.is_exact, a.evaluated, b.evaluated,
-                  a.value, b.value);
+  return are_same(a.u, b.u, a.v, b.v, a.is_from_vertices, b.is_from_vertices, a.corners, b.corners,
+                  a.snapped, b.snapped, a.numerator, b.numerator, a.denominator, b.denominator,
+                  a.is_from_lines, b.is_from_lines, a.numerator_at, b.numerator_at,
+                  a.denominator_at, b.denominator_at, a.weights, b.weights, a.shares, b.shares,
+                  a.is_exact, b.is_exact, a.evaluated, b.evaluated, a.value, b.value);
 }
 
 bool is_same(const std::vector<records::TracedValue>& a,

@@ -241,6 +241,21 @@ TEST(TracedSplit, TakesSharesForWhatCornersHaveInTheValue) {
             (Parts{{Stage::weights, "3/8"}, {Stage::evaluation, "-3/8"}}));
 }
 
+TEST(TracedSplit, TakesAValuesOwnCorners) {
+  const cases::Case c = traced_case();
+  SampleTrace trace = trace_ending_in(c, 0.125);
+  trace.corners = window_corners();
+  trace.snapped = window_corners();
+  (*trace.corners)[1].x = 5;
+  (*trace.snapped)[1].x = 4.25;
+  TracedValue& value = trace.traced_attributes[0];
+  value.snapped = window_corners();
+  EXPECT_EQ(parts_of(split(c, trace)), Parts{});
+  (*value.snapped)[1].x = 8;  // r = u/8
+  EXPECT_EQ(parts_of(split(c, trace)),
+            (Parts{{Stage::snap, "-1/16"}, {Stage::evaluation, "1/16"}}));
+}
+
 TEST(TracedSplit, TakesNoCornersThatAValueDoesNotComeFrom) {
   const cases::Case c = traced_case();
   SampleTrace trace = trace_ending_in(c, 0.125);
