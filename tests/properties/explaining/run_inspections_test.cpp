@@ -74,7 +74,9 @@ TEST(InspectRun, ShowsTheLargestErrorOfEachKindAndStratum) {
       }
     }
     EXPECT_GT(largest, 0);
-    if (!one.source.coverage) EXPECT_EQ(error_of(one), largest);
+    if (!one.source.coverage) {
+      EXPECT_EQ(error_of(one), largest);
+    }
     EXPECT_FALSE(one.splits.empty());
     EXPECT_LE(one.samples.size(), 256U);
   }
