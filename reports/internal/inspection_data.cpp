@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "cases/float_text.h"
@@ -24,8 +25,15 @@ using records::Inspection;
 
 constexpr int kDigits = 6;  ///< significant, of what is certified
 constexpr std::size_t kAllDigits = std::numeric_limits<std::size_t>::max();
-/// How many digits of a whole number are kept, from what is tried first to what has to do.
-constexpr std::array<std::size_t, 4> kMostDigits{kAllDigits, 60, 30, 16};
+
+/// How much of an inspection is kept.
+struct Extent {
+  std::size_t most_digits;  ///< of a whole number
+  std::uint32_t reach;      ///< pixels around the sample that was looked for
+};
+/// From what is tried first to what has to do.
+constexpr std::array<Extent, 5> kExtents{
+    {{kAllDigits, records::kMostInspected}, {60, 32}, {30, 32}, {16, 32}, {16, 8}}};
 
 json certain(const std::optional<Enclosure>& number) {
   return number ? json(records::to_decimal(*number, kDigits)) : json();
@@ -135,6 +143,26 @@ json inspection_json(const Inspection& inspection, std::size_t most_digits) {
           {"samples", std::move(samples)}};
 }
 
+/// The pixels in common of `size` from `first` on and of those around another.
+std::pair<std::uint32_t, std::uint32_t> around(std::uint32_t first, std::uint32_t size,
+                                               std::uint32_t place, std::uint32_t reach) {
+  const std::uint32_t from = std::max(first, place - std::min(place, reach));
+  const std::uint32_t end = std::min(first + size, place + reach + 1);
+  return {from, std::max(end, from) - from};
+}
+
+/// The part of an inspection that is close to what was looked for.
+Inspection within(const Inspection& whole, std::uint32_t reach) {
+  Inspection part = whole;
+  std::tie(part.left, part.width) = around(whole.left, whole.width, whole.x, reach);
+  std::tie(part.top, part.height) = around(whole.top, whole.height, whole.y, reach);
+  std::erase_if(part.samples, [&part](const InspectedSample& sample) {
+    return sample.x < part.left || sample.x - part.left >= part.width || sample.y < part.top ||
+           sample.y - part.top >= part.height;
+  });
+  return part;
+}
+
 /// JSON that no HTML parser takes for markup.
 std::string embedded(const json& data) {
   const std::string text = data.dump(-1, ' ', true, json::error_handler_t::replace);
@@ -155,17 +183,18 @@ std::string embedded(const json& data) {
 std::vector<std::string> inspection_data(const std::vector<Inspection>& inspections,
                                          std::size_t most) {
   std::vector<std::string> data;
-  for (const std::size_t most_digits : kMostDigits) {
+  for (const Extent& extent : kExtents) {
     data.clear();
     std::size_t bytes = 0;
     for (const Inspection& inspection : inspections) {
-      data.push_back(embedded(inspection_json(inspection, most_digits)));
+      const json part = inspection_json(within(inspection, extent.reach), extent.most_digits);
+      data.push_back(embedded(part));
       bytes += data.back().size();
       if (bytes > most) break;
     }
-    if (bytes <= most || most_digits == kMostDigits.back()) break;
+    if (bytes <= most) break;
   }
-  // What even so few digits leave too large is left out.
+  // What even so is too large is left out.
   data.resize(inspections.size());
   return data;
 }

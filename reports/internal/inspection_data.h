@@ -25,8 +25,8 @@ namespace rastercheck::reports {
 
 /// Each inspection as text that may stand in an HTML script element: ASCII, without "<". All
 /// together have `most` bytes and one inspection more, at most: as many digits of exact fractions
-/// are left out as that takes, but for those of the sample that was looked for. Where that is not
-/// enough the last texts are empty.
+/// are left out as that takes, but for those of the sample that was looked for, then the pixels
+/// farther from it than 8. Where that is not enough the last texts are empty.
 std::vector<std::string> inspection_data(const std::vector<records::Inspection>& inspections,
                                          std::size_t most);
 

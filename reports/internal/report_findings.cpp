@@ -26,7 +26,7 @@ using records::Inspection;
 using records::Run;
 
 constexpr std::size_t kLongestValue = 160;    ///< characters
-constexpr std::size_t kMostData = 3'000'000;  ///< bytes of all inspections in the page
+constexpr std::size_t kMostData = 3'500'000;  ///< bytes of all inspections in the page
 
 std::string value_text(std::string_view text) {
   return "<span class=\"value\">" + html(elided(text, kLongestValue)) + "</span>";

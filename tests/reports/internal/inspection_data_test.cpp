@@ -107,6 +107,32 @@ TEST(InspectionData, LeavesOutDigitsWhereAllAreTooMany) {
   EXPECT_EQ(kept.size(), 401U);
 }
 
+// 8 pixels to either side of (20, 3), of 32 by 8.
+TEST(InspectionData, LeavesOutWhatIsFarNext) {
+  records::Inspection inspection = sample_counterexample_inspection();
+  inspection.width = 32;
+  inspection.x = 20;
+  inspection.y = 3;
+  const records::InspectedSample sample = inspection.samples[4 * 8 + 3];
+  inspection.samples.clear();
+  for (std::uint32_t y = 0; y < 8; ++y) {
+    for (std::uint32_t x = 0; x < 32; ++x) {
+      inspection.samples.push_back(sample);
+      inspection.samples.back().x = x;
+      inspection.samples.back().y = y;
+    }
+  }
+  const std::string whole = inspection_data({inspection}, kEnough)[0];
+  const json data = data_of(inspection, whole.size() * 3 / 4);
+  EXPECT_EQ(data["left"], 12);
+  EXPECT_EQ(data["width"], 17);
+  EXPECT_EQ(data["top"], 0);
+  EXPECT_EQ(data["height"], 8);
+  ASSERT_EQ(data["samples"].size(), 17U * 8);
+  EXPECT_EQ(data["samples"][0][0], 0);
+  EXPECT_EQ(data["samples"][16][0], 16);
+}
+
 TEST(InspectionData, LeavesOutInspectionsAtLast) {
   const std::vector<std::string> data =
       inspection_data({long_inspection(), long_inspection(), long_inspection()}, 1);
