@@ -53,16 +53,16 @@ bool RecordingTap::is_looked_at(const DrawBounds& bounds, const PixelBox& box) c
          bounds.sample_rows[sample].contains(address_.y);
 }
 
-template <typename Into>
-void RecordingTap::set_corners(const PieceCorners& corners, Into& into) const {
-  auto& snapped = into.snapped.emplace();
-  for (std::size_t i = 0; i < 3; ++i) snapped[i] = traced(*corners[i], units_of_a_pixel_);
+void RecordingTap::set_corners(const PieceCorners& corners, Corners& window,
+                               Corners& snapped) const {
+  auto& on_grid = snapped.emplace();
+  for (std::size_t i = 0; i < 3; ++i) on_grid[i] = traced(*corners[i], units_of_a_pixel_);
   if (!polygon_->is_cut) return;
-  auto& window = into.corners.emplace(snapped);
+  auto& in_window = window.emplace(on_grid);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto index = static_cast<std::size_t>(corners[i] - polygon_->corners.data());
-    window[i].x = polygon_->window[index].x;
-    window[i].y = polygon_->window[index].y;
+    in_window[i].x = polygon_->window[index].x;
+    in_window[i].y = polygon_->window[index].y;
   }
 }
 
@@ -118,7 +118,7 @@ void RecordingTap::weighed(const WeighedBlock& block) {
   trace_->attributes.resize(block.part.values.attributes.size());
   set_part(block.part);
   const PieceCorners& corners = block.part.source.corners;
-  if (corners[0] != nullptr) set_corners(corners, *trace_);
+  if (corners[0] != nullptr) set_corners(corners);
   trace_->u = address_.x + block.offset.x;
   trace_->v = address_.y + block.offset.y;
   trace_->edges = weights_at(block.weights, column(block.place));
@@ -207,7 +207,9 @@ void RecordingTap::located(const BlockPlace& place, int column, std::size_t attr
   const std::array<double, 3> weights = at.part.weights.at(at.u, at.v);
   traced.is_exact = !is_certain(line, values, at.part.weights.det_t, weights);
   const PieceCorners& corners = at.part.source.corners;
-  if (&at.part != part_ && corners[0] != nullptr) set_corners(corners, traced);
+  if (&at.part != part_ && corners[0] != nullptr) {
+    set_corners(corners, traced.corners, traced.snapped);
+  }
   // Of another part the lines are not those of the trace.
   if (traced.is_exact || &at.part != part_) return;
   traced.is_from_lines = true;

@@ -114,9 +114,12 @@ class RecordingTap {
     return static_cast<std::size_t>(address_.x - place.first);
   }
   bool is_looked_at(const DrawBounds& bounds, const PixelBox& box) const;
-  /// Those of a part, as the members `corners` and `snapped`.
-  template <typename Into>
-  void set_corners(const PieceCorners& corners, Into& into) const;
+  using Corners = std::optional<std::array<TracedCorner, 3>>;
+  /// Those of a part, before they were snapped if it is cut, and after.
+  void set_corners(const PieceCorners& corners, Corners& window, Corners& snapped) const;
+  void set_corners(const PieceCorners& corners) {
+    set_corners(corners, trace_->corners, trace_->snapped);
+  }
   void set_part(const DrawnPart& part);
   Decision decision_of(const BlockPlace& place, const CoveredBlock& block) const;
   TracedValue value_of(const PartPoint& at) const;
