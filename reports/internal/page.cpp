@@ -81,6 +81,11 @@ std::string_view verdict_sign(LawVerdict verdict) {
   return kNothing;
 }
 
+std::string verdict_word(const LawSummary& row) {
+  return fmt::format(R"(<span class="{}">{} {}</span>)", verdict_class(row.verdict),
+                     verdict_sign(row.verdict), verdict_text(row));
+}
+
 std::string verdict_mark(const LawSummary& row) {
   const std::string why = records::why_not_checked(row);
   const bool is_unchecked = row.verdict == LawVerdict::not_checked;

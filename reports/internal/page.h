@@ -27,6 +27,8 @@ std::string counted_spans(const std::map<std::string, std::uint64_t>& all);
 
 /// The verdict as a word, with a sign for those who skim and a class for its colour.
 std::string verdict_mark(const records::LawSummary& row);
+/// The same without the reason why a law says nothing.
+std::string verdict_word(const records::LawSummary& row);
 /// The class of that colour.
 std::string_view verdict_class(records::LawVerdict verdict);
 /// The sign alone, "✗".

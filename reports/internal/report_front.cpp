@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -28,9 +31,9 @@ std::vector<LawSummary> by_urgency(std::vector<LawSummary> rows) {
         return 0;
       case LawVerdict::known:
         return 1;
-      case LawVerdict::not_checked:
-        return 2;
       case LawVerdict::held:
+        return 2;
+      case LawVerdict::not_checked:
         break;
     }
     return 3;
@@ -49,7 +52,7 @@ std::string table_of(const std::vector<LawSummary>& rows) {
       "<th class=\"number\">cases</th><th class=\"number\">fragments</th></tr></thead>\n<tbody>\n";
   for (const LawSummary& row : by_urgency(rows)) {
     const std::string law = fmt::format("<a href=\"#{}\">{}</a>", law_link(row.law), html(row.law));
-    text += "<tr>" + cell(law) + cell(html(row.backend)) + cell(verdict_mark(row)) +
+    text += "<tr>" + cell(law) + cell(html(row.backend)) + cell(verdict_word(row)) +
             number_cell("worst ULP", number_text(row.ideal.worst)) +
             number_cell("p99 ULP", at_most_text(row.ideal.p99)) +
             number_cell("beyond contract", number_text(row.excess.worst)) +
@@ -75,40 +78,77 @@ std::string levels_of(const LawSummary& total) {
   return text;
 }
 
-/// The row whose errors are largest in a sense; nullptr where none has any.
-template <typename SizeOf>
-const LawSummary* greatest(const std::vector<LawSummary>& rows, const SizeOf& size_of) {
-  const LawSummary* found = nullptr;
-  for (const LawSummary& row : rows) {
-    const std::optional<Enclosure> size = size_of(row);
-    if (size && (found == nullptr || size->hi > size_of(*found)->hi)) found = &row;
+/// All rows of a backend together, the largest of their errors included.
+struct BackendFigures {
+  std::string backend;
+  std::vector<LawSummary> rows;
+  std::optional<Enclosure> worst;
+  std::optional<Enclosure> p99;
+  std::optional<Enclosure> excess;
+};
+
+void keep_greater(std::optional<Enclosure>& kept, const std::optional<Enclosure>& other) {
+  if (other && (!kept || other->hi > kept->hi)) kept = other;
+}
+
+std::vector<BackendFigures> by_backend(const Run& run, const std::vector<LawSummary>& rows) {
+  std::vector<BackendFigures> all;
+  for (const std::string& backend : run.backends) {
+    BackendFigures figures;
+    figures.backend = backend;
+    for (const LawSummary& row : rows) {
+      if (row.backend != backend) continue;
+      figures.rows.push_back(row);
+      keep_greater(figures.worst, row.ideal.worst);
+      keep_greater(figures.p99, row.ideal.p99);
+      keep_greater(figures.excess, row.excess.worst);
+    }
+    all.push_back(figures);
   }
-  return found;
+  return all;
 }
 
 std::string figure(std::string_view term, const std::string& number, const std::string& of) {
   return definition(term, fmt::format("<strong>{}</strong> <small>{}</small>", number, of));
 }
 
+/// What each of several backends came to.
+std::string backends_table(const std::vector<BackendFigures>& all) {
+  std::string text =
+      "<table class=\"backends\">\n<thead><tr><th>backend</th><th>verdict</th>"
+      "<th class=\"number\">worst error<br><small>scale ULP</small></th>"
+      "<th class=\"number\">p99 error<br><small>largest of a law</small></th>"
+      "<th class=\"number\">beyond contract<br><small>scale "
+      "ULP</small></th></tr></thead>\n<tbody>\n";
+  for (const BackendFigures& of : all) {
+    const LawVerdict verdict = records::verdict_of(of.rows);
+    text += "<tr>" + cell(html(of.backend)) +
+            cell(fmt::format("<span class=\"{}\">{} {}</span>", verdict_class(verdict),
+                             verdict_sign(verdict), html(verdict_sentence(of.rows)))) +
+            number_cell("worst error", number_text(of.worst)) +
+            number_cell("p99 error", at_most_text(of.p99)) +
+            number_cell("beyond contract", number_text(of.excess)) + "</tr>\n";
+  }
+  return text + "</tbody>\n</table>\n";
+}
+
 /// The figures that a reader wants first, large.
-std::string figures_of(const std::vector<LawSummary>& rows, const LawSummary& total) {
+std::string figures_of(const Run& run, const std::vector<LawSummary>& rows,
+                       const LawSummary& total) {
   const records::Counts& counts = total.counts;
-  const auto worst_of = [](const LawSummary& row) { return row.ideal.worst; };
-  const auto p99_of = [](const LawSummary& row) { return row.ideal.p99; };
   std::string text =
       "<dl class=\"figures\">\n" +
       figure("cases checked", grouped(total.cases.checked),
              counted(rows.size(), "check", "checks")) +
       figure("samples judged", grouped(counts.required + counts.forbidden + counts.permitted),
-             counted(counts.undecided, "undecided", "undecided"));
-  if (const LawSummary* row = greatest(rows, worst_of)) {
-    text +=
-        figure("worst error", number_text(row->ideal.worst), "scale ULP, " + html(row->backend));
+             fmt::format("{} undecided", grouped(counts.undecided)));
+  const std::vector<BackendFigures> all = by_backend(run, rows);
+  if (all.size() == 1) {
+    text += figure("worst error", number_text(all[0].worst), "scale ULP") +
+            figure("p99 error", at_most_text(all[0].p99), "scale ULP, the largest of a law") +
+            figure("beyond contract", number_text(all[0].excess), "scale ULP");
   }
-  if (const LawSummary* row = greatest(rows, p99_of)) {
-    text += figure("p99 error", at_most_text(row->ideal.p99), "scale ULP, " + html(row->backend));
-  }
-  return text + "</dl>\n";
+  return text + "</dl>\n" + (all.size() > 1 ? backends_table(all) : "");
 }
 
 std::string facts_of(const LawSummary& total) {
@@ -132,11 +172,17 @@ std::string gaps_of(const Run& run, const std::vector<LawSummary>& rows) {
     add(records::unreached_sentence(label));
   for (const records::UnexpectedPass& pass : run.unexpected)
     add(records::unexpected_sentence(pass));
+  // Several laws for one reason are one line.
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> laws;
   for (const LawSummary& row : rows) {
     if (row.verdict != LawVerdict::not_checked || !row.unreached.empty()) continue;
     const std::string why = records::why_not_checked(row);
-    add(fmt::format("{} on {}: {}", row.law, row.backend,
-                    why.empty() ? "no case says anything of it" : why));
+    laws[{row.backend, why.empty() ? "no case says anything of it" : why}].push_back(row.law);
+  }
+  for (const auto& [reason, names] : laws) {
+    add(fmt::format("{} on {}: {}",
+                    names.size() == 1 ? names[0] : counted(names.size(), "", "laws"), reason.first,
+                    reason.second));
   }
   const std::uint64_t permitted = totals(rows).counts.permitted;
   if (permitted > 0) {
@@ -163,8 +209,9 @@ std::string front_of(const Run& run, const std::vector<LawSummary>& rows) {
   return fmt::format(
              "<header>\n<p class=\"name\">RasterCheck</p>\n<h1 class=\"{}\">{}</h1>\n</header>\n",
              verdict_class(total.verdict), html(verdict_sentence(rows))) +
-         figures_of(rows, total) + fmt::format("<p class=\"unit\">{}</p>\n", html(kUnitSentence)) +
-         "<div class=\"front\">\n<aside>\n" + gaps_of(run, rows) + again(run) +
+         figures_of(run, rows, total) +
+         fmt::format("<p class=\"unit\">{}</p>\n", html(kUnitSentence)) +
+         "<div class=\"front\">\n<aside>\n" + again(run) + gaps_of(run, rows) +
          "</aside>\n<section>\n<h2>Every law on every backend</h2>\n" + table_of(rows) +
          fmt::format("<p class=\"unit\">{}</p>\n", html(kExcessSentence)) + facts_of(total) +
          "</section>\n</div>\n";

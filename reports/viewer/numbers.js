@@ -67,6 +67,16 @@ export function signed(text) {
 }
 
 /**
+ * An error for a cell: two decimals, or two digits of a large one.
+ * @param {number} value
+ * @returns {string}
+ */
+export function briefError(value) {
+  if (!(Math.abs(value) < 10)) return brief(value, 2);
+  return String(Number(value.toFixed(2)) + 0).replace('-', '−');
+}
+
+/**
  * A number for axes and cells.
  * @param {number} value
  * @param {number} [digits]  at most

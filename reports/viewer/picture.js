@@ -6,7 +6,14 @@ import { outcomeOf } from './inspection.js';
 import { newId } from './dom.js';
 import { fillsOf } from './views.js';
 
-const kLeastForText = 34; // CSS pixels of a sample's side that a number of three digits takes
+const kLeastFont = 7; // CSS pixels
+const kLetter = 0.62; // of the font's size, a digit's width
+
+/** The size of a text's font that a sample's side has room for; 0: none. */
+function fontFor(text, side) {
+  const size = Math.min(13, side * 0.36, (side - 3) / (kLetter * text.length));
+  return size >= kLeastFont ? size : 0;
+}
 
 function drawAxes(svg, inspection, g) {
   const { left, top, width, height } = inspection;
@@ -40,12 +47,13 @@ function drawFills(layer, inspection, g, fills) {
     .attr('transform', (f) => `translate(${cellCentre(inspection, g, f.sample)})`);
   cell.append('rect').attr('x', -g.side / 2).attr('y', -g.side / 2)
     .attr('width', g.side).attr('height', g.side).style('fill', (f) => f.fill);
-  cell.filter((f) => f.text && (g.side >= kLeastForText || f.isSign)).append('text')
-    .attr('class', 'in-cell').attr('dy', '.36em').attr('text-anchor', 'middle')
-    .style('fill', (f) => f.ink)
-    .style('font-size', (f) => `${f.isSign && g.side < kLeastForText
-      ? Math.max(g.side * 0.6, 6) : Math.min(g.side * 0.3, 13)}px`)
-    .text((f) => (g.side >= kLeastForText ? f.text : f.sign));
+  const write = (part, text, size) => part.append('text').attr('class', 'in-cell')
+    .attr('dy', '.36em').attr('text-anchor', 'middle').style('fill', (f) => f.ink)
+    .style('font-size', (f) => `${size(f)}px`).text(text);
+  const hasRoom = (f) => fontFor(f.text, g.side) > 0;
+  write(cell.filter(hasRoom), (f) => f.text, (f) => fontFor(f.text, g.side));
+  write(cell.filter((f) => !hasRoom(f) && f.isSign), (f) => f.sign,
+    () => Math.max(g.side * 0.6, 6));
 }
 
 /** Of one sample a pixel the cell is the pixel; of several they are around their samples. */

@@ -1,7 +1,7 @@
 // What each view of an inspection fills its samples with.
 
 import { valueOf } from './inspection.js';
-import { brief } from './numbers.js';
+import { brief, briefError } from './numbers.js';
 import { errorSign, errorStep, inkOn, kOddFill, kOddInk } from './palette.js';
 
 /** The views, in the order in which they are offered: [name in links, name for readers]. */
@@ -106,7 +106,7 @@ function errorFills(inspection, attribute) {
     if (!Number.isFinite(value.actual)) return oddFill(value, sample);
     const step = errorStep(value.error);
     if (!step) return null;
-    const fill = filled(sample, step.fill, brief(value.error, 2), errorSign(value.error));
+    const fill = filled(sample, step.fill, briefError(value.error), errorSign(value.error));
     return { ...fill, ink: step.ink };
   });
 }
