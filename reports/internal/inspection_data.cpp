@@ -146,9 +146,10 @@ json inspection_json(const Inspection& inspection, std::size_t most_digits) {
 /// The pixels in common of `size` from `first` on and of those around another.
 std::pair<std::uint32_t, std::uint32_t> around(std::uint32_t first, std::uint32_t size,
                                                std::uint32_t place, std::uint32_t reach) {
+  if (size == 0) return {first, size};
+  place = std::clamp(place, first, first + size - 1);
   const std::uint32_t from = std::max(first, place - std::min(place, reach));
-  const std::uint32_t end = std::min(first + size, place + reach + 1);
-  return {from, std::max(end, from) - from};
+  return {from, std::min(first + size, place + reach + 1) - from};
 }
 
 /// The part of an inspection that is close to what was looked for.

@@ -56,6 +56,7 @@ TEST(InspectionData, OfCoverageNoValueIsChosen) {
   EXPECT_EQ(data_of(inspection)["q"], json());
 }
 
+// Whatever was looked for, there or not.
 TEST(InspectionData, IsCountedFromThePart) {
   records::Inspection inspection = sample_counterexample_inspection();
   inspection.left = 100;
@@ -65,6 +66,7 @@ TEST(InspectionData, IsCountedFromThePart) {
     sample.y += 200;
   }
   const json data = data_of(inspection);
+  ASSERT_EQ(data["samples"].size(), 64U);
   EXPECT_EQ(data["samples"][5 * 8 + 2][0], 2);
   EXPECT_EQ(data["samples"][5 * 8 + 2][1], 5);
   EXPECT_EQ(data["left"], 100);
