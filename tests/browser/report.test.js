@@ -122,7 +122,7 @@ test('keys alone reach everything of a viewer', () => withPage(async (page) => {
   }
 }));
 
-/** The longest that a report of a run may be asked for here; how long it takes is told, not judged. */
+// How long it takes is told, and not judged.
 test('a report of a real run opens', { skip: !process.env.RASTERCHECK_RUN_REPORT }, async (t) => {
   const report = pathToFileURL(process.env.RASTERCHECK_RUN_REPORT).href;
   await withPage(async (page) => {
@@ -136,5 +136,12 @@ test('a report of a real run opens', { skip: !process.env.RASTERCHECK_RUN_REPORT
     const count = await sections.count();
     t.diagnostic(`${count} inspections`);
     await until(page, (all) => document.querySelectorAll('.viewer').length === all, count);
+    await page.locator('details').evaluateAll((all) => all.forEach((details) => {
+      details.open = true;
+    }));
+    for (const width of [360, 768, 1280]) {
+      await page.setViewportSize({ width, height: 900 });
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+    }
   }, { report });
 });
