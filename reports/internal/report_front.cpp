@@ -43,9 +43,12 @@ std::vector<LawSummary> by_urgency(std::vector<LawSummary> rows) {
   return rows;
 }
 
-std::string table_of(const std::vector<LawSummary>& rows) {
-  std::string text =
-      "<table class=\"verdicts sortable\">\n<thead><tr><th>law</th><th>backend</th>"
+std::string table_of(const Run& run, const std::vector<LawSummary>& rows) {
+  // One backend is in the heading.
+  std::string text = fmt::format("<table class=\"verdicts sortable{}\">\n",
+                                 run.backends.size() == 1 ? " of-one" : "");
+  text +=
+      "<thead><tr><th>law</th><th>backend</th>"
       "<th>verdict</th><th class=\"number\">worst<br><small>scale ULP</small></th>"
       "<th class=\"number\">p99<br><small>scale ULP</small></th>"
       "<th class=\"number\">beyond<br>contract<br><small>scale ULP</small></th>"
@@ -145,8 +148,7 @@ std::string figures_of(const Run& run, const std::vector<LawSummary>& rows,
   const std::vector<BackendFigures> all = by_backend(run, rows);
   if (all.size() == 1) {
     text += figure("worst error", number_text(all[0].worst), "scale ULP") +
-            figure("p99 error", at_most_text(all[0].p99), "scale ULP, the largest of a law") +
-            figure("beyond contract", number_text(all[0].excess), "scale ULP");
+            figure("p99 error", at_most_text(all[0].p99), "scale ULP, the largest of a law");
   }
   return text + "</dl>\n" + (all.size() > 1 ? backends_table(all) : "");
 }
@@ -212,7 +214,9 @@ std::string front_of(const Run& run, const std::vector<LawSummary>& rows) {
          figures_of(run, rows, total) +
          fmt::format("<p class=\"unit\">{}</p>\n", html(kUnitSentence)) +
          "<div class=\"front\">\n<aside>\n" + again(run) + gaps_of(run, rows) +
-         "</aside>\n<section>\n<h2>Every law on every backend</h2>\n" + table_of(rows) +
+         "</aside>\n<section>\n<h2>Every law on " +
+         (run.backends.size() == 1 ? html(run.backends[0]) : std::string("every backend")) +
+         "</h2>\n" + table_of(run, rows) +
          fmt::format("<p class=\"unit\">{}</p>\n", html(kExcessSentence)) + facts_of(total) +
          "</section>\n</div>\n";
 }

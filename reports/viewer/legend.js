@@ -50,7 +50,8 @@ function ofView(inspection, view, attribute) {
       ...oddItems(inspection)];
   }
   const values = ramp(...rangeOf(inspection, attribute), d3.interpolateViridis, 'value');
-  return view === 'expected' ? [values] : [values, ...oddItems(inspection)];
+  const beyond = item('', '▲ ▼ drawn beyond the range of exact values');
+  return view === 'expected' ? [values] : [values, beyond, ...oddItems(inspection)];
 }
 
 /** The legend of a view. */

@@ -114,7 +114,7 @@ export class Picture {
     const g = geometryOf(inspection, room);
     this.geometry = g;
     svg.attr('viewBox', `0 0 ${g.width} ${g.height}`).attr('width', g.width)
-      .attr('height', g.height).selectAll('*').remove();
+      .attr('height', g.height).style('width', `${g.width}px`).selectAll('*').remove();
     const defs = svg.append('defs');
     const plot = (id) => defs.append('clipPath').attr('id', id).append('rect')
       .attr('x', g.plot.x).attr('y', g.plot.y).attr('width', g.plot.width)

@@ -32,18 +32,29 @@ const filled = (sample, fill, text, sign = '') => ({
   isSign: sign !== '',
 });
 
-/** The range of exact values, which colours run over; drawn ones may leave it. */
+/**
+ * The range that colours run over: of exact values, which drawn ones may leave; of both where exact
+ * ones are all the same.
+ */
 export function rangeOf(inspection, attribute) {
-  const all = inspection.samples.map((s) => valueOf(s, attribute)?.nearest)
-    .filter((n) => Number.isFinite(n));
-  const [low, high] = d3.extent(all);
-  return low === undefined ? [0, 1] : [low, high];
+  const values = inspection.samples.flatMap((s) => valueOf(s, attribute) ?? []);
+  const finite = (numbers) => numbers.filter((n) => Number.isFinite(n));
+  const exact = finite(values.map((v) => v.nearest));
+  const [low, high] = d3.extent(exact);
+  if (low < high) return [low, high];
+  const [least, most] = d3.extent([...exact, ...finite(values.map((v) => v.actual))]);
+  return least === undefined ? [0, 1] : [least, most];
+}
+
+/** ▲ and ▼ for what is beyond a range. */
+function beyond(value, [low, high]) {
+  return value > high ? '▲' : value < low ? '▼' : '';
 }
 
 export function valueColours(inspection, attribute) {
   const [low, high] = rangeOf(inspection, attribute);
-  return d3.scaleSequential(d3.interpolateViridis).domain(low === high ? [low - 1, high + 1] : [low, high])
-    .clamp(true);
+  const domain = low === high ? [low - 1, high + 1] : [low, high];
+  return d3.scaleSequential(d3.interpolateViridis).domain(domain).clamp(true);
 }
 
 /** How far values are off at most, in their own unit. */
@@ -81,10 +92,12 @@ function oddFill(value, sample) {
 
 function actualFills(inspection, attribute) {
   const colour = valueColours(inspection, attribute);
+  const range = rangeOf(inspection, attribute);
   return fillsBy(inspection, attribute, (value, sample) => {
     if (value.hex === null) return null;
     if (!Number.isFinite(value.actual)) return oddFill(value, sample);
-    return filled(sample, colour(value.actual), brief(value.actual));
+    const sign = beyond(Math.abs(value.error) > 0.5 ? value.actual : range[0], range);
+    return filled(sample, colour(value.actual), brief(value.actual) + sign, sign);
   });
 }
 
