@@ -248,7 +248,7 @@ TEST(TracedSplit, TakesAValuesOwnCorners) {
   trace.snapped = window_corners();
   (*trace.corners)[1].x = 5;
   (*trace.snapped)[1].x = 4.25;
-  TracedValue& value = trace.traced_attributes[0];
+  TracedValue& value = trace.attributes[0];
   value.snapped = window_corners();
   EXPECT_EQ(parts_of(split(c, trace)), Parts{});
   (*value.snapped)[1].x = 8;  // r = u/8
