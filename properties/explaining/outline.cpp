@@ -59,7 +59,8 @@ Polygon clipped(const Polygon& polygon, const Line& line) {
     const double a = at(from);
     const double b = at(to);
     if (a >= 0) inside.push_back(from);
-    if ((a >= 0) == (b >= 0)) continue;
+    const bool is_between = (a > 0 && b < 0) || (a < 0 && b > 0);
+    if (!is_between) continue;
     const double t = a / (a - b);
     inside.push_back({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
   }

@@ -164,14 +164,17 @@ TEST(Inspect, ShowsNoMoreValuesThanAskedFor) {
   EXPECT_THAT(crop_of(inspection_of({{0, 40, 50, 0}}, {}, c, {0})), ElementsAre(40, 50, 1, 1));
 }
 
-// The triangle covers pixels 4…7 of 100 in both directions, and none beside.
+// The triangle covers pixels 4…7 of 128 in both directions; the oracle may not know better than
+// 3…8. Kills: a margin left out, the whole framebuffer shown, a sample that is not.
 TEST(Inspect, ShowsLittleAroundASmallTriangle) {
   cases::Case c = larger_square(128, 1);
   for (cases::ClipVertex& p : c.positions) {
     p = {(p.x + 1) / 32 - 0.9375F, (p.y + 1) / 32 - 0.9375F, 0.25F, 1};
   }
   const Inspection found = inspection_of({{0, 5, 4, 0}}, {}, c);
-  EXPECT_THAT(crop_of(found), ElementsAre(2, 2, 8, 8));
+  EXPECT_THAT((std::array{found.left, found.top}), testing::Each(testing::AnyOf(1, 2)));
+  EXPECT_THAT((std::array{found.left + found.width, found.top + found.height}),
+              testing::Each(testing::AnyOf(10, 11)));
   // Elsewhere what was looked for is shown all the same.
   const Inspection far = inspection_of({{0, 90, 90, 0}}, {}, c);
   EXPECT_EQ(sample_of(far, 90, 90).verdict, records::Verdict::forbidden);
