@@ -49,6 +49,7 @@ TEST(Focus, IsTheLargestErrorWhereNothingIsViolated) {
   of_second.triangle = 1;
   EXPECT_EQ(focus_of(of_second, make_off), at(1, 6, 6, std::nullopt));
   EXPECT_EQ(focus_of(request_at(1, 1), make_off), at(0, 1, 1, 0));
+  EXPECT_EQ(focus_of({}, {}), at(0, 0, 0, std::nullopt));  // the first of all, which are right
 }
 
 // Kills: a missing sample passed over for a large error.

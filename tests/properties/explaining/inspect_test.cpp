@@ -91,6 +91,8 @@ TEST(Inspect, TellsErrorFromExcess) {
   open.basis = cases::Basis::snapped;  // each vertex anywhere within a pixel
   backend.promised = open;
   cases::Case c = square();
+  c.coverage = open.coverage;
+  c.basis = open.basis;
   for (cases::ClipVertex& p : c.positions) p.x -= 0.125F;  // half a pixel: between grid points
   const Inspection found = inspect(c, backend, {{0, 2, 1, 0}, 0}).value();
   const InspectedValue x = sample_of(found, 2, 1).values.at(1);
