@@ -82,7 +82,14 @@ std::string cause_of(const Inspection& inspection, const std::optional<std::uint
     if (split.attribute != attribute) continue;
     const std::optional<records::Stage> largest = records::largest_part(split);
     if (!largest) return "";
-    return fmt::format("; most of it is from <strong>{}</strong>", to_string(*largest));
+    switch (*largest) {
+      case records::Stage::left_open:
+        return "; most of it is what the <strong>contract leaves open</strong>";
+      case records::Stage::excess:
+        return "; most of it is <strong>beyond what the contract leaves open</strong>";
+      default:
+        return fmt::format("; most of it is from <strong>{}</strong>", to_string(*largest));
+    }
   }
   return "";
 }

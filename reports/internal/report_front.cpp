@@ -213,12 +213,11 @@ std::string front_of(const Run& run, const std::vector<LawSummary>& rows) {
              verdict_class(total.verdict), html(verdict_sentence(rows))) +
          figures_of(run, rows, total) +
          fmt::format("<p class=\"unit\">{}</p>\n", html(kUnitSentence)) +
-         "<div class=\"front\">\n<aside>\n" + again(run) + gaps_of(run, rows) +
-         "</aside>\n<section>\n<h2>Every law on " +
+         "<div class=\"front\">\n<section>\n<h2>Every law on " +
          (run.backends.size() == 1 ? html(run.backends[0]) : std::string("every backend")) +
          "</h2>\n" + table_of(run, rows) +
          fmt::format("<p class=\"unit\">{}</p>\n", html(kExcessSentence)) + facts_of(total) +
-         "</section>\n</div>\n";
+         "</section>\n<aside>\n" + again(run) + gaps_of(run, rows) + "</aside>\n</div>\n";
 }
 
 }  // namespace rastercheck::reports

@@ -67,11 +67,13 @@ export function signed(text) {
 }
 
 /**
- * An error for a cell: two decimals, or two digits of a large one.
+ * An error for a cell: two decimals, or two digits of a large one, as "2.9M".
  * @param {number} value
  * @returns {string}
  */
 export function briefError(value) {
+  if (Math.abs(value) >= 1e15) return value.toExponential(0).replace('-', '−').replace('+', '');
+  if (Math.abs(value) >= 1000) return d3.format('.2~s')(value).replace('-', '−');
   if (!(Math.abs(value) < 10)) return brief(value, 2);
   return String(Number(value.toFixed(2)) + 0).replace('-', '−');
 }

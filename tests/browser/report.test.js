@@ -141,6 +141,9 @@ test('a report of a real run opens', { skip: !process.env.RASTERCHECK_RUN_REPORT
     }));
     for (const width of [360, 768, 1280]) {
       await page.setViewportSize({ width, height: 900 });
+      // Places in a picture are those that it is drawn with.
+      await until(page, () => [...document.querySelectorAll('svg.picture')].every((picture) =>
+        Math.abs(picture.getBoundingClientRect().width - picture.viewBox.baseVal.width) < 0.01));
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
     }
   }, { report });
