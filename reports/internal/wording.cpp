@@ -14,7 +14,6 @@ namespace {
 
 using records::LawSummary;
 using records::LawVerdict;
-using records::Run;
 
 double to_double(std::string_view text) {
   double value = 0;
