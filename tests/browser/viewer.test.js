@@ -93,6 +93,53 @@ test('each view has its picture and its legend', () => withPage(async (page) => 
   assert.match(await legend(), /scale ULP.*≤ ½.*> 64.*above.*below.*NaN or ∞/);
 }));
 
+test('errors have a colour and a sign by their size', () => withPage(async (page) => {
+  await choose(page, 'ULP');
+  const cells = await page.locator('.picture').first().evaluate((picture) =>
+    [...picture.querySelectorAll('.in-cell')].map((text) =>
+      [text.textContent, getComputedStyle(text.previousSibling).fill]));
+  const fillOf = (text) => cells.find(([content]) => content === text)?.[1];
+  assert.equal(fillOf('5.03'), 'rgb(213, 94, 0)'); // ≤ 64
+  assert.equal(fillOf('−1.94'), 'rgb(230, 159, 0)'); // ≤ 4
+  assert.equal(fillOf('∞'), 'rgb(204, 121, 167)');
+  await choose(page, 'Difference');
+  assert.ok(await page.locator('.picture .in-cell').first().isVisible());
+}));
+
+test('small cells have signs where numbers have no room', () => withPage(async (page) => {
+  const section = page.locator('[data-inspection="1"]');
+  assert.ok((await section.locator('.in-cell').allTextContents()).includes('0.53'));
+  await section.locator('.frame').evaluate((frame) => {
+    frame.style.width = '240px';
+  });
+  await until(page, () =>
+    document.querySelector('[data-inspection="1"] svg.picture').viewBox.baseVal.width < 250);
+  // The one value that is off by more than half a unit.
+  assert.deepEqual(await section.locator('.in-cell').allTextContents(), ['▲']);
+}, { hash: '#inspection=1' }));
+
+test('of a comparison the right side is what was drawn', () => withPage(async (page) => {
+  await choose(page, 'Compare');
+  // What is missing was not expected to be; it is on the side that the slider covers.
+  const isClipped = await page.locator('.picture .g-missing').first().evaluate((sign) =>
+    sign.closest('g[clip-path^="url(#swipe"]') !== null);
+  assert.equal(isClipped, true);
+  const uncovered = () => page.locator('.picture').first().evaluate((picture) => {
+    const rect = picture.querySelector('clipPath[id^="swipe"] rect');
+    const plot = picture.querySelector('rect.plot');
+    const [x, width, left, all] = [rect, plot].flatMap((node) =>
+      [Number(node.getAttribute('x')), Number(node.getAttribute('width'))]);
+    return Math.abs(x + width - left - all) < 1e-9 ? width : NaN; // up to the right border
+  });
+  const slider = page.locator('.swipe input').first();
+  await slider.focus();
+  await page.keyboard.press('End');
+  assert.equal(await uncovered(), 0);
+  await page.keyboard.press('Home');
+  const plot = Number(await page.locator('.picture rect.plot').first().getAttribute('width'));
+  assert.ok(Math.abs((await uncovered()) - plot) < 1e-9);
+}));
+
 test('the slider moves from expected to actual', () => withPage(async (page) => {
   const slider = page.locator('.swipe input').first();
   assert.equal(await slider.isVisible(), false);
