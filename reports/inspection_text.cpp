@@ -225,6 +225,7 @@ std::string split_text(const records::ErrorSplit& split) {
   if (largest == 0) return "  by stage, no stage is off\n";
   const int decimals = decimals_for(largest);
   std::vector<std::pair<std::string, double>> rows;
+  rows.reserve(split.parts.size() + 1);
   for (const records::StagePart& part : split.parts) {
     rows.emplace_back(to_string(part.stage), middle_of(part.error));
   }

@@ -23,7 +23,7 @@ std::string shortened(std::string_view number) {
 }  // namespace
 
 std::string elided(const oracle::Rational& value) {
-  const std::string text = value.to_string();
+  std::string text = value.to_string();
   if (digits_of(text) <= kMostDigits) return text;
   const std::string_view all = text;
   const std::size_t slash = all.find('/');
