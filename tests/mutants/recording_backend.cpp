@@ -52,6 +52,15 @@ bool is_same(float a, float b) {
 
 bool is_same(const std::string& a, const std::string& b) { return a == b; }
 
+// Templates ask for what is declared before them.
+bool is_same(const std::array<float, 4>& a, const std::array<float, 4>& b);
+bool is_same(const records::TracedCorner& a, const records::TracedCorner& b);
+bool is_same(const records::TracedFrame& a, const records::TracedFrame& b);
+bool is_same(const records::TracedLine& a, const records::TracedLine& b);
+bool is_same(const records::TracedPlane& a, const records::TracedPlane& b);
+bool is_same(const records::TracedValue& a, const records::TracedValue& b);
+bool is_same(const std::vector<records::TracedValue>& a,
+             const std::vector<records::TracedValue>& b);
 template <typename T>
 bool is_same(const std::array<T, 3>& a, const std::array<T, 3>& b);
 template <typename T>
