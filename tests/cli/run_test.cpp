@@ -116,7 +116,7 @@ TEST_F(Run, NeedNotCheckWhatIsNotPromised) {
   EXPECT_EQ(outcome.code, 0) << outcome;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("held"), HasSubstr("not checked")));
   EXPECT_EQ(run({"--backend", "method:rational-linear", "--cases", "3", "--seed", "1", "--property",
-                 "the traced*"})
+                 "strips and fans*"})
                 .code,
             5);
   EXPECT_EQ(run({"--cases", "0", "--property", "values at vertices*"}).code, 5);  // promised
