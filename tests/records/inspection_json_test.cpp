@@ -180,7 +180,7 @@ TEST_P(BadInspection, IsRefusedWithItsPlace) {
 
 const Fault kFaults[] = {
     {"/more", "1", "unknown key 'more'"},
-    {"/occasion", R"("boredom")", "must be counterexample or worst"},
+    {"/occasion", R"("boredom")", "must be counterexample, worst or asked for"},
     {"/kind", R"("rough")", "must be "},
     {"/case/version", "2", "version must be 1"},
     {"/pattern/0", "[1]", "x and y"},
