@@ -8,6 +8,9 @@ set(package_docs "${CMAKE_INSTALL_DATADIR}/doc")
 install(FILES README.md DESTINATION "${package_docs}/rastercheck" COMPONENT program)
 install(DIRECTORY docs DESTINATION "${package_docs}/rastercheck" COMPONENT program)
 install(FILES LICENSE DESTINATION "${package_docs}/rastercheck" RENAME copyright COMPONENT program)
+# Of d3, which every report.html has in it.
+install(FILES /usr/share/doc/node-d3/copyright DESTINATION "${package_docs}/rastercheck"
+  RENAME copyright.d3 COMPONENT program OPTIONAL)
 install(FILES LICENSE DESTINATION "${package_docs}/rastercheck-dev" RENAME copyright
   COMPONENT rasterizer)
 
