@@ -10,6 +10,7 @@
 
 #include "cases/float_text.h"
 #include "reports/commands.h"
+#include "reports/counterexample_text.h"
 #include "reports/internal/html.h"
 #include "reports/internal/inspection_data.h"
 #include "reports/internal/page.h"
@@ -204,6 +205,12 @@ std::string close_up_of(const Counterexample& counterexample, bool has_viewer) {
   return text + "</pre>\n";
 }
 
+/// State, vertices and triangles, as a terminal shows them.
+std::string case_of(const cases::Case& source) {
+  return "<details class=\"case\"><summary>The case: state, vertices, triangles</summary>\n<pre>" +
+         html(case_text(source)) + "</pre></details>\n";
+}
+
 std::string counterexample_section(const Run& run, const Counterexample& counterexample,
                                    const Shown* shown, bool is_open) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
@@ -213,11 +220,14 @@ std::string counterexample_section(const Run& run, const Counterexample& counter
                   html(found.law), html(found.backend), html(found.verdict), found.index),
       is_open);
   if (!counterexample.source.name.empty()) {
-    text += "<p>“" + html(counterexample.source.name) + "”</p>\n";
+    // The name is that of the case it was made of, which need not show in it any more.
+    text += fmt::format("<p>{}“{}”</p>\n", counterexample.shrinking ? "Made smaller from " : "",
+                        html(counterexample.source.name));
   }
   if (shown != nullptr) text += inspection_of(*shown);
   text += violations_of(counterexample);
   text += close_up_of(counterexample, shown != nullptr && !shown->data.empty());
+  text += case_of(counterexample.source);
   return text + fmt::format("<p><code>{}</code></p>\n</details>\n",
                             html(replay_command(run, records::file_of(counterexample))));
 }
@@ -240,7 +250,7 @@ std::string worst_section(const Shown& shown) {
                                 what, error, html(inspection.backend), html(inspection.law)),
                     false);
   if (!inspection.source.name.empty()) text += "<p>“" + html(inspection.source.name) + "”</p>\n";
-  return text + inspection_of(shown) + "</details>\n";
+  return text + inspection_of(shown) + case_of(inspection.source) + "</details>\n";
 }
 
 const Shown* shown_of(const std::vector<Shown>& all, std::size_t counterexample) {
