@@ -28,7 +28,10 @@ TEST(Findings, AnInspectionStandsWithItsCounterexample) {
                               "data-inspection=\"0\" open>"));
   EXPECT_THAT(page, HasSubstr("<details class=\"finding\">"));
   EXPECT_EQ(count_of(page, "<pre class=\"unscripted\">"), 1U);
-  EXPECT_EQ(count_of(page, "<pre>"), 1U);
+  // And each has its case.
+  EXPECT_EQ(count_of(page, "<summary>The case: state, vertices, triangles</summary>\n<pre>"), 3U);
+  EXPECT_EQ(count_of(page, "<pre>"), 1U + 3U);
+  EXPECT_THAT(page, HasSubstr("<p>Made smaller from “"));
 }
 
 TEST(Findings, AWorstCaseSaysWhatItIsTheWorstOf) {
