@@ -90,9 +90,22 @@ TEST(CoverageStage, IsTheSnapThatMovedACorner) {
   EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::snap);
   (*trace.corners)[2].y = 1;
   EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::clip_space);
-  // What the exact snap stage would have mended is not the corners' doing.
-  (*trace.corners)[2].y = 4.03;
-  EXPECT_EQ(stage_of(c, 1, 1, trace), Stage::snap);
+}
+
+TEST(CoverageStage, DoesNotTellCornersFromWhatSnappingMends) {
+  // The left edge at u = 1/2 owns the first sample. A corner at 0.52 is that of 1/2 on the grid,
+  // though as it is it leaves the sample outside.
+  cases::Case c = snapped_case();
+  c.positions[0].x = -0.75F;
+  c.positions[2].x = -0.75F;
+  SampleTrace trace = right_trace(c, 0, 0, false);
+  trace.decision = "in_whole_numbers";
+  trace.corners = window_corners();
+  (*trace.corners)[0].x = 0.52;
+  (*trace.corners)[2].x = 0.5;
+  EXPECT_EQ(stage_of(c, 0, 0, trace), Stage::coverage);
+  (*trace.corners)[0].x = 0.6;
+  EXPECT_EQ(stage_of(c, 0, 0, trace), Stage::clip_space);
 }
 
 TEST(CoverageStage, IsTheCornersOfAPartThatReachesTooFar) {
