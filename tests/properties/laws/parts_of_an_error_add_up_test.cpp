@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "cases/case_reader.h"
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
@@ -114,6 +115,36 @@ TEST(PartsAddUp, PassesOnATraceThatFails) {
   const auto check = find_law(kLaw)->check(square(), backend, {});
   ASSERT_FALSE(check.has_value());
   EXPECT_EQ(check.error().reason, "no traces today");
+}
+
+// Snapping covers a sample where the positions that were handed on have 1/w <= 0, and with that no
+// value: the split of what any backend shows has no part `transform` there, and that is no fault.
+TEST(PartsAddUp, HoldsBeyondTheHorizonOfASnappedTriangle) {
+  const Result<cases::Case> source = cases::parse_case(
+      R"({"format": "rastercheck-case", "version": 1, "name": "snapped beyond the horizon",
+"framebuffer": {"width": 6, "height": 1, "samples": 1},
+"viewport": {"x": "-0x1.8ee688p+4", "y": "-0x1.082bfcp+3", "width": "0x1.463b52p+5",
+"height": "0x1.ec2d12p+4", "min_depth": "0x0p+0", "max_depth": "0x1p+0"},
+"rules": "vulkan", "coverage": {"subpixel_bits": 4, "rounding": "nearest_even"},
+"cull": "none", "front_face": "ccw", "attributes": [{"name": "a0",
+"interpolation": "smooth", "location": "sample"}], "camera": {"model": ["0x1p+0",
+"0x0p+0", "0x0p+0", "-0x1.ap-1", "0x0p+0", "0x1p+0", "0x0p+0", "0x1.2p+0", "0x0p+0",
+"0x0p+0", "0x1p+0", "0x1.e8p+2", "0x0p+0", "0x0p+0", "0x0p+0", "0x1p+0"],
+"view": ["0x1.ep-4", "0x1.e8p-1", "0x1.3p-2", "0x0p+0", "-0x1.606p-4", "0x1.3f5p-2",
+"-0x1.e47ap-1", "0x0p+0", "-0x1.fa8p-1", "0x1.605816p-4", "0x1.e4791ep-4", "0x0p+0",
+"0x0p+0", "0x0p+0", "0x0p+0", "0x1p+0"], "projection": ["0x1.08p-1", "0x0p+0",
+"0x0p+0", "0x0p+0", "0x0p+0", "0x1.6096p-1", "0x0p+0", "0x0p+0", "0x0p+0", "0x0p+0",
+"-0x1p+1", "-0x1p+1", "0x0p+0", "0x0p+0", "-0x1p+0", "0x0p+0"]},
+"vertices": [{"position": ["0x1.0cp+2", "0x1.4p+0", "-0x1.5cp+2", "0x1p+0"],
+"attributes": ["0x0p+0"]}, {"position": ["0x1.6p+1", "0x1.9p+0", "-0x1.9cp+2",
+"0x1p+0"], "attributes": ["0x0p+0"]}, {"position": ["-0x1.f8p+2", "-0x1.11fffep+3",
+"-0x1.a6p+3", "0x1p+0"], "attributes": ["0x1p+0"]}], "triangles": [[0, 1, 2]]})",
+      "case");
+  ASSERT_TRUE(source.has_value()) << to_string(source.error());
+  DamagedBackend backend({}, "cpu");
+  const Check check = check_of(kLaw, *source, backend);
+  EXPECT_EQ(check.violation_count, 0U);
+  EXPECT_EQ(check.judgement.counts.required, 1U);
 }
 
 }  // namespace
