@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/exact_contract.h"
 #include "oracle/internal/coverage.h"
 #include "oracle/internal/rational_number.h"
 #include "oracle/ulp.h"
@@ -12,14 +13,6 @@ namespace rastercheck::oracle {
 namespace {
 
 bool is_same(const Point& a, const Point& b) { return a.u == b.u && a.v == b.v; }
-
-/// With the same tie rule, and nothing left open besides.
-cases::Contract exact_contract(cases::Contract contract) {
-  contract.coverage.reset();
-  contract.basis = cases::Basis::ideal;
-  contract.claims = cases::Claim::perspective;
-  return contract;
-}
 
 }  // namespace
 
@@ -37,8 +30,8 @@ std::optional<Field> TriangleUnder::value_at(std::optional<std::uint32_t> attrib
 
 StageSplit::Triangles::Triangles(const cases::Case& given_alone, const cases::Case& drawn_alone,
                                  const cases::Contract& contract)
-    : given(given_alone, exact_contract(contract)),
-      drawn(drawn_alone, exact_contract(contract)),
+    : given(given_alone, cases::exact_contract(contract)),
+      drawn(drawn_alone, cases::exact_contract(contract)),
       open(drawn_alone, contract) {}
 
 std::optional<Field> StageSplit::Triangles::copy_of(std::optional<std::uint32_t> attribute) const {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/exact_contract.h"
 #include "cases/sample_pattern.h"
 #include "oracle/stage_split.h"
 #include "oracle/transform.h"
@@ -36,14 +37,6 @@ using records::Verdict;
 constexpr std::uint32_t kMostSamples = records::kMostInspected * records::kMostInspected;
 /// Pixels around what the triangle touches.
 constexpr int kMargin = 2;
-
-/// What the rules say of exact triangles, whatever the backend promises.
-cases::Contract exact_contract(const cases::Case& c) {
-  cases::Contract contract = cases::contract_of(c);
-  contract.coverage.reset();
-  contract.basis = cases::Basis::ideal;
-  return contract;
-}
 
 /// The drawn fragments of one triangle, by (y, x, sample): indices into the framebuffer.
 using Drawn = std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::size_t>;
@@ -331,7 +324,7 @@ Result<Inspection> inspect(const cases::Case& c, backends::Backend& backend, con
   const Result<cases::Framebuffer> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
 
-  const SceneTruth exact_scene(*clip, exact_contract(*clip));
+  const SceneTruth exact_scene(*clip, cases::exact_contract(cases::contract_of(*clip)));
   const cases::Contract contract = backend.contract(*clip);
   const SceneTruth promised_scene(*clip, contract);
   const TriangleTruth exact(exact_scene, focus.at.triangle);

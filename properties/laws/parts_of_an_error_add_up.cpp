@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/exact_contract.h"
 #include "oracle/stage_split.h"
 #include "oracle/transform.h"
 #include "oracle/triangle_truth.h"
@@ -40,14 +41,6 @@ using records::SampleTrace;
 /// Fragments of a triangle, and of a case, whose errors are split.
 constexpr std::size_t kMostOfTriangle = 4;
 constexpr std::size_t kMostFragments = 64;
-
-/// The exact triangle, whatever a contract leaves open.
-cases::Contract exact_contract(cases::Contract contract) {
-  contract.coverage.reset();
-  contract.basis = cases::Basis::ideal;
-  contract.claims = cases::Claim::perspective;
-  return contract;
-}
 
 /// Nothing where the positions that were handed on leave the value undefined (1/w <= 0 at a sample
 /// that only snapping covers): the split has no such part then.
@@ -75,7 +68,7 @@ class SplitCheck {
         backend_(&backend),
         contract_(backend.contract(clip)),
         verdicts_(clip, contract_),
-        exact_(given, exact_contract(contract_)),
+        exact_(given, cases::exact_contract(contract_)),
         tally_(clip) {}
 
   Result<Check> run() {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <string_view>
 
+#include "cases/exact_contract.h"
 #include "oracle/triangle_truth.h"
 #include "properties/draw.h"
 #include "properties/generator.h"
@@ -35,10 +36,7 @@ inline std::array<double, 2> window(const cases::Case& c, const cases::ClipVerte
 
 /// The contract of the mathematical triangle, whatever the case asks for.
 inline cases::Contract exact_contract(const cases::Case& c) {
-  cases::Contract contract = cases::contract_of(c);
-  contract.coverage.reset();
-  contract.basis = cases::Basis::ideal;
-  return contract;
+  return cases::exact_contract(cases::contract_of(c));
 }
 
 /// Whether `question` is true of a sample's verdict, of any that the triangle may cover.
