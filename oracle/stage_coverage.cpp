@@ -133,7 +133,7 @@ std::optional<Stage> StageSplit::coverage_stage(std::uint32_t x, std::uint32_t y
       wanted.verdict == Verdict::permitted) {
     return std::nullopt;
   }
-  if (trace == nullptr) return Stage::coverage;
+  if (trace == nullptr) return is_drawn ? std::nullopt : std::optional(Stage::coverage);
   if (trace->is_drawn != is_drawn) return std::nullopt;
 
   const std::optional<cases::Case> source = received_case(*trace, triangles_->drawn.scene.source());

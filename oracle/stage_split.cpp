@@ -112,12 +112,14 @@ std::optional<Field> value_of_weights(const TracedValue& value, const Terms& ter
 }  // namespace
 
 bool adds_up(const ExactSplit& split, float actual) {
+  const DefaultFloatingPoint modes;
   Field sum(0);
   for (const ExactSplit::Part& part : split.parts) sum += to_field(part.error);
   return sum == exact_field(actual) - to_field(split.exact);
 }
 
 records::ErrorSplit enclose(const ExactSplit& split) {
+  const DefaultFloatingPoint modes;
   const Field& unit = to_field(split.unit);
   records::ErrorSplit record;
   record.attribute = split.attribute;

@@ -99,7 +99,7 @@ Enclosure local_error(float computed, const ValueRange& range) {
   return end ? oracle::local_ulp_error(computed, *end) : Enclosure();
 }
 
-/// A double within the range, as near to its middle as doubles tell.
+/// Its middle, or of a single value the nearest double; ends are rounded first.
 double middle_of(const ValueRange& range) {
   if (range.lo == range.hi) return range.lo.nearest_double();
   return range.lo.nearest_double() / 2 + range.hi.nearest_double() / 2;
@@ -257,14 +257,6 @@ Inspection begin_inspection(const SceneTruth& scene, const Focus& focus,
 
 // --- How the sample came about -------------------------------------------------------------------
 
-/// What the backend tells of the sample; nothing where it does not.
-std::optional<records::SampleTrace> trace_of(const cases::Case& drawn, backends::Backend& backend,
-                                             const records::SampleAddress& at) {
-  if (!backend.traces()) return std::nullopt;
-  const auto traced = backend.trace(drawn, at);
-  return traced ? *traced : std::nullopt;
-}
-
 /// Splits the errors of the sample looked for: as it was traced or, where there is no trace of the
 /// value that was drawn, as far as can be seen of any backend.
 void add_splits(const cases::Case& given, const cases::Contract& contract,
@@ -273,8 +265,13 @@ void add_splits(const cases::Case& given, const cases::Contract& contract,
       records::SampleAddress{inspection.triangle, inspection.x, inspection.y, inspection.sample};
   const InspectedSample* sample = inspected_sample(inspection);
   if (sample == nullptr) return;
-  const std::optional<records::SampleTrace> trace =
-      trace_of(inspection.source, backend, {triangle, x, y, number});
+  std::optional<records::SampleTrace> trace;
+  bool is_told = backend.traces();
+  if (is_told) {
+    const auto told = backend.trace(inspection.source, {triangle, x, y, number});
+    is_told = told.has_value();
+    if (is_told) trace = *told;
+  }
   const oracle::StageSplit split(given, inspection.source, contract, triangle);
   for (const InspectedValue& value : sample->values) {
     if (!value.actual) continue;
@@ -283,7 +280,7 @@ void add_splits(const cases::Case& given, const cases::Contract& contract,
     if (!parts) parts = split.untraced(value.attribute, x, y, number, *value.actual);
     if (parts) inspection.splits.push_back(oracle::enclose(*parts));
   }
-  if (!backend.traces()) return;
+  if (!is_told) return;
   inspection.coverage_stage =
       split.coverage_stage(x, y, number, sample->is_drawn, trace ? &*trace : nullptr);
 }

@@ -111,6 +111,7 @@ class SplitCheck {
     if (!split_ || triangle_ != place.triangle) {
       triangle_ = place.triangle;
       split_ = std::make_unique<oracle::StageSplit>(*given_, *case_, contract_, triangle_);
+      truth_ = std::make_unique<oracle::TriangleTruth>(exact_, triangle_);
     }
     tally_.pass_required(place.triangle);
     check_value(place, std::nullopt, drawn_->depth[i], trace);
@@ -155,18 +156,17 @@ class SplitCheck {
     const std::optional<std::uint32_t> attribute = split.attribute;
     const bool is_centroid =
         attribute && case_->attributes[*attribute].location == cases::Location::centroid;
-    const oracle::TriangleTruth truth(exact_, place.triangle);
     const auto x = static_cast<int>(place.x);
     const auto y = static_cast<int>(place.y);
     const auto sample = static_cast<int>(place.sample);
     const auto range =
-        attribute ? truth.attribute(*attribute, x, y, sample) : truth.depth(x, y, sample);
+        attribute ? truth_->attribute(*attribute, x, y, sample) : truth_->depth(x, y, sample);
     if (range && range->lo == range->hi && !is_centroid && split.exact != range->lo) {
       return "parts of what is off from " + range->lo.to_string();
     }
     if (!attribute) return "";
     const records::Enclosure total =
-        oracle::scale_ulp_error(actual, split.exact, truth.attribute_magnitude(*attribute));
+        oracle::scale_ulp_error(actual, split.exact, truth_->attribute_magnitude(*attribute));
     if (enclose(split).total != total) return "a total of " + to_decimal(total, 9) + " scale ULP";
     return "";
   }
@@ -187,7 +187,9 @@ class SplitCheck {
   oracle::SceneTruth exact_;
   Tally tally_;
   std::uint32_t triangle_ = 0;
-  std::unique_ptr<oracle::StageSplit> split_;  ///< of that triangle
+  // Of that triangle.
+  std::unique_ptr<oracle::StageSplit> split_;
+  std::unique_ptr<oracle::TriangleTruth> truth_;
   std::optional<Error> error_;
 };
 

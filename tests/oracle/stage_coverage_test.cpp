@@ -64,6 +64,8 @@ TEST(CoverageStage, IsTheDecisionOfATriangleWithoutATrace) {
   const StageSplit triangle(c, c, cases::contract_of(c), 0);
   EXPECT_EQ(triangle.coverage_stage(1, 1, 0, false, nullptr), Stage::coverage);
   EXPECT_EQ(triangle.coverage_stage(1, 1, 0, true, nullptr), std::nullopt);
+  // What was drawn without a trace tells of no stage.
+  EXPECT_EQ(triangle.coverage_stage(3, 3, 0, true, nullptr), std::nullopt);
 }
 
 TEST(CoverageStage, IsNothingOfATraceOfAnotherDrawing) {
