@@ -82,7 +82,7 @@ std::vector<std::string> without_repetitions(const std::vector<std::string>& all
   return once;
 }
 
-/// What of the command records::Run has no member for and yet decides what is found.
+/// What of the command decides what is found, but for backends, cases, seed and scene.
 std::vector<std::string> other_options(const Options& options) {
   std::vector<std::string> words;
   const auto add = [&words](const char* name, const std::string& value) {

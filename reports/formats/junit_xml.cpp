@@ -4,8 +4,9 @@
 //   error     a label that had to be reached was not: the law did not test what it claims to
 //   skipped   the law checked nothing; why
 //
-// Violations that are known of a driver are no failures; a test's output tells of them. Times are
-// not part of it, as nothing here depends on the machine. reports/schema/junit.xsd describes it.
+// Violations that are known of a driver are no failures; a test's output tells of them. Only the
+// properties depend on machine and time: no test has a duration. reports/schema/junit.xsd describes
+// it.
 
 #include <fmt/format.h>
 

@@ -4,13 +4,27 @@
 
 namespace rastercheck::reports {
 
+namespace {
+
+/// U+FFFE and U+FFFF, which XML does not have, as U+FFFD.
+std::string without_noncharacters(std::string text) {
+  for (const std::string_view one : {"\xef\xbf\xbe", "\xef\xbf\xbf"}) {
+    for (std::size_t at = 0; (at = text.find(one, at)) != std::string::npos;) {
+      text.replace(at, one.size(), "\xef\xbf\xbd");
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string html(std::string_view text) {
   using nlohmann::json;
   // The JSON text knows which bytes are UTF-8; parsed again it is the text itself.
   const std::string valid =
       json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
   std::string escaped;
-  for (const char c : valid) {
+  for (const char c : without_noncharacters(valid)) {
     switch (c) {
       case '&':
         escaped += "&amp;";

@@ -42,15 +42,6 @@ std::string name_of(const Inspection& inspection, const std::optional<std::uint3
              : fmt::format("attribute {}", *attribute);
 }
 
-const InspectedSample* looked_for(const Inspection& inspection) {
-  const auto found = std::find_if(inspection.samples.begin(), inspection.samples.end(),
-                                  [&](const InspectedSample& sample) {
-                                    return sample.x == inspection.x && sample.y == inspection.y &&
-                                           sample.sample == inspection.sample;
-                                  });
-  return found == inspection.samples.end() ? nullptr : &*found;
-}
-
 /// The place that was looked for, for a sentence.
 std::string place_of(const Inspection& inspection) {
   return fmt::format("Pixel ({}, {}){} of triangle {}", inspection.x, inspection.y,
@@ -114,7 +105,7 @@ std::string value_sentence(const Inspection& inspection, const InspectedValue& v
 
 /// What was looked for, in a sentence.
 std::string sentence_of(const Inspection& inspection) {
-  const InspectedSample* const sample = looked_for(inspection);
+  const InspectedSample* const sample = inspected_sample(inspection);
   if (sample == nullptr) return "";
   for (const InspectedValue& value : sample->values) {
     const bool is_of_coverage = !inspection.attribute && inspection.splits.empty();
@@ -146,7 +137,8 @@ struct Shown {
 
 std::string inspection_of(const Shown& shown) {
   std::string text = sentence_of(*shown.inspection) + splits_of(*shown.inspection);
-  if (shown.data.empty()) return text;
+  // Without the sample itself there is nothing to point at first.
+  if (shown.data.empty() || inspected_sample(*shown.inspection) == nullptr) return text;
   return text +
          fmt::format(
              "<div class=\"viewer-place\"></div>\n<script type=\"application/json\">{}</script>\n",
@@ -236,7 +228,7 @@ std::string worst_section(const Shown& shown) {
   const Inspection& inspection = *shown.inspection;
   std::string what = inspection.kind ? std::string(to_string(*inspection.kind)) : "";
   if (inspection.stratum) what += fmt::format(", {}", to_string(*inspection.stratum));
-  const InspectedSample* const sample = looked_for(inspection);
+  const InspectedSample* const sample = inspected_sample(inspection);
   std::string error;
   if (sample != nullptr) {
     for (const InspectedValue& value : sample->values) {

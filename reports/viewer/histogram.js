@@ -6,12 +6,13 @@ import { brief } from './numbers.js';
 
 const kChartHeight = 190;
 const kChartMargin = { left: 44, top: 12, right: 12, bottom: 38 };
-const kDown = -26; // octaves: what is smaller is in the leftmost bar but that of zero
+const kDown = -20; // octave of the least border: its bar has all that is smaller but zero
 
 /**
  * @typedef {object} Bar
  * @property {number} from  magnitude, exclusive
  * @property {number} to  inclusive
+ * @property {number | null} exponent  of its upper end; null where that is no power of two
  * @property {number} count
  */
 
@@ -21,16 +22,14 @@ const kDown = -26; // octaves: what is smaller is in the leftmost bar but that o
  */
 function barsOf(data) {
   const octaves = new Map();
-  for (const [exponent, count] of data.octaves) {
-    const at = Math.max(exponent, kDown);
-    octaves.set(at, (octaves.get(at) ?? 0) + count);
-  }
+  for (const [exponent, count] of data.octaves) octaves.set(exponent, count);
   const first = Math.min(...octaves.keys());
   const last = Math.max(...octaves.keys());
-  if (octaves.size === 0) return [];
-  return d3.range(first, last + 1).map((k) => ({
+  const bars = octaves.size === 0 ? [] : d3.range(first, last + 1).map((k) => ({
     from: k === kDown ? 0 : 2 ** (k - 1), to: 2 ** k, exponent: k, count: octaves.get(k) ?? 0,
   }));
+  if (data.beyond > 0) bars.push({ from: 2 ** 40, to: Infinity, exponent: null, count: data.beyond });
+  return bars;
 }
 
 const share = (part, whole) => {
@@ -41,6 +40,7 @@ const share = (part, whole) => {
 
 function spokenOf(bar, data, total, bars) {
   const below = data.zero + d3.sum(bars.filter((b) => b.to <= bar.to), (b) => b.count);
+  if (bar.to === Infinity) return `${bar.count.toLocaleString('en')} values off by more than 2^40 scale ULP`;
   const range = bar.from === 0 && bar.to === 0 ? 'error 0' : `error ≤ ${brief(bar.to)} scale ULP`;
   return `${bar.count.toLocaleString('en')} values in this bar; ${range}: ${share(below, total)} of all`;
 }
@@ -78,7 +78,7 @@ function drawLabels(svg, all, x, y) {
   const label = svg.append('g').attr('class', 'axis').selectAll('text').data(labelled).join('text')
     .attr('y', y(0.5) + 15).attr('text-anchor', 'middle')
     .attr('x', ({ bar, i }) => (bar.exponent === null ? x(i) + x.bandwidth() / 2 : x(i) + x.bandwidth()));
-  label.text(({ bar }) => (bar.exponent === null ? '0' : '2'));
+  label.text(({ bar }) => (bar.to === Infinity ? 'more' : bar.exponent === null ? '0' : '2'));
   label.filter(({ bar }) => bar.exponent !== null).append('tspan').attr('dy', '-.4em')
     .style('font-size', '80%').text(({ bar }) => String(bar.exponent).replace('-', '−'));
   svg.append('text').attr('class', 'axis').attr('x', x.range()[0]).attr('y', y(0.5) + 32)
@@ -90,7 +90,7 @@ function drawLimit(svg, data, all, x, y) {
   const at = all.findIndex((bar) => bar.from < data.limit && data.limit <= bar.to);
   if (at < 0) return;
   const { from, to } = all[at];
-  const within = from > 0 ? Math.log2(data.limit / from) / Math.log2(to / from) : 1;
+  const within = from > 0 && to < Infinity ? Math.log2(data.limit / from) / Math.log2(to / from) : 1;
   const place = x(at) + within * x.bandwidth();
   svg.append('line').attr('class', 'limit').attr('x1', place).attr('x2', place)
     .attr('y1', kChartMargin.top - 4).attr('y2', y(0.5));

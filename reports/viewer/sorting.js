@@ -5,16 +5,16 @@ import { element } from './dom.js';
 const kNumber = /^[^\d−-]*([−-]?[\d,]*\.?\d+(?:e[+-]?\d+)?)/i;
 
 /**
- * What a cell is sorted by: its data-key, its number, or its text.
+ * What a cell is sorted by: its number, or its text.
  * @param {HTMLTableCellElement} cell
  * @param {boolean} numeric
  * @returns {number | string}
  */
 export function keyOf(cell, numeric) {
-  const text = (cell.dataset.key ?? cell.textContent).trim();
+  const text = cell.textContent.trim();
   if (!numeric) return text.toLowerCase();
   const number = kNumber.exec(text);
-  if (!number) return text.startsWith('∞') ? Infinity : -Infinity;
+  if (!number) return /^\W*inf/i.test(text) ? Infinity : -Infinity;
   return Number(number[1].replaceAll(',', '').replace('−', '-'));
 }
 

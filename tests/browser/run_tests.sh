@@ -24,6 +24,7 @@ chromium=${RASTERCHECK_CHROMIUM:-$(command -v chromium || true)}
 
 # Node looks for packages beside the files that want them.
 mkdir -p "$folder"
+rm -f "$folder"/*.js
 cp "$tests"/*.js "$tests"/package.json "$tests"/package-lock.json "$folder"
 if ! cmp -s "$tests/package-lock.json" "$folder/node_modules/installed-lock.json"; then
   (cd "$folder" && npm ci --prefer-offline --no-audit --no-fund --ignore-scripts --loglevel=error) ||

@@ -16,6 +16,9 @@ TEST(Html, ReplacesWhatHasNoPlaceInAPage) {
                  "b\x7f"),
             "a\uFFFDb\uFFFD");
   EXPECT_EQ(html("a\xff"), "a\uFFFD");
+  EXPECT_EQ(html("a\xef\xbf\xbe\xef\xbf\xbf"
+                 "b"),
+            "a\uFFFD\uFFFDb");
 }
 
 }  // namespace
