@@ -8,6 +8,23 @@
 
 namespace rastercheck::cli {
 
+namespace {
+
+/// The widest vectors that the processor has: what libraries choose their code by.
+std::string instruction_set() {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f")) return "avx512";
+  if (__builtin_cpu_supports("avx2")) return "avx2";
+  return __builtin_cpu_supports("sse4.2") ? "sse4" : "sse2";
+#elif defined(__aarch64__)
+  return "neon";
+#else
+  return "";
+#endif
+}
+
+}  // namespace
+
 std::map<std::string, std::string> environment(int jobs, double seconds) {
   utsname machine{};
   ::uname(&machine);
@@ -15,6 +32,8 @@ std::map<std::string, std::string> environment(int jobs, double seconds) {
   return {{"version", RASTERCHECK_VERSION},
           {"compiler", RASTERCHECK_COMPILER},
           {"build", RASTERCHECK_BUILD_TYPE},
+          {"architecture", machine.machine},
+          {"instruction_set", instruction_set()},
           {"machine", fmt::format("{} {} {}", machine.sysname, machine.release, machine.machine)},
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))},
           {"jobs", std::to_string(jobs)},

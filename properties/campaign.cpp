@@ -28,8 +28,7 @@ std::pair<std::uint64_t, std::map<std::string, std::uint64_t>> random_labels(
   std::uint64_t checked = 0;
   std::map<std::string, std::uint64_t> labels;
   for (const auto& [key, record] : records) {
-    const bool is_random = key.stratum != kCorpusStratum && key.stratum != kSavedStratum &&
-                           key.stratum != kKnownStratum && !key.stratum.starts_with(kSceneStratum);
+    const bool is_random = records::is_frozen(key) && key.stratum != records::kCorpusStratum;
     if (key.law != law || key.backend != backend || !is_random) continue;
     checked += record.cases.checked;
     for (const auto& [label, cases] : record.labels) labels[label] += cases;
@@ -114,8 +113,12 @@ ShrinkLimits shrink_limits(const ShrinkBudget& budget, const Counterexample& cou
 }
 
 TaskRunner::TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus, ShrinkBudget shrinking,
-                       std::string known)
-    : seed_(seed), corpus_(std::move(corpus)), shrinking_(shrinking), known_(std::move(known)) {}
+                       std::string known, bool keeps_cases)
+    : seed_(seed),
+      corpus_(std::move(corpus)),
+      shrinking_(shrinking),
+      known_(std::move(known)),
+      keeps_cases_(keeps_cases) {}
 
 Result<const TaskRunner::Made*> TaskRunner::made(const std::string& specification) {
   Made& made = made_[specification];
@@ -155,6 +158,8 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   }
 
   Findings findings;
+  const bool is_frozen = task.kind == TaskKind::corpus || task.kind == TaskKind::random;
+  if (keeps_cases_ && is_frozen) findings.cases.emplace();
   if (task.kind == TaskKind::shrink) {
     shrink_counterexample(*law, backend, *task.subject,
                           shrink_limits(shrinking_, *task.subject, is_to_end), findings, known);
@@ -191,11 +196,12 @@ std::vector<records::UnreachedLabel> TaskRunner::unreached_labels(
 
 NumberedCase TaskRunner::numbered_case(const Task& task, const Law& law, std::uint64_t i) const {
   if (task.kind == TaskKind::corpus) {
-    return {corpus_[i], std::string(kCorpusStratum), i, records::Origin::corpus};
+    return {corpus_[i], std::string(records::kCorpusStratum), i, records::Origin::corpus};
   }
   if (task.kind == TaskKind::saved) {
     const cases::Case& source = task.subject->source;
-    return {source, std::string(kSavedStratum), source.found->index, records::Origin::saved};
+    return {source, std::string(records::kSavedStratum), source.found->index,
+            records::Origin::saved};
   }
   Draw draw(seed_, law.name, i);
   Generated generated = law.generate(draw);

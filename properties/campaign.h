@@ -72,6 +72,7 @@ struct CampaignOptions {
   std::vector<std::string> backends{"cpu"};
   std::vector<std::string> laws;  ///< names
   ShrinkBudget shrinking = {};
+  bool keeps_cases = false;  ///< whether what each case gave is kept (records::CaseRecord)
   bool operator==(const CampaignOptions&) const = default;
 };
 
@@ -98,7 +99,7 @@ class TaskRunner {
  public:
   /// `known`: the folder of what is known of drivers (read_known_defects); empty: nothing is.
   TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus, ShrinkBudget shrinking = {},
-             std::string known = "");
+             std::string known = "", bool keeps_cases = false);
 
   const std::vector<cases::Case>& corpus() const { return corpus_; }
 
@@ -128,6 +129,7 @@ class TaskRunner {
   std::vector<cases::Case> corpus_;
   ShrinkBudget shrinking_;
   std::string known_;
+  bool keeps_cases_;
   std::map<std::string, Made> made_;
 };
 

@@ -1,18 +1,23 @@
 #include "properties/check_case.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
+#include "cases/case_writer.h"
 #include "oracle/transform.h"
 #include "properties/close_up.h"
+#include "properties/draw.h"
 #include "properties/judged_law.h"
+#include "records/record_json.h"
 #include "records/run.h"
 
 namespace rastercheck::properties {
 
 namespace {
 
+using records::CaseOutcome;
 using records::Counterexample;
 
 bool fails_with(const Check& check, const std::string& verdict) {
@@ -158,6 +163,46 @@ records::Record& count_check(const Law& law, const std::string& specification,
   return record;
 }
 
+CaseOutcome outcome_of(const Check& check) {
+  if (!check.is_applicable) return CaseOutcome::not_applicable;
+  if (check.violation_count == 0) return CaseOutcome::held;
+  return check.known.empty() ? CaseOutcome::violated : CaseOutcome::known;
+}
+
+/// Keeps what the case gave, where that is kept.
+void keep_case(const Law& law, const std::string& specification, const NumberedCase& numbered,
+               const Check& check, Findings& findings) {
+  if (!findings.cases) return;
+  const std::string name(law.name);
+  records::CaseRecord record;
+  record.name = numbered.source.name;
+  record.stratum = numbered.stratum;
+  record.outcome = outcome_of(check);
+  record.source_digest = fnv1a(cases::to_json(numbered.source));
+  records::Judgement judged = check.judgement;
+  judged.levels = {};  // how the oracle found out
+  for (const auto& [kind, errors] : judged.errors) {
+    for (std::size_t i = 1; i < errors.classes.counts.size(); ++i) {
+      record.mismatches += errors.classes.counts[i];
+    }
+    for (const auto& [stratum, sizes] : errors.strata) {
+      if (const records::WorstError* worst = records::worst_of(sizes.extremes)) {
+        record.worst[kind][stratum] = *worst;
+      }
+    }
+  }
+  records::RecordSet alone;
+  const records::RecordKey key{name, specification, records::AttributeKind::coverage,
+                               numbered.stratum};
+  records::add(alone, key, judged);
+  for (const std::string& label : check.labels) ++alone[key].labels[label];
+  alone[key].cases.violations = check.violation_count;
+  record.found_digest =
+      fnv1a(std::string(to_string(record.outcome)) + records::records_to_json(alone).dump());
+  findings.cases->insert_or_assign({name, specification, numbered.origin, numbered.index},
+                                   std::move(record));
+}
+
 }  // namespace
 
 void check_case(const Law& law, const std::string& specification, backends::Backend& backend,
@@ -169,16 +214,22 @@ void check_case(const Law& law, const std::string& specification, backends::Back
         std::string(law.name), specification, records::AttributeKind::coverage, numbered.stratum}];
     if (!is_promised(law, backend)) {
       count_not_applicable(reason_of(law, backend, {}), record);
+      keep_case(law, specification, numbered, not_applicable(""), findings);
       return;
     }
     ++record.cases.checked;
     ++record.cases.violations;
     ++record.labels[std::string(records::kGivenUp)];
+    Check lost;
+    lost.violation_count = 1;
+    lost.labels = {std::string(records::kGivenUp)};
+    keep_case(law, specification, numbered, lost, findings);
     return;
   }
   const Check check = check_or_note(law, numbered.source, backend, {numbered.index, known});
   records::Record& record =
       count_check(law, specification, backend, numbered.stratum, check, findings);
+  keep_case(law, specification, numbered, check, findings);
   if (check.violation_count == 0 || !check.known.empty()) return;
   ++record.cases.violations;
   keep_counterexample(law, specification, backend, seed, numbered, check, findings, known);
@@ -189,7 +240,7 @@ void check_known_case(const Law& law, const std::string& specification, backends
                       Findings& findings) {
   const cases::Case& source = known.cases[entry];
   const std::string& id = known.list.entries[entry].id;
-  const std::string stratum(kKnownStratum);
+  const std::string stratum(records::kKnownStratum);
   if (backend.is_lost()) {
     check_case(law, specification, backend, seed, {source, stratum, 0, records::Origin::saved},
                findings, &known);

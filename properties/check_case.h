@@ -17,14 +17,6 @@
 
 namespace rastercheck::properties {
 
-/// The strata of the corpus and of saved counterexamples in records.
-inline constexpr std::string_view kCorpusStratum = "corpus";
-inline constexpr std::string_view kSavedStratum = "saved";
-/// The stratum of the cases of known defects.
-inline constexpr std::string_view kKnownStratum = "known";
-/// The stratum of a scene: this and its name.
-inline constexpr std::string_view kSceneStratum = "scene ";
-
 /// A case to be checked, and where it comes from.
 struct NumberedCase {
   cases::Case source;
@@ -35,7 +27,8 @@ struct NumberedCase {
 
 /// Checks a case and adds the outcome to the findings: counts, errors, labels, and, where the law
 /// is violated and no case before it failed in the same way, a counterexample: the one triangle
-/// that suffices, if one does, else the case. One that is violated in ways only that are `known`
+/// that suffices, if one does, else the case. What the case gave is kept as well where the findings
+/// keep that. One that is violated in ways only that are `known`
 /// is counted as known instead. A backend that is lost (Backend::is_lost) is not asked any more:
 /// each of its cases fails.
 void check_case(const Law& law, const std::string& specification, backends::Backend& backend,

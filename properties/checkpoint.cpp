@@ -11,7 +11,8 @@
 //
 // "done" has ranges of all tasks, from the first to one past the last. "shrink_seconds" is absent
 // where there is no such limit, the contract where each backend is held to its own; "known" and
-// "known_digest" of the plan, and "unexpected", are absent where there is nothing of the kind.
+// "known_digest" of the plan, "keeps_cases", "cases" (records/case_record_json.h) and "unexpected",
+// are absent where there is nothing of the kind.
 
 #include "properties/checkpoint.h"
 
@@ -26,6 +27,7 @@
 #include "cases/json.h"
 #include "cases/json_node.h"
 #include "properties/draw.h"
+#include "records/case_record_json.h"
 #include "records/counterexample_json.h"
 #include "records/known_json.h"
 #include "records/record_json.h"
@@ -51,6 +53,7 @@ json plan_to_json(const RunPlan& plan) {
               {"scene_size", plan.scene_size},
               {"program", plan.program}};
   if (!plan.options.empty()) object["options"] = plan.options;
+  if (plan.campaign.keeps_cases) object["keeps_cases"] = true;
   if (!plan.known.empty()) object["known"] = plan.known;
   if (!plan.known_digest.empty()) object["known_digest"] = plan.known_digest;
   if (const auto& seconds = plan.campaign.shrinking.seconds) {
@@ -70,10 +73,10 @@ std::vector<std::string> texts_of(const JsonNode& node) {
 }
 
 RunPlan read_plan(const JsonNode& node) {
-  node.expect_object(
-      {"seed", "cases_per_law", "backends", "laws", "shrink_tries", "corpus", "corpus_digest",
-       "scene", "scene_size", "program"},
-      {"options", "shrink_seconds", "known", "known_digest", "contract_file", "contract"});
+  node.expect_object({"seed", "cases_per_law", "backends", "laws", "shrink_tries", "corpus",
+                      "corpus_digest", "scene", "scene_size", "program"},
+                     {"options", "keeps_cases", "shrink_seconds", "known", "known_digest",
+                      "contract_file", "contract"});
   RunPlan plan;
   plan.campaign.seed = node["seed"].count();
   plan.campaign.cases_per_law = node["cases_per_law"].count();
@@ -83,6 +86,7 @@ RunPlan read_plan(const JsonNode& node) {
   if (node.has("shrink_seconds")) {
     plan.campaign.shrinking.seconds = node["shrink_seconds"].float64();
   }
+  if (node.has("keeps_cases")) plan.campaign.keeps_cases = node["keeps_cases"].boolean();
   if (node.has("options")) plan.options = texts_of(node["options"]);
   plan.corpus = node["corpus"].text();
   plan.corpus_digest = node["corpus_digest"].text();
@@ -133,7 +137,7 @@ Checkpoint read_checkpoint(const JsonNode& root) {
   }
   root.expect_object(
       {"format", "version", "plan", "saved", "tasks", "done", "records", "counterexamples"},
-      {"unexpected"});
+      {"cases", "unexpected"});
   Checkpoint checkpoint;
   if (root.failed()) return checkpoint;
   checkpoint.plan = read_plan(root["plan"]);
@@ -153,6 +157,9 @@ Checkpoint read_checkpoint(const JsonNode& root) {
     for (const JsonNode& node : root["unexpected"].elements()) {
       keep(checkpoint.findings, records::unexpected_pass_from_json(node));
     }
+  }
+  if (root.has("cases")) {
+    checkpoint.findings.cases = records::case_records_from_json(root["cases"]);
   }
   if (!root.failed()) checkpoint.findings.records = records::records_from_json(root["records"]);
   return checkpoint;
@@ -187,6 +194,9 @@ std::string to_json(const Checkpoint& checkpoint) {
                 {"done", done_to_json(checkpoint.is_done)},
                 {"records", records::records_to_json(checkpoint.findings.records)},
                 {"counterexamples", std::move(counterexamples)}};
+  if (const auto& cases = checkpoint.findings.cases) {
+    document["cases"] = records::case_records_to_json(*cases);
+  }
   for (const records::UnexpectedPass& pass : checkpoint.findings.unexpected) {
     document["unexpected"].push_back(records::unexpected_pass_to_json(pass));
   }

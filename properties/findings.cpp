@@ -75,6 +75,8 @@ std::size_t first_to_read(const std::vector<Counterexample>& all) {
 
 void merge(Findings& into, Findings from) {
   records::merge(into.records, from.records);
+  if (from.cases && !into.cases) into.cases.emplace();
+  if (from.cases) into.cases->merge(*from.cases);
   for (Counterexample& one : from.counterexamples) keep(into, std::move(one));
   for (records::UnexpectedPass& pass : from.unexpected) keep(into, std::move(pass));
   if (!into.fault) into.fault = std::move(from.fault);

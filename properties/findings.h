@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "records/case_record.h"
 #include "records/counterexample.h"
 #include "records/known.h"
 #include "records/record.h"
@@ -21,6 +22,8 @@ inline constexpr std::string_view kValuesLaw = "values stay within the bound";
 /// What part of a campaign found.
 struct Findings {
   records::RecordSet records;
+  /// Of campaigns that keep what each case gave; else nothing.
+  std::optional<records::CaseRecordSet> cases = std::nullopt;
   /// By (law, backend, verdict), one of each: the first by origin and index.
   std::vector<records::Counterexample> counterexamples;
   /// In order, each once.

@@ -152,7 +152,7 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
   if (!clip) return tl::unexpected(clip.error());
   SceneFindings result;
   result.source = *std::move(clip);
-  NumberedCase numbered{result.source, std::string(kSceneStratum) + scene.name, 0,
+  NumberedCase numbered{result.source, std::string(records::kSceneStratum) + scene.name, 0,
                         records::Origin::scene};
   numbered.source.name = numbered.stratum;
 

@@ -153,7 +153,8 @@ Findings check_cases(const Law& law, const std::string& name, backends::Backend&
   };
   for (std::uint64_t i = 0; i < corpus.size() && !is_over(); ++i) {
     check_case(law, name, backend, options.seed,
-               {corpus[i], std::string(kCorpusStratum), i, records::Origin::corpus}, findings);
+               {corpus[i], std::string(records::kCorpusStratum), i, records::Origin::corpus},
+               findings);
   }
   for (std::uint64_t i = 0; i < options.cases && !is_over(); ++i) {
     Draw draw(options.seed, law.name, i);

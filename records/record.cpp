@@ -54,6 +54,11 @@ bool is_on(Side side, const Enclosure& error) { return extent_of(error, side).fa
 
 }  // namespace
 
+bool is_frozen(const RecordKey& key) {
+  return key.stratum != kSavedStratum && key.stratum != kKnownStratum &&
+         !key.stratum.starts_with(kSceneStratum);
+}
+
 void keep(Extremes& extremes, const WorstError& error) {
   if (is_on(Side::negative, error.error)) keep(extremes.most_negative, error, Side::negative);
   if (is_on(Side::positive, error.error)) keep(extremes.most_positive, error, Side::positive);
@@ -63,6 +68,14 @@ bool may_keep(const Extremes& extremes, const Enclosure& error) {
   return (is_on(Side::negative, error) &&
           may_keep(extremes.most_negative, error, Side::negative)) ||
          (is_on(Side::positive, error) && may_keep(extremes.most_positive, error, Side::positive));
+}
+
+const WorstError* worst_of(const Extremes& extremes) {
+  const auto& [negative, positive] = extremes;
+  if (!negative || !positive) return positive ? &*positive : negative ? &*negative : nullptr;
+  const bool is_positive =
+      extent_of(positive->error, Side::positive) > extent_of(negative->error, Side::negative);
+  return is_positive ? &*positive : &*negative;
 }
 
 void add(RecordSet& into, RecordKey key, const Judgement& judgement) {

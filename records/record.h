@@ -14,10 +14,18 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "records/judgement.h"
 
 namespace rastercheck::records {
+
+/// The strata of cases that no generator names: of the corpus, of saved counterexamples, of known
+/// defects, and of a scene, this and its name.
+inline constexpr std::string_view kCorpusStratum = "corpus";
+inline constexpr std::string_view kSavedStratum = "saved";
+inline constexpr std::string_view kKnownStratum = "known";
+inline constexpr std::string_view kSceneStratum = "scene ";
 
 /// What a record is of; records are ordered by these, first to last.
 struct RecordKey {
@@ -53,6 +61,10 @@ struct Record {
 
 using RecordSet = std::map<RecordKey, Record>;
 
+/// Whether the record is of cases that every run of the same seed has: of the corpus and random
+/// ones, not saved counterexamples, known defects and scenes.
+bool is_frozen(const RecordKey& key);
+
 /// Keeps the error as an extreme of its side if it is the larger one there. Of equally large ones
 /// the first stays, by (case index, case name, triangle, y, x, sample, attribute, exact, actual).
 /// An error of exactly 0 is on neither side.
@@ -61,6 +73,9 @@ void keep(Extremes& extremes, const WorstError& error);
 /// Whether keep() could change the extremes for an error so enclosed: what to ask before the rest
 /// of a WorstError is put together.
 bool may_keep(const Extremes& extremes, const Enclosure& error);
+
+/// The larger of both, by magnitude; of equally large ones the negative. nullptr without one.
+const WorstError* worst_of(const Extremes& extremes);
 
 /// Adds what judging one framebuffer gave: its counts to the record of kind `coverage`, its errors
 /// to the records of their kinds. The key's own attribute kind is ignored.

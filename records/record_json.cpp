@@ -47,15 +47,8 @@ json json_of(const ClassCounts& classes) {
 }
 
 json json_of(const WorstError& worst) {
-  json object{{"error", enclosure_to_json(worst.error)},
-              {"exact", worst.exact},
-              {"actual", cases::to_hex(worst.actual)},
-              {"case", {{"index", worst.case_index}, {"name", worst.case_name}}},
-              {"triangle", worst.triangle},
-              {"x", worst.x},
-              {"y", worst.y},
-              {"sample", worst.sample}};
-  if (worst.attribute) object["attribute"] = *worst.attribute;
+  json object = error_without_case_to_json(worst);
+  object["case"] = {{"index", worst.case_index}, {"name", worst.case_name}};
   return object;
 }
 
@@ -159,21 +152,27 @@ ClassCounts read_classes(const JsonNode& node) {
   return classes;
 }
 
-WorstError read_worst(const JsonNode& node) {
-  node.expect_object({"error", "exact", "actual", "case", "triangle", "x", "y", "sample"},
-                     {"attribute"});
-  node["case"].expect_object({"index", "name"});
+/// All but the case.
+WorstError read_error(const JsonNode& node) {
   WorstError worst;
   worst.error = enclosure_from_json(node["error"]);
   worst.exact = node["exact"].text();
   worst.actual = node["actual"].hex_float32();
-  worst.case_index = node["case"]["index"].count();
-  worst.case_name = node["case"]["name"].text();
   worst.triangle = node["triangle"].count<std::uint32_t>();
   worst.x = node["x"].count<std::uint32_t>();
   worst.y = node["y"].count<std::uint32_t>();
   worst.sample = node["sample"].count<std::uint32_t>();
   if (node.has("attribute")) worst.attribute = node["attribute"].count<std::uint32_t>();
+  return worst;
+}
+
+WorstError read_worst(const JsonNode& node) {
+  node.expect_object({"error", "exact", "actual", "case", "triangle", "x", "y", "sample"},
+                     {"attribute"});
+  node["case"].expect_object({"index", "name"});
+  WorstError worst = read_error(node);
+  worst.case_index = node["case"]["index"].count();
+  worst.case_name = node["case"]["name"].text();
   return worst;
 }
 
@@ -304,6 +303,23 @@ Record read_record(const JsonNode& node) {
 }
 
 }  // namespace
+
+json error_without_case_to_json(const WorstError& worst) {
+  json object{{"error", enclosure_to_json(worst.error)},
+              {"exact", worst.exact},
+              {"actual", cases::to_hex(worst.actual)},
+              {"triangle", worst.triangle},
+              {"x", worst.x},
+              {"y", worst.y},
+              {"sample", worst.sample}};
+  if (worst.attribute) object["attribute"] = *worst.attribute;
+  return object;
+}
+
+WorstError error_without_case_from_json(const JsonNode& node) {
+  node.expect_object({"error", "exact", "actual", "triangle", "x", "y", "sample"}, {"attribute"});
+  return read_error(node);
+}
 
 json records_to_json(const RecordSet& records) {
   json array = json::array();

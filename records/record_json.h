@@ -46,4 +46,8 @@ nlohmann::json records_to_json(const RecordSet& records);
 /// of one key.
 RecordSet records_from_json(const cases::JsonNode& array);
 
+/// A worst error without its "case", for whoever says that elsewhere.
+nlohmann::json error_without_case_to_json(const WorstError& worst);
+WorstError error_without_case_from_json(const cases::JsonNode& node);
+
 }  // namespace rastercheck::records

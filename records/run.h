@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "records/case_record.h"
 #include "records/counterexample.h"
 #include "records/inspection.h"
 #include "records/known.h"
@@ -38,7 +39,14 @@ struct UnreachedLabel {
   bool operator==(const UnreachedLabel&) const = default;
 };
 
+/// The version of what is exactly true and of how errors are counted: another one where the same
+/// drawing may be judged otherwise. Figures of two versions are not compared.
+inline constexpr std::uint64_t kRulesVersion = 1;
+/// The version of the form in which records are kept.
+inline constexpr std::uint64_t kRecordsVersion = 1;
+
 struct Run {
+  std::uint64_t rules_version = kRulesVersion;
   std::uint64_t seed = 0;
   std::uint64_t cases_per_law = 0;
   std::vector<std::string> backends;  ///< as asked for
@@ -53,6 +61,8 @@ struct Run {
   /// are depends on the machine then.
   std::optional<double> shrink_seconds;
   RecordSet records;
+  /// What each case gave; nothing where that was not kept.
+  std::optional<CaseRecordSet> cases = std::nullopt;
   /// Ordered by (law, backend, verdict), one of each.
   std::vector<Counterexample> counterexamples;
   /// Counterexamples in their order, then worst cases by (law, backend, kind, stratum).

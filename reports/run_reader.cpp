@@ -1,11 +1,14 @@
 #include "reports/run_reader.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "cases/files.h"
 #include "cases/json_node.h"
+#include "records/case_record_json.h"
 #include "records/counterexample_json.h"
 #include "records/inspection_json.h"
 #include "records/known_json.h"
@@ -22,13 +25,13 @@ void check_header(const JsonNode& root) {
   if (root.has("format") && root["format"].text() != "rastercheck-run") {
     root["format"].refuse("must be \"rastercheck-run\"");
   }
-  if (root.has("version") && root["version"].count() != 1) {
-    root["version"].refuse("version must be 1");
+  if (root.has("version") && root["version"].count() != records::kRecordsVersion) {
+    root["version"].refuse(fmt::format("version must be {}", records::kRecordsVersion));
   }
   root.expect_object({"format", "version", "seed", "cases_per_law", "backends", "laws", "scene",
                       "records", "counterexamples", "unreached", "pictures", "environment"},
-                     {"contract_file", "options", "cases_left", "shrink_seconds", "inspections",
-                      "known", "unexpected_passes"});
+                     {"rules_version", "cases", "contract_file", "options", "cases_left",
+                      "shrink_seconds", "inspections", "known", "unexpected_passes"});
 }
 
 std::vector<std::string> read_texts(const JsonNode& node) {
@@ -67,6 +70,8 @@ records::Run read_document(const JsonNode& root) {
   records::Run run;
   check_header(root);
   if (root.failed()) return run;
+  // Files from before it was written are of the first.
+  run.rules_version = root.has("rules_version") ? root["rules_version"].count() : 1;
   run.seed = root["seed"].count();
   run.cases_per_law = root["cases_per_law"].count();
   run.backends = read_texts(root["backends"]);
@@ -105,6 +110,7 @@ records::Run read_document(const JsonNode& root) {
     if (root.failed()) return run;
     run.pictures.push_back(read_picture(node));
   }
+  if (root.has("cases")) run.cases = records::case_records_from_json(root["cases"]);
   for (const std::string& key : root["environment"].keys()) {
     run.environment[key] = root["environment"][key].text();
   }

@@ -57,6 +57,7 @@ struct Options {
   std::uint64_t shrink_tries = properties::ShrinkBudget().tries;
   std::optional<double> shrink_seconds;
   double timeout = kDefaultTimeout;
+  bool keeps_cases = false;
   bool resume = false;
   int jobs = 1;
   bool json = false;
@@ -101,6 +102,7 @@ std::vector<std::string> other_options(const Options& options) {
     add("--shrink-tries", std::to_string(options.shrink_tries));
   }
   if (options.shrink_seconds) add("--shrink-seconds", fmt::format("{}", *options.shrink_seconds));
+  if (options.keeps_cases) words.emplace_back("--keep-cases");
   if (options.timeout != usual.timeout) add("--timeout", fmt::format("{}", options.timeout));
   return words;
 }
@@ -113,6 +115,7 @@ Result<properties::RunPlan> plan_of(const Options& options) {
   plan.campaign.backends = without_repetitions(options.backends);
   plan.campaign.laws = chosen_laws(options.property);
   plan.campaign.shrinking = {options.shrink_tries, options.shrink_seconds};
+  plan.campaign.keeps_cases = options.keeps_cases;
   if (plan.campaign.laws.empty()) {
     return tl::unexpected(
         Error{"--property", "", "no property matches (see rastercheck list properties)"});
@@ -135,7 +138,8 @@ Result<properties::RunPlan> plan_of(const Options& options) {
 class Executor {
  public:
   Executor(const properties::RunPlan& plan, std::vector<cases::Case> corpus, const Options& options)
-      : runner_(plan.campaign.seed, std::move(corpus), plan.campaign.shrinking, plan.known),
+      : runner_(plan.campaign.seed, std::move(corpus), plan.campaign.shrinking, plan.known,
+                plan.campaign.keeps_cases),
         command_{kOwnProgram,      "task-worker",
                  "--seed",         std::to_string(plan.campaign.seed),
                  "--corpus",       plan.corpus,
@@ -146,6 +150,7 @@ class Executor {
       command_.insert(command_.end(), {"--contract", cases::to_json(plan.terms)});
     }
     if (!plan.known.empty()) command_.insert(command_.end(), {"--known", plan.known});
+    if (plan.campaign.keeps_cases) command_.emplace_back("--keep-cases");
     if (const auto& seconds = plan.campaign.shrinking.seconds) {
       command_.insert(command_.end(), {"--shrink-seconds", fmt::format("{}", *seconds)});
     }
@@ -319,6 +324,7 @@ ExitCode run_campaign(const Options& options) {
   const properties::Findings& findings = campaign.findings();
   if (findings.fault) return fail_internally({"the oracle", "", *findings.fault});
   run.records = findings.records;
+  run.cases = findings.cases;
   run.counterexamples = findings.counterexamples;
   run.unexpected = findings.unexpected;
   run.cases_left = campaign.cases_left();
@@ -379,12 +385,14 @@ Action set_up(CLI::App& app) {
                  "Seconds for each counterexample; no limit without it")
       ->check(CLI::PositiveNumber);
   add_timeout(app, options->timeout);
+  app.add_flag("--keep-cases", options->keeps_cases,
+               "Keeps what each case gave in run.json, for baselines and for cases.jsonl");
   CLI::Option* resume =
       app.add_flag("--resume", options->resume,
                    "Goes on with the interrupted run of the output folder, as it was");
-  for (const char* settled :
-       {"--backend", "--property", "--cases", "--seed", "--scene", "--scene-size", "--contract",
-        "--corpus", "--known", "--no-known", "--shrink-tries", "--shrink-seconds"}) {
+  for (const char* settled : {"--backend", "--property", "--cases", "--seed", "--scene",
+                              "--scene-size", "--contract", "--corpus", "--known", "--no-known",
+                              "--shrink-tries", "--shrink-seconds", "--keep-cases"}) {
     resume->excludes(settled);
   }
   app.add_option("--jobs", options->jobs, "Processes")

@@ -19,6 +19,7 @@ struct Options {
   std::string known;
   std::string contract;  ///< the text of a contract file
   properties::ShrinkBudget shrinking;
+  bool keeps_cases = false;
   double timeout = kDefaultTimeout;
 };
 
@@ -36,7 +37,8 @@ ExitCode run(const Options& options) {
     if (!read) return fail(read.error());
     corpus = *std::move(read);
   }
-  properties::TaskRunner runner(options.seed, std::move(corpus), options.shrinking, options.known);
+  properties::TaskRunner runner(options.seed, std::move(corpus), options.shrinking, options.known,
+                                options.keeps_cases);
   const Result<void> served = properties::serve_tasks(runner);
   if (!served) return fail_internally(served.error());
   return ExitCode::ok;
@@ -51,6 +53,7 @@ Action set_up(CLI::App& app) {
   app.add_option("--contract", options->contract);
   app.add_option("--shrink-tries", options->shrinking.tries);
   app.add_option("--shrink-seconds", options->shrinking.seconds);
+  app.add_flag("--keep-cases", options->keeps_cases);
   add_timeout(app, options->timeout);
   return [options] { return run(*options); };
 }

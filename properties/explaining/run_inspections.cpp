@@ -164,12 +164,12 @@ std::optional<cases::Case> case_of(const Candidate& candidate, std::uint64_t see
   const auto copy_of = [](const cases::Case* c) {
     return c == nullptr ? std::nullopt : std::optional(*c);
   };
-  if (stratum.starts_with(kSceneStratum)) return copy_of(sources.scene);
-  if (stratum == kCorpusStratum) {
+  if (stratum.starts_with(records::kSceneStratum)) return copy_of(sources.scene);
+  if (stratum == records::kCorpusStratum) {
     return index < sources.corpus.size() ? std::optional(sources.corpus[index]) : std::nullopt;
   }
-  if (stratum == kSavedStratum) return copy_of(find_saved(sources.saved, law_name, index));
-  if (stratum == kKnownStratum) {
+  if (stratum == records::kSavedStratum) return copy_of(find_saved(sources.saved, law_name, index));
+  if (stratum == records::kKnownStratum) {
     const auto known = sources.known.find(backend);
     if (known == sources.known.end()) return std::nullopt;
     return copy_of(find_saved(known->second.cases, law_name, index));

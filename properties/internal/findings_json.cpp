@@ -6,6 +6,7 @@
 #include "cases/error_json.h"
 #include "cases/json_node.h"
 #include "cases/names.h"
+#include "records/case_record_json.h"
 #include "records/counterexample_json.h"
 #include "records/known_json.h"
 #include "records/record_json.h"
@@ -21,10 +22,11 @@ constexpr const char* kWorker = "worker";
 /// The findings, or the error that the worker tells instead.
 Result<Findings> read_findings(const JsonNode& root) {
   if (root.has("error")) return tl::unexpected(cases::error_from_json(root));
-  root.expect_object({"records", "counterexamples"}, {"fault", "unexpected"});
+  root.expect_object({"records", "counterexamples"}, {"cases", "fault", "unexpected"});
   Findings findings;
   if (root.failed()) return findings;
   findings.records = records::records_from_json(root["records"]);
+  if (root.has("cases")) findings.cases = records::case_records_from_json(root["cases"]);
   for (const JsonNode& node : root["counterexamples"].elements()) {
     if (root.failed()) break;
     findings.counterexamples.push_back(records::counterexample_from_json(node));
@@ -56,6 +58,7 @@ std::string findings_to_line(const Result<Findings>& findings) {
     line = cases::error_to_json(findings.error());
   } else {
     line["records"] = records::records_to_json(findings->records);
+    if (findings->cases) line["cases"] = records::case_records_to_json(*findings->cases);
     line["counterexamples"] = json::array();
     for (const records::Counterexample& one : findings->counterexamples) {
       line["counterexamples"].push_back(records::counterexample_to_json(one));

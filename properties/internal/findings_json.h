@@ -5,7 +5,8 @@
 //   {"records": […], "counterexamples": […], "fault": "…"}
 //
 // or, of a task that could not be run, {"error": {"file": "…", "place": "…", "reason": "…"}}.
-// "fault" is absent where there is none, as is "unexpected", of known defects that do not show.
+// "fault" is absent where there is none, as are "unexpected", of known defects that do not show,
+// and "cases" (records/case_record_json.h), where what each case gave is not kept.
 
 #include <string>
 

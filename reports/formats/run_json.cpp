@@ -3,7 +3,8 @@
 //
 //   {
 //     "format": "rastercheck-run",
-//     "version": 1,
+//     "version": 1,             records::kRecordsVersion
+//     "rules_version": 1,       records::kRulesVersion
 //     "seed": 1,
 //     "cases_per_law": 1000,
 //     "backends": ["cpu"],
@@ -14,6 +15,7 @@
 //     "cases_left": 120,        only of a run that was interrupted
 //     "shrink_seconds": 5,      only where shrinking was limited by time
 //     "records": […],           records/record_json.h
+//     "cases": […],             records/case_record_json.h; only where they are kept
 //     "counterexamples": […],   records/counterexample_json.h
 //     "inspections": […],       records/inspection_json.h; only where there are any
 //     "unreached": [{"law": "…", "backend": "cpu", "label": "tie", "reached": 2, "least": 13,
@@ -24,7 +26,7 @@
 //     "environment": {"version": "0.1.0", …}
 //   }
 //
-// A record, a counterexample, an inspection and a picture take a line each, so that a text
+// A record, a case, a counterexample, an inspection and a picture take a line each, so that a text
 // comparison of two runs shows which differ.
 
 #include <fmt/format.h>
@@ -34,6 +36,7 @@
 #include <vector>
 
 #include "cases/json_node.h"
+#include "records/case_record_json.h"
 #include "records/counterexample_json.h"
 #include "records/inspection_json.h"
 #include "records/known_json.h"
@@ -65,6 +68,16 @@ std::string lines_of(const std::vector<records::Inspection>& inspections) {
   for (const records::Inspection& inspection : inspections) {
     text += text.size() > 1 ? ",\n" : "\n";
     text += text_of(records::inspection_to_json(inspection));
+  }
+  return text + "\n]";
+}
+
+/// The same of case records, of which there may be many, too.
+std::string lines_of(const records::CaseRecordSet& cases) {
+  std::string text = "[";
+  for (const auto& [key, record] : cases) {
+    text += text.size() > 1 ? ",\n" : "\n";
+    text += text_of(records::case_record_to_json(key, record));
   }
   return text + "\n]";
 }
@@ -103,7 +116,8 @@ std::string write(const records::Run& run) {
     text += fmt::format("{}\"{}\": {}", text.size() > 2 ? ",\n" : "", key, value);
   };
   add("format", "\"rastercheck-run\"");
-  add("version", "1");
+  add("version", std::to_string(records::kRecordsVersion));
+  add("rules_version", std::to_string(run.rules_version));
   add("seed", std::to_string(run.seed));
   add("cases_per_law", std::to_string(run.cases_per_law));
   add("backends", text_of(run.backends));
@@ -116,6 +130,7 @@ std::string write(const records::Run& run) {
     add("shrink_seconds", text_of(cases::float64_to_json(*run.shrink_seconds)));
   }
   add("records", lines_of(records::records_to_json(run.records)));
+  if (run.cases) add("cases", lines_of(*run.cases));
   add("counterexamples", lines_of(counterexamples));
   if (!run.inspections.empty()) add("inspections", lines_of(run.inspections));
   add("unreached", lines_of(unreached));
