@@ -22,6 +22,7 @@ struct Format {
   /// The whole file, UTF-8. Depends on nothing but the run; texts of the run may be any bytes.
   std::string (*write)(const records::Run& run);
   bool is_on_request = false;  ///< written only where it is asked for by name
+  bool needs_cases = false;    ///< of runs that keep what each case gave (Run::cases) only
 };
 
 /// All formats, in the order of their names.

@@ -91,11 +91,15 @@ Result<void> write_counterexamples(const records::Run& run, const fs::path& dire
 
 Result<void> write_reports(const records::Run& run, const std::string& directory,
                            std::span<const std::string> format_names) {
-  // A misspelt format is found before anything is written.
+  // What cannot be written is found before anything is.
   std::vector<Format> chosen;
   for (const std::string& name : format_names) {
     const Result<Format> format = find_format(name);
     if (!format) return tl::unexpected(format.error());
+    if (format->needs_cases && !run.cases) {
+      return tl::unexpected(Error{std::string(format->file_name), "",
+                                  "the run kept no cases (`rastercheck run --keep-cases` does)"});
+    }
     chosen.push_back(*format);
   }
   Result<void> done =

@@ -207,10 +207,12 @@ Result<void> find(const Options& options, Executor& executor, const properties::
 }
 
 /// Whether reports can be written there; asked before the work rather than after it.
-Result<void> check_output(const Options& options) {
+Result<void> check_output(const Options& options, bool keeps_cases) {
   for (const std::string& name : options.formats) {
-    if (const auto format = reports::find_format(name); !format) {
-      return tl::unexpected(format.error());
+    const auto format = reports::find_format(name);
+    if (!format) return tl::unexpected(format.error());
+    if (format->needs_cases && !keeps_cases) {
+      return tl::unexpected(Error{"--format", name, "needs --keep-cases"});
     }
   }
   std::error_code why;
@@ -295,7 +297,10 @@ ExitCode run_campaign(const Options& options) {
   isolate_foreign_backends(options.timeout);
   Result<Work> work = prepare(options);
   if (!work) return fail(work.error());
-  if (const auto can_write = check_output(options); !can_write) return fail(can_write.error());
+  const bool keeps_cases = work->start.plan.campaign.keeps_cases;
+  if (const auto can_write = check_output(options, keeps_cases); !can_write) {
+    return fail(can_write.error());
+  }
   if (!work->start.plan.contract_file.empty()) {
     backends::hold_backends_to(work->start.plan.terms);
   }

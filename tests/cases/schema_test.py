@@ -108,9 +108,11 @@ def check_schema(schema):
         if not isinstance(node, dict):
             return
         if node.get("type") == "object":
-            if node.get("additionalProperties") is not False:
+            # A map says what its values are.
+            is_map = isinstance(node.get("additionalProperties"), dict)
+            if node.get("additionalProperties") is not False and not is_map:
                 failures.append(f"schema: {place} is open for unknown keys")
-            for key, child in node["properties"].items():
+            for key, child in node.get("properties", {}).items():
                 keys += 1
                 if not child.get("description"):
                     failures.append(f"schema: {place}/properties/{key} has no description")

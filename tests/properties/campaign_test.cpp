@@ -149,7 +149,7 @@ std::vector<cases::Case> small_corpus() {
 }
 
 Findings whole_campaign() {
-  TaskRunner runner(kSmall.seed, small_corpus());
+  TaskRunner runner(kSmall.seed, small_corpus(), {}, "", true);
   const std::vector<Task> tasks = tasks_of(kSmall, 3);
   return gathered([&](const TaskDone& done) { return run_tasks(runner, tasks, done); }).value();
 }
@@ -162,13 +162,16 @@ TEST(Campaign, HasSomethingToFind) {
   EXPECT_EQ(one.origin, records::Origin::corpus);
   EXPECT_EQ(one.source.name, "one");
   EXPECT_EQ(one.source.found, (cases::Found{kCoverage, "damaged", "missing", 7, 0}));
+  // Of two laws and two backends, the three cases of the corpus and twelve random ones.
+  ASSERT_TRUE(whole.cases);
+  EXPECT_THAT(*whole.cases, SizeIs(4 * (3 + 12)));
 }
 
 // Kills: records or counterexamples that depend on which process did what, or who was ready first.
 RC_GTEST_PROP(Campaign, IsTheSameHoweverItIsSplit, ()) {
   static const Findings kWhole = whole_campaign();
   static const std::vector<Findings> kSingle = [] {
-    TaskRunner runner(kSmall.seed, small_corpus());
+    TaskRunner runner(kSmall.seed, small_corpus(), {}, "", true);
     std::vector<Findings> all;
     for (Task task : tasks_of(kSmall, 3)) {
       const std::uint64_t last = task.last;

@@ -39,6 +39,54 @@ TEST(CheckCase, CountsAndSaysWhereItIsFrom) {
             (cases::Found{kCoverage, "damaged", "missing", 7, 4}));
 }
 
+records::CaseRecord case_record_of(backends::Backend& backend, const cases::Case& c = square()) {
+  Findings findings;
+  findings.cases.emplace();
+  check_case(*find_law(kCoverage), "damaged", backend, 7, {c, "here", 4}, findings);
+  EXPECT_THAT(*findings.cases, SizeIs(1));
+  return findings.cases->at({kCoverage, "damaged", records::Origin::random, 4});
+}
+
+TEST(CheckCase, KeepsWhatTheCaseGaveWhereThatIsKept) {
+  DamagedBackend right([](const cases::Case&, cases::Framebuffer&) {});
+  EXPECT_EQ(check_square(right).cases, std::nullopt);
+  const records::CaseRecord held = case_record_of(right);
+  EXPECT_EQ(held.outcome, records::CaseOutcome::held);
+  EXPECT_EQ(held.stratum, "here");
+  EXPECT_EQ(held.mismatches, 0U);
+  EXPECT_EQ(held, case_record_of(right));
+
+  DamagedBackend wrong([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 1, 1); });
+  const records::CaseRecord violated = case_record_of(wrong);
+  EXPECT_EQ(violated.outcome, records::CaseOutcome::violated);
+  EXPECT_EQ(violated.mismatches, 1U);
+  EXPECT_EQ(violated.source_digest, held.source_digest);
+  EXPECT_NE(violated.found_digest, held.found_digest);
+}
+
+// Kills: a digest of how much is wrong, and not of where.
+TEST(CheckCase, DigestsTellOneBitAndOnePlaceFromAnother) {
+  DamagedBackend here([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 1, 1); });
+  DamagedBackend right([](const cases::Case&, cases::Framebuffer&) {});
+  cases::Case other = square();
+  other.attribute_values[0] = 0x1p-149F;
+  EXPECT_NE(case_record_of(right, other).source_digest, case_record_of(right).source_digest);
+
+  const auto of_values = [](int x, float change) {
+    DamagedBackend backend([x, change](const cases::Case&, cases::Framebuffer& drawn) {
+      for (std::size_t i = 0; i < drawn.size(); ++i) {
+        if (drawn.x[i] == x && drawn.y[i] == 1) drawn.attributes[i * 3] += change;
+      }
+    });
+    Findings findings;
+    findings.cases.emplace();
+    check_case(*find_law(kValuesLaw), "damaged", backend, 7, {square(), "here", 4}, findings);
+    return findings.cases->begin()->second;
+  };
+  EXPECT_NE(of_values(1, 1).found_digest, of_values(2, 1).found_digest);
+  EXPECT_NE(of_values(1, 0x1p-22F).found_digest, of_values(1, 0).found_digest);
+}
+
 // Kills: the first triangle instead of the guilty one, values left with their old vertices.
 TEST(CheckCase, KeepsTheOneTriangleThatSuffices) {
   cases::Case c = square();
@@ -136,6 +184,15 @@ TEST(CheckCase, DoesNotAskABackendThatIsLost) {
   EXPECT_EQ(backend.left(), 0);
   EXPECT_EQ(findings.records.begin()->second.cases, (records::CaseCounts{1, 0, 1}));
   EXPECT_THAT(findings.counterexamples, IsEmpty());
+}
+
+// Kills: a case set that depends on when a backend was lost.
+TEST(CheckCase, KeepsCasesThatNobodyDrawsAnyMore) {
+  FailingBackend backend(Failure::hang, 0);
+  DamagedBackend right([](const cases::Case&, cases::Framebuffer&) {});
+  const records::CaseRecord record = case_record_of(backend);
+  EXPECT_EQ(record.outcome, records::CaseOutcome::violated);
+  EXPECT_EQ(record.source_digest, case_record_of(right).source_digest);
 }
 
 // Kills: blaming a backend for a case that it never got.

@@ -129,6 +129,32 @@ TEST(Extremes, OfEqualErrorsTheFirstPlaceWins) {
   }
 }
 
+TEST(WorstOf, IsTheLargerOfBothSides) {
+  Extremes extremes;
+  EXPECT_EQ(worst_of(extremes), nullptr);
+  extremes.most_negative.emplace().error = {-2, -2};
+  EXPECT_EQ(worst_of(extremes), &*extremes.most_negative);
+  extremes.most_positive.emplace().error = {1, 1};
+  EXPECT_EQ(worst_of(extremes), &*extremes.most_negative);
+  extremes.most_positive->error = {2, 2};
+  EXPECT_EQ(worst_of(extremes), &*extremes.most_negative);
+  extremes.most_positive->error = {2, 3};
+  EXPECT_EQ(worst_of(extremes), &*extremes.most_positive);
+  extremes.most_negative.reset();
+  EXPECT_EQ(worst_of(extremes), &*extremes.most_positive);
+}
+
+TEST(IsFrozen, IsOfTheCorpusAndOfRandomCases) {
+  const auto is = [](const std::string& stratum) {
+    return is_frozen({"a law", "cpu", AttributeKind::depth, stratum});
+  };
+  EXPECT_TRUE(is("corpus"));
+  EXPECT_TRUE(is("random triangles"));
+  EXPECT_FALSE(is("saved"));
+  EXPECT_FALSE(is("known"));
+  EXPECT_FALSE(is("scene bunny"));
+}
+
 TEST(MayKeep, AsksWithTheEnclosureAlone) {
   const Extremes extremes = extremes_of({error_of({-2, -2}), error_of({3, 3})});
   EXPECT_TRUE(may_keep(extremes, {4, 4}));

@@ -50,7 +50,8 @@ TEST(FindFormat, KnowsNamesOnly) {
   EXPECT_EQ(none.error().file, "run.json");
   EXPECT_THAT(
       none.error().reason,
-      AllOf(StartsWith("no report format of that name; there are: bencher, benchmark, html, json"),
+      AllOf(StartsWith(
+                "no report format of that name; there are: bencher, benchmark, cases, html, json"),
             EndsWith(format_names().back())));
 }
 

@@ -138,6 +138,29 @@ inline void add_known_defects(records::Run& run) {
   none.not_applicable_because["the backend <draws> no pictures"] = 9;
 }
 
+/// What two cases gave.
+inline records::CaseRecordSet sample_cases(const std::string& law, const std::string& backend) {
+  using namespace records;
+  CaseRecord of_corpus;
+  of_corpus.name = "slivers & <needles>";
+  of_corpus.stratum = kCorpusStratum;
+  of_corpus.outcome = CaseOutcome::not_applicable;
+  of_corpus.source_digest = 0x0123456789abcdefU;
+  CaseRecord random;
+  random.stratum = "grid";
+  random.outcome = CaseOutcome::violated;
+  random.source_digest = 1;
+  random.found_digest = std::numeric_limits<std::uint64_t>::max();
+  random.mismatches = 2;
+  random.worst[AttributeKind::smooth][Stratum::ordinary] = sample_worst(-0.7);
+  random.worst[AttributeKind::smooth][Stratum::ordinary].case_name.clear();
+  random.worst[AttributeKind::depth][Stratum::near_horizon] = sample_worst(0.375);
+  random.worst[AttributeKind::depth][Stratum::near_horizon].case_name.clear();
+  random.worst[AttributeKind::depth][Stratum::near_horizon].attribute.reset();
+  return {{{law, backend, Origin::corpus, 17}, of_corpus},
+          {{law, backend, Origin::random, 17}, random}};
+}
+
 inline records::Run sample_run() {
   records::Run run;
   run.seed = std::numeric_limits<std::uint64_t>::max();
@@ -150,6 +173,7 @@ inline records::Run sample_run() {
     add_sample_records(run.records, run.laws[0], backend, 0);
     add_sample_records(run.records, run.laws[1], backend, backend == "cpu" ? 0 : 2);
   }
+  run.cases = sample_cases(run.laws[1], run.backends[1]);
   run.unreached = {{run.laws[0], "cpu", "<clipped>", 57, 412, 1000}};
   run.counterexamples = {sample_counterexample(3), sample_counterexample(41)};
   run.inspections = {sample_counterexample_inspection(), sample_worst_inspection()};

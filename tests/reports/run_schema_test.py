@@ -1,0 +1,158 @@
+#!/usr/bin/python3
+"""Holds the reader of run.json and reports/schema/run.schema.json together.
+
+    run_schema_test.py RASTERCHECK_BINARY SCHEMA RUN_JSON
+
+The schema is valid, closes every object and describes every key. RUN_JSON, a run with every key but
+those that are added here, is accepted by both, and so is what the program itself writes. Of every
+object in it one key is left out, one that there is not is put in, and each value is replaced by one
+of another type: the schema refuses just what the reader refuses. Numbers that only the reader can
+judge, as they are compared with others, are left alone. The reader is asked through
+`rastercheck report DIR`. Needs python3-jsonschema.
+"""
+
+import concurrent.futures
+import copy
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import warnings
+
+import jsonschema
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "cases"))
+from schema_test import TIMEOUT_SECONDS, at, check_schema, places, run_all  # noqa: E402
+
+# Of another type than any value there is, in turn.
+REPLACEMENTS = (None, "\u2026", [[]], {"": []})
+# Elements of an array that are looked at: others are of the same form.
+SHOWN_ELEMENTS = 2
+
+
+def validator_of(schema_file, schema):
+    """Follows references to the schemas of cases and of lists of known defects."""
+    with warnings.catch_warnings():
+        # Debian 12 has no other way yet, and later versions of jsonschema warn of this one.
+        warnings.simplefilter("ignore", DeprecationWarning)
+        resolver = jsonschema.RefResolver(schema_file.resolve().as_uri(), schema)
+        return jsonschema.Draft202012Validator(schema, resolver=resolver)
+
+
+def accepts(binary, document):
+    """Whether the program reads the run; ValueError if it says neither."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "run.json"
+        file.write_text(json.dumps(document), encoding="utf-8")
+        done = subprocess.run(
+            [binary, "report", folder, "--format", "cases", "--quiet"],
+            capture_output=True, timeout=TIMEOUT_SECONDS, check=False)
+    said = done.stderr.decode("utf-8", errors="replace")
+    # Of a run without cases there is no such file, which is asked for once it is read.
+    if done.returncode == 0 or "the run kept no cases" in said:
+        return True
+    if done.returncode != 2 or not said.startswith(f"rastercheck: {file}: /"):
+        raise ValueError(f"exit code {done.returncode}, standard error: {said!r}")
+    return False
+
+
+def shortened(value):
+    """The document with few elements in each array: of forms, not of sizes."""
+    if isinstance(value, dict):
+        return {key: shortened(child) for key, child in value.items()}
+    if isinstance(value, list):
+        return [shortened(child) for child in value[:SHOWN_ELEMENTS]]
+    return value
+
+
+def is_case(path):
+    """Whether a place is in a case file or a list of known defects, which have tests of their own."""
+    return any(key in ("case", "list") and path[:1] != ("records",) for key in path)
+
+
+def of_another_type(value):
+    """A value of another type."""
+    return next(new for new in REPLACEMENTS if type(new) is not type(value))
+
+
+def mutations(base):
+    """(what was done, changed document) for every change of one step."""
+    for path in places(base):
+        if is_case(path):
+            continue
+        pointer = "/" + "/".join(map(str, path))
+        value = at(base, path)
+        if path:
+            changed = copy.deepcopy(base)
+            at(changed, path[:-1])[path[-1]] = of_another_type(value)
+            yield f"{pointer} of another type", changed
+        if isinstance(value, dict):
+            changed = copy.deepcopy(base)
+            at(changed, path)["unknown"] = {}
+            yield f"{pointer} with an unknown key", changed
+            for key in value:
+                changed = copy.deepcopy(base)
+                del at(changed, path)[key]
+                yield f"{pointer} without {key}", changed
+
+
+def complete(document):
+    """The same with the keys that it lacks."""
+    document["contract_file"] = "mine.json"
+    document["cases_left"] = 3
+    document["shrink_seconds"] = 2.5
+    document["unexpected_passes"] = [
+        {"backend": "cpu", "id": "driver-2", "law": "a", "is_same_version": False}]
+    document["known"] = [{"backend": "cpu", "driver_version": "Mesa 23", "list": {
+        "format": "rastercheck-known", "version": 1,
+        "driver": {"name": "driver", "version": "Mesa 22"}, "entries": []}}]
+    return document
+
+
+def written(binary):
+    """What the program writes of a small run."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [binary, "run", "--seed", "1", "--cases", "3", "--keep-cases", "--quiet",
+                   "--backend", "method:screen-linear", "--output", folder]
+        done = subprocess.run(command, capture_output=True, check=False)
+        if done.returncode not in (0, 1):
+            raise ValueError(f"{command}: {done.stderr!r}")
+        return json.loads((pathlib.Path(folder) / "run.json").read_text(encoding="utf-8"))
+
+
+def main(arguments):
+    binary, schema_file, run_file = arguments[1:]
+    schema = json.loads(pathlib.Path(schema_file).read_text(encoding="utf-8"))
+    validator = validator_of(pathlib.Path(schema_file), schema)
+    failures, keys = check_schema(schema)
+    whole = complete(json.loads(pathlib.Path(run_file).read_text(encoding="utf-8")))
+    base = shortened(whole)
+    missing = set(schema["properties"]) - set(base)
+    if missing:
+        failures.append(f"the run of this test lacks {sorted(missing)}")
+    for what, document in (("approved", whole), ("written", written(binary))):
+        error = jsonschema.exceptions.best_match(validator.iter_errors(document))
+        if error:
+            pointer = "/" + "/".join(map(str, error.absolute_path))
+            failures.append(f"the schema refuses what was {what}: {pointer}: {error.message[:300]}")
+
+    def judge(job):
+        document, is_valid = job
+        is_read = accepts(binary, document)
+        return None if is_valid == is_read else f"schema: {is_valid}, reader: {is_read}"
+
+    # Validators that follow references know where they are, and so are no business of threads.
+    jobs = [(what, (document, validator.is_valid(document)))
+            for what, document in (("unchanged", base), *mutations(base))]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        failures += run_all(pool, judge, jobs)
+    for failure in failures[:40]:
+        print(failure)
+    print(f"{keys} keys described, {len(jobs)} documents judged by both, {len(failures)} failures")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv))
