@@ -1,0 +1,155 @@
+#pragma once
+
+// One section of a baseline held against another (baseline.h): what grew, what fell, and where.
+//
+// The comparison is exact, and has no tolerance: cases are frozen and drawing is deterministic, so
+// that equal drawings have equal figures to the bit. An entry with both worse and better figures is
+// worse.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/error.h"
+#include "cases/names.h"
+#include "reports/baseline.h"
+
+namespace rastercheck::reports {
+
+enum class Change { same, better, worse, appeared, gone };
+constexpr auto names_of(Change /*type*/) {
+  return std::to_array<std::string_view>({"same", "better", "worse", "new", "gone"});
+}
+constexpr std::string_view to_string(Change change) { return cases::name_of(change); }
+
+/// A figure of an entry that is compared. Of `checked` less is worse, of all others more.
+enum class Figure {
+  violations,  ///< cases violated in ways that are not known
+  known,       ///< cases violated in known ways only
+  checked,     ///< cases that the law says something of: others are not looked at any more
+  mismatches,  ///< of one class, FigureChange::fragment_class
+  worst,       ///< the largest magnitude
+  misrounded,  ///< the share of values off by more than records::kRoundingError
+  p999,
+  p99,
+  p50,
+};
+constexpr auto names_of(Figure /*type*/) {
+  return std::to_array<std::string_view>({"violations", "known violations", "cases checked",
+                                          "mismatches", "worst", "misrounded", "p99.9", "p99",
+                                          "p50"});
+}
+constexpr std::string_view to_string(Figure figure) { return cases::name_of(figure); }
+
+/// A figure's value. What is a size (worst, p50, p99, p99.9: the borders of the bucket) has `size`,
+/// a count `count`, a share `count` of `of`.
+struct FigureValue {
+  std::optional<records::Enclosure> size;
+  std::uint64_t count = 0;
+  std::uint64_t of = 0;
+  bool operator==(const FigureValue&) const = default;
+};
+
+struct FigureChange {
+  Figure figure = Figure::worst;
+  /// Of mismatches.
+  records::FragmentClass fragment_class = records::FragmentClass::correct;
+  Change change = Change::same;  ///< better or worse
+  FigureValue before;
+  FigureValue after;
+  bool operator==(const FigureChange&) const = default;
+};
+
+/// Of a stage of one entry: the mean magnitude of its part of errors, in the kind's unit, and its
+/// share of the sum of all parts, 0…1, a number to show. Means and shares are absent where there
+/// are none (SignedSum::mean).
+struct StageChange {
+  records::Stage stage = records::Stage::transform;
+  std::optional<records::Enclosure> mean_before;
+  std::optional<records::Enclosure> mean_after;
+  std::optional<double> share_before;
+  std::optional<double> share_after;
+  bool operator==(const StageChange&) const = default;
+};
+
+struct EntryChange {
+  EntryKey key;
+  Change change = Change::same;
+  std::vector<FigureChange> figures;  ///< that changed, in the order of Figure
+  EntryFigures before;                ///< empty of a new one
+  EntryFigures after;                 ///< empty of one that is gone
+  std::vector<StageChange> stages;    ///< all, in their order; of laws that split errors
+  /// The stage whose part grew most, by its mean; nothing where none did.
+  std::optional<records::Stage> grown_stage;
+  /// Why a policy allows that it is worse (policy.h).
+  std::optional<std::string> allowed_because = std::nullopt;
+  bool operator==(const EntryChange&) const = default;
+};
+
+/// A case whose error of one kind and stratum grew, or of which more came out wrong.
+struct CaseGrowth {
+  std::string law;
+  records::Origin origin = records::Origin::random;
+  std::uint64_t index = 0;
+  std::string name;  ///< of a case of the corpus
+  /// Of the error that grew most; nothing where more came out wrong and no error grew.
+  std::optional<records::AttributeKind> kind = std::nullopt;
+  std::optional<records::Stratum> stratum = std::nullopt;
+  std::optional<records::WorstError> before = std::nullopt;  ///< nothing: no error but 0
+  std::optional<records::WorstError> after = std::nullopt;
+  std::uint64_t mismatches_before = 0;
+  std::uint64_t mismatches_after = 0;
+  bool operator==(const CaseGrowth&) const = default;
+};
+
+struct Comparison {
+  BaselineKey key;      ///< of the baseline's section
+  std::string backend;  ///< of the current one: as the run names it
+  Taken before;
+  Taken after;
+  std::uint64_t seed = 0;  ///< the same of both, as are:
+  std::uint64_t cases_per_law = 0;
+  std::vector<std::string> options;  ///< those of the current one
+  std::vector<EntryChange> entries;  ///< in the order of their keys
+  /// By how much grew, the most first: mismatches before errors.
+  std::vector<CaseGrowth> growths;
+  std::uint64_t grown_cases = 0;            ///< of which `growths` are the first
+  std::uint64_t changed_cases = 0;          ///< what was found of them is not the same, to the bit
+  std::uint64_t compared_cases = 0;         ///< that both have
+  std::vector<std::string> gone_laws = {};  ///< run then and not now
+  std::vector<std::string> new_laws = {};
+  bool operator==(const Comparison&) const = default;
+};
+
+struct CompareOptions {
+  std::size_t most_growths = 20;
+};
+
+/// Fails where figures of the two cannot be compared: another version of records or rules, other
+/// seed, cases or options, or other cases of a law that both have. The reason names the difference.
+Result<Comparison> compare(const BaselineSection& before, const BaselineSection& after,
+                           const CompareOptions& options = {});
+
+/// Each of `current`'s sections against the one that `baseline` has for it (find_section). Fails
+/// where there is none, too. `files` names both in errors.
+struct CompareFiles {
+  std::string baseline;
+  std::string current;
+};
+Result<std::vector<Comparison>> compare(const Baseline& baseline, const Baseline& current,
+                                        const CompareFiles& files,
+                                        const CompareOptions& options = {});
+
+/// How many of its entries changed so; of the worse ones those that no policy allows with
+/// `refused`.
+std::uint64_t count_of(const Comparison& comparison, Change change);
+std::uint64_t refused(const Comparison& comparison);
+std::uint64_t refused(const std::vector<Comparison>& comparisons);
+
+/// "worst", "missing" (of mismatches the class).
+std::string_view figure_name(const FigureChange& change);
+
+}  // namespace rastercheck::reports
