@@ -15,15 +15,6 @@ constexpr int kSizes = 101;
 
 }  // namespace
 
-std::uint64_t fnv1a(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : text) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001b3;
-  }
-  return hash;
-}
-
 struct Draw::State {
   rc::Random random;
   int size;

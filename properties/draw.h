@@ -12,10 +12,11 @@
 #include <span>
 #include <string_view>
 
+#include "cases/digest.h"
+
 namespace rastercheck::properties {
 
-/// 64-bit FNV-1a of a text.
-std::uint64_t fnv1a(std::string_view text);
+using cases::fnv1a;
 
 class Draw {
  public:

@@ -34,6 +34,11 @@ constexpr auto names_of(CaseOutcome /*type*/) {
 }
 constexpr std::string_view to_string(CaseOutcome outcome) { return cases::name_of(outcome); }
 
+/// The largest error against the exact triangle of each kind and stratum of fragments, by
+/// magnitude, and of equally large ones the negative. Only where there is one but 0. Case index and
+/// name of a WorstError are those of the case.
+using WorstOfCase = std::map<AttributeKind, std::map<Stratum, WorstError>>;
+
 struct CaseRecord {
   std::string name;     ///< of the case; empty where it has none
   std::string stratum;  ///< of the record that it is counted in (RecordKey::stratum)
@@ -44,10 +49,7 @@ struct CaseRecord {
   std::uint64_t found_digest = 0;
   /// Samples and values that came out wrong: all of another class than correct.
   std::uint64_t mismatches = 0;
-  /// The largest error against the exact triangle of each kind and stratum of fragments, by
-  /// magnitude, and of equally large ones the negative. Only where there is one but 0. Case index
-  /// and name of a WorstError are those of the case.
-  std::map<AttributeKind, std::map<Stratum, WorstError>> worst;
+  WorstOfCase worst;
   bool operator==(const CaseRecord&) const = default;
 };
 

@@ -23,7 +23,7 @@ CaseKey read_key(const JsonNode& node) {
           node["index"].count()};
 }
 
-std::map<Stratum, WorstError> read_strata(const JsonNode& node, const CaseKey& key,
+std::map<Stratum, WorstError> read_strata(const JsonNode& node, std::uint64_t index,
                                           const std::string& name) {
   constexpr auto kNames = names_of(Stratum{});
   node.expect_object({}, kNames);
@@ -31,7 +31,7 @@ std::map<Stratum, WorstError> read_strata(const JsonNode& node, const CaseKey& k
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (!node.has(kNames[i])) continue;
     WorstError worst = error_without_case_from_json(node[kNames[i]]);
-    worst.case_index = key.index;
+    worst.case_index = index;
     worst.case_name = name;
     strata[static_cast<Stratum>(i)] = std::move(worst);
   }
@@ -39,7 +39,6 @@ std::map<Stratum, WorstError> read_strata(const JsonNode& node, const CaseKey& k
 }
 
 CaseRecord read_record(const JsonNode& node, const CaseKey& key) {
-  constexpr auto kKinds = names_of(AttributeKind{});
   CaseRecord record;
   if (node.has("name")) record.name = node["name"].text();
   record.stratum = node["stratum"].text();
@@ -47,12 +46,8 @@ CaseRecord read_record(const JsonNode& node, const CaseKey& key) {
   record.source_digest = digest_from_json(node["source"]);
   record.found_digest = digest_from_json(node["found"]);
   if (node.has("mismatches")) record.mismatches = node["mismatches"].count();
-  if (!node.has("worst")) return record;
-  const JsonNode worst = node["worst"];
-  worst.expect_object({}, kKinds);
-  for (std::size_t i = 0; i < kKinds.size(); ++i) {
-    if (!worst.has(kKinds[i])) continue;
-    record.worst[static_cast<AttributeKind>(i)] = read_strata(worst[kKinds[i]], key, record.name);
+  if (node.has("worst")) {
+    record.worst = worst_of_case_from_json(node["worst"], key.index, record.name);
   }
   return record;
 }
@@ -73,6 +68,29 @@ std::uint64_t digest_from_json(const JsonNode& node) {
   return digest;
 }
 
+json worst_of_case_to_json(const WorstOfCase& worst) {
+  json object = json::object();
+  for (const auto& [kind, strata] : worst) {
+    json& of_kind = object[std::string(to_string(kind))] = json::object();
+    for (const auto& [stratum, error] : strata) {
+      of_kind[std::string(to_string(stratum))] = error_without_case_to_json(error);
+    }
+  }
+  return object;
+}
+
+WorstOfCase worst_of_case_from_json(const JsonNode& node, std::uint64_t index,
+                                    const std::string& name) {
+  constexpr auto kKinds = names_of(AttributeKind{});
+  node.expect_object({}, kKinds);
+  WorstOfCase worst;
+  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+    if (!node.has(kKinds[i])) continue;
+    worst[static_cast<AttributeKind>(i)] = read_strata(node[kKinds[i]], index, name);
+  }
+  return worst;
+}
+
 json case_record_to_json(const CaseKey& key, const CaseRecord& record) {
   json object{{"law", key.law},
               {"backend", key.backend},
@@ -84,12 +102,7 @@ json case_record_to_json(const CaseKey& key, const CaseRecord& record) {
               {"found", digest_text(record.found_digest)}};
   if (!record.name.empty()) object["name"] = record.name;
   if (record.mismatches > 0) object["mismatches"] = record.mismatches;
-  for (const auto& [kind, strata] : record.worst) {
-    json& of_kind = object["worst"][std::string(to_string(kind))] = json::object();
-    for (const auto& [stratum, worst] : strata) {
-      of_kind[std::string(to_string(stratum))] = error_without_case_to_json(worst);
-    }
-  }
+  if (!record.worst.empty()) object["worst"] = worst_of_case_to_json(record.worst);
   return object;
 }
 

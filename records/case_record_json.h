@@ -27,6 +27,11 @@ nlohmann::json case_records_to_json(const CaseRecordSet& records);
 /// An array of such objects, in the order of their keys. Refuses two of one key.
 CaseRecordSet case_records_from_json(const cases::JsonNode& array);
 
+/// Its "worst" alone, of a case of that index and name.
+nlohmann::json worst_of_case_to_json(const WorstOfCase& worst);
+WorstOfCase worst_of_case_from_json(const cases::JsonNode& node, std::uint64_t index,
+                                    const std::string& name);
+
 /// A digest as text, and back.
 std::string digest_text(std::uint64_t digest);
 std::uint64_t digest_from_json(const cases::JsonNode& node);

@@ -29,7 +29,9 @@ std::array<std::uint64_t*, kLevelNames.size()> counts_of(Levels& levels) {
 
 // Writing.
 
-json json_of(const Histogram& histogram) {
+}  // namespace
+
+json histogram_to_json(const Histogram& histogram) {
   json buckets = json::array();
   for (std::size_t bucket = 0; bucket < Histogram::kBucketCount; ++bucket) {
     const std::uint64_t count = histogram.count_in(bucket);
@@ -37,6 +39,8 @@ json json_of(const Histogram& histogram) {
   }
   return {{"buckets", std::move(buckets)}, {"non_finite", histogram.non_finite()}};
 }
+
+namespace {
 
 json json_of(const ClassCounts& classes) {
   json object = json::object();
@@ -52,19 +56,23 @@ json json_of(const WorstError& worst) {
   return object;
 }
 
-json json_of(const SignedSum& sum) {
+}  // namespace
+
+json sum_to_json(const SignedSum& sum) {
   return {{"lo", fmt::format("{}", sum.lo())},
           {"hi", fmt::format("{}", sum.hi())},
           {"count", sum.count()},
           {"beyond", sum.beyond()}};
 }
 
+namespace {
+
 json json_of(const ErrorSizes& sizes) {
-  json object{{"histogram", json_of(sizes.histogram)}};
+  json object{{"histogram", histogram_to_json(sizes.histogram)}};
   const Extremes& extremes = sizes.extremes;
   if (extremes.most_negative) object["most_negative"] = json_of(*extremes.most_negative);
   if (extremes.most_positive) object["most_positive"] = json_of(*extremes.most_positive);
-  if (sizes.sum != SignedSum()) object["sum"] = json_of(sizes.sum);
+  if (sizes.sum != SignedSum()) object["sum"] = sum_to_json(sizes.sum);
   return object;
 }
 
@@ -80,7 +88,7 @@ json json_of(const std::map<Stratum, std::map<Stage, SignedSum>>& strata) {
   json object = json::object();
   for (const auto& [stratum, stages] : strata) {
     json& sums = object[std::string(to_string(stratum))] = json::object();
-    for (const auto& [stage, sum] : stages) sums[std::string(to_string(stage))] = json_of(sum);
+    for (const auto& [stage, sum] : stages) sums[std::string(to_string(stage))] = sum_to_json(sum);
   }
   return object;
 }
@@ -127,7 +135,9 @@ json json_of(const RecordKey& key, const Record& record) {
 
 // Reading.
 
-Histogram read_histogram(const JsonNode& node) {
+}  // namespace
+
+Histogram histogram_from_json(const JsonNode& node) {
   Histogram histogram;
   node.expect_object({"buckets", "non_finite"});
   histogram.add_non_finite(node["non_finite"].count());
@@ -141,6 +151,8 @@ Histogram read_histogram(const JsonNode& node) {
   }
   return histogram;
 }
+
+namespace {
 
 ClassCounts read_classes(const JsonNode& node) {
   constexpr auto kNames = names_of(FragmentClass{});
@@ -211,7 +223,9 @@ SignedSum::Units read_units(const JsonNode& node) {
   return units;
 }
 
-SignedSum read_sum(const JsonNode& node) {
+}  // namespace
+
+SignedSum sum_from_json(const JsonNode& node) {
   node.expect_object({"lo", "hi", "count", "beyond"});
   const SignedSum::Units lo = read_units(node["lo"]);
   const SignedSum::Units hi = read_units(node["hi"]);
@@ -224,10 +238,12 @@ SignedSum read_sum(const JsonNode& node) {
   return {lo, hi, count, node["beyond"].count()};
 }
 
+namespace {
+
 ErrorSizes read_sizes(const JsonNode& node) {
   node.expect_object({"histogram"}, {"most_negative", "most_positive", "sum"});
-  return {read_histogram(node["histogram"]), read_extremes(node),
-          node.has("sum") ? read_sum(node["sum"]) : SignedSum()};
+  return {histogram_from_json(node["histogram"]), read_extremes(node),
+          node.has("sum") ? sum_from_json(node["sum"]) : SignedSum()};
 }
 
 std::map<Stratum, ErrorSizes> read_strata(const JsonNode& node) {
@@ -251,7 +267,7 @@ std::map<Stratum, std::map<Stage, SignedSum>> read_stages(const JsonNode& node) 
     stages.expect_object({}, kStages);
     std::map<Stage, SignedSum>& sums = strata[static_cast<Stratum>(i)];
     for (std::size_t k = 0; k < kStages.size(); ++k) {
-      if (stages.has(kStages[k])) sums[static_cast<Stage>(k)] = read_sum(stages[kStages[k]]);
+      if (stages.has(kStages[k])) sums[static_cast<Stage>(k)] = sum_from_json(stages[kStages[k]]);
     }
   }
   return strata;

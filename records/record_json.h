@@ -46,6 +46,12 @@ nlohmann::json records_to_json(const RecordSet& records);
 /// of one key.
 RecordSet records_from_json(const cases::JsonNode& array);
 
+/// The parts of records that other files keep as well: a "histogram" and a "sum".
+nlohmann::json histogram_to_json(const Histogram& histogram);
+Histogram histogram_from_json(const cases::JsonNode& node);
+nlohmann::json sum_to_json(const SignedSum& sum);
+SignedSum sum_from_json(const cases::JsonNode& node);
+
 /// A worst error without its "case", for whoever says that elsewhere.
 nlohmann::json error_without_case_to_json(const WorstError& worst);
 WorstError error_without_case_from_json(const cases::JsonNode& node);

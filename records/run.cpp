@@ -14,13 +14,6 @@ bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-/// ASCII only, whatever the locale: a file name that every system and archive takes as it is.
-std::string file_word(std::string_view text) {
-  std::string word;
-  for (const char c : text) word += is_letter_or_digit(c) ? c : '-';
-  return word;
-}
-
 }  // namespace
 
 std::string unreached_sentence(const UnreachedLabel& label) {
@@ -76,10 +69,8 @@ std::vector<std::string> replay_options(const Run& run) {
   std::vector<std::string> options;
   for (std::size_t i = 0; i < run.options.size(); ++i) {
     const std::string& word = run.options[i];
-    if (word == "--no-known") {
-      options.push_back(word);
-      continue;
-    }
+    if (word == "--no-known") options.push_back(word);
+    if (word == "--no-known" || word == "--keep-cases") continue;
     // All others have a value, which may look like an option.
     const bool is_taken = word == "--contract" || word == "--known" || word == "--timeout";
     if (++i < run.options.size() && is_taken) {
@@ -87,6 +78,13 @@ std::vector<std::string> replay_options(const Run& run) {
     }
   }
   return options;
+}
+
+std::string file_word(std::string_view text) {
+  // ASCII only, whatever the locale: a file name that every system and archive takes as it is.
+  std::string word;
+  for (const char c : text) word += is_letter_or_digit(c) ? c : '-';
+  return word;
 }
 
 std::string file_of(const Counterexample& counterexample) {

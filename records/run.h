@@ -98,6 +98,9 @@ std::vector<std::string> caveats(const Run& run);
 /// and what is known of them.
 std::vector<std::string> replay_options(const Run& run);
 
+/// A text as part of a file's name: what is neither letter nor digit made '-'.
+std::string file_word(std::string_view text);
+
 /// The file that a counterexample is saved as, within the run's folder:
 /// "counterexamples/LAW-BACKEND-VERDICT.json", with what is neither letter nor digit made '-'.
 std::string file_of(const Counterexample& counterexample);

@@ -9,10 +9,6 @@
 namespace rastercheck::records {
 namespace {
 
-constexpr double kMedian = 0.5;
-constexpr double kTail = 0.99;
-constexpr double kFarTail = 0.999;
-
 /// Takes in one side's extreme; of equally large ones the first stays, which is the negative.
 void keep_worst(SizeSummary& summary, const std::optional<WorstError>& extreme) {
   if (!extreme) return;

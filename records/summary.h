@@ -36,6 +36,11 @@ struct SizeSummary {
   std::optional<Enclosure> p99;  ///< the borders of the histogram bucket that holds it
 };
 
+/// The quantiles that are shown and compared.
+inline constexpr double kMedian = 0.5;
+inline constexpr double kTail = 0.99;
+inline constexpr double kFarTail = 0.999;
+
 /// No correctly rounded value is off by more, in scale ULP.
 inline constexpr double kRoundingError = 0.5;
 

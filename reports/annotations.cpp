@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "reports/commands.h"
+#include "reports/internal/compare_wording.h"
 #include "reports/internal/wording.h"
 
 namespace rastercheck::reports {
@@ -27,6 +28,25 @@ std::string escaped(std::string_view text, bool is_property) {
 
 std::string command(std::string_view level, std::string_view title, std::string_view message) {
   return fmt::format("::{} title={}::{}\n", level, escaped(title, true), escaped(message, false));
+}
+
+/// GitHub shows ten of a step, and drops the rest.
+constexpr std::size_t kMostEntries = 10;
+
+std::string error_of(const Gate& gate, const Comparison& comparison, const EntryChange& entry) {
+  std::string message;
+  for (const FigureChange& change : entry.figures) message += figure_sentence(change) + "\n";
+  for (const CaseGrowth& growth : comparison.growths) {
+    if (growth.law != entry.key.law) continue;
+    message += fmt::format("most in {}", case_text(growth));
+    for (const std::string& line : growth_lines(growth)) message += "; " + line;
+    for (const std::string& line : growth_commands(gate, comparison, growth))
+      message += "\n" + line;
+    break;
+  }
+  return fmt::format("::error file={},line=1,title={}::{}\n", escaped(gate.baseline_file, true),
+                     escaped("worse than the baseline of " + to_string(comparison.key), true),
+                     escaped(to_string(entry.key) + "\n" + message, false));
 }
 
 std::string error_of(const records::Run& run, const records::Counterexample& counterexample,
@@ -56,6 +76,22 @@ std::string github_annotations(const records::Run& run, const std::string& direc
   for (const records::UnexpectedPass& pass : run.unexpected) {
     text += command(pass.is_same_version ? "error" : "warning", "unexpected pass",
                     records::unexpected_sentence(pass));
+  }
+  return text;
+}
+
+std::string github_annotations(const Gate& gate) {
+  std::string text;
+  std::size_t shown = 0;
+  for (const Comparison& comparison : gate.comparisons) {
+    for (const EntryChange& entry : comparison.entries) {
+      const bool is_refused = entry.change == Change::worse && !entry.allowed_because;
+      if (is_refused && ++shown <= kMostEntries) text += error_of(gate, comparison, entry);
+    }
+  }
+  for (const std::string& line : gate.policy.expired) text += command("warning", "expired", line);
+  for (const std::string& line : gate.policy.unused) {
+    text += command("warning", "allows nothing any more", line);
   }
   return text;
 }

@@ -63,7 +63,7 @@ using CaseNumber = std::pair<records::Origin, std::uint64_t>;
 struct CaseFigures {
   std::uint64_t found_digest = 0;
   std::uint64_t mismatches = 0;
-  std::map<records::AttributeKind, std::map<records::Stratum, records::WorstError>> worst;
+  records::WorstOfCase worst;
   bool operator==(const CaseFigures&) const = default;
 };
 
@@ -77,6 +77,7 @@ struct LawCases {
 
 /// Where a section comes from: recorded, and not compared.
 struct Taken {
+  std::string backend;          ///< as given on the command line, whatever the key calls it
   std::string version;          ///< of this program
   std::string commit;           ///< empty where that is not known
   std::string instruction_set;  ///< of the machine, whatever the key says of it

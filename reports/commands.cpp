@@ -45,4 +45,15 @@ std::string replay_command(const records::Run& run, const std::string& file) {
   return "rastercheck replay " + shell_word(file) + words(records::replay_options(run));
 }
 
+std::string explain_command(const records::Run& run, const std::string& file,
+                            const records::WorstError& place) {
+  std::string command =
+      fmt::format("rastercheck explain {} --pixel {},{} --sample {} --triangle {}",
+                  shell_word(file), place.x, place.y, place.sample, place.triangle);
+  if (!run.contract_file.empty()) command += " --contract " + shell_word(run.contract_file);
+  return command;
+}
+
+std::string command_line(const std::vector<std::string>& all) { return words(all).substr(1); }
+
 }  // namespace rastercheck::reports

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "cases/json.h"
 #include "cases/names.h"
 #include "records/enclosure.h"
+#include "reports/internal/exact_text.h"
 #include "reports/text_table.h"
 
 namespace rastercheck::reports {
@@ -29,30 +29,6 @@ std::string number_text(float value) {
   const bool is_plain = value == std::trunc(value) && std::abs(value) < 1000;
   if (is_plain && !is_minus_zero) return fmt::format("{}", value);
   return fmt::format("{} ({:.6g})", cases::to_hex(value), value);
-}
-
-/// "0.333333333" of "1/3", to float32's digits; empty where it is no fraction or beyond doubles.
-std::string decimal_of(const std::string& fraction) {
-  if (fraction.find_first_not_of("-0123456789/") != std::string::npos) return "";
-  const std::size_t slash = fraction.find('/');
-  double value = std::strtod(fraction.c_str(), nullptr);
-  if (slash != std::string::npos) value /= std::strtod(fraction.c_str() + slash + 1, nullptr);
-  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "";
-}
-
-/// A fraction or a range of two, with decimals where they help to read it.
-std::string exact_text(const std::string& exact) {
-  std::string text = cases::printable(exact);
-  if (exact.find('/') == std::string::npos) return text;
-  const std::size_t comma = exact.find(", ");
-  if (!exact.starts_with('[') || !exact.ends_with(']') || comma == std::string::npos) {
-    const std::string decimal = decimal_of(exact);
-    return decimal.empty() ? text : fmt::format("{} (about {})", text, decimal);
-  }
-  const std::string low = decimal_of(exact.substr(1, comma - 1));
-  const std::string high = decimal_of(exact.substr(comma + 2, exact.size() - comma - 3));
-  if (low.empty() || high.empty()) return text;
-  return fmt::format("{} (about {} to {})", text, low, high);
 }
 
 std::string attribute_name(const cases::Case& c, std::uint32_t attribute) {

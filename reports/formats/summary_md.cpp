@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "cases/json.h"
 #include "records/share.h"
 #include "records/summary.h"
 #include "reports/commands.h"
 #include "reports/format.h"
+#include "reports/internal/markdown.h"
 #include "reports/internal/wording.h"
 
 namespace rastercheck::reports {
@@ -17,21 +17,6 @@ namespace {
 using records::Counterexample;
 using records::LawSummary;
 using records::Run;
-
-/// A text that Markdown shows as it is, on one line and within a table's cell.
-std::string markdown(std::string_view text) {
-  std::string escaped;
-  for (const char c : cases::printable(text)) {
-    if (std::string_view("\\`*_{}[]<>#|~&").find(c) != std::string_view::npos) escaped += '\\';
-    escaped += c;
-  }
-  return escaped;
-}
-
-/// A command in a block of its own. No text can end the block, as line breaks are escaped.
-std::string command_block(std::string_view command) {
-  return "    " + cases::printable(command) + "\n";
-}
 
 std::string verdict_of(const LawSummary& row) {
   if (row.verdict == records::LawVerdict::violated) {

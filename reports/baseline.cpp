@@ -1,0 +1,187 @@
+#include "reports/baseline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+#include <tuple>
+
+#include "cases/digest.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using records::AttributeKind;
+
+std::string in_environment(const records::Run& run, const std::string& name) {
+  const auto found = run.environment.find(name);
+  return found == run.environment.end() ? std::string() : found->second;
+}
+
+records::Enclosure largest_in(const records::Extremes& extremes) {
+  const records::WorstError* worst = records::worst_of(extremes);
+  return worst == nullptr ? records::Enclosure() : records::magnitude(worst->error);
+}
+
+EntryFigures figures_of(const records::ErrorSizes& sizes) {
+  EntryFigures figures;
+  figures.histogram = sizes.histogram;
+  figures.worst = largest_in(sizes.extremes);
+  return figures;
+}
+
+bool is_empty(const EntryFigures& figures) { return figures == EntryFigures(); }
+
+/// The entries of one law and kind.
+void add_entries(std::map<EntryKey, EntryFigures>& entries, const std::string& law,
+                 AttributeKind kind, const records::Record& record) {
+  EntryFigures all = figures_of(record.errors.ideal);
+  all.classes = record.errors.classes;
+  if (kind == AttributeKind::coverage) all.cases = record.cases;
+  std::map<records::Stratum, EntryFigures> strata;
+  for (const auto& [stratum, sizes] : record.errors.strata) strata[stratum] = figures_of(sizes);
+  for (const auto& [stratum, stages] : record.errors.stages) {
+    strata[stratum].stages = stages;
+    for (const auto& [stage, sum] : stages) all.stages[stage].merge(sum);
+  }
+  // That no case of a law is looked at any more is to be seen: its coverage always has an entry.
+  if (kind == AttributeKind::coverage || !is_empty(all)) {
+    entries[{law, kind, std::nullopt}] = std::move(all);
+  }
+  for (auto& [stratum, figures] : strata) {
+    if (!is_empty(figures)) entries[{law, kind, stratum}] = std::move(figures);
+  }
+}
+
+std::map<EntryKey, EntryFigures> entries_of(const records::Run& run, const std::string& backend) {
+  // Strata of the generators are merged, as tables do (records/summary.cpp).
+  std::map<std::pair<std::string, AttributeKind>, records::Record> by_kind;
+  for (const std::string& law : run.laws) by_kind[{law, AttributeKind::coverage}];
+  for (const auto& [key, record] : run.records) {
+    if (key.backend != backend || !records::is_frozen(key)) continue;
+    records::merge(by_kind[{key.law, key.attribute_kind}], record);
+  }
+  std::map<EntryKey, EntryFigures> entries;
+  for (const auto& [key, record] : by_kind) add_entries(entries, key.first, key.second, record);
+  return entries;
+}
+
+void add_cases(BaselineSection& section, const records::CaseRecordSet& all,
+               const std::string& backend) {
+  std::map<std::string, std::string> numbered;  // by law: what its digest is of
+  for (const auto& [key, record] : all) {
+    if (key.backend != backend) continue;
+    LawCases& law = section.laws[key.law];
+    ++law.count;
+    numbered[key.law] +=
+        fmt::format("{} {} {:016x}\n", to_string(key.origin), key.index, record.source_digest);
+    if (key.origin == records::Origin::corpus) section.corpus[key.index] = record.name;
+    if (record.outcome == records::CaseOutcome::not_applicable) continue;
+    law.cases[{key.origin, key.index}] = {record.found_digest, record.mismatches, record.worst};
+  }
+  for (const auto& [law, text] : numbered) section.laws[law].digest = cases::fnv1a(text);
+}
+
+Error refusal(const std::string& reason) { return {"", "", reason}; }
+
+}  // namespace
+
+std::vector<std::string> frozen_options(const std::vector<std::string>& options) {
+  constexpr auto kWithValue =
+      std::to_array<std::string_view>({"--property", "--contract", "--corpus", "--known"});
+  std::vector<std::string> frozen;
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    const bool has_value =
+        std::find(kWithValue.begin(), kWithValue.end(), options[i]) != kWithValue.end();
+    if (has_value && i + 1 < options.size()) {
+      frozen.insert(frozen.end(), {options[i], options[i + 1]});
+      ++i;
+    } else if (options[i] == "--no-known") {
+      frozen.push_back(options[i]);
+    }
+  }
+  return frozen;
+}
+
+Result<BaselineSection> section_of(const records::Run& run, const std::string& backend) {
+  if (std::find(run.backends.begin(), run.backends.end(), backend) == run.backends.end()) {
+    return tl::unexpected(refusal(fmt::format("the run is not of the backend '{}'", backend)));
+  }
+  if (!run.cases) {
+    return tl::unexpected(
+        refusal("the run did not keep its cases: it has to be made with --keep-cases"));
+  }
+  if (run.cases_left > 0) {
+    return tl::unexpected(refusal("the run was interrupted: `rastercheck run --resume` ends it"));
+  }
+  BaselineSection section;
+  section.key = {backend, in_environment(run, "architecture"), "", ""};
+  section.rules_version = run.rules_version;
+  section.seed = run.seed;
+  section.cases_per_law = run.cases_per_law;
+  section.options = frozen_options(run.options);
+  section.taken = {backend, in_environment(run, "version"), "",
+                   in_environment(run, "instruction_set"), in_environment(run, "compiler")};
+  section.entries = entries_of(run, backend);
+  for (const std::string& law : run.laws) section.laws[law];
+  add_cases(section, *run.cases, backend);
+  return section;
+}
+
+Result<Baseline> baseline_of(const records::Run& run) {
+  Baseline baseline;
+  for (const std::string& backend : run.backends) {
+    Result<BaselineSection> section = section_of(run, backend);
+    if (!section) return tl::unexpected(section.error());
+    put(baseline, *std::move(section));
+  }
+  return baseline;
+}
+
+void put(Baseline& baseline, BaselineSection section) {
+  const auto at = std::lower_bound(
+      baseline.sections.begin(), baseline.sections.end(), section.key,
+      [](const BaselineSection& one, const BaselineKey& key) { return one.key < key; });
+  if (at != baseline.sections.end() && at->key == section.key) {
+    *at = std::move(section);
+  } else {
+    baseline.sections.insert(at, std::move(section));
+  }
+}
+
+const BaselineSection* find_section(const Baseline& baseline, const BaselineSection& current) {
+  const auto matches = [](const std::string& asked, const std::string& is) {
+    return asked.empty() || asked == is;
+  };
+  const BaselineSection* found = nullptr;
+  const auto specificity = [](const BaselineKey& key) {
+    return std::pair(!key.instruction_set.empty(), !key.compiler.empty());
+  };
+  for (const BaselineSection& section : baseline.sections) {
+    const BaselineKey& key = section.key;
+    if (key.backend != current.key.backend || key.architecture != current.key.architecture ||
+        !matches(key.instruction_set, current.taken.instruction_set) ||
+        !matches(key.compiler, current.taken.compiler)) {
+      continue;
+    }
+    if (found == nullptr || specificity(key) > specificity(found->key)) found = &section;
+  }
+  return found;
+}
+
+std::string to_string(const BaselineKey& key) {
+  std::string text = fmt::format("{} on {}", key.backend, key.architecture);
+  if (!key.instruction_set.empty()) text += ", " + key.instruction_set;
+  if (!key.compiler.empty()) text += ", " + key.compiler;
+  return text;
+}
+
+std::string to_string(const EntryKey& key) {
+  std::string text = fmt::format("{}: {}", key.law, to_string(key.kind));
+  if (key.stratum) text += fmt::format(", {}", to_string(*key.stratum));
+  return text;
+}
+
+}  // namespace rastercheck::reports

@@ -1,0 +1,299 @@
+#include "reports/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "records/summary.h"
+#include "reports/internal/compare_cases.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using records::Enclosure;
+
+// --- What cannot be compared ---------------------------------------------------------------------
+
+std::string words(const std::vector<std::string>& all) {
+  return all.empty() ? "none" : fmt::format("{}", fmt::join(all, " "));
+}
+
+/// Without the corpus's folder: which cases it has, digests tell.
+std::vector<std::string> judged_by(const BaselineSection& section) {
+  std::vector<std::string> options;
+  for (std::size_t i = 0; i < section.options.size(); ++i) {
+    if (section.options[i] == "--corpus") {
+      ++i;
+    } else {
+      options.push_back(section.options[i]);
+    }
+  }
+  return options;
+}
+
+/// How the cases of a law that both have are other cases; empty where they are the same.
+std::string other_cases(const std::string& law, const LawCases& before, const LawCases& after) {
+  if (before.count != after.count) {
+    return fmt::format("the law '{}' has {} cases in the baseline and {} now", law, before.count,
+                       after.count);
+  }
+  if (before.digest == after.digest) return "";
+  return fmt::format(
+      "the law '{}' has other cases than in the baseline: their digest was {:016x} and is {:016x}",
+      law, before.digest, after.digest);
+}
+
+/// Why figures of the two say nothing of each other; empty where they do.
+std::string difference(const BaselineSection& before, const BaselineSection& after) {
+  const auto numbers = [](std::string_view what, std::uint64_t was, std::uint64_t is) {
+    return fmt::format("{} {} in the baseline and {} now", what, was, is);
+  };
+  if (before.records_version != after.records_version) {
+    return numbers("the version of records is", before.records_version, after.records_version);
+  }
+  if (before.rules_version != after.rules_version) {
+    return numbers("the version of the rules is", before.rules_version, after.rules_version);
+  }
+  if (before.seed != after.seed) return numbers("the seed is", before.seed, after.seed);
+  if (before.cases_per_law != after.cases_per_law) {
+    return numbers("the number of cases per law is", before.cases_per_law, after.cases_per_law);
+  }
+  if (judged_by(before) != judged_by(after)) {
+    return fmt::format("the options are {} in the baseline and {} now", words(judged_by(before)),
+                       words(judged_by(after)));
+  }
+  for (const auto& [law, cases] : before.laws) {
+    const auto now = after.laws.find(law);
+    if (now == after.laws.end()) continue;
+    if (std::string other = other_cases(law, cases, now->second); !other.empty()) return other;
+  }
+  return "";
+}
+
+// --- Figures -------------------------------------------------------------------------------------
+
+/// Collects the figures of an entry that are not the same.
+class FigureComparer {
+ public:
+  explicit FigureComparer(std::vector<FigureChange>& changes) : changes_(changes) {}
+
+  void count(Figure figure, std::uint64_t before, std::uint64_t after,
+             records::FragmentClass of = records::FragmentClass::correct) {
+    if (before == after) return;
+    const bool is_more_worse = figure != Figure::checked;
+    add(figure, (after > before) == is_more_worse, {std::nullopt, before, 0},
+        {std::nullopt, after, 0}, of);
+  }
+  /// Exactly, as whole numbers. A share of nothing says nothing.
+  void share(Figure figure, std::uint64_t before, std::uint64_t of_before, std::uint64_t after,
+             std::uint64_t of_after) {
+    __extension__ using Wide = unsigned __int128;
+    if (of_before == 0 || of_after == 0) return;
+    const Wide was = static_cast<Wide>(before) * of_after;
+    const Wide is = static_cast<Wide>(after) * of_before;
+    if (was == is) return;
+    add(figure, is > was, {std::nullopt, before, of_before}, {std::nullopt, after, of_after});
+  }
+  void size(Figure figure, const std::optional<Enclosure>& before,
+            const std::optional<Enclosure>& after) {
+    if (!before || !after || *before == *after) return;
+    add(figure, is_larger(*after, *before), {before, 0, 0}, {after, 0, 0});
+  }
+
+ private:
+  void add(Figure figure, bool is_worse, const FigureValue& before, const FigureValue& after,
+           records::FragmentClass of = records::FragmentClass::correct) {
+    changes_.push_back({figure, of, is_worse ? Change::worse : Change::better, before, after});
+  }
+
+  std::vector<FigureChange>& changes_;
+};
+
+std::vector<FigureChange> figure_changes(const EntryFigures& before, const EntryFigures& after) {
+  std::vector<FigureChange> changes;
+  FigureComparer compare(changes);
+  compare.count(Figure::violations, before.cases.violations, after.cases.violations);
+  compare.count(Figure::known, before.cases.known, after.cases.known);
+  compare.count(Figure::checked, before.cases.checked, after.cases.checked);
+  for (std::size_t i = 0; i < before.classes.counts.size(); ++i) {
+    const auto fragment_class = static_cast<records::FragmentClass>(i);
+    if (fragment_class == records::FragmentClass::correct) continue;
+    compare.count(Figure::mismatches, before.classes[fragment_class], after.classes[fragment_class],
+                  fragment_class);
+  }
+  const records::Histogram& was = before.histogram;
+  const records::Histogram& is = after.histogram;
+  const std::uint64_t values_before = was.count() + was.non_finite();
+  const std::uint64_t values_after = is.count() + is.non_finite();
+  if (values_before == 0 || values_after == 0) return changes;
+  compare.size(Figure::worst, before.worst, after.worst);
+  compare.share(Figure::misrounded, was.count_above(records::kRoundingError), values_before,
+                is.count_above(records::kRoundingError), values_after);
+  compare.size(Figure::p999, was.quantile(records::kFarTail), is.quantile(records::kFarTail));
+  compare.size(Figure::p99, was.quantile(records::kTail), is.quantile(records::kTail));
+  compare.size(Figure::p50, was.quantile(records::kMedian), is.quantile(records::kMedian));
+  return changes;
+}
+
+Change change_of(const std::vector<FigureChange>& figures) {
+  const auto some = [&figures](Change change) {
+    return std::any_of(figures.begin(), figures.end(),
+                       [change](const FigureChange& one) { return one.change == change; });
+  };
+  if (some(Change::worse)) return Change::worse;
+  return some(Change::better) ? Change::better : Change::same;
+}
+
+// --- Stages --------------------------------------------------------------------------------------
+
+using Means = std::map<records::Stage, std::optional<Enclosure>>;
+
+Means means_of(const EntryFigures& figures) {
+  Means means;
+  for (const auto& [stage, sum] : figures.stages) means[stage] = sum.mean();
+  return means;
+}
+
+/// Numbers to show: the exact shares lie within a few last places of them.
+std::optional<double> share_of(const Means& means, records::Stage stage) {
+  double all = 0;
+  for (const auto& [each, mean] : means) all += mean ? mean->hi : 0;
+  const auto found = means.find(stage);
+  if (found == means.end() || !found->second || !(all > 0)) return std::nullopt;
+  return found->second->hi / all;
+}
+
+void compare_stages(EntryChange& entry) {
+  const Means before = means_of(entry.before);
+  const Means after = means_of(entry.after);
+  if (before.empty() || after.empty()) return;
+  const auto mean_in = [](const Means& means, records::Stage stage) {
+    const auto found = means.find(stage);
+    return found == means.end() ? std::optional<Enclosure>() : found->second;
+  };
+  double most = 0;
+  for (std::size_t i = 0; i < names_of(records::Stage{}).size(); ++i) {
+    const auto stage = static_cast<records::Stage>(i);
+    if (!before.contains(stage) && !after.contains(stage)) continue;
+    StageChange change{stage, mean_in(before, stage), mean_in(after, stage),
+                       share_of(before, stage), share_of(after, stage)};
+    const double was = change.mean_before ? change.mean_before->hi : 0;
+    const double growth = change.mean_after ? change.mean_after->hi - was : 0;
+    if (growth > most) {
+      most = growth;
+      entry.grown_stage = stage;
+    }
+    entry.stages.push_back(change);
+  }
+}
+
+// --- Entries -------------------------------------------------------------------------------------
+
+std::vector<EntryChange> entry_changes(const BaselineSection& before,
+                                       const BaselineSection& after) {
+  std::map<EntryKey, EntryChange> entries;
+  for (const auto& [key, figures] : before.entries) {
+    EntryChange& entry = entries[key];
+    entry.key = key;
+    entry.change = Change::gone;
+    entry.before = figures;
+  }
+  for (const auto& [key, figures] : after.entries) {
+    EntryChange& entry = entries[key];
+    entry.after = figures;
+    if (!before.entries.contains(key)) {
+      entry.key = key;
+      entry.change = Change::appeared;
+      continue;
+    }
+    entry.figures = figure_changes(entry.before, entry.after);
+    entry.change = change_of(entry.figures);
+    compare_stages(entry);
+  }
+  std::vector<EntryChange> all;
+  all.reserve(entries.size());
+  for (auto& [key, entry] : entries) all.push_back(std::move(entry));
+  return all;
+}
+
+std::vector<std::string> laws_without(const BaselineSection& of, const BaselineSection& without) {
+  std::vector<std::string> laws;
+  for (const auto& [law, cases] : of.laws) {
+    if (!without.laws.contains(law)) laws.push_back(law);
+  }
+  return laws;
+}
+
+}  // namespace
+
+Result<Comparison> compare(const BaselineSection& before, const BaselineSection& after,
+                           const CompareOptions& options) {
+  if (const std::string other = difference(before, after); !other.empty()) {
+    return tl::unexpected(Error{"", to_string(before.key), other});
+  }
+  Comparison comparison;
+  comparison.key = before.key;
+  comparison.backend = after.taken.backend;
+  comparison.before = before.taken;
+  comparison.after = after.taken;
+  comparison.seed = after.seed;
+  comparison.cases_per_law = after.cases_per_law;
+  comparison.options = after.options;
+  comparison.entries = entry_changes(before, after);
+  comparison.gone_laws = laws_without(before, after);
+  comparison.new_laws = laws_without(after, before);
+  compare_cases(before, after, options, comparison);
+  return comparison;
+}
+
+Result<std::vector<Comparison>> compare(const Baseline& baseline, const Baseline& current,
+                                        const CompareFiles& files, const CompareOptions& options) {
+  std::vector<Comparison> comparisons;
+  for (const BaselineSection& now : current.sections) {
+    const BaselineSection* then = find_section(baseline, now);
+    if (then == nullptr) {
+      std::vector<std::string> there;
+      for (const BaselineSection& each : baseline.sections) there.push_back(to_string(each.key));
+      const BaselineKey asked{now.key.backend, now.key.architecture, now.taken.instruction_set,
+                              now.taken.compiler};
+      return tl::unexpected(Error{files.baseline, "",
+                                  fmt::format("has no section for {}; there are: {}",
+                                              to_string(asked), fmt::join(there, "; "))});
+    }
+    Result<Comparison> comparison = compare(*then, now, options);
+    if (!comparison) {
+      return tl::unexpected(
+          Error{files.baseline, comparison.error().place, comparison.error().reason});
+    }
+    comparisons.push_back(*std::move(comparison));
+  }
+  return comparisons;
+}
+
+std::uint64_t count_of(const Comparison& comparison, Change change) {
+  return static_cast<std::uint64_t>(
+      std::count_if(comparison.entries.begin(), comparison.entries.end(),
+                    [change](const EntryChange& entry) { return entry.change == change; }));
+}
+
+std::uint64_t refused(const Comparison& comparison) {
+  return static_cast<std::uint64_t>(std::count_if(
+      comparison.entries.begin(), comparison.entries.end(), [](const EntryChange& entry) {
+        return entry.change == Change::worse && !entry.allowed_because;
+      }));
+}
+
+std::uint64_t refused(const std::vector<Comparison>& comparisons) {
+  std::uint64_t all = 0;
+  for (const Comparison& comparison : comparisons) all += refused(comparison);
+  return all;
+}
+
+std::string_view figure_name(const FigureChange& change) {
+  return change.figure == Figure::mismatches ? to_string(change.fragment_class)
+                                             : to_string(change.figure);
+}
+
+}  // namespace rastercheck::reports

@@ -1,0 +1,50 @@
+#include "reports/compare_format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "cases/files.h"
+
+namespace rastercheck::reports {
+namespace {
+
+std::vector<CompareFormat>& registry() {
+  static std::vector<CompareFormat> formats;
+  return formats;
+}
+
+}  // namespace
+
+CompareFormatRegistration::CompareFormatRegistration(const CompareFormat& format) {
+  // The order in which files register is the linker's; lists have one of their own.
+  const auto after =
+      std::find_if(registry().begin(), registry().end(),
+                   [&format](const CompareFormat& other) { return other.name > format.name; });
+  registry().insert(after, format);
+}
+
+const std::vector<CompareFormat>& compare_formats() { return registry(); }
+
+std::string file_of(const Comparison& comparison, const CaseGrowth& growth) {
+  return fmt::format("grown/{}-{}-{}-{}.json", records::file_word(growth.law),
+                     records::file_word(comparison.key.backend), to_string(growth.origin),
+                     growth.index);
+}
+
+Result<void> write_comparison(const Gate& gate, const std::string& directory) {
+  std::error_code why;
+  std::filesystem::create_directories(directory, why);
+  if (why) return tl::unexpected(Error{directory, "", "cannot be made: " + why.message()});
+  for (const CompareFormat& format : registry()) {
+    const std::string file = (std::filesystem::path(directory) / format.file_name).string();
+    if (Result<void> written = cases::write_file(file, format.write(gate)); !written) {
+      return written;
+    }
+  }
+  return {};
+}
+
+}  // namespace rastercheck::reports

@@ -1,0 +1,170 @@
+// compare.json: what a comparison found, for other programs.
+//
+//   {"format": "rastercheck-comparison", "version": 1, "baseline": "FILE", "current": "FILE",
+//    "regression": true, "expired": ["…"], "unused": ["…"],
+//    "comparisons": [{
+//      "backend": "cpu", "architecture": "x86_64", "instruction_set": "", "compiler": "",
+//      "seed": 1, "cases_per_law": 100, "options": [],
+//      "before": {"backend": "cpu", "version": "0.1.0", "commit": "…", "instruction_set": "avx2",
+//                 "compiler": "…"},
+//      "after": {…},
+//      "entries": {"same": 500, "better": 1, "worse": 2, "new": 0, "gone": 0, "refused": 1},
+//      "changed": [{"law": "…", "kind": "smooth", "stratum": "sliver", "change": "worse",
+//                   "allowed_because": "…",
+//                   "figures": [{"figure": "worst", "change": "worse", "before": [0.5, 0.5],
+//                                "after": [0.7, 0.7]},
+//                               {"figure": "misrounded", "before": {"count": 1, "of": 9}, …},
+//                               {"figure": "missing", "before": 0, "after": 2, …}]}],
+//      "stages": [{"law": "…", "kind": "smooth", "grown": "set-up", "stages": [
+//         {"stage": "set-up", "mean_before": [0.1, 0.1], "mean_after": [0.2, 0.2],
+//          "share_before": 0.1, "share_after": 0.2}]}],
+//      "cases": 19228, "changed_cases": 20, "grown_cases": 10,
+//      "growths": [{"law": "…", "origin": "random", "index": 12, "name": "…", "kind": "smooth",
+//                   "stratum": "sliver", "file": "grown/….json", "mismatches_before": 0,
+//                   "mismatches_after": 1, "before": {a worst error as in records}, "after": {…},
+//                   "commands": ["rastercheck replay …"]}],
+//      "gone_laws": [], "new_laws": []}]}
+//
+// "changed" has the entries that are not the same; "stages" those of laws that split errors of
+// which a stage's part grew. "stratum", "allowed_because", "name", "kind", "before", "after" and
+// what else there may not be are left out then.
+
+#include <nlohmann/json.hpp>
+
+#include "records/enclosure_json.h"
+#include "records/record_json.h"
+#include "reports/compare_format.h"
+#include "reports/internal/compare_wording.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json json_of(const FigureValue& value) {
+  if (value.size) return records::enclosure_to_json(*value.size);
+  if (value.of > 0) return {{"count", value.count}, {"of", value.of}};
+  return value.count;
+}
+
+ordered_json json_of(const FigureChange& figure) {
+  return {{"figure", figure_name(figure)},
+          {"change", to_string(figure.change)},
+          {"before", json_of(figure.before)},
+          {"after", json_of(figure.after)}};
+}
+
+ordered_json json_of(const EntryKey& key) {
+  ordered_json object{{"law", key.law}, {"kind", to_string(key.kind)}};
+  if (key.stratum) object["stratum"] = to_string(*key.stratum);
+  return object;
+}
+
+ordered_json json_of(const EntryChange& entry) {
+  ordered_json object = json_of(entry.key);
+  object["change"] = to_string(entry.change);
+  if (entry.allowed_because) object["allowed_because"] = *entry.allowed_because;
+  object["figures"] = ordered_json::array();
+  for (const FigureChange& figure : entry.figures) object["figures"].push_back(json_of(figure));
+  return object;
+}
+
+ordered_json stages_of(const EntryChange& entry) {
+  ordered_json object = json_of(entry.key);
+  object["grown"] = to_string(*entry.grown_stage);
+  object["stages"] = ordered_json::array();
+  for (const StageChange& stage : entry.stages) {
+    ordered_json one{{"stage", to_string(stage.stage)}};
+    if (stage.mean_before) one["mean_before"] = records::enclosure_to_json(*stage.mean_before);
+    if (stage.mean_after) one["mean_after"] = records::enclosure_to_json(*stage.mean_after);
+    if (stage.share_before) one["share_before"] = *stage.share_before;
+    if (stage.share_after) one["share_after"] = *stage.share_after;
+    object["stages"].push_back(std::move(one));
+  }
+  return object;
+}
+
+ordered_json json_of(const Gate& gate, const Comparison& comparison, const CaseGrowth& growth) {
+  ordered_json object{
+      {"law", growth.law}, {"origin", to_string(growth.origin)}, {"index", growth.index}};
+  if (!growth.name.empty()) object["name"] = growth.name;
+  if (growth.kind) object["kind"] = to_string(*growth.kind);
+  if (growth.stratum) object["stratum"] = to_string(*growth.stratum);
+  object["mismatches_before"] = growth.mismatches_before;
+  object["mismatches_after"] = growth.mismatches_after;
+  if (growth.before) object["before"] = records::error_without_case_to_json(*growth.before);
+  if (growth.after) object["after"] = records::error_without_case_to_json(*growth.after);
+  if (!gate.folder.empty()) object["file"] = file_of(comparison, growth);
+  object["commands"] = growth_commands(gate, comparison, growth);
+  return object;
+}
+
+ordered_json json_of(const Taken& taken) {
+  return {{"backend", taken.backend},
+          {"version", taken.version},
+          {"commit", taken.commit},
+          {"instruction_set", taken.instruction_set},
+          {"compiler", taken.compiler}};
+}
+
+ordered_json counts_of(const Comparison& comparison) {
+  ordered_json counts = ordered_json::object();
+  for (std::size_t i = 0; i < names_of(Change{}).size(); ++i) {
+    const auto change = static_cast<Change>(i);
+    counts[std::string(to_string(change))] = count_of(comparison, change);
+  }
+  counts["refused"] = refused(comparison);
+  return counts;
+}
+
+ordered_json json_of(const Gate& gate, const Comparison& comparison) {
+  ordered_json changed = ordered_json::array();
+  ordered_json stages = ordered_json::array();
+  for (const EntryChange& entry : comparison.entries) {
+    if (entry.change != Change::same) changed.push_back(json_of(entry));
+    if (entry.grown_stage) stages.push_back(stages_of(entry));
+  }
+  ordered_json growths = ordered_json::array();
+  for (const CaseGrowth& growth : comparison.growths) {
+    growths.push_back(json_of(gate, comparison, growth));
+  }
+  return {{"backend", comparison.key.backend},
+          {"architecture", comparison.key.architecture},
+          {"instruction_set", comparison.key.instruction_set},
+          {"compiler", comparison.key.compiler},
+          {"seed", comparison.seed},
+          {"cases_per_law", comparison.cases_per_law},
+          {"options", comparison.options},
+          {"before", json_of(comparison.before)},
+          {"after", json_of(comparison.after)},
+          {"entries", counts_of(comparison)},
+          {"changed", std::move(changed)},
+          {"stages", std::move(stages)},
+          {"cases", comparison.compared_cases},
+          {"changed_cases", comparison.changed_cases},
+          {"grown_cases", comparison.grown_cases},
+          {"growths", std::move(growths)},
+          {"gone_laws", comparison.gone_laws},
+          {"new_laws", comparison.new_laws}};
+}
+
+std::string write(const Gate& gate) {
+  ordered_json comparisons = ordered_json::array();
+  for (const Comparison& comparison : gate.comparisons) {
+    comparisons.push_back(json_of(gate, comparison));
+  }
+  const ordered_json all{{"format", "rastercheck-comparison"},
+                         {"version", 1},
+                         {"baseline", gate.baseline_file},
+                         {"current", gate.current_file},
+                         {"regression", refused(gate.comparisons) > 0},
+                         {"expired", gate.policy.expired},
+                         {"unused", gate.policy.unused},
+                         {"comparisons", std::move(comparisons)}};
+  return all.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+const CompareFormatRegistration kRegistration({"json", "compare.json", &write});
+
+}  // namespace
+}  // namespace rastercheck::reports

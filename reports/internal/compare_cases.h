@@ -1,0 +1,21 @@
+#pragma once
+
+// Cases of two sections, one by one.
+
+#include "records/enclosure.h"
+#include "reports/baseline.h"
+#include "reports/compare.h"
+
+namespace rastercheck::reports {
+
+/// Whether one magnitude is larger than the other. Enclosures of errors are as narrow as doubles
+/// get and depend on the fragment alone, so that of two, the larger pair of ends, the far one
+/// first, is of the larger error or of one that doubles do not tell from it (as records/record.cpp
+/// has it): equal errors never count as grown.
+bool is_larger(const records::Enclosure& a, const records::Enclosure& b);
+
+/// Fills in growths and the numbers of cases.
+void compare_cases(const BaselineSection& before, const BaselineSection& after,
+                   const CompareOptions& options, Comparison& comparison);
+
+}  // namespace rastercheck::reports

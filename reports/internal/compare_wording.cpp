@@ -1,0 +1,213 @@
+#include "reports/internal/compare_wording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cases/float_text.h"
+#include "cases/json.h"
+#include "records/share.h"
+#include "reports/commands.h"
+#include "reports/internal/exact_text.h"
+#include "reports/internal/wording.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using records::Enclosure;
+
+constexpr int kDigits = 6;
+constexpr int kMostDigits = 17;  // tell any two doubles apart
+
+/// The certain digits of both, of so many that they differ.
+OldAndNew sizes_text(const Enclosure& before, const Enclosure& after) {
+  OldAndNew texts;
+  for (int digits = kDigits; digits <= kMostDigits; ++digits) {
+    texts = {records::to_decimal(before, digits), records::to_decimal(after, digits)};
+    if (texts.before != texts.after || before == after) return texts;
+  }
+  const auto ends = [](const Enclosure& one) { return fmt::format("[{}, {}]", one.lo, one.hi); };
+  return {ends(before), ends(after)};
+}
+
+OldAndNew shares_text(const FigureValue& before, const FigureValue& after) {
+  const auto text = [](const FigureValue& value) {
+    return fmt::format("{} ({} of {})", records::share_text(value.count, value.of),
+                       grouped(value.count), grouped(value.of));
+  };
+  return {text(before), text(after)};
+}
+
+bool is_size(Figure figure) {
+  return figure == Figure::worst || figure == Figure::p50 || figure == Figure::p99 ||
+         figure == Figure::p999;
+}
+
+std::string actual_text(const records::WorstError& worst) {
+  return fmt::format("{:.9g} ({})", worst.actual, cases::to_hex(worst.actual));
+}
+
+bool is_same_place(const records::WorstError& a, const records::WorstError& b) {
+  return a.triangle == b.triangle && a.x == b.x && a.y == b.y && a.sample == b.sample &&
+         a.attribute == b.attribute;
+}
+
+/// A run as commands want it, of the current side.
+records::Run as_run(const Comparison& comparison) {
+  records::Run run;
+  run.backends = {comparison.backend};
+  run.seed = comparison.seed;
+  run.cases_per_law = comparison.cases_per_law;
+  run.options = comparison.options;
+  for (std::size_t i = 0; i + 1 < run.options.size(); ++i) {
+    if (run.options[i] == "--contract") run.contract_file = run.options[i + 1];
+  }
+  return run;
+}
+
+std::string entries_text(std::uint64_t number) { return counted(number, "entry", "entries"); }
+
+}  // namespace
+
+std::string verdict_sentence(const Comparison& comparison) {
+  const std::uint64_t worse = count_of(comparison, Change::worse);
+  const std::uint64_t refused_ones = refused(comparison);
+  std::string text =
+      refused_ones > 0
+          ? fmt::format("Regression: {} of {} worse than the baseline of {}", refused_ones,
+                        entries_text(comparison.entries.size()), to_string(comparison.key))
+          : fmt::format("No regression: {} held against the baseline of {}",
+                        entries_text(comparison.entries.size()), to_string(comparison.key));
+  std::string rest;
+  const auto add = [&rest](std::uint64_t number, std::string_view what) {
+    if (number == 0) return;
+    rest += fmt::format("{}{} {}", rest.empty() ? "" : ", ", grouped(number), what);
+  };
+  add(worse - refused_ones, "worse, but allowed");
+  add(count_of(comparison, Change::better), "better");
+  add(count_of(comparison, Change::appeared), "new");
+  add(count_of(comparison, Change::gone), "gone");
+  add(count_of(comparison, Change::same), "the same");
+  return text + (rest.empty() ? "." : "; " + rest + ".");
+}
+
+std::string bits_sentence(const Comparison& comparison) {
+  if (comparison.changed_cases == 0) {
+    return fmt::format("All {} gave the same, to the bit.",
+                       counted(comparison.compared_cases, "case", "cases"));
+  }
+  std::string text = fmt::format(
+      "{} of {} did not give the same bits; errors grew in {}.", grouped(comparison.changed_cases),
+      counted(comparison.compared_cases, "case", "cases"), grouped(comparison.grown_cases));
+  if (count_of(comparison, Change::worse) == 0 && count_of(comparison, Change::better) == 0) {
+    text += " No figure changed: that is no regression.";
+  }
+  return text;
+}
+
+OldAndNew figure_texts(const FigureChange& change) {
+  const auto& [figure, fragment_class, how, before, after] = change;
+  if (figure == Figure::misrounded) return shares_text(before, after);
+  if (!is_size(figure)) return {grouped(before.count), grouped(after.count)};
+  const Enclosure was = before.size.value_or(Enclosure());
+  const Enclosure is = after.size.value_or(Enclosure());
+  if (figure == Figure::worst) return sizes_text(was, is);
+  return {at_most_text(was), at_most_text(is)};
+}
+
+std::string figure_sentence(const FigureChange& change) {
+  const OldAndNew texts = figure_texts(change);
+  return fmt::format("{} {} → {}{}", figure_name(change), texts.before, texts.after,
+                     is_size(change.figure) ? " ULP" : "");
+}
+
+std::string case_text(const CaseGrowth& growth) {
+  if (growth.origin == records::Origin::random) return fmt::format("random case {}", growth.index);
+  return fmt::format("case {} of the corpus, “{}”", growth.index, cases::printable(growth.name));
+}
+
+std::string place_text(const CaseGrowth& growth, const records::WorstError& at) {
+  std::string text;
+  if (growth.kind) text += fmt::format("{}, ", to_string(*growth.kind));
+  if (growth.stratum) text += fmt::format("{}, ", to_string(*growth.stratum));
+  text += fmt::format("triangle {}, pixel ({}, {}), sample {}", at.triangle, at.x, at.y, at.sample);
+  if (at.attribute) text += fmt::format(", attribute {}", *at.attribute);
+  return text;
+}
+
+std::vector<std::string> growth_lines(const CaseGrowth& growth) {
+  constexpr std::size_t kLongestFraction = 40;
+  std::vector<std::string> lines;
+  if (growth.after) {
+    const Enclosure was = growth.before ? records::magnitude(growth.before->error) : Enclosure();
+    const OldAndNew sizes = sizes_text(was, records::magnitude(growth.after->error));
+    lines.push_back(place_text(growth, *growth.after));
+    lines.push_back(fmt::format("error {} → {} ULP", sizes.before, sizes.after));
+    if (!growth.after->exact.empty()) {
+      lines.push_back("exact " + exact_text(growth.after->exact, kLongestFraction));
+    }
+    lines.push_back("now   " + actual_text(*growth.after));
+  }
+  if (growth.after && growth.before) {
+    std::string was = "then  " + actual_text(*growth.before);
+    if (!is_same_place(*growth.before, *growth.after)) {
+      was += fmt::format(", at triangle {}, pixel ({}, {}), sample {}", growth.before->triangle,
+                         growth.before->x, growth.before->y, growth.before->sample);
+    }
+    lines.push_back(was);
+  }
+  if (growth.mismatches_before != growth.mismatches_after) {
+    lines.push_back(fmt::format("came out wrong: {} → {}", grouped(growth.mismatches_before),
+                                grouped(growth.mismatches_after)));
+  }
+  return lines;
+}
+
+std::vector<std::string> stage_lines(const Comparison& comparison, std::size_t most) {
+  struct Line {
+    double growth;
+    std::string text;
+  };
+  std::vector<Line> lines;
+  for (const EntryChange& entry : comparison.entries) {
+    for (const StageChange& stage : entry.stages) {
+      if (stage.stage != entry.grown_stage || !stage.mean_after) continue;
+      const Enclosure before = stage.mean_before.value_or(Enclosure());
+      const auto percent = [](const std::optional<double>& share) {
+        return share ? fmt::format("{:.3g}%", *share * 100) : std::string("0%");
+      };
+      lines.push_back(
+          {stage.mean_after->hi - before.hi,
+           fmt::format("{}, {}: {}, mean {} → {} ULP, {} → {} of all parts",
+                       to_string(entry.key.kind),
+                       entry.key.stratum ? to_string(*entry.key.stratum) : "all strata",
+                       to_string(stage.stage), mean_text(before), mean_text(*stage.mean_after),
+                       percent(stage.share_before), percent(stage.share_after))});
+    }
+  }
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const Line& a, const Line& b) { return a.growth > b.growth; });
+  if (lines.size() > most) lines.resize(most);
+  std::vector<std::string> texts;
+  for (Line& line : lines) texts.push_back(std::move(line.text));
+  return texts;
+}
+
+std::vector<std::string> growth_commands(const Gate& gate, const Comparison& comparison,
+                                         const CaseGrowth& growth) {
+  if (gate.folder.empty()) return {};
+  const std::string file =
+      (std::filesystem::path(gate.folder) / file_of(comparison, growth)).string();
+  const records::Run run = as_run(comparison);
+  std::vector<std::string> commands{replay_command(run, file)};
+  if (growth.after) commands.push_back(explain_command(run, file, *growth.after));
+  return commands;
+}
+
+std::string approve_command(const Gate& gate) {
+  return command_line({"rastercheck", "baseline", "approve", "--reason", "…", gate.baseline_file,
+                       gate.current_file});
+}
+
+}  // namespace rastercheck::reports

@@ -1,0 +1,50 @@
+#pragma once
+
+// How what a comparison found is put, in all its forms.
+
+#include <string>
+#include <vector>
+
+#include "reports/compare.h"
+#include "reports/compare_format.h"
+
+namespace rastercheck::reports {
+
+/// "Regression: 3 of 512 entries are worse than the baseline of cpu on x86_64."; what else there is
+/// of others: allowed, better, new, gone.
+std::string verdict_sentence(const Comparison& comparison);
+
+/// What is the same, to the bit: of how many cases, and what that means for those that are not.
+std::string bits_sentence(const Comparison& comparison);
+
+/// Two sizes in so many digits that they differ, where doubles tell them apart.
+struct OldAndNew {
+  std::string before;
+  std::string after;
+};
+OldAndNew figure_texts(const FigureChange& change);
+
+/// "worst 0.5 → 0.731 ULP", "missing 0 → 3".
+std::string figure_sentence(const FigureChange& change);
+
+/// "random case 12"; "case 3 of the corpus, “name”".
+std::string case_text(const CaseGrowth& growth);
+
+/// "smooth, sliver, triangle 0, pixel (3, 5), sample 0, attribute 1".
+std::string place_text(const CaseGrowth& growth, const records::WorstError& at);
+
+/// One line each: sizes of both errors, exact and actual values, counts of what came out wrong.
+std::vector<std::string> growth_lines(const CaseGrowth& growth);
+
+/// "smooth, all strata: set-up made 0.01 → 0.2 ULP on average, 5.3% → 52% of all parts", by the
+/// most first; empty where no law splits errors, or no part grew.
+std::vector<std::string> stage_lines(const Comparison& comparison, std::size_t most);
+
+/// What checks and what explains a grown case again; empty where they are not saved.
+std::vector<std::string> growth_commands(const Gate& gate, const Comparison& comparison,
+                                         const CaseGrowth& growth);
+
+/// `rastercheck baseline approve …` for the two files.
+std::string approve_command(const Gate& gate);
+
+}  // namespace rastercheck::reports
