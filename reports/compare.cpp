@@ -194,6 +194,7 @@ void compare_stages(EntryChange& entry) {
 std::vector<EntryChange> entry_changes(const BaselineSection& before,
                                        const BaselineSection& after) {
   std::map<EntryKey, EntryChange> entries;
+  const std::map<EntryKey, std::uint64_t> grown = grown_cases(before, after);
   for (const auto& [key, figures] : before.entries) {
     EntryChange& entry = entries[key];
     entry.key = key;
@@ -209,6 +210,9 @@ std::vector<EntryChange> entry_changes(const BaselineSection& before,
       continue;
     }
     entry.figures = figure_changes(entry.before, entry.after);
+    if (const auto cases = grown.find(key); cases != grown.end()) {
+      FigureComparer(entry.figures).count(Figure::grown_cases, 0, cases->second);
+    }
     entry.change = change_of(entry.figures);
     compare_stages(entry);
   }

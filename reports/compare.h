@@ -36,11 +36,14 @@ enum class Figure {
   p999,
   p99,
   p50,
+  /// Cases whose own worst grew, of kind `coverage` those of which more came out wrong: errors that
+  /// grow where they are not the largest of all.
+  grown_cases,
 };
 constexpr auto names_of(Figure /*type*/) {
   return std::to_array<std::string_view>({"violations", "known violations", "cases checked",
                                           "mismatches", "worst", "misrounded", "p99.9", "p99",
-                                          "p50"});
+                                          "p50", "cases that grew"});
 }
 constexpr std::string_view to_string(Figure figure) { return cases::name_of(figure); }
 

@@ -25,19 +25,50 @@ const WorstError* worst_in(const CaseFigures& figures, records::AttributeKind ki
   return found == of_kind->second.end() ? nullptr : &found->second;
 }
 
+Enclosure size_of(const WorstError* worst) {
+  return worst == nullptr ? Enclosure() : records::magnitude(worst->error);
+}
+
 /// The error of the case that grew most, if one did.
 void find_grown_error(const CaseFigures& before, const CaseFigures& after, CaseGrowth& growth) {
   for (const auto& [kind, strata] : after.worst) {
     for (const auto& [stratum, is] : strata) {
       const WorstError* was = worst_in(before, kind, stratum);
-      const Enclosure size = was == nullptr ? Enclosure() : records::magnitude(was->error);
-      if (!is_larger(records::magnitude(is.error), size)) continue;
+      if (!is_larger(size_of(&is), size_of(was))) continue;
       CaseGrowth candidate = growth;
       candidate.kind = kind;
       candidate.stratum = stratum;
       candidate.before = was == nullptr ? std::nullopt : std::optional(*was);
       candidate.after = is;
       if (!growth.after || growth_of(candidate) > growth_of(growth)) growth = candidate;
+    }
+  }
+}
+
+/// The larger of all strata of a kind.
+Enclosure size_in(const CaseFigures& figures, records::AttributeKind kind) {
+  Enclosure largest;
+  const auto strata = figures.worst.find(kind);
+  if (strata == figures.worst.end()) return largest;
+  for (const auto& [stratum, worst] : strata->second) {
+    if (is_larger(size_of(&worst), largest)) largest = size_of(&worst);
+  }
+  return largest;
+}
+
+void count_growth(const std::string& law, const CaseFigures& before, const CaseFigures& after,
+                  std::map<EntryKey, std::uint64_t>& counts) {
+  if (after.mismatches > before.mismatches) {
+    ++counts[{law, records::AttributeKind::coverage, std::nullopt}];
+  }
+  for (const auto& [kind, strata] : after.worst) {
+    if (is_larger(size_in(after, kind), size_in(before, kind))) {
+      ++counts[{law, kind, std::nullopt}];
+    }
+    for (const auto& [stratum, worst] : strata) {
+      if (is_larger(size_of(&worst), size_of(worst_in(before, kind, stratum)))) {
+        ++counts[{law, kind, stratum}];
+      }
     }
   }
 }
@@ -106,6 +137,20 @@ class CaseComparer {
 
 bool is_larger(const Enclosure& a, const Enclosure& b) {
   return std::pair(a.hi, a.lo) > std::pair(b.hi, b.lo);
+}
+
+std::map<EntryKey, std::uint64_t> grown_cases(const BaselineSection& before,
+                                              const BaselineSection& after) {
+  std::map<EntryKey, std::uint64_t> counts;
+  for (const auto& [law, cases] : before.laws) {
+    const auto now = after.laws.find(law);
+    if (now == after.laws.end()) continue;
+    for (const auto& [number, was] : cases.cases) {
+      const auto is = now->second.cases.find(number);
+      if (is != now->second.cases.end()) count_growth(law, was, is->second, counts);
+    }
+  }
+  return counts;
 }
 
 void compare_cases(const BaselineSection& before, const BaselineSection& after,

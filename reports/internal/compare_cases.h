@@ -2,6 +2,9 @@
 
 // Cases of two sections, one by one.
 
+#include <cstdint>
+#include <map>
+
 #include "records/enclosure.h"
 #include "reports/baseline.h"
 #include "reports/compare.h"
@@ -13,6 +16,10 @@ namespace rastercheck::reports {
 /// first, is of the larger error or of one that doubles do not tell from it (as records/record.cpp
 /// has it): equal errors never count as grown.
 bool is_larger(const records::Enclosure& a, const records::Enclosure& b);
+
+/// Of each entry how many cases grew (Figure::grown_cases); only of those where some did.
+std::map<EntryKey, std::uint64_t> grown_cases(const BaselineSection& before,
+                                              const BaselineSection& after);
 
 /// Fills in growths and the numbers of cases.
 void compare_cases(const BaselineSection& before, const BaselineSection& after,
