@@ -19,22 +19,36 @@ std::string_view variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
+/// Appends to the summary of the job's step, if there is one, what `text` makes.
+template <typename Text>
+Result<void> append_summary(const Text& text) {
+  const std::string summary(variable("GITHUB_STEP_SUMMARY"));
+  if (summary.empty()) return {};
+  // Other steps of the job write to it as well.
+  std::ofstream file(summary, std::ios::app | std::ios::binary);
+  file << text() << std::flush;
+  if (file) return {};
+  return tl::unexpected(
+      Error{summary, "", fmt::format("cannot be written to: {}", std::strerror(errno))});
+}
+
+bool is_in_actions() { return variable("GITHUB_ACTIONS") == "true"; }
+
 }  // namespace
 
 Result<void> tell_github(const records::Run& run, const std::string& directory, bool prints) {
-  if (prints && variable("GITHUB_ACTIONS") == "true") {
-    fmt::print("{}", reports::github_annotations(run, directory));
-  }
-  const std::string summary(variable("GITHUB_STEP_SUMMARY"));
-  if (summary.empty()) return {};
-  return reports::find_format("markdown").and_then([&](const reports::Format& format) {
-    // Other steps of the job write to it as well.
-    std::ofstream file(summary, std::ios::app | std::ios::binary);
-    file << format.write(run) << std::flush;
-    if (file) return Result<void>();
-    return Result<void>(tl::unexpected(
-        Error{summary, "", fmt::format("cannot be written to: {}", std::strerror(errno))}));
+  if (prints && is_in_actions()) fmt::print("{}", reports::github_annotations(run, directory));
+  return reports::find_format("markdown").and_then([&run](const reports::Format& format) {
+    return append_summary([&] { return format.write(run); });
   });
+}
+
+Result<void> tell_github(const reports::Gate& gate, bool prints) {
+  if (prints && is_in_actions()) fmt::print("{}", reports::github_annotations(gate));
+  return reports::find_compare_format("markdown")
+      .and_then([&gate](const reports::CompareFormat& format) {
+        return append_summary([&] { return format.write(gate); });
+      });
 }
 
 }  // namespace rastercheck::cli

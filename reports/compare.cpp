@@ -45,17 +45,24 @@ std::string other_cases(const std::string& law, const LawCases& before, const La
       law, before.digest, after.digest);
 }
 
-/// Why figures of the two say nothing of each other; empty where they do.
-std::string difference(const BaselineSection& before, const BaselineSection& after) {
-  const auto numbers = [](std::string_view what, std::uint64_t was, std::uint64_t is) {
-    return fmt::format("{} {} in the baseline and {} now", what, was, is);
-  };
+/// "the seed is 1 in the baseline and 2 now".
+std::string numbers(std::string_view what, std::uint64_t was, std::uint64_t is) {
+  return fmt::format("{} {} in the baseline and {} now", what, was, is);
+}
+
+std::string other_versions(const BaselineSection& before, const BaselineSection& after) {
   if (before.records_version != after.records_version) {
     return numbers("the version of records is", before.records_version, after.records_version);
   }
   if (before.rules_version != after.rules_version) {
     return numbers("the version of the rules is", before.rules_version, after.rules_version);
   }
+  return "";
+}
+
+/// Why figures of the two say nothing of each other; empty where they do.
+std::string difference(const BaselineSection& before, const BaselineSection& after) {
+  if (std::string other = other_versions(before, after); !other.empty()) return other;
   if (before.seed != after.seed) return numbers("the seed is", before.seed, after.seed);
   if (before.cases_per_law != after.cases_per_law) {
     return numbers("the number of cases per law is", before.cases_per_law, after.cases_per_law);
@@ -252,21 +259,32 @@ Result<Comparison> compare(const BaselineSection& before, const BaselineSection&
   return comparison;
 }
 
+Result<const BaselineSection*> section_for(const Baseline& baseline, const BaselineSection& current,
+                                           const std::string& file) {
+  if (const BaselineSection* found = find_section(baseline, current)) return found;
+  std::vector<std::string> there;
+  for (const BaselineSection& each : baseline.sections) there.push_back(to_string(each.key));
+  const BaselineKey asked{current.key.backend, current.key.architecture,
+                          current.taken.instruction_set, current.taken.compiler};
+  return tl::unexpected(Error{
+      file, "",
+      fmt::format("has no section for {}; there {}", to_string(asked),
+                  there.empty() ? "is none" : fmt::format("are: {}", fmt::join(there, "; ")))});
+}
+
+Result<void> check_versions(const BaselineSection& before, const BaselineSection& after) {
+  const std::string other = other_versions(before, after);
+  if (other.empty()) return {};
+  return tl::unexpected(Error{"", to_string(before.key), other});
+}
+
 Result<std::vector<Comparison>> compare(const Baseline& baseline, const Baseline& current,
                                         const CompareFiles& files, const CompareOptions& options) {
   std::vector<Comparison> comparisons;
   for (const BaselineSection& now : current.sections) {
-    const BaselineSection* then = find_section(baseline, now);
-    if (then == nullptr) {
-      std::vector<std::string> there;
-      for (const BaselineSection& each : baseline.sections) there.push_back(to_string(each.key));
-      const BaselineKey asked{now.key.backend, now.key.architecture, now.taken.instruction_set,
-                              now.taken.compiler};
-      return tl::unexpected(Error{files.baseline, "",
-                                  fmt::format("has no section for {}; there are: {}",
-                                              to_string(asked), fmt::join(there, "; "))});
-    }
-    Result<Comparison> comparison = compare(*then, now, options);
+    const Result<const BaselineSection*> then = section_for(baseline, now, files.baseline);
+    if (!then) return tl::unexpected(then.error());
+    Result<Comparison> comparison = compare(**then, now, options);
     if (!comparison) {
       return tl::unexpected(
           Error{files.baseline, comparison.error().place, comparison.error().reason});

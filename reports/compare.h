@@ -146,6 +146,13 @@ Result<std::vector<Comparison>> compare(const Baseline& baseline, const Baseline
                                         const CompareFiles& files,
                                         const CompareOptions& options = {});
 
+/// find_section(), or an error that names those there are; `file` is the baseline's name in it.
+Result<const BaselineSection*> section_for(const Baseline& baseline, const BaselineSection& current,
+                                           const std::string& file);
+
+/// Whether both are of the same versions of records and rules; the reason names the difference.
+Result<void> check_versions(const BaselineSection& before, const BaselineSection& after);
+
 /// How many of its entries changed so; of the worse ones those that no policy allows with
 /// `refused`.
 std::uint64_t count_of(const Comparison& comparison, Change change);

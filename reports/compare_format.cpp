@@ -28,6 +28,17 @@ CompareFormatRegistration::CompareFormatRegistration(const CompareFormat& format
 
 const std::vector<CompareFormat>& compare_formats() { return registry(); }
 
+Result<CompareFormat> find_compare_format(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const CompareFormat& format : registry()) {
+    if (format.name == name) return format;
+    names.push_back(format.name);
+  }
+  return tl::unexpected(Error{
+      std::string(name), "",
+      fmt::format("no form of comparisons of that name; there are: {}", fmt::join(names, ", "))});
+}
+
 std::string file_of(const Comparison& comparison, const CaseGrowth& growth) {
   return fmt::format("grown/{}-{}-{}-{}.json", records::file_word(growth.law),
                      records::file_word(comparison.key.backend), to_string(growth.origin),

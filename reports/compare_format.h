@@ -41,6 +41,9 @@ struct CompareFormat {
 /// All of them, in the order of their names.
 const std::vector<CompareFormat>& compare_formats();
 
+/// That of a name; the error names those there are.
+Result<CompareFormat> find_compare_format(std::string_view name);
+
 struct CompareFormatRegistration {
   explicit CompareFormatRegistration(const CompareFormat& format);
 };

@@ -17,9 +17,11 @@
 #include "cases/contract_json.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
+#include "cli/commit.h"
 #include "cli/contract_option.h"
 #include "cli/corpus_folder.h"
 #include "cli/environment.h"
+#include "cli/gate.h"
 #include "cli/github.h"
 #include "cli/interrupt.h"
 #include "cli/isolation.h"
@@ -58,6 +60,8 @@ struct Options {
   std::optional<double> shrink_seconds;
   double timeout = kDefaultTimeout;
   bool keeps_cases = false;
+  std::string baseline;
+  std::string policy;
   bool resume = false;
   int jobs = 1;
   bool json = false;
@@ -282,6 +286,79 @@ records::Run planned(const properties::RunPlan& plan, const properties::KnownByB
   return run;
 }
 
+/// Sets one option to what the baseline was made with; refuses another value that was given.
+template <typename Value>
+Result<void> settle(const CLI::App& app, const char* name, const std::string& section,
+                    Value& option, const Value& in_baseline) {
+  if (app.count(name) > 0 && option != in_baseline) {
+    return tl::unexpected(Error{
+        name, "",
+        fmt::format("is not as in the baseline's section {}; leave it out, and it is", section)});
+  }
+  option = in_baseline;
+  return {};
+}
+
+/// The value of an option of a case set; empty where it has none.
+std::string value_in(const std::vector<std::string>& words, const char* name) {
+  const auto found = std::find(words.begin(), words.end(), name);
+  return found == words.end() || found + 1 == words.end() ? "" : *(found + 1);
+}
+
+/// Takes seed, cases and all that decides what is found from the baseline. Of a corpus that lies
+/// elsewhere now, the digests of its cases tell whether it is the same.
+Result<void> take_case_set(const CLI::App& app, const CaseSet& set, Options& options) {
+  const std::vector<std::string>& words = set.options;
+  std::optional<std::uint64_t> seed = set.seed;
+  std::string property = value_in(words, "--property");
+  if (property.empty()) property = Options().property;
+  const bool is_none = std::find(words.begin(), words.end(), "--no-known") != words.end();
+  if (app.count("--corpus") == 0) options.corpus = value_in(words, "--corpus");
+  options.keeps_cases = true;
+  return settle(app, "--seed", set.section, options.seed, seed)
+      .and_then(
+          [&] { return settle(app, "--cases", set.section, options.cases, set.cases_per_law); })
+      .and_then([&] { return settle(app, "--property", set.section, options.property, property); })
+      .and_then([&] {
+        return settle(app, "--contract", set.section, options.contract,
+                      value_in(words, "--contract"));
+      })
+      .and_then([&] {
+        return settle(app, "--known", set.section, options.known.directory,
+                      value_in(words, "--known"));
+      })
+      .and_then(
+          [&] { return settle(app, "--no-known", set.section, options.known.is_none, is_none); });
+}
+
+/// Reads the baseline that the run will be held against, where there is one, and what the run has
+/// to be for it: of one that goes on, that is settled.
+Result<std::optional<GateSide>> prepare_gate(const CLI::App& app, Options& options) {
+  if (options.baseline.empty()) return std::nullopt;
+  Result<GateSide> baseline = read_side(options.baseline);
+  if (!baseline) return tl::unexpected(baseline.error());
+  if (!options.resume) {
+    const auto taken =
+        case_set_for(*baseline, options.backends, environment(options.jobs, 0))
+            .and_then([&](const CaseSet& set) { return take_case_set(app, set, options); });
+    if (!taken) return tl::unexpected(taken.error());
+  }
+  return *std::move(baseline);
+}
+
+/// Holds the run against the baseline, where there is one.
+ExitCode hold_run(const Options& options, const std::optional<GateSide>& baseline,
+                  const records::Run& run) {
+  if (!baseline) return ExitCode::ok;
+  if (run.cases_left > 0) return ExitCode::interrupted;
+  Result<GateSide> current = side_of(run, options.output);
+  if (!current) return fail(current.error());
+  set_commit(*current, commit_of(""));
+  if (!options.json) fmt::print("\n");
+  return hold_against(*baseline, *current,
+                      {options.policy, options.output, false, options.quiet, !options.json});
+}
+
 /// Ends a run whose results cannot be written: what it found is on the terminal already.
 ExitCode fail_to_write(const Options& options, const Error& error) {
   const ExitCode code = fail(error);
@@ -292,9 +369,29 @@ ExitCode fail_to_write(const Options& options, const Error& error) {
   return code;
 }
 
-ExitCode run_campaign(const Options& options) {
+/// Writes and prints what was found; the outcome of the run alone.
+ExitCode tell(const Options& options, const records::Run& run, double seconds) {
+  const std::vector<records::LawSummary> rows = records::summarize(run);
+  const Result<void> written = reports::write_reports(run, options.output, options.formats);
+  if (options.json) {
+    fmt::print("{}\n", reports::summary_json(run, rows));
+  } else {
+    print_results(run, rows, options.output, options.quiet);
+    if (!options.quiet) {
+      fmt::print("Seed {}, {:.1f} s.{}", run.seed, seconds,
+                 written ? " " + where_reports_are(options.output, options.formats) : "\n");
+    }
+  }
+  if (!written) return fail_to_write(options, written.error());
+  if (const auto told = tell_github(run, options.output, !options.json); !told) fail(told.error());
+  return exit_code_of(rows);
+}
+
+ExitCode run_campaign(Options options, const CLI::App& app) {
   const auto start = std::chrono::steady_clock::now();
   isolate_foreign_backends(options.timeout);
+  const Result<std::optional<GateSide>> baseline = prepare_gate(app, options);
+  if (!baseline) return fail(baseline.error());
   Result<Work> work = prepare(options);
   if (!work) return fail(work.error());
   const bool keeps_cases = work->start.plan.campaign.keeps_cases;
@@ -338,23 +435,12 @@ ExitCode run_campaign(const Options& options) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.environment = environment(options.jobs, seconds.count());
 
-  const std::vector<records::LawSummary> rows = records::summarize(run);
-  const Result<void> written = reports::write_reports(run, options.output, options.formats);
-  if (options.json) {
-    fmt::print("{}\n", reports::summary_json(run, rows));
-  } else {
-    print_results(run, rows, options.output, options.quiet);
-    if (!options.quiet) {
-      fmt::print("Seed {}, {:.1f} s.{}", run.seed, seconds.count(),
-                 written ? " " + where_reports_are(options.output, options.formats) : "\n");
-    }
-  }
-  if (!written) return fail_to_write(options, written.error());
-  if (const auto told = tell_github(run, options.output, !options.json); !told) fail(told.error());
+  const ExitCode told = tell(options, run, seconds.count());
+  if (told == ExitCode::usage) return told;
+  const ExitCode code = first_of(told, hold_run(options, *baseline, run));
   const bool is_whole = run.cases_left == 0 && campaign.is_shrunk();
   if (is_whole) campaign.remove();
-  const ExitCode code = exit_code_of(rows);
-  return is_whole || code == ExitCode::violated ? code : ExitCode::interrupted;
+  return is_whole ? code : first_of(code, ExitCode::interrupted);
 }
 
 Action set_up(CLI::App& app) {
@@ -392,6 +478,11 @@ Action set_up(CLI::App& app) {
   add_timeout(app, options->timeout);
   app.add_flag("--keep-cases", options->keeps_cases,
                "Keeps what each case gave in run.json, for baselines and for cases.jsonl");
+  app.add_option("--baseline", options->baseline,
+                 "Holds the run against this baseline (rastercheck baseline save), of whose seed "
+                 "and cases it is then");
+  app.add_option("--policy", options->policy,
+                 "What may be worse than it, why and until when (see rastercheck compare)");
   CLI::Option* resume =
       app.add_flag("--resume", options->resume,
                    "Goes on with the interrupted run of the output folder, as it was");
@@ -408,8 +499,9 @@ Action set_up(CLI::App& app) {
   app.footer(
       "Exit code 0 if every property held, or was violated in known ways only, 1 if one was "
       "violated\n"
-      "otherwise, 5 if one checked nothing, 130 if the run was interrupted.");
-  return [options] { return run_campaign(*options); };
+      "otherwise, 3 if one is worse than the baseline, 5 if one checked nothing, 130 if the run "
+      "was\ninterrupted.");
+  return [options, &app] { return run_campaign(*options, app); };
 }
 
 const Registration kRegistration("run", "A campaign: every property on the corpus and random cases",

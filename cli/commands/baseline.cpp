@@ -1,0 +1,226 @@
+// `rastercheck baseline save` and `baseline approve`: the file that runs are held against.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "cases/files.h"
+#include "cases/json.h"
+#include "cli/command.h"
+#include "cli/commit.h"
+#include "cli/gate.h"
+#include "reports/approve.h"
+#include "reports/baseline_json.h"
+#include "reports/compare.h"
+
+namespace rastercheck::cli {
+namespace {
+
+struct SaveOptions {
+  std::string run;
+  std::string output = reports::kBaselineFile;
+  std::string as;
+  std::string commit;
+  bool of_instruction_set = false;
+  bool of_compiler = false;
+  bool quiet = false;
+};
+
+struct ApproveOptions {
+  std::string baseline;
+  std::string current;
+  std::string reason;
+  std::string backend;
+  std::string as;
+  std::string commit;
+  reports::EntryPattern pattern;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// A side under its other name and of its commit.
+Result<GateSide> read_named(const std::string& file, const std::string& as,
+                            const std::string& commit) {
+  Result<GateSide> side = read_side(file);
+  if (!side) return side;
+  if (const auto renamed = rename_backend(*side, as); !renamed) {
+    return tl::unexpected(renamed.error());
+  }
+  if (side->run || !commit.empty()) set_commit(*side, commit_of(commit));
+  return side;
+}
+
+/// What is in the file so far; nothing where there is none.
+Result<reports::Baseline> read_existing(const std::string& file) {
+  std::error_code why;
+  if (!std::filesystem::exists(file, why) && !why) return reports::Baseline();
+  return reports::read_baseline(file);
+}
+
+/// Puts a section into the baseline, with the approvals of the one that was there; says what became
+/// of it.
+std::string add(reports::Baseline& baseline, reports::BaselineSection section) {
+  std::string became = "new";
+  for (const reports::BaselineSection& old : baseline.sections) {
+    if (old.key != section.key) continue;
+    section.approvals = old.approvals;
+    became = old == section ? "as it was" : "replaced";
+  }
+  std::uint64_t cases = 0;
+  for (const auto& [law, of_law] : section.laws) cases += of_law.count;
+  std::string text = fmt::format("{}: {} entries of {} laws, {} cases; {}\n",
+                                 cases::one_line(to_string(section.key)), section.entries.size(),
+                                 section.laws.size(), cases, became);
+  reports::put(baseline, std::move(section));
+  return text;
+}
+
+ExitCode save(const SaveOptions& options) {
+  Result<GateSide> side = read_named(options.run, options.as, options.commit);
+  if (!side) return fail(side.error());
+  Result<reports::Baseline> baseline = read_existing(options.output);
+  if (!baseline) return fail(baseline.error());
+  std::string text;
+  for (reports::BaselineSection& section : side->sections.sections) {
+    if (options.of_instruction_set) section.key.instruction_set = section.taken.instruction_set;
+    if (options.of_compiler) section.key.compiler = section.taken.compiler;
+    text += add(*baseline, std::move(section));
+  }
+  const auto written = cases::write_file(options.output, reports::to_json(*baseline));
+  if (!written) return fail(written.error());
+  if (!options.quiet) fmt::print("{}Baseline: {}\n", text, options.output);
+  return ExitCode::ok;
+}
+
+/// What was taken over into one section.
+struct Approved {
+  std::string section;
+  std::vector<std::string> changes;
+};
+
+/// Takes over from the section of `current` what it is held against.
+Result<Approved> approve(reports::Baseline& baseline, const reports::BaselineSection& current,
+                         const ApproveOptions& options) {
+  const auto found = reports::section_for(baseline, current, options.baseline);
+  if (!found) return tl::unexpected(found.error());
+  const auto comparison = reports::compare(**found, current);
+  if (!comparison) {
+    return tl::unexpected(
+        Error{options.baseline, comparison.error().place, comparison.error().reason});
+  }
+  reports::BaselineSection section = **found;
+  Approved approved{to_string(section.key), {}};
+  approved.changes =
+      reports::approve(section, current, *comparison, options.pattern, options.reason);
+  reports::put(baseline, std::move(section));
+  return approved;
+}
+
+void print(const std::vector<Approved>& all, const ApproveOptions& options) {
+  if (options.json) {
+    nlohmann::ordered_json sections = nlohmann::ordered_json::array();
+    for (const Approved& one : all) {
+      sections.push_back({{"section", one.section}, {"changes", one.changes}});
+    }
+    fmt::print("{}\n", sections.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    return;
+  }
+  if (options.quiet) return;
+  for (const Approved& one : all) {
+    if (one.changes.empty()) {
+      fmt::print("{}: there is nothing to approve.\n", cases::one_line(one.section));
+      continue;
+    }
+    fmt::print("{}: approved.\n", cases::one_line(one.section));
+    for (const std::string& change : one.changes) fmt::print("  {}\n", cases::one_line(change));
+  }
+}
+
+ExitCode approve(const ApproveOptions& options) {
+  if (options.reason.find_first_not_of(" \t\r\n") == std::string::npos) {
+    return fail({"--reason", "", "must say why"});
+  }
+  if (options.baseline == "-") {
+    return fail({"-", "", "the baseline is written again, and has to be a file"});
+  }
+  Result<reports::Baseline> baseline = reports::read_baseline(options.baseline);
+  if (!baseline) return fail(baseline.error());
+  const Result<GateSide> current = read_named(options.current, options.as, options.commit);
+  if (!current) return fail(current.error());
+  std::vector<Approved> all;
+  bool is_changed = false;
+  for (const reports::BaselineSection& section : current->sections.sections) {
+    if (!options.backend.empty() && section.key.backend != options.backend) continue;
+    Result<Approved> approved = approve(*baseline, section, options);
+    if (!approved) return fail(approved.error());
+    is_changed = is_changed || !approved->changes.empty();
+    all.push_back(*std::move(approved));
+  }
+  if (is_changed) {
+    const auto written = cases::write_file(options.baseline, reports::to_json(*baseline));
+    if (!written) return fail(written.error());
+  }
+  print(all, options);
+  return ExitCode::ok;
+}
+
+CLI::App* add_save(CLI::App& app, SaveOptions& options) {
+  CLI::App* save = app.add_subcommand("save", "Keeps what a run found as the baseline");
+  save->add_option("RUN", options.run,
+                   "Folder or run.json of a run that kept its cases (rastercheck run "
+                   "--keep-cases); - reads standard input")
+      ->required();
+  save->add_option("--output", options.output, "The baseline file; other sections of it stay")
+      ->capture_default_str();
+  save->add_option("--as", options.as, "Another name for the backend");
+  save->add_flag("--instruction-set", options.of_instruction_set,
+                 "Only for machines with the same vectors");
+  save->add_flag("--compiler", options.of_compiler, "Only for programs of the same compiler");
+  save->add_option("--commit", options.commit,
+                   "Commit that the run is of; without it what CI or git says");
+  save->add_flag("-q,--quiet", options.quiet, "Prints nothing");
+  return save;
+}
+
+CLI::App* add_approve(CLI::App& app, ApproveOptions& options) {
+  CLI::App* approve = app.add_subcommand("approve", "Takes current figures over into the baseline");
+  approve->add_option("BASELINE", options.baseline, "The baseline file")->required();
+  approve->add_option("CURRENT", options.current, "What is taken over, as of compare")->required();
+  approve->add_option("--reason", options.reason, "Why; kept in the baseline")->required();
+  approve->add_option("--law", options.pattern.law, "Only entries of laws that match")
+      ->capture_default_str();
+  approve->add_option("--kind", options.pattern.kind, "Only those of kinds that match, as smooth")
+      ->capture_default_str();
+  approve
+      ->add_option("--stratum", options.pattern.stratum,
+                   "Only those of strata that match, as sliver; all is that of all together")
+      ->capture_default_str();
+  approve->add_option("--backend", options.backend, "Only this backend's; all without it");
+  approve->add_option("--as", options.as, "Name of the backend in the baseline, if it has another");
+  approve->add_option("--commit", options.commit,
+                      "Commit that CURRENT is of; without it what CI or git says");
+  approve->add_flag("--json", options.json, "What was taken over as JSON");
+  approve->add_flag("-q,--quiet", options.quiet, "Prints nothing");
+  return approve;
+}
+
+Action set_up(CLI::App& app) {
+  const auto of_save = std::make_shared<SaveOptions>();
+  const auto of_approve = std::make_shared<ApproveOptions>();
+  app.require_subcommand(1);
+  const CLI::App* save_command = add_save(app, *of_save);
+  add_approve(app, *of_approve);
+  app.footer("`rastercheck compare` and `rastercheck run --baseline` hold runs against it.");
+  return [of_save, of_approve, save_command] {
+    return save_command->parsed() ? save(*of_save) : approve(*of_approve);
+  };
+}
+
+const Registration kRegistration("baseline", "Keeps the figures that later runs are held against",
+                                 &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

@@ -1,0 +1,68 @@
+// `rastercheck compare BASELINE CURRENT`: the regression gate.
+
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/commit.h"
+#include "cli/gate.h"
+
+namespace rastercheck::cli {
+namespace {
+
+struct Options {
+  std::string baseline;
+  std::string current;
+  std::string as;
+  std::string commit;
+  GateOptions gate;
+};
+
+/// As it was read, under its other name and with its commit.
+Result<GateSide> read_current(const Options& options) {
+  Result<GateSide> current = read_side(options.current);
+  if (!current) return current;
+  if (const auto renamed = rename_backend(*current, options.as); !renamed) {
+    return tl::unexpected(renamed.error());
+  }
+  if (current->run || !options.commit.empty()) set_commit(*current, commit_of(options.commit));
+  return current;
+}
+
+ExitCode run(const Options& options) {
+  if (options.baseline == "-" && options.current == "-") {
+    return fail({"-", "", "only one of the two can be standard input"});
+  }
+  const Result<GateSide> baseline = read_side(options.baseline);
+  if (!baseline) return fail(baseline.error());
+  const Result<GateSide> current = read_current(options);
+  if (!current) return fail(current.error());
+  return hold_against(*baseline, *current, options.gate);
+}
+
+Action set_up(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("BASELINE", options->baseline,
+                 "Baseline file, or the run.json or folder of a run that kept its cases; - reads "
+                 "standard input")
+      ->required();
+  app.add_option("CURRENT", options->current, "What is held against it, the same")->required();
+  app.add_option("--policy", options->gate.policy,
+                 "File that says which entries may be worse, why and until when");
+  app.add_option("--as", options->as, "Name of the backend in the baseline, if it has another");
+  app.add_option("--commit", options->commit,
+                 "Commit that CURRENT is of; without it what CI or git says");
+  app.add_option("--output", options->gate.output,
+                 "Folder for the comparison's files and the cases whose errors grew");
+  app.add_flag("--json", options->gate.json, "The comparison as JSON");
+  app.add_flag("-q,--quiet", options->gate.quiet, "Verdict and worse entries only");
+  app.footer(
+      "Exit code 0 if nothing is worse, or all that is worse is allowed, 3 if not, 2 if figures\n"
+      "of the two cannot be compared: other cases, or another version of rules or records.");
+  return [options] { return run(*options); };
+}
+
+const Registration kRegistration("compare", "Holds a run against a baseline: what is worse?",
+                                 &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

@@ -1,0 +1,68 @@
+#include "cli/grown_cases.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "cases/case_writer.h"
+#include "cases/files.h"
+#include "cli/corpus_folder.h"
+#include "properties/corpus.h"
+#include "properties/law.h"
+
+namespace rastercheck::cli {
+namespace {
+
+std::string corpus_of(const reports::Comparison& comparison) {
+  const auto& options = comparison.options;
+  const auto named = std::find(options.begin(), options.end(), "--corpus");
+  return named == options.end() || named + 1 == options.end() ? corpus_folder() : *(named + 1);
+}
+
+/// The case, where there still is one of that number.
+Result<std::optional<cases::Case>> case_of(const reports::Comparison& comparison,
+                                           const reports::CaseGrowth& growth) {
+  if (growth.origin == records::Origin::corpus) {
+    const Result<std::vector<cases::Case>> corpus = properties::read_corpus(corpus_of(comparison));
+    if (!corpus) return tl::unexpected(corpus.error());
+    return growth.index < corpus->size() ? std::optional((*corpus)[growth.index]) : std::nullopt;
+  }
+  const properties::Law* law = properties::find_law(growth.law);
+  if (law == nullptr) return std::nullopt;
+  properties::Draw draw(comparison.seed, law->name, growth.index);
+  return law->generate(draw).source;
+}
+
+Result<void> save(const reports::Gate& gate, const reports::Comparison& comparison,
+                  const reports::CaseGrowth& growth) {
+  Result<std::optional<cases::Case>> source = case_of(comparison, growth);
+  if (!source) return tl::unexpected(source.error());
+  if (!*source) return {};
+  cases::Case& c = **source;
+  c.found = cases::Found{growth.law, comparison.backend, "worse than the baseline", comparison.seed,
+                         growth.index};
+  const std::filesystem::path file =
+      std::filesystem::path(gate.folder) / reports::file_of(comparison, growth);
+  std::error_code why;
+  std::filesystem::create_directories(file.parent_path(), why);
+  if (why) {
+    return tl::unexpected(
+        Error{file.parent_path().string(), "", "cannot be made: " + why.message()});
+  }
+  return cases::write_file(file.string(), cases::to_json(c));
+}
+
+}  // namespace
+
+Result<void> save_grown_cases(const reports::Gate& gate) {
+  for (const reports::Comparison& comparison : gate.comparisons) {
+    for (const reports::CaseGrowth& growth : comparison.growths) {
+      if (Result<void> saved = save(gate, comparison, growth); !saved) return saved;
+    }
+  }
+  return {};
+}
+
+}  // namespace rastercheck::cli
