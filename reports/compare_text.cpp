@@ -55,7 +55,7 @@ std::string growths_text(const Gate& gate, const Comparison& comparison) {
   const std::size_t shown = std::min(comparison.growths.size(), kMostGrowths);
   for (std::size_t i = 0; i < shown; ++i) {
     const CaseGrowth& growth = comparison.growths[i];
-    text += fmt::format("  {}: {}\n", cases::one_line(growth.law), case_text(growth));
+    text += fmt::format("  {}:\n    {}\n", cases::one_line(growth.law), case_text(growth));
     for (const std::string& line : growth_lines(growth)) text += fmt::format("    {}\n", line);
     for (const std::string& command : growth_commands(gate, comparison, growth)) {
       text += fmt::format("    {}\n", cases::one_line(command));

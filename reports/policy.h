@@ -30,10 +30,10 @@ struct Allowance {
   std::string backend = "*";
   std::string kind = "*";
   std::string stratum = "*";  ///< "all" is that of all strata together
-  std::string reason;         ///< not empty
-  Day until;                  ///< the last day on which it holds
+  std::string reason = {};    ///< not empty
+  Day until = {};             ///< the last day on which it holds
   /// Up to which the largest magnitude may grow, in the kind's unit; nothing: by any amount.
-  std::optional<double> worst;
+  std::optional<double> worst = std::nullopt;
   bool operator==(const Allowance&) const = default;
 };
 

@@ -124,7 +124,9 @@ std::string figure_sentence(const FigureChange& change) {
 
 std::string case_text(const CaseGrowth& growth) {
   if (growth.origin == records::Origin::random) return fmt::format("random case {}", growth.index);
-  return fmt::format("case {} of the corpus, “{}”", growth.index, cases::printable(growth.name));
+  constexpr std::size_t kLongestName = 50;
+  return fmt::format("case {} of the corpus, “{}”", growth.index,
+                     cases::printable(elided(growth.name, kLongestName)));
 }
 
 std::string place_text(const CaseGrowth& growth, const records::WorstError& at) {
@@ -206,8 +208,13 @@ std::vector<std::string> growth_commands(const Gate& gate, const Comparison& com
 }
 
 std::string approve_command(const Gate& gate) {
-  return command_line({"rastercheck", "baseline", "approve", "--reason", "…", gate.baseline_file,
-                       gate.current_file});
+  std::vector<std::string> words{"rastercheck", "baseline",         "approve",        "--reason",
+                                 "…",           gate.baseline_file, gate.current_file};
+  for (const Comparison& comparison : gate.comparisons) {
+    if (comparison.key.backend == comparison.backend) continue;
+    words.insert(words.end(), {"--as", comparison.key.backend});
+  }
+  return command_line(words);
 }
 
 }  // namespace rastercheck::reports

@@ -1,0 +1,104 @@
+#include "reports/approve.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/reports/sample_sections.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using records::AttributeKind;
+using records::Stratum;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// The sample, of another commit: the sliver's worst is 3/4, and one fragment is extra.
+BaselineSection worse_section() {
+  BaselineSection section = sample_section();
+  section.taken.commit = "beef";
+  section.entries[kSampleSliver].worst = {0.75, 0.75};
+  section.entries[kSampleCoverage].classes[records::FragmentClass::extra] = 1;
+  CaseFigures& figures = section.laws[kSampleLaw].cases[kSampleCase];
+  figures.found_digest = 8;
+  figures.mismatches = 1;
+  figures.worst[AttributeKind::smooth][Stratum::sliver] = sample_error(0.75);
+  return section;
+}
+
+struct Approved {
+  BaselineSection section;
+  std::vector<std::string> changes;
+};
+Approved approved(const BaselineSection& before, const BaselineSection& current,
+                  const EntryPattern& pattern) {
+  Approved result{before, {}};
+  const Result<Comparison> comparison = compare(before, current);
+  EXPECT_TRUE(comparison);
+  result.changes = approve(result.section, current, *comparison, pattern, "it is meant so");
+  return result;
+}
+
+TEST(Approve, TakesAllOverAndSaysWhatChanged) {
+  BaselineSection before = sample_section();
+  before.key.compiler = "GNU 12.2.0";
+  before.approvals = {{"earlier", "0.0.9", "", {"something"}}};
+  const Approved result = approved(before, worse_section(), {});
+  EXPECT_THAT(result.changes,
+              ElementsAre("values are <within> bounds: coverage: extra 0 → 1",
+                          "values are <within> bounds: smooth, sliver: worst 0.625 → 0.75 ULP"));
+  BaselineSection expected = worse_section();
+  expected.key = before.key;
+  expected.approvals = {before.approvals[0], {"it is meant so", "0.1.0", "beef", result.changes}};
+  EXPECT_EQ(result.section, expected);
+}
+
+TEST(Approve, DoesNothingWhereNothingChanged) {
+  const BaselineSection section = sample_section();
+  EXPECT_THAT(approved(section, section, {}).changes, IsEmpty());
+  EXPECT_EQ(approved(section, section, {}).section, section);
+  EXPECT_EQ(approved(section, worse_section(), {.law = "other"}).section, section);
+}
+
+// Kills: what was not chosen taken over, in entries or in cases.
+TEST(Approve, TakesOnlyWhatIsChosen) {
+  const Approved result = approved(sample_section(), worse_section(), {.stratum = "sliver"});
+  EXPECT_THAT(result.changes,
+              ElementsAre("values are <within> bounds: smooth, sliver: worst 0.625 → 0.75 ULP"));
+  BaselineSection expected = sample_section();
+  expected.entries[kSampleSliver].worst = {0.75, 0.75};
+  expected.laws[kSampleLaw].cases[kSampleCase].worst[AttributeKind::smooth][Stratum::sliver] =
+      sample_error(0.75);
+  expected.approvals = {{"it is meant so", "0.1.0", "beef", result.changes}};
+  EXPECT_EQ(result.section, expected);
+  // What remains is taken next; then nothing differs.
+  const Approved rest = approved(result.section, worse_section(), {.kind = "coverage"});
+  EXPECT_EQ(rest.section.laws, worse_section().laws);
+  EXPECT_EQ(rest.section.entries, worse_section().entries);
+}
+
+// Kills: digests that stay old for ever, as no figure is there to approve.
+TEST(Approve, TakesOtherBitsOver) {
+  BaselineSection current = sample_section();
+  current.laws[kSampleLaw].cases[kSampleCase].found_digest = 1000;
+  const Approved result = approved(sample_section(), current, {});
+  EXPECT_THAT(result.changes, ElementsAre("1 of 23 cases gave other bits, and no figure changed"));
+  EXPECT_EQ(result.section.laws, current.laws);
+}
+
+TEST(Approve, TakesNewLawsAndDropsThoseThatAreGone) {
+  BaselineSection current = sample_section();
+  const EntryKey other{"other", AttributeKind::coverage, std::nullopt};
+  current.entries[other].cases.checked = 1;
+  current.laws["other"].count = 1;
+  const Approved added = approved(sample_section(), current, {.law = "other"});
+  EXPECT_THAT(added.changes, ElementsAre("other: coverage: new"));
+  EXPECT_EQ(added.section.entries, current.entries);
+  EXPECT_EQ(added.section.laws, current.laws);
+  const Approved dropped = approved(current, sample_section(), {.law = "other"});
+  EXPECT_THAT(dropped.changes, ElementsAre("other: coverage: gone"));
+  EXPECT_EQ(dropped.section.laws, sample_section().laws);
+}
+
+}  // namespace
+}  // namespace rastercheck::reports

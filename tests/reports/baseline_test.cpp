@@ -1,0 +1,193 @@
+#include "reports/baseline.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/reports/sample_run.h"
+#include "tests/reports/sample_sections.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using records::AttributeKind;
+using records::CaseOutcome;
+using records::FragmentClass;
+using records::Origin;
+using records::Stratum;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kValues = "values are within bounds";
+
+/// The sample run with two cases of that law, and what saved counterexamples added to it.
+records::Run run_with_cases() {
+  records::Run run = sample_run();
+  run.environment["architecture"] = "x86_64";
+  run.environment["instruction_set"] = "avx2";
+  run.cases.emplace();
+  records::CaseRecord corpus;
+  corpus.name = "a name";
+  corpus.source_digest = 5;
+  corpus.found_digest = 6;
+  corpus.mismatches = 2;
+  corpus.worst[AttributeKind::smooth][Stratum::ordinary] = sample_worst(0.5);
+  (*run.cases)[{kValues, "cpu", Origin::corpus, 3}] = corpus;
+  records::CaseRecord none;
+  none.outcome = CaseOutcome::not_applicable;
+  none.source_digest = 7;
+  (*run.cases)[{kValues, "cpu", Origin::random, 0}] = none;
+  (*run.cases)[{kValues, "method:float32", Origin::random, 0}] = none;
+  records::Record saved;
+  saved.cases.checked = 100;
+  saved.errors.classes[FragmentClass::missing] = 100;
+  run.records[{kValues, "cpu", AttributeKind::coverage, std::string(records::kSavedStratum)}] =
+      saved;
+  return run;
+}
+
+TEST(SectionOf, HasTheFiguresOfAllFrozenCases) {
+  const Result<BaselineSection> section = section_of(run_with_cases(), "cpu");
+  ASSERT_TRUE(section) << to_string(section.error());
+  EXPECT_EQ(section->key, (BaselineKey{"cpu", "x86_64", "", ""}));
+  EXPECT_EQ(section->taken, (Taken{"cpu", "0.1.0", "", "avx2", "g++ <12> & more"}));
+  EXPECT_THAT(section->options, ElementsAre("--property", "*<values>*"));
+  // Two strata of the generator, 600 and 400 cases; none of the 100 saved ones.
+  const EntryFigures coverage =
+      section->entries.at({kValues, AttributeKind::coverage, std::nullopt});
+  EXPECT_EQ(coverage.cases, (records::CaseCounts{1000, 3, 0, 0}));
+  EXPECT_EQ(coverage.classes[FragmentClass::missing], 0U);
+  const EntryFigures smooth = section->entries.at({kValues, AttributeKind::smooth, std::nullopt});
+  EXPECT_EQ(smooth.histogram.count(), 12000U);
+  EXPECT_EQ(smooth.worst, (records::Enclosure{0.5, 0.5}));
+  const EntryFigures near =
+      section->entries.at({kValues, AttributeKind::smooth, Stratum::near_horizon});
+  EXPECT_EQ(near.histogram.count(), 3000U);
+  EXPECT_EQ(near.worst, (records::Enclosure{0.375, 0.375}));
+  EXPECT_EQ(near.classes, records::ClassCounts());
+  // A law that checked nothing has its line, so that it is seen.
+  EXPECT_TRUE(section->entries.contains(
+      {"a law <that> says | nothing", AttributeKind::coverage, std::nullopt}));
+}
+
+// Kills: a worst error below the exact value that counts as none.
+TEST(SectionOf, HasTheWorstOnEitherSide) {
+  const Result<BaselineSection> section = section_of(run_with_cases(), "method:float32");
+  ASSERT_TRUE(section);
+  EXPECT_EQ(section->entries.at({kValues, AttributeKind::smooth, std::nullopt}).worst,
+            (records::Enclosure{0.7, 0.7}));
+}
+
+TEST(SectionOf, HasEachCaseOfWhichTheLawSaysSomething) {
+  const Result<BaselineSection> section = section_of(run_with_cases(), "cpu");
+  ASSERT_TRUE(section);
+  const LawCases& law = section->laws.at(kValues);
+  EXPECT_EQ(law.count, 2U);
+  ASSERT_EQ(law.cases.size(), 1U);
+  const CaseFigures& figures = law.cases.at({Origin::corpus, 3});
+  EXPECT_EQ(figures.found_digest, 6U);
+  EXPECT_EQ(figures.mismatches, 2U);
+  EXPECT_EQ(figures.worst.at(AttributeKind::smooth).at(Stratum::ordinary), sample_worst(0.5));
+  EXPECT_THAT(section->corpus, ElementsAre(testing::Pair(3, "a name")));
+  EXPECT_EQ(section->laws.size(), 3U);
+}
+
+// Kills: a digest that leaves out a case, its number or its file.
+TEST(SectionOf, HasADigestOfAllThatIsFrozen) {
+  const auto digest = [](const records::Run& run) {
+    return section_of(run, "cpu")->laws.at(kValues).digest;
+  };
+  const records::Run run = run_with_cases();
+  records::Run other = run;
+  (*other.cases)[{kValues, "cpu", Origin::random, 0}].source_digest = 8;
+  EXPECT_NE(digest(other), digest(run));
+  other = run;
+  (*other.cases)[{kValues, "cpu", Origin::random, 1}] =
+      run.cases->at({kValues, "cpu", Origin::random, 0});
+  EXPECT_NE(digest(other), digest(run));
+  other.cases->erase({kValues, "cpu", Origin::random, 0});
+  EXPECT_NE(digest(other), digest(run));
+  other = run;
+  (*other.cases)[{kValues, "cpu", Origin::random, 0}].found_digest = 99;
+  EXPECT_EQ(digest(other), digest(run));
+}
+
+TEST(SectionOf, RefusesRunsThatCannotBeCompared) {
+  records::Run run = run_with_cases();
+  EXPECT_THAT(section_of(run, "gl").error().reason, HasSubstr("not of the backend 'gl'"));
+  run.cases_left = 1;
+  EXPECT_THAT(section_of(run, "cpu").error().reason, HasSubstr("was interrupted"));
+  run.cases.reset();
+  EXPECT_THAT(section_of(run, "cpu").error().reason, HasSubstr("--keep-cases"));
+}
+
+TEST(FrozenOptions, AreThoseThatDecideWhatIsFound) {
+  EXPECT_THAT(frozen_options({"--property", "--no-known", "--scene-size", "9", "--contract", "c",
+                              "--no-known", "--shrink-tries", "5", "--keep-cases", "--timeout", "1",
+                              "--corpus", "x", "--known", "k"}),
+              ElementsAre("--property", "--no-known", "--contract", "c", "--no-known", "--corpus",
+                          "x", "--known", "k"));
+  EXPECT_THAT(frozen_options({"--keep-cases"}), IsEmpty());
+}
+
+// --- Sections of a file --------------------------------------------------------------------------
+
+BaselineSection with_key(const std::string& instruction_set, const std::string& compiler) {
+  BaselineSection section = sample_section();
+  section.key.instruction_set = instruction_set;
+  section.key.compiler = compiler;
+  return section;
+}
+
+/// The key's last two parts of the section found for a machine of avx2 and GNU 12.2.0.
+std::string found_in(const std::vector<BaselineSection>& sections) {
+  Baseline baseline;
+  for (const BaselineSection& section : sections) put(baseline, section);
+  const BaselineSection* found = find_section(baseline, sample_section());
+  return found == nullptr ? "none" : found->key.instruction_set + "/" + found->key.compiler;
+}
+
+TEST(FindSection, TakesTheMostSpecificThatMatches) {
+  const BaselineSection any = with_key("", "");
+  const BaselineSection vectors = with_key("avx2", "");
+  const BaselineSection compiler = with_key("", "GNU 12.2.0");
+  const BaselineSection both = with_key("avx2", "GNU 12.2.0");
+  const BaselineSection others = with_key("avx512", "");
+  EXPECT_EQ(found_in({any, others}), "/");
+  EXPECT_EQ(found_in({any, compiler, others}), "/GNU 12.2.0");
+  EXPECT_EQ(found_in({compiler, vectors, any}), "avx2/");
+  EXPECT_EQ(found_in({both, compiler, vectors, any}), "avx2/GNU 12.2.0");
+  EXPECT_EQ(found_in({others, with_key("avx2", "Clang 14")}), "none");
+  EXPECT_EQ(found_in({}), "none");
+}
+
+TEST(FindSection, AsksForBackendAndArchitecture) {
+  BaselineSection other = sample_section();
+  other.key.backend = "gl";
+  EXPECT_EQ(found_in({other}), "none");
+  other = sample_section();
+  other.key.architecture = "aarch64";
+  EXPECT_EQ(found_in({other}), "none");
+}
+
+TEST(Put, KeepsOneSectionOfAKey) {
+  Baseline baseline;
+  put(baseline, with_key("avx2", ""));
+  put(baseline, with_key("", ""));
+  BaselineSection again = with_key("avx2", "");
+  again.seed = 5;
+  put(baseline, again);
+  ASSERT_EQ(baseline.sections.size(), 2U);
+  EXPECT_EQ(baseline.sections[0].key.instruction_set, "");
+  EXPECT_EQ(baseline.sections[1].seed, 5U);
+}
+
+TEST(BaselineKey, ReadsAsASentencePart) {
+  EXPECT_EQ(to_string(with_key("", "").key), "cpu on x86_64");
+  EXPECT_EQ(to_string(with_key("avx2", "GNU 12").key), "cpu on x86_64, avx2, GNU 12");
+  EXPECT_EQ(to_string(kSampleSliver), "values are <within> bounds: smooth, sliver");
+  EXPECT_EQ(to_string(kSampleCoverage), "values are <within> bounds: coverage");
+}
+
+}  // namespace
+}  // namespace rastercheck::reports

@@ -1,0 +1,321 @@
+#include "reports/compare.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "tests/reports/sample_sections.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+using records::Stage;
+using records::Stratum;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+Comparison compared(const BaselineSection& before, const BaselineSection& after) {
+  const Result<Comparison> comparison = compare(before, after);
+  EXPECT_TRUE(comparison) << to_string(comparison.error());
+  return comparison.value_or(Comparison());
+}
+
+const EntryChange& entry_of(const Comparison& comparison, const EntryKey& key) {
+  static const EntryChange kNone;
+  const auto found = std::find_if(comparison.entries.begin(), comparison.entries.end(),
+                                  [&key](const EntryChange& one) { return one.key == key; });
+  EXPECT_NE(found, comparison.entries.end()) << to_string(key);
+  return found == comparison.entries.end() ? kNone : *found;
+}
+
+std::string refusal(const BaselineSection& before, const BaselineSection& after) {
+  const Result<Comparison> comparison = compare(before, after);
+  return comparison ? "" : comparison.error().reason;
+}
+
+/// The one figure that changed of an entry, once the section is changed so; its direction is the
+/// other one, and nothing else is, where both sections change places.
+FigureChange only_change(const EntryKey& key, const std::function<void(EntryFigures&)>& change) {
+  const BaselineSection before = sample_section();
+  BaselineSection after = before;
+  change(after.entries[key]);
+  const EntryChange worse = entry_of(compared(before, after), key);
+  const EntryChange better = entry_of(compared(after, before), key);
+  EXPECT_EQ(worse.change, Change::worse);
+  EXPECT_EQ(better.change, Change::better);
+  EXPECT_THAT(worse.figures, SizeIs(1));
+  EXPECT_THAT(better.figures, SizeIs(1));
+  if (worse.figures.size() != 1 || better.figures.size() != 1) return {};
+  EXPECT_EQ(better.figures[0].before, worse.figures[0].after);
+  EXPECT_EQ(better.figures[0].after, worse.figures[0].before);
+  EXPECT_EQ(refused(compared(before, after)), 1U);
+  EXPECT_EQ(refused(compared(after, before)), 0U);
+  return worse.figures[0];
+}
+
+TEST(Compare, OfTheSameIsSilent) {
+  const BaselineSection section = sample_section();
+  const Comparison first = compared(section, section);
+  EXPECT_EQ(count_of(first, Change::same), 3U);
+  EXPECT_EQ(first.entries.size(), 3U);
+  EXPECT_THAT(first.growths, IsEmpty());
+  EXPECT_EQ(first.changed_cases, 0U);
+  EXPECT_EQ(first.compared_cases, 23U);
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(compared(section, section), first);
+}
+
+// Kills: a tolerance.
+TEST(Compare, SeesOneUlpOfTheWorst) {
+  const FigureChange change = only_change(kSampleSliver, [](EntryFigures& figures) {
+    const double next = std::nextafter(0.625, 1.0);
+    figures.worst = {next, next};
+  });
+  EXPECT_EQ(change.figure, Figure::worst);
+  EXPECT_EQ(change.before.size, (records::Enclosure{0.625, 0.625}));
+}
+
+// Kills: only one end of an enclosure compared.
+TEST(Compare, SeesEitherEndOfAnEnclosureGrow) {
+  const double next = std::nextafter(0.625, 1.0);
+  only_change(kSampleSliver, [next](EntryFigures& figures) { figures.worst = {0.625, next}; });
+  const BaselineSection before = [next] {
+    BaselineSection section = sample_section();
+    section.entries[kSampleSliver].worst = {0.625, next};
+    return section;
+  }();
+  BaselineSection after = before;
+  after.entries[kSampleSliver].worst = {next, next};
+  EXPECT_EQ(entry_of(compared(before, after), kSampleSliver).change, Change::worse);
+}
+
+// The median of four is the second: 1/4, bucket of (…, 1/4]; the next bucket ends at 2^(-15/8).
+TEST(Compare, SeesOneBucketOfAQuantile) {
+  const FigureChange change = only_change(kSampleAll, [](EntryFigures& figures) {
+    figures.histogram = {};
+    for (const double error : {0.0, 0.26, 0.5, 0.625}) figures.histogram.add(error);
+  });
+  EXPECT_EQ(change.figure, Figure::p50);
+  EXPECT_EQ(change.before.size->hi, 0.25);
+  EXPECT_EQ(change.after.size->lo, 0.25);
+}
+
+// 1 of 4 is off by more than 1/2. Kills: shares in double, counts compared as shares.
+TEST(Compare, SeesSharesExactly) {
+  constexpr std::uint64_t kMany = std::uint64_t{1} << 60;
+  const auto with = [](std::uint64_t misrounded, std::uint64_t others) {
+    BaselineSection section = sample_section();
+    records::Histogram histogram;
+    histogram.add_to_bucket(records::Histogram::bucket_of(0.625), misrounded);
+    histogram.add_to_bucket(records::Histogram::bucket_of(0.0), others);
+    section.entries[kSampleAll].histogram = histogram;
+    return section;
+  };
+  const auto change = [&](const BaselineSection& before, const BaselineSection& after) {
+    return entry_of(compared(before, after), kSampleAll);
+  };
+  EXPECT_EQ(change(with(1, 3), with(2, 6)).change, Change::same);
+  const EntryChange worse = change(with(kMany, 3 * kMany), with(kMany + 1, 3 * kMany - 1));
+  ASSERT_THAT(worse.figures, SizeIs(1));
+  EXPECT_EQ(worse.figures[0].figure, Figure::misrounded);
+  EXPECT_EQ(worse.figures[0].after, (FigureValue{std::nullopt, kMany + 1, 4 * kMany}));
+  EXPECT_EQ(change(with(kMany, 3 * kMany), with(kMany - 1, 3 * kMany + 1)).change, Change::better);
+}
+
+TEST(Compare, SeesOneMismatchOfAClass) {
+  const FigureChange change = only_change(
+      kSampleCoverage, [](EntryFigures& figures) { ++figures.classes[FragmentClass::extra]; });
+  EXPECT_EQ(change.figure, Figure::mismatches);
+  EXPECT_EQ(figure_name(change), "extra");
+  EXPECT_EQ(change.after.count, 1U);
+}
+
+TEST(Compare, SeesViolationsAndCasesThatAreNoLongerChecked) {
+  EXPECT_EQ(only_change(kSampleCoverage, [](EntryFigures& figures) { ++figures.cases.violations; })
+                .figure,
+            Figure::violations);
+  EXPECT_EQ(
+      only_change(kSampleCoverage, [](EntryFigures& figures) { ++figures.cases.known; }).figure,
+      Figure::known);
+  EXPECT_EQ(
+      only_change(kSampleCoverage, [](EntryFigures& figures) { --figures.cases.checked; }).figure,
+      Figure::checked);
+}
+
+// More samples drawn where a contract leaves that open are neither better nor worse.
+TEST(Compare, CallsMoreCorrectFragmentsTheSame) {
+  const BaselineSection before = sample_section();
+  BaselineSection after = before;
+  ++after.entries[kSampleCoverage].classes[FragmentClass::correct];
+  EXPECT_EQ(entry_of(compared(before, after), kSampleCoverage).change, Change::same);
+}
+
+// Kills: better and worse balanced against each other.
+TEST(Compare, CallsAnEntryWithBothWorse) {
+  const BaselineSection before = sample_section();
+  BaselineSection after = before;
+  after.entries[kSampleCoverage].cases.violations = 1;
+  after.entries[kSampleCoverage].cases.checked = 22;
+  const Comparison comparison = compared(before, after);
+  EXPECT_EQ(entry_of(comparison, kSampleCoverage).change, Change::worse);
+  EXPECT_EQ(entry_of(compared(after, before), kSampleCoverage).change, Change::worse);
+  EXPECT_EQ(count_of(comparison, Change::worse), 1U);
+}
+
+TEST(Compare, NamesWhatIsNewAndGone) {
+  const BaselineSection before = sample_section();
+  BaselineSection after = before;
+  after.entries.erase(kSampleSliver);
+  const EntryKey depth{"another law", AttributeKind::depth, std::nullopt};
+  after.entries[depth] = {};
+  after.laws["another law"].count = 4;
+  const Comparison comparison = compared(before, after);
+  EXPECT_EQ(entry_of(comparison, kSampleSliver).change, Change::gone);
+  EXPECT_EQ(entry_of(comparison, depth).change, Change::appeared);
+  EXPECT_THAT(comparison.new_laws, ElementsAre("another law"));
+  EXPECT_THAT(compared(after, before).gone_laws, ElementsAre("another law"));
+  EXPECT_EQ(refused(comparison), 0U);
+}
+
+// Kills: other bits taken for a regression, or not said.
+TEST(Compare, SaysThatBitsChangedThoughNoFigureDid) {
+  const BaselineSection before = sample_section();
+  BaselineSection after = before;
+  after.laws[kSampleLaw].cases[{records::Origin::corpus, 0}].found_digest = 10;
+  const Comparison comparison = compared(before, after);
+  EXPECT_EQ(comparison.changed_cases, 1U);
+  EXPECT_EQ(comparison.grown_cases, 0U);
+  EXPECT_EQ(count_of(comparison, Change::same), 3U);
+}
+
+// --- Cases ---------------------------------------------------------------------------------------
+
+TEST(CompareCases, ShowBothErrorsOfTheGrownCase) {
+  const BaselineSection before = sample_section();
+  BaselineSection after = before;
+  CaseFigures& figures = after.laws[kSampleLaw].cases[kSampleCase];
+  figures.found_digest = 8;
+  figures.worst[AttributeKind::smooth][Stratum::sliver] = sample_error(-0.75, 0.5F);
+  const Comparison comparison = compared(before, after);
+  ASSERT_THAT(comparison.growths, SizeIs(1));
+  const CaseGrowth& growth = comparison.growths[0];
+  EXPECT_EQ(growth.law, kSampleLaw);
+  EXPECT_EQ(growth.index, 12U);
+  EXPECT_EQ(growth.stratum, Stratum::sliver);
+  EXPECT_EQ(growth.before, sample_error(0.625));
+  EXPECT_EQ(growth.after, sample_error(-0.75, 0.5F));
+  EXPECT_EQ(comparison.grown_cases, 1U);
+  const Comparison back = compared(after, before);
+  EXPECT_EQ(back.changed_cases, 1U);
+  EXPECT_THAT(back.growths, IsEmpty());
+}
+
+// What came out wrong goes before what is less precise; then the larger growth.
+TEST(CompareCases, AreOrderedByGrowthAndLimited) {
+  BaselineSection before = sample_section();
+  BaselineSection after = before;
+  const auto set = [](BaselineSection& section, std::uint64_t index, double error,
+                      std::uint64_t mismatches) {
+    CaseFigures& figures = section.laws[kSampleLaw].cases[{records::Origin::random, index}];
+    figures.found_digest = section.laws[kSampleLaw].cases.size() + mismatches;
+    figures.mismatches = mismatches;
+    figures.worst[AttributeKind::depth][Stratum::ordinary] = sample_error(error);
+  };
+  for (std::uint64_t i = 0; i < 3; ++i) set(before, i, 0.25, 0);
+  set(after, 0, 0.375, 0);
+  set(after, 1, 0.5, 0);
+  set(after, 2, 0.25, 1);
+  const Result<Comparison> comparison = compare(before, after, {2});
+  ASSERT_TRUE(comparison);
+  ASSERT_THAT(comparison->growths, SizeIs(2));
+  EXPECT_EQ(comparison->growths[0].index, 2U);
+  EXPECT_FALSE(comparison->growths[0].after);
+  EXPECT_EQ(comparison->growths[1].index, 1U);
+  EXPECT_EQ(comparison->grown_cases, 3U);
+}
+
+TEST(CompareCases, OfTheCorpusHaveTheirNames) {
+  const BaselineSection before = sample_section();
+  BaselineSection after = before;
+  CaseFigures& figures = after.laws[kSampleLaw].cases[{records::Origin::corpus, 0}];
+  figures.worst[AttributeKind::flat][Stratum::ordinary] = sample_error(1);
+  const Comparison comparison = compared(before, after);
+  ASSERT_THAT(comparison.growths, SizeIs(1));
+  EXPECT_EQ(comparison.growths[0].name, "the \"first\" case");
+  EXPECT_FALSE(comparison.growths[0].before);
+}
+
+// --- Stages --------------------------------------------------------------------------------------
+
+// Set-up makes 1/4 of 1 then, and 2 of 3 on average now; rounding 3/4 and 1.
+TEST(CompareStages, NameTheOneWhosePartGrewMost) {
+  const BaselineSection before = sample_section();
+  BaselineSection after = before;
+  after.entries[kSampleSliver].stages = {{Stage::set_up, sample_sum(32, 4)},
+                                         {Stage::rounding, sample_sum(16, 4)}};
+  const EntryChange entry = entry_of(compared(before, after), kSampleSliver);
+  EXPECT_EQ(entry.grown_stage, Stage::set_up);
+  ASSERT_THAT(entry.stages, SizeIs(2));
+  EXPECT_TRUE(records::contains(*entry.stages[0].mean_before, 0.25));
+  EXPECT_TRUE(records::contains(*entry.stages[0].mean_after, 2));
+  EXPECT_NEAR(*entry.stages[0].share_before, 0.25, 0x1p-40);
+  EXPECT_NEAR(*entry.stages[0].share_after, 2.0 / 3, 0x1p-40);
+  EXPECT_EQ(entry_of(compared(after, before), kSampleSliver).grown_stage, std::nullopt);
+  EXPECT_EQ(entry_of(compared(before, before), kSampleSliver).grown_stage, std::nullopt);
+}
+
+// --- Refusals ------------------------------------------------------------------------------------
+
+TEST(CompareRefuses, AnythingElseThanTheSameCasesAndRules) {
+  const BaselineSection before = sample_section();
+  const auto with = [&before](const std::function<void(BaselineSection&)>& change) {
+    BaselineSection after = before;
+    change(after);
+    return refusal(before, after);
+  };
+  EXPECT_EQ(with([](BaselineSection& s) { s.records_version = 2; }),
+            "the version of records is 1 in the baseline and 2 now");
+  EXPECT_EQ(with([](BaselineSection& s) { s.rules_version = 7; }),
+            "the version of the rules is 1 in the baseline and 7 now");
+  EXPECT_EQ(with([](BaselineSection& s) { s.seed = 2; }),
+            "the seed is 1 in the baseline and 2 now");
+  EXPECT_EQ(with([](BaselineSection& s) { s.cases_per_law = 21; }),
+            "the number of cases per law is 20 in the baseline and 21 now");
+  EXPECT_EQ(with([](BaselineSection& s) { s.options = {}; }),
+            "the options are --property *values* in the baseline and none now");
+  EXPECT_EQ(with([](BaselineSection& s) { s.laws[kSampleLaw].count = 24; }),
+            "the law 'values are <within> bounds' has 23 cases in the baseline and 24 now");
+  EXPECT_THAT(with([](BaselineSection& s) { s.laws[kSampleLaw].digest = 1; }),
+              HasSubstr("their digest was 0123456789abcdef and is 0000000000000001"));
+}
+
+// Kills: a version of the program, a commit or a corpus's folder that is compared.
+TEST(CompareRefuses, NothingThatIsOnlyRecorded) {
+  const BaselineSection before = sample_section();
+  BaselineSection after = before;
+  after.taken = {"plugin:x.so", "9.9", "other", "sse4", "Clang"};
+  after.options.insert(after.options.end(), {"--corpus", "elsewhere"});
+  after.approvals.push_back({"why", "1", "2", {"3"}});
+  EXPECT_EQ(refusal(before, after), "");
+}
+
+TEST(CompareRefuses, WhatTheBaselineHasNoSectionOf) {
+  BaselineSection other = sample_section();
+  other.key.architecture = "aarch64";
+  const Result<std::vector<Comparison>> comparisons =
+      compare(Baseline{{sample_section()}}, Baseline{{other}}, {"b.json", "run.json"});
+  ASSERT_FALSE(comparisons);
+  EXPECT_EQ(
+      to_string(comparisons.error()),
+      "b.json: has no section for cpu on aarch64, avx2, GNU 12.2.0; there are: cpu on x86_64");
+}
+
+}  // namespace
+}  // namespace rastercheck::reports

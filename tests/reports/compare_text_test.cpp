@@ -1,0 +1,113 @@
+#include "reports/compare_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/annotations.h"
+#include "tests/reports/sample_gate.h"
+
+namespace rastercheck::reports {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(ComparisonText, NamesWhatIsWorseWhereAndInWhichStage) {
+  EXPECT_EQ(comparison_text(sample_gate(), false),
+            "Regression: 1 of 3 entries worse than the baseline of cpu on x86_64; 2 the same.\n"
+            "1 of 23 cases did not give the same bits; errors grew in 1.\n"
+            "\n"
+            "Worse:\n"
+            "  values are <within> bounds: smooth, sliver\n"
+            "    worst 0.625 → 0.75 ULP\n"
+            "\n"
+            "Cases whose errors grew most:\n"
+            "  values are <within> bounds:\n"
+            "    random case 12\n"
+            "    smooth, sliver, triangle 0, pixel (3, 5), sample 0, attribute 0\n"
+            "    error 0.625 → 0.75 ULP\n"
+            "    exact 1/3 (about 0.333333333)\n"
+            "    now   0.5 (0x1p-1)\n"
+            "    then  0.25 (0x1p-2)\n"
+            "    rastercheck replay out/grown/values-are--within--bounds-cpu-random-12.json\n"
+            "    rastercheck explain out/grown/values-are--within--bounds-cpu-random-12.json "
+            "--pixel 3,5 --sample 0 --triangle 0\n"
+            "\n"
+            "Stages whose part of the errors grew most:\n"
+            "  smooth, sliver: set-up, mean 0.25 → 1.25 ULP, 25% → 62.5% of all parts\n"
+            "\n"
+            "Where it is meant to be so, take the new figures over:\n"
+            "  rastercheck baseline approve --reason '…' b.json out/run.json\n");
+}
+
+TEST(ComparisonText, IsShortWhereQuiet) {
+  EXPECT_EQ(comparison_text(sample_gate(), true),
+            "Regression: 1 of 3 entries worse than the baseline of cpu on x86_64; 2 the same.\n"
+            "\n"
+            "Worse:\n"
+            "  values are <within> bounds: smooth, sliver\n"
+            "    worst 0.625 → 0.75 ULP\n");
+}
+
+TEST(ComparisonText, OfTheSameSaysSoAndNothingElse) {
+  EXPECT_EQ(comparison_text(gate_of(sample_section(), sample_section()), false),
+            "No regression: 3 entries held against the baseline of cpu on x86_64; 3 the same.\n"
+            "All 23 cases gave the same, to the bit.\n");
+}
+
+TEST(ComparisonText, AsksToTightenTheBaseline) {
+  const std::string text =
+      comparison_text(gate_of(sample_grown_section(), sample_section()), false);
+  EXPECT_THAT(text, AllOf(HasSubstr("No regression: 3 entries held"), HasSubstr("; 1 better, 2"),
+                          HasSubstr("\nBetter:\n  values are <within> bounds: smooth, sliver\n"
+                                    "    worst 0.75 → 0.625 ULP\n"),
+                          HasSubstr("Tighten the baseline"), Not(HasSubstr("grew most"))));
+}
+
+TEST(ComparisonText, SaysWhatAPolicyAllows) {
+  Gate gate = sample_gate();
+  gate.comparisons[0].entries[2].allowed_because = "known (until 2026-12-31)";
+  gate.policy = {{"p.json: /allow/1 expired"}, {"p.json: /allow/2 unused"}};
+  const std::string text = comparison_text(gate, false);
+  EXPECT_THAT(text, AllOf(HasSubstr("No regression: 3 entries held"),
+                          HasSubstr("1 worse, but allowed"), HasSubstr("\nWorse, and allowed:\n"),
+                          HasSubstr("    allowed: known (until 2026-12-31)\n"),
+                          HasSubstr("\nExpired: p.json: /allow/1 expired\n"),
+                          HasSubstr("Allows nothing any more, and may go: p.json: /allow/2")));
+}
+
+// Kills: two numbers that differ and look the same.
+TEST(ComparisonText, ShowsAsManyDigitsAsDiffer) {
+  BaselineSection after = sample_section();
+  after.entries[kSampleSliver].worst = {0x1.4000000000001p-1, 0x1.4000000000001p-1};
+  EXPECT_THAT(comparison_text(gate_of(sample_section(), after), true),
+              HasSubstr("worst 0.625 → 0.6250000000000001 ULP"));
+}
+
+TEST(ComparisonText, SaysThatOtherBitsAreNoRegression) {
+  BaselineSection after = sample_section();
+  after.laws[kSampleLaw].cases[kSampleCase].found_digest = 1000;
+  EXPECT_THAT(comparison_text(gate_of(sample_section(), after), false),
+              HasSubstr("\n1 of 23 cases did not give the same bits; errors grew in 0. No figure "
+                        "changed: that is no regression.\n"));
+}
+
+TEST(GateAnnotations, NameEachEntryThatIsRefused) {
+  EXPECT_EQ(github_annotations(sample_gate()),
+            "::error file=b.json,line=1,title=worse than the baseline of cpu on x86_64::values are "
+            "<within> bounds: smooth, sliver%0Aworst 0.625 → 0.75 ULP%0Amost in random case 12; "
+            "smooth, sliver, triangle 0, pixel (3, 5), sample 0, attribute 0; error 0.625 → 0.75 "
+            "ULP; exact 1/3 (about 0.333333333); now   0.5 (0x1p-1); then  0.25 (0x1p-2)"
+            "%0Arastercheck replay out/grown/values-are--within--bounds-cpu-random-12.json"
+            "%0Arastercheck explain out/grown/values-are--within--bounds-cpu-random-12.json "
+            "--pixel 3,5 --sample 0 --triangle 0\n");
+  Gate gate = sample_gate();
+  gate.comparisons[0].entries[2].allowed_because = "known";
+  EXPECT_EQ(github_annotations(gate), "");
+  gate.policy.expired = {"old"};
+  EXPECT_EQ(github_annotations(gate), "::warning title=expired::old\n");
+}
+
+}  // namespace
+}  // namespace rastercheck::reports
