@@ -136,13 +136,14 @@ std::string text_of(const BaselineSection& section) {
     corpus.add(text_of(ordered_json::array({index, name})));
   }
   add("corpus", std::move(corpus).end(']'));
-  Lines cases_by_law('{');
+  Lines cases_by_law('[');
   for (const auto& [law, of] : section.laws) {
     Lines each('[');
     for (const auto& [number, figures] : of.cases) each.add(line_of(number, figures));
-    cases_by_law.add(cases::json_string(law) + ": " + std::move(each).end(']'));
+    cases_by_law.add(fmt::format("{{\"law\": {}, \"cases\": {}}}", cases::json_string(law),
+                                 std::move(each).end(']')));
   }
-  add("cases", std::move(cases_by_law).end('}'));
+  add("cases", std::move(cases_by_law).end(']'));
   return text + "\n}";
 }
 
@@ -254,16 +255,17 @@ void read_laws(const JsonNode& node, BaselineSection& section) {
       one.refuse("a second case of the same index");
     }
   }
-  const JsonNode all = node["cases"];
-  for (const std::string& law : all.keys()) {
-    const auto of = section.laws.find(law);
+  for (const JsonNode& one : node["cases"].elements()) {
+    one.expect_object({"law", "cases"});
+    if (one.failed()) return;
+    const auto of = section.laws.find(one["law"].text());
     if (of == section.laws.end()) {
-      all[law].refuse("is of no law that \"laws\" has");
+      one["law"].refuse("is none that \"laws\" has");
       return;
     }
-    for (const JsonNode& one : all[law].elements()) {
-      if (one.failed()) return;
-      read_case(one, section, of->second);
+    for (const JsonNode& each : one["cases"].elements()) {
+      if (each.failed()) return;
+      read_case(each, section, of->second);
     }
   }
 }

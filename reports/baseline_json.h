@@ -21,8 +21,8 @@
 //         {"law": "…", "kind": "smooth", "stratum": "sliver", "worst": […], …}],
 //       "laws": [{"law": "…", "cases": 418, "digest": "0123456789abcdef"}],
 //       "corpus": [[0, "name of the case"]],
-//       "cases": {"LAW": [{"corpus": 3, "found": "0123456789abcdef", "mismatches": 1,
-//                          "worst": {"smooth": {"sliver": {…}}}}]}
+//       "cases": [{"law": "…", "cases": [{"corpus": 3, "found": "0123456789abcdef",
+//                                         "mismatches": 1, "worst": {"smooth": {"sliver": {…}}}}]}]
 //     }]
 //   }
 //

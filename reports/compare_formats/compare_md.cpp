@@ -48,7 +48,7 @@ std::string growths_of(const Gate& gate, const Comparison& comparison) {
     }
     const std::vector<std::string> commands = growth_commands(gate, comparison, growth);
     if (!commands.empty()) text += "\n";
-    for (const std::string& command : commands) text += "  " + command_block(command);
+    for (const std::string& command : commands) text += "    " + command_block(command);
   }
   return text;
 }

@@ -54,7 +54,7 @@ TEST(BaselineJson, HasAnEntryALine) {
                               "\"cases\":{\"checked\":20,\"not_applicable\":3},"
                               "\"classes\":{\"correct\":4}},\n"));
   EXPECT_THAT(text, HasSubstr("\n{\"corpus\":0,\"found\":\"0000000000000009\"},\n{\"random\":12,"));
-  EXPECT_LT(text.find("\"entries\": ["), text.find("\"cases\": {"));
+  EXPECT_LT(text.find("\"entries\": ["), text.find("\"cases\": ["));
   EXPECT_TRUE(text.starts_with("{\n\"format\": \"rastercheck-baseline\",\n\"version\": 1,\n"));
 }
 
@@ -77,8 +77,8 @@ TEST(BaselineJson, RefusesWhatItCannotMean) {
   EXPECT_THAT(refusal("{\"random\":12,", "{\"corpus\":0,"),
               HasSubstr("a second case of the same number"));
   EXPECT_THAT(refusal("{\"random\":12,", "{\"saved\":12,"), HasSubstr("/cases/"));
-  EXPECT_THAT(refusal("\"cases\": {\n\"values", "\"cases\": {\n\"other values"),
-              HasSubstr("is of no law"));
+  EXPECT_THAT(refusal("\"cases\": [\n{\"law\": \"values", "\"cases\": [\n{\"law\": \"other values"),
+              HasSubstr("/law: is none that"));
   EXPECT_THAT(refusal("\"reason\":\"because \\\"so\\\"\"", "\"reason\":\"\""),
               HasSubstr("/reason: must not be empty"));
   EXPECT_THAT(refusal("\"digest\":\"0123456789abcdef\"", "\"digest\":\"123\""),

@@ -1,0 +1,241 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+#include "tests/temporary_folder.h"
+
+namespace rastercheck::cli {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* kLaw = "values stay within the bound";
+
+/// A method as it is, saved as the baseline of "mine", and the same in float32, in the folder
+/// "float".
+class Compare : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder() = std::make_unique<TemporaryFolder>();
+    folder()->put("corpus/square.json", square_case());
+    ASSERT_EQ(make_run("method:rational-linear", "double").code, 0);
+    ASSERT_EQ(make_run("method:rational-linear-float", "float").code, 0);
+    ASSERT_EQ(program({"baseline", "save", path("double"), "--as", "mine", "--output",
+                       path("baseline.json"), "--commit", "c0ffee"})
+                  .code,
+              0);
+  }
+  static void TearDownTestSuite() { folder().reset(); }
+
+  static std::unique_ptr<TemporaryFolder>& folder() {
+    static std::unique_ptr<TemporaryFolder> made;
+    return made;
+  }
+  static std::string path(const std::string& name) { return folder()->path(name); }
+  static Outcome program(const std::vector<std::string>& arguments, const std::string& input = "") {
+    return run_program(arguments, input);
+  }
+  static Outcome make_run(const std::string& backend, const std::string& output,
+                          const std::string& seed = "1") {
+    return program({"run", "--backend", backend, "--property", kLaw, "--cases", "8", "--seed", seed,
+                    "--corpus", path("corpus"), "--keep-cases", "--output", path(output),
+                    "--quiet"});
+  }
+  /// A copy of the baseline, of which a test may approve.
+  static std::string copy(const std::string& name) {
+    return folder()->put(name, folder()->content("baseline.json"));
+  }
+};
+
+TEST_F(Compare, OfTheSameDrawingsFindsNothing) {
+  const Outcome outcome =
+      program({"compare", path("baseline.json"), path("double"), "--as", "mine"});
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_THAT(outcome.out,
+              AllOf(StartsWith("No regression: "), HasSubstr(" gave the same, to the bit.\n"),
+                    Not(HasSubstr("Worse"))));
+  EXPECT_EQ(program({"compare", path("double/run.json"), path("double")}).out.substr(0, 14),
+            "No regression:");
+}
+
+TEST_F(Compare, OfAWorseOneNamesCasesToReplayAndExplain) {
+  const Outcome outcome = program(
+      {"compare", path("baseline.json"), path("float"), "--as", "mine", "--output", path("out")});
+  EXPECT_EQ(outcome.code, 3) << outcome;
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("Regression: "), HasSubstr(": smooth\n    worst 0."),
+                                 HasSubstr("\n    misrounded 0% (0 of "), HasSubstr("    exact "),
+                                 HasSubstr("Comparison: " + path("out"))));
+  const json compare = json::parse(folder()->content("out/compare.json"));
+  EXPECT_TRUE(compare["regression"]);
+  EXPECT_EQ(compare["comparisons"][0]["before"]["commit"], "c0ffee");
+  const json growth = compare["comparisons"][0]["growths"][0];
+  const auto size = [](const json& error) {
+    return std::max(std::abs(error[0].get<double>()), std::abs(error[1].get<double>()));
+  };
+  EXPECT_GT(size(growth["after"]["error"]), size(growth["before"]["error"]));
+  const std::string file = path("out/" + growth["file"].get<std::string>());
+  // It is the case itself, held by its law still, and drawn as the comparison says.
+  const Outcome replayed = program({"replay", file, "--quiet"});
+  EXPECT_EQ(replayed.code, 0) << replayed;
+  EXPECT_THAT(replayed.out, HasSubstr(std::string(kLaw) + ", method:rational-linear-float: held"));
+  const Outcome explained =
+      run_shell("cd / && " + std::string("\"$PROGRAM\"") +
+                growth["commands"][1].get<std::string>().substr(std::string("rastercheck").size()));
+  EXPECT_EQ(explained.code, 0) << explained;
+  EXPECT_THAT(explained.out, HasSubstr(growth["after"]["actual"].get<std::string>()));
+}
+
+TEST_F(Compare, PrintsJson) {
+  const Outcome outcome =
+      program({"compare", path("baseline.json"), path("float"), "--as", "mine", "--json"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(json::parse(outcome.out)["format"], "rastercheck-comparison");
+}
+
+TEST_F(Compare, TakesStandardInputForOneSide) {
+  EXPECT_EQ(
+      program({"compare", "-", path("double"), "--as", "mine"}, folder()->content("baseline.json"))
+          .code,
+      0);
+  EXPECT_TRUE(is_failure(program({"compare", "-", "-"}, "{}"), 2));
+}
+
+TEST_F(Compare, RefusesOtherCases) {
+  ASSERT_EQ(make_run("method:rational-linear", "other", "2").code, 0);
+  const Outcome outcome = program({"compare", path("double"), path("other")});
+  EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+  EXPECT_THAT(outcome.err, HasSubstr("the seed is 1 in the baseline and 2 now"));
+  EXPECT_TRUE(is_failure(program({"compare", path("double"), path("float")}), 2));
+}
+
+TEST_F(Compare, ObeysAPolicyUntilItExpires) {
+  const auto with_policy = [](const std::string& until) {
+    folder()->put("policy.json", R"({"format": "rastercheck-policy", "version": 1, "allow": [
+      {"backend": "mine", "reason": "a faster divide", "until": ")" +
+                                     until + "\"}]}");
+    return program({"compare", path("baseline.json"), path("float"), "--as", "mine", "--policy",
+                    path("policy.json")});
+  };
+  const Outcome allowed = with_policy("9999-12-31");
+  EXPECT_EQ(allowed.code, 0) << allowed;
+  EXPECT_THAT(allowed.out, HasSubstr("allowed: a faster divide (until 9999-12-31)"));
+  const Outcome expired = with_policy("2001-01-01");
+  EXPECT_EQ(expired.code, 3) << expired;
+  EXPECT_THAT(expired.out, HasSubstr("\nExpired: "));
+}
+
+TEST_F(Compare, TellsGithub) {
+  folder()->put("summary", "another step\n");
+  const Outcome outcome =
+      run_shell("cd " + folder()->path() +
+                "; GITHUB_ACTIONS=true GITHUB_STEP_SUMMARY=summary \"$PROGRAM\" "
+                "compare baseline.json float --as mine --output gh");
+  EXPECT_EQ(outcome.code, 3) << outcome;
+  EXPECT_THAT(outcome.out, HasSubstr("\n::error file=baseline.json,line=1,title=worse than the "
+                                     "baseline of mine on "));
+  EXPECT_EQ(folder()->content("summary"), "another step\n" + folder()->content("gh/compare.md"));
+}
+
+// --- baseline ------------------------------------------------------------------------------------
+
+TEST_F(Compare, ApprovesWithAReason) {
+  const std::string file = copy("approved.json");
+  const std::vector<std::string> command{"baseline",    "approve", file,
+                                         path("float"), "--as",    "mine"};
+  const auto approve = [&command](const std::string& reason) {
+    std::vector<std::string> words = command;
+    words.insert(words.end(), {"--reason", reason});
+    return program(words);
+  };
+  EXPECT_TRUE(is_failure(program(command), 2));
+  EXPECT_TRUE(is_failure(approve(" "), 2));
+  EXPECT_EQ(folder()->content("approved.json"), folder()->content("baseline.json"));
+  const Outcome outcome = approve("half the time");
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_THAT(outcome.out, HasSubstr(": smooth: worst 0."));
+  EXPECT_EQ(program({"compare", file, path("float"), "--as", "mine"}).code, 0);
+  EXPECT_THAT(approve("again").out, HasSubstr("there is nothing to approve"));
+  // Saving anew keeps what was approved.
+  ASSERT_EQ(program({"baseline", "save", path("double"), "--as", "mine", "--output", file}).code,
+            0);
+  EXPECT_THAT(folder()->content("approved.json"), HasSubstr("\n{\"reason\":\"half the time\","));
+  EXPECT_EQ(program({"compare", file, path("float"), "--as", "mine"}).code, 3);
+}
+
+TEST_F(Compare, SavesAsSpecificallyAsAsked) {
+  const std::string file = copy("specific.json");
+  const Outcome saved = program({"baseline", "save", path("float"), "--as", "mine", "--output",
+                                 file, "--instruction-set", "--compiler"});
+  EXPECT_EQ(saved.code, 0) << saved;
+  // Of this machine and compiler the float32 one counts now; the other section is there still.
+  EXPECT_EQ(program({"compare", file, path("float"), "--as", "mine"}).code, 0);
+  EXPECT_EQ(program({"compare", file, path("double"), "--as", "mine"}).code, 0);
+  const json sections = json::parse(folder()->content("specific.json"))["sections"];
+  ASSERT_EQ(sections.size(), 2U);
+  EXPECT_FALSE(sections[0].contains("compiler"));
+  EXPECT_TRUE(sections[1].contains("compiler"));
+}
+
+// Kills: a file that is none of ours written over.
+TEST_F(Compare, SavesOverNothingButABaseline) {
+  folder()->put("notes.json", "{}");
+  EXPECT_TRUE(
+      is_failure(program({"baseline", "save", path("double"), "--output", path("notes.json")}), 2));
+  EXPECT_EQ(folder()->content("notes.json"), "{}");
+  ASSERT_EQ(program({"run", "--property", kLaw, "--cases", "1", "--seed", "1", "--corpus",
+                     path("corpus"), "--output", path("unkept"), "--quiet"})
+                .code,
+            0);
+  const Outcome outcome =
+      program({"baseline", "save", path("unkept"), "--output", path("none.json")});
+  EXPECT_TRUE(is_failure(outcome, 2));
+  EXPECT_THAT(outcome.err, HasSubstr("--keep-cases"));
+}
+
+// --- run --baseline ------------------------------------------------------------------------------
+
+TEST_F(Compare, OfARunTakesItsCasesFromTheBaseline) {
+  ASSERT_EQ(program({"baseline", "save", path("double"), "--output", path("own.json")}).code, 0);
+  const std::vector<std::string> command{"run",        "--backend",      "method:rational-linear",
+                                         "--baseline", path("own.json"), "--output",
+                                         path("again")};
+  const Outcome outcome = program(command);
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_THAT(outcome.out, HasSubstr("\nNo regression: "));
+  const json run = json::parse(folder()->content("again/run.json"));
+  EXPECT_EQ(run["seed"], 1);
+  EXPECT_EQ(run["laws"], json::array({kLaw}));
+  EXPECT_FALSE(json::parse(folder()->content("again/compare.json"))["regression"]);
+  for (const auto& [option, value] : {std::pair("--seed", "2"), std::pair("--cases", "9"),
+                                      std::pair("--property", "*"), std::pair("--contract", "c")}) {
+    std::vector<std::string> words = command;
+    words.insert(words.end(), {option, value});
+    const Outcome refused = program(words);
+    EXPECT_TRUE(is_failure(refused, 2)) << refused;
+    EXPECT_THAT(refused.err, HasSubstr(std::string(option)));
+  }
+}
+
+TEST_F(Compare, OfAWorseRunEndsWithItsCode) {
+  ASSERT_EQ(program({"baseline", "save", path("double"), "--as", "method:rational-linear-float",
+                     "--output", path("float.json")})
+                .code,
+            0);
+  const Outcome outcome = program({"run", "--backend", "method:rational-linear-float", "--baseline",
+                                   path("float.json"), "--output", path("worse")});
+  EXPECT_EQ(outcome.code, 3) << outcome;
+  EXPECT_THAT(outcome.out, HasSubstr("\nRegression: "));
+  EXPECT_THAT(folder()->content("worse/compare.md"), HasSubstr("## Worse"));
+}
+
+}  // namespace
+}  // namespace rastercheck::cli
