@@ -24,11 +24,18 @@ auto has_verdict(LawVerdict verdict) {
 
 /// Whether the row's law had to check something: some laws are about what not every backend
 /// promises, or draws.
-bool is_promised(const LawSummary& row) {
-  const properties::Law* law = properties::find_law(row.law);
-  const auto backend = backends::make_backend(row.backend);
-  if (law == nullptr || !backend) return true;
-  return properties::is_promised(*law, **backend) && !(*backend)->has_limits();
+bool is_promised(const LawSummary& row, const std::vector<records::BackendPromises>& promises) {
+  for (const records::BackendPromises& backend : promises) {
+    if (backend.backend != row.backend) continue;
+    const auto& unpromised = backend.unpromised;
+    return !backend.has_limits &&
+           std::find(unpromised.begin(), unpromised.end(), row.law) == unpromised.end();
+  }
+  return true;
+}
+
+bool is_violated(const std::vector<LawSummary>& rows) {
+  return std::any_of(rows.begin(), rows.end(), has_verdict(LawVerdict::violated));
 }
 
 void print_counterexamples(const records::Run& run, const std::vector<LawSummary>& rows,
@@ -67,15 +74,20 @@ void print_results(const records::Run& run, const std::vector<LawSummary>& rows,
   if (run.cases_left > 0) fmt::print("`rastercheck run --resume --output {}` goes on.\n", output);
 }
 
-ExitCode exit_code_of(const std::vector<LawSummary>& rows) {
+ExitCode exit_code_of(const std::vector<LawSummary>& rows,
+                      const std::vector<records::BackendPromises>& promises) {
+  if (is_violated(rows)) return ExitCode::violated;
   const auto some = [&rows](const auto& is) { return std::any_of(rows.begin(), rows.end(), is); };
-  if (some(has_verdict(LawVerdict::violated))) return ExitCode::violated;
-  const bool is_missing = some([](const LawSummary& row) {
-    return row.verdict == LawVerdict::not_checked && is_promised(row);
+  const bool is_missing = some([&promises](const LawSummary& row) {
+    return row.verdict == LawVerdict::not_checked && is_promised(row, promises);
   });
   const bool is_checked =
       some(has_verdict(LawVerdict::held)) || some(has_verdict(LawVerdict::known));
   return is_missing || !is_checked ? ExitCode::nothing_checked : ExitCode::ok;
+}
+
+ExitCode exit_code_of_shard(const std::vector<LawSummary>& rows) {
+  return is_violated(rows) ? ExitCode::violated : ExitCode::ok;
 }
 
 }  // namespace rastercheck::cli

@@ -7,6 +7,7 @@
 
 #include "cli/exit_code.h"
 #include "records/run.h"
+#include "records/shard.h"
 #include "records/summary.h"
 
 namespace rastercheck::cli {
@@ -16,7 +17,11 @@ namespace rastercheck::cli {
 void print_results(const records::Run& run, const std::vector<records::LawSummary>& rows,
                    const std::string& output, bool quiet);
 
-/// Of a run without faults. Where several apply: violated, then nothing checked.
-ExitCode exit_code_of(const std::vector<records::LawSummary>& rows);
+/// Of a run without faults, and of backends that promise that much. Where several apply: violated,
+/// then nothing checked.
+ExitCode exit_code_of(const std::vector<records::LawSummary>& rows,
+                      const std::vector<records::BackendPromises>& promises);
+/// Of a shard, which may have nothing to check: violated or ok.
+ExitCode exit_code_of_shard(const std::vector<records::LawSummary>& rows);
 
 }  // namespace rastercheck::cli

@@ -16,10 +16,42 @@ using records::Counterexample;
 constexpr std::uint64_t kCasesPerTask = 10;
 /// Of a law and backend; beyond it tasks grow, as what each found has to be handed over and merged.
 constexpr std::uint64_t kMostTasks = 500;
+/// Of a law and backend in each of several shards, if it has that many cases: enough of them that
+/// one more or less makes no difference.
+constexpr std::uint64_t kTasksPerShard = 4;
 
 /// Seconds in which a case that a backend hangs at is made smaller, if nobody says how many: each
 /// try may take the whole time that a backend has.
 constexpr double kHangSeconds = 60;
+
+std::uint64_t tasks_in(std::uint64_t cases, std::uint64_t size) {
+  return cases / size + (cases % size == 0 ? 0 : 1);
+}
+
+/// Deals tasks out to shards in turn, as seen by one of them.
+class Deal {
+ public:
+  explicit Deal(records::ShardNumber ours) : ours_(ours) {}
+
+  /// Cases in a task of a law that has `count`.
+  std::uint64_t task_size(std::uint64_t count) const {
+    const std::uint64_t usual = std::max(kCasesPerTask, count / kMostTasks);
+    if (ours_.count == 1) return usual;
+    return std::clamp<std::uint64_t>(count / (kTasksPerShard * ours_.count), 1, usual);
+  }
+
+  bool is_next_ours() { return next_++ % ours_.count == ours_.index - 1; }
+
+  /// Cases grow with their index. Where a law had as many for each, the next law begins at another
+  /// shard, so that none gets the smallest of all laws, and another the largest.
+  void end_law(std::uint64_t tasks) {
+    if (tasks % ours_.count == 0) ++next_;
+  }
+
+ private:
+  records::ShardNumber ours_;
+  std::uint64_t next_ = 0;
+};
 
 /// How many random cases of a law were checked, and of these how many reached each label. Nobody
 /// says what a corpus or a scene is to reach.
@@ -41,14 +73,16 @@ std::pair<std::uint64_t, std::map<std::string, std::uint64_t>> random_labels(
 std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_size,
                            std::span<const cases::Case> saved, const KnownByBackend& known) {
   std::vector<Task> tasks;
+  Deal deal(options.shard.value_or(records::ShardNumber()));
   const auto add = [&](TaskKind kind, std::uint64_t count) {
-    const std::uint64_t size = std::max(kCasesPerTask, count / kMostTasks);
+    const std::uint64_t size = deal.task_size(count);
     for (const std::string& backend : options.backends) {
       for (const std::string& law : options.laws) {
         for (std::uint64_t first = 0, last = 0; first < count; first = last) {
           last = first + std::min(size, count - first);
-          tasks.push_back({backend, law, kind, first, last});
+          if (deal.is_next_ours()) tasks.push_back({backend, law, kind, first, last});
         }
+        deal.end_law(tasks_in(count, size));
       }
     }
   };
@@ -61,6 +95,7 @@ std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_si
   }
   for (const auto& [backend, defects] : known) {
     for (const std::size_t entry : entries_to_check(defects, options.laws)) {
+      if (!deal.is_next_ours()) continue;
       tasks.push_back(
           {backend, defects.cases[entry].found->law, TaskKind::known, entry, entry + 1});
     }
@@ -79,23 +114,42 @@ std::vector<Task> shrink_tasks(const Findings& findings) {
   return tasks;
 }
 
-std::vector<records::UnreachedLabel> unreached_labels(const Law& law, const std::string& name,
-                                                      const backends::Backend* backend,
+std::vector<records::UnreachedLabel> unreached_labels(const Law& law,
+                                                      const records::BackendPromises& promises,
                                                       const records::RecordSet& records) {
   // Shares were measured of backends that draw every case.
-  if (backend != nullptr && backend->has_limits()) return {};
-  const bool is_decided = backend != nullptr && draws_what_is_asked_for(*backend);
+  if (promises.has_limits) return {};
   const std::string law_name(law.name);
-  const auto [checked, labels] = random_labels(records, law_name, name);
+  const auto [checked, labels] = random_labels(records, law_name, promises.backend);
   std::vector<records::UnreachedLabel> unreached;
   for (const Cover& cover : law.covers) {
-    if (cover.is_decided && !is_decided) continue;
+    if (cover.is_decided && !promises.draws_what_is_asked_for) continue;
     const std::string label(cover.label);
     const std::uint64_t least = least_reached(cover, checked);
     const auto found = labels.find(label);
     const std::uint64_t reached = found == labels.end() ? 0 : found->second;
-    if (reached < least) unreached.push_back({law_name, name, label, reached, least, checked});
+    if (reached < least) {
+      unreached.push_back({law_name, promises.backend, label, reached, least, checked});
+    }
   }
+  return unreached;
+}
+
+std::vector<records::UnreachedLabel> unreached_labels(
+    std::span<const std::string> laws, std::span<const records::BackendPromises> backends,
+    const records::RecordSet& records) {
+  std::vector<records::UnreachedLabel> unreached;
+  for (const records::BackendPromises& backend : backends) {
+    for (const std::string& name : laws) {
+      const Law* law = find_law(name);
+      if (law == nullptr) continue;
+      const auto of_law = unreached_labels(*law, backend, records);
+      unreached.insert(unreached.end(), of_law.begin(), of_law.end());
+    }
+  }
+  std::sort(unreached.begin(), unreached.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.law, a.backend, a.label) < std::tie(b.law, b.backend, b.label);
+  });
   return unreached;
 }
 
@@ -175,23 +229,14 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   return findings;
 }
 
-std::vector<records::UnreachedLabel> TaskRunner::unreached_labels(
-    const CampaignOptions& options, const records::RecordSet& records) {
-  std::vector<records::UnreachedLabel> unreached;
+std::vector<records::BackendPromises> TaskRunner::promises(const CampaignOptions& options) {
+  std::vector<records::BackendPromises> all;
   for (const std::string& specification : options.backends) {
     const Result<const Made*> drawing = made(specification);
-    const backends::Backend* backend = drawing ? (*drawing)->backend.get() : nullptr;
-    for (const std::string& name : options.laws) {
-      const Law* law = find_law(name);
-      if (law == nullptr) continue;
-      const auto of_law = properties::unreached_labels(*law, specification, backend, records);
-      unreached.insert(unreached.end(), of_law.begin(), of_law.end());
-    }
+    all.push_back(
+        promises_of(specification, drawing ? (*drawing)->backend.get() : nullptr, options.laws));
   }
-  std::sort(unreached.begin(), unreached.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.law, a.backend, a.label) < std::tie(b.law, b.backend, b.label);
-  });
-  return unreached;
+  return all;
 }
 
 NumberedCase TaskRunner::numbered_case(const Task& task, const Law& law, std::uint64_t i) const {

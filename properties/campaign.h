@@ -26,6 +26,7 @@
 #include "records/counterexample.h"
 #include "records/record.h"
 #include "records/run.h"
+#include "records/shard.h"
 
 namespace rastercheck::properties {
 
@@ -73,12 +74,18 @@ struct CampaignOptions {
   std::vector<std::string> laws;  ///< names
   ShrinkBudget shrinking = {};
   bool keeps_cases = false;  ///< whether what each case gave is kept (records::CaseRecord)
+  /// The part of the work that is done; nothing: all of it.
+  std::optional<records::ShardNumber> shard = std::nullopt;
   bool operator==(const CampaignOptions&) const = default;
 };
 
 /// The campaign's work but for shrinking: the corpus, saved counterexamples of its laws and
 /// backends, the cases of what is known of these, random cases. Short tasks, so that processes end
 /// together.
+///
+/// Of a shard those that fall to it: each is in one of all `count` shards, but for saved
+/// counterexamples, which only those have that were given any. A law's cases are dealt out like
+/// cards, so that shards take about equally long.
 std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_size,
                            std::span<const cases::Case> saved = {},
                            const KnownByBackend& known = {});
@@ -87,12 +94,16 @@ std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_si
 std::vector<Task> shrink_tasks(const Findings& findings);
 
 /// The labels that random cases of a law did not reach often enough (least_reached), in the law's
-/// order; `name` is the backend's in the records. What the backend does not promise need not have
-/// been reached, and of one with limits nothing. nullptr, where it cannot be made any more: nobody
-/// knows what it promises or draws, and what is asked of all is asked.
-std::vector<records::UnreachedLabel> unreached_labels(const Law& law, const std::string& name,
-                                                      const backends::Backend* backend,
+/// order. What the backend does not promise need not have been reached, and of one with limits
+/// nothing.
+std::vector<records::UnreachedLabel> unreached_labels(const Law& law,
+                                                      const records::BackendPromises& promises,
                                                       const records::RecordSet& records);
+
+/// The same of all laws and backends, by law, backend and label.
+std::vector<records::UnreachedLabel> unreached_labels(
+    std::span<const std::string> laws, std::span<const records::BackendPromises> backends,
+    const records::RecordSet& records);
 
 /// Runs tasks, one after the other; keeps the backends it has made.
 class TaskRunner {
@@ -110,10 +121,9 @@ class TaskRunner {
   /// What is known of the backends. Fails where one cannot be made, or its list not be read.
   Result<KnownByBackend> known_of(const std::vector<std::string>& backends);
 
-  /// unreached_labels() of all laws and backends of a campaign, whoever ran it, by law, backend and
-  /// label.
-  std::vector<records::UnreachedLabel> unreached_labels(const CampaignOptions& options,
-                                                        const records::RecordSet& records);
+  /// What is promised by each backend of a campaign, whoever runs it. Of one that cannot be made
+  /// any more nobody knows what it promises or draws, and what is asked of all is asked.
+  std::vector<records::BackendPromises> promises(const CampaignOptions& options);
 
  private:
   struct Made {

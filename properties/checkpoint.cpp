@@ -11,8 +11,8 @@
 //
 // "done" has ranges of all tasks, from the first to one past the last. "shrink_seconds" is absent
 // where there is no such limit, the contract where each backend is held to its own; "known" and
-// "known_digest" of the plan, "keeps_cases", "cases" (records/case_record_json.h) and "unexpected",
-// are absent where there is nothing of the kind.
+// "known_digest" of the plan, "keeps_cases", "shard" ({"index": 2, "count": 7}), "cases"
+// (records/case_record_json.h) and "unexpected" are absent where there is nothing of the kind.
 
 #include "properties/checkpoint.h"
 
@@ -31,6 +31,7 @@
 #include "records/counterexample_json.h"
 #include "records/known_json.h"
 #include "records/record_json.h"
+#include "records/shard_json.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -54,6 +55,7 @@ json plan_to_json(const RunPlan& plan) {
               {"program", plan.program}};
   if (!plan.options.empty()) object["options"] = plan.options;
   if (plan.campaign.keeps_cases) object["keeps_cases"] = true;
+  if (plan.campaign.shard) object["shard"] = records::shard_number_to_json(*plan.campaign.shard);
   if (!plan.known.empty()) object["known"] = plan.known;
   if (!plan.known_digest.empty()) object["known_digest"] = plan.known_digest;
   if (const auto& seconds = plan.campaign.shrinking.seconds) {
@@ -75,7 +77,7 @@ std::vector<std::string> texts_of(const JsonNode& node) {
 RunPlan read_plan(const JsonNode& node) {
   node.expect_object({"seed", "cases_per_law", "backends", "laws", "shrink_tries", "corpus",
                       "corpus_digest", "scene", "scene_size", "program"},
-                     {"options", "keeps_cases", "shrink_seconds", "known", "known_digest",
+                     {"options", "keeps_cases", "shard", "shrink_seconds", "known", "known_digest",
                       "contract_file", "contract"});
   RunPlan plan;
   plan.campaign.seed = node["seed"].count();
@@ -87,6 +89,7 @@ RunPlan read_plan(const JsonNode& node) {
     plan.campaign.shrinking.seconds = node["shrink_seconds"].float64();
   }
   if (node.has("keeps_cases")) plan.campaign.keeps_cases = node["keeps_cases"].boolean();
+  if (node.has("shard")) plan.campaign.shard = records::shard_number_from_json(node["shard"]);
   if (node.has("options")) plan.options = texts_of(node["options"]);
   plan.corpus = node["corpus"].text();
   plan.corpus_digest = node["corpus_digest"].text();

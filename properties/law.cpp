@@ -68,6 +68,20 @@ bool is_promised(const Law& law, const backends::Backend& backend) {
   return law.is_promised == nullptr || law.is_promised(backend);
 }
 
+records::BackendPromises promises_of(const std::string& name, const backends::Backend* backend,
+                                     std::span<const std::string> laws) {
+  records::BackendPromises promises;
+  promises.backend = name;
+  if (backend == nullptr) return promises;
+  promises.has_limits = backend->has_limits();
+  promises.draws_what_is_asked_for = draws_what_is_asked_for(*backend);
+  for (const std::string& law_name : laws) {
+    const Law* law = find_law(law_name);
+    if (law != nullptr && !is_promised(*law, *backend)) promises.unpromised.push_back(law_name);
+  }
+  return promises;
+}
+
 Generated generate_any(Draw& draw) {
   const std::span<const Generator> all = generators();
   assert(!all.empty());

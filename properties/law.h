@@ -26,6 +26,7 @@
 #include "properties/draw.h"
 #include "records/counterexample.h"
 #include "records/judgement.h"
+#include "records/shard.h"
 
 namespace rastercheck::properties {
 
@@ -108,6 +109,11 @@ bool draws_invariantly(const backends::Backend& backend);
 
 /// Whether the law has something to say of a backend.
 bool is_promised(const Law& law, const backends::Backend& backend);
+
+/// What a backend promises of these laws; `name` is its own in the records. Of nullptr as much as
+/// nobody knows of one that there is not: all laws, and nothing of how it draws.
+records::BackendPromises promises_of(const std::string& name, const backends::Backend* backend,
+                                     std::span<const std::string> laws);
 
 /// All laws, in the order of their names.
 std::span<const Law> laws();

@@ -52,6 +52,7 @@ Result<Checkpoint> begin_run(const RunPlan& plan, const std::string& directory, 
   if (!kept) return tl::unexpected(kept.error());
   Checkpoint start;
   start.plan = plan;
+  if (plan.campaign.shard && plan.campaign.shard->index != 1) return start;
   const std::string folder = (fs::path(directory) / "counterexamples").string();
   SavedCases saved = read_saved(folder, plan.campaign.laws, plan.campaign.backends);
   for (const Error& error : saved.unreadable) warn(error);

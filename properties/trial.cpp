@@ -175,7 +175,8 @@ std::uint64_t checked_cases(const records::RecordSet& records) {
 std::string unreached_text(const Law& law, const std::string& name,
                            const backends::Backend& backend, const records::RecordSet& records) {
   std::string text;
-  for (const records::UnreachedLabel& one : unreached_labels(law, name, &backend, records)) {
+  for (const records::UnreachedLabel& one :
+       unreached_labels(law, promises_of(name, &backend, {}), records)) {
     text += fmt::format("  “{}” was reached by {} of {} random cases, which is fewer than {}\n",
                         one.label, one.reached, one.checked, one.least);
   }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,20 @@ namespace {
 
 bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+/// Options without a value; that of all others may look like an option.
+bool is_flag(std::string_view word) { return word == "--no-known" || word == "--keep-cases"; }
+
+/// Of a shard: what is not in it.
+std::string shard_sentence(const Run& run) {
+  const ShardNumber& number = run.shard->number;
+  const std::string rest =
+      run.records.empty() && run.cases_left == 0
+          ? "nothing of the campaign fell to it"
+          : "a part of the campaign, of which it cannot say whether labels were reached";
+  return fmt::format("Shard {}: {}; `rastercheck merge` puts all {} together.", to_string(number),
+                     rest, number.count);
 }
 
 }  // namespace
@@ -32,6 +47,7 @@ std::string unexpected_sentence(const UnexpectedPass& pass) {
 
 std::vector<std::string> caveats(const Run& run) {
   std::vector<std::string> all;
+  if (run.shard) all.push_back(shard_sentence(run));
   if (!run.contract_file.empty()) {
     all.push_back(fmt::format("Held to the contract of {}, not to what the backends promise.",
                               run.contract_file));
@@ -65,13 +81,23 @@ std::vector<std::string> caveats(const Run& run) {
   return all;
 }
 
+std::optional<std::string> option_of(const Run& run, std::string_view name) {
+  for (std::size_t i = 0; i + 1 < run.options.size(); ++i) {
+    if (is_flag(run.options[i])) continue;
+    if (run.options[i] == name) return run.options[i + 1];
+    ++i;
+  }
+  return std::nullopt;
+}
+
 std::vector<std::string> replay_options(const Run& run) {
   std::vector<std::string> options;
   for (std::size_t i = 0; i < run.options.size(); ++i) {
     const std::string& word = run.options[i];
-    if (word == "--no-known") options.push_back(word);
-    if (word == "--no-known" || word == "--keep-cases") continue;
-    // All others have a value, which may look like an option.
+    if (is_flag(word)) {
+      if (word == "--no-known") options.push_back(word);
+      continue;
+    }
     const bool is_taken = word == "--contract" || word == "--known" || word == "--timeout";
     if (++i < run.options.size() && is_taken) {
       options.insert(options.end(), {word, run.options[i]});

@@ -14,6 +14,7 @@
 #include "records/inspection.h"
 #include "records/known.h"
 #include "records/record.h"
+#include "records/shard.h"
 
 namespace rastercheck::records {
 
@@ -56,6 +57,8 @@ struct Run {
   std::string contract_file;
   /// What else of the command decides what is found, as its words: "--property", "*edge*".
   std::vector<std::string> options = {};
+  /// Nothing: the whole campaign. Of a shard nobody says which labels it had to reach.
+  std::optional<Shard> shard = std::nullopt;
   std::uint64_t cases_left = 0;  ///< not checked, as the run was interrupted
   /// Seconds that shrinking one counterexample might take, where that was limited: how small they
   /// are depends on the machine then.
@@ -90,9 +93,12 @@ std::string unexpected_sentence(const UnexpectedPass& pass);
 /// violations.
 inline constexpr std::string_view kGivenUp = "not drawn, as the backend was given up";
 
-/// What else a reader has to know of a run: that it was interrupted, that shrinking was cut short,
-/// that a list of known defects is of another version of the driver.
+/// What else a reader has to know of a run: that it is a shard, that it was interrupted, that
+/// shrinking was cut short, that a list of known defects is of another version of the driver.
 std::vector<std::string> caveats(const Run& run);
+
+/// The value of an option among the run's options; nothing where it was not given.
+std::optional<std::string> option_of(const Run& run, std::string_view name);
 
 /// Those of the options that replaying one of its cases takes as well: what drawings are held to,
 /// and what is known of them.

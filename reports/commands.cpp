@@ -38,7 +38,9 @@ std::string run_command(const records::Run& run) {
   for (const std::string& backend : run.backends) command += " --backend " + shell_word(backend);
   command += fmt::format(" --cases {} --seed {}", run.cases_per_law, run.seed);
   if (!run.scene.empty()) command += " --scene " + shell_word(run.scene);
-  return command + words(run.options);
+  command += words(run.options);
+  if (!run.shard) return command;
+  return command + fmt::format(" --shard {}/{}", run.shard->number.index, run.shard->number.count);
 }
 
 std::string replay_command(const records::Run& run, const std::string& file) {

@@ -13,6 +13,7 @@
 #include "records/inspection_json.h"
 #include "records/known_json.h"
 #include "records/record_json.h"
+#include "records/shard_json.h"
 #include "reports/base64.h"
 
 namespace rastercheck::reports {
@@ -30,7 +31,7 @@ void check_header(const JsonNode& root) {
   }
   root.expect_object({"format", "version", "seed", "cases_per_law", "backends", "laws", "scene",
                       "records", "counterexamples", "unreached", "pictures", "environment"},
-                     {"rules_version", "cases", "contract_file", "options", "cases_left",
+                     {"rules_version", "cases", "contract_file", "options", "shard", "cases_left",
                       "shrink_seconds", "inspections", "known", "unexpected_passes"});
 }
 
@@ -79,6 +80,7 @@ records::Run read_document(const JsonNode& root) {
   run.scene = root["scene"].text();
   if (root.has("contract_file")) run.contract_file = root["contract_file"].text();
   if (root.has("options")) run.options = read_texts(root["options"]);
+  if (root.has("shard")) run.shard = records::shard_from_json(root["shard"]);
   if (root.has("cases_left")) run.cases_left = root["cases_left"].count();
   if (root.has("shrink_seconds")) run.shrink_seconds = root["shrink_seconds"].float64();
   for (const JsonNode& node : root["counterexamples"].elements()) {

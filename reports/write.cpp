@@ -82,8 +82,8 @@ Result<void> write_counterexamples(const records::Run& run, const fs::path& dire
     });
     if (!done) return done;
   }
-  // An interrupted run may not have come to them.
-  if (run.cases_left > 0) return {};
+  // An interrupted run may not have come to them, and of shards only the first checks them.
+  if (run.cases_left > 0 || (run.shard && run.shard->number.index != 1)) return {};
   return put_earlier_aside(run, directory / kCounterexamples, written);
 }
 

@@ -31,6 +31,7 @@
 #include "cli/progress.h"
 #include "cli/run_results.h"
 #include "cli/scene.h"
+#include "cli/shard_option.h"
 #include "cli/whole_number.h"
 #include "properties/campaign_run.h"
 #include "properties/corpus.h"
@@ -49,6 +50,7 @@ struct Options {
   std::string property = "*";
   std::uint64_t cases = 1000;
   std::optional<std::uint64_t> seed;
+  std::string shard;  ///< "2/7"; empty: the whole campaign
   std::string scene;
   int scene_size = 512;
   std::string contract;
@@ -113,7 +115,14 @@ std::vector<std::string> other_options(const Options& options) {
 
 /// What the options ask for.
 Result<properties::RunPlan> plan_of(const Options& options) {
+  const auto shard = parse_shard(options.shard);
+  if (!shard) return tl::unexpected(shard.error());
+  if (*shard && !options.seed) {
+    return tl::unexpected(
+        Error{"--shard", "", "needs --seed: all shards have to be of the same campaign"});
+  }
   properties::RunPlan plan;
+  plan.campaign.shard = *shard;
   plan.campaign.seed = options.seed ? *options.seed : std::random_device()();
   plan.campaign.cases_per_law = options.cases;
   plan.campaign.backends = without_repetitions(options.backends);
@@ -170,9 +179,8 @@ class Executor {
     return runner_.known_of(backends);
   }
 
-  std::vector<records::UnreachedLabel> unreached_labels(const properties::CampaignOptions& options,
-                                                        const records::RecordSet& records) {
-    return runner_.unreached_labels(options, records);
+  std::vector<records::BackendPromises> promises(const properties::CampaignOptions& options) {
+    return runner_.promises(options);
   }
 
  private:
@@ -182,7 +190,7 @@ class Executor {
 };
 
 /// The campaign and the scene, side by side where there are processes for it; then shrinking.
-Result<void> find(const Options& options, Executor& executor, const properties::RunPlan& plan,
+Result<void> find(const Options& options, Executor& executor,
                   const std::optional<cases::Case>& scene, const properties::KnownByBackend& known,
                   records::Run& run, properties::CampaignRun& campaign) {
   ProgressBar bar(options.quiet);
@@ -206,7 +214,6 @@ Result<void> find(const Options& options, Executor& executor, const properties::
   if (!checked) return checked;
   campaign.add_scene(*std::move(of_scene));
   if (campaign.findings().fault) return {};
-  run.unreached = executor.unreached_labels(plan.campaign, campaign.findings().records);
   return campaign.shrink(execute, &is_interrupted, progress_of("counterexamples shrunk"));
 }
 
@@ -240,13 +247,16 @@ Result<Work> prepare(const Options& options) {
                          return properties::begin_run(plan, options.output, warn);
                        });
   if (!start) return tl::unexpected(start.error());
+  const Result<void> same_shard = check_shard(start->plan, options.shard);
+  if (!same_shard) return tl::unexpected(same_shard.error());
   Work work{*std::move(start), {}, std::nullopt};
   properties::RunPlan& plan = work.start.plan;
   Result<std::vector<cases::Case>> corpus = properties::read_corpus(plan.corpus);
   if (!corpus) return tl::unexpected(corpus.error());
   work.corpus = *std::move(corpus);
   if (!options.resume) plan.corpus_digest = properties::digest_of(work.corpus);
-  if (!plan.scene.empty()) {
+  // The first shard draws it.
+  if (!plan.scene.empty() && plan.campaign.shard.value_or(records::ShardNumber()).index == 1) {
     Result<cases::Case> scene = read_scene(plan.scene, plan.scene_size);
     if (!scene) return tl::unexpected(scene.error());
     work.scene = *std::move(scene);
@@ -370,7 +380,8 @@ ExitCode fail_to_write(const Options& options, const Error& error) {
 }
 
 /// Writes and prints what was found; the outcome of the run alone.
-ExitCode tell(const Options& options, const records::Run& run, double seconds) {
+ExitCode tell(const Options& options, const records::Run& run,
+              const std::vector<records::BackendPromises>& promises, double seconds) {
   const std::vector<records::LawSummary> rows = records::summarize(run);
   const Result<void> written = reports::write_reports(run, options.output, options.formats);
   if (options.json) {
@@ -383,8 +394,10 @@ ExitCode tell(const Options& options, const records::Run& run, double seconds) {
     }
   }
   if (!written) return fail_to_write(options, written.error());
+  // Of shards the merge tells.
+  if (run.shard) return exit_code_of_shard(rows);
   if (const auto told = tell_github(run, options.output, !options.json); !told) fail(told.error());
-  return exit_code_of(rows);
+  return exit_code_of(rows, promises);
 }
 
 ExitCode run_campaign(Options options, const CLI::App& app) {
@@ -410,8 +423,10 @@ ExitCode run_campaign(Options options, const CLI::App& app) {
   const auto known = read_known(executor, options, *work);
   if (!known) return fail(known.error());
   const properties::RunPlan plan = work->start.plan;
+  const std::vector<records::BackendPromises> promises = executor.promises(plan.campaign);
 
   records::Run run = planned(plan, *known);
+  run.shard = shard_of(work->start, promises, work->scene);
   const InterruptWatch watch(
       fmt::format("\nrastercheck: ending; once more ends at once. `rastercheck run --resume "
                   "--output {}` goes on.\n",
@@ -420,7 +435,7 @@ ExitCode run_campaign(Options options, const CLI::App& app) {
       work->start, options.output, work->corpus.size(), [](const Error& error) { fail(error); },
       *known);
   if (const Result<void> begun = campaign.begin(); !begun) return fail(begun.error());
-  const Result<void> found = find(options, executor, plan, work->scene, *known, run, campaign);
+  const Result<void> found = find(options, executor, work->scene, *known, run, campaign);
   campaign.save();
   if (!found) return fail_internally(found.error());
   const properties::Findings& findings = campaign.findings();
@@ -430,15 +445,20 @@ ExitCode run_campaign(Options options, const CLI::App& app) {
   run.counterexamples = findings.counterexamples;
   run.unexpected = findings.unexpected;
   run.cases_left = campaign.cases_left();
+  const bool is_whole = run.cases_left == 0 && campaign.is_shrunk();
+  if (run.shard) {
+    run.shard->is_whole = is_whole;
+  } else {
+    run.unreached = properties::unreached_labels(run.laws, promises, run.records);
+  }
   const cases::Case* scene = work->scene ? &*work->scene : nullptr;
   run.inspections = properties::inspect_run(run, {work->corpus, work->start.saved, *known, scene});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.environment = environment(options.jobs, seconds.count());
 
-  const ExitCode told = tell(options, run, seconds.count());
+  const ExitCode told = tell(options, run, promises, seconds.count());
   if (told == ExitCode::usage) return told;
   const ExitCode code = first_of(told, hold_run(options, *baseline, run));
-  const bool is_whole = run.cases_left == 0 && campaign.is_shrunk();
   if (is_whole) campaign.remove();
   return is_whole ? code : first_of(code, ExitCode::interrupted);
 }
@@ -456,6 +476,7 @@ Action set_up(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--seed", options->seed, "Seed of the random cases; random without it")
       ->check(whole_number());
+  add_shard(app, options->shard);
   app.add_option("--scene", options->scene, "Mesh or case file that is drawn and judged whole");
   app.add_option("--scene-size", options->scene_size, "Width and height of a mesh's picture")
       ->check(CLI::Range(1, cases::kMaxSize))

@@ -12,6 +12,7 @@
 //     "scene": "bunny",
 //     "contract_file": "…",     only where backends were held to one
 //     "options": ["--property", "*edge*"],   only where there were any
+//     "shard": {…},             records/shard_json.h; only of a shard
 //     "cases_left": 120,        only of a run that was interrupted
 //     "shrink_seconds": 5,      only where shrinking was limited by time
 //     "records": […],           records/record_json.h
@@ -41,6 +42,7 @@
 #include "records/inspection_json.h"
 #include "records/known_json.h"
 #include "records/record_json.h"
+#include "records/shard_json.h"
 #include "reports/base64.h"
 #include "reports/format.h"
 
@@ -125,6 +127,7 @@ std::string write(const records::Run& run) {
   add("scene", text_of(run.scene));
   if (!run.contract_file.empty()) add("contract_file", text_of(run.contract_file));
   if (!run.options.empty()) add("options", text_of(run.options));
+  if (run.shard) add("shard", text_of(records::shard_to_json(*run.shard)));
   if (run.cases_left > 0) add("cases_left", std::to_string(run.cases_left));
   if (run.shrink_seconds) {
     add("shrink_seconds", text_of(cases::float64_to_json(*run.shrink_seconds)));

@@ -83,6 +83,74 @@ TEST(TasksOf, TakesAnyNumberOfCases) {
   EXPECT_EQ(next, kAll);
 }
 
+/// Which shard has each case, by backend, law, kind and index.
+using Place = std::tuple<std::string, std::string, TaskKind, std::uint64_t>;
+std::map<Place, std::uint64_t> dealt_out(CampaignOptions options, std::size_t corpus_size,
+                                         std::uint64_t count) {
+  std::map<Place, std::uint64_t> shards;
+  for (std::uint64_t index = 1; index <= count; ++index) {
+    options.shard = {index, count};
+    for (const Task& task : tasks_of(options, corpus_size)) {
+      for (std::uint64_t i = task.first; i < task.last; ++i) {
+        const bool is_new = shards.insert({{task.backend, task.law, task.kind, i}, index}).second;
+        EXPECT_TRUE(is_new) << task.law << " " << i;
+      }
+    }
+  }
+  return shards;
+}
+
+// Kills: a case in two shards or in none; blocks of laws.
+TEST(TasksOf, ShardsHaveEachCaseOnceAndOfEachLawAsMany) {
+  const CampaignOptions options{1, 100, {"cpu", "damaged"}, {"one law", "another", "a third"}};
+  for (const std::uint64_t count : {1, 2, 7, 50, 64, 100, 700}) {
+    const auto shards = dealt_out(options, 21, count);
+    ASSERT_THAT(shards, SizeIs(2 * 3 * (100 + 21)));
+    std::map<std::uint64_t, std::uint64_t> cases;
+    std::map<std::pair<std::string, std::uint64_t>, std::uint64_t> of_law;
+    for (const auto& [place, shard] : shards) {
+      ++cases[shard];
+      if (std::get<0>(place) == "cpu" && std::get<TaskKind>(place) == TaskKind::random) {
+        ++of_law[{std::get<1>(place), shard}];
+      }
+    }
+    const std::uint64_t all = shards.size();
+    // A task more or less of each kind, law and backend, where these have any to give.
+    const std::uint64_t task = std::max<std::uint64_t>(1, std::min<std::uint64_t>(10, 25 / count));
+    for (std::uint64_t index = 1; index <= count; ++index) {
+      EXPECT_GE(cases[index] + 12 * task, all / count) << count;
+      EXPECT_LE(cases[index], all / count + 12 * task) << count;
+      for (const char* law : {"one law", "another", "a third"}) {
+        EXPECT_LE((of_law[{law, index}]), 100 / count + task) << count;
+      }
+    }
+  }
+}
+
+// Kills: a shard that has the smallest cases of all laws, and another that has the largest.
+TEST(TasksOf, ShardsBeginEachLawElsewhere) {
+  const CampaignOptions options{1, 10, {"cpu"}, {"one law", "another", "a third"}};
+  const auto shards = dealt_out(options, 0, 10);
+  const std::uint64_t of_one = shards.at({"cpu", "one law", TaskKind::random, 0});
+  EXPECT_NE(of_one, shards.at({"cpu", "another", TaskKind::random, 0}));
+  EXPECT_NE(of_one, shards.at({"cpu", "a third", TaskKind::random, 0}));
+}
+
+TEST(TasksOf, AShardMayHaveNothingToDo) {
+  EXPECT_THAT(dealt_out({1, 1, {"cpu"}, {"law"}}, 0, records::kMostShards), SizeIs(1));
+}
+
+// Kills: an index that overflows, and a list that fills the memory, of shards.
+TEST(TasksOf, ShardsTakeAnyNumberOfCases) {
+  CampaignOptions options{1, std::numeric_limits<std::uint64_t>::max(), {"cpu"}, {"law"}};
+  for (const std::uint64_t count : {std::uint64_t{2}, records::kMostShards}) {
+    options.shard = {count, count};
+    const std::vector<Task> tasks = tasks_of(options, 0);
+    EXPECT_GT(tasks.size(), 2U);
+    EXPECT_LT(tasks.size(), 10000U);
+  }
+}
+
 TEST(TaskRunner, NamesWhatThereIsNot) {
   TaskRunner runner(1, {square()});
   EXPECT_EQ(to_string(runner.run({"cpu", "no law", TaskKind::random, 0, 1}).error()),
@@ -222,13 +290,16 @@ TEST(UnreachedLabels, AreThoseOfRandomCases) {
   CampaignOptions options;
   options.laws = {law};
   TaskRunner runner(1, {});
-  EXPECT_TRUE(runner.unreached_labels(options, ties(law, "ordinary", 1000, 500)).empty());
-  EXPECT_TRUE(runner.unreached_labels(options, ties(law, "corpus", 1000, 0)).empty());
-  EXPECT_TRUE(runner.unreached_labels(options, ties(law, "scene bunny", 1000, 0)).empty());
+  const auto unreached_in = [&](const records::RecordSet& records) {
+    return unreached_labels(options.laws, runner.promises(options), records);
+  };
+  EXPECT_TRUE(unreached_in(ties(law, "ordinary", 1000, 500)).empty());
+  EXPECT_TRUE(unreached_in(ties(law, "corpus", 1000, 0)).empty());
+  EXPECT_TRUE(unreached_in(ties(law, "scene bunny", 1000, 0)).empty());
   records::RecordSet few = ties(law, "ordinary", 1000, 1);
   records::merge(few, ties(law, "slivers", 1000, 2));
   records::merge(few, ties(law, "corpus", 1000, 1000));
-  const auto unreached = runner.unreached_labels(options, few);
+  const auto unreached = unreached_in(few);
   ASSERT_EQ(unreached.size(), 1U);
   EXPECT_EQ(unreached[0].law, law);
   EXPECT_EQ(unreached[0].backend, "cpu");
@@ -244,17 +315,24 @@ TEST(UnreachedLabels, AreThoseOfRandomCases) {
     of_method[other] = record;
   }
   options.backends = {"method:rational-linear"};
-  EXPECT_TRUE(runner.unreached_labels(options, of_method).empty());
+  EXPECT_TRUE(unreached_in(of_method).empty());
 }
 
-// Kills: a law that asks nothing of a backend that is gone when the run ends.
-TEST(UnreachedLabels, OfABackendThatIsGoneAreThoseOfAll) {
+// Kills: a law that asks nothing of a backend that is gone when the run ends, or something of one
+// that does not draw every case.
+TEST(UnreachedLabels, DependOnWhatIsPromised) {
   const Law& law = *find_law("coverage obeys the contract");
   records::RecordSet few = ties(std::string(law.name), "ordinary", 1000, 0);
   few.begin()->second.labels["clipped"] = 0;
-  const auto unreached = unreached_labels(law, "cpu", nullptr, few);
+  const std::vector<std::string> laws{std::string(law.name)};
+  records::BackendPromises promises = promises_of("cpu", nullptr, laws);
+  const auto unreached = unreached_labels(law, promises, few);
   ASSERT_EQ(unreached.size(), 1U);
   EXPECT_EQ(unreached[0].label, "clipped");
+  promises.draws_what_is_asked_for = true;
+  EXPECT_THAT(unreached_labels(law, promises, few), SizeIs(2));
+  promises.has_limits = true;
+  EXPECT_THAT(unreached_labels(law, promises, few), IsEmpty());
 }
 
 // --- Saved counterexamples -----------------------------------------------------------------------

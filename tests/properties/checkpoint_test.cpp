@@ -26,6 +26,7 @@ Checkpoint sample() {
   plan.campaign.backends = {"cpu", "a \"b\""};
   plan.campaign.laws = {kCoverage};
   plan.campaign.shrinking = {77, 0.25};
+  plan.campaign.shard = {2, 7};
   plan.corpus = "/some/folder";
   plan.corpus_digest = "0123456789abcdef";
   plan.known = "/another/folder";
@@ -68,6 +69,7 @@ TEST(Checkpoint, IsRefusedWithItsPlace) {
   EXPECT_THAT(error("/version", "2"), HasSubstr("file: /version: version must be 1"));
   EXPECT_THAT(error("/more", "1"), HasSubstr("unknown key"));
   EXPECT_THAT(error("/plan/seed", "-1"), HasSubstr("file: /plan/seed: "));
+  EXPECT_THAT(error("/plan/shard/index", "8"), HasSubstr("/plan/shard/index: must be from 1 to 7"));
   EXPECT_THAT(error("/plan/scene_size", "0"), HasSubstr("file: /plan/scene_size: "));
   EXPECT_THAT(error("/done/0", "[0, 8]"), HasSubstr("file: /done/0/1: "));
   EXPECT_THAT(error("/tasks", "3"), HasSubstr("file: /done/"));

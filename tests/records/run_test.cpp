@@ -56,6 +56,31 @@ TEST(Caveats, SayWhatIsMissing) {
                           "depends on the machine."));
 }
 
+// Kills: a part that looks like the whole.
+TEST(Caveats, SayThatItIsAShard) {
+  records::Run run;
+  run.shard.emplace().number = {2, 7};
+  EXPECT_THAT(caveats(run), ElementsAre("Shard 2 of 7: nothing of the campaign fell to it; "
+                                        "`rastercheck merge` puts all 7 together."));
+  run.records[{"a", "cpu", AttributeKind::coverage, "1"}];
+  EXPECT_THAT(caveats(run),
+              ElementsAre("Shard 2 of 7: a part of the campaign, of which it cannot say whether "
+                          "labels were reached; `rastercheck merge` puts all 7 together."));
+}
+
+// Kills: a flag that swallows the option after it; a value taken for an option.
+TEST(OptionOf, IsTheValueOfAnOption) {
+  records::Run run;
+  run.options = {"--property", "--known",  "--no-known", "--keep-cases",
+                 "--corpus",   "a folder", "--timeout",  "5"};
+  EXPECT_EQ(option_of(run, "--property"), "--known");
+  EXPECT_EQ(option_of(run, "--known"), std::nullopt);
+  EXPECT_EQ(option_of(run, "--corpus"), "a folder");
+  EXPECT_EQ(option_of(run, "--timeout"), "5");
+  EXPECT_EQ(option_of(run, "5"), std::nullopt);
+  EXPECT_EQ(option_of({}, "--timeout"), std::nullopt);
+}
+
 // Kills: violations that nobody saw, and that look like any others.
 TEST(Caveats, SayWhatWasNotDrawn) {
   records::Run run;

@@ -27,14 +27,18 @@ TEST(RunCommand, HasItsOtherOptions) {
   EXPECT_EQ(run_command(run),
             "rastercheck run --backend cpu --cases 20 --seed 0 --property '*edge*' --no-known "
             "--contract lax.json");
+  run.shard.emplace().number = {2, 7};
+  EXPECT_EQ(run_command(run),
+            "rastercheck run --backend cpu --cases 20 --seed 0 --property '*edge*' --no-known "
+            "--contract lax.json --shard 2/7");
 }
 
 // Kills: a replay that holds drawings to another contract; options that it does not know.
 TEST(ReplayCommand, TakesTheOptionsThatItKnows) {
   records::Run run;
   EXPECT_EQ(replay_command(run, "out/a b.json"), "rastercheck replay 'out/a b.json'");
-  run.options = {"--property", "--known",    "--contract", "lax.json", "--corpus",
-                 "c",          "--no-known", "--timeout",  "2.5"};
+  run.options = {"--property", "--known",    "--contract",   "lax.json",  "--corpus",
+                 "c",          "--no-known", "--keep-cases", "--timeout", "2.5"};
   EXPECT_EQ(replay_command(run, "x"),
             "rastercheck replay x --contract lax.json --no-known --timeout 2.5");
 }

@@ -11,6 +11,7 @@
 #include "reports/format.h"
 #include "tests/records/random_inspection.h"
 #include "tests/records/random_record.h"
+#include "tests/records/sample_shard.h"
 #include "tests/reports/sample_run.h"
 
 namespace rastercheck::reports {
@@ -35,6 +36,12 @@ TEST(ParseRun, ReadsWhatWasWritten) {
 TEST(ParseRun, ReadsWhatIsKnownOfDrivers) {
   records::Run run = sample_run();
   add_known_defects(run);
+  EXPECT_EQ(parse_run(written(run), "run.json").value(), run);
+}
+
+TEST(ParseRun, ReadsAShard) {
+  records::Run run = sample_run();
+  run.shard = records::sample_shard();
   EXPECT_EQ(parse_run(written(run), "run.json").value(), run);
 }
 

@@ -76,6 +76,10 @@ TEST_F(WriteReports, PutsTheCounterexamplesOfEarlierRunsAside) {
   interrupted.cases_left = 1;  // perhaps these
   ASSERT_TRUE(write_reports(interrupted, directory(), {}).has_value());
   EXPECT_EQ(files(), with_reports({kThird, kOther}));
+  records::Run shard = later;
+  shard.shard.emplace().number = {2, 7};  // the first one checks them
+  ASSERT_TRUE(write_reports(shard, directory(), {}).has_value());
+  EXPECT_EQ(files(), with_reports({kThird, kOther}));
   ASSERT_TRUE(write_reports(later, directory(), default_format_names()).has_value());
   EXPECT_EQ(files(), with_reports({kEarlierThird, kOther}));
 }

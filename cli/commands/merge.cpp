@@ -1,0 +1,102 @@
+// `rastercheck merge DIR…`: the shards of a campaign put together to the run that it is.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/github.h"
+#include "cli/merged_inspections.h"
+#include "cli/output.h"
+#include "cli/run_results.h"
+#include "properties/explaining/gathered_inspections.h"
+#include "properties/shard_merge.h"
+#include "records/summary.h"
+#include "reports/format.h"
+#include "reports/run_reader.h"
+#include "reports/summary_table.h"
+#include "reports/write.h"
+
+namespace rastercheck::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> shards;  ///< folders of runs, or their run.json
+  std::string output = "rastercheck-out";
+  std::vector<std::string> formats = reports::default_format_names();
+  bool json = false;
+  bool quiet = false;
+};
+
+Result<properties::MergedRun> merged_run(const Options& options) {
+  properties::ShardMerge merge;
+  for (const std::string& shard : options.shards) {
+    const std::string file = std::filesystem::is_directory(shard) ? shard + "/run.json" : shard;
+    const Result<void> added = reports::read_run(file).and_then(
+        [&](records::Run run) { return merge.add(std::move(run), file); });
+    if (!added) return tl::unexpected(added.error());
+  }
+  return std::move(merge).finish();
+}
+
+/// What of the run is drawn once more rather than taken from the shards. Where that cannot be, it
+/// is theirs, and is said to be.
+void add_drawn(properties::MergedRun& merged) {
+  Result<std::vector<records::Inspection>> inspections = inspect_merged(merged);
+  if (!inspections) {
+    Error why = inspections.error();
+    why.reason += "; samples looked at closely are those of the shards";
+    fail(why);
+  }
+  merged.run.inspections = inspections
+                               ? *std::move(inspections)
+                               : properties::gathered_inspections(merged.run, merged.looked_at);
+}
+
+ExitCode merge(const Options& options) {
+  for (const std::string& name : options.formats) {
+    if (const auto format = reports::find_format(name); !format) return fail(format.error());
+  }
+  Result<properties::MergedRun> merged = merged_run(options);
+  if (!merged) return fail(merged.error());
+  add_drawn(*merged);
+  const records::Run& run = merged->run;
+  const std::vector<records::LawSummary> rows = records::summarize(run);
+  const Result<void> written = reports::write_reports(run, options.output, options.formats);
+  if (options.json) {
+    fmt::print("{}\n", reports::summary_json(run, rows));
+  } else {
+    print_results(run, rows, options.output, options.quiet);
+    if (!options.quiet) {
+      fmt::print("Seed {}, {} shards, {} s.{}", run.seed, merged->looked_at.size(),
+                 run.environment.at("seconds"),
+                 written ? " " + where_reports_are(options.output, options.formats) : "\n");
+    }
+  }
+  if (!written) return fail(written.error());
+  if (const auto told = tell_github(run, options.output, !options.json); !told) fail(told.error());
+  return exit_code_of(rows, merged->common.promises);
+}
+
+Action set_up(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("DIR", options->shards, "Output folders of all shards, or their run.json files")
+      ->required();
+  app.add_option("--output", options->output, "Folder for the results")->capture_default_str();
+  app.add_option("--format", options->formats, "Reports to write, with commas between them")
+      ->delimiter(',')
+      ->capture_default_str();
+  app.add_flag("--json", options->json, "The table as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Rows only");
+  app.footer(
+      "Exit codes are those of `rastercheck run`; 2 if shards are missing or do not go "
+      "together.");
+  return [options] { return merge(*options); };
+}
+
+const Registration kRegistration("merge", "Puts the shards of a campaign together (run --shard)",
+                                 &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

@@ -1,0 +1,82 @@
+#include "cli/shard_option.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdint>
+#include <string_view>
+#include <system_error>
+
+#include "cases/json.h"
+
+namespace rastercheck::cli {
+namespace {
+
+Error refusal(const std::string& text, const std::string& reason) {
+  return {"--shard", cases::printable(text), reason};
+}
+
+std::optional<std::uint64_t> whole_number_in(std::string_view text) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, problem] = std::from_chars(text.data(), end, value);
+  return stop == end && problem == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+std::string name_of(const std::optional<records::ShardNumber>& shard) {
+  return shard ? "shard " + to_string(*shard) : "the whole campaign";
+}
+
+}  // namespace
+
+CLI::Option* add_shard(CLI::App& app, std::string& shard) {
+  return app.add_option("--shard", shard,
+                        "Only part i of n of the work, as 2/7; `rastercheck merge` puts all parts "
+                        "together");
+}
+
+Result<std::optional<records::ShardNumber>> parse_shard(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const std::string_view all(text);
+  const std::size_t slash = all.find('/');
+  const auto index = whole_number_in(all.substr(0, slash));
+  const auto count =
+      slash == std::string_view::npos ? std::nullopt : whole_number_in(all.substr(slash + 1));
+  if (!index || !count) {
+    return tl::unexpected(refusal(text, "must be two whole numbers, as 2/7"));
+  }
+  if (*count == 0 || *count > records::kMostShards) {
+    return tl::unexpected(
+        refusal(text, fmt::format("a campaign has from 1 to {} shards", records::kMostShards)));
+  }
+  if (*index == 0 || *index > *count) {
+    return tl::unexpected(refusal(text, fmt::format("there are shards 1 to {}", *count)));
+  }
+  return records::ShardNumber{*index, *count};
+}
+
+Result<void> check_shard(const properties::RunPlan& plan, const std::string& text) {
+  const auto asked_for = parse_shard(text);
+  if (!asked_for) return tl::unexpected(asked_for.error());
+  const auto& shard = plan.campaign.shard;
+  if (text.empty() || *asked_for == shard) return {};
+  return tl::unexpected(refusal(text, "what was interrupted is " + name_of(shard)));
+}
+
+std::optional<records::Shard> shard_of(const properties::Checkpoint& start,
+                                       const std::vector<records::BackendPromises>& promises,
+                                       const std::optional<cases::Case>& scene) {
+  const properties::RunPlan& plan = start.plan;
+  if (!plan.campaign.shard) return std::nullopt;
+  records::Shard shard;
+  shard.number = *plan.campaign.shard;
+  shard.corpus_digest = plan.corpus_digest;
+  shard.known_digest = plan.known_digest;
+  if (scene) shard.scene_digest = properties::digest_of({*scene});
+  shard.promises = promises;
+  if (!plan.contract_file.empty()) shard.contract = plan.terms;
+  shard.saved = start.saved;
+  return shard;
+}
+
+}  // namespace rastercheck::cli

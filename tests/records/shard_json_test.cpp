@@ -1,0 +1,56 @@
+#include "records/shard_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/records/sample_shard.h"
+
+namespace rastercheck::records {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+Result<Shard> read(const json& document) {
+  return cases::read_json(document.dump(), "file", &shard_from_json);
+}
+
+TEST(ShardJson, ComesBackAsItWas) {
+  EXPECT_EQ(read(shard_to_json(sample_shard())).value(), sample_shard());
+  EXPECT_EQ(read(shard_to_json(Shard())).value(), Shard());
+  const json number = shard_number_to_json({2, 7});
+  EXPECT_EQ(number, json::parse(R"({"index": 2, "count": 7})"));
+  EXPECT_EQ(cases::read_json(number.dump(), "file", &shard_number_from_json).value(),
+            (ShardNumber{2, 7}));
+}
+
+// Kills: keys that are there for nothing.
+TEST(ShardJson, LeavesOutWhatThereIsNot) {
+  const json document = shard_to_json(Shard());
+  EXPECT_EQ(document.size(), 5U);
+}
+
+TEST(ShardJson, IsRefusedWithItsPlace) {
+  const auto error = [](const char* pointer, const char* value) {
+    json document = shard_to_json(sample_shard());
+    document[json::json_pointer(pointer)] = json::parse(value);
+    const Result<Shard> shard = read(document);
+    return shard ? "was read" : to_string(shard.error());
+  };
+  EXPECT_THAT(error("/index", "0"), HasSubstr("file: /index: must be from 1 to 7"));
+  EXPECT_THAT(error("/index", "8"), HasSubstr("file: /index: must be from 1 to 7"));
+  EXPECT_THAT(error("/count", "0"), HasSubstr("file: /index: "));
+  EXPECT_THAT(error("/count", "4097"), HasSubstr("file: /count: "));
+  EXPECT_THAT(error("/more", "1"), HasSubstr("unknown key"));
+  EXPECT_THAT(error("/promises/0", "{}"), HasSubstr("file: /promises/0: missing key"));
+  EXPECT_THAT(error("/contract/version", "9"), HasSubstr("file: /contract/version: "));
+  EXPECT_THAT(error("/saved/0/version", "9"), HasSubstr("file: /saved/0/version: "));
+  json document = shard_to_json(sample_shard());
+  document["saved"][0].erase("found");
+  EXPECT_THAT(to_string(read(document).error()), HasSubstr("file: /saved/0: has no 'found'"));
+}
+
+}  // namespace
+}  // namespace rastercheck::records

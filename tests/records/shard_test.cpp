@@ -1,0 +1,11 @@
+#include "records/shard.h"
+
+#include <gtest/gtest.h>
+
+namespace rastercheck::records {
+namespace {
+
+TEST(ShardNumber, IsSaidInWords) { EXPECT_EQ(to_string(ShardNumber{2, 7}), "2 of 7"); }
+
+}  // namespace
+}  // namespace rastercheck::records
