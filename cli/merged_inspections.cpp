@@ -1,5 +1,6 @@
 #include "cli/merged_inspections.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -50,8 +51,8 @@ Result<std::optional<cases::Case>> scene_of(const MergedRun& merged) {
 
 }  // namespace
 
-Result<std::vector<records::Inspection>> inspect_merged(const MergedRun& merged) {
-  const Run& run = merged.run;
+Result<void> inspect_merged(MergedRun& merged) {
+  Run& run = merged.run;
   isolate_foreign_backends(number_of(run, "--timeout", kDefaultTimeout));
   if (merged.common.contract) backends::hold_backends_to(*merged.common.contract);
   const std::string folder = option_of(run, "--corpus").value_or(corpus_folder());
@@ -72,8 +73,10 @@ Result<std::vector<records::Inspection>> inspect_merged(const MergedRun& merged)
 
   const Result<std::optional<cases::Case>> scene = scene_of(merged);
   if (!scene) return tl::unexpected(scene.error());
-  return properties::inspect_run(
-      run, {*corpus, merged.common.saved, *known, *scene ? &**scene : nullptr});
+  const properties::CaseSources sources{*corpus, merged.common.saved, *known,
+                                        *scene ? &**scene : nullptr};
+  run.inspections = properties::inspect_run(run, sources);
+  return {};
 }
 
 }  // namespace rastercheck::cli

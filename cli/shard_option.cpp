@@ -29,14 +29,15 @@ std::string name_of(const std::optional<records::ShardNumber>& shard) {
 
 }  // namespace
 
-CLI::Option* add_shard(CLI::App& app, std::string& shard) {
+CLI::Option* add_shard(CLI::App& app, ShardOption& shard) {
   return app.add_option("--shard", shard,
                         "Only part i of n of the work, as 2/7; `rastercheck merge` puts all parts "
                         "together");
 }
 
-Result<std::optional<records::ShardNumber>> parse_shard(const std::string& text) {
-  if (text.empty()) return std::nullopt;
+Result<std::optional<records::ShardNumber>> parse_shard(const ShardOption& option) {
+  if (!option) return std::nullopt;
+  const std::string& text = *option;
   const std::string_view all(text);
   const std::size_t slash = all.find('/');
   const auto index = whole_number_in(all.substr(0, slash));
@@ -55,12 +56,12 @@ Result<std::optional<records::ShardNumber>> parse_shard(const std::string& text)
   return records::ShardNumber{*index, *count};
 }
 
-Result<void> check_shard(const properties::RunPlan& plan, const std::string& text) {
-  const auto asked_for = parse_shard(text);
+Result<void> check_shard(const properties::RunPlan& plan, const ShardOption& option) {
+  const auto asked_for = parse_shard(option);
   if (!asked_for) return tl::unexpected(asked_for.error());
   const auto& shard = plan.campaign.shard;
-  if (text.empty() || *asked_for == shard) return {};
-  return tl::unexpected(refusal(text, "what was interrupted is " + name_of(shard)));
+  if (!option || *asked_for == shard) return {};
+  return tl::unexpected(refusal(*option, "what was interrupted is " + name_of(shard)));
 }
 
 std::optional<records::Shard> shard_of(const properties::Checkpoint& start,

@@ -10,14 +10,16 @@
 
 namespace rastercheck::cli {
 
-/// The option `--shard i/n` of `rastercheck run`; empty without it.
-CLI::Option* add_shard(CLI::App& app, std::string& shard);
+using ShardOption = std::optional<std::string>;
 
-/// "2/7" as a number; nothing of "". Fails where there is no such shard.
-Result<std::optional<records::ShardNumber>> parse_shard(const std::string& text);
+/// The option `--shard i/n` of `rastercheck run`.
+CLI::Option* add_shard(CLI::App& app, ShardOption& shard);
 
-/// Whether the run that goes on is of that shard; any is where `text` is "".
-Result<void> check_shard(const properties::RunPlan& plan, const std::string& text);
+/// "2/7" as a number; nothing where the option was not given. Fails where there is no such shard.
+Result<std::optional<records::ShardNumber>> parse_shard(const ShardOption& option);
+
+/// Whether the run that goes on is of that shard, where one is asked for.
+Result<void> check_shard(const properties::RunPlan& plan, const ShardOption& option);
 
 /// What a run's shard says of it beside what it found. `scene` is the one that it drew, if any.
 std::optional<records::Shard> shard_of(const properties::Checkpoint& start,

@@ -164,12 +164,28 @@ Environment merged_environment(const std::vector<Environment>& shards) {
 
 // --- Missing shards ------------------------------------------------------------------------------
 
-/// "shard 3 of 7 is missing", "shards 3 and 5 of 7 are missing".
+/// "shard 3 of 7 is missing", "shards 1 to 3 and 5 of 7 are missing".
 std::string missing_sentence(const std::vector<std::uint64_t>& missing, std::uint64_t count) {
-  if (missing.size() == 1) return fmt::format("shard {} of {} is missing", missing[0], count);
-  const std::span<const std::uint64_t> all(missing);
-  return fmt::format("shards {} and {} of {} are missing",
-                     fmt::join(all.first(all.size() - 1), ", "), all.back(), count);
+  std::vector<std::string> ranges;
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    const std::uint64_t first = missing[i];
+    while (i + 1 < missing.size() && missing[i + 1] == missing[i] + 1) ++i;
+    const bool is_range = missing[i] > first + 1;
+    if (is_range) {
+      ranges.push_back(fmt::format("{} to {}", first, missing[i]));
+    } else {
+      for (std::uint64_t one = first; one <= missing[i]; ++one) {
+        ranges.push_back(std::to_string(one));
+      }
+    }
+  }
+  std::string text = ranges.front();
+  for (std::size_t i = 1; i < ranges.size(); ++i) {
+    text += (i + 1 < ranges.size() ? ", " : " and ") + ranges[i];
+  }
+  const bool is_one = missing.size() == 1;
+  return fmt::format("{} {} of {} {} missing", is_one ? "shard" : "shards", text, count,
+                     is_one ? "is" : "are");
 }
 
 }  // namespace

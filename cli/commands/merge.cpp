@@ -40,18 +40,15 @@ Result<properties::MergedRun> merged_run(const Options& options) {
   return std::move(merge).finish();
 }
 
-/// What of the run is drawn once more rather than taken from the shards. Where that cannot be, it
+/// What is drawn once more for the run rather than taken from its shards. Where that cannot be, it
 /// is theirs, and is said to be.
 void add_drawn(properties::MergedRun& merged) {
-  Result<std::vector<records::Inspection>> inspections = inspect_merged(merged);
-  if (!inspections) {
-    Error why = inspections.error();
-    why.reason += "; samples looked at closely are those of the shards";
-    fail(why);
-  }
-  merged.run.inspections = inspections
-                               ? *std::move(inspections)
-                               : properties::gathered_inspections(merged.run, merged.looked_at);
+  const Result<void> inspected = inspect_merged(merged);
+  if (inspected) return;
+  Error why = inspected.error();
+  why.reason += "; samples looked at closely are taken from the shards";
+  fail(why);
+  merged.run.inspections = properties::gathered_inspections(merged.run, merged.looked_at);
 }
 
 ExitCode merge(const Options& options) {

@@ -50,7 +50,7 @@ struct Options {
   std::string property = "*";
   std::uint64_t cases = 1000;
   std::optional<std::uint64_t> seed;
-  std::string shard;  ///< "2/7"; empty: the whole campaign
+  ShardOption shard;
   std::string scene;
   int scene_size = 512;
   std::string contract;

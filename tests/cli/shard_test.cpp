@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "tests/cli/program.h"
+#include "tests/properties/known_list.h"
 #include "tests/temporary_folder.h"
 
 namespace rastercheck::cli {
@@ -13,7 +17,6 @@ namespace {
 
 using nlohmann::json;
 using testing::AllOf;
-using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -59,6 +62,37 @@ class Shard : public testing::Test {
     for (const int shard : shards) more.push_back(folder_.path("shard" + std::to_string(shard)));
     return run_damaged_program(more);
   }
+  /// That both folders have the same files, counterexamples and run.json, but for the environment.
+  void expect_same(const std::string& one, const std::string& other) const {
+    EXPECT_TRUE(without_environment(folder_.content(one + "/run.json")) ==
+                without_environment(folder_.content(other + "/run.json")));
+    ASSERT_EQ(folder_.files(one), folder_.files(other));
+    for (const std::string& file : folder_.files(one)) {
+      if (!file.starts_with("counterexamples/")) continue;
+      EXPECT_EQ(folder_.content(one + "/" + file), folder_.content(other + "/" + file));
+    }
+  }
+  /// What was printed of a run in one folder, as it would be in another.
+  std::string in_folder(std::string text, const std::string& from, const std::string& to) const {
+    const std::string before = folder_.path(from);
+    const std::string after = folder_.path(to);
+    for (std::size_t at = 0; (at = text.find(before, at)) != std::string::npos;) {
+      text.replace(at, before.size(), after);
+      at += after.size();
+    }
+    return text;
+  }
+  /// Waits until some of the cases of a run are done and kept.
+  void wait_for_progress(const std::string& unfinished) const {
+    using std::chrono::steady_clock;
+    const auto late = steady_clock::now() + std::chrono::minutes(5);
+    while (steady_clock::now() < late) {
+      const json kept = json::parse(folder_.content(unfinished), nullptr, false);
+      if (!kept.is_discarded() && !kept.at("done").empty()) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    FAIL() << "no progress";
+  }
   json run_json(const std::string& output) const {
     return json::parse(folder_.content(output + "/run.json"));
   }
@@ -74,26 +108,17 @@ INSTANTIATE_TEST_SUITE_P(CountAndJobs, InShards,
                          testing::Values(std::pair(1, "1"), std::pair(7, "1"), std::pair(7, "2"),
                                          std::pair(64, "1")));
 
-// Kills: a case checked twice or by no shard, a counterexample that is not the first, labels that
-// no shard can judge, inspections of a part taken for those of the whole.
+// Kills: a case checked twice or by no shard, a counterexample that is not the first, inspections
+// of a part taken for those of the whole.
 TEST_P(InShards, IsTheRunThatOneProgramMakes) {
   const auto [count, jobs] = GetParam();
-  const std::vector<std::string> campaign{"--seed",
-                                          "5",
-                                          "--cases",
-                                          "9",
-                                          "--backend",
-                                          "damaged",
-                                          "--backend",
-                                          "cpu",
-                                          "--backend",
-                                          "method:screen-linear",
-                                          "--keep-cases",
-                                          "--jobs",
-                                          jobs,
-                                          "--scene",
-                                          source_file("cases/corpus/nearest.json")};
-  const Outcome whole = run("merged-not", campaign);
+  const std::vector<std::string> campaign{
+      "--seed",      "5",    "--cases",   "9",
+      "--property",  "*st*", "--backend", "damaged",
+      "--backend",   "cpu",  "--backend", "method:screen-linear",
+      "--jobs",      jobs,   "--scene",   source_file("cases/corpus/nearest.json"),
+      "--keep-cases"};
+  const Outcome whole = run("whole", campaign);
   ASSERT_EQ(whole.code, 1) << whole;
   std::vector<int> shards;
   for (int i = count; i >= 1; --i) {  // in any order
@@ -104,23 +129,192 @@ TEST_P(InShards, IsTheRunThatOneProgramMakes) {
   const Outcome merged = merge(shards);
   EXPECT_EQ(merged.code, whole.code) << merged;
   EXPECT_EQ(merged.err, "");
-  EXPECT_TRUE(without_environment(folder_.content("merged/run.json")) ==
-              without_environment(folder_.content("merged-not/run.json")));
-  EXPECT_EQ(folder_.files("merged"), folder_.files("merged-not"));
-  for (const std::string& file : folder_.files("merged/counterexamples")) {
-    EXPECT_EQ(folder_.content("merged/counterexamples/" + file),
-              folder_.content("merged-not/counterexamples/" + file));
-  }
-  std::string printed = whole.out;
-  for (std::size_t at = 0; (at = printed.find("merged-not", at)) != std::string::npos;) {
-    printed.replace(at, 10, "merged");
-  }
-  EXPECT_EQ(without_time(merged.out), without_time(printed));
+  expect_same("merged", "whole");
+  EXPECT_EQ(without_time(merged.out), without_time(in_folder(whole.out, "whole", "merged")));
   const json document = run_json("merged");
   EXPECT_THAT(document.at("counterexamples"), Not(IsEmpty()));
   EXPECT_THAT(document.at("inspections"), Not(IsEmpty()));
   EXPECT_THAT(document.at("pictures"), SizeIs(6));
   EXPECT_EQ(document.at("environment").at("shards"), std::to_string(count));
+}
+
+// Kills: labels judged by a part, or forgotten.
+TEST_F(Shard, LeavesLabelsToTheMerge) {
+  const std::vector<std::string> campaign{
+      "--backend", "damaged:unseen", "--cases", "120", "--seed", "1", "--property", "cases reach*"};
+  EXPECT_EQ(run("whole", campaign).code, 5);
+  for (int i = 1; i <= 3; ++i) {
+    const Outcome outcome = run_shard(i, 3, campaign);
+    EXPECT_EQ(outcome.code, 0) << outcome;
+    EXPECT_THAT(outcome.out, Not(HasSubstr("Not reached")));
+  }
+  const Outcome merged = merge({1, 2, 3});
+  EXPECT_EQ(merged.code, 5) << merged;
+  EXPECT_THAT(merged.out, HasSubstr("Not reached"));
+  expect_same("merged", "whole");
+}
+
+// Kills: a known defect checked by each shard; an entry that no longer shows, forgotten.
+TEST_F(Shard, KnowsWhatIsKnownOfDrivers) {
+  const TemporaryFolder known;
+  properties::put_known(known);
+  for (const char* backend : {"damaged:driver", "damaged:mended"}) {
+    const std::vector<std::string> campaign{
+        "--backend", backend,      "--cases",         "30",      "--seed",
+        "1",         "--property", "coverage obeys*", "--known", known.path()};
+    const Outcome whole = run("whole", campaign);
+    for (int i = 1; i <= 3; ++i) run_shard(i, 3, campaign);
+    const Outcome merged = merge({3, 1, 2});
+    EXPECT_EQ(merged.code, whole.code) << merged;
+    expect_same("merged", "whole");
+  }
+}
+
+// Kills: saved counterexamples counted by each shard; one of them that cannot be shown.
+TEST_F(Shard, ChecksSavedCounterexamplesOnce) {
+  const std::string name = "/counterexamples/coverage-obeys-the-contract-damaged-missing.json";
+  for (const char* folder : {"whole", "shard1", "shard2"}) {
+    folder_.put(folder + name, square_case(R"("found": {"law": "coverage obeys the contract",
+      "backend": "damaged", "verdict": "missing", "seed": 5, "index": 77}, )"));
+  }
+  folder_.put("none/note.txt", "");
+  const std::vector<std::string> campaign{"--backend", "damaged", "--corpus", folder_.path("none")};
+  const auto small = [&](const std::string& output, std::vector<std::string> more) {
+    more.insert(more.begin(), {"run", "--output", folder_.path(output), "--seed", "1", "--cases",
+                               "2", "--property", "coverage obeys*"});
+    more.insert(more.end(), campaign.begin(), campaign.end());
+    return run_damaged_program(more);
+  };
+  EXPECT_THAT(small("whole", {}).out, HasSubstr("saved before: case 77 of seed 5"));
+  EXPECT_EQ(small("shard1", {"--shard", "1/2"}).code, 1);
+  small("shard2", {"--shard", "2/2"});
+  EXPECT_THAT(merge({1, 2}).out, HasSubstr("saved before: case 77 of seed 5"));
+  expect_same("merged", "whole");
+}
+
+// --- Where it is merged --------------------------------------------------------------------------
+
+// Kills: a merge that needs what the shards were drawn by.
+TEST_F(Shard, IsMergedWhereItsBackendIsNot) {
+  for (int i = 1; i <= 2; ++i) run_small(i, 2, {"--backend", "damaged"});
+  const Outcome outcome = run_program({"merge", folder_.path("shard1"), folder_.path("shard2"),
+                                       "--output", folder_.path("merged")});
+  EXPECT_EQ(outcome.code, 1) << outcome;
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("damaged: no backend of that name"),
+                                 HasSubstr("samples looked at closely are taken from the shards")));
+  EXPECT_THAT(run_json("merged").at("inspections"), Not(IsEmpty()));
+  EXPECT_EQ(merge({1, 2}).err, "");
+}
+
+TEST_F(Shard, SaysThatTheCorpusIsAnother) {
+  for (int i = 1; i <= 2; ++i) run_small(i, 2);
+  folder_.put("corpus/more.json", square_case());
+  EXPECT_THAT(merge({1, 2}).err, HasSubstr("corpus: is not what the shards had; samples"));
+}
+
+TEST_F(Shard, LeavesGithubToTheMerge) {
+  const auto script = [this](const std::string& arguments) {
+    return run_shell("cd " + folder_.path() + "; GITHUB_ACTIONS=true GITHUB_STEP_SUMMARY=summary " +
+                     "\"$DAMAGED\" " + arguments);
+  };
+  for (const char* index : {"1", "2"}) {
+    const Outcome outcome = script(
+        "run --backend damaged --property 'coverage obeys*' --cases 3 --seed 1 --corpus "
+        "corpus --shard " +
+        std::string(index) + "/2 --output " + index);
+    EXPECT_THAT(outcome.out, Not(HasSubstr("::error")));
+  }
+  EXPECT_EQ(folder_.content("summary"), "");
+  EXPECT_THAT(script("merge 1 2").out, HasSubstr("::error file=rastercheck-out/"));
+  EXPECT_EQ(folder_.content("summary"), folder_.content("rastercheck-out/summary.md"));
+}
+
+TEST_F(Shard, IsMergedFromFilesIntoTheFormatsAskedFor) {
+  for (int i = 1; i <= 2; ++i) run_small(i, 2, {"--format", "json"});
+  const Outcome outcome =
+      run_program({"merge", folder_.path("shard1/run.json"), folder_.path("shard2/run.json"),
+                   "--output", folder_.path("merged"), "--format", "markdown", "--json"});
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_EQ(json::parse(outcome.out).at("laws").at(0).at("checked"), 7);
+  EXPECT_EQ(folder_.files("merged"), std::vector<std::string>{"summary.md"});
+}
+
+// --- What is refused -----------------------------------------------------------------------------
+
+TEST_F(Shard, HasToBeOneThatThereIs) {
+  for (const char* shard : {"0/3", "4/3", "1/0", "1/4097"}) {
+    const Outcome outcome = run("out", {"--seed", "1", "--shard", shard});
+    EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+    EXPECT_THAT(outcome.err, HasSubstr(std::string("--shard: ") + shard + ": "));
+  }
+  for (const char* shard : {"", "a/b", "3", "3/", "/3", "-1/3", "1/2/3", "1/3 "}) {
+    const Outcome outcome = run("out", {"--seed", "1", "--shard", shard});
+    EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+    EXPECT_THAT(outcome.err, HasSubstr("must be two whole numbers, as 2/7"));
+  }
+}
+
+// Kills: shards of as many campaigns.
+TEST_F(Shard, NeedsASeed) {
+  const Outcome outcome = run("out", {"--shard", "1/3"});
+  EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+  EXPECT_THAT(outcome.err, HasSubstr("--shard: needs --seed"));
+}
+
+TEST_F(Shard, MayHaveNothingToDo) {
+  const Outcome outcome = run_small(40, 64);
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_THAT(outcome.out, HasSubstr("Shard 40 of 64: nothing of the campaign fell to it"));
+}
+
+TEST_F(Shard, ThatIsMissingTwiceOrAlienIsRefused) {
+  for (int i = 1; i <= 3; ++i) EXPECT_EQ(run_small(i, 3).code, 0);
+  const auto error_of = [this](const std::vector<int>& shards) {
+    const Outcome outcome = merge(shards);
+    EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+    return outcome.err;
+  };
+  EXPECT_THAT(error_of({1, 3}), HasSubstr("shard 2 of 3 is missing"));
+  EXPECT_THAT(error_of({2}), HasSubstr("shards 1 and 3 of 3 are missing"));
+  EXPECT_THAT(error_of({1, 2, 2, 3}), HasSubstr("shard 2 of 3 is there twice"));
+  EXPECT_EQ(run_shard(2, 3, {"--seed", "2", "--cases", "6", "--property", "coverage obeys*"}).code,
+            0);
+  EXPECT_THAT(error_of({1, 2, 3}), HasSubstr("its seed is 2, and 1 there"));
+  EXPECT_EQ(run("shard2", {"--cases", "1", "--property", "coverage obeys*"}).code, 0);
+  EXPECT_THAT(error_of({1, 2, 3}), HasSubstr("shard2/run.json: is no shard"));
+  EXPECT_THAT(error_of({4}), HasSubstr("shard4: cannot be read"));
+}
+
+// --- Interrupted ---------------------------------------------------------------------------------
+
+TEST_F(Shard, ThatWasInterruptedIsRefusedAndGoesOn) {
+  const std::vector<std::string> campaign{"--backend",  "damaged:slow",   "--seed",
+                                          "3",          "--cases",        "120",
+                                          "--property", "coverage obeys*"};
+  EXPECT_EQ(run("whole", campaign).code, 1);
+  EXPECT_EQ(run_shard(1, 2, campaign).code, 1);
+  {
+    std::vector<std::string> second = arguments("shard2", campaign);
+    second.insert(second.end(), {"--shard", "2/2"});
+    RunningProgram program(second);
+    wait_for_progress("shard2/unfinished.json");
+    program.kill(SIGINT);
+    program.wait();
+  }
+  const Outcome refused = merge({1, 2});
+  EXPECT_TRUE(is_failure(refused, 2)) << refused;
+  EXPECT_THAT(refused.err, HasSubstr("shard2/run.json: shard 2 of 2 was interrupted, cases not "));
+
+  const auto resume = [this](const std::string& shard) {
+    return run_damaged_program(
+        {"run", "--resume", "--shard", shard, "--output", folder_.path("shard2")});
+  };
+  const Outcome other = resume("1/2");
+  EXPECT_TRUE(is_failure(other, 2)) << other;
+  EXPECT_THAT(other.err, HasSubstr("what was interrupted is shard 2 of 2"));
+  EXPECT_EQ(resume("2/2").code, 1);
+  EXPECT_EQ(merge({1, 2}).code, 1);
+  expect_same("merged", "whole");
 }
 
 }  // namespace

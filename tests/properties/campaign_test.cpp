@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <limits>
 #include <map>
 
@@ -103,7 +104,7 @@ std::map<Place, std::uint64_t> dealt_out(CampaignOptions options, std::size_t co
 // Kills: a case in two shards or in none; blocks of laws.
 TEST(TasksOf, ShardsHaveEachCaseOnceAndOfEachLawAsMany) {
   const CampaignOptions options{1, 100, {"cpu", "damaged"}, {"one law", "another", "a third"}};
-  for (const std::uint64_t count : {1, 2, 7, 50, 64, 100, 700}) {
+  for (const std::uint64_t count : std::array<std::uint64_t, 7>{1, 2, 7, 50, 64, 100, 700}) {
     const auto shards = dealt_out(options, 21, count);
     ASSERT_THAT(shards, SizeIs(2 * 3 * (100 + 21)));
     std::map<std::uint64_t, std::uint64_t> cases;

@@ -132,9 +132,10 @@ TEST(ShardMerge, NamesWhatIsMissing) {
   EXPECT_EQ(error_of({}), "merge: there are no shards");
   EXPECT_EQ(error_of({shard(1), shard(3)}), "merge: shard 2 of 3 is missing");
   EXPECT_EQ(error_of({shard(2)}), "merge: shards 1 and 3 of 3 are missing");
+  EXPECT_EQ(error_of({shard(3)}), "merge: shards 1 and 2 of 3 are missing");
   Run of_seven = shard(2);
   of_seven.shard->number.count = 7;
-  EXPECT_EQ(error_of({of_seven}), "merge: shards 1, 3, 4, 5, 6 and 7 of 7 are missing");
+  EXPECT_EQ(error_of({of_seven}), "merge: shards 1 and 3 to 7 of 7 are missing");
 }
 
 TEST(ShardMerge, RefusesOneThatIsThereTwice) {

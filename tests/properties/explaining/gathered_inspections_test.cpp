@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "properties/campaign.h"
 #include "properties/explaining/run_inspections.h"
 #include "tests/properties/damaged_backend.h"
@@ -38,7 +40,7 @@ TEST(GatheredInspections, AreThoseOfTheRun) {
   EXPECT_EQ(whole.inspections.front().occasion, records::Occasion::counterexample);
   EXPECT_EQ(whole.inspections.back().occasion, records::Occasion::worst);
   std::vector<MergedRun::LookedAt> shards;
-  for (const std::uint64_t index : {3, 1, 2}) {
+  for (const std::uint64_t index : std::array<std::uint64_t, 3>{3, 1, 2}) {
     records::Run part = run_of(records::ShardNumber{index, 3});
     shards.push_back({part.counterexamples, part.inspections});
     EXPECT_NE(part.inspections, whole.inspections);
