@@ -12,7 +12,6 @@
 namespace rastercheck::properties {
 namespace {
 
-using records::Run;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -28,10 +27,10 @@ records::Counterexample found_at(std::uint64_t index) {
   return one;
 }
 
-/// Shard `index` of 3: each has checked 1000 cases, of which 100 · index reached a tie, and found a
+/// Shard `index` of 3: each has checked 1000 cases, of which `index` reached a tie, and found a
 /// counterexample, the third the first.
-Run shard(std::uint64_t index) {
-  Run run;
+records::Run shard(std::uint64_t index) {
+  records::Run run;
   run.seed = 1;
   run.cases_per_law = 3000;
   run.backends = {"cpu"};
@@ -44,7 +43,8 @@ Run shard(std::uint64_t index) {
   records::Record& record =
       run.records[{kLaw, "cpu", records::AttributeKind::coverage, "ordinary"}];
   record.cases.checked = 1000;
-  record.labels = {{"tie", index}, {"clipped", 1000}};
+  for (const Cover& cover : find_law(kLaw)->covers) record.labels[std::string(cover.label)] = 1000;
+  record.labels["tie"] = index;
   run.cases.emplace()[{kLaw, "cpu", records::Origin::random, index}].found_digest = index;
   run.counterexamples = {found_at(10 - index)};
   run.unexpected = {{"cpu", "driver-" + std::to_string(index), kLaw, true}};
@@ -56,7 +56,7 @@ Run shard(std::uint64_t index) {
   return run;
 }
 
-Result<MergedRun> merged(const std::vector<Run>& runs) {
+Result<MergedRun> merged(const std::vector<records::Run>& runs) {
   ShardMerge merge;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Result<void> added = merge.add(runs[i], "file " + std::to_string(i + 1));
@@ -65,14 +65,14 @@ Result<MergedRun> merged(const std::vector<Run>& runs) {
   return std::move(merge).finish();
 }
 
-std::string error_of(const std::vector<Run>& runs) {
+std::string error_of(const std::vector<records::Run>& runs) {
   const auto result = merged(runs);
   return result ? "was merged" : to_string(result.error());
 }
 
 TEST(ShardMerge, AddsUpWhatWasFound) {
   const MergedRun all = merged({shard(1), shard(2), shard(3)}).value();
-  const Run& run = all.run;
+  const records::Run& run = all.run;
   EXPECT_EQ(run.shard, std::nullopt);
   EXPECT_EQ(run.seed, 1U);
   EXPECT_EQ(run.cases_per_law, 3000U);
@@ -88,18 +88,18 @@ TEST(ShardMerge, AddsUpWhatWasFound) {
 
 // Kills: labels judged by a part, or by whoever merges.
 TEST(ShardMerge, JudgesLabelsOfTheWhole) {
-  const Run run = merged({shard(1), shard(2), shard(3)}).value().run;
+  const records::Run run = merged({shard(1), shard(2), shard(3)}).value().run;
   ASSERT_THAT(run.unreached, SizeIs(1));
   EXPECT_EQ(run.unreached[0].label, "tie");
   EXPECT_EQ(run.unreached[0].reached, 6U);
   EXPECT_EQ(run.unreached[0].checked, 3000U);
-  std::vector<Run> lax{shard(1), shard(2), shard(3)};
-  for (Run& one : lax) one.shard->promises[0].has_limits = true;
+  std::vector<records::Run> lax{shard(1), shard(2), shard(3)};
+  for (records::Run& one : lax) one.shard->promises[0].has_limits = true;
   EXPECT_THAT(merged(lax).value().run.unreached, IsEmpty());
 }
 
 TEST(ShardMerge, TakesThemInAnyOrder) {
-  const Run run = merged({shard(1), shard(2), shard(3)}).value().run;
+  const records::Run run = merged({shard(1), shard(2), shard(3)}).value().run;
   std::array<std::uint64_t, 3> order{1, 2, 3};
   while (std::next_permutation(order.begin(), order.end())) {
     EXPECT_EQ(merged({shard(order[0]), shard(order[1]), shard(order[2])}).value().run, run);
@@ -117,7 +117,7 @@ TEST(ShardMerge, SaysWhereTheyRan) {
 }
 
 TEST(ShardMerge, TakesWhatOnlyTheFirstHas) {
-  Run first = shard(1);
+  records::Run first = shard(1);
   first.shard->scene_digest = "00000000000000ff";
   first.shard->saved = {square()};
   first.pictures = {{"bunny", "A bunny.", 1, 1, "png"}};
@@ -133,7 +133,7 @@ TEST(ShardMerge, NamesWhatIsMissing) {
   EXPECT_EQ(error_of({shard(1), shard(3)}), "merge: shard 2 of 3 is missing");
   EXPECT_EQ(error_of({shard(2)}), "merge: shards 1 and 3 of 3 are missing");
   EXPECT_EQ(error_of({shard(3)}), "merge: shards 1 and 2 of 3 are missing");
-  Run of_seven = shard(2);
+  records::Run of_seven = shard(2);
   of_seven.shard->number.count = 7;
   EXPECT_EQ(error_of({of_seven}), "merge: shards 1 and 3 to 7 of 7 are missing");
 }
@@ -144,10 +144,10 @@ TEST(ShardMerge, RefusesOneThatIsThereTwice) {
 }
 
 TEST(ShardMerge, RefusesWhatIsNoShardOrNotWhole) {
-  Run whole = shard(1);
+  records::Run whole = shard(1);
   whole.shard.reset();
   EXPECT_EQ(error_of({whole}), "file 1: is no shard: the run was not cut by --shard");
-  Run interrupted = shard(2);
+  records::Run interrupted = shard(2);
   interrupted.cases_left = 120;
   EXPECT_EQ(error_of({shard(1), interrupted}),
             "file 2: shard 2 of 3 was interrupted, cases not checked: 120; `rastercheck run "
@@ -155,53 +155,53 @@ TEST(ShardMerge, RefusesWhatIsNoShardOrNotWhole) {
   interrupted.cases_left = 0;
   interrupted.shard->is_whole = false;
   EXPECT_THAT(error_of({interrupted}), HasSubstr("not all counterexamples are shrunk"));
-  Run nameless = shard(1);
+  records::Run nameless = shard(1);
   nameless.counterexamples[0].source.found.reset();
   EXPECT_THAT(error_of({nameless}), HasSubstr("does not say how it was found"));
 }
 
 // Kills: shards of two campaigns put together.
 TEST(ShardMerge, NamesTheDifferenceOfAnotherCampaign) {
-  const auto error = [](const std::function<void(Run&)>& change) {
-    Run other = shard(2);
+  const auto error = [](const std::function<void(records::Run&)>& change) {
+    records::Run other = shard(2);
     change(other);
     return error_of({shard(1), other, shard(3)});
   };
   const std::string start = "file 2: is of another campaign than file 1: ";
-  EXPECT_EQ(error([](Run& run) { run.environment["version"] = "1.2.4"; }),
+  EXPECT_EQ(error([](records::Run& run) { run.environment["version"] = "1.2.4"; }),
             start + "its program's version is 1.2.4, and 1.2.3 there");
-  EXPECT_EQ(error([](Run& run) { run.rules_version = 9; }),
+  EXPECT_EQ(error([](records::Run& run) { run.rules_version = 9; }),
             start + "its rules version is 9, and 1 there");
-  EXPECT_EQ(error([](Run& run) { run.shard->number.count = 2; }),
+  EXPECT_EQ(error([](records::Run& run) { run.shard->number.count = 2; }),
             start + "its number of shards is 2, and 3 there");
-  EXPECT_EQ(error([](Run& run) { run.seed = 2; }), start + "its seed is 2, and 1 there");
-  EXPECT_EQ(error([](Run& run) { run.cases_per_law = 2; }),
+  EXPECT_EQ(error([](records::Run& run) { run.seed = 2; }), start + "its seed is 2, and 1 there");
+  EXPECT_EQ(error([](records::Run& run) { run.cases_per_law = 2; }),
             start + "its number of cases of each law is 2, and 3000 there");
-  EXPECT_EQ(error([](Run& run) {
+  EXPECT_EQ(error([](records::Run& run) {
               run.backends = {"cpu", "gl"};
             }),
             start + "its backends have 'gl', which is not among those there");
-  EXPECT_EQ(error([](Run& run) { run.laws = {}; }),
+  EXPECT_EQ(error([](records::Run& run) { run.laws = {}; }),
             start + "its laws lack '" + kLaw + "', which is among those there");
-  EXPECT_EQ(error([](Run& run) { run.options.insert(run.options.end(), "--keep-cases"); }),
+  EXPECT_EQ(error([](records::Run& run) { run.options.insert(run.options.end(), "--keep-cases"); }),
             start + "its options are '--keep-cases --keep-cases', and '--keep-cases' there");
-  EXPECT_EQ(error([](Run& run) { run.scene = "bunny"; }),
+  EXPECT_EQ(error([](records::Run& run) { run.scene = "bunny"; }),
             start + "its scene is 'bunny', and '' there");
-  EXPECT_EQ(error([](Run& run) { run.contract_file = "lax.json"; }),
+  EXPECT_EQ(error([](records::Run& run) { run.contract_file = "lax.json"; }),
             start + "its contract file is 'lax.json', and '' there");
-  EXPECT_EQ(error([](Run& run) { run.shard->contract.emplace(); }),
+  EXPECT_EQ(error([](records::Run& run) { run.shard->contract.emplace(); }),
             start + "its contract file says something else");
-  EXPECT_EQ(error([](Run& run) { run.shard->corpus_digest = "x\n"; }),
+  EXPECT_EQ(error([](records::Run& run) { run.shard->corpus_digest = "x\n"; }),
             start + "its corpus' digest is x\\n, and 0123456789abcdef there");
-  EXPECT_EQ(error([](Run& run) {
+  EXPECT_EQ(error([](records::Run& run) {
               run.known.push_back({"cpu", "22.3.6", {}});
             }),
             start + "its known drivers have 'cpu 22.3.6', which is not among those there");
-  EXPECT_EQ(error([](Run& run) { run.shard->known_digest = "1"; }),
+  EXPECT_EQ(error([](records::Run& run) { run.shard->known_digest = "1"; }),
             start + "its lists of known defects say something else");
-  EXPECT_EQ(error([](Run& run) { run.shard->promises[0].has_limits = true; }),
+  EXPECT_EQ(error([](records::Run& run) { run.shard->promises[0].has_limits = true; }),
             start + "cpu promises something else there");
-  EXPECT_EQ(error([](Run& run) { run.shard->promises.clear(); }),
+  EXPECT_EQ(error([](records::Run& run) { run.shard->promises.clear(); }),
             start + "a backend promises something else there");
 }
 
