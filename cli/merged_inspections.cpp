@@ -54,7 +54,7 @@ Result<std::optional<cases::Case>> scene_of(const MergedRun& merged) {
 Result<void> inspect_merged(MergedRun& merged) {
   Run& run = merged.run;
   isolate_foreign_backends(number_of(run, "--timeout", kDefaultTimeout));
-  if (merged.common.contract) backends::hold_backends_to(*merged.common.contract);
+  if (merged.common.contract) backends::hold_backends_to(merged.common.contract);
   const std::string folder = option_of(run, "--corpus").value_or(corpus_folder());
   Result<std::vector<cases::Case>> corpus = properties::read_corpus(folder);
   if (!corpus) return tl::unexpected(corpus.error());

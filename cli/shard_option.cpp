@@ -4,7 +4,6 @@
 
 #include <charconv>
 #include <cstdint>
-#include <string_view>
 #include <system_error>
 
 #include "cases/json.h"
@@ -16,7 +15,7 @@ Error refusal(const std::string& text, const std::string& reason) {
   return {"--shard", cases::printable(text), reason};
 }
 
-std::optional<std::uint64_t> whole_number_in(std::string_view text) {
+std::optional<std::uint64_t> whole_number_in(const std::string& text) {
   std::uint64_t value = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, problem] = std::from_chars(text.data(), end, value);
@@ -38,11 +37,10 @@ CLI::Option* add_shard(CLI::App& app, ShardOption& shard) {
 Result<std::optional<records::ShardNumber>> parse_shard(const ShardOption& option) {
   if (!option) return std::nullopt;
   const std::string& text = *option;
-  const std::string_view all(text);
-  const std::size_t slash = all.find('/');
-  const auto index = whole_number_in(all.substr(0, slash));
+  const std::size_t slash = text.find('/');
+  const auto index = whole_number_in(text.substr(0, slash));
   const auto count =
-      slash == std::string_view::npos ? std::nullopt : whole_number_in(all.substr(slash + 1));
+      slash == std::string::npos ? std::nullopt : whole_number_in(text.substr(slash + 1));
   if (!index || !count) {
     return tl::unexpected(refusal(text, "must be two whole numbers, as 2/7"));
   }

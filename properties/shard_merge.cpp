@@ -78,6 +78,7 @@ std::string value_of(const Environment& environment, const std::string& key) {
 /// The driver that each known list is held against, "gl:llvmpipe 22.3.6".
 std::vector<std::string> drivers_of(const Run& run) {
   std::vector<std::string> drivers;
+  drivers.reserve(run.known.size());
   for (const records::KnownOfBackend& known : run.known) {
     drivers.push_back(known.backend + " " + known.version);
   }
@@ -216,7 +217,7 @@ Result<void> ShardMerge::check(const Run& run, const std::string& file) const {
 }
 
 Result<void> ShardMerge::add(Run run, const std::string& file) {
-  const Result<void> checked = check(run, file);
+  Result<void> checked = check(run, file);
   if (!checked) return checked;
   Added& added = added_[run.shard->number.index];
   added = {file, run.environment, {run.counterexamples, std::move(run.inspections)}};

@@ -67,6 +67,7 @@ std::vector<Worst> worst_of(std::span<const MergedRun::LookedAt> shards) {
     }
   }
   std::vector<Worst> all;
+  all.reserve(largest.size());
   for (const auto& [key, worst] : largest) all.push_back(worst);
   std::stable_sort(all.begin(), all.end(),
                    [](const Worst& a, const Worst& b) { return a.size > b.size; });
