@@ -15,6 +15,7 @@
 #include "records/known.h"
 #include "records/record.h"
 #include "records/shard.h"
+#include "records/specimen.h"
 
 namespace rastercheck::records {
 
@@ -66,6 +67,9 @@ struct Run {
   RecordSet records;
   /// What each case gave; nothing where that was not kept.
   std::optional<CaseRecordSet> cases = std::nullopt;
+  /// What was drawn of parts of some cases, ordered by backend, key and triangle; of runs that keep
+  /// what cases gave.
+  std::vector<Specimen> specimens = {};
   /// Ordered by (law, backend, verdict), one of each.
   std::vector<Counterexample> counterexamples;
   /// Counterexamples in their order, then worst cases by (law, backend, kind, stratum).

@@ -14,6 +14,7 @@
 #include "records/known_json.h"
 #include "records/record_json.h"
 #include "records/shard_json.h"
+#include "records/specimen_json.h"
 #include "reports/base64.h"
 
 namespace rastercheck::reports {
@@ -31,8 +32,8 @@ void check_header(const JsonNode& root) {
   }
   root.expect_object({"format", "version", "seed", "cases_per_law", "backends", "laws", "scene",
                       "records", "counterexamples", "unreached", "pictures", "environment"},
-                     {"rules_version", "cases", "contract_file", "options", "shard", "cases_left",
-                      "shrink_seconds", "inspections", "known", "unexpected_passes"});
+                     {"rules_version", "cases", "specimens", "contract_file", "options", "shard",
+                      "cases_left", "shrink_seconds", "inspections", "known", "unexpected_passes"});
 }
 
 std::vector<std::string> read_texts(const JsonNode& node) {
@@ -113,6 +114,7 @@ records::Run read_document(const JsonNode& root) {
     run.pictures.push_back(read_picture(node));
   }
   if (root.has("cases")) run.cases = records::case_records_from_json(root["cases"]);
+  if (root.has("specimens")) run.specimens = records::specimens_from_json(root["specimens"]);
   for (const std::string& key : root["environment"].keys()) {
     run.environment[key] = root["environment"][key].text();
   }

@@ -36,6 +36,7 @@
 #include "properties/campaign_run.h"
 #include "properties/corpus.h"
 #include "properties/explaining/run_inspections.h"
+#include "properties/explaining/specimens.h"
 #include "records/share.h"
 #include "records/summary.h"
 #include "reports/format.h"
@@ -452,7 +453,9 @@ ExitCode run_campaign(Options options, const CLI::App& app) {
     run.unreached = properties::unreached_labels(run.laws, promises, run.records);
   }
   const cases::Case* scene = work->scene ? &*work->scene : nullptr;
-  run.inspections = properties::inspect_run(run, {work->corpus, work->start.saved, *known, scene});
+  const properties::CaseSources sources{work->corpus, work->start.saved, *known, scene};
+  run.inspections = properties::inspect_run(run, sources);
+  run.specimens = properties::make_specimens(run, sources);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.environment = environment(options.jobs, seconds.count());
 

@@ -16,6 +16,7 @@
 #include "oracle/triangle_truth.h"
 #include "oracle/ulp.h"
 #include "properties/drawing.h"
+#include "properties/explaining/crop.h"
 #include "properties/explaining/elided.h"
 #include "properties/explaining/outline.h"
 
@@ -32,11 +33,6 @@ using records::InspectedSample;
 using records::InspectedValue;
 using records::Inspection;
 using records::Verdict;
-
-/// Samples of a crop, at most.
-constexpr std::uint32_t kMostSamples = records::kMostInspected * records::kMostInspected;
-/// Pixels around what the triangle touches.
-constexpr int kMargin = 2;
 
 /// The drawn fragments of one triangle, by (y, x, sample): indices into the framebuffer.
 using Drawn = std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::size_t>;
@@ -174,25 +170,9 @@ InspectedSample inspect_sample(const Subject& subject, std::uint32_t x, std::uin
 
 // --- The part that is shown ----------------------------------------------------------------------
 
-PixelBox intersection(const PixelBox& a, const PixelBox& b) {
-  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
-}
-
-PixelBox hull(const PixelBox& a, const PixelBox& b) {
-  if (a.x0 >= a.x1 || a.y0 >= a.y1) return b;
-  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
-}
-
-/// At most `most` of [from, to), with `at` as near to the middle as they allow.
-std::pair<int, int> part_around(int at, int from, int to, int most) {
-  const int first = std::clamp(at - most / 2, from, std::max(from, to - most));
-  return {first, std::min(first + most, to)};
-}
-
 /// The pixels that are shown.
 PixelBox crop_of(const Subject& subject, const records::SampleAddress& at,
                  const InspectOptions& options) {
-  const cases::FramebufferSize& size = subject.c->framebuffer;
   const auto x = static_cast<int>(at.x);
   const auto y = static_cast<int>(at.y);
   PixelBox touched = hull(subject.promised->pixels(), {x, y, x + 1, y + 1});
@@ -201,16 +181,7 @@ PixelBox crop_of(const Subject& subject, const records::SampleAddress& at,
     const auto row = static_cast<int>(std::get<0>(place));
     touched = hull(touched, {column, row, column + 1, row + 1});
   }
-  const PixelBox shown = intersection(
-      {touched.x0 - kMargin, touched.y0 - kMargin, touched.x1 + kMargin, touched.y1 + kMargin},
-      {0, 0, size.width, size.height});
-  const auto samples = static_cast<std::uint32_t>(size.samples);
-  const auto values = static_cast<std::uint32_t>(subject.c->attributes.size() + 1);
-  const std::uint32_t most = std::min(kMostSamples, options.most_values / values) / samples;
-  const int side = std::max(1, static_cast<int>(std::sqrt(most)));
-  const auto [x0, x1] = part_around(x, shown.x0, shown.x1, side);
-  const auto [y0, y1] = part_around(y, shown.y0, shown.y1, side);
-  return {x0, y0, x1, y1};
+  return crop_around(*subject.c, touched, at, options.most_values);
 }
 
 void inspect_crop(const Subject& subject, const PixelBox& crop, Inspection& inspection) {
@@ -285,7 +256,15 @@ void add_splits(const cases::Case& given, const cases::Contract& contract,
       split.coverage_stage(x, y, number, sample->is_drawn, trace ? &*trace : nullptr);
 }
 
-Result<void> check_focus(const cases::Case& c, const Focus& focus) {
+/// Whether a part has pixels of the framebuffer only, and this one.
+bool has(const PixelBox& crop, const cases::FramebufferSize& size, const Focus& focus) {
+  const auto x = static_cast<int>(focus.at.x);
+  const auto y = static_cast<int>(focus.at.y);
+  return crop.x0 >= 0 && crop.x1 <= size.width && crop.y0 >= 0 && crop.y1 <= size.height &&
+         x >= crop.x0 && x < crop.x1 && y >= crop.y0 && y < crop.y1;
+}
+
+Result<void> check_focus(const cases::Case& c, const Focus& focus, const InspectOptions& options) {
   const auto refuse = [](std::string reason) {
     return tl::unexpected(Error{"", "", std::move(reason)});
   };
@@ -305,6 +284,9 @@ Result<void> check_focus(const cases::Case& c, const Focus& focus) {
     return refuse(
         fmt::format("there is no attribute {}; it has {}", *focus.attribute, c.attributes.size()));
   }
+  if (options.crop && !has(*options.crop, size, focus)) {
+    return refuse("the part that is shown has no such pixel");
+  }
   return {};
 }
 
@@ -312,7 +294,7 @@ Result<void> check_focus(const cases::Case& c, const Focus& focus) {
 
 Result<Inspection> inspect(const cases::Case& c, backends::Backend& backend, const Focus& focus,
                            const InspectOptions& options) {
-  if (const Result<void> is_there = check_focus(c, focus); !is_there) {
+  if (const Result<void> is_there = check_focus(c, focus, options); !is_there) {
     return tl::unexpected(is_there.error());
   }
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
@@ -329,7 +311,8 @@ Result<Inspection> inspect(const cases::Case& c, backends::Backend& backend, con
   const Subject subject{&*clip, &exact, &promised, &*drawn,
                         fragments_of(*drawn, focus.at.triangle)};
   Inspection inspection = begin_inspection(exact_scene, focus, exact);
-  inspect_crop(subject, crop_of(subject, focus.at, options), inspection);
+  const PixelBox crop = options.crop ? *options.crop : crop_of(subject, focus.at, options);
+  inspect_crop(subject, crop, inspection);
   add_splits(c, contract, backend, inspection);
   return inspection;
 }

@@ -4,10 +4,12 @@
 // was drawn, and how the one became the other.
 
 #include <cstdint>
+#include <optional>
 
 #include "backends/backend.h"
 #include "cases/case.h"
 #include "cases/error.h"
+#include "oracle/pixel_box.h"
 #include "properties/explaining/focus.h"
 #include "records/inspection.h"
 
@@ -17,6 +19,9 @@ struct InspectOptions {
   /// Values, depths among them, that are shown of the pixels around the sample, at most; those of
   /// the sample's own pixel are shown however many they are.
   std::uint32_t most_values = 4096;
+  /// The pixels that are shown, however many; nothing: those that the triangle touches. The sample
+  /// is among them.
+  std::optional<oracle::PixelBox> crop = std::nullopt;
 };
 
 /// Draws the case's clip positions (oracle/transform.h), without the depth test, which has no say

@@ -1,23 +1,15 @@
 #include "properties/explaining/run_inspections.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <functional>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <optional>
 #include <tuple>
 #include <utility>
 
-#include "backends/backend.h"
-#include "oracle/transform.h"
 #include "properties/check_case.h"
-#include "properties/draw.h"
 #include "properties/explaining/inspect.h"
-#include "properties/law.h"
-#include "properties/shrink.h"
 #include "records/histogram.h"
 
 namespace rastercheck::properties {
@@ -32,45 +24,9 @@ using records::WorstError;
 /// Values of each inspection: 16 × 16 pixels of a depth and an attribute. Forty make a page of some
 /// megabytes.
 constexpr InspectOptions kOfRuns{512};
-/// Of larger cases one triangle is taken out.
-constexpr std::size_t kMostTriangles = 8;
 /// Errors of one backend, kind and stratum that are tried, the largest first: those of a law that
 /// draws something else than the case itself do not come back.
 constexpr std::size_t kMostTries = 4;
-
-/// The run's backends, made when first asked for.
-class Backends {
- public:
-  /// nullptr where there is none any more.
-  backends::Backend* find(const std::string& specification) {
-    const auto [made, is_new] = made_.try_emplace(specification);
-    if (is_new) {
-      auto backend = backends::make_backend(specification);
-      if (backend) made->second = *std::move(backend);
-    }
-    backends::Backend* backend = made->second.get();
-    return backend == nullptr || backend->is_lost() ? nullptr : backend;
-  }
-
- private:
-  std::map<std::string, std::unique_ptr<backends::Backend>> made_;
-};
-
-/// Inspects a case or, of a large one, the triangle in question alone.
-std::optional<Inspection> inspect_part(const cases::Case& c, const std::string& specification,
-                                       Focus focus, Backends& made) {
-  backends::Backend* backend = made.find(specification);
-  if (backend == nullptr || focus.at.triangle >= c.triangles.size()) return std::nullopt;
-  std::optional<cases::Case> part;
-  if (c.triangles.size() > kMostTriangles) {
-    part = with_triangles(c, {{focus.at.triangle}});
-    focus.at.triangle = 0;
-  }
-  Result<Inspection> inspection = inspect(part ? *part : c, *backend, focus, kOfRuns);
-  if (!inspection) return std::nullopt;
-  inspection->backend = specification;
-  return *std::move(inspection);
-}
 
 // --- Counterexamples -----------------------------------------------------------------------------
 
@@ -89,7 +45,7 @@ std::optional<Focus> focus_of(const records::Counterexample& found, backends::Ba
   return worst ? std::optional(*worst) : std::nullopt;
 }
 
-void inspect_counterexamples(const records::Run& run, Backends& made,
+void inspect_counterexamples(const records::Run& run, MadeBackends& made,
                              std::vector<Inspection>& inspections) {
   for (std::size_t i = 0; i < run.counterexamples.size(); ++i) {
     if (inspections.size() == records::kMostInspections) return;
@@ -99,7 +55,8 @@ void inspect_counterexamples(const records::Run& run, Backends& made,
     if (backend == nullptr) continue;
     const std::optional<Focus> focus = focus_of(one, *backend);
     if (!focus) continue;
-    std::optional<Inspection> inspection = inspect_part(one.source, found.backend, *focus, made);
+    std::optional<Inspection> inspection =
+        inspect_part(one.source, found.backend, *focus, made, kOfRuns);
     if (!inspection) continue;
     inspection->occasion = records::Occasion::counterexample;
     inspection->law = found.law;
@@ -165,46 +122,33 @@ std::optional<cases::Case> case_of(const Candidate& candidate, std::uint64_t see
     return c == nullptr ? std::nullopt : std::optional(*c);
   };
   if (stratum.starts_with(records::kSceneStratum)) return copy_of(sources.scene);
-  if (stratum == records::kCorpusStratum) {
-    return index < sources.corpus.size() ? std::optional(sources.corpus[index]) : std::nullopt;
-  }
   if (stratum == records::kSavedStratum) return copy_of(find_saved(sources.saved, law_name, index));
   if (stratum == records::kKnownStratum) {
     const auto known = sources.known.find(backend);
     if (known == sources.known.end()) return std::nullopt;
     return copy_of(find_saved(known->second.cases, law_name, index));
   }
-  const Law* law = find_law(law_name);
-  if (law == nullptr || law->generate == nullptr) return std::nullopt;
-  Draw draw(seed, law->name, index);
-  return law->generate(draw).source;
-}
-
-/// Whether the sample looked for has the value that the error is of, to the bit.
-bool shows(const Inspection& inspection, const WorstError& worst) {
-  const records::InspectedSample* sample = records::inspected_sample(inspection);
-  if (sample == nullptr) return false;
-  const std::size_t value = worst.attribute ? 1 + *worst.attribute : 0;
-  if (value >= sample->values.size() || !sample->values[value].actual) return false;
-  return std::bit_cast<std::uint32_t>(*sample->values[value].actual) ==
-         std::bit_cast<std::uint32_t>(worst.actual);
+  const records::Origin origin =
+      stratum == records::kCorpusStratum ? records::Origin::corpus : records::Origin::random;
+  return frozen_case({law_name, backend, origin, index}, seed, sources.corpus);
 }
 
 std::optional<Inspection> inspect_candidate(const Candidate& candidate, std::uint64_t seed,
-                                            const CaseSources& sources, Backends& made) {
-  const std::optional<cases::Case> c = case_of(candidate, seed, sources);
+                                            const CaseSources& sources, MadeBackends& made) {
+  std::optional<cases::Case> c = case_of(candidate, seed, sources);
   if (!c) return std::nullopt;
   const WorstError& worst = *candidate.worst;
   const Focus focus{{worst.triangle, worst.x, worst.y, worst.sample}, worst.attribute};
-  std::optional<Inspection> inspection = inspect_part(*c, candidate.key->backend, focus, made);
-  if (!inspection || !shows(*inspection, worst)) return std::nullopt;
+  std::optional<Inspection> inspection =
+      inspect_part(*std::move(c), candidate.key->backend, focus, made, kOfRuns);
+  if (!inspection || !shows(*inspection, worst.attribute, worst.actual)) return std::nullopt;
   inspection->occasion = records::Occasion::worst;
   inspection->law = candidate.key->law;
   inspection->kind = candidate.key->attribute_kind;
   return inspection;
 }
 
-void inspect_worst(const records::Run& run, const CaseSources& sources, Backends& made,
+void inspect_worst(const records::Run& run, const CaseSources& sources, MadeBackends& made,
                    std::vector<Inspection>& inspections) {
   const Candidates candidates = candidates_of(run);
   std::vector<Candidates::const_iterator> largest_first;
@@ -237,7 +181,7 @@ void inspect_worst(const records::Run& run, const CaseSources& sources, Backends
 }  // namespace
 
 std::vector<Inspection> inspect_run(const records::Run& run, const CaseSources& sources) {
-  Backends made;
+  MadeBackends made;
   std::vector<Inspection> inspections;
   inspect_counterexamples(run, made, inspections);
   inspect_worst(run, sources, made, inspections);

@@ -3,23 +3,13 @@
 // What of a run is looked at closely: its counterexamples, and where its values were the farthest
 // off.
 
-#include <span>
 #include <vector>
 
-#include "cases/case.h"
-#include "properties/known_defects.h"
+#include "properties/explaining/run_cases.h"
 #include "records/inspection.h"
 #include "records/run.h"
 
 namespace rastercheck::properties {
-
-/// Where a run's cases come from, those aside that its seed gives.
-struct CaseSources {
-  std::span<const cases::Case> corpus = {};
-  std::span<const cases::Case> saved = {};  ///< counterexamples of earlier runs
-  KnownByBackend known = {};
-  const cases::Case* scene = nullptr;  ///< without a camera; nullptr: none
-};
 
 /// The run's counterexamples in their order, each at its first violation, and then, of every
 /// backend, kind of value and stratum, the largest ideal error (oracle/judge.h) of all laws, by

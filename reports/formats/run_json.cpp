@@ -17,6 +17,7 @@
 //     "shrink_seconds": 5,      only where shrinking was limited by time
 //     "records": […],           records/record_json.h
 //     "cases": […],             records/case_record_json.h; only where they are kept
+//     "specimens": […],         records/specimen_json.h; only where there are any
 //     "counterexamples": […],   records/counterexample_json.h
 //     "inspections": […],       records/inspection_json.h; only where there are any
 //     "unreached": [{"law": "…", "backend": "cpu", "label": "tie", "reached": 2, "least": 13,
@@ -27,8 +28,8 @@
 //     "environment": {"version": "0.1.0", …}
 //   }
 //
-// A record, a case, a counterexample, an inspection and a picture take a line each, so that a text
-// comparison of two runs shows which differ.
+// A record, a case, a specimen, a counterexample, an inspection and a picture take a line each, so
+// that a text comparison of two runs shows which differ.
 
 #include <fmt/format.h>
 
@@ -43,6 +44,7 @@
 #include "records/known_json.h"
 #include "records/record_json.h"
 #include "records/shard_json.h"
+#include "records/specimen_json.h"
 #include "reports/base64.h"
 #include "reports/format.h"
 
@@ -110,6 +112,10 @@ std::string write(const records::Run& run) {
   for (const auto& one : run.unexpected) {
     unexpected.push_back(records::unexpected_pass_to_json(one));
   }
+  json specimens = json::array();
+  for (const records::Specimen& specimen : run.specimens) {
+    specimens.push_back(records::specimen_to_json(specimen));
+  }
   json pictures = json::array();
   for (const records::Picture& picture : run.pictures) pictures.push_back(json_of(picture));
 
@@ -134,6 +140,7 @@ std::string write(const records::Run& run) {
   }
   add("records", lines_of(records::records_to_json(run.records)));
   if (run.cases) add("cases", lines_of(*run.cases));
+  if (!run.specimens.empty()) add("specimens", lines_of(specimens));
   add("counterexamples", lines_of(counterexamples));
   if (!run.inspections.empty()) add("inspections", lines_of(run.inspections));
   add("unreached", lines_of(unreached));

@@ -1,0 +1,68 @@
+#include "properties/explaining/closer_looks.h"
+
+#include <utility>
+
+#include "properties/explaining/run_cases.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::CloserLook;
+using records::Specimen;
+
+/// Values of each look, where the baseline does not say which part is shown.
+constexpr std::uint32_t kMostValues = records::kMostSpecimenValues;
+
+/// What was kept, if it has the sample.
+std::optional<Specimen> kept_around(const LookRequest& request) {
+  const auto& [triangle, x, y, sample] = request.at;
+  const bool has_it = request.before && request.before->triangle == triangle &&
+                      request.before->index_of(x, y, sample).has_value();
+  return has_it ? request.before : std::nullopt;
+}
+
+oracle::PixelBox box_of(const Specimen& specimen) {
+  const auto left = static_cast<int>(specimen.left);
+  const auto top = static_cast<int>(specimen.top);
+  return {left, top, left + static_cast<int>(specimen.width),
+          top + static_cast<int>(specimen.height)};
+}
+
+std::optional<CloserLook> look_at(const LookRequest& request, std::uint64_t seed,
+                                  std::span<const cases::Case> corpus, MadeBackends& made) {
+  std::optional<cases::Case> c = frozen_case(request.key, seed, corpus);
+  if (!c) return std::nullopt;
+  CloserLook look;
+  look.before = kept_around(request);
+  InspectOptions options{kMostValues};
+  if (look.before) options.crop = box_of(*look.before);
+  std::optional<records::Inspection> inspection = inspect_part(
+      *std::move(c), request.key.backend, {request.at, request.attribute}, made, options);
+  if (!inspection) return std::nullopt;
+  if (request.actual && !shows(*inspection, request.attribute, *request.actual)) {
+    return std::nullopt;
+  }
+  look.key = request.key;
+  look.case_name = request.case_name;
+  look.triangle = request.at.triangle;
+  look.kind = request.kind;
+  look.stratum = request.stratum;
+  look.inspection = *std::move(inspection);
+  look.inspection.occasion = records::Occasion::asked_for;
+  look.inspection.law = request.key.law;
+  return look;
+}
+
+}  // namespace
+
+std::vector<CloserLook> closer_looks(std::span<const LookRequest> requests, std::uint64_t seed,
+                                     std::span<const cases::Case> corpus) {
+  MadeBackends made;
+  std::vector<CloserLook> looks;
+  for (const LookRequest& request : requests) {
+    if (auto look = look_at(request, seed, corpus, made)) looks.push_back(*std::move(look));
+  }
+  return looks;
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,29 @@
+#pragma once
+
+// Specimens as JSON:
+//
+//   {"law": "…", "backend": "cpu", "origin": "random", "index": 12, "name": "…", "triangle": 0,
+//    "left": 3, "top": 5, "width": 2, "height": 1, "samples": 1, "attributes": 1,
+//    "rows": ["3f000000:40490fdb -"]}
+//
+// "name" is absent where there is none. A row is a row of pixels; its samples, pixel by pixel, have
+// a space between them. A sample is "-" where it was not drawn, else depth and attributes: eight
+// hexadecimal digits each, the bits of a float32, with a colon between them.
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "cases/json_node.h"
+#include "records/specimen.h"
+
+namespace rastercheck::records {
+
+nlohmann::json specimen_to_json(const Specimen& specimen);
+
+/// Refuses unknown and missing keys, parts larger than are kept, and rows of another form.
+Specimen specimen_from_json(const cases::JsonNode& node);
+
+/// An array of them.
+std::vector<Specimen> specimens_from_json(const cases::JsonNode& array);
+
+}  // namespace rastercheck::records
