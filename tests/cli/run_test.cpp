@@ -152,15 +152,16 @@ TEST_F(Run, ThatIsViolatedAndCheckedNothingIsViolated) {
 TEST_F(Run, IsTheSameWhateverTheJobs) {
   const auto run_with_jobs = [this](const std::string& jobs) {
     const std::string out = "out" + jobs;
-    const Outcome outcome = run_damaged_program(
-        with_folders({"--cases", "21", "--seed", "5", "--backend", "damaged", "--backend", "cpu",
-                      "--scene", source_file("cases/corpus/nearest.json"), "--jobs", jobs},
-                     out));
+    const Outcome outcome = run_damaged_program(with_folders(
+        {"--cases", "21", "--seed", "5", "--backend", "damaged", "--backend", "cpu", "--scene",
+         source_file("cases/corpus/nearest.json"), "--keep-cases", "--jobs", jobs},
+        out));
     EXPECT_EQ(outcome.code, 1) << outcome;
     EXPECT_THAT(folder_.files(out + "/counterexamples"), Not(IsEmpty()));
     return without_environment(folder_.content(out + "/run.json"));
   };
   const std::string one = run_with_jobs("1");
+  EXPECT_THAT(one, HasSubstr("\"specimens\": ["));
   EXPECT_GT(one.size(), 1000U);
   EXPECT_TRUE(one == run_with_jobs("2"));
   EXPECT_TRUE(one == run_with_jobs("3"));
