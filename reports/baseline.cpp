@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -127,6 +128,8 @@ Result<BaselineSection> section_of(const records::Run& run, const std::string& b
   section.entries = entries_of(run, backend);
   for (const std::string& law : run.laws) section.laws[law];
   add_cases(section, *run.cases, backend);
+  std::copy_if(run.specimens.begin(), run.specimens.end(), std::back_inserter(section.specimens),
+               [&backend](const records::Specimen& one) { return one.key.backend == backend; });
   return section;
 }
 

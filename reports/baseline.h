@@ -20,6 +20,7 @@
 #include "records/record.h"
 #include "records/run.h"
 #include "records/signed_sum.h"
+#include "records/specimen.h"
 #include "records/stage_split.h"
 
 namespace rastercheck::reports {
@@ -108,6 +109,8 @@ struct BaselineSection {
   std::map<EntryKey, EntryFigures> entries;
   std::map<std::string, LawCases> laws;         ///< all that were run, in the order of their names
   std::map<std::uint64_t, std::string> corpus;  ///< index → name of the case, the same in all laws
+  /// What was drawn of parts of some cases: to be shown, and not compared.
+  std::vector<records::Specimen> specimens = {};
   bool operator==(const BaselineSection&) const = default;
 };
 

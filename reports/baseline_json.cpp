@@ -13,6 +13,7 @@
 #include "records/case_record_json.h"
 #include "records/enclosure_json.h"
 #include "records/record_json.h"
+#include "records/specimen_json.h"
 
 namespace rastercheck::reports {
 namespace {
@@ -144,6 +145,11 @@ std::string text_of(const BaselineSection& section) {
                                  std::move(each).end(']')));
   }
   add("cases", std::move(cases_by_law).end(']'));
+  Lines specimens('[');
+  for (const records::Specimen& specimen : section.specimens) {
+    specimens.add(text_of(records::specimen_to_json(specimen)));
+  }
+  if (!section.specimens.empty()) add("specimens", std::move(specimens).end(']'));
   return text + "\n}";
 }
 
@@ -274,7 +280,7 @@ BaselineSection read_section(const JsonNode& node) {
   node.expect_object(
       {"backend", "architecture", "records_version", "rules_version", "seed", "cases_per_law",
        "options", "taken", "approvals", "entries", "laws", "corpus", "cases"},
-      {"instruction_set", "compiler"});
+      {"instruction_set", "compiler", "specimens"});
   BaselineSection section;
   if (node.failed()) return section;
   section.key.backend = node["backend"].text();
@@ -297,6 +303,7 @@ BaselineSection read_section(const JsonNode& node) {
     }
   }
   read_laws(node, section);
+  if (node.has("specimens")) section.specimens = records::specimens_from_json(node["specimens"]);
   return section;
 }
 
