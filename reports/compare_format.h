@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/error.h"
+#include "records/closer_look.h"
 #include "records/run.h"
 #include "reports/compare.h"
 #include "reports/policy.h"
@@ -30,6 +31,8 @@ struct Gate {
   const records::Run* after_run = nullptr;
   /// The baseline, for what else it keeps of its run; may be nullptr.
   const Baseline* baseline = nullptr;
+  /// Cases drawn again and looked at, of all comparisons: of each those of its current backend.
+  std::vector<records::CloserLook> looks = {};
 };
 
 struct CompareFormat {

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "cases/json.h"
 #include "reports/internal/html.h"
 #include "reports/internal/log2.h"
+#include "reports/internal/page.h"
 #include "reports/internal/wording.h"
 
 namespace rastercheck::reports {
@@ -58,24 +60,89 @@ std::string octave_text(std::size_t octave) {
                      : fmt::format("2^{} < error ≤ 2^{}", upper - 1, upper);
 }
 
-std::vector<Bar> bars_of(const Histogram& histogram) {
+/// Bars of a histogram where another one has some: those of several have the same places then.
+std::vector<Bar> bars_of(const Histogram& histogram, const Histogram& seen) {
   std::vector<Bar> bars;
-  const std::uint64_t zeros = histogram.count_in(Histogram::kZeroBucket);
-  if (zeros > 0) bars.push_back({zeros, 0, "error 0", "0"});
-  const Octaves octaves(histogram);
-  const auto is_seen = [](std::uint64_t count) { return count > 0; };
-  const auto first = std::find_if(octaves.counts.begin(), octaves.counts.end(), is_seen);
-  const auto last = std::find_if(octaves.counts.rbegin(), octaves.counts.rend(), is_seen).base();
-  for (auto at = first; at < last; ++at) {
-    const auto octave = static_cast<std::size_t>(at - octaves.counts.begin());
-    const int exponent = Histogram::kLeastExponent + static_cast<int>(octave);
-    bars.push_back({*at, exponent, octave_text(octave), power_of_two(exponent)});
+  const auto has = [&seen](std::size_t bucket) { return seen.count_in(bucket) > 0; };
+  if (has(Histogram::kZeroBucket)) {
+    bars.push_back({histogram.count_in(Histogram::kZeroBucket), 0, "error 0", "0"});
   }
-  const std::uint64_t beyond = histogram.count_in(Histogram::kOverflowBucket);
-  if (beyond > 0) {
-    bars.push_back({beyond, 0, fmt::format("error > 2^{}", Histogram::kGreatestExponent), "more"});
+  const Octaves octaves(histogram);
+  const Octaves shown(seen);
+  const auto is_seen = [](std::uint64_t count) { return count > 0; };
+  const auto first = std::find_if(shown.counts.begin(), shown.counts.end(), is_seen);
+  const auto last = std::find_if(shown.counts.rbegin(), shown.counts.rend(), is_seen).base();
+  for (auto at = first; at < last; ++at) {
+    const auto octave = static_cast<std::size_t>(at - shown.counts.begin());
+    const int exponent = Histogram::kLeastExponent + static_cast<int>(octave);
+    bars.push_back({octaves.counts[octave], exponent, octave_text(octave), power_of_two(exponent)});
+  }
+  if (has(Histogram::kOverflowBucket)) {
+    bars.push_back({histogram.count_in(Histogram::kOverflowBucket), 0,
+                    fmt::format("error > 2^{}", Histogram::kGreatestExponent), "more"});
   }
   return bars;
+}
+
+std::uint64_t most_of(const std::vector<Bar>& bars) {
+  std::uint64_t most = 0;
+  for (const Bar& bar : bars) most = std::max(most, bar.count);
+  return most;
+}
+
+double step_of(const std::vector<Bar>& bars) {
+  return std::min((kRight - kLeft) / static_cast<double>(bars.size()), kWidestBar);
+}
+
+/// One count is a bar that is seen: the scale starts at half of it.
+double height_of(std::uint64_t count, std::uint64_t most) {
+  if (count == 0) return 0.0;
+  return (kBottom - kTop) * (drawn_log2(static_cast<double>(count)) + 1) /
+         (drawn_log2(static_cast<double>(most)) + 1);
+}
+
+std::string start_of(std::string_view title, std::uint64_t most) {
+  return fmt::format(
+      "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n"
+      "<text x=\"{}\" y=\"11\" class=\"axis\">{} in the highest bar</text>\n",
+      kWidth, kHeight, html(title), kLeft, counted(most, "value", "values"));
+}
+
+/// A bar as "x, y, width and height" of a <rect>.
+std::string rectangle(std::size_t i, double step, std::uint64_t count, std::uint64_t most) {
+  const double height = height_of(count, most);
+  return fmt::format(R"(x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}")",
+                     kLeft + static_cast<double>(i) * step + 0.5, kBottom - height, step - 1,
+                     height);
+}
+
+/// Labels where there is room for them, each after the bar that it is of.
+class Labels {
+ public:
+  explicit Labels(double step) : step_(step) {}
+
+  std::string of(std::size_t i, const Bar& bar) {
+    const double x = kLeft + static_cast<double>(i) * step_;
+    // An octave's label stands at its upper border, that of exactly 0 below its bar.
+    const double at = bar.label == "0" ? x + step_ / 2 : x + step_;
+    if (at - last_ < kLeastBetweenLabels || at > kRight) return "";
+    last_ = at;
+    return fmt::format(
+        "<text x=\"{:.1f}\" y=\"{}\" class=\"axis\" text-anchor=\"middle\">{}</text>\n", at,
+        kBottom + 14, bar.label);
+  }
+
+ private:
+  double step_;
+  double last_ = kLeft - kLeastBetweenLabels;
+};
+
+std::string axis_and_end() {
+  return fmt::format(
+      "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n"
+      "<text x=\"{}\" y=\"{}\" class=\"axis\">magnitude in scale ULP, by octave; both scales "
+      "logarithmic</text>\n</svg>\n",
+      kLeft, kBottom, kRight, kBottom, kLeft, kHeight - 4);
 }
 
 /// Where the limit lies among the bars; nothing where it lies beyond them.
@@ -120,49 +187,65 @@ std::string histogram_data(const Histogram& histogram, const std::optional<Limit
 
 std::string histogram_svg(const Histogram& histogram, std::string_view title,
                           const std::optional<Limit>& limit) {
-  const std::vector<Bar> bars = bars_of(histogram);
+  const std::vector<Bar> bars = bars_of(histogram, histogram);
   if (bars.empty()) return "";
-  std::uint64_t most = 0;
-  for (const Bar& bar : bars) most = std::max(most, bar.count);
-
-  const double step = std::min((kRight - kLeft) / static_cast<double>(bars.size()), kWidestBar);
-  // One count is a bar that is seen: the scale starts at half of it.
-  const auto height_of = [most](std::uint64_t count) {
-    if (count == 0) return 0.0;
-    return (kBottom - kTop) * (drawn_log2(static_cast<double>(count)) + 1) /
-           (drawn_log2(static_cast<double>(most)) + 1);
-  };
-  std::string svg = fmt::format(
-      "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n"
-      "<text x=\"{}\" y=\"11\" class=\"axis\">{} in the highest bar</text>\n",
-      kWidth, kHeight, html(title), kLeft, counted(most, "value", "values"));
-  double last_label = kLeft - kLeastBetweenLabels;
+  const std::uint64_t most = most_of(bars);
+  const double step = step_of(bars);
+  Labels labels(step);
+  std::string svg = start_of(title, most);
   for (std::size_t i = 0; i < bars.size(); ++i) {
-    const double x = kLeft + static_cast<double>(i) * step;
-    const double height = height_of(bars[i].count);
-    svg += fmt::format(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\">"
-        "<title>{}: {}</title></rect>\n",
-        x + 0.5, kBottom - height, step - 1, height, html(bars[i].sizes),
-        counted(bars[i].count, "value", "values"));
-    const bool is_zero = bars[i].label == "0";
-    // An octave's label stands at its upper border, that of exactly 0 below its bar.
-    const double label_at = is_zero ? x + step / 2 : x + step;
-    if (label_at - last_label < kLeastBetweenLabels || label_at > kRight) continue;
-    svg +=
-        fmt::format("<text x=\"{:.1f}\" y=\"{}\" class=\"axis\" text-anchor=\"middle\">{}</text>\n",
-                    label_at, kBottom + 14, bars[i].label);
-    last_label = label_at;
+    svg += fmt::format("<rect {}><title>{}: {}</title></rect>\n",
+                       rectangle(i, step, bars[i].count, most), html(bars[i].sizes),
+                       counted(bars[i].count, "value", "values"));
+    svg += labels.of(i, bars[i]);
   }
   if (const auto place = limit ? place_of(*limit, bars, step) : std::nullopt) {
     svg += limit_line(*limit, *place);
   }
-  svg += fmt::format(
-      "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n"
-      "<text x=\"{}\" y=\"{}\" class=\"axis\">magnitude in scale ULP, by octave; both scales "
-      "logarithmic</text>\n</svg>\n",
-      kLeft, kBottom, kRight, kBottom, kLeft, kHeight - 4);
-  return svg;
+  return svg + axis_and_end();
+}
+
+std::string overlay_svg(const Histogram& before, const Histogram& after, std::string_view title) {
+  Histogram both = before;
+  both.merge(after);
+  const std::vector<Bar> old_bars = bars_of(before, both);
+  const std::vector<Bar> new_bars = bars_of(after, both);
+  if (new_bars.empty()) return "";
+  const std::uint64_t most = std::max(most_of(old_bars), most_of(new_bars));
+  const double step = step_of(new_bars);
+  Labels labels(step);
+  std::string svg = start_of(title, most);
+  for (std::size_t i = 0; i < new_bars.size(); ++i) {
+    svg += fmt::format("<g><title>{}: {} → {}</title>", html(new_bars[i].sizes),
+                       grouped(old_bars[i].count), counted(new_bars[i].count, "value", "values"));
+    for (const auto& [style, count] :
+         {std::pair("after", new_bars[i].count), std::pair("before", old_bars[i].count)}) {
+      if (count == 0) continue;
+      svg += fmt::format("<rect class=\"{}\" {}/>", style, rectangle(i, step, count, most));
+    }
+    svg += "</g>\n" + labels.of(i, new_bars[i]);
+  }
+  return svg + axis_and_end();
+}
+
+std::string overlay_table(const Histogram& before, const Histogram& after) {
+  Histogram both = before;
+  both.merge(after);
+  const std::vector<Bar> old_bars = bars_of(before, both);
+  const std::vector<Bar> new_bars = bars_of(after, both);
+  std::string text =
+      "<table class=\"counts\">\n<thead><tr><th>scale ULP</th><th class=\"number\">baseline</th>"
+      "<th class=\"number\">now</th></tr></thead>\n<tbody>\n";
+  const auto add = [&text](const std::string& sizes, std::uint64_t was, std::uint64_t is) {
+    text += "<tr>" + cell(html(sizes)) + number_cell("baseline", grouped(was)) +
+            number_cell("now", grouped(is)) + "</tr>\n";
+  };
+  for (std::size_t i = 0; i < new_bars.size(); ++i) {
+    if (old_bars[i].count == 0 && new_bars[i].count == 0) continue;
+    add(new_bars[i].sizes, old_bars[i].count, new_bars[i].count);
+  }
+  if (both.non_finite() > 0) add("not finite", before.non_finite(), after.non_finite());
+  return text + "</tbody>\n</table>\n";
 }
 
 }  // namespace rastercheck::reports

@@ -22,9 +22,17 @@ struct Limit {
 std::string histogram_svg(const records::Histogram& histogram, std::string_view title,
                           const std::optional<Limit>& limit = std::nullopt);
 
-/// The same as JSON, as reports/viewer/histogram.js reads it: {"zero": 3, "octaves": [[-2, 8], …],
-/// "beyond": 0, "limit": 0.5, "limitName": "…"}. An octave is [k, values in (2^(k−1), 2^k]], the
-/// first one all below as well; empty ones are left out.
+/// Two histograms over the same octaves, as an SVG element like the above: the bars of `after`
+/// filled, those of `before` as outlines over them, heights on one scale. Colours, besides: those
+/// of .before and .after. Empty where nothing finite was counted in either.
+std::string overlay_svg(const records::Histogram& before, const records::Histogram& after,
+                        std::string_view title);
+/// Its numbers, as an HTML table.
+std::string overlay_table(const records::Histogram& before, const records::Histogram& after);
+
+/// A histogram as JSON, as reports/viewer/histogram.js reads it: {"zero": 3, "octaves": [[-2, 8],
+/// …], "beyond": 0, "limit": 0.5, "limitName": "…"}. An octave is [k, values in (2^(k−1), 2^k]],
+/// the first one all below as well; empty ones are left out.
 std::string histogram_data(const records::Histogram& histogram, const std::optional<Limit>& limit);
 
 }  // namespace rastercheck::reports
