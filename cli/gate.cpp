@@ -7,13 +7,16 @@
 #include <array>
 #include <ctime>
 #include <filesystem>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
 #include "cases/files.h"
+#include "cli/closer_looks.h"
 #include "cli/command.h"
 #include "cli/github.h"
 #include "cli/grown_cases.h"
+#include "properties/corpus.h"
 #include "reports/baseline_json.h"
 #include "reports/compare.h"
 #include "reports/compare_format.h"
@@ -46,6 +49,22 @@ reports::BaselineSection awaited(const std::string& backend,
   section.taken.instruction_set = in(environment, "instruction_set");
   section.taken.compiler = in(environment, "compiler");
   return section;
+}
+
+/// Of cases that gave other bits, what is seen of them by drawing them again.
+std::vector<records::CloserLook> looks_of(const reports::Gate& gate, const GateSide& baseline,
+                                          const GateSide& current) {
+  std::vector<records::CloserLook> looks;
+  for (const reports::Comparison& comparison : gate.comparisons) {
+    if (comparison.changed_cases == 0) continue;
+    // Pictures are no reason to fail: without the corpus its cases have none.
+    const std::vector<cases::Case> corpus =
+        properties::read_corpus(corpus_of(comparison)).value_or(std::vector<cases::Case>());
+    std::vector<records::CloserLook> found =
+        look_closer(comparison, baseline.sections, current.sections, corpus);
+    std::move(found.begin(), found.end(), std::back_inserter(looks));
+  }
+  return looks;
 }
 
 /// The comparison's files, its cases among them.
@@ -115,8 +134,9 @@ void set_commit(GateSide& side, const std::string& commit) {
 
 ExitCode hold_against(const GateSide& baseline, const GateSide& current,
                       const GateOptions& options) {
-  const Result<reports::Gate> gate = gate_of(baseline, current, options);
+  Result<reports::Gate> gate = gate_of(baseline, current, options);
   if (!gate) return fail(gate.error());
+  if (!options.output.empty()) gate->looks = looks_of(*gate, baseline, current);
   if (options.prints && options.json) {
     const Result<reports::CompareFormat> format = reports::find_compare_format("json");
     if (!format) return fail_internally(format.error());

@@ -10,29 +10,22 @@
 #include "cases/files.h"
 #include "cli/corpus_folder.h"
 #include "properties/corpus.h"
-#include "properties/law.h"
+#include "properties/explaining/run_cases.h"
 
 namespace rastercheck::cli {
 namespace {
 
-std::string corpus_of(const reports::Comparison& comparison) {
-  const auto& options = comparison.options;
-  const auto named = std::find(options.begin(), options.end(), "--corpus");
-  return named == options.end() || named + 1 == options.end() ? corpus_folder() : *(named + 1);
-}
-
 /// The case, where there still is one of that number.
 Result<std::optional<cases::Case>> case_of(const reports::Comparison& comparison,
                                            const reports::CaseGrowth& growth) {
+  std::vector<cases::Case> corpus;
   if (growth.origin == records::Origin::corpus) {
-    const Result<std::vector<cases::Case>> corpus = properties::read_corpus(corpus_of(comparison));
-    if (!corpus) return tl::unexpected(corpus.error());
-    return growth.index < corpus->size() ? std::optional((*corpus)[growth.index]) : std::nullopt;
+    Result<std::vector<cases::Case>> read = properties::read_corpus(corpus_of(comparison));
+    if (!read) return tl::unexpected(read.error());
+    corpus = *std::move(read);
   }
-  const properties::Law* law = properties::find_law(growth.law);
-  if (law == nullptr) return std::nullopt;
-  properties::Draw draw(comparison.seed, law->name, growth.index);
-  return law->generate(draw).source;
+  return properties::frozen_case({growth.law, comparison.backend, growth.origin, growth.index},
+                                 comparison.seed, corpus);
 }
 
 Result<void> save(const reports::Gate& gate, const reports::Comparison& comparison,
@@ -55,6 +48,12 @@ Result<void> save(const reports::Gate& gate, const reports::Comparison& comparis
 }
 
 }  // namespace
+
+std::string corpus_of(const reports::Comparison& comparison) {
+  const auto& options = comparison.options;
+  const auto named = std::find(options.begin(), options.end(), "--corpus");
+  return named == options.end() || named + 1 == options.end() ? corpus_folder() : *(named + 1);
+}
 
 Result<void> save_grown_cases(const reports::Gate& gate) {
   for (const reports::Comparison& comparison : gate.comparisons) {

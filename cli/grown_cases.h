@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "cases/error.h"
 #include "reports/compare_format.h"
 
@@ -9,5 +11,8 @@ namespace rastercheck::cli {
 /// (reports::file_of), so that they can be replayed and explained. They are made again from law,
 /// seed and index, or taken from the corpus.
 Result<void> save_grown_cases(const reports::Gate& gate);
+
+/// The folder of the corpus that a comparison's cases are of.
+std::string corpus_of(const reports::Comparison& comparison);
 
 }  // namespace rastercheck::cli

@@ -1,5 +1,6 @@
 #include "properties/explaining/closer_looks.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "properties/explaining/run_cases.h"
@@ -63,6 +64,40 @@ std::vector<CloserLook> closer_looks(std::span<const LookRequest> requests, std:
     if (auto look = look_at(request, seed, corpus, made)) looks.push_back(*std::move(look));
   }
   return looks;
+}
+
+std::vector<LookRequest> changed_parts(std::span<const Specimen> kept,
+                                       std::span<const Specimen> again, std::size_t most) {
+  struct Changed {
+    double size;
+    LookRequest request;
+  };
+  std::vector<Changed> changed;
+  for (const Specimen& before : kept) {
+    const auto after = std::find_if(again.begin(), again.end(), [&before](const Specimen& one) {
+      return records::is_same_part(before, one);
+    });
+    if (after == again.end()) continue;
+    const std::optional<records::SpecimenChange> change = records::change_of(before, *after);
+    if (!change) continue;
+    const auto at = static_cast<std::uint32_t>(change->at);
+    const std::uint32_t pixel = at / before.samples;
+    LookRequest request;
+    request.key = after->key;
+    request.case_name = before.case_name;
+    request.at = {before.triangle, before.left + pixel % before.width,
+                  before.top + pixel / before.width, at % before.samples};
+    request.attribute = change->attribute;
+    request.before = before;
+    changed.push_back({change->size, std::move(request)});
+  }
+  std::stable_sort(changed.begin(), changed.end(),
+                   [](const Changed& a, const Changed& b) { return a.size > b.size; });
+  std::vector<LookRequest> requests;
+  for (std::size_t i = 0; i < std::min(changed.size(), most); ++i) {
+    requests.push_back(std::move(changed[i].request));
+  }
+  return requests;
 }
 
 }  // namespace rastercheck::properties

@@ -2,6 +2,7 @@
 
 // Cases that came out otherwise than in a baseline, drawn again and looked at.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -37,5 +38,10 @@ struct LookRequest {
 std::vector<records::CloserLook> closer_looks(std::span<const LookRequest> requests,
                                               std::uint64_t seed,
                                               std::span<const cases::Case> corpus);
+
+/// Parts of which `again` (draw_again) has other bits than what was kept, those that changed most
+/// first (records::change_of), each at its sample that did: `most` at most.
+std::vector<LookRequest> changed_parts(std::span<const records::Specimen> kept,
+                                       std::span<const records::Specimen> again, std::size_t most);
 
 }  // namespace rastercheck::properties
