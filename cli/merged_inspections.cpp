@@ -13,6 +13,7 @@
 #include "properties/checkpoint.h"
 #include "properties/corpus.h"
 #include "properties/explaining/run_inspections.h"
+#include "properties/explaining/specimens.h"
 
 namespace rastercheck::cli {
 namespace {
@@ -76,6 +77,7 @@ Result<void> inspect_merged(MergedRun& merged) {
   const properties::CaseSources sources{*corpus, merged.common.saved, *known,
                                         *scene ? &**scene : nullptr};
   run.inspections = properties::inspect_run(run, sources);
+  run.specimens = properties::make_specimens(run, sources);
   return {};
 }
 
