@@ -263,6 +263,7 @@ Result<const BaselineSection*> section_for(const Baseline& baseline, const Basel
                                            const std::string& file) {
   if (const BaselineSection* found = find_section(baseline, current)) return found;
   std::vector<std::string> there;
+  there.reserve(baseline.sections.size());
   for (const BaselineSection& each : baseline.sections) there.push_back(to_string(each.key));
   const BaselineKey asked{current.key.backend, current.key.architecture,
                           current.taken.instruction_set, current.taken.compiler};

@@ -6,6 +6,9 @@
 //
 //   rastercheck run --cases 22223 --output DIR
 //   RASTERCHECK_BENCH_RUN=DIR rastercheck-bench --benchmark_filter=report
+//
+// report/compare: the regression gate, a baseline of 20,000 cases held against another, as a
+// process.
 
 #include "tests/bench/report_bench.h"
 
@@ -16,6 +19,7 @@
 #include <string>
 
 #include "cases/child_process.h"
+#include "reports/baseline_json.h"
 #include "reports/format.h"
 #include "reports/run_reader.h"
 #include "tests/temporary_folder.h"
@@ -76,10 +80,66 @@ void report(benchmark::State& bench) {
   bench.counters["peak_MiB"] = most_memory / 0x1p20;
 }
 
+/// A section as large as that of a run of every law with 100 random cases each. Every eighth case
+/// has an error, which is `error`.
+reports::BaselineSection large_section(double error) {
+  constexpr std::uint64_t kLaws = 46;
+  constexpr std::uint64_t kCases = 435;
+  constexpr std::uint64_t kEvery = 8;
+  reports::BaselineSection section;
+  section.key = {"cpu", "x86_64", "", ""};
+  section.taken.backend = "cpu";
+  records::WorstError worst;
+  worst.error = {error, error};
+  worst.exact = "24819056350239761910/242700891750327123968";
+  for (std::uint64_t i = 0; i < kLaws; ++i) {
+    const std::string law =
+        "a law of the bench, which has a long name: number " + std::to_string(i);
+    for (const auto stratum : {records::Stratum::clipped, records::Stratum::sliver,
+                               records::Stratum::multisampled, records::Stratum::ordinary}) {
+      auto& figures = section.entries[{law, records::AttributeKind::smooth, stratum}];
+      figures.worst = worst.error;
+      for (std::size_t bucket = 100; bucket < 160; ++bucket) {
+        figures.histogram.add_to_bucket(bucket, bucket);
+      }
+    }
+    reports::LawCases& cases = section.laws[law];
+    cases.count = kCases;
+    for (std::uint64_t k = 0; k < kCases; ++k) {
+      worst.case_index = k;
+      reports::CaseFigures& figures = cases.cases[{records::Origin::random, k}];
+      figures.found_digest = static_cast<std::uint64_t>(error * 1024) + k;
+      if (k % kEvery == 0) {
+        figures.worst[records::AttributeKind::smooth][records::Stratum::sliver] = worst;
+      }
+    }
+  }
+  return section;
+}
+
+/// `rastercheck compare`, from its start to its end, of two files of which every case differs.
+void compare(benchmark::State& bench) {
+  constexpr int kRegression = 3;
+  const TemporaryFolder folder;
+  const std::string before = folder.put("before.json", reports::to_json({{large_section(0.5)}}));
+  const std::string after = folder.put("after.json", reports::to_json({{large_section(0.75)}}));
+  double most_memory = 0;
+  for (auto _ : bench) {
+    const auto outcome =
+        cases::run_child({RASTERCHECK_BENCH_PROGRAM, "compare", before, after}, 1 << 20);
+    if (!outcome || outcome->end.exit_code != kRegression) return bench.SkipWithError("it failed");
+    most_memory = static_cast<double>(outcome->end.most_memory);
+  }
+  bench.counters["peak_MiB"] = most_memory / 0x1p20;
+}
+
 }  // namespace
 
 void register_reports() {
   benchmark::RegisterBenchmark("report/whole", &report)
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime();
+  benchmark::RegisterBenchmark("report/compare", &compare)
       ->Unit(benchmark::kMillisecond)
       ->UseRealTime();
   benchmark::RegisterBenchmark("report/read", &read_again)->Unit(benchmark::kMillisecond);
