@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The browser tests of report.html:
+# The browser tests of report.html and compare.html:
 #
 #   run_tests.sh NODE_FOLDER RASTERCHECK RUN_JSON
 #
@@ -38,7 +38,15 @@ cp "$run_json" "$folder/sample/run.json"
 # Whether its laws hold is no question of this test.
 "$rastercheck" run --backend method:screen-linear --cases 30 --seed 1 --shrink-tries 20 \
   --output "$folder/run" --quiet || [ $? -eq 1 ]
+# A regression: values in float32 where they were in double.
+for backend in cpu cpu:precision=float32; do
+  "$rastercheck" run --backend "$backend" --property "values stay*" --cases 30 --seed 1 \
+    --keep-cases --output "$folder/${backend//[:=]/-}" --quiet
+done
+"$rastercheck" compare "$folder/cpu" "$folder/cpu-precision-float32" --as cpu \
+  --output "$folder/compare" --quiet || [ $? -eq 3 ]
 
 cd "$folder"
 RASTERCHECK_CHROMIUM=$chromium RASTERCHECK_REPORT=$folder/sample/report.html \
-  RASTERCHECK_RUN_REPORT=$folder/run/report.html node --test --test-reporter=spec ./*.test.js
+  RASTERCHECK_RUN_REPORT=$folder/run/report.html \
+  RASTERCHECK_COMPARE=$folder/compare/compare.html node --test --test-reporter=spec ./*.test.js

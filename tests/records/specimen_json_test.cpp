@@ -83,7 +83,7 @@ void expect_refused(const std::string& key, const json& value, const std::string
 
 // Kills: a reader that trusts sizes: "drawn" and "bits" have to be as many as they say.
 TEST(SpecimenFromJson, RefusesAnyOtherForm) {
-  expect_refused("more", 1, "", "more");
+  expect_refused("more", 1, "/more", "");
   expect_refused("width", 0, "", "must have a sample");
   expect_refused("width", 33, "/width", "32");
   expect_refused("samples", 17, "/samples", "16");

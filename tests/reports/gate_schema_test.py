@@ -77,6 +77,13 @@ BASELINE = {
                     ],
                 },
             ],
+            "specimens": [
+                {
+                    "law": "a law", "backend": "cpu", "origin": "random", "index": 1,
+                    "name": "a name", "triangle": 0, "left": 3, "top": 5, "width": 2, "height": 1,
+                    "samples": 1, "attributes": 1, "rows": ["- 3f000000:7fc00000"],
+                },
+            ],
         },
     ],
 }
@@ -145,6 +152,23 @@ def law_is_missing(document):
     )
 
 
+def specimen_has_other_rows(document):
+    """Whether rows are not as many, or not as long, as the specimen says."""
+
+    def is_other(one):
+        words = one["attributes"] + 1
+        samples = [row.split(" ") for row in one["rows"]]
+        return len(samples) != one["height"] or any(
+            len(row) != one["width"] * one["samples"]
+            or any(each != "-" and len(each.split(":")) != words for each in row)
+            for row in samples
+        )
+
+    return any(
+        is_other(one) for section in document["sections"] for one in section.get("specimens", [])
+    )
+
+
 def walk(value):
     yield value
     for _, child in children(value):
@@ -173,7 +197,10 @@ def is_out_of_order(document):
 def reader_only(document):
     """Whether only the reader can refuse what the schema accepts: two places are compared."""
     return "sections" in document and (
-        sections_repeat(document) or law_is_missing(document) or is_out_of_order(document)
+        sections_repeat(document)
+        or law_is_missing(document)
+        or is_out_of_order(document)
+        or specimen_has_other_rows(document)
     )
 
 

@@ -125,5 +125,67 @@ TEST(HistogramData, CountsByOctave) {
             R"("limitName":"a \"bound\""})");
 }
 
+// --- Two histograms ------------------------------------------------------------------------------
+
+Histogram histogram_of(const std::vector<double>& magnitudes) {
+  Histogram histogram;
+  for (const double magnitude : magnitudes) histogram.add(magnitude);
+  return histogram;
+}
+
+/// Classes and heights of the bars of each octave, with what it says.
+std::vector<std::string> pairs_of(const std::string& svg) {
+  std::vector<std::string> pairs;
+  const std::regex group("<g><title>([^<]*)</title>(.*)</g>");
+  const std::regex rect(R"re(<rect class="(\w+)" [^>]*height="([0-9.]+)"/>)re");
+  for (auto at = std::sregex_iterator(svg.begin(), svg.end(), group); at != std::sregex_iterator();
+       ++at) {
+    std::string pair = (*at)[1];
+    const std::string bars = (*at)[2];
+    for (auto bar = std::sregex_iterator(bars.begin(), bars.end(), rect);
+         bar != std::sregex_iterator(); ++bar) {
+      pair += "; " + (*bar)[1].str() + " " + (*bar)[2].str();
+    }
+    pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+// Heights: 100 units for the most, 4, which is log2 + 1 = 3 on the scale; so 1 is a third of it and
+// 2 two thirds. Kills: sides exchanged, or each with a scale or octaves of its own.
+TEST(OverlaySvg, HasBothOnOneScale) {
+  const std::string svg =
+      overlay_svg(histogram_of({0, 0.5, 0.5, 0.5, 0.5}), histogram_of({0.5, 2, 2}), "old & new");
+  EXPECT_THAT(pairs_of(svg),
+              ElementsAre("error 0: 1 → 0 values; before 33.3",
+                          "2^-2 &lt; error ≤ 2^-1: 4 → 1 value; after 33.3; before 100.0",
+                          "2^-1 &lt; error ≤ 2^0: 0 → 0 values",
+                          "2^0 &lt; error ≤ 2^1: 0 → 2 values; after 66.7"));
+  EXPECT_THAT(svg, HasSubstr("aria-label=\"old &amp; new\""));
+  EXPECT_THAT(svg, HasSubstr("4 values in the highest bar"));
+}
+
+TEST(OverlaySvg, IsEmptyOnlyWhereNeitherHasValues) {
+  EXPECT_EQ(overlay_svg({}, {}, "t"), "");
+  EXPECT_THAT(pairs_of(overlay_svg({}, histogram_of({1}), "t")),
+              ElementsAre("2^-1 &lt; error ≤ 2^0: 0 → 1 value; after 100.0"));
+  EXPECT_THAT(pairs_of(overlay_svg(histogram_of({1}), {}, "t")),
+              ElementsAre("2^-1 &lt; error ≤ 2^0: 1 → 0 values; before 100.0"));
+}
+
+TEST(OverlayTable, HasTheNumbers) {
+  Histogram after = histogram_of({4, 4});
+  after.add_non_finite(3);
+  const std::string table = overlay_table(histogram_of({1}), after);
+  const auto row = [](const std::string& of, const std::string& before, const std::string& now) {
+    return "<tr><td>" + of + "</td><td class=\"number\" data-name=\"baseline\">" + before +
+           "</td><td class=\"number\" data-name=\"now\">" + now + "</td></tr>";
+  };
+  EXPECT_THAT(table, HasSubstr(row("2^-1 &lt; error ≤ 2^0", "1", "0")));
+  EXPECT_THAT(table, HasSubstr(row("2^1 &lt; error ≤ 2^2", "0", "2")));
+  EXPECT_THAT(table, HasSubstr(row("not finite", "0", "3")));
+  EXPECT_THAT(table, ::testing::Not(HasSubstr("2^0 &lt; error"))) << "empty ones are left out";
+}
+
 }  // namespace
 }  // namespace rastercheck::reports
