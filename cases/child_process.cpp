@@ -71,7 +71,7 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
   }
   pid_t process = 0;
   const int problem =
-      ::posix_spawn(&process, arguments.front(), &actions, &attributes, arguments.data(), environ);
+      ::posix_spawnp(&process, arguments.front(), &actions, &attributes, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   if (problem != 0) {
@@ -92,9 +92,9 @@ ChildProcess::~ChildProcess() {
   wait();
 }
 
-void ChildProcess::kill() const {
+void ChildProcess::kill(int signal) const {
   if (process_ == 0) return;
-  ::kill(group_ == ProcessGroup::own ? -process_ : process_, SIGKILL);
+  ::kill(group_ == ProcessGroup::own ? -process_ : process_, signal);
 }
 
 bool ChildProcess::has_ended_within(std::chrono::milliseconds time) const {

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -61,7 +62,8 @@ std::string to_string(const ProcessEnd& end);
 /// A child process; killed, if it has not ended, and waited for when it goes.
 class ChildProcess {
  public:
-  /// Starts a command: program and arguments. Fails where it cannot be started.
+  /// Starts a command: program and arguments. A program without a slash in its name is looked for
+  /// on PATH. Fails where it cannot be started.
   static Result<ChildProcess> start(const std::vector<std::string>& command,
                                     const ChildStreams& streams, ProcessGroup group);
 
@@ -75,9 +77,9 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess();
 
-  /// With all that it started, where it has a group of its own. Changes nothing of one that has
-  /// ended and was waited for.
-  void kill() const;
+  /// With all that it started, where it has a group of its own; by SIGTERM it may end in its own
+  /// way. Changes nothing of one that has ended and was waited for.
+  void kill(int signal = SIGKILL) const;
   /// A descriptor that can be read from once it has ended; below 0 where the system has none.
   int end() const { return end_of_process_.number(); }
   /// Waits until it has ended, or for so long; whether it has, as far as can be told.

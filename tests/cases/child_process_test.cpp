@@ -1,7 +1,9 @@
 #include "cases/child_process.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <string>
@@ -23,6 +25,38 @@ TEST(ChildProcess, TellsHowItEnded) {
   Result<ChildProcess> killed = shell("kill -6 $$");
   ASSERT_TRUE(killed);
   EXPECT_EQ(to_string(killed->wait()), "ended by signal Aborted");
+}
+
+TEST(ChildProcess, IsFoundOnPathByItsName) {
+  Result<ChildProcess> found = ChildProcess::start({"false"}, {}, ProcessGroup::own);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->wait().exit_code, 1);
+  const Result<ChildProcess> none =
+      ChildProcess::start({"rastercheck-no-such-program"}, {}, ProcessGroup::own);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(to_string(none.error()),
+            "rastercheck-no-such-program: cannot be started: No such file or directory");
+}
+
+// Kills: a signal that leaves no choice; one that only the first of the group gets.
+TEST(ChildProcess, MayEndInItsOwnWayWithAllThatItStarted) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  const Descriptor said(ends[0]);
+  Descriptor saying(ends[1]);
+  Result<ChildProcess> process = ChildProcess::start(
+      {"/bin/sh", "-c",
+       "trap : TERM; sh -c 'trap \"echo ended; exit\" TERM; echo ready; while :; do sleep 0.01; "
+       "done'; exit 7"},
+      {.output = saying.number()}, ProcessGroup::own);
+  ASSERT_TRUE(process);
+  saying.close();
+  std::array<char, 16> text{};
+  ASSERT_EQ(::read(said.number(), text.data(), text.size()), 6);
+  process->kill(SIGTERM);
+  EXPECT_EQ(process->wait().exit_code, 7);
+  ASSERT_EQ(::read(said.number(), text.data(), text.size()), 6);
+  EXPECT_EQ(std::string(text.data(), 6), "ended\n");
 }
 
 TEST(ChildProcess, IsWaitedForAsLongAsItIsTold) {
