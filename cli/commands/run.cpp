@@ -71,12 +71,12 @@ struct Options {
   bool quiet = false;
 };
 
-/// The laws whose names match a pattern.
+/// The laws whose names match a pattern; "@(this|that)" matches either.
 std::vector<std::string> chosen_laws(const std::string& pattern) {
   std::vector<std::string> names;
   for (const properties::Law& law : properties::laws()) {
     const std::string name(law.name);
-    if (::fnmatch(pattern.c_str(), name.c_str(), 0) == 0) names.push_back(name);
+    if (::fnmatch(pattern.c_str(), name.c_str(), FNM_EXTMATCH) == 0) names.push_back(name);
   }
   return names;
 }

@@ -1,0 +1,167 @@
+// `rastercheck bisect GOOD BAD -- BUILD…`: the first commit of the user's repository that is worse.
+
+#include "reports/bisect.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/contract_option.h"
+#include "cli/corpus_folder.h"
+#include "cli/grown_cases.h"
+#include "cli/interrupt.h"
+#include "cli/isolation.h"
+#include "cli/known_option.h"
+#include "cli/own_program.h"
+#include "cli/whole_number.h"
+#include "reports/compare_format.h"
+#include "reports/run_reader.h"
+
+namespace rastercheck::cli {
+namespace {
+
+struct Options {
+  reports::BisectPlan plan;
+  std::string repository = ".";
+  std::string program;
+  std::vector<std::string> backends{"cpu"};
+  std::uint64_t cases = 100;
+  std::uint64_t seed = 1;
+  std::string contract;
+  std::string corpus;
+  KnownOption known;
+  double timeout = kDefaultTimeout;
+  int jobs = 1;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// This program for other processes, as long as this one lives: its file may be built anew.
+std::string program_of_others() { return fmt::format("/proc/{}/exe", ::getpid()); }
+
+/// `rastercheck run`, as the options have it.
+std::vector<std::string> run_words(const Options& options) {
+  std::vector<std::string> words{options.program.empty() ? program_of_others() : options.program,
+                                 "run"};
+  const auto add = [&words](const char* name, const std::string& value) {
+    words.insert(words.end(), {name, value});
+  };
+  const auto add_file = [&add](const char* name, const std::string& file) {
+    add(name, std::filesystem::absolute(file).string());
+  };
+  for (const std::string& backend : options.backends) add("--backend", backend);
+  add("--cases", std::to_string(options.cases));
+  add("--seed", std::to_string(options.seed));
+  if (!options.contract.empty()) add_file("--contract", options.contract);
+  add_file("--corpus", options.corpus.empty() ? corpus_folder() : options.corpus);
+  if (options.known.is_none) {
+    words.emplace_back("--no-known");
+  } else {
+    add_file("--known", options.known.folder());
+  }
+  add("--timeout", fmt::format("{}", options.timeout));
+  add("--jobs", std::to_string(options.jobs));
+  return words;
+}
+
+/// Saves what the first commit is worse in, with the cases that grew.
+Result<void> save_comparison(const reports::BisectPlan& plan, reports::BisectOutcome& outcome) {
+  const Result<records::Run> good = reports::read_run(outcome.good_run);
+  if (!good) return tl::unexpected(good.error());
+  const Result<records::Run> first = reports::read_run(outcome.first_run);
+  if (!first) return tl::unexpected(first.error());
+  outcome.comparison = plan.folder + "/comparison";
+  reports::Gate gate;
+  gate.comparisons = outcome.of_first;
+  gate.baseline_file = plan.good;
+  gate.current_file = outcome.first.front().hash;
+  gate.folder = outcome.comparison;
+  gate.before_run = &*good;
+  gate.after_run = &*first;
+  return save_grown_cases(gate).and_then(
+      [&] { return reports::write_comparison(gate, gate.folder); });
+}
+
+ExitCode run(Options options) {
+  const Result<std::string> top = reports::work_tree_of(options.repository);
+  if (!top) return fail(top.error());
+  reports::BisectPlan& plan = options.plan;
+  plan.run = run_words(options);
+  plan.step = {program_of_others(), "bisect-step"};
+  if (!plan.folder.empty()) plan.folder = std::filesystem::absolute(plan.folder).string();
+  std::filesystem::current_path(*top);
+  // Not the results of a step of CI: each of the runs would add its own to them.
+  ::unsetenv("GITHUB_STEP_SUMMARY");
+
+  const InterruptWatch watch("\nrastercheck: ending; what was checked out is checked out again\n");
+  const auto report = [&options](const std::string& line) {
+    if (!options.quiet) fmt::print(stderr, "{}\n", line);
+  };
+  Result<reports::BisectOutcome> outcome = reports::bisect(plan, {&is_interrupted, report});
+  if (!outcome) return fail(outcome.error());
+  if (outcome->is_interrupted) return ExitCode::interrupted;
+  if (!plan.folder.empty() && outcome->first.size() == 1) {
+    if (const Result<void> saved = save_comparison(plan, *outcome); !saved) {
+      return fail(saved.error());
+    }
+  }
+  fmt::print("{}{}", options.json ? reports::bisect_json(*outcome) : reports::bisect_text(*outcome),
+             options.json ? "\n" : "");
+  return ExitCode::ok;
+}
+
+Action set_up(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("GOOD", options->plan.good, "A commit that others are held against")->required();
+  app.add_option("BAD", options->plan.bad, "A later one that is worse")->required();
+  app.add_option("BUILD", options->plan.build,
+                 "After --: the command that builds what is judged, at the top of the repository")
+      ->required();
+  app.add_option("--repository", options->repository, "A folder of the repository")
+      ->capture_default_str();
+  app.add_option("--program", options->program,
+                 "The rastercheck that BUILD makes, where that is what is judged; without it this "
+                 "one runs");
+  app.add_option("--backend", options->backends,
+                 "What is checked, paths from the top of the repository; may be given several "
+                 "times")
+      ->capture_default_str()
+      ->allow_extra_args(false);
+  app.add_option("--property", options->plan.laws, "Only properties whose name matches")
+      ->capture_default_str();
+  app.add_option("--cases", options->cases, "Random cases of each property")
+      ->check(whole_number())
+      ->capture_default_str();
+  app.add_option("--seed", options->seed, "Seed of the random cases")
+      ->check(whole_number())
+      ->capture_default_str();
+  add_contract(app, options->contract);
+  app.add_option("--corpus", options->corpus,
+                 "Folder of case files that takes the place of the project's own");
+  add_known(app, options->known);
+  app.add_option(
+      "--output", options->plan.folder,
+      "Folder, not there yet, that keeps what was drawn and said, and the cases that grew");
+  add_timeout(app, options->timeout);
+  app.add_option("--jobs", options->jobs, "Processes")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_flag("--json", options->json, "The result as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Says nothing of the commits on the way");
+  app.footer(
+      "The work tree has to be without changes. GOOD and BAD are built and judged first; git then\n"
+      "bisects between them, on the properties that are worse. What cannot be built or judged is\n"
+      "skipped. As in: rastercheck bisect --backend plugin:./build/mine.so v1.0 HEAD -- make");
+  return [options] { return run(*options); };
+}
+
+const Registration kRegistration("bisect", "The first commit of a repository that is worse",
+                                 &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

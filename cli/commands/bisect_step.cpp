@@ -1,0 +1,22 @@
+// `rastercheck bisect-step`: what `git bisect run` runs for each commit. Not for users.
+
+#include <memory>
+
+#include "cli/command.h"
+#include "reports/bisect.h"
+
+namespace rastercheck::cli {
+namespace {
+
+Action set_up(CLI::App& app) {
+  const auto folder = std::make_shared<std::string>();
+  app.group("");  // not in --help
+  app.add_option("FOLDER", *folder)->required();
+  // The codes are git's, not this program's.
+  return [folder] { return static_cast<ExitCode>(reports::judge_commit(*folder)); };
+}
+
+const Registration kRegistration("bisect-step", "Judges the commit that is checked out", &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

@@ -1,0 +1,98 @@
+#pragma once
+
+// `rastercheck bisect`: the first commit of a user's repository whose drawing is less precise, by
+// `git bisect run`. What makes the backend is the user's command, what judges is this program.
+//
+// GOOD is drawn first and is what all others are held against (compare.h); then BAD, which says
+// what to look for: the laws whose figures grew. git then has a commit after the other checked out,
+// built and held against GOOD by judge_commit(), in a process of its own. A commit that cannot be
+// built or judged is skipped.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/error.h"
+#include "reports/compare.h"
+
+namespace rastercheck::reports {
+
+/// What people know a commit by.
+struct CommitTitle {
+  std::string hash;
+  std::string date;  ///< of its author, "2026-11-23"
+  std::string author;
+  std::string subject;
+  bool operator==(const CommitTitle&) const = default;
+};
+
+struct BisectPlan {
+  std::string good;                ///< what names the commit to hold others against
+  std::string bad;                 ///< what names a later one that is worse
+  std::vector<std::string> build;  ///< the command that makes what is judged
+  /// `rastercheck run` with its options, but for laws, output and what is kept. Files that they
+  /// name are taken as they are now, whatever is checked out.
+  std::vector<std::string> run;
+  std::string laws = "*";  ///< --property of that
+  /// This program with its hidden command, which is given a folder and calls judge_commit().
+  std::vector<std::string> step;
+  /// The folder for all that is drawn and said, which is to be empty or not there; without a name a
+  /// temporary one.
+  std::string folder;
+};
+
+/// What is to be known of a bisection while it goes on.
+struct BisectWatch {
+  std::function<bool()> is_to_end;                 ///< asked several times a second
+  std::function<void(const std::string&)> report;  ///< called for each commit, with one line
+};
+
+enum class CommitVerdict { good, bad, skipped };
+constexpr auto names_of(CommitVerdict /*type*/) {
+  return std::to_array<std::string_view>({"good", "bad", "skipped"});
+}
+constexpr std::string_view to_string(CommitVerdict verdict) { return cases::name_of(verdict); }
+
+struct BisectOutcome {
+  bool is_interrupted = false;  ///< nothing else is known then
+  CommitTitle good;
+  CommitTitle bad;
+  /// What is worse of `bad`; of all laws that were asked for.
+  std::vector<Comparison> of_bad;
+  /// The first commit that is worse; several where it is one of them, as those between cannot be
+  /// judged, the newest first; none where `bad` is not worse.
+  std::vector<CommitTitle> first;
+  /// What is worse of it; of the laws that are worse of `bad`. Nothing where it is one of several.
+  std::vector<Comparison> of_first;
+  /// Files of the runs of `good` and of the first, where the plan's folder has a name.
+  std::string good_run;
+  std::string first_run;
+  /// Folder in which the cases of `of_first` are saved (compare_format.h); empty where they are
+  /// not.
+  std::string comparison;
+  std::uint64_t commits = 0;  ///< after `good` up to `bad`
+  std::uint64_t tried = 0;    ///< drawn and judged, `good` and `bad` among them
+  std::uint64_t skipped = 0;
+};
+
+/// The top folder of the work tree that a folder is in; fails where it is in none.
+Result<std::string> work_tree_of(const std::string& folder);
+
+/// Bisects the repository whose top folder is the current one. Refuses what is no history to
+/// search, and a work tree with changes or in which a bisection goes on; whatever happens after
+/// that, what was checked out is checked out again.
+Result<BisectOutcome> bisect(BisectPlan plan, const BisectWatch& watch);
+
+/// What `git bisect run` is told of the commit that is checked out, as an exit code: 0 no worse, 1
+/// worse, 125 not to be judged, 128 that something is wrong with the bisection itself.
+int judge_commit(const std::string& folder);
+
+/// The first commit that is worse, the case whose error grew most, and how it was found.
+std::string bisect_text(const BisectOutcome& outcome);
+/// The same as JSON, on one line.
+std::string bisect_json(const BisectOutcome& outcome);
+
+}  // namespace rastercheck::reports
