@@ -250,6 +250,10 @@ Result<Work> prepare(const Options& options) {
   if (!start) return tl::unexpected(start.error());
   const Result<void> same_shard = check_shard(start->plan, options.shard);
   if (!same_shard) return tl::unexpected(same_shard.error());
+  if (!options.baseline.empty() && start->plan.campaign.shard) {
+    return tl::unexpected(
+        Error{"--baseline", "", "not of a shard: compare the run that the shards are merged to"});
+  }
   Work work{*std::move(start), {}, std::nullopt};
   properties::RunPlan& plan = work.start.plan;
   Result<std::vector<cases::Case>> corpus = properties::read_corpus(plan.corpus);

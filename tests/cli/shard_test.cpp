@@ -134,6 +134,7 @@ TEST_P(InShards, IsTheRunThatOneProgramMakes) {
   const json document = run_json("merged");
   EXPECT_THAT(document.at("counterexamples"), Not(IsEmpty()));
   EXPECT_THAT(document.at("inspections"), Not(IsEmpty()));
+  EXPECT_THAT(document.at("specimens"), Not(IsEmpty()));
   EXPECT_THAT(document.at("pictures"), SizeIs(6));
   EXPECT_EQ(document.at("environment").at("shards"), std::to_string(count));
 }
@@ -259,6 +260,24 @@ TEST_F(Shard, NeedsASeed) {
   const Outcome outcome = run("out", {"--shard", "1/3"});
   EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
   EXPECT_THAT(outcome.err, HasSubstr("--shard: needs --seed"));
+}
+
+// Kills: a part that is compared with the whole.
+TEST_F(Shard, IsHeldAgainstNoBaseline) {
+  const auto error_of = [this](const std::vector<std::string>& arguments) {
+    const Outcome outcome = run_damaged_program(arguments);
+    EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+    return outcome.err;
+  };
+  ASSERT_EQ(run_small(1, 1, {"--keep-cases"}).code, 0);
+  ASSERT_EQ(merge({1}).code, 0);
+  ASSERT_EQ(run_damaged_program({"baseline", "save", folder_.path("merged"), "--output",
+                                 folder_.path("baseline.json")})
+                .code,
+            0);
+  EXPECT_THAT(error_of(arguments("out", {"--shard", "1/2", "--seed", "1", "--baseline",
+                                         folder_.path("baseline.json")})),
+              HasSubstr("--baseline: not of a shard: compare the run that the shards are merged"));
 }
 
 TEST_F(Shard, MayHaveNothingToDo) {
