@@ -184,7 +184,7 @@ std::vector<std::string> stage_lines(const Comparison& comparison, std::size_t m
            fmt::format("{}, {}: {}, mean {} → {} ULP, {} → {} of all parts",
                        to_string(entry.key.kind),
                        entry.key.stratum ? to_string(*entry.key.stratum) : "all strata",
-                       to_string(stage.stage), mean_text(before), mean_text(*stage.mean_after),
+                       to_string(stage.stage), mean_text(before), mean_text(stage.mean_after),
                        percent(stage.share_before), percent(stage.share_after))});
     }
   }
@@ -192,6 +192,7 @@ std::vector<std::string> stage_lines(const Comparison& comparison, std::size_t m
                    [](const Line& a, const Line& b) { return a.growth > b.growth; });
   if (lines.size() > most) lines.resize(most);
   std::vector<std::string> texts;
+  texts.reserve(lines.size());
   for (Line& line : lines) texts.push_back(std::move(line.text));
   return texts;
 }

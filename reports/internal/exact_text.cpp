@@ -23,8 +23,7 @@ std::string decimal_of(const std::string& fraction) {
 }  // namespace
 
 std::string exact_text(const std::string& exact, std::size_t most) {
-  const std::string text =
-      most == 0 ? cases::printable(exact) : cases::printable(elided(exact, most));
+  std::string text = most == 0 ? cases::printable(exact) : cases::printable(elided(exact, most));
   if (exact.find('/') == std::string::npos) return text;
   const std::size_t comma = exact.find(", ");
   if (!exact.starts_with('[') || !exact.ends_with(']') || comma == std::string::npos) {
