@@ -48,7 +48,7 @@ std::string_view take(std::string_view& text, char separator) {
 }
 
 /// Eight lower-case digits; nothing of another text.
-std::optional<std::uint32_t> bits_of(std::string_view text) {
+std::optional<std::uint32_t> bits_of(const std::string& text) {
   std::uint32_t bits = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, bits, kHexadecimal);
@@ -66,7 +66,7 @@ bool read_sample(std::string_view text, Specimen& specimen) {
   }
   if (text.size() != values * (kDigits + 1) - 1) return false;
   for (std::size_t value = 0; value < values; ++value) {
-    const std::optional<std::uint32_t> bits = bits_of(take(text, ':'));
+    const std::optional<std::uint32_t> bits = bits_of(std::string(take(text, ':')));
     if (!bits) return false;
     specimen.bits.push_back(*bits);
   }

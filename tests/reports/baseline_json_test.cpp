@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/reports/sample_look.h"
 #include "tests/reports/sample_sections.h"
 
 namespace rastercheck::reports {
@@ -12,6 +13,7 @@ using testing::HasSubstr;
 
 Baseline sample_baseline() {
   BaselineSection specific = sample_section();
+  specific.specimens = {sample_specimen()};
   specific.key.instruction_set = "avx2";
   specific.key.compiler = "GNU 12.2.0";
   specific.approvals = {{"because \"so\"", "0.1.0", "c0ffee", {"a: worst 0.5 → 0.6 ULP", "b"}}};

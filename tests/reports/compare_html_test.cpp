@@ -67,8 +67,8 @@ TEST(CompareHtml, ShowsOldNewAndDifference) {
   EXPECT_THAT(text, HasSubstr("d=\"M0 0h1v1h-1z\"><title>(3, 5): 3 ULP off</title>"));
   EXPECT_THAT(text, HasSubstr("d=\"M0 0h1v1h-1z\"><title>(3, 5): 4 ULP apart</title>"));
   EXPECT_THAT(text, HasSubstr("d=\"M1 0h1v1h-1z\"><title>(4, 5): drawn now only</title>"));
-  EXPECT_THAT(text, HasSubstr("0x1.000006p-1")) << "1/2 + 3 · 2^-23";
-  EXPECT_THAT(text, HasSubstr("0x1.fffffcp-2")) << "1/2 − 2^-23";
+  EXPECT_THAT(text, HasSubstr("0x1.00000cp-1")) << "1/2 + 3 · 2^-23";
+  EXPECT_THAT(text, HasSubstr("0x1.fffff8p-2")) << "1/2 − 2^-23";
 }
 
 // No value of the case was farther off than 5/8: 3 ULP off it changed by 19/8 at least, and one

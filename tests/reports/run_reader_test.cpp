@@ -12,6 +12,7 @@
 #include "tests/records/random_inspection.h"
 #include "tests/records/random_record.h"
 #include "tests/records/sample_shard.h"
+#include "tests/reports/sample_look.h"
 #include "tests/reports/sample_run.h"
 
 namespace rastercheck::reports {
@@ -43,6 +44,12 @@ TEST(ParseRun, ReadsAShard) {
   records::Run run = sample_run();
   run.shard = records::sample_shard();
   EXPECT_EQ(parse_run(written(run), "run.json").value(), run);
+TEST(ParseRun, ReadsWhatWasDrawn) {
+  records::Run run = sample_run();
+  run.specimens = {sample_specimen(), sample_specimen()};
+  const std::string text = written(run);
+  EXPECT_THAT(text, HasSubstr("\"rows\":[\"3e800000:3efffffc -\"]"));
+  EXPECT_EQ(parse_run(text, "run.json").value(), run);
 }
 
 TEST(ParseRun, ReadsAnEmptyRun) {
