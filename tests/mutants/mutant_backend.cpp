@@ -19,9 +19,20 @@ Error cannot_load(const std::string& name) {
   return {"mutant:" + name, "", reason == nullptr ? "its module cannot be loaded" : reason};
 }
 
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Those of a list with commas.
+std::vector<std::string> names_in(const std::string& list) {
+  std::vector<std::string> all;
+  std::istringstream text(list);
+  for (std::string name; std::getline(text, name, ',');) all.push_back(name);
+  return all;
+}
+
 Result<std::unique_ptr<backends::Backend>> make(const std::string& name) {
-  const std::vector<std::string>& names = mutant_names();
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
+  if (!has(mutant_names(), name) && !has(gate_mutant_names(), name)) {
     return tl::unexpected(Error{"mutant:" + name, "", "no mutant of that name"});
   }
   const std::string path = RASTERCHECK_MUTANT_MODULES "/" + name + ".so";
@@ -42,12 +53,14 @@ Result<std::unique_ptr<backends::Backend>> make(const std::string& name) {
 
 std::vector<backends::Listing> list() {
   std::vector<backends::Listing> all;
-  for (const std::string& name : mutant_names()) {
-    const std::string specification = "mutant:" + name;
-    const auto made = make(name);
-    all.push_back({specification, "the rasterizer with a defect",
-                   made ? std::string() : to_string(made.error())});
-  }
+  const auto add = [&all](const std::vector<std::string>& names, const char* what) {
+    for (const std::string& name : names) {
+      const auto made = make(name);
+      all.push_back({"mutant:" + name, what, made ? std::string() : to_string(made.error())});
+    }
+  };
+  add(mutant_names(), "the rasterizer with a defect");
+  add(gate_mutant_names(), "the rasterizer, as precise or a little less");
   return all;
 }
 
@@ -56,12 +69,12 @@ const backends::BackendRegistration kRegistration({"mutant", &make, &list});
 }  // namespace
 
 const std::vector<std::string>& mutant_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    std::istringstream list(RASTERCHECK_MUTANT_NAMES);
-    for (std::string name; std::getline(list, name, ',');) all.push_back(name);
-    return all;
-  }();
+  static const std::vector<std::string> names = names_in(RASTERCHECK_MUTANT_NAMES);
+  return names;
+}
+
+const std::vector<std::string>& gate_mutant_names() {
+  static const std::vector<std::string> names = names_in(RASTERCHECK_GATE_MUTANT_NAMES);
   return names;
 }
 
@@ -74,7 +87,9 @@ Header header_of(const std::string& mutant) {
       {"Of: ", &header.of},
       {"Attributed to: ", &header.attributed_to},
       {"Least: ", &header.least}};
-  std::ifstream patch(RASTERCHECK_MUTANT_PATCHES "/" + mutant + ".patch");
+  const std::string folder = has(gate_mutant_names(), mutant) ? RASTERCHECK_GATE_MUTANT_PATCHES
+                                                              : RASTERCHECK_MUTANT_PATCHES;
+  std::ifstream patch(folder + "/" + mutant + ".patch");
   for (std::string line; std::getline(patch, line) && !line.starts_with("--- ");) {
     for (const auto& [name, value] : fields) {
       if (line.starts_with(name)) *value = line.substr(name.size());

@@ -8,8 +8,11 @@
 
 namespace rastercheck::mutants {
 
-/// The names of all mutants, as of `NAME.patch`, in their order.
+/// The names of all mutants that laws kill, as of `NAME.patch`, in their order.
 const std::vector<std::string>& mutant_names();
+/// The same of tests/gate/: small changes of precision, for the regression gate. A mutant of either
+/// kind is a backend.
+const std::vector<std::string>& gate_mutant_names();
 
 /// What a patch says of its mutant, before the first line of the diff: of texts the first line.
 struct Header {
