@@ -1,25 +1,26 @@
 """What there is, for the scripts that write pages of docs/: laws, generators, mutants."""
 
+import hashlib
 import json
 import os
 import pathlib
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+# The built program, or the one that the environment's RASTERCHECK names.
+PROGRAM = os.environ.get("RASTERCHECK", ROOT / "build/release/bin/rastercheck")
 
 
 def listed():
-    """What the built program lists, build/release/bin/rastercheck or the one that the environment's
-    RASTERCHECK names."""
-    program = os.environ.get("RASTERCHECK", ROOT / "build/release/bin/rastercheck")
-    return json.loads(subprocess.run([program, "list", "--json"], check=True, capture_output=True).stdout)
+    """What the built program lists."""
+    return json.loads(subprocess.run([PROGRAM, "list", "--json"], check=True, capture_output=True).stdout)
 
 
-def mutants():
+def mutants(folder="tests/mutants"):
     """name -> (fields of its patch's header, lines of its diff), by name. A field's further lines are
     indented."""
     found = {}
-    for patch in sorted((ROOT / "tests/mutants").glob("*.patch")):
+    for patch in sorted((ROOT / folder).glob("*.patch")):
         lines = patch.read_text().splitlines()
         begin = next(at for at, line in enumerate(lines) if line.startswith("--- "))
         fields, field = {}, None
@@ -31,3 +32,9 @@ def mutants():
                 fields[field] = text
         found[patch.stem] = fields, lines[begin:]
     return found
+
+
+def key_of(fields, diff):
+    """What a mutant changes, in twelve digits: what is known of it holds while that is the same."""
+    changes = [fields["Of"], *(line for line in diff if line.startswith(("-", "+")))]
+    return hashlib.sha256("\n".join(changes).encode()).hexdigest()[:12]

@@ -44,6 +44,8 @@ TEST(ParseRun, ReadsAShard) {
   records::Run run = sample_run();
   run.shard = records::sample_shard();
   EXPECT_EQ(parse_run(written(run), "run.json").value(), run);
+}
+
 TEST(ParseRun, ReadsWhatWasDrawn) {
   records::Run run = sample_run();
   run.specimens = {sample_specimen(), sample_specimen()};
