@@ -94,5 +94,12 @@ TEST(Caveats, SayWhatWasNotDrawn) {
                           "were not drawn, and count as violations."));
 }
 
+// Kills: a flag taken for an option with a value, which hides the option after it.
+TEST(ReplayOptions, AreThoseOfDrawingAndKnowing) {
+  records::Run run;
+  run.options = {"--property", "--timeout", "--keep-cases", "--timeout", "2.5", "--no-known"};
+  EXPECT_EQ(replay_options(run), (std::vector<std::string>{"--timeout", "2.5", "--no-known"}));
+}
+
 }  // namespace
 }  // namespace rastercheck::records

@@ -122,6 +122,7 @@ TEST(Compare, SeesSharesExactly) {
     return entry_of(compared(before, after), kSampleAll);
   };
   EXPECT_EQ(change(with(1, 3), with(2, 6)).change, Change::same);
+  EXPECT_EQ(change(with(kMany + 1, 3 * kMany - 1), with(kMany, 3 * kMany)).change, Change::better);
   const EntryChange worse = change(with(kMany, 3 * kMany), with(kMany + 1, 3 * kMany - 1));
   ASSERT_THAT(worse.figures, SizeIs(1));
   EXPECT_EQ(worse.figures[0].figure, Figure::misrounded);
