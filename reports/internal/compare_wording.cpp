@@ -166,6 +166,26 @@ std::vector<std::string> growth_lines(const CaseGrowth& growth) {
   return lines;
 }
 
+std::optional<records::StagePart> largest_part(const Gate& gate, const CaseGrowth& growth) {
+  const auto size = [](const records::StagePart& part) {
+    return part.stage == records::Stage::rounding ? 0 : records::magnitude_bound(part.error);
+  };
+  std::optional<records::StagePart> largest;
+  for (const records::CloserLook& look : gate.looks) {
+    const records::CaseKey& key = look.key;
+    const bool is_of_case =
+        key.law == growth.law && key.origin == growth.origin && key.index == growth.index;
+    if (!growth.after || !is_of_case || look.kind != growth.kind) continue;
+    for (const records::ErrorSplit& split : look.inspection.splits) {
+      if (split.attribute != growth.after->attribute) continue;
+      for (const records::StagePart& part : split.parts) {
+        if (size(part) > (largest ? size(*largest) : 0)) largest = part;
+      }
+    }
+  }
+  return largest;
+}
+
 std::vector<std::string> stage_lines(const Comparison& comparison, std::size_t most) {
   struct Line {
     double growth;

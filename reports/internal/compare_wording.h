@@ -2,9 +2,11 @@
 
 // How what a comparison found is put, in all its forms.
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "records/stage_split.h"
 #include "reports/compare.h"
 #include "reports/compare_format.h"
 
@@ -39,6 +41,10 @@ std::vector<std::string> growth_lines(const CaseGrowth& growth);
 /// "smooth, all strata: set-up made 0.01 → 0.2 ULP on average, 5.3% → 52% of all parts", by the
 /// most first; empty where no law splits errors, or no part grew.
 std::vector<std::string> stage_lines(const Comparison& comparison, std::size_t most);
+
+/// The stage that made most of a grown error, the rounding at the end aside, and its part; nothing
+/// where the case was not drawn again, or all of the error is that rounding.
+std::optional<records::StagePart> largest_part(const Gate& gate, const CaseGrowth& growth);
 
 /// What checks and what explains a grown case again; empty where they are not saved.
 std::vector<std::string> growth_commands(const Gate& gate, const Comparison& comparison,
