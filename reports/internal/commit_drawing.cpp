@@ -96,8 +96,9 @@ std::string pattern_of(const std::set<std::string>& laws) {
   for (const std::string& law : laws) {
     if (!all.empty()) all += '|';
     for (const char c : law) {
-      if (std::string_view("*?[]\\@+!(|)").find(c) != std::string_view::npos) all += '\\';
-      all += c;
+      // As a set of one: a backslash before them does not part '|' and brackets from a list.
+      const bool is_special = std::string_view("*?[]\\(|)").find(c) != std::string_view::npos;
+      all += !is_special ? std::string(1, c) : c == '\\' ? R"([\\])" : fmt::format("[{}]", c);
     }
   }
   return laws.size() == 1 ? all : "@(" + all + ")";
