@@ -61,7 +61,7 @@ PixelBox pixels_of(const CasePart& part) {
 /// A number of places in [from, to), from the middle on.
 int place_between(int from, int to, int i) {
   const int steps = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
-  return from + (to - from) / 2 + steps * ((to - from) / kPlaces);
+  return from + (to - from) / 2 + steps * std::max(1, (to - from) / kPlaces);
 }
 
 /// A pixel that the exact triangle covers, near its middle; nothing where none of those that are
