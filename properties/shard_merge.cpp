@@ -198,7 +198,7 @@ Result<void> ShardMerge::check(const Run& run, const std::string& file) const {
   if (!run.shard) return refuse("is no shard: the run was not cut by --shard");
   const std::string name = "shard " + to_string(run.shard->number);
   if (!added_.empty()) {
-    const Result<void> same = check_same_campaign(run, first_, file, added_.begin()->second.file);
+    Result<void> same = check_same_campaign(run, first_, file, added_.begin()->second.file);
     if (!same) return same;
   }
   if (run.cases_left > 0 || !run.shard->is_whole) {

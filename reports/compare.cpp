@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -172,6 +173,17 @@ std::optional<double> share_of(const Means& means, records::Stage stage) {
   return found->second->hi / all;
 }
 
+}  // namespace
+
+double growth_of(const StageChange& change) {
+  const double was = change.mean_before ? change.mean_before->hi : 0;
+  const double is = change.mean_after ? change.mean_after->hi : 0;
+  if (was > 0) return is / was;
+  return is > 0 ? std::numeric_limits<double>::infinity() : 1;
+}
+
+namespace {
+
 void compare_stages(EntryChange& entry) {
   const Means before = means_of(entry.before);
   const Means after = means_of(entry.after);
@@ -180,14 +192,13 @@ void compare_stages(EntryChange& entry) {
     const auto found = means.find(stage);
     return found == means.end() ? std::optional<Enclosure>() : found->second;
   };
-  double most = 0;
+  double most = 1;
   for (std::size_t i = 0; i < names_of(records::Stage{}).size(); ++i) {
     const auto stage = static_cast<records::Stage>(i);
     if (!before.contains(stage) && !after.contains(stage)) continue;
     StageChange change{stage, mean_in(before, stage), mean_in(after, stage),
                        share_of(before, stage), share_of(after, stage)};
-    const double was = change.mean_before ? change.mean_before->hi : 0;
-    const double growth = change.mean_after ? change.mean_after->hi - was : 0;
+    const double growth = growth_of(change);
     if (growth > most) {
       most = growth;
       entry.grown_stage = stage;

@@ -78,6 +78,11 @@ struct StageChange {
   bool operator==(const StageChange&) const = default;
 };
 
+/// How many times larger its part has become, a number to order by: parts of different stages
+/// differ by powers of ten, as where values come from snapped vertices. Infinite where there was
+/// none.
+double growth_of(const StageChange& change);
+
 struct EntryChange {
   EntryKey key;
   Change change = Change::same;
@@ -85,7 +90,7 @@ struct EntryChange {
   EntryFigures before;                ///< empty of a new one
   EntryFigures after;                 ///< empty of one that is gone
   std::vector<StageChange> stages;    ///< all, in their order; of laws that split errors
-  /// The stage whose part grew most, by its mean; nothing where none did.
+  /// The stage whose part grew most (growth_of); nothing where none did.
   std::optional<records::Stage> grown_stage;
   /// Why a policy allows that it is worse (policy.h).
   std::optional<std::string> allowed_because = std::nullopt;

@@ -74,7 +74,7 @@ constexpr std::string_view kWorseStart =
     "<table class=\"worse\">\n<thead><tr><th>entry</th>"
     "<th class=\"number\">worst<br><small>ULP</small></th>"
     "<th class=\"number\">p99<br><small>ULP</small></th><th class=\"number\">misrounded</th>"
-    "<th>came out wrong</th><th>policy</th></tr></thead>\n<tbody>\n";
+    "<th>other figures</th><th>policy</th></tr></thead>\n<tbody>\n";
 
 /// "0.5 → 2.3"; a dash of a figure that is the same.
 std::string change_text(const EntryChange& entry, Figure figure) {
@@ -106,7 +106,7 @@ std::string worse_row(const EntryChange& entry, const std::string& name) {
   return "<tr>" + cell(name) + number_cell("worst, ULP", change_text(entry, Figure::worst)) +
          number_cell("p99, ULP", change_text(entry, Figure::p99)) +
          number_cell("misrounded", change_text(entry, Figure::misrounded)) +
-         named_cell("came out wrong", wrong_text(entry)) +
+         named_cell("other figures", wrong_text(entry)) +
          named_cell("policy", allowed_text(entry)) + "</tr>\n";
 }
 

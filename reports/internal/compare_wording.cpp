@@ -200,7 +200,7 @@ std::vector<std::string> stage_lines(const Comparison& comparison, std::size_t m
         return share ? fmt::format("{:.3g}%", *share * 100) : std::string("0%");
       };
       lines.push_back(
-          {stage.mean_after->hi - before.hi,
+          {growth_of(stage),
            fmt::format("{}, {}: {}, mean {} → {} ULP, {} → {} of all parts",
                        to_string(entry.key.kind),
                        entry.key.stratum ? to_string(*entry.key.stratum) : "all strata",

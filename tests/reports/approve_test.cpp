@@ -46,7 +46,10 @@ TEST(Approve, TakesAllOverAndSaysWhatChanged) {
   const Approved result = approved(before, worse_section(), {});
   EXPECT_THAT(result.changes,
               ElementsAre("values are <within> bounds: coverage: extra 0 → 1",
-                          "values are <within> bounds: smooth, sliver: worst 0.625 → 0.75 ULP"));
+                          "values are <within> bounds: coverage: cases that grew 0 → 1",
+                          "values are <within> bounds: smooth: cases that grew 0 → 1",
+                          "values are <within> bounds: smooth, sliver: worst 0.625 → 0.75 ULP",
+                          "values are <within> bounds: smooth, sliver: cases that grew 0 → 1"));
   BaselineSection expected = worse_section();
   expected.key = before.key;
   expected.approvals = {before.approvals[0], {"it is meant so", "0.1.0", "beef", result.changes}};
@@ -64,7 +67,8 @@ TEST(Approve, DoesNothingWhereNothingChanged) {
 TEST(Approve, TakesOnlyWhatIsChosen) {
   const Approved result = approved(sample_section(), worse_section(), {.stratum = "sliver"});
   EXPECT_THAT(result.changes,
-              ElementsAre("values are <within> bounds: smooth, sliver: worst 0.625 → 0.75 ULP"));
+              ElementsAre("values are <within> bounds: smooth, sliver: worst 0.625 → 0.75 ULP",
+                          "values are <within> bounds: smooth, sliver: cases that grew 0 → 1"));
   BaselineSection expected = sample_section();
   expected.entries[kSampleSliver].worst = {0.75, 0.75};
   expected.laws[kSampleLaw].cases[kSampleCase].worst[AttributeKind::smooth][Stratum::sliver] =

@@ -218,6 +218,37 @@ TEST(CompareCases, ShowBothErrorsOfTheGrownCase) {
   EXPECT_THAT(back.growths, IsEmpty());
 }
 
+// Kills: errors that grow unseen below the largest of all.
+TEST(CompareCases, MakeTheirEntriesWorse) {
+  BaselineSection before = sample_section();
+  auto& small = before.laws[kSampleLaw].cases[{records::Origin::random, 0}];
+  small.worst[AttributeKind::smooth][Stratum::sliver] = sample_error(0.25);
+  BaselineSection after = before;
+  CaseFigures& grown = after.laws[kSampleLaw].cases[{records::Origin::random, 0}];
+  grown.worst[AttributeKind::smooth][Stratum::sliver] = sample_error(0x1.0000000000001p-2);
+  const Comparison comparison = compared(before, after);
+  for (const EntryKey& key : {kSampleAll, kSampleSliver}) {
+    const EntryChange& entry = entry_of(comparison, key);
+    EXPECT_EQ(entry.change, Change::worse);
+    ASSERT_THAT(entry.figures, SizeIs(1));
+    EXPECT_EQ(entry.figures[0].figure, Figure::grown_cases);
+    EXPECT_EQ(entry.figures[0].after.count, 1U);
+  }
+  EXPECT_EQ(entry_of(comparison, kSampleCoverage).change, Change::same);
+  EXPECT_EQ(refused(comparison), 2U);
+  EXPECT_EQ(count_of(compared(after, before), Change::same), 3U);
+
+  // Of all strata together the largest counts: what grows below it does not.
+  grown.worst[AttributeKind::smooth] = {{Stratum::ordinary, sample_error(0.25)},
+                                        {Stratum::sliver, sample_error(0.125)}};
+  EXPECT_EQ(entry_of(compared(before, after), kSampleAll).change, Change::same);
+
+  grown = small;
+  ++grown.mismatches;
+  EXPECT_EQ(entry_of(compared(before, after), kSampleCoverage).change, Change::worse);
+  EXPECT_EQ(entry_of(compared(after, before), kSampleCoverage).change, Change::same);
+}
+
 // What came out wrong goes before what is less precise; then the larger growth.
 TEST(CompareCases, AreOrderedByGrowthAndLimited) {
   BaselineSection before = sample_section();
@@ -270,6 +301,20 @@ TEST(CompareStages, NameTheOneWhosePartGrewMost) {
   EXPECT_NEAR(*entry.stages[0].share_after, 2.0 / 3, 0x1p-40);
   EXPECT_EQ(entry_of(compared(after, before), kSampleSliver).grown_stage, std::nullopt);
   EXPECT_EQ(entry_of(compared(before, before), kSampleSliver).grown_stage, std::nullopt);
+}
+
+// Kills: parts of stages compared by their sizes, of which snapping's is by far the largest.
+TEST(CompareStages, GrowByHowManyTimesLargerTheyAre) {
+  BaselineSection before = sample_section();
+  BaselineSection after = before;
+  before.entries[kSampleSliver].stages = {{Stage::snap, sample_sum(4000, 4)},
+                                          {Stage::set_up, sample_sum(4, 4)}};
+  after.entries[kSampleSliver].stages = {{Stage::snap, sample_sum(4400, 4)},
+                                         {Stage::set_up, sample_sum(8, 4)}};
+  EXPECT_EQ(entry_of(compared(before, after), kSampleSliver).grown_stage, Stage::set_up);
+  // Where there was nothing it is more than any number of times as much.
+  after.entries[kSampleSliver].stages[Stage::evaluation] = sample_sum(1, 4);
+  EXPECT_EQ(entry_of(compared(before, after), kSampleSliver).grown_stage, Stage::evaluation);
 }
 
 // --- Refusals ------------------------------------------------------------------------------------

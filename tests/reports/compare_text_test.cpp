@@ -5,6 +5,7 @@
 
 #include "reports/annotations.h"
 #include "tests/reports/sample_gate.h"
+#include "tests/reports/sample_look.h"
 
 namespace rastercheck::reports {
 namespace {
@@ -15,12 +16,15 @@ using testing::Not;
 
 TEST(ComparisonText, NamesWhatIsWorseWhereAndInWhichStage) {
   EXPECT_EQ(comparison_text(sample_gate(), false),
-            "Regression: 1 of 3 entries worse than the baseline of cpu on x86_64; 2 the same.\n"
+            "Regression: 2 of 3 entries worse than the baseline of cpu on x86_64; 1 the same.\n"
             "1 of 23 cases did not give the same bits; errors grew in 1.\n"
             "\n"
             "Worse:\n"
+            "  values are <within> bounds: smooth\n"
+            "    cases that grew 0 → 1\n"
             "  values are <within> bounds: smooth, sliver\n"
             "    worst 0.625 → 0.75 ULP\n"
+            "    cases that grew 0 → 1\n"
             "\n"
             "Cases whose errors grew most:\n"
             "  values are <within> bounds:\n"
@@ -43,11 +47,14 @@ TEST(ComparisonText, NamesWhatIsWorseWhereAndInWhichStage) {
 
 TEST(ComparisonText, IsShortWhereQuiet) {
   EXPECT_EQ(comparison_text(sample_gate(), true),
-            "Regression: 1 of 3 entries worse than the baseline of cpu on x86_64; 2 the same.\n"
+            "Regression: 2 of 3 entries worse than the baseline of cpu on x86_64; 1 the same.\n"
             "\n"
             "Worse:\n"
+            "  values are <within> bounds: smooth\n"
+            "    cases that grew 0 → 1\n"
             "  values are <within> bounds: smooth, sliver\n"
-            "    worst 0.625 → 0.75 ULP\n");
+            "    worst 0.625 → 0.75 ULP\n"
+            "    cases that grew 0 → 1\n");
 }
 
 TEST(ComparisonText, OfTheSameSaysSoAndNothingElse) {
@@ -67,14 +74,30 @@ TEST(ComparisonText, AsksToTightenTheBaseline) {
 
 TEST(ComparisonText, SaysWhatAPolicyAllows) {
   Gate gate = sample_gate();
-  gate.comparisons[0].entries[2].allowed_because = "known (until 2026-12-31)";
+  for (const std::size_t worse : {1U, 2U}) {
+    gate.comparisons[0].entries[worse].allowed_because = "known (until 2026-12-31)";
+  }
   gate.policy = {{"p.json: /allow/1 expired"}, {"p.json: /allow/2 unused"}};
   const std::string text = comparison_text(gate, false);
   EXPECT_THAT(text, AllOf(HasSubstr("No regression: 3 entries held"),
-                          HasSubstr("1 worse, but allowed"), HasSubstr("\nWorse, and allowed:\n"),
+                          HasSubstr("2 worse, but allowed"), HasSubstr("\nWorse, and allowed:\n"),
                           HasSubstr("    allowed: known (until 2026-12-31)\n"),
                           HasSubstr("\nExpired: p.json: /allow/1 expired\n"),
                           HasSubstr("Allows nothing any more, and may go: p.json: /allow/2")));
+}
+
+// Kills: a stage named where the case was not drawn again, and the rounding that there always is.
+TEST(ComparisonText, SaysWhichStageMadeMostOfAGrownError) {
+  Gate gate = sample_gate();
+  EXPECT_THAT(comparison_text(gate, false), Not(HasSubstr("most of it")));
+  gate.looks = {sample_look()};
+  EXPECT_THAT(comparison_text(gate, false),
+              HasSubstr("    then  0.25 (0x1p-2)\n    most of it by set-up: 2.5 ULP\n"));
+  gate.looks[0].inspection.splits[0].parts.erase(gate.looks[0].inspection.splits[0].parts.begin());
+  EXPECT_THAT(comparison_text(gate, false), Not(HasSubstr("most of it")));
+  gate.looks = {sample_look()};
+  gate.looks[0].key.index = 13;
+  EXPECT_THAT(comparison_text(gate, false), Not(HasSubstr("most of it")));
 }
 
 // Kills: two numbers that differ and look the same.
@@ -94,16 +117,23 @@ TEST(ComparisonText, SaysThatOtherBitsAreNoRegression) {
 }
 
 TEST(GateAnnotations, NameEachEntryThatIsRefused) {
+  const std::string title =
+      "::error file=b.json,line=1,title=worse than the baseline of cpu on x86_64::";
+  const std::string growth =
+      "%0Amost in random case 12; smooth, sliver, triangle 0, pixel (3, 5), sample 0, attribute 0; "
+      "error 0.625 → 0.75 ULP; exact 1/3 (about 0.333333333); now   0.5 (0x1p-1); then  0.25 "
+      "(0x1p-2)%0Arastercheck replay out/grown/values-are--within--bounds-cpu-random-12.json"
+      "%0Arastercheck explain out/grown/values-are--within--bounds-cpu-random-12.json --pixel 3,5 "
+      "--sample 0 --triangle 0\n";
   EXPECT_EQ(github_annotations(sample_gate()),
-            "::error file=b.json,line=1,title=worse than the baseline of cpu on x86_64::values are "
-            "<within> bounds: smooth, sliver%0Aworst 0.625 → 0.75 ULP%0Amost in random case 12; "
-            "smooth, sliver, triangle 0, pixel (3, 5), sample 0, attribute 0; error 0.625 → 0.75 "
-            "ULP; exact 1/3 (about 0.333333333); now   0.5 (0x1p-1); then  0.25 (0x1p-2)"
-            "%0Arastercheck replay out/grown/values-are--within--bounds-cpu-random-12.json"
-            "%0Arastercheck explain out/grown/values-are--within--bounds-cpu-random-12.json "
-            "--pixel 3,5 --sample 0 --triangle 0\n");
+            title + "values are <within> bounds: smooth%0Acases that grew 0 → 1" + growth + title +
+                "values are <within> bounds: smooth, sliver%0Aworst 0.625 → 0.75 ULP%0Acases that "
+                "grew 0 → 1" +
+                growth);
   Gate gate = sample_gate();
-  gate.comparisons[0].entries[2].allowed_because = "known";
+  for (const std::size_t worse : {1U, 2U}) {
+    gate.comparisons[0].entries[worse].allowed_because = "known";
+  }
   EXPECT_EQ(github_annotations(gate), "");
   gate.policy.expired = {"old"};
   EXPECT_EQ(github_annotations(gate), "::warning title=expired::old\n");
