@@ -57,8 +57,8 @@ std::string growths_text(const Gate& gate, const Comparison& comparison) {
     const CaseGrowth& growth = comparison.growths[i];
     text += fmt::format("  {}:\n    {}\n", cases::one_line(growth.law), case_text(growth));
     for (const std::string& line : growth_lines(growth)) text += fmt::format("    {}\n", line);
-    if (const auto part = largest_part(gate, growth)) {
-      text += fmt::format("    most of it by {}: {} ULP\n", to_string(part->stage),
+    if (const auto part = part_to_look_at(gate, comparison, growth)) {
+      text += fmt::format("    stage to look at: {}, {} ULP of it\n", to_string(part->stage),
                           mean_text(part->error));
     }
     for (const std::string& command : growth_commands(gate, comparison, growth)) {

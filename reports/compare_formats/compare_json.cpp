@@ -22,7 +22,7 @@
 //      "growths": [{"law": "…", "origin": "random", "index": 12, "name": "…", "kind": "smooth",
 //                   "stratum": "sliver", "file": "grown/….json", "mismatches_before": 0,
 //                   "mismatches_after": 1, "before": {a worst error as in records}, "after": {…},
-//                   "most_of_it_by": {"stage": "set-up", "error": [0.3, 0.3]},
+//                   "part_to_look_at": {"stage": "set-up", "error": [0.3, 0.3]},
 //                   "commands": ["rastercheck replay …"]}],
 //      "gone_laws": [], "new_laws": []}]}
 //
@@ -95,8 +95,8 @@ ordered_json json_of(const Gate& gate, const Comparison& comparison, const CaseG
   object["mismatches_after"] = growth.mismatches_after;
   if (growth.before) object["before"] = records::error_without_case_to_json(*growth.before);
   if (growth.after) object["after"] = records::error_without_case_to_json(*growth.after);
-  if (const auto part = largest_part(gate, growth)) {
-    object["most_of_it_by"] = {{"stage", to_string(part->stage)},
+  if (const auto part = part_to_look_at(gate, comparison, growth)) {
+    object["part_to_look_at"] = {{"stage", to_string(part->stage)},
                                {"error", records::enclosure_to_json(part->error)}};
   }
   if (!gate.folder.empty()) object["file"] = file_of(comparison, growth);

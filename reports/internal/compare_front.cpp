@@ -35,30 +35,21 @@ std::string figures_of(const Comparison& comparison) {
          "</dl>\n";
 }
 
-/// Which stage made most of an error that is shown; empty where that is not known.
-std::string stage_of(const records::CloserLook* look) {
-  if (look == nullptr) return "";
-  for (const records::ErrorSplit& split : look->inspection.splits) {
-    if (split.attribute != look->inspection.attribute) continue;
-    const std::optional<records::Stage> stage = records::largest_part(split);
-    if (!stage) return "";
-    return fmt::format("; most of it is from <strong>{}</strong>", to_string(*stage));
-  }
-  return "";
-}
-
 std::string largest_growth(const Gate& gate, std::size_t number) {
   const Comparison& comparison = gate.comparisons[number];
   if (comparison.growths.empty()) return "";
   const CaseGrowth& growth = comparison.growths.front();
   std::string text = fmt::format("<p class=\"finding\">Largest growth: <a href=\"#{}\">{}, {}</a>",
                                  growth_id(number, 0), html(growth.law), html(case_text(growth)));
+  const auto part = part_to_look_at(gate, comparison, growth);
+  const std::string stage =
+      part ? fmt::format("; the stage to look at is <strong>{}</strong>", to_string(part->stage))
+           : "";
   if (growth.after) {
     text += fmt::format(
         ": {}: <strong>{} → {} scale ULP</strong>{}", html(place_text(growth, *growth.after)),
         growth.before ? number_text(records::magnitude(growth.before->error)) : std::string("0"),
-        number_text(records::magnitude(growth.after->error)),
-        stage_of(find_look(gate, comparison, growth)));
+        number_text(records::magnitude(growth.after->error)), stage);
   }
   if (growth.mismatches_after > growth.mismatches_before) {
     text += fmt::format(": <strong>{} → {} came out wrong</strong>",

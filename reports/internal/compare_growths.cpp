@@ -188,16 +188,6 @@ std::string growth_id(std::size_t number, std::size_t growth) {
   return fmt::format("case-{}-{}", number, growth);
 }
 
-const CloserLook* find_look(const Gate& gate, const Comparison& comparison,
-                            const CaseGrowth& growth) {
-  const records::CaseKey key{growth.law, comparison.backend, growth.origin, growth.index};
-  const auto look = std::find_if(gate.looks.begin(), gate.looks.end(), [&](const CloserLook& one) {
-    return growth.kind && one.key == key && one.kind == growth.kind &&
-           one.stratum == growth.stratum;
-  });
-  return look == gate.looks.end() ? nullptr : &*look;
-}
-
 std::string growth_sections(const Gate& gate, std::size_t number) {
   const Comparison& comparison = gate.comparisons[number];
   std::string text;

@@ -13,10 +13,6 @@ namespace rastercheck::reports {
 /// The id of a grown case's section; `number` is that of the comparison on the page.
 std::string growth_id(std::size_t number, std::size_t growth);
 
-/// What was looked at of a grown case; nullptr where nothing was.
-const records::CloserLook* find_look(const Gate& gate, const Comparison& comparison,
-                                     const CaseGrowth& growth);
-
 /// Each grown case: values, where they are, what made the error, old and new pixels, and what
 /// checks it again. Then parts whose pixels are others than those that the baseline kept.
 std::string growth_sections(const Gate& gate, std::size_t number);

@@ -166,21 +166,29 @@ std::vector<std::string> growth_lines(const CaseGrowth& growth) {
   return lines;
 }
 
-std::optional<records::StagePart> largest_part(const Gate& gate, const CaseGrowth& growth) {
+const records::CloserLook* find_look(const Gate& gate, const Comparison& comparison,
+                                     const CaseGrowth& growth) {
+  const records::CaseKey key{growth.law, comparison.backend, growth.origin, growth.index};
+  const auto look =
+      std::find_if(gate.looks.begin(), gate.looks.end(), [&](const records::CloserLook& one) {
+        return growth.kind && one.key == key && one.kind == growth.kind &&
+               one.stratum == growth.stratum;
+      });
+  return look == gate.looks.end() ? nullptr : &*look;
+}
+
+std::optional<records::StagePart> part_to_look_at(const Gate& gate, const Comparison& comparison,
+                                                  const CaseGrowth& growth) {
   const auto size = [](const records::StagePart& part) {
     return part.stage == records::Stage::rounding ? 0 : records::magnitude_bound(part.error);
   };
   std::optional<records::StagePart> largest;
-  for (const records::CloserLook& look : gate.looks) {
-    const records::CaseKey& key = look.key;
-    const bool is_of_case =
-        key.law == growth.law && key.origin == growth.origin && key.index == growth.index;
-    if (!growth.after || !is_of_case || look.kind != growth.kind) continue;
-    for (const records::ErrorSplit& split : look.inspection.splits) {
-      if (split.attribute != growth.after->attribute) continue;
-      for (const records::StagePart& part : split.parts) {
-        if (size(part) > (largest ? size(*largest) : 0)) largest = part;
-      }
+  const records::CloserLook* look = find_look(gate, comparison, growth);
+  if (look == nullptr) return largest;
+  for (const records::ErrorSplit& split : look->inspection.splits) {
+    if (split.attribute != look->inspection.attribute) continue;
+    for (const records::StagePart& part : split.parts) {
+      if (size(part) > (largest ? size(*largest) : 0)) largest = part;
     }
   }
   return largest;

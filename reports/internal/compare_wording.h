@@ -42,9 +42,14 @@ std::vector<std::string> growth_lines(const CaseGrowth& growth);
 /// most first; empty where no law splits errors, or no part grew.
 std::vector<std::string> stage_lines(const Comparison& comparison, std::size_t most);
 
+/// What was looked at of a grown case; nullptr where nothing was.
+const records::CloserLook* find_look(const Gate& gate, const Comparison& comparison,
+                                     const CaseGrowth& growth);
+
 /// The stage that made most of a grown error, the rounding at the end aside, and its part; nothing
 /// where the case was not drawn again, or all of the error is that rounding.
-std::optional<records::StagePart> largest_part(const Gate& gate, const CaseGrowth& growth);
+std::optional<records::StagePart> part_to_look_at(const Gate& gate, const Comparison& comparison,
+                                                  const CaseGrowth& growth);
 
 /// What checks and what explains a grown case again; empty where they are not saved.
 std::vector<std::string> growth_commands(const Gate& gate, const Comparison& comparison,

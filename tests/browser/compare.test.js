@@ -15,7 +15,7 @@ test('the verdict, what grew most and where are on the first screen', () => with
   assert.match(await page.locator('h1').textContent(), /^Regression: \d+ of \d+ entries worse/);
   const growth = page.locator('p.finding', { hasText: 'Largest growth' });
   assert.match(await growth.textContent(),
-    /pixel \(\d+, \d+\).*[\d.]+ → [\d.]+ scale ULP; most of it is from (weights|evaluation)/);
+    /pixel \(\d+, \d+\).*[\d.]+ → [\d.]+ scale ULP; the stage to look at is (weights|evaluation)/);
   for (const part of [page.locator('h1'), growth, page.locator('table.worse tbody tr').first()]) {
     const box = await part.boundingBox();
     assert.ok(box.y + box.height < 900, 'below the first screen');

@@ -49,7 +49,7 @@ TEST(CompareHtml, BeginsWithTheVerdictAndTheLargestGrowth) {
   EXPECT_THAT(text, HasSubstr("Largest growth: <a href=\"#case-0-0\">values are &lt;within&gt; "
                               "bounds, random case 12</a>: smooth, sliver, triangle 0, pixel (3, "
                               "5), sample 0, attribute 0: <strong>0.625 → 0.75 scale "
-                              "ULP</strong>; most of it is from <strong>set-up</strong>"));
+                              "ULP</strong>; the stage to look at is <strong>set-up</strong>"));
   EXPECT_THAT(text, HasSubstr("<details class=\"finding\" id=\"case-0-0\" open>"));
   EXPECT_THAT(text, HasSubstr("set-up <strong>← grew most</strong>"));
   EXPECT_THAT(text, HasSubstr("cpu on x86_64"));
