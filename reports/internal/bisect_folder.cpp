@@ -27,7 +27,7 @@ bool is_below(const fs::path& path, const fs::path& folder) {
 
 }  // namespace
 
-BisectFolder::BisectFolder(std::string path, bool is_temporary)
+BisectFolder::BisectFolder(fs::path path, bool is_temporary)
     : path_(std::move(path)), is_temporary_(is_temporary) {}
 
 BisectFolder::BisectFolder(BisectFolder&& other) noexcept
@@ -51,7 +51,7 @@ Result<BisectFolder> BisectFolder::make(const std::string& output) {
   const bool is_empty = fs::is_empty(path, why);
   if (why) return failure(output, "cannot be read", why);
   if (!is_empty) return tl::unexpected(Error{output, "", "is not empty"});
-  return BisectFolder(path.string(), false);
+  return BisectFolder(path, false);
 }
 
 Result<std::vector<std::string>> BisectFolder::with_copies(std::vector<std::string> words,
@@ -61,7 +61,7 @@ Result<std::vector<std::string>> BisectFolder::with_copies(std::vector<std::stri
     if (std::find(options.begin(), options.end(), words[i]) == options.end()) continue;
     std::string& value = words[++i];
     if (!is_below(value, work_tree)) continue;
-    const fs::path copy = fs::path(path_) / "given" / std::to_string(i);
+    const fs::path copy = path_ / "given" / std::to_string(i);
     std::error_code why;
     fs::create_directories(copy.parent_path(), why);
     if (!why) fs::copy(value, copy, fs::copy_options::recursive, why);

@@ -2,6 +2,7 @@
 
 // The folder of a bisection: all that is drawn and said, outside of what git checks out.
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ class BisectFolder {
   BisectFolder& operator=(const BisectFolder&) = delete;
   ~BisectFolder();
 
-  const std::string& path() const { return path_; }  ///< absolute
+  const std::string& path() const { return path_.native(); }  ///< absolute
 
   /// Words of a command in which files and folders that lie below `work_tree` are copies of them as
   /// they are now: other commits may have others there, or none. Only those that `options` name:
@@ -31,9 +32,9 @@ class BisectFolder {
                                                const std::string& work_tree) const;
 
  private:
-  BisectFolder(std::string path, bool is_temporary);
+  BisectFolder(std::filesystem::path path, bool is_temporary);
 
-  std::string path_;
+  std::filesystem::path path_;
   bool is_temporary_;
 };
 

@@ -19,6 +19,7 @@ void check_run(const records::Run& run) {
   expect(reports::find_format("json")->write(*again) == text,
          "a run that was read again is written as the same");
   for (const reports::Format& format : reports::formats()) {
+    if (format.needs_cases && !run.cases) continue;
     expect(!format.write(run).empty(), "every report can be made of a run");
   }
   for (const records::Counterexample& one : run.counterexamples) {

@@ -201,7 +201,7 @@ TEST(MutantBackend, ListsEveryMutantAsAbleToRun) {
     ++count;
     EXPECT_EQ(listing.unavailable_because, "") << listing.specification;
   }
-  EXPECT_EQ(count, mutant_names().size());
+  EXPECT_EQ(count, mutant_names().size() + gate_mutant_names().size());
 }
 
 TEST(MutantBackend, KnowsNoOther) {

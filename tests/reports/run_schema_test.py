@@ -69,7 +69,7 @@ def shortened(value):
 
 def is_case(path):
     """Whether a place is in a case file or a list of known defects, which have tests of their own."""
-    return any(key in ("case", "list") and path[:1] != ("records",) for key in path)
+    return any(key in ("case", "contract", "list", "saved") and path[:1] != ("records",) for key in path)
 
 
 def of_another_type(value):
@@ -103,6 +103,16 @@ def complete(document):
     document["contract_file"] = "mine.json"
     document["cases_left"] = 3
     document["shrink_seconds"] = 2.5
+    document["specimens"] = [
+        {"law": "a", "backend": "cpu", "origin": "random", "index": 3, "name": "b", "triangle": 0,
+         "left": 1, "top": 2, "width": 2, "height": 1, "samples": 1, "attributes": 1,
+         "rows": ["3f000000:40490fdb -"]}]
+    document["shard"] = {
+        "index": 2, "count": 7, "is_whole": True, "corpus_digest": "c", "known_digest": "k",
+        "scene_digest": "s", "saved": [copy.deepcopy(document["counterexamples"][0]["case"])],
+        "promises": [{"backend": "cpu", "has_limits": False, "draws_what_is_asked_for": True,
+                      "unpromised": ["a"]}],
+        "contract": {"format": "rastercheck-contract", "version": 1}}
     document["unexpected_passes"] = [
         {"backend": "cpu", "id": "driver-2", "law": "a", "is_same_version": False}]
     document["known"] = [{"backend": "cpu", "driver_version": "Mesa 23", "list": {
