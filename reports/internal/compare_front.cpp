@@ -65,7 +65,9 @@ std::string largest_growth(const Gate& gate, std::size_t number) {
 
 std::string taken_text(const Taken& taken) {
   std::string text = html(taken.version.empty() ? "–" : taken.version);
-  if (!taken.commit.empty()) text += ", <code>" + html(taken.commit) + "</code>";
+  // As git shortens it; compare.json has the whole.
+  constexpr std::size_t kShort = 12;
+  if (!taken.commit.empty()) text += ", <code>" + html(taken.commit.substr(0, kShort)) + "</code>";
   for (const std::string& more : {taken.instruction_set, taken.compiler}) {
     if (!more.empty()) text += ", " + html(more);
   }
