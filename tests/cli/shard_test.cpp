@@ -264,7 +264,7 @@ TEST_F(Shard, NeedsASeed) {
 
 // Kills: a part that is compared with the whole.
 TEST_F(Shard, IsHeldAgainstNoBaseline) {
-  const auto error_of = [this](const std::vector<std::string>& arguments) {
+  const auto error_of = [](const std::vector<std::string>& arguments) {
     const Outcome outcome = run_damaged_program(arguments);
     EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
     return outcome.err;
