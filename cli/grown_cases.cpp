@@ -15,25 +15,27 @@
 namespace rastercheck::cli {
 namespace {
 
-/// The case, where there still is one of that number.
-Result<std::optional<cases::Case>> case_of(const reports::Comparison& comparison,
-                                           const reports::CaseGrowth& growth) {
+/// The case, where there still is one: a corpus may be gone, or be another one.
+std::optional<cases::Case> case_of(const reports::Comparison& comparison,
+                                   const reports::CaseGrowth& growth) {
   std::vector<cases::Case> corpus;
   if (growth.origin == records::Origin::corpus) {
     Result<std::vector<cases::Case>> read = properties::read_corpus(corpus_of(comparison));
-    if (!read) return tl::unexpected(read.error());
+    if (!read) return std::nullopt;
     corpus = *std::move(read);
   }
-  return properties::frozen_case({growth.law, comparison.backend, growth.origin, growth.index},
-                                 comparison.seed, corpus);
+  std::optional<cases::Case> found = properties::frozen_case(
+      {growth.law, comparison.backend, growth.origin, growth.index}, comparison.seed, corpus);
+  const bool is_other =
+      found && growth.origin == records::Origin::corpus && found->name != growth.name;
+  return is_other ? std::nullopt : found;
 }
 
 Result<void> save(const reports::Gate& gate, const reports::Comparison& comparison,
                   const reports::CaseGrowth& growth) {
-  Result<std::optional<cases::Case>> source = case_of(comparison, growth);
-  if (!source) return tl::unexpected(source.error());
-  if (!*source) return {};
-  cases::Case& c = **source;
+  std::optional<cases::Case> source = case_of(comparison, growth);
+  if (!source) return {};
+  cases::Case& c = *source;
   c.found = cases::Found{growth.law, comparison.backend, "worse than the baseline", comparison.seed,
                          growth.index};
   const std::filesystem::path file =

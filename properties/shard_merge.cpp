@@ -98,6 +98,9 @@ Result<void> check_same_campaign(const Run& here, const Run& there, const std::s
   Difference difference(first);
   difference.compare("program's version", value_of(here.environment, "version"),
                      value_of(there.environment, "version"));
+  // A baseline is of one architecture.
+  difference.compare("architecture", value_of(here.environment, "architecture"),
+                     value_of(there.environment, "architecture"));
   difference.compare("rules version", here.rules_version, there.rules_version);
   difference.compare("number of shards", here.shard->number.count, there.shard->number.count);
   difference.compare("seed", here.seed, there.seed);
@@ -233,6 +236,7 @@ Result<void> ShardMerge::add(Run run, const std::string& file) {
   run.unexpected.clear();
   run.pictures.clear();
   run.inspections.clear();
+  run.specimens.clear();
   first_ = std::move(run);
   return {};
 }

@@ -61,9 +61,10 @@ void take_entry(BaselineSection& section, const BaselineSection& current, const 
   if (key.stratum) take_worst(law, now->second, key.kind, *key.stratum);
 }
 
-/// Of a law of which nothing differs any more, all of its cases: what else they gave belongs to
+/// Of a law of which all that changed was taken, all of its cases: what else they gave belongs to
 /// what was approved.
 void take_finished_laws(BaselineSection& section, const BaselineSection& current,
+                        const std::vector<EntryChange>& all,
                         const std::vector<EntryChange>& taken) {
   for (const EntryChange& entry : taken) {
     const std::string& law = entry.key.law;
@@ -76,7 +77,16 @@ void take_finished_laws(BaselineSection& section, const BaselineSection& current
       }
       return some;
     };
-    if (of_law(section.entries) == of_law(current.entries)) section.laws[law] = now->second;
+    // An entry may have changed by its cases alone.
+    const auto changed_of_law = [&law](const std::vector<EntryChange>& entries) {
+      return std::count_if(entries.begin(), entries.end(), [&law](const EntryChange& one) {
+        return one.key.law == law && one.change != Change::same;
+      });
+    };
+    if (of_law(section.entries) == of_law(current.entries) &&
+        changed_of_law(all) == changed_of_law(taken)) {
+      section.laws[law] = now->second;
+    }
   }
 }
 
@@ -111,7 +121,7 @@ std::vector<std::string> approve(BaselineSection& section, const BaselineSection
     take_all(section, current);
   } else {
     for (const EntryChange& entry : taken) take_entry(section, current, entry.key);
-    take_finished_laws(section, current, taken);
+    take_finished_laws(section, current, comparison.entries, taken);
     // Names of cases that new laws brought.
     section.corpus.insert(current.corpus.begin(), current.corpus.end());
   }

@@ -117,6 +117,11 @@ Result<BaselineSection> section_of(const records::Run& run, const std::string& b
   if (run.cases_left > 0) {
     return tl::unexpected(refusal("the run was interrupted: `rastercheck run --resume` ends it"));
   }
+  if (run.shard) {
+    return tl::unexpected(refusal(
+        fmt::format("the run is shard {} only: `rastercheck merge` makes the whole run of all {}",
+                    records::to_string(run.shard->number), run.shard->number.count)));
+  }
   BaselineSection section;
   section.key = {backend, in_environment(run, "architecture"), "", ""};
   section.rules_version = run.rules_version;

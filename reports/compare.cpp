@@ -303,6 +303,10 @@ Result<std::vector<Comparison>> compare(const Baseline& baseline, const Baseline
     }
     comparisons.push_back(*std::move(comparison));
   }
+  // Nothing that is worse is not the same as nothing that was looked at.
+  if (comparisons.empty()) {
+    return tl::unexpected(Error{files.current, "", "has no sections: there is nothing to compare"});
+  }
   return comparisons;
 }
 

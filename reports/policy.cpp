@@ -86,12 +86,24 @@ bool matches(const Allowance& allowance, const Comparison& comparison) {
   return matches(allowance.backend, comparison.key.backend);
 }
 
+/// Whether the entry is worse by how large errors are, up to that, and by nothing else: not by what
+/// came out wrong, nor by numbers that are none.
+bool is_within(double worst, const EntryChange& entry) {
+  const bool is_size =
+      std::all_of(entry.figures.begin(), entry.figures.end(), [](const FigureChange& change) {
+        return change.change != Change::worse || change.figure >= Figure::worst;
+      });
+  return is_size && entry.key.kind != records::AttributeKind::coverage &&
+         entry.after.worst.hi <= worst &&
+         entry.after.histogram.non_finite() <= entry.before.histogram.non_finite();
+}
+
 bool allows(const Allowance& allowance, const Comparison& comparison, const EntryChange& entry) {
   const std::string_view stratum = entry.key.stratum ? to_string(*entry.key.stratum) : "all";
   return matches(allowance, comparison) && matches(allowance.law, entry.key.law) &&
          matches(allowance.kind, to_string(entry.key.kind)) &&
          matches(allowance.stratum, stratum) &&
-         (!allowance.worst || entry.after.worst.hi <= *allowance.worst);
+         (!allowance.worst || is_within(*allowance.worst, entry));
 }
 
 std::string described(const Policy& policy, std::size_t index) {

@@ -159,6 +159,9 @@ ExitCode approve(const ApproveOptions& options) {
     is_changed = is_changed || !approved->changes.empty();
     all.push_back(*std::move(approved));
   }
+  if (all.empty()) {
+    return fail({options.current, "--backend", "has no section of " + options.backend});
+  }
   if (is_changed) {
     const auto written = cases::write_file(options.baseline, reports::to_json(*baseline));
     if (!written) return fail(written.error());

@@ -66,8 +66,9 @@ ExitCode merge(const Options& options) {
   } else {
     print_results(run, rows, options.output, options.quiet);
     if (!options.quiet) {
+      const auto seconds = run.environment.find("seconds");
       fmt::print("Seed {}, {} shards, {} s.{}", run.seed, merged->looked_at.size(),
-                 run.environment.at("seconds"),
+                 seconds == run.environment.end() ? "–" : seconds->second,
                  written ? " " + where_reports_are(options.output, options.formats) : "\n");
     }
   }

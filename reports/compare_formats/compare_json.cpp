@@ -97,7 +97,7 @@ ordered_json json_of(const Gate& gate, const Comparison& comparison, const CaseG
   if (growth.after) object["after"] = records::error_without_case_to_json(*growth.after);
   if (const auto part = part_to_look_at(gate, comparison, growth)) {
     object["part_to_look_at"] = {{"stage", to_string(part->stage)},
-                               {"error", records::enclosure_to_json(part->error)}};
+                                 {"error", records::enclosure_to_json(part->error)}};
   }
   if (!gate.folder.empty()) object["file"] = file_of(comparison, growth);
   object["commands"] = growth_commands(gate, comparison, growth);

@@ -170,6 +170,8 @@ TEST(ShardMerge, NamesTheDifferenceOfAnotherCampaign) {
   const std::string start = "file 2: is of another campaign than file 1: ";
   EXPECT_EQ(error([](records::Run& run) { run.environment["version"] = "1.2.4"; }),
             start + "its program's version is 1.2.4, and 1.2.3 there");
+  EXPECT_EQ(error([](records::Run& run) { run.environment["architecture"] = "aarch64"; }),
+            start + "its architecture is aarch64, and  there");
   EXPECT_EQ(error([](records::Run& run) { run.rules_version = 9; }),
             start + "its rules version is 9, and 1 there");
   EXPECT_EQ(error([](records::Run& run) { run.shard->number.count = 2; }),

@@ -115,6 +115,8 @@ TEST(SectionOf, HasADigestOfAllThatIsFrozen) {
 TEST(SectionOf, RefusesRunsThatCannotBeCompared) {
   records::Run run = run_with_cases();
   EXPECT_THAT(section_of(run, "gl").error().reason, HasSubstr("not of the backend 'gl'"));
+  run.shard.emplace().number = {2, 7};
+  EXPECT_THAT(section_of(run, "cpu").error().reason, HasSubstr("is shard 2"));
   run.cases_left = 1;
   EXPECT_THAT(section_of(run, "cpu").error().reason, HasSubstr("was interrupted"));
   run.cases.reset();
