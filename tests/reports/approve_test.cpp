@@ -81,6 +81,17 @@ TEST(Approve, TakesOnlyWhatIsChosen) {
   EXPECT_EQ(rest.section.entries, worse_section().entries);
 }
 
+// Kills: cases of entries that nobody approved, taken over as no figure of theirs is kept.
+TEST(Approve, LeavesCasesThatGrewToTheirOwnEntries) {
+  BaselineSection current = sample_section();
+  ++current.entries[kSampleCoverage].classes[records::FragmentClass::extra];
+  current.laws[kSampleLaw].cases[kSampleCase].worst[AttributeKind::smooth][Stratum::sliver] =
+      sample_error(0x1.4000000000001p-1);
+  const Approved result = approved(sample_section(), current, {.kind = "coverage"});
+  EXPECT_THAT(result.changes, ElementsAre("values are <within> bounds: coverage: extra 0 → 1"));
+  EXPECT_EQ(refused(compare(result.section, current).value()), 2U);
+}
+
 // Kills: digests that stay old for ever, as no figure is there to approve.
 TEST(Approve, TakesOtherBitsOver) {
   BaselineSection current = sample_section();

@@ -352,6 +352,13 @@ TEST(CompareRefuses, NothingThatIsOnlyRecorded) {
   EXPECT_EQ(refusal(before, after), "");
 }
 
+// Kills: a gate that is green as nothing was held against it.
+TEST(CompareRefuses, NothingAtAll) {
+  EXPECT_EQ(
+      to_string(compare(Baseline{{sample_section()}}, Baseline(), {"b.json", "run.json"}).error()),
+      "run.json: has no sections: there is nothing to compare");
+}
+
 TEST(CompareRefuses, WhatTheBaselineHasNoSectionOf) {
   BaselineSection other = sample_section();
   other.key.architecture = "aarch64";

@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <optional>
+#include <vector>
+
 #include "tests/reports/sample_sections.h"
 
 namespace rastercheck::reports {
@@ -63,6 +67,37 @@ TEST(Policy, AllowsGrowthUpToItsLimit) {
   EXPECT_EQ(refused_under(allowance), 1U);
   allowance.worst = 0.7499;
   EXPECT_EQ(refused_under(allowance), 2U);
+}
+
+// Kills: wrong samples and numbers that are none, allowed by a limit on how large errors are.
+TEST(Policy, OfALimitAllowsNothingThatCameOutWrong) {
+  const auto refused_of = [](const std::function<void(EntryFigures&)>& change, const EntryKey& key,
+                             std::optional<double> worst) {
+    BaselineSection after = sample_section();
+    change(after.entries[key]);
+    std::vector<Comparison> comparisons{compare(sample_section(), after).value()};
+    Policy policy;
+    policy.allow = {Allowance{"*", "*", "*", "*", "why", "2026-12-31", worst}};
+    apply(policy, kToday, comparisons);
+    return refused(comparisons);
+  };
+  const auto missing = [](EntryFigures& figures) {
+    ++figures.classes[records::FragmentClass::missing];
+  };
+  const auto violated = [](EntryFigures& figures) { ++figures.cases.violations; };
+  const auto larger = [](EntryFigures& figures) { figures.worst = {0.75, 0.75}; };
+  const auto not_finite = [](EntryFigures& figures) {
+    figures.worst = {0.75, 0.75};
+    figures.histogram.add_non_finite(1);
+  };
+  EXPECT_EQ(refused_of(larger, kSampleSliver, 0.75), 0U);
+  EXPECT_EQ(refused_of(missing, kSampleCoverage, 0.75), 1U);
+  EXPECT_EQ(refused_of(missing, kSampleAll, 0.75), 1U);
+  EXPECT_EQ(refused_of(violated, kSampleCoverage, 0.75), 1U);
+  EXPECT_EQ(refused_of(not_finite, kSampleSliver, 0.75), 1U);
+  for (const auto& change : {std::function<void(EntryFigures&)>(missing), {violated}}) {
+    EXPECT_EQ(refused_of(change, kSampleCoverage, std::nullopt), 0U);
+  }
 }
 
 // Until a day, that day included.
