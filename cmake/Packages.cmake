@@ -6,7 +6,8 @@ endif()
 
 set(package_docs "${CMAKE_INSTALL_DATADIR}/doc")
 install(FILES README.md DESTINATION "${package_docs}/rastercheck" COMPONENT program)
-install(DIRECTORY docs DESTINATION "${package_docs}/rastercheck" COMPONENT program)
+install(DIRECTORY docs DESTINATION "${package_docs}/rastercheck" COMPONENT program
+  PATTERN gate.sh PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 install(FILES LICENSE DESTINATION "${package_docs}/rastercheck" RENAME copyright COMPONENT program)
 # Of d3, which every report.html has in it.
 install(FILES /usr/share/doc/node-d3/copyright DESTINATION "${package_docs}/rastercheck"
