@@ -174,14 +174,13 @@ Found read_found(const JsonNode& node) {
 }
 
 void check_header(const JsonNode& root) {
+  // First: of another format, keys are not what is wrong.
+  root.expect_format("rastercheck-case");
   root.expect_object(
       {"format", "version", "framebuffer", "viewport", "rules", "vertices", "triangles"},
       {"name", "coverage", "basis", "fill_rule", "cull", "front_face", "scissor", "depth_test",
        "depth_clamp", "attributes", "camera", "found"});
   if (root.failed()) return;
-  if (root["format"].text() != "rastercheck-case") {
-    root["format"].refuse("must be \"rastercheck-case\"");
-  }
   if (root["version"].integer(0, std::numeric_limits<std::int32_t>::max()) != 1) {
     root["version"].refuse("version must be 1");
   }

@@ -164,7 +164,12 @@ Result<void> limit_this_process(const ProcessLimits& limits) {
                                                         {RLIMIT_CORE, {0, 0}}};
   if (!limits.may_write) all.push_back({RLIMIT_FSIZE, {0, 0}});
   if (limits.seconds > 0) all.push_back({RLIMIT_CPU, {limits.seconds, limits.seconds + 1}});
-  for (const auto& [resource, limit] : all) {
+  for (auto& [resource, limit] : all) {
+    // What this process may not have anyway stays as it is.
+    rlimit now{};
+    if (::getrlimit(resource, &now) != 0) return failure("getrlimit", errno);
+    limit.rlim_max = std::min(limit.rlim_max, now.rlim_max);
+    limit.rlim_cur = std::min(limit.rlim_cur, limit.rlim_max);
     if (::setrlimit(resource, &limit) != 0) return failure("setrlimit", errno);
   }
   return {};

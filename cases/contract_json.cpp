@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "cases/digest.h"
 #include "cases/files.h"
 #include "cases/json.h"
 #include "cases/names.h"
@@ -109,9 +110,7 @@ void read_bounds(const JsonNode& node, ContractTerms& terms) {
 
 void check_header(const JsonNode& root) {
   // These first: of a later version, its unknown keys are not what is wrong.
-  if (root.has("format") && root["format"].text() != "rastercheck-contract") {
-    root["format"].refuse("must be \"rastercheck-contract\"");
-  }
+  root.expect_format("rastercheck-contract");
   if (root.has("version") && root["version"].integer(0, std::numeric_limits<int>::max()) != 1) {
     root["version"].refuse("version must be 1");
   }
@@ -223,6 +222,11 @@ std::string to_json(const ContractTerms& terms) {
   all.add("quad_share", terms.quad_share);
   all.add("numbers", terms.numbers);
   return fmt::format("{{\n  {}\n}}\n", all.joined(",\n  "));
+}
+
+std::uint64_t digest_of(ContractTerms terms) {
+  terms.name.clear();
+  return fnv1a(to_json(terms));
 }
 
 ContractTerms read_contract_terms(const JsonNode& root) {

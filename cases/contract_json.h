@@ -3,6 +3,7 @@
 // Contract files: JSON, "rastercheck-contract", version 1. cases/schema/contract.schema.json says
 // what each key means; all but "format" and "version" are optional.
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,9 @@ namespace rastercheck::cases {
 
 /// One key a line; numbers in decimal, as exactly those floats.
 std::string to_json(const ContractTerms& terms);
+
+/// Tells terms apart that are not the same, whatever their names and however files say them.
+std::uint64_t digest_of(ContractTerms terms);
 
 /// Refuses unknown keys, and what no contract has.
 ContractTerms read_contract_terms(const JsonNode& root);

@@ -198,6 +198,9 @@ std::string child_pointer(const std::string& parent, std::string_view key) {
 }
 
 Result<json> parse_json(std::string_view text, const std::string& file) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    return tl::unexpected(Error{file, "1:1", "not valid JSON: there is nothing in it"});
+  }
   // nlohmann takes a NUL byte for the end of the text.
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
     return tl::unexpected(

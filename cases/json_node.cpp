@@ -61,6 +61,15 @@ void JsonNode::expect_object(Keys required, Keys optional) const {
   }
 }
 
+void JsonNode::expect_format(std::string_view format) const {
+  if (!has("format")) return;
+  const JsonNode node = (*this)["format"];
+  const std::string actual = node.text();
+  if (actual != format) {
+    node.refuse(fmt::format("must be \"{}\", not \"{}\"", format, printable(actual)));
+  }
+}
+
 bool JsonNode::has(std::string_view key) const {
   return value_->is_object() && value_->contains(key);
 }

@@ -45,6 +45,8 @@ class JsonNode {
   }
   using Keys = std::span<const std::string_view>;
   void expect_object(Keys required, Keys optional) const;
+  /// Refuses an object whose key "format", if it has one, says something else.
+  void expect_format(std::string_view format) const;
   bool has(std::string_view key) const;
   /// The member of that key; a null value where there is none.
   JsonNode operator[](std::string_view key) const;

@@ -132,16 +132,24 @@ class TriangleCollector {
   VertexTable vertices_;
 };
 
+/// Why nothing was read: assimp's words, but for the name that it has for standard input.
+std::string reason_of(const Assimp::Importer& importer, bool is_input) {
+  const std::string_view words = importer.GetErrorString();
+  if (!words.starts_with("No suitable reader")) return fmt::format("not a mesh: {}", words);
+  return is_input ? "not a mesh, or of a format that has to be named (--format obj)"
+                  : "not a mesh, by its ending and its content";
+}
+
 /// The mesh of what an importer has read.
 Result<Mesh> mesh_of_scene(Assimp::Importer& importer, const std::string& file) {
   const auto refuse = [&file](const std::string& reason) {
     return tl::unexpected(Error{file, "", printable(reason)});
   };
   const aiScene* scene = importer.GetScene();
-  if (scene == nullptr) return refuse(fmt::format("not a mesh: {}", importer.GetErrorString()));
+  if (scene == nullptr) return refuse(reason_of(importer, file == "-"));
   if (const std::string broken = fault_of(*scene); !broken.empty()) return refuse(broken);
   scene = importer.ApplyPostProcessing(kProcessing);
-  if (scene == nullptr) return refuse(fmt::format("not a mesh: {}", importer.GetErrorString()));
+  if (scene == nullptr) return refuse(reason_of(importer, file == "-"));
 
   const std::span meshes(scene->mMeshes, scene->mNumMeshes);
   Mesh mesh;

@@ -93,7 +93,8 @@ Result<Context> Context::create(const ContextRequest& request) {
     reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", candidate.place,
                            opened.error().reason);
   }
-  return failure(reasons);
+  // A machine with EGL and no driver says no more than the number of an error.
+  return failure(reasons + " (llvmpipe and softpipe are in Debian's libgl1-mesa-dri)");
 }
 
 std::string Context::renderer() const { return renderer_name() + ", " + version(); }

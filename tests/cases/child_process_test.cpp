@@ -1,6 +1,7 @@
 #include "cases/child_process.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
@@ -71,6 +72,20 @@ TEST(ChildProcess, IsWaitedForAsLongAsItIsTold) {
 }
 
 using ChildProcessDeathTest = testing::Test;
+
+// Kills: a machine's own limit on memory taken for a failure.
+TEST(ChildProcessDeathTest, KeepsALowerLimitThatThereIs) {
+  const auto limited_again = [] {
+    rlimit limit{600, 600};
+    if (::setrlimit(RLIMIT_CPU, &limit) != 0) ::_exit(1);
+    ProcessLimits limits;
+    limits.memory = 1U << 30U;
+    limits.seconds = 1000;
+    if (!limit_this_process(limits) || ::getrlimit(RLIMIT_CPU, &limit) != 0) ::_exit(2);
+    ::_exit(limit.rlim_max == 600 ? 0 : 3);
+  };
+  EXPECT_EXIT(limited_again(), testing::ExitedWithCode(0), "");
+}
 
 // Kills: a limit that limits nothing. It is of whole seconds: up to two pass.
 TEST(ChildProcessDeathTest, HasNoMoreProcessorTimeThanItIsGiven) {

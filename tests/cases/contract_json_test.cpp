@@ -56,6 +56,20 @@ TEST(ContractJson, ComesBackAsItWasWritten) {
   EXPECT_EQ(*again, terms);
 }
 
+// Kills: a digest of the file, or of a part of it.
+TEST(ContractDigest, IsOfTheTermsAlone) {
+  const ContractTerms terms = all_terms();
+  ContractTerms other = terms;
+  other.name = "another";
+  EXPECT_EQ(digest_of(other), digest_of(terms));
+  const std::string keys = R"("is_invariant": false, "guard_band": 16)";
+  const std::string turned = R"("guard_band": 1.6e1,   "is_invariant": false)";
+  EXPECT_EQ(digest_of(parse(keys).value()), digest_of(parse(turned).value()));
+  EXPECT_NE(digest_of(parse(keys).value()), digest_of(parse("").value()));
+  other.numbers->greatest = 0x1p63F;
+  EXPECT_NE(digest_of(other), digest_of(terms));
+}
+
 TEST(ContractJson, TellsWhatIsAskedForFromNothingSaid) {
   ContractTerms terms;
   terms.coverage = AsAsked{};

@@ -110,6 +110,12 @@ TEST(ParseJson, ANulByteIsRefusedWhereItStands) {
   EXPECT_THAT(refused("[1]\0"sv).reason, HasSubstr("NUL"));
 }
 
+TEST(ParseJson, OfAnEmptyFileItSaysThatItIs) {
+  for (const char* text : {"", " ", "\r\n\t\n"}) {
+    EXPECT_EQ(refused(text).reason, "not valid JSON: there is nothing in it");
+  }
+}
+
 TEST(ParseJson, InvalidUtf8IsRefusedWhereItStands) {
   EXPECT_THAT(refused("[\n\"\xff\"]").place, StartsWith("2:"));
   EXPECT_THAT(refused("\"\xc0\x80\"").place, StartsWith("1:"));      // overlong

@@ -45,7 +45,9 @@ tl::unexpected<Error> egl_failure(const std::string& what) {
 Result<std::vector<Display>> find_displays(Prefer prefer) {
   // libepoxy ends the process where it is asked for a function that no library has: each step asks
   // first whether the next one is there.
-  if (!epoxy_has_egl()) return failure("there is no EGL here (libEGL.so.1)");
+  if (!epoxy_has_egl()) {
+    return failure("there is no EGL here (libEGL.so.1; Debian's libegl1 has it)");
+  }
   std::vector<Display> displays;
   if (!client_has("EGL_EXT_platform_base")) return failure("this EGL has no platforms");
   append_devices(displays, true);

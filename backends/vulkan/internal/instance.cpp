@@ -121,7 +121,8 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
     return failed("there is no " + std::string(layer), Failure::unavailable);
   }
   if (made == VK_ERROR_INCOMPATIBLE_DRIVER) {
-    return failed("the Vulkan loader finds no driver", Failure::unavailable);
+    return failed("the Vulkan loader finds no driver (Debian's mesa-vulkan-drivers has one)",
+                  Failure::unavailable);
   }
   if (made != VK_SUCCESS) {
     Error error = failed("vkCreateInstance", made).value();
