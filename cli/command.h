@@ -2,7 +2,7 @@
 
 // The commands of `rastercheck`. A file in cli/commands/ defines one and registers it:
 //
-//   const Registration kRegistration("name", "What it does, as --help says it", &set_up);
+//   const Registration kRegistration("name", "Says what it does, as --help has it", &set_up);
 //
 // docs/adding-a-command.md walks through it.
 
@@ -15,6 +15,13 @@
 #include "cli/exit_code.h"
 
 namespace rastercheck::cli {
+
+// What an option's or argument's type_name() may be for shells to complete it; of any other type
+// they complete nothing.
+inline constexpr const char* kBackend = "BACKEND";
+inline constexpr const char* kProperty = "PROPERTY";
+inline constexpr const char* kFile = "FILE";
+inline constexpr const char* kFolder = "DIR";
 
 /// What a command does once its options are read.
 using Action = std::function<ExitCode()>;

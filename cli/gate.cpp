@@ -21,7 +21,6 @@
 #include "reports/compare.h"
 #include "reports/compare_format.h"
 #include "reports/compare_text.h"
-#include "reports/policy.h"
 #include "reports/run_reader.h"
 
 namespace rastercheck::cli {
@@ -44,7 +43,7 @@ std::string in(const std::map<std::string, std::string>& environment, const std:
 reports::BaselineSection awaited(const std::string& backend,
                                  const std::map<std::string, std::string>& environment) {
   reports::BaselineSection section;
-  section.key = {backend, in(environment, "architecture"), "", ""};
+  section.key = {reports::section_name(backend), in(environment, "architecture"), "", ""};
   section.taken.backend = backend;
   section.taken.instruction_set = in(environment, "instruction_set");
   section.taken.compiler = in(environment, "compiler");
@@ -75,15 +74,12 @@ Result<void> write_files(const reports::Gate& gate) {
 
 Result<reports::Gate> gate_of(const GateSide& baseline, const GateSide& current,
                               const GateOptions& options) {
-  Result<reports::Policy> policy =
-      options.policy.empty() ? Result<reports::Policy>() : reports::read_policy(options.policy);
-  if (!policy) return tl::unexpected(policy.error());
   Result<std::vector<reports::Comparison>> comparisons =
       reports::compare(baseline.sections, current.sections, {baseline.file, current.file});
   if (!comparisons) return tl::unexpected(comparisons.error());
   reports::Gate gate;
   gate.comparisons = *std::move(comparisons);
-  gate.policy = reports::apply(*policy, today(), gate.comparisons);
+  gate.policy = reports::apply(options.policy, today(), gate.comparisons);
   gate.baseline_file = baseline.file;
   gate.current_file = current.file;
   gate.folder = options.output;
@@ -124,12 +120,17 @@ Result<void> rename_backend(GateSide& side, const std::string& name) {
     return tl::unexpected(
         Error{side.file, "", "--as names one backend, and there is not one section"});
   }
-  side.sections.sections.front().key.backend = name;
+  side.sections.sections.front().key.backend = reports::section_name(name);
   return {};
 }
 
 void set_commit(GateSide& side, const std::string& commit) {
   for (reports::BaselineSection& section : side.sections.sections) section.taken.commit = commit;
+}
+
+Result<reports::Policy> read_policy(const std::string& file) {
+  if (file.empty()) return reports::Policy();
+  return reports::read_policy(file);
 }
 
 ExitCode hold_against(const GateSide& baseline, const GateSide& current,
@@ -165,12 +166,14 @@ Result<CaseSet> case_set_for(const GateSide& baseline, const std::vector<std::st
         reports::section_for(baseline.sections, current, baseline.file);
     if (!section) return tl::unexpected(section.error());
     const CaseSet of_section{to_string((*section)->key), (*section)->seed,
-                             (*section)->cases_per_law, (*section)->options};
+                             (*section)->cases_per_law, (*section)->options,
+                             (*section)->contract_digest};
     if (const auto same = reports::check_versions(**section, current); !same) {
       return tl::unexpected(Error{baseline.file, same.error().place, same.error().reason});
     }
     if (set && (set->seed != of_section.seed || set->cases_per_law != of_section.cases_per_law ||
-                set->options != of_section.options)) {
+                set->options != of_section.options ||
+                set->contract_digest != of_section.contract_digest)) {
       return tl::unexpected(Error{baseline.file, "",
                                   fmt::format("the sections {} and {} are of other cases: run one "
                                               "backend at a time",

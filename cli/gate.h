@@ -11,6 +11,7 @@
 #include "cli/exit_code.h"
 #include "records/run.h"
 #include "reports/baseline.h"
+#include "reports/policy.h"
 
 namespace rastercheck::cli {
 
@@ -35,12 +36,15 @@ Result<void> rename_backend(GateSide& side, const std::string& name);
 void set_commit(GateSide& side, const std::string& commit);
 
 struct GateOptions {
-  std::string policy;  ///< file; empty: none
+  reports::Policy policy;
   std::string output;  ///< folder for what compare_format.h lists; empty: none
   bool json = false;   ///< prints compare.json instead of text
   bool quiet = false;
   bool prints = true;
 };
+
+/// The policy of a file; of none, which has no name, one that allows nothing.
+Result<reports::Policy> read_policy(const std::string& file);
 
 /// Compares, writes and prints, and tells GitHub; `regression` where an entry is worse that the
 /// policy does not allow.
@@ -52,7 +56,8 @@ struct CaseSet {
   std::string section;  ///< its key, for messages
   std::uint64_t seed = 0;
   std::uint64_t cases_per_law = 0;
-  std::vector<std::string> options;  ///< reports::frozen_options
+  std::vector<std::string> options;                             ///< reports::frozen_options
+  std::optional<std::uint64_t> contract_digest = std::nullopt;  ///< as of sections
 };
 
 /// The case set of the sections for the backends, on a machine and by a program of that environment

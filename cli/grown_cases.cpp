@@ -1,6 +1,5 @@
 #include "cli/grown_cases.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -52,9 +51,7 @@ Result<void> save(const reports::Gate& gate, const reports::Comparison& comparis
 }  // namespace
 
 std::string corpus_of(const reports::Comparison& comparison) {
-  const auto& options = comparison.options;
-  const auto named = std::find(options.begin(), options.end(), "--corpus");
-  return named == options.end() || named + 1 == options.end() ? corpus_folder() : *(named + 1);
+  return records::option_of(comparison.options, "--corpus").value_or(corpus_folder());
 }
 
 Result<void> save_grown_cases(const reports::Gate& gate) {

@@ -2,8 +2,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
-#include <csignal>
+#include <cstddef>
 
 namespace rastercheck::cli {
 namespace {
@@ -22,12 +23,17 @@ extern "C" void note_interrupt(int /*signal*/) {
   }
 }
 
-void set_handler(int signal, void (*handler)(int)) {
+/// Watches a signal; what it did before.
+struct sigaction watch(int signal) {
+  struct sigaction before {};
+  ::sigaction(signal, nullptr, &before);
+  if (signal == SIGHUP && before.sa_handler == SIG_IGN) return before;
   struct sigaction action {};
-  action.sa_handler = handler;
+  action.sa_handler = &note_interrupt;
   // The second of a kind has its usual effect; calls that were interrupted go on.
-  action.sa_flags = SA_RESTART | (handler == SIG_DFL ? 0 : static_cast<int>(SA_RESETHAND));
+  action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
   ::sigaction(signal, &action, nullptr);
+  return before;
 }
 
 }  // namespace
@@ -35,13 +41,13 @@ void set_handler(int signal, void (*handler)(int)) {
 InterruptWatch::InterruptWatch(const std::string& message) {
   interrupted = false;
   message_of_watch = new std::string(message);
-  set_handler(SIGINT, &note_interrupt);
-  set_handler(SIGTERM, &note_interrupt);
+  std::transform(kSignals.begin(), kSignals.end(), before_.begin(), &watch);
 }
 
 InterruptWatch::~InterruptWatch() {
-  set_handler(SIGINT, SIG_DFL);
-  set_handler(SIGTERM, SIG_DFL);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    ::sigaction(kSignals[i], &before_[i], nullptr);
+  }
   delete message_of_watch.exchange(nullptr);
 }
 

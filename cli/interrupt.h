@@ -1,18 +1,25 @@
 #pragma once
 
+#include <array>
+#include <csignal>
 #include <string>
 
 namespace rastercheck::cli {
 
-/// As long as it lives, the first SIGINT (Ctrl-C) or SIGTERM does not end the process: it prints
-/// `message` on standard error, and is_interrupted() says so from then on. The second one ends the
-/// process as if nobody watched. One at a time.
+/// As long as it lives, the first SIGINT (Ctrl-C), SIGTERM or SIGHUP (a terminal that is closed)
+/// does not end the process: it prints `message` on standard error, and is_interrupted() says so
+/// from then on. The second of a kind ends the process as if nobody watched. A SIGHUP that is
+/// ignored, as nohup has it, stays ignored. One at a time.
 class InterruptWatch {
  public:
   explicit InterruptWatch(const std::string& message);
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
   ~InterruptWatch();
+
+ private:
+  static constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, kSignals.size()> before_{};  ///< what they did, in that order
 };
 
 /// Whether a signal has come since the last watch began. From any thread.

@@ -9,8 +9,9 @@ void add_timeout(CLI::App& app, double& seconds) {
   // A day: more than anyone waits for, and no trouble to count in.
   constexpr double kLongest = 86400;
   app.add_option("--timeout", seconds,
-                 "Seconds that a backend in a process of its own may take for a draw")
+                 "Seconds that a driver or plugin may take for a draw, which then counts as failed")
       ->check(CLI::Range(0.001, kLongest))
+      ->type_name("SECONDS")
       ->capture_default_str();
 }
 

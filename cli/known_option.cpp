@@ -12,10 +12,13 @@ std::string KnownOption::folder() const {
 void add_known(CLI::App& app, KnownOption& option) {
   CLI::Option* known =
       app.add_option("--known", option.directory,
-                     "Folder of lists of known defects, DRIVER/known.json, that takes the place of "
-                     "the project's own")
-          ->check(CLI::ExistingDirectory);
-  app.add_flag("--no-known", option.is_none, "Known defects count as any other")->excludes(known);
+                     "Folder of lists of known defects of drivers, DRIVER/known.json; without it "
+                     "those that come with the program")
+          ->check(CLI::ExistingDirectory)
+          ->type_name(kFolder);
+  app.add_flag("--no-known", option.is_none,
+               "Defects that are known of a driver count as any other")
+      ->excludes(known);
 }
 
 }  // namespace rastercheck::cli

@@ -5,24 +5,18 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <map>
-#include <string>
+#include <sstream>
 
 #include "cli/command.h"
+#include "cli/help_format.h"
 #include "cli/output.h"
+#include "cli/usage.h"
 
 namespace rastercheck::cli {
 namespace {
-
-/// CLI11's messages may have several lines.
-std::string joined_lines(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  text.erase(text.find_last_not_of(' ') + 1);
-  return text;
-}
 
 /// Opens standard streams that are closed: what is opened next would be taken for them.
 void open_standard_streams() {
@@ -34,28 +28,41 @@ void open_standard_streams() {
   }
 }
 
+constexpr const char* kIntroduction =
+    "A case is a JSON file that says what is drawn: triangles, attributes, framebuffer and the "
+    "rules of OpenGL, Vulkan or Direct3D. A backend is what draws: this project's rasterizer, a "
+    "driver, a plugin of yours. A property is a law that whatever is drawn has to obey; a case in "
+    "which it is violated is a counterexample.\n\n"
+    "To begin with:\n"
+    "  rastercheck list backends             what can be judged here\n"
+    "  rastercheck run                       judges this project's rasterizer\n"
+    "  rastercheck run --backend gl          judges this machine's OpenGL\n"
+    "  rastercheck explain FILE              how a counterexample comes about\n\n"
+    "Every command has --help.";
+
 int run(int argc, char** argv) {
-  CLI::App app("Checks rasterizers against exact rational arithmetic.", "rastercheck");
-  app.set_version_flag("--version", "rastercheck " RASTERCHECK_VERSION);
+  CLI::App app("Checks rasterizers against exact rational arithmetic", "rastercheck");
+  app.formatter(help_format());
+  app.set_help_flag("-h,--help", "Says what there is, and ends");
+  app.set_version_flag("--version", "rastercheck " RASTERCHECK_VERSION, "Prints the version");
   app.require_subcommand(1);
   std::map<const CLI::App*, Action> actions;
   for (const Command& command : commands()) {
     CLI::App* subcommand = app.add_subcommand(command.name, command.summary);
     actions[subcommand] = command.set_up(*subcommand);
   }
+  app.footer(kIntroduction);  // last: commands inherit it
 
+  ExitCode code = ExitCode::ok;
   try {
     app.parse(argc, argv);
+    code = actions.at(app.get_subcommands().front())();
   } catch (const CLI::ParseError& outcome) {
-    if (outcome.get_exit_code() == 0) return app.exit(outcome);  // --help, --version
-    const auto chosen = app.get_subcommands();
-    const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
-    return static_cast<int>(fail(
-        {"", "",
-         fmt::format("{} (see rastercheck{} --help)", joined_lines(outcome.what()), command)}));
+    if (outcome.get_exit_code() != 0) return static_cast<int>(fail(wrong_usage(app, outcome)));
+    std::ostringstream text;  // of --help, --version
+    app.exit(outcome, text, text);
+    fmt::print("{}", text.str());
   }
-
-  const ExitCode code = actions.at(app.get_subcommands().front())();
   if (const auto flushed = flush_standard_output(); !flushed) {
     return static_cast<int>(fail(flushed.error()));
   }
@@ -72,6 +79,11 @@ int main(int argc, char** argv) {
   try {
     return rastercheck::cli::run(argc, argv);
   } catch (const std::exception& problem) {
+    // fmt throws where a stream cannot take what is printed.
+    if (std::ferror(stdout) != 0) {
+      fmt::print(stderr, "rastercheck: standard output: {}\n", problem.what());
+      return static_cast<int>(ExitCode::usage);
+    }
     fmt::print(stderr, "rastercheck: internal error: {}\n", problem.what());
   } catch (...) {
     fmt::print(stderr, "rastercheck: internal error\n");

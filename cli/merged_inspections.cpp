@@ -24,7 +24,7 @@ using records::Run;
 /// A number among the run's options, which wrote it.
 template <typename Number>
 Number number_of(const Run& run, std::string_view option, Number usual) {
-  const std::string text = option_of(run, option).value_or("");
+  const std::string text = records::option_of(run.options, option).value_or("");
   std::from_chars(text.data(), text.data() + text.size(), usual);
   return usual;
 }
@@ -32,7 +32,7 @@ Number number_of(const Run& run, std::string_view option, Number usual) {
 std::string known_folder_of(const Run& run) {
   const bool is_none =
       std::find(run.options.begin(), run.options.end(), "--no-known") != run.options.end();
-  return is_none ? "" : option_of(run, "--known").value_or(known_folder());
+  return is_none ? "" : records::option_of(run.options, "--known").value_or(known_folder());
 }
 
 tl::unexpected<Error> is_other(const std::string& what) {
@@ -56,7 +56,7 @@ Result<void> inspect_merged(MergedRun& merged) {
   Run& run = merged.run;
   isolate_foreign_backends(number_of(run, "--timeout", kDefaultTimeout));
   if (merged.common.contract) backends::hold_backends_to(merged.common.contract);
-  const std::string folder = option_of(run, "--corpus").value_or(corpus_folder());
+  const std::string folder = records::option_of(run.options, "--corpus").value_or(corpus_folder());
   Result<std::vector<cases::Case>> corpus = properties::read_corpus(folder);
   if (!corpus) return tl::unexpected(corpus.error());
   if (properties::digest_of(*corpus) != merged.common.corpus_digest) return is_other(folder);

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "backends/backend.h"
+#include "cli/terminal.h"
 #include "properties/findings.h"
 #include "properties/law.h"
 #include "reports/commands.h"
@@ -59,7 +60,7 @@ void print_counterexamples(const records::Run& run, const std::vector<LawSummary
 
 void print_results(const records::Run& run, const std::vector<LawSummary>& rows,
                    const std::string& output, bool quiet) {
-  fmt::print("{}", reports::summary_table(rows, quiet));
+  fmt::print("{}", reports::summary_table(rows, quiet, terminal_columns()));
   for (const records::UnreachedLabel& label : run.unreached) {
     fmt::print("{}\n", records::unreached_sentence(label));
   }

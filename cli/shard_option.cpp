@@ -29,9 +29,11 @@ std::string name_of(const std::optional<records::ShardNumber>& shard) {
 }  // namespace
 
 CLI::Option* add_shard(CLI::App& app, ShardOption& shard) {
-  return app.add_option("--shard", shard,
-                        "Only part i of n of the work, as 2/7; `rastercheck merge` puts all parts "
-                        "together");
+  return app
+      .add_option("--shard", shard,
+                  "Only part I of N of the work, as 2/7, which needs --seed; `rastercheck merge` "
+                  "puts all parts together")
+      ->type_name("I/N");
 }
 
 Result<std::optional<records::ShardNumber>> parse_shard(const ShardOption& option) {

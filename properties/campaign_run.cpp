@@ -34,7 +34,7 @@ CampaignRun::CampaignRun(Checkpoint start, std::string directory, std::size_t co
                          Warn warn, const KnownByBackend& known)
     : checkpoint_(std::move(start)),
       directory_(std::move(directory)),
-      tasks_(tasks_of(checkpoint_.plan.campaign, corpus_size, checkpoint_.saved, known)),
+      tasks_(tasks_of(checkpoint_, corpus_size, known)),
       warn_(std::move(warn)),
       all_(checkpoint_.findings) {
   checkpoint_.is_done.resize(tasks_.size());

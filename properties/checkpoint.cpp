@@ -132,9 +132,7 @@ std::vector<bool> read_done(const JsonNode& root) {
 }
 
 Checkpoint read_checkpoint(const JsonNode& root) {
-  if (root.has("format") && root["format"].text() != "rastercheck-unfinished") {
-    root["format"].refuse("must be \"rastercheck-unfinished\"");
-  }
+  root.expect_format("rastercheck-unfinished");
   if (root.has("version") && root["version"].count() != 1) {
     root["version"].refuse("version must be 1");
   }
@@ -169,6 +167,14 @@ Checkpoint read_checkpoint(const JsonNode& root) {
 }
 
 }  // namespace
+
+std::vector<Task> tasks_of(const Checkpoint& checkpoint, std::size_t corpus_size,
+                           const KnownByBackend& known) {
+  const RunPlan& plan = checkpoint.plan;
+  const bool is_held_to_own = plan.contract_file.empty();
+  return tasks_of(plan.campaign, corpus_size, checkpoint.saved,
+                  is_held_to_own ? known : KnownByBackend{});
+}
 
 std::string digest_of(const std::vector<cases::Case>& cases) {
   std::string files;  // which differ where the cases do

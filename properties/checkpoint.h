@@ -44,6 +44,12 @@ struct Checkpoint {
   bool operator==(const Checkpoint&) const = default;
 };
 
+/// All that the run does but for shrinking (tasks_of of its campaign). Lists of known defects are
+/// of what drivers promise by themselves: held to a contract file they may well be right, and the
+/// cases of these lists are left out.
+std::vector<Task> tasks_of(const Checkpoint& checkpoint, std::size_t corpus_size,
+                           const KnownByBackend& known);
+
 /// A word that tells cases apart that differ in a bit: 64 bits, in hexadecimal.
 std::string digest_of(const std::vector<cases::Case>& cases);
 

@@ -89,7 +89,7 @@ Result<void> check_same(const Checkpoint& checkpoint, const std::vector<cases::C
     return tl::unexpected(Error{plan.known.empty() ? "what is known of drivers" : plan.known, "",
                                 "is not as it was when the run was begun, or a driver is another"});
   }
-  const std::size_t tasks = tasks_of(plan.campaign, corpus.size(), checkpoint.saved, known).size();
+  const std::size_t tasks = tasks_of(checkpoint, corpus.size(), known).size();
   if (digest_of(corpus) == plan.corpus_digest && tasks == checkpoint.is_done.size()) return {};
   return tl::unexpected(Error{plan.corpus, "", "is not as it was when the run was begun"});
 }

@@ -158,9 +158,7 @@ json entry_to_json(const KnownEntry& entry) {
 
 KnownList known_from_json(const JsonNode& root) {
   // These first: of a later version, its unknown keys are not what is wrong.
-  if (root.has("format") && root["format"].text() != "rastercheck-known") {
-    root["format"].refuse("must be \"rastercheck-known\"");
-  }
+  root.expect_format("rastercheck-known");
   if (root.has("version") && root["version"].count() != 1) {
     root["version"].refuse("version must be 1");
   }

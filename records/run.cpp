@@ -81,10 +81,11 @@ std::vector<std::string> caveats(const Run& run) {
   return all;
 }
 
-std::optional<std::string> option_of(const Run& run, std::string_view name) {
-  for (std::size_t i = 0; i + 1 < run.options.size(); ++i) {
-    if (is_flag(run.options[i])) continue;
-    if (run.options[i] == name) return run.options[i + 1];
+std::optional<std::string> option_of(const std::vector<std::string>& options,
+                                     std::string_view name) {
+  for (std::size_t i = 0; i + 1 < options.size(); ++i) {
+    if (is_flag(options[i])) continue;
+    if (options[i] == name) return options[i + 1];
     ++i;
   }
   return std::nullopt;

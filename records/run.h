@@ -56,6 +56,8 @@ struct Run {
   std::string scene;                  ///< its name; empty where there was none
   /// The contract file that the backends were held to; empty: each to its own contract.
   std::string contract_file;
+  /// Of what that file says (cases::digest_of); nothing without one.
+  std::optional<std::uint64_t> contract_digest = std::nullopt;
   /// What else of the command decides what is found, as its words: "--property", "*edge*".
   std::vector<std::string> options = {};
   /// Nothing: the whole campaign. Of a shard nobody says which labels it had to reach.
@@ -101,8 +103,9 @@ inline constexpr std::string_view kGivenUp = "not drawn, as the backend was give
 /// shrinking was cut short, that a list of known defects is of another version of the driver.
 std::vector<std::string> caveats(const Run& run);
 
-/// The value of an option among the run's options; nothing where it was not given.
-std::optional<std::string> option_of(const Run& run, std::string_view name);
+/// The value of an option among a run's options (Run::options); nothing where it was not given.
+std::optional<std::string> option_of(const std::vector<std::string>& options,
+                                     std::string_view name);
 
 /// Those of the options that replaying one of its cases takes as well: what drawings are held to,
 /// and what is known of them.

@@ -4,6 +4,9 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
 
 #include "reports/compare_text.h"
 
@@ -14,28 +17,40 @@ bool fits(const std::string& pattern, std::string_view text) {
   return ::fnmatch(pattern.c_str(), std::string(text).c_str(), 0) == 0;
 }
 
-/// The worst errors of one kind and stratum, of all cases of a law.
+using StrataErrors = std::map<records::Stratum, records::WorstError>;
+
+/// Those of one stratum, or of all.
+StrataErrors only(const StrataErrors& errors, std::optional<records::Stratum> stratum) {
+  if (!stratum) return errors;
+  const auto found = errors.find(*stratum);
+  return found == errors.end() ? StrataErrors() : StrataErrors{*found};
+}
+
+/// The worst errors of one kind, in one stratum or in all, of all cases of a law.
 void take_worst(LawCases& into, const LawCases& from, records::AttributeKind kind,
-                records::Stratum stratum) {
+                std::optional<records::Stratum> stratum) {
   for (auto& [number, figures] : into.cases) {
-    if (const auto of_kind = figures.worst.find(kind); of_kind != figures.worst.end()) {
-      of_kind->second.erase(stratum);
-      if (of_kind->second.empty()) figures.worst.erase(of_kind);
+    StrataErrors& errors = figures.worst[kind];
+    for (const auto& [each, worst] : only(errors, stratum)) errors.erase(each);
+    if (const auto now = from.cases.find(number); now != from.cases.end()) {
+      const auto of_kind = now->second.worst.find(kind);
+      if (of_kind != now->second.worst.end()) errors.merge(only(of_kind->second, stratum));
     }
-    const auto now = from.cases.find(number);
-    if (now == from.cases.end()) continue;
-    const auto of_kind = now->second.worst.find(kind);
-    if (of_kind == now->second.worst.end()) continue;
-    const auto worst = of_kind->second.find(stratum);
-    if (worst != of_kind->second.end()) figures.worst[kind][stratum] = worst->second;
+    if (errors.empty()) figures.worst.erase(kind);
   }
 }
 
-void take_mismatches(LawCases& into, const LawCases& from) {
-  for (auto& [number, figures] : into.cases) {
-    const auto now = from.cases.find(number);
-    if (now != from.cases.end()) figures.mismatches = now->second.mismatches;
+/// Which cases the law says something of, what became of them, and how much came out wrong. What
+/// else a case gave of which it said nothing has nothing to be held against.
+void take_outcomes(LawCases& into, const LawCases& from) {
+  std::map<CaseNumber, CaseFigures> cases = from.cases;
+  for (auto& [number, figures] : cases) {
+    const auto before = into.cases.find(number);
+    if (before == into.cases.end()) continue;
+    figures.found_digest = before->second.found_digest;
+    figures.worst = before->second.worst;
   }
+  into.cases = std::move(cases);
 }
 
 /// One entry, and what its law's cases have of it.
@@ -57,8 +72,8 @@ void take_entry(BaselineSection& section, const BaselineSection& current, const 
   const bool is_new = !section.laws.contains(key.law);
   LawCases& law = section.laws[key.law];
   if (is_new) law = now->second;
-  if (key.kind == records::AttributeKind::coverage) take_mismatches(law, now->second);
-  if (key.stratum) take_worst(law, now->second, key.kind, *key.stratum);
+  if (key.kind == records::AttributeKind::coverage) take_outcomes(law, now->second);
+  take_worst(law, now->second, key.kind, key.stratum);
 }
 
 /// Of a law of which all that changed was taken, all of its cases: what else they gave belongs to
@@ -100,8 +115,25 @@ void take_all(BaselineSection& section, const BaselineSection& current) {
 }  // namespace
 
 bool EntryPattern::matches(const EntryKey& key) const {
-  return fits(law, key.law) && fits(kind, to_string(key.kind)) &&
-         fits(stratum, key.stratum ? to_string(*key.stratum) : "all");
+  const bool is_of_stratum =
+      fits(stratum, "all") || (key.stratum && fits(stratum, to_string(*key.stratum)));
+  return fits(law, key.law) && fits(kind, to_string(key.kind)) && is_of_stratum;
+}
+
+std::map<std::string, std::uint64_t> violations_taken(const Comparison& comparison,
+                                                      const EntryPattern& pattern) {
+  std::map<std::string, std::uint64_t> taken;
+  for (const EntryChange& entry : comparison.entries) {
+    const std::uint64_t violations = entry.after.cases.violations;
+    const bool is_more =
+        entry.change == Change::appeared ||
+        std::any_of(entry.figures.begin(), entry.figures.end(), [](const FigureChange& one) {
+          return one.figure == Figure::grown_cases ||
+                 (one.figure == Figure::violations && one.change == Change::worse);
+        });
+    if (is_more && violations > 0 && pattern.matches(entry.key)) taken[entry.key.law] = violations;
+  }
+  return taken;
 }
 
 std::vector<std::string> approve(BaselineSection& section, const BaselineSection& current,

@@ -2,6 +2,8 @@
 
 // Taking current figures over into a baseline, with the reason.
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,15 +13,22 @@
 
 namespace rastercheck::reports {
 
-/// What is taken over: entries that match, by patterns as a policy has them (policy.h).
+/// What is taken over: entries that match, by patterns of shells, as fnmatch(3) has them.
 struct EntryPattern {
   std::string law = "*";
   std::string kind = "*";
-  std::string stratum = "*";  ///< "all" is that of all strata together
+  /// "all" is the entry of all strata together and those of each: what grew in a case is of both.
+  std::string stratum = "*";
   bool operator==(const EntryPattern&) const = default;
   bool matches(const EntryKey& key) const;
-  bool is_all() const { return *this == EntryPattern(); }
+  /// Whether it matches any entry.
+  bool is_all() const { return law == "*" && kind == "*" && (stratum == "*" || stratum == "all"); }
 };
+
+/// Of each law how many cases are violated once that is taken over: of laws of which more are, or
+/// others.
+std::map<std::string, std::uint64_t> violations_taken(const Comparison& comparison,
+                                                      const EntryPattern& pattern);
 
 /// Takes what changed over from `current`, the section that `comparison` held against `section`.
 /// Of all entries, all of its cases as well; of some, the errors and counts of cases that these

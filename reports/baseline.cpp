@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iterator>
 #include <span>
 #include <string_view>
@@ -80,7 +81,8 @@ void add_cases(BaselineSection& section, const records::CaseRecordSet& all,
         fmt::format("{} {} {:016x}\n", to_string(key.origin), key.index, record.source_digest);
     if (key.origin == records::Origin::corpus) section.corpus[key.index] = record.name;
     if (record.outcome == records::CaseOutcome::not_applicable) continue;
-    law.cases[{key.origin, key.index}] = {record.found_digest, record.mismatches, record.worst};
+    law.cases[{key.origin, key.index}] = {record.found_digest, record.mismatches, record.worst,
+                                          record.outcome};
   }
   for (const auto& [law, text] : numbered) section.laws[law].digest = cases::fnv1a(text);
 }
@@ -88,6 +90,13 @@ void add_cases(BaselineSection& section, const records::CaseRecordSet& all,
 Error refusal(const std::string& reason) { return {"", "", reason}; }
 
 }  // namespace
+
+std::string section_name(const std::string& backend) {
+  constexpr std::string_view kPlugin = "plugin:";
+  if (!backend.starts_with(kPlugin)) return backend;
+  const std::filesystem::path path(backend.substr(kPlugin.size()));
+  return std::string(kPlugin) + path.lexically_normal().string();
+}
 
 std::vector<std::string> frozen_options(const std::vector<std::string>& options) {
   constexpr auto kWithValue =
@@ -123,11 +132,12 @@ Result<BaselineSection> section_of(const records::Run& run, const std::string& b
                     records::to_string(run.shard->number), run.shard->number.count)));
   }
   BaselineSection section;
-  section.key = {backend, in_environment(run, "architecture"), "", ""};
+  section.key = {section_name(backend), in_environment(run, "architecture"), "", ""};
   section.rules_version = run.rules_version;
   section.seed = run.seed;
   section.cases_per_law = run.cases_per_law;
   section.options = frozen_options(run.options);
+  section.contract_digest = run.contract_digest;
   section.taken = {backend, in_environment(run, "version"), "",
                    in_environment(run, "instruction_set"), in_environment(run, "compiler")};
   section.entries = entries_of(run, backend);
@@ -143,9 +153,29 @@ Result<Baseline> baseline_of(const records::Run& run) {
   for (const std::string& backend : run.backends) {
     Result<BaselineSection> section = section_of(run, backend);
     if (!section) return tl::unexpected(section.error());
+    const auto& all = baseline.sections;
+    const auto same = std::find_if(all.begin(), all.end(),
+                                   [&section](const auto& one) { return one.key == section->key; });
+    if (same != all.end()) {
+      return tl::unexpected(refusal(fmt::format("the backends '{}' and '{}' are one in a baseline",
+                                                same->taken.backend, backend)));
+    }
     put(baseline, *std::move(section));
   }
   return baseline;
+}
+
+bool are_outcomes_known(const BaselineSection& section, const std::string& law) {
+  const auto of = section.laws.find(law);
+  const auto entry = section.entries.find({law, AttributeKind::coverage, std::nullopt});
+  if (of == section.laws.end() || entry == section.entries.end()) return false;
+  records::CaseCounts counts;
+  for (const auto& [number, figures] : of->second.cases) {
+    if (figures.outcome == records::CaseOutcome::violated) ++counts.violations;
+    if (figures.outcome == records::CaseOutcome::known) ++counts.known;
+  }
+  return counts.violations == entry->second.cases.violations &&
+         counts.known == entry->second.cases.known;
 }
 
 void put(Baseline& baseline, BaselineSection section) {

@@ -31,7 +31,7 @@ inline constexpr const char* kBaselineFile = "rastercheck-baseline.json";
 
 /// What a section is of.
 struct BaselineKey {
-  std::string backend;          ///< as given on the command line, or a name given instead of it
+  std::string backend;          ///< section_name() of it, or a name given instead
   std::string architecture;     ///< "x86_64"
   std::string instruction_set;  ///< "avx2"; empty: of any
   std::string compiler;         ///< "GNU 12.2.0"; empty: of any
@@ -65,6 +65,8 @@ struct CaseFigures {
   std::uint64_t found_digest = 0;
   std::uint64_t mismatches = 0;
   records::WorstOfCase worst;
+  /// `held` of all cases of a law in files from before it was kept, too (are_outcomes_known).
+  records::CaseOutcome outcome = records::CaseOutcome::held;
   bool operator==(const CaseFigures&) const = default;
 };
 
@@ -104,6 +106,9 @@ struct BaselineSection {
   /// What else of the command decides which cases are frozen and how they are judged
   /// (frozen_options).
   std::vector<std::string> options;
+  /// Of what the contract file among the options says (cases::digest_of); nothing without one, and
+  /// in files from before it was kept.
+  std::optional<std::uint64_t> contract_digest = std::nullopt;
   Taken taken;
   std::vector<Approval> approvals;  ///< in the order in which they were given
   std::map<EntryKey, EntryFigures> entries;
@@ -119,6 +124,10 @@ struct Baseline {
   bool operator==(const Baseline&) const = default;
 };
 
+/// A backend's name in baselines: of a plugin with its path in lexically normal form, so that
+/// "plugin:./a.so" and "plugin:a.so" are one.
+std::string section_name(const std::string& backend);
+
 /// Those of a run's options that say which cases are frozen and what they are held to, in pairs of
 /// name and value: "--property", "--contract", "--corpus", "--known"; "--no-known" stands alone.
 std::vector<std::string> frozen_options(const std::vector<std::string>& options);
@@ -128,8 +137,12 @@ std::vector<std::string> frozen_options(const std::vector<std::string>& options)
 /// commit is known of it.
 Result<BaselineSection> section_of(const records::Run& run, const std::string& backend);
 
-/// All of them, in the order of their keys.
+/// All of them, in the order of their keys. Fails also where two are one by their names.
 Result<Baseline> baseline_of(const records::Run& run);
+
+/// Whether outcomes of a law's cases were kept: as many are violated, and known, as its figures
+/// say.
+bool are_outcomes_known(const BaselineSection& section, const std::string& law);
 
 /// Puts a section in the place of that of its key, or where none is of its key.
 void put(Baseline& baseline, BaselineSection section);

@@ -84,6 +84,9 @@ std::string line_of(const EntryKey& key, const EntryFigures& figures) {
 std::string line_of(const CaseNumber& number, const CaseFigures& figures) {
   ordered_json object{{std::string(to_string(number.first)), number.second},
                       {"found", records::digest_text(figures.found_digest)}};
+  if (figures.outcome != records::CaseOutcome::held) {
+    object["outcome"] = to_string(figures.outcome);
+  }
   if (figures.mismatches > 0) object["mismatches"] = figures.mismatches;
   if (!figures.worst.empty()) object["worst"] = records::worst_of_case_to_json(figures.worst);
   return text_of(object);
@@ -119,6 +122,9 @@ std::string text_of(const BaselineSection& section) {
   add("seed", std::to_string(section.seed));
   add("cases_per_law", std::to_string(section.cases_per_law));
   add("options", text_of(ordered_json(section.options)));
+  if (section.contract_digest) {
+    add("contract_digest", cases::json_string(records::digest_text(*section.contract_digest)));
+  }
   add("taken", line_of(section.taken));
   Lines approvals('[');
   for (const Approval& approval : section.approvals) approvals.add(line_of(approval));
@@ -226,7 +232,7 @@ void read_case(const JsonNode& node, const BaselineSection& section, LawCases& l
   constexpr std::string_view kCorpus = to_string(records::Origin::corpus);
   constexpr std::string_view kRandom = to_string(records::Origin::random);
   const bool is_corpus = node.has(kCorpus);
-  node.expect_object({is_corpus ? kCorpus : kRandom, "found"}, {"mismatches", "worst"});
+  node.expect_object({is_corpus ? kCorpus : kRandom, "found"}, {"outcome", "mismatches", "worst"});
   const CaseNumber number{is_corpus ? records::Origin::corpus : records::Origin::random,
                           node[is_corpus ? kCorpus : kRandom].count()};
   std::string name;
@@ -236,6 +242,12 @@ void read_case(const JsonNode& node, const BaselineSection& section, LawCases& l
   }
   CaseFigures figures;
   figures.found_digest = records::digest_from_json(node["found"]);
+  if (node.has("outcome")) {
+    figures.outcome = node["outcome"].enumerator<records::CaseOutcome>();
+    if (figures.outcome == records::CaseOutcome::not_applicable) {
+      node["outcome"].refuse("must be that of a case that the law says something of");
+    }
+  }
   if (node.has("mismatches")) figures.mismatches = node["mismatches"].count();
   if (node.has("worst")) {
     figures.worst = records::worst_of_case_from_json(node["worst"], number.second, name);
@@ -280,10 +292,11 @@ BaselineSection read_section(const JsonNode& node) {
   node.expect_object(
       {"backend", "architecture", "records_version", "rules_version", "seed", "cases_per_law",
        "options", "taken", "approvals", "entries", "laws", "corpus", "cases"},
-      {"instruction_set", "compiler", "specimens"});
+      {"instruction_set", "compiler", "contract_digest", "specimens"});
   BaselineSection section;
   if (node.failed()) return section;
-  section.key.backend = node["backend"].text();
+  // Of files from before names were so, too.
+  section.key.backend = section_name(node["backend"].text());
   section.key.architecture = node["architecture"].text();
   if (node.has("instruction_set")) section.key.instruction_set = node["instruction_set"].text();
   if (node.has("compiler")) section.key.compiler = node["compiler"].text();
@@ -292,6 +305,9 @@ BaselineSection read_section(const JsonNode& node) {
   section.seed = node["seed"].count();
   section.cases_per_law = node["cases_per_law"].count();
   section.options = read_texts(node["options"]);
+  if (node.has("contract_digest")) {
+    section.contract_digest = records::digest_from_json(node["contract_digest"]);
+  }
   section.taken = read_taken(node["taken"]);
   for (const JsonNode& one : node["approvals"].elements()) {
     section.approvals.push_back(read_approval(one));
@@ -309,9 +325,7 @@ BaselineSection read_section(const JsonNode& node) {
 
 Baseline read_document(const JsonNode& root) {
   // These first: of a later version, its unknown keys are not what is wrong.
-  if (root.has("format") && root["format"].text() != "rastercheck-baseline") {
-    root["format"].refuse("must be \"rastercheck-baseline\"");
-  }
+  root.expect_format("rastercheck-baseline");
   if (root.has("version") && root["version"].count() != kBaselineVersion) {
     root["version"].refuse(fmt::format("version must be {}", kBaselineVersion));
   }

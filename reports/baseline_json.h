@@ -7,9 +7,10 @@
 //     "version": 1,
 //     "sections": [{
 //       "backend": "cpu", "architecture": "x86_64",
-//       "instruction_set": "avx2", "compiler": "GNU 12.2.0",   only of a section that is so
-//       specific "records_version": 1, "rules_version": 1, "seed": 1, "cases_per_law": 100,
+//       "instruction_set": "avx2", "compiler": "GNU 12.2.0",   only of a section so specific
+//       "records_version": 1, "rules_version": 1, "seed": 1, "cases_per_law": 100,
 //       "options": ["--property", "*edge*"],
+//       "contract_digest": "0123456789abcdef",                 only of a section with --contract
 //       "taken": {"backend": "cpu", "version": "0.1.0", "commit": "…", "instruction_set": "avx512",
 //                 "compiler": "GNU 12.2.0"},
 //       "approvals": [{"reason": "…", "version": "…", "commit": "…", "changes": ["…"]}],
@@ -22,7 +23,8 @@
 //       "laws": [{"law": "…", "cases": 418, "digest": "0123456789abcdef"}],
 //       "corpus": [[0, "name of the case"]],
 //       "cases": [{"law": "…", "cases": [{"corpus": 3, "found": "0123456789abcdef",
-//                                         "mismatches": 1, "worst": {"smooth": {"sliver": {…}}}}]}]
+//                                         "outcome": "violated", "mismatches": 1,
+//                                         "worst": {"smooth": {"sliver": {…}}}}]}]
 //     }]
 //   }
 //

@@ -275,6 +275,17 @@ Result<JudgedCommit> judged(const BisectPlan& plan, const std::string& hash) {
   return commit;
 }
 
+/// What is to be searched; the plan's files are copies then, that no commit changes.
+Result<History> prepare(const Git& git, const BisectFolder& folder, BisectPlan& plan) {
+  Result<History> history = check_history(git, plan);
+  if (!history) return history;
+  Result<std::vector<std::string>> run =
+      folder.with_copies(plan.run, {"--corpus", "--contract", "--known"}, ".");
+  if (!run) return tl::unexpected(run.error());
+  plan.run = *std::move(run);
+  return history;
+}
+
 }  // namespace
 
 Result<std::string> work_tree_of(const std::string& folder) {
@@ -292,11 +303,11 @@ Result<BisectOutcome> bisect(BisectPlan plan, const BisectWatch& watch) {
   if (!folder) return tl::unexpected(folder.error());
   plan.folder = folder->path();
   const Git git(plan.folder);
-  const Result<History> history = check_history(git, plan);
-  if (!history) return tl::unexpected(history.error());
-  const auto run = folder->with_copies(plan.run, {"--corpus", "--contract", "--known"}, ".");
-  if (!run) return tl::unexpected(run.error());
-  plan.run = *run;
+  const Result<History> history = prepare(git, *folder, plan);
+  if (!history) {
+    folder->discard();
+    return tl::unexpected(history.error());
+  }
   Result<BisectOutcome> outcome = Bisection(plan, watch, git, *history).search();
   if (const Result<void> restored = restore(git, history->head, watch); !restored) {
     return tl::unexpected(restored.error());

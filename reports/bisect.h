@@ -39,8 +39,8 @@ struct BisectPlan {
   std::string laws = "*";  ///< --property of that
   /// This program with its hidden command, which is given a folder and calls judge_commit().
   std::vector<std::string> step;
-  /// The folder for all that is drawn and said, which is to be empty or not there; without a name a
-  /// temporary one.
+  /// The folder for all that is drawn and said, which is to be empty or not there, and stays so
+  /// where nothing is drawn; without a name a temporary one.
   std::string folder;
 };
 

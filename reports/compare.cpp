@@ -21,17 +21,41 @@ std::string words(const std::vector<std::string>& all) {
   return all.empty() ? "none" : fmt::format("{}", fmt::join(all, " "));
 }
 
+/// Whether digests tell what both contracts say, so that it does not matter where they lie.
+bool are_contracts_known(const BaselineSection& before, const BaselineSection& after) {
+  return before.contract_digest && after.contract_digest;
+}
+
 /// Without the corpus's folder: which cases it has, digests tell.
-std::vector<std::string> judged_by(const BaselineSection& section) {
+std::vector<std::string> judged_by(const BaselineSection& section, bool with_contract) {
   std::vector<std::string> options;
   for (std::size_t i = 0; i < section.options.size(); ++i) {
-    if (section.options[i] == "--corpus") {
-      ++i;
-    } else {
-      options.push_back(section.options[i]);
-    }
+    const std::string& word = section.options[i];
+    const bool has_value = word != "--no-known" && i + 1 < section.options.size();
+    if (has_value) ++i;
+    if (word == "--corpus" || (word == "--contract" && !with_contract)) continue;
+    options.push_back(word);
+    if (has_value) options.push_back(section.options[i]);
   }
   return options;
+}
+
+/// How the two are held to other terms, or to others as far as is known; empty where not.
+std::string other_options(const BaselineSection& before, const BaselineSection& after) {
+  const bool are_known = are_contracts_known(before, after);
+  const std::vector<std::string> was = judged_by(before, !are_known);
+  const std::vector<std::string> is = judged_by(after, !are_known);
+  if (was != is) {
+    return fmt::format("the options are {} in the baseline and {} now", words(was), words(is));
+  }
+  if (!are_known || before.contract_digest == after.contract_digest) return "";
+  const auto file = [](const BaselineSection& section) {
+    return records::option_of(section.options, "--contract").value_or("none");
+  };
+  return fmt::format(
+      "the contract is {} in the baseline and {} now, and its terms differ: their digest was "
+      "{:016x} and is {:016x}",
+      file(before), file(after), *before.contract_digest, *after.contract_digest);
 }
 
 /// How the cases of a law that both have are other cases; empty where they are the same.
@@ -68,10 +92,7 @@ std::string difference(const BaselineSection& before, const BaselineSection& aft
   if (before.cases_per_law != after.cases_per_law) {
     return numbers("the number of cases per law is", before.cases_per_law, after.cases_per_law);
   }
-  if (judged_by(before) != judged_by(after)) {
-    return fmt::format("the options are {} in the baseline and {} now", words(judged_by(before)),
-                       words(judged_by(after)));
-  }
+  if (std::string other = other_options(before, after); !other.empty()) return other;
   for (const auto& [law, cases] : before.laws) {
     const auto now = after.laws.find(law);
     if (now == after.laws.end()) continue;
@@ -184,6 +205,20 @@ double growth_of(const StageChange& change) {
 
 namespace {
 
+/// Whether it is a stage at all, that somebody can look at: not how far off one is that tells of
+/// none.
+bool is_work(records::Stage stage) {
+  return stage != records::Stage::left_open && stage != records::Stage::excess;
+}
+
+/// Whether some stage was told of. Of other backends there are only what the contract leaves open,
+/// what is beyond that, and `transform`, which is what they were handed.
+bool has_work(const Means& means) {
+  return std::any_of(means.begin(), means.end(), [](const auto& of) {
+    return of.first != records::Stage::transform && is_work(of.first);
+  });
+}
+
 void compare_stages(EntryChange& entry) {
   const Means before = means_of(entry.before);
   const Means after = means_of(entry.after);
@@ -192,6 +227,7 @@ void compare_stages(EntryChange& entry) {
     const auto found = means.find(stage);
     return found == means.end() ? std::optional<Enclosure>() : found->second;
   };
+  const bool is_told = has_work(before) || has_work(after);
   double most = 1;
   for (std::size_t i = 0; i < names_of(records::Stage{}).size(); ++i) {
     const auto stage = static_cast<records::Stage>(i);
@@ -199,7 +235,7 @@ void compare_stages(EntryChange& entry) {
     StageChange change{stage, mean_in(before, stage), mean_in(after, stage),
                        share_of(before, stage), share_of(after, stage)};
     const double growth = growth_of(change);
-    if (growth > most) {
+    if (is_told && is_work(stage) && growth > most) {
       most = growth;
       entry.grown_stage = stage;
     }

@@ -36,8 +36,9 @@ enum class Figure {
   p999,
   p99,
   p50,
-  /// Cases whose own worst grew, of kind `coverage` those of which more came out wrong: errors that
-  /// grow where they are not the largest of all.
+  /// Cases whose own worst grew, of kind `coverage` those of which more came out wrong or that are
+  /// violated and were not: what grows where it is not the largest of all, or where another case
+  /// makes up for it in the sum.
   grown_cases,
 };
 constexpr auto names_of(Figure /*type*/) {
@@ -90,14 +91,16 @@ struct EntryChange {
   EntryFigures before;                ///< empty of a new one
   EntryFigures after;                 ///< empty of one that is gone
   std::vector<StageChange> stages;    ///< all, in their order; of laws that split errors
-  /// The stage whose part grew most (growth_of); nothing where none did.
+  /// The stage whose part grew most (growth_of); nothing where none did, and of a backend that
+  /// tells of no stages.
   std::optional<records::Stage> grown_stage;
   /// Why a policy allows that it is worse (policy.h).
   std::optional<std::string> allowed_because = std::nullopt;
   bool operator==(const EntryChange&) const = default;
 };
 
-/// A case whose error of one kind and stratum grew, or of which more came out wrong.
+/// A case whose error of one kind and stratum grew, of which more came out wrong, or that is
+/// violated and was not.
 struct CaseGrowth {
   std::string law;
   records::Origin origin = records::Origin::random;
@@ -106,10 +109,15 @@ struct CaseGrowth {
   /// Of the error that grew most; nothing where more came out wrong and no error grew.
   std::optional<records::AttributeKind> kind = std::nullopt;
   std::optional<records::Stratum> stratum = std::nullopt;
-  std::optional<records::WorstError> before = std::nullopt;  ///< nothing: no error but 0
+  /// Nothing: no error but 0, or no value of that kind and stratum was judged; which of the two is
+  /// not kept.
+  std::optional<records::WorstError> before = std::nullopt;
   std::optional<records::WorstError> after = std::nullopt;
   std::uint64_t mismatches_before = 0;
   std::uint64_t mismatches_after = 0;
+  /// Both `held` where what they were then is not known (are_outcomes_known).
+  records::CaseOutcome outcome_before = records::CaseOutcome::held;
+  records::CaseOutcome outcome_after = records::CaseOutcome::held;
   bool operator==(const CaseGrowth&) const = default;
 };
 
@@ -122,7 +130,8 @@ struct Comparison {
   std::uint64_t cases_per_law = 0;
   std::vector<std::string> options;  ///< those of the current one
   std::vector<EntryChange> entries;  ///< in the order of their keys
-  /// By how much grew, the most first: mismatches before errors.
+  /// By how much grew, the most first: outcomes before mismatches before errors, and of these such
+  /// as there were before.
   std::vector<CaseGrowth> growths;
   std::uint64_t grown_cases = 0;            ///< of which `growths` are the first
   std::uint64_t changed_cases = 0;          ///< what was found of them is not the same, to the bit

@@ -150,7 +150,8 @@ std::pair<std::string, std::string> window_text(const cases::Case& c, const case
   return {fmt::format("{:.10g}", x * grid), fmt::format("{:.10g}", y * grid)};
 }
 
-std::string violations_text(std::span<const Violation> violations, std::uint64_t all) {
+std::string violations_text(std::span<const Violation> violations, std::uint64_t all,
+                            std::optional<std::size_t> columns) {
   std::vector<std::vector<std::string>> rows{{"  class", "of", "triangle", "x", "y", "s", "exact",
                                               "actual", "error", "bound", "distance", "note"}};
   for (const Violation& v : violations) {
@@ -168,7 +169,7 @@ std::string violations_text(std::span<const Violation> violations, std::uint64_t
                     std::to_string(v.sample), v.exact, v.actual, enclosure_text(v.error),
                     enclosure_text(v.bound), enclosure_text(v.distance), cases::printable(v.note)});
   }
-  std::string text = text_table(rows);
+  std::string text = text_table(rows, columns);
   if (all > violations.size()) text += fmt::format("  … {} in all\n", all);
   return text;
 }

@@ -2,7 +2,9 @@
 
 // Counterexamples for people, on a terminal.
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -26,7 +28,9 @@ std::string state_text(const cases::Case& c);
 /// "-" where w <= 0. In double: to look at.
 std::pair<std::string, std::string> window_text(const cases::Case& c, const cases::ClipVertex& p);
 
-/// Violations as a table, indented; `all` is how many there are, of which these are the first.
-std::string violations_text(std::span<const records::Violation> violations, std::uint64_t all);
+/// Violations as a table (text_table), indented; `all` is how many there are, of which these are
+/// the first.
+std::string violations_text(std::span<const records::Violation> violations, std::uint64_t all,
+                            std::optional<std::size_t> columns);
 
 }  // namespace rastercheck::reports

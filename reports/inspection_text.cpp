@@ -15,6 +15,7 @@
 #include "records/histogram.h"
 #include "reports/counterexample_text.h"
 #include "reports/text_table.h"
+#include "reports/wrapped_text.h"
 
 namespace rastercheck::reports {
 namespace {
@@ -25,8 +26,7 @@ using records::InspectedValue;
 using records::Inspection;
 using records::Verdict;
 
-constexpr std::size_t kWidth = 80;  ///< characters of a line
-constexpr int kDigits = 6;          ///< of errors and distances, at most
+constexpr int kDigits = 6;  ///< of errors and distances, at most
 
 /// Bytes of the text's first character (UTF-8).
 std::size_t first_length(std::string_view text) {
@@ -40,7 +40,7 @@ std::string broken(std::string_view label, std::size_t indent, std::string_view 
   std::string lines = fmt::format("{:<{}}", label, indent);
   std::size_t column = indent;
   while (!text.empty()) {
-    if (column == kWidth) {
+    if (column == kTerminalWidth) {
       lines += "\n" + std::string(indent, ' ');
       column = indent;
     }
@@ -48,30 +48,6 @@ std::string broken(std::string_view label, std::size_t indent, std::string_view 
     lines += text.substr(0, length);
     text.remove_prefix(length);
     ++column;
-  }
-  return lines + "\n";
-}
-
-/// The same, broken at spaces.
-std::string wrapped(std::string_view label, std::size_t indent, std::string_view text) {
-  std::string lines = fmt::format("{:<{}}", label, indent);
-  std::size_t column = indent;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    const std::string_view word = text.substr(0, end);
-    const auto width = static_cast<std::size_t>(
-        std::count_if(word.begin(), word.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-    if (column > indent && column + 1 + width > kWidth) {
-      lines += "\n" + std::string(indent, ' ');
-      column = indent;
-    }
-    if (column > indent) {
-      lines += " ";
-      ++column;
-    }
-    lines += word;
-    column += width;
-    text.remove_prefix(std::min(end + 1, text.size()));
   }
   return lines + "\n";
 }
@@ -166,7 +142,7 @@ std::string map_text(const Inspection& inspection, const InspectedSample& sample
     for (const auto& row : rows) widest = std::max(widest, row[column].size());
     width += widest + 2;
   }
-  if (width <= kWidth) {
+  if (width <= kTerminalWidth) {
     text += text_table(rows);
   } else {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -237,7 +213,7 @@ std::string split_text(const records::ErrorSplit& split) {
     numbers = std::max(numbers, signed_text(value, decimals).size());
   }
   const std::size_t before = kIndent + names + 2 + numbers + 2;
-  const std::size_t half = (kWidth - before - 1) / 2;
+  const std::size_t half = (kTerminalWidth - before - 1) / 2;
   std::string text =
       fmt::format("  by stage, in scale ULP, {}:\n",
                   split.is_traced ? "as the backend traced it" : "as far as any backend shows");

@@ -64,9 +64,7 @@ Allowance read_allowance(const JsonNode& node) {
 
 Policy read_document(const JsonNode& root) {
   // These first: of a later version, its unknown keys are not what is wrong.
-  if (root.has("format") && root["format"].text() != "rastercheck-policy") {
-    root["format"].refuse("must be \"rastercheck-policy\"");
-  }
+  root.expect_format("rastercheck-policy");
   if (root.has("version") && root["version"].count() != kPolicyVersion) {
     root["version"].refuse(fmt::format("version must be {}", kPolicyVersion));
   }
@@ -83,7 +81,7 @@ bool matches(const std::string& pattern, std::string_view text) {
 }
 
 bool matches(const Allowance& allowance, const Comparison& comparison) {
-  return matches(allowance.backend, comparison.key.backend);
+  return matches(section_name(allowance.backend), comparison.key.backend);
 }
 
 /// Whether the entry is worse by how large errors are, up to that, and by nothing else: not by what

@@ -24,16 +24,15 @@ using cases::JsonNode;
 
 void check_header(const JsonNode& root) {
   // These first: of a later version, its unknown keys are not what is wrong.
-  if (root.has("format") && root["format"].text() != "rastercheck-run") {
-    root["format"].refuse("must be \"rastercheck-run\"");
-  }
+  root.expect_format("rastercheck-run");
   if (root.has("version") && root["version"].count() != records::kRecordsVersion) {
     root["version"].refuse(fmt::format("version must be {}", records::kRecordsVersion));
   }
-  root.expect_object({"format", "version", "seed", "cases_per_law", "backends", "laws", "scene",
-                      "records", "counterexamples", "unreached", "pictures", "environment"},
-                     {"rules_version", "cases", "specimens", "contract_file", "options", "shard",
-                      "cases_left", "shrink_seconds", "inspections", "known", "unexpected_passes"});
+  root.expect_object(
+      {"format", "version", "seed", "cases_per_law", "backends", "laws", "scene", "records",
+       "counterexamples", "unreached", "pictures", "environment"},
+      {"rules_version", "cases", "specimens", "contract_file", "contract_digest", "options",
+       "shard", "cases_left", "shrink_seconds", "inspections", "known", "unexpected_passes"});
 }
 
 std::vector<std::string> read_texts(const JsonNode& node) {
@@ -80,6 +79,9 @@ records::Run read_document(const JsonNode& root) {
   run.laws = read_texts(root["laws"]);
   run.scene = root["scene"].text();
   if (root.has("contract_file")) run.contract_file = root["contract_file"].text();
+  if (root.has("contract_digest")) {
+    run.contract_digest = records::digest_from_json(root["contract_digest"]);
+  }
   if (root.has("options")) run.options = read_texts(root["options"]);
   if (root.has("shard")) run.shard = records::shard_from_json(root["shard"]);
   if (root.has("cases_left")) run.cases_left = root["cases_left"].count();

@@ -53,7 +53,8 @@ nlohmann::ordered_json levels_json(const records::LevelCounts& levels) {
 
 }  // namespace
 
-std::string summary_table(const std::vector<records::LawSummary>& rows, bool quiet) {
+std::string summary_table(const std::vector<records::LawSummary>& rows, bool quiet,
+                          std::optional<std::size_t> columns) {
   std::vector<std::vector<std::string>> cells;
   if (!quiet) {
     cells.push_back({"law", "backend", "cases", "fragments", "worst ULP", "p99 ULP",
@@ -66,7 +67,7 @@ std::string summary_table(const std::vector<records::LawSummary>& rows, bool qui
          row.verdict == records::LawVerdict::known ? verdict_text(row)
                                                    : std::string(to_string(row.verdict))});
   }
-  return text_table(cells);
+  return quiet ? text_table(cells) : text_table(cells, columns);
 }
 
 std::string summary_counts(const std::vector<records::LawSummary>& rows) {

@@ -2,6 +2,8 @@
 
 // The table of a run, for people and for programs.
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +12,10 @@
 
 namespace rastercheck::reports {
 
-/// One row per law and backend; errors in scale ULP.
-std::string summary_table(const std::vector<records::LawSummary>& rows, bool quiet);
+/// One row per law and backend; errors in scale ULP. `quiet` has no header, and is as wide as it
+/// is; else as text_table() has it.
+std::string summary_table(const std::vector<records::LawSummary>& rows, bool quiet,
+                          std::optional<std::size_t> columns);
 
 /// How many samples had which verdict, and what share of all answers each level of the oracle gave,
 /// as lines.

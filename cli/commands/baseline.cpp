@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -53,9 +55,12 @@ Result<GateSide> read_named(const std::string& file, const std::string& as,
   return side;
 }
 
+bool is_standard_output(const std::string& file) { return file == "-"; }
+
 /// What is in the file so far; nothing where there is none.
 Result<reports::Baseline> read_existing(const std::string& file) {
   std::error_code why;
+  if (is_standard_output(file)) return reports::Baseline();
   if (!std::filesystem::exists(file, why) && !why) return reports::Baseline();
   return reports::read_baseline(file);
 }
@@ -89,7 +94,12 @@ ExitCode save(const SaveOptions& options) {
     if (options.of_compiler) section.key.compiler = section.taken.compiler;
     text += add(*baseline, std::move(section));
   }
-  const auto written = cases::write_file(options.output, reports::to_json(*baseline));
+  const std::string json = reports::to_json(*baseline);
+  if (is_standard_output(options.output)) {
+    fmt::print("{}", json);
+    return ExitCode::ok;
+  }
+  const auto written = cases::write_file(options.output, json);
   if (!written) return fail(written.error());
   if (!options.quiet) fmt::print("{}Baseline: {}\n", text, options.output);
   return ExitCode::ok;
@@ -99,7 +109,22 @@ ExitCode save(const SaveOptions& options) {
 struct Approved {
   std::string section;
   std::vector<std::string> changes;
+  std::map<std::string, std::uint64_t> violations;  ///< by law
 };
+
+/// "3 violated cases are taken over: 2 of LAW, 1 of LAW"; empty where there are none.
+std::string violations_text(const Approved& approved) {
+  std::uint64_t all = 0;
+  std::string by_law;
+  for (const auto& [law, cases] : approved.violations) {
+    all += cases;
+    by_law += fmt::format("{}{} of “{}”", by_law.empty() ? "" : ", ", cases, law);
+  }
+  if (all == 0) return "";
+  return fmt::format("{} taken over: {}",
+                     all == 1 ? "1 violated case is" : fmt::format("{} violated cases are", all),
+                     by_law);
+}
 
 /// Takes over from the section of `current` what it is held against.
 Result<Approved> approve(reports::Baseline& baseline, const reports::BaselineSection& current,
@@ -112,9 +137,10 @@ Result<Approved> approve(reports::Baseline& baseline, const reports::BaselineSec
         Error{options.baseline, comparison.error().place, comparison.error().reason});
   }
   reports::BaselineSection section = **found;
-  Approved approved{to_string(section.key), {}};
+  Approved approved{to_string(section.key), {}, {}};
   approved.changes =
       reports::approve(section, current, *comparison, options.pattern, options.reason);
+  approved.violations = reports::violations_taken(*comparison, options.pattern);
   reports::put(baseline, std::move(section));
   return approved;
 }
@@ -123,7 +149,8 @@ void print(const std::vector<Approved>& all, const ApproveOptions& options) {
   if (options.json) {
     nlohmann::ordered_json sections = nlohmann::ordered_json::array();
     for (const Approved& one : all) {
-      sections.push_back({{"section", one.section}, {"changes", one.changes}});
+      sections.push_back(
+          {{"section", one.section}, {"changes", one.changes}, {"violations", one.violations}});
     }
     fmt::print("{}\n", sections.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     return;
@@ -136,6 +163,9 @@ void print(const std::vector<Approved>& all, const ApproveOptions& options) {
     }
     fmt::print("{}: approved.\n", cases::one_line(one.section));
     for (const std::string& change : one.changes) fmt::print("  {}\n", cases::one_line(change));
+    if (const std::string violations = violations_text(one); !violations.empty()) {
+      fmt::print("{}.\n", cases::one_line(violations));
+    }
   }
 }
 
@@ -153,7 +183,9 @@ ExitCode approve(const ApproveOptions& options) {
   std::vector<Approved> all;
   bool is_changed = false;
   for (const reports::BaselineSection& section : current->sections.sections) {
-    if (!options.backend.empty() && section.key.backend != options.backend) continue;
+    if (!options.backend.empty() && section.key.backend != reports::section_name(options.backend)) {
+      continue;
+    }
     Result<Approved> approved = approve(*baseline, section, options);
     if (!approved) return fail(approved.error());
     is_changed = is_changed || !approved->changes.empty();
@@ -173,39 +205,65 @@ ExitCode approve(const ApproveOptions& options) {
 CLI::App* add_save(CLI::App& app, SaveOptions& options) {
   CLI::App* save = app.add_subcommand("save", "Keeps what a run found as the baseline");
   save->add_option("RUN", options.run,
-                   "Folder or run.json of a run that kept its cases (rastercheck run "
-                   "--keep-cases); - reads standard input")
+                   "Folder or run.json of a run with --keep-cases; - reads standard input")
+      ->type_name(kFile)
       ->required();
-  save->add_option("--output", options.output, "The baseline file; other sections of it stay")
+  save->add_option("--output", options.output,
+                   "The baseline file, where sections of other backends stay; - prints a new one "
+                   "instead")
+      ->type_name(kFile)
       ->capture_default_str();
-  save->add_option("--as", options.as, "Another name for the backend");
+  save->add_option("--as", options.as, "Another name for the backend")->type_name("NAME");
   save->add_flag("--instruction-set", options.of_instruction_set,
-                 "Only for machines with the same vectors");
+                 "Only for machines with the same vector instructions");
   save->add_flag("--compiler", options.of_compiler, "Only for programs of the same compiler");
   save->add_option("--commit", options.commit,
-                   "Commit that the run is of; without it what CI or git says");
-  save->add_flag("-q,--quiet", options.quiet, "Prints nothing");
+                   "Commit that the run is of; without it what CI or git says")
+      ->type_name("COMMIT");
+  save->add_flag("-q,--quiet", options.quiet, "Does not say what was saved");
   return save;
 }
 
 CLI::App* add_approve(CLI::App& app, ApproveOptions& options) {
   CLI::App* approve = app.add_subcommand("approve", "Takes current figures over into the baseline");
-  approve->add_option("BASELINE", options.baseline, "The baseline file")->required();
-  approve->add_option("CURRENT", options.current, "What is taken over, as of compare")->required();
-  approve->add_option("--reason", options.reason, "Why; kept in the baseline")->required();
-  approve->add_option("--law", options.pattern.law, "Only entries of laws that match")
+  approve->add_option("BASELINE", options.baseline, "The baseline file")
+      ->type_name(kFile)
+      ->required();
+  approve
+      ->add_option("CURRENT", options.current,
+                   "What is taken over: a baseline file, or the run.json or folder of a run with "
+                   "--keep-cases")
+      ->type_name(kFile)
+      ->required();
+  approve->add_option("--reason", options.reason, "Why; kept in the baseline")
+      ->type_name("TEXT")
+      ->required();
+  approve
+      ->add_option("--law", options.pattern.law,
+                   "Only entries of properties whose whole name matches, as '*edge*'")
+      ->type_name(kProperty)
       ->capture_default_str();
-  approve->add_option("--kind", options.pattern.kind, "Only those of kinds that match, as smooth")
+  approve
+      ->add_option("--kind", options.pattern.kind,
+                   "Only those of attribute kinds that match, as smooth")
+      ->type_name("KIND")
       ->capture_default_str();
   approve
       ->add_option("--stratum", options.pattern.stratum,
-                   "Only those of strata that match, as sliver; all is that of all together")
+                   "Only those of strata that match, as sliver; all is the total and its strata")
+      ->type_name("STRATUM")
       ->capture_default_str();
-  approve->add_option("--backend", options.backend, "Only this backend's; all without it");
-  approve->add_option("--as", options.as, "Name of the backend in the baseline, if it has another");
-  approve->add_option("--commit", options.commit,
-                      "Commit that CURRENT is of; without it what CI or git says");
-  approve->add_flag("--json", options.json, "What was taken over as JSON");
+  approve->add_option("--backend", options.backend, "Only this backend's; all without it")
+      ->type_name(kBackend);
+  approve
+      ->add_option("--as", options.as,
+                   "Name of the backend in the baseline, if it has another there")
+      ->type_name("NAME");
+  approve
+      ->add_option("--commit", options.commit,
+                   "Commit that CURRENT is of; without it what CI or git says")
+      ->type_name("COMMIT");
+  approve->add_flag("--json", options.json, "Prints what was taken over as JSON");
   approve->add_flag("-q,--quiet", options.quiet, "Prints nothing");
   return approve;
 }
@@ -216,7 +274,13 @@ Action set_up(CLI::App& app) {
   app.require_subcommand(1);
   const CLI::App* save_command = add_save(app, *of_save);
   add_approve(app, *of_approve);
-  app.footer("`rastercheck compare` and `rastercheck run --baseline` hold runs against it.");
+  app.footer(
+      "`rastercheck compare` and `rastercheck run --baseline` hold runs against it.\n\n"
+      "Examples:\n"
+      "  rastercheck run --seed 1 --keep-cases\n"
+      "  rastercheck baseline save rastercheck-out\n"
+      "  rastercheck baseline approve rastercheck-baseline.json rastercheck-out \\\n"
+      "    --reason 'larger steps, for speed'");
   return [of_save, of_approve, save_command] {
     return save_command->parsed() ? save(*of_save) : approve(*of_approve);
   };

@@ -123,44 +123,57 @@ Action set_up(CLI::App& app) {
                  "After --: the command that builds what is judged, at the top of the repository")
       ->required();
   app.add_option("--repository", options->repository, "A folder of the repository")
+      ->type_name(kFolder)
       ->capture_default_str();
   app.add_option("--program", options->program,
                  "The rastercheck that BUILD makes, where that is what is judged; without it this "
-                 "one runs");
+                 "one runs")
+      ->type_name(kFile);
   app.add_option("--backend", options->backends,
                  "What is checked, paths from the top of the repository; may be given several "
                  "times")
+      ->type_name(kBackend)
       ->capture_default_str()
       ->allow_extra_args(false);
-  app.add_option("--property", options->plan.laws, "Only properties whose name matches")
+  app.add_option("--property", options->plan.laws,
+                 "Only properties whose whole name matches, as '*edge*'")
+      ->type_name(kProperty)
       ->capture_default_str();
   app.add_option("--cases", options->cases, "Random cases of each property")
       ->check(whole_number())
+      ->type_name("N")
       ->capture_default_str();
   app.add_option("--seed", options->seed, "Seed of the random cases")
       ->check(whole_number())
+      ->type_name("N")
       ->capture_default_str();
   add_contract(app, options->contract);
   app.add_option("--corpus", options->corpus,
-                 "Folder of case files that takes the place of the project's own");
+                 "Folder of case files that every property is checked on first; without it the "
+                 "one that comes with the program")
+      ->type_name(kFolder);
   add_known(app, options->known);
-  app.add_option(
-      "--output", options->plan.folder,
-      "Folder, not there yet, that keeps what was drawn and said, and the cases that grew");
+  app.add_option("--output", options->plan.folder,
+                 "Folder, not there yet, that keeps what was drawn and said, and the cases whose "
+                 "errors grew")
+      ->type_name(kFolder);
   add_timeout(app, options->timeout);
-  app.add_option("--jobs", options->jobs, "Processes")
+  app.add_option("--jobs", options->jobs, "Processes that work side by side")
       ->check(CLI::Range(1, 1024))
+      ->type_name("N")
       ->capture_default_str();
-  app.add_flag("--json", options->json, "The result as JSON");
+  app.add_flag("--json", options->json, "Prints the result as JSON");
   app.add_flag("-q,--quiet", options->quiet, "Says nothing of the commits on the way");
   app.footer(
-      "The work tree has to be without changes. GOOD and BAD are built and judged first; git then\n"
-      "bisects between them, on the properties that are worse. What cannot be built or judged is\n"
-      "skipped. As in: rastercheck bisect --backend plugin:./build/mine.so v1.0 HEAD -- make");
+      "The work tree has to be without changes. GOOD and BAD are built and judged first; git then "
+      "bisects between them, on the properties that are worse. What cannot be built or judged is "
+      "skipped.\n\n"
+      "Example:\n"
+      "  rastercheck bisect --backend plugin:./build/mine.so v1.0 HEAD -- make");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("bisect", "The first commit of a repository that is worse",
+const Registration kRegistration("bisect", "Finds the first commit of a repository that is worse",
                                  &set_up);
 
 }  // namespace

@@ -1,6 +1,7 @@
 // `rastercheck compare BASELINE CURRENT`: the regression gate.
 
 #include <memory>
+#include <utility>
 
 #include "cli/command.h"
 #include "cli/commit.h"
@@ -14,6 +15,7 @@ struct Options {
   std::string current;
   std::string as;
   std::string commit;
+  std::string policy;
   GateOptions gate;
 };
 
@@ -28,10 +30,13 @@ Result<GateSide> read_current(const Options& options) {
   return current;
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(Options options) {
   if (options.baseline == "-" && options.current == "-") {
     return fail({"-", "", "only one of the two can be standard input"});
   }
+  Result<reports::Policy> policy = read_policy(options.policy);
+  if (!policy) return fail(policy.error());
+  options.gate.policy = *std::move(policy);
   const Result<GateSide> baseline = read_side(options.baseline);
   if (!baseline) return fail(baseline.error());
   const Result<GateSide> current = read_current(options);
@@ -42,27 +47,39 @@ ExitCode run(const Options& options) {
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("BASELINE", options->baseline,
-                 "Baseline file, or the run.json or folder of a run that kept its cases; - reads "
+                 "Baseline file, or the run.json or folder of a run with --keep-cases; - reads "
                  "standard input")
+      ->type_name(kFile)
       ->required();
-  app.add_option("CURRENT", options->current, "What is held against it, the same")->required();
-  app.add_option("--policy", options->gate.policy,
-                 "File that says which entries may be worse, why and until when");
-  app.add_option("--as", options->as, "Name of the backend in the baseline, if it has another");
+  app.add_option("CURRENT", options->current, "What is held against it, likewise")
+      ->type_name(kFile)
+      ->required();
+  app.add_option("--policy", options->policy,
+                 "File that says what may be worse, why and until when")
+      ->type_name(kFile);
+  app.add_option("--as", options->as,
+                 "Name of the backend in the baseline, if it has another there")
+      ->type_name("NAME");
   app.add_option("--commit", options->commit,
-                 "Commit that CURRENT is of; without it what CI or git says");
+                 "Commit that CURRENT is of; without it what CI or git says")
+      ->type_name("COMMIT");
   app.add_option("--output", options->gate.output,
-                 "Folder for the comparison's files and the cases whose errors grew");
-  app.add_flag("--json", options->gate.json, "The comparison as JSON");
-  app.add_flag("-q,--quiet", options->gate.quiet, "Verdict and worse entries only");
+                 "Folder for the comparison as HTML, Markdown and JSON, and for the cases whose "
+                 "errors grew")
+      ->type_name(kFolder);
+  app.add_flag("--json", options->gate.json, "Prints the comparison as JSON");
+  app.add_flag("-q,--quiet", options->gate.quiet, "Prints the verdict and what is worse only");
   app.footer(
-      "Exit code 0 if nothing is worse, or all that is worse is allowed, 3 if not, 2 if figures\n"
-      "of the two cannot be compared: other cases, or another version of rules or records.");
+      "Exit code 0 if nothing is worse, or all that is worse is allowed, 3 if not, 2 if figures of "
+      "the two cannot be compared: other cases, or another version of rules or records.\n\n"
+      "Example:\n"
+      "  rastercheck run --seed 1 --keep-cases\n"
+      "  rastercheck compare rastercheck-baseline.json rastercheck-out");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("compare", "Holds a run against a baseline: what is worse?",
-                                 &set_up);
+const Registration kRegistration("compare",
+                                 "Holds a run against a baseline, and says what is worse", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli

@@ -71,17 +71,28 @@ Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.require_subcommand(1);
   CLI::App* add_command = app.add_subcommand("add", "Adds a case or counterexample to the corpus");
-  add_command->add_option("FILE", options->file, "Case file; - reads standard input")->required();
-  add_command->add_option("--as", options->as,
-                          "Its name there: a-z, 0-9 and -; the file's own without it");
-  add_command->add_option("--name", options->name,
-                          "What it is for, in a sentence; by default what it broke");
-  add_command->add_option(
-      "--corpus", options->corpus,
-      "Folder of case files, made where it is missing; the project's own without "
-      "it");
+  add_command->add_option("FILE", options->file, "Case file; - reads standard input")
+      ->type_name(kFile)
+      ->required();
+  add_command
+      ->add_option("--as", options->as, "Its name there: a-z, 0-9 and -; the file's own without it")
+      ->type_name("NAME");
+  add_command
+      ->add_option("--name", options->name,
+                   "What it is for, in a sentence; without it what it broke")
+      ->type_name("TEXT");
+  add_command
+      ->add_option("--corpus", options->corpus,
+                   "Folder of case files, made where it is missing; without it the one that comes "
+                   "with the program")
+      ->type_name(kFolder);
   add_command->add_flag("-q,--quiet", options->quiet, "Prints nothing");
-  app.footer("Prints the new file's name. Every run checks the corpus first.");
+  constexpr const char* kFooter =
+      "Prints the new file's name. Every run checks the corpus first.\n\n"
+      "Example:\n"
+      "  rastercheck corpus add rastercheck-out/counterexamples/NAME.json --corpus mine";
+  app.footer(kFooter);
+  add_command->footer(kFooter);
   return [options] { return add(*options); };
 }
 

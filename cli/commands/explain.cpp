@@ -13,6 +13,7 @@
 #include "cli/contract_option.h"
 #include "cli/isolation.h"
 #include "cli/sample_limit.h"
+#include "cli/whole_number.h"
 #include "properties/explaining/inspect.h"
 #include "records/inspection_json.h"
 #include "reports/inspection_text.h"
@@ -106,30 +107,44 @@ ExitCode run(const Options& options) {
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("CASE", options->file, "Case file or counterexample; - reads standard input")
+      ->type_name(kFile)
       ->required();
-  app.add_option("--pixel", options->pixel, "X,Y; without it the worst sample of the case")
+  app.add_option("--pixel", options->pixel,
+                 "Which pixel; without it the one of the worst sample of the case")
       ->delimiter(',')
+      ->check(whole_number())
+      ->type_name("X,Y")
       ->expected(2);
-  app.add_option("--sample", options->sample, "Its number; without it the worst of the pixel");
+  app.add_option("--sample", options->sample,
+                 "Number of the sample, from 0; without it the worst of the pixel")
+      ->check(whole_number())
+      ->type_name("N");
   app.add_option("--triangle", options->triangle,
-                 "Its number; without it one that is drawn there, or should be");
+                 "Number of the triangle, from 0; without it one that is drawn there, or should "
+                 "be")
+      ->check(whole_number())
+      ->type_name("N");
   app.add_option("--backend", options->backend,
-                 "What draws; without it the one it was found with, or cpu");
+                 "What draws; without it the one that a counterexample is of, else cpu")
+      ->type_name(kBackend);
   app.add_option("--attribute", options->attribute,
-                 "Only this value: an attribute's name, or depth");
+                 "Only this value: an attribute's name, or depth")
+      ->type_name("NAME");
   add_contract(app, options->contract);
   add_timeout(app, options->timeout);
-  app.add_flag("--all", options->all, "Also where the framebuffer has more than 2^26 samples");
-  app.add_flag("--json", options->json, "The inspection as JSON, the pixels around included");
-  app.add_flag("-q,--quiet", options->quiet, "Without what the numbers mean");
+  app.add_flag("--all", options->all, "Even if the framebuffer has more than 2^26 samples");
+  app.add_flag("--json", options->json, "Prints it as JSON, with the pixels around");
+  app.add_flag("-q,--quiet", options->quiet, "Leaves out what the numbers mean");
   app.footer(
       "The triangle is drawn alone: a depth test has no say. A case with a camera is drawn from "
-      "its "
-      "clip\npositions, rounded once to float32.");
+      "its clip positions, rounded to float32.\n\n"
+      "Example:\n"
+      "  rastercheck explain cases/corpus/behind-the-eye.json --pixel 3,5");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("explain", "How one sample came about, and what is exact there",
+const Registration kRegistration("explain",
+                                 "Says how one sample came about, and what is exact there",
                                  &set_up);
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/terminal.h"
 #include "reports/text_table.h"
 
 namespace rastercheck::cli {
@@ -43,7 +44,7 @@ void print_table(const std::vector<GalleryFigure>& figures, bool quiet) {
       rows.back().push_back(std::to_string(picture.samples));
     }
   }
-  fmt::print("{}", reports::text_table(rows));
+  fmt::print("{}", reports::text_table(rows, quiet ? std::nullopt : terminal_columns()));
 }
 
 void print_json(const std::vector<GalleryFigure>& figures) {
@@ -96,13 +97,19 @@ ExitCode run(const Options& options) {
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("--output", options->output, "Folder for the page and its pictures")
+      ->type_name(kFolder)
       ->capture_default_str();
-  app.add_option("--size", options->size, "Width and height of a picture")
+  app.add_option("--size", options->size, "Width and height of a picture, in pixels")
       ->check(CLI::Range(64, 2048))
+      ->type_name("N")
       ->capture_default_str();
-  app.add_flag("--json", options->json, "The table as JSON");
-  app.add_flag("-q,--quiet", options->quiet, "Rows only");
-  app.footer("Exit code 0 if all that was drawn is as its methods promise, 1 if something is not.");
+  app.add_flag("--json", options->json, "Prints the table as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Prints the table's rows only");
+  app.footer(
+      "The figures are those of the texts that the textbook methods come from. Exit code 0 if all "
+      "that was drawn is as its methods promise, 1 if something is not.\n\n"
+      "Example:\n"
+      "  rastercheck gallery --output gallery");
   return [options] { return run(*options); };
 }
 

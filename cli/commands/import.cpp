@@ -32,26 +32,35 @@ ExitCode run(Options options) {
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("MESH", options->file,
-                 "OBJ, PLY, OFF, glTF, 3DS or another mesh assimp reads; - reads standard input")
+                 "Mesh: OBJ, PLY, OFF, glTF, 3DS or another that assimp reads; - reads standard "
+                 "input")
+      ->type_name(kFile)
       ->required();
-  app.add_option("--width", options->mesh.width, "Pixels")
+  app.add_option("--width", options->mesh.width, "Width of the picture, in pixels")
       ->check(CLI::Range(1, cases::kMaxSize))
+      ->type_name("N")
       ->capture_default_str();
-  app.add_option("--height", options->mesh.height, "Pixels")
+  app.add_option("--height", options->mesh.height, "Its height, in pixels")
       ->check(CLI::Range(1, cases::kMaxSize))
+      ->type_name("N")
       ->capture_default_str();
   const auto names = names_of(cases::Rules{});
-  app.add_option("--rules", options->rules, "Conventions of the case")
+  app.add_option("--rules", options->rules, "API whose rules the case follows")
+      ->type_name("API")
       ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())))
       ->capture_default_str();
   app.add_option("--format", options->format,
-                 "Of standard input: the ending a file would have, as obj");
+                 "Of standard input: the ending that a file would have, as obj")
+      ->type_name("ENDING");
   app.add_flag("-q,--quiet", options->quiet, "Accepted as everywhere; there is only the result");
-  app.footer("Prints a case that draws the mesh, framed by a camera, to standard output.");
+  app.footer(
+      "Prints a case that draws the mesh, framed by a camera, to standard output.\n\n"
+      "Example:\n"
+      "  rastercheck import bunny.obj --width 256 --height 256 > bunny.json");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("import", "A mesh as a case file", &set_up);
+const Registration kRegistration("import", "Makes a case file of a mesh", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli

@@ -13,6 +13,7 @@
 #include "cli/command.h"
 #include "cli/isolation.h"
 #include "cli/known_option.h"
+#include "cli/terminal.h"
 #include "properties/generator.h"
 #include "properties/known_defects.h"
 #include "properties/law.h"
@@ -168,7 +169,7 @@ void print_table(const Kind& kind, const std::vector<ordered_json>& rows, bool q
     cells.push_back(std::move(values));
   }
   if (!quiet) fmt::print("{}:{}\n", kind.name, cells.empty() ? " none in this version" : "");
-  fmt::print("{}", reports::text_table(cells));
+  fmt::print("{}", reports::text_table(cells, quiet ? std::nullopt : terminal_columns()));
 }
 
 struct Options {
@@ -218,16 +219,21 @@ Action set_up(CLI::App& app) {
       ->check(CLI::IsMember(names));
   app.add_option("--backend", options->backends,
                  "Lists this backend, as plugin:PATH.so, and what it says of itself; may be given "
-                 "several times");
+                 "several times")
+      ->type_name(kBackend);
   add_known(app, options->known);
-  app.add_flag("--json", options->json, "As JSON");
-  app.add_flag("-q,--quiet", options->quiet, "Rows only");
+  app.add_flag("--json", options->json, "Prints it as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Prints rows only");
+  app.footer(
+      "Examples:\n"
+      "  rastercheck list backends       what can run here, and why the others cannot\n"
+      "  rastercheck list properties     every law that is checked\n"
+      "  rastercheck list known          defects that are known of drivers");
   return [options] { return run(*options); };
 }
 
 const Registration kRegistration(
-    "list", "Backends, properties, generators, methods, rules, sample patterns, known defects",
-    &set_up);
+    "list", "Lists what there is: backends, properties, known defects and more", &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/format_option.h"
 #include "cli/github.h"
 #include "cli/merged_inspections.h"
 #include "cli/output.h"
@@ -80,20 +81,25 @@ ExitCode merge(const Options& options) {
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("DIR", options->shards, "Output folders of all shards, or their run.json files")
+      ->type_name(kFolder)
       ->required();
-  app.add_option("--output", options->output, "Folder for the results")->capture_default_str();
-  app.add_option("--format", options->formats, "Reports to write, with commas between them")
-      ->delimiter(',')
+  app.add_option("--output", options->output, "Folder for the results")
+      ->type_name(kFolder)
       ->capture_default_str();
-  app.add_flag("--json", options->json, "The table as JSON");
-  app.add_flag("-q,--quiet", options->quiet, "Rows only");
+  add_formats(app, options->formats);
+  app.add_flag("--json", options->json, "Prints the table as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Prints the table's rows only");
   app.footer(
       "Exit codes are those of `rastercheck run`; 2 if shards are missing or do not go "
-      "together.");
+      "together.\n\n"
+      "Example, of two jobs:\n"
+      "  rastercheck run --seed 1 --shard 1/2 --output one\n"
+      "  rastercheck run --seed 1 --shard 2/2 --output two\n"
+      "  rastercheck merge one two");
   return [options] { return merge(*options); };
 }
 
-const Registration kRegistration("merge", "Puts the shards of a campaign together (run --shard)",
+const Registration kRegistration("merge", "Puts the parts of a run together (run --shard)",
                                  &set_up);
 
 }  // namespace

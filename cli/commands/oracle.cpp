@@ -148,21 +148,28 @@ ExitCode run(const Options& options) {
 
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("CASE", options->file, "Case file; - reads standard input")->required();
+  app.add_option("CASE", options->file, "Case file; - reads standard input")
+      ->type_name(kFile)
+      ->required();
   app.add_flag("--clip", options->clip,
-               "Of the clip positions rounded once to float32, as backends are handed them");
+               "Takes the clip positions rounded to float32, as backends are handed them");
   CLI::Option* json =
-      app.add_flag("--json", options->json, "The fragments as JSON, values as fractions");
+      app.add_flag("--json", options->json, "Prints the fragments as JSON, values as fractions");
   app.add_flag("--details", options->details,
-               "With --json: distance to the boundary, derivatives and condition numbers too")
+               "With --json: distances to the edges, derivatives and condition numbers, too")
       ->needs(json);
-  app.add_flag("--all", options->all, "Also where the framebuffer has more than 2^26 samples");
-  app.add_flag("-q,--quiet", options->quiet, "No header and no summary");
-  app.footer("Lists every sample that has to be drawn (required) or may be (permitted).");
+  app.add_flag("--all", options->all, "Even if the framebuffer has more than 2^26 samples");
+  app.add_flag("-q,--quiet", options->quiet, "Prints the fragments only, no header and no summary");
+  app.footer(
+      "Lists every sample that has to be drawn (required) or may be (permitted), with the exact "
+      "depth and attributes.\n\n"
+      "Example:\n"
+      "  rastercheck oracle cases/corpus/behind-the-eye.json");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("oracle", "The exact answer of a case", &set_up);
+const Registration kRegistration("oracle", "Prints what has to be drawn of a case, exactly",
+                                 &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli

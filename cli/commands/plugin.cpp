@@ -56,12 +56,20 @@ Action set_up(CLI::App& app) {
   app.require_subcommand(1);
   CLI::App* new_command =
       app.add_subcommand("new", "Writes a project that builds a plugin: a little rasterizer");
-  new_command->add_option("DIR", options->folder, "Folder for it, new or empty")->required();
-  new_command->add_option("--language", options->language, "c or c++")
+  new_command->add_option("DIR", options->folder, "Folder for it, new or empty")
+      ->type_name(kFolder)
+      ->required();
+  new_command->add_option("--language", options->language, "Language of the project")
       ->check(CLI::IsMember({"c", "c++"}))
+      ->type_name("LANGUAGE")
       ->capture_default_str();
   new_command->add_flag("-q,--quiet", options->quiet, "Prints nothing");
-  app.footer("Prints the names of the files; README.md among them says how to go on.");
+  constexpr const char* kFooter =
+      "Prints the names of the files; README.md among them says how to go on.\n\n"
+      "Example:\n"
+      "  rastercheck plugin new mine";
+  app.footer(kFooter);
+  new_command->footer(kFooter);
   return [options] { return make_new(*options); };
 }
 

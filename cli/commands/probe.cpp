@@ -16,6 +16,7 @@
 #include "cli/command.h"
 #include "cli/isolation.h"
 #include "cli/progress.h"
+#include "cli/terminal.h"
 #include "cli/whole_number.h"
 #include "reports/text_table.h"
 
@@ -113,7 +114,7 @@ void print_table(const records::Probe& probe, bool quiet) {
   for (const records::Measured& row : probe.rows) {
     cells.push_back({row.what, row.declared, row.measured, row.detail});
   }
-  fmt::print("{}", reports::text_table(cells));
+  fmt::print("{}", reports::text_table(cells, quiet ? std::nullopt : terminal_columns()));
   if (quiet) return;
   fmt::print("\n{} drawings, {} of cases that it does not draw, {} failed{}\n", probe.drawings,
              probe.unsupported, probe.failed,
@@ -154,30 +155,43 @@ ExitCode run(const Options& options) {
 
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("BACKEND", options->backend, "What is measured, as cpu or plugin:PATH.so")
+  app.add_option("BACKEND", options->backend, "What is measured (see rastercheck list backends)")
+      ->type_name(kBackend)
       ->required();
   app.add_option("--contract-out", options->contract_out,
-                 "File for what was measured, as a contract that `run --contract` takes");
+                 "File for what was measured, as a contract that `run --contract` takes")
+      ->type_name(kFile);
   app.add_option("--ask", options->ask,
-                 "Coverage that all cases ask for: exact, snapped:BITS or snapped:BITS:ROUNDING; "
-                 "without it, whether the backend follows what is asked is measured too");
-  app.add_option("--ask-basis", options->ask_basis, "Basis that all cases ask for, likewise")
+                 "Coverage that all cases ask for: exact, snapped:BITS or snapped:BITS:ROUNDING "
+                 "(BITS of the subpixel grid, as snapped:8); without it, whether the backend "
+                 "follows what is asked is measured, too")
+      ->type_name("COVERAGE");
+  app.add_option("--ask-basis", options->ask_basis,
+                 "What attributes are interpolated on that all cases ask for: the triangle as "
+                 "given, or its snapped vertices")
+      ->type_name("BASIS")
       ->check(CLI::IsMember({"ideal", "snapped"}));
   app.add_option("--ask-fill-rule", options->ask_fill_rule,
-                 "Fill rule that all cases ask for, likewise")
+                 "Rule for samples on an edge that all cases ask for")
+      ->type_name("RULE")
       ->check(CLI::IsMember({"top_left", "bottom_left"}));
   app.add_option("--cases", options->cases, "Random cases of each generator")
       ->check(CLI::Range(1, 100000))
+      ->type_name("N")
       ->capture_default_str();
   app.add_option("--seed", options->seed, "Seed of what is drawn")
       ->check(whole_number())
+      ->type_name("N")
       ->capture_default_str();
   add_timeout(app, options->timeout);
-  app.add_flag("--json", options->json, "As JSON");
-  app.add_flag("-q,--quiet", options->quiet, "Rows only, no progress bar");
+  app.add_flag("--json", options->json, "Prints the result as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Prints the table's rows only, and no progress bar");
   app.footer(
-      "Nothing is judged: exit code 0 says that it was measured, 4 that the backend cannot run "
-      "here\nor draws nothing.");
+      "Measured are the subpixel grid, rounding, fill rule, guard band and errors. Nothing is "
+      "judged: exit code 0 says that it was measured, 4 that the backend cannot run here or draws "
+      "nothing.\n\n"
+      "Example:\n"
+      "  rastercheck probe gl:llvmpipe --contract-out llvmpipe.json");
   return [options] { return run(*options); };
 }
 

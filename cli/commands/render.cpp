@@ -101,19 +101,30 @@ ExitCode run(const Options& options) {
 
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("CASE", options->file, "Case file; - reads standard input")->required();
+  app.add_option("CASE", options->file, "Case file; - reads standard input")
+      ->type_name(kFile)
+      ->required();
   app.add_option("--backend", options->backend, "What draws it (see rastercheck list backends)")
+      ->type_name(kBackend)
       ->capture_default_str();
   add_timeout(app, options->timeout);
-  app.add_option("--png", options->png, "Writes the picture to this file, and prints nothing");
-  app.add_flag("--all", options->all, "Also where the framebuffer has more than 2^26 samples");
-  app.add_flag("--json", options->json, "The fragments as JSON, values as hex floats");
-  app.add_flag("-q,--quiet", options->quiet, "No header and no summary");
-  app.footer("A case with a camera is drawn from its clip positions, rounded once to float32.");
+  app.add_option("--png", options->png, "Writes the picture to this file, and prints nothing")
+      ->type_name(kFile);
+  app.add_flag("--all", options->all, "Even if the framebuffer has more than 2^26 samples");
+  app.add_flag("--json", options->json,
+               "Prints the fragments as JSON, values as hexadecimal floats");
+  app.add_flag("-q,--quiet", options->quiet, "Prints the fragments only, no header and no summary");
+  app.footer(
+      "A fragment is a sample that a triangle covers. A case with a camera is drawn from its clip "
+      "positions, rounded to float32.\n\n"
+      "Example:\n"
+      "  rastercheck render cases/corpus/first-triangle.json --png first.png");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("render", "What a backend draws, as fragments", &set_up);
+const Registration kRegistration("render",
+                                 "Prints what a backend draws of a case, or makes it a picture",
+                                 &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli

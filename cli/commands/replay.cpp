@@ -15,6 +15,7 @@
 #include "cli/contract_option.h"
 #include "cli/isolation.h"
 #include "cli/known_option.h"
+#include "cli/terminal.h"
 #include "oracle/transform.h"
 #include "properties/check_case.h"
 #include "properties/close_up.h"
@@ -79,7 +80,8 @@ void print_outcome(const Outcome& outcome, bool quiet) {
              note);
   if (quiet || outcome.check.violation_count == 0) return;
   const properties::Check& check = outcome.check;
-  fmt::print("{}", reports::violations_text(check.violations, check.violation_count));
+  fmt::print("{}",
+             reports::violations_text(check.violations, check.violation_count, terminal_columns()));
   for (const std::string& line : outcome.close_up) fmt::print("    {}\n", line);
   fmt::print("{}", reports::case_text(*outcome.source));
 }
@@ -215,18 +217,22 @@ ExitCode run(const Options& options) {
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("FILE", options->files, "Case files or counterexamples; - reads standard input")
+      ->type_name(kFile)
       ->required();
   app.add_option("--backend", options->backend,
-                 "What draws; without it the one it was found with, or cpu");
+                 "What draws; without it the one that a counterexample is of, else cpu")
+      ->type_name(kBackend);
   add_known(app, options->known);
   add_contract(app, options->contract);
   add_timeout(app, options->timeout);
-  app.add_flag("--json", options->json, "As JSON");
-  app.add_flag("-q,--quiet", options->quiet, "Verdicts only");
+  app.add_flag("--json", options->json, "Prints the result as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Prints verdicts only");
   app.footer(
-      "A counterexample is checked by the property that it was found by, any other case by all.\n"
-      "Exit code 0 if they held or failed as is known of the driver, 1 if one was violated, 5 if "
-      "none says anything of the case.");
+      "A counterexample is checked by the property that it violated, any other case by all.\n\n"
+      "Exit code 0 if they held or failed as is known of the driver, 1 if one was violated, 4 if "
+      "the backend cannot run here, 5 if none says anything of the case.\n\n"
+      "Example:\n"
+      "  rastercheck replay rastercheck-out/counterexamples/*.json");
   return [options] { return run(*options); };
 }
 

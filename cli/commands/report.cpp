@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/format_option.h"
 #include "cli/output.h"
 #include "reports/format.h"
 #include "reports/run_reader.h"
@@ -20,6 +22,9 @@ struct Options {
 };
 
 ExitCode run(const Options& options) {
+  if (std::filesystem::is_regular_file(options.directory)) {
+    return fail({options.directory, "", "is a file, not the folder that a run wrote"});
+  }
   const Result<records::Run> read = reports::read_run(options.directory + "/run.json");
   if (!read) return fail(read.error());
   const Result<void> written = reports::write_reports(*read, options.directory, options.formats);
@@ -30,15 +35,20 @@ ExitCode run(const Options& options) {
 
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("DIR", options->directory, "Output folder of a run")->required();
-  app.add_option("--format", options->formats, "Reports to write, with commas between them")
-      ->delimiter(',')
-      ->capture_default_str();
+  app.add_option("DIR", options->directory, "Output folder of a run, with its run.json")
+      ->type_name(kFolder)
+      ->required();
+  add_formats(app, options->formats);
   app.add_flag("-q,--quiet", options->quiet, "Prints nothing");
+  app.footer(
+      "Nothing is checked again.\n\n"
+      "Example:\n"
+      "  rastercheck report rastercheck-out --format html,sarif");
   return [options] { return run(*options); };
 }
 
-const Registration kRegistration("report", "Makes the reports of a run again", &set_up);
+const Registration kRegistration("report", "Writes the reports of a run again, from its run.json",
+                                 &set_up);
 
 }  // namespace
 }  // namespace rastercheck::cli

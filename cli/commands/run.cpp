@@ -15,12 +15,14 @@
 
 #include "backends/held_backend.h"
 #include "cases/contract_json.h"
+#include "cases/json.h"
 #include "cli/backend_failure.h"
 #include "cli/command.h"
 #include "cli/commit.h"
 #include "cli/contract_option.h"
 #include "cli/corpus_folder.h"
 #include "cli/environment.h"
+#include "cli/format_option.h"
 #include "cli/gate.h"
 #include "cli/github.h"
 #include "cli/interrupt.h"
@@ -45,6 +47,10 @@
 
 namespace rastercheck::cli {
 namespace {
+
+/// What a counterexample may be given, a day at most.
+constexpr double kLeastSeconds = 0.001;
+constexpr double kMostSeconds = 86400;
 
 struct Options {
   std::vector<std::string> backends{"cpu"};
@@ -132,7 +138,9 @@ Result<properties::RunPlan> plan_of(const Options& options) {
   plan.campaign.keeps_cases = options.keeps_cases;
   if (plan.campaign.laws.empty()) {
     return tl::unexpected(
-        Error{"--property", "", "no property matches (see rastercheck list properties)"});
+        Error{"--property", cases::printable(options.property),
+              "is no property's whole name; a part of one has stars around it, as '*edge*' (see "
+              "rastercheck list properties)"});
   }
   plan.corpus = options.corpus.empty() ? corpus_folder() : options.corpus;
   plan.known = options.known.folder();
@@ -293,6 +301,7 @@ records::Run planned(const properties::RunPlan& plan, const properties::KnownByB
   run.laws = plan.campaign.laws;
   run.scene = plan.scene;
   run.contract_file = plan.contract_file;
+  if (!plan.contract_file.empty()) run.contract_digest = cases::digest_of(plan.terms);
   run.options = plan.options;
   run.shrink_seconds = plan.campaign.shrinking.seconds;
   for (const auto& [backend, defects] : known) {
@@ -314,41 +323,41 @@ Result<void> settle(const CLI::App& app, const char* name, const std::string& se
   return {};
 }
 
-/// The value of an option of a case set; empty where it has none.
-std::string value_in(const std::vector<std::string>& words, const char* name) {
-  const auto found = std::find(words.begin(), words.end(), name);
-  return found == words.end() || found + 1 == words.end() ? "" : *(found + 1);
-}
-
-/// Takes seed, cases and all that decides what is found from the baseline. Of a corpus that lies
-/// elsewhere now, the digests of its cases tell whether it is the same.
+/// Takes seed, cases and all that decides what is found from the baseline. Of a corpus or contract
+/// that lies elsewhere now, digests tell whether it is the same.
 Result<void> take_case_set(const CLI::App& app, const CaseSet& set, Options& options) {
   const std::vector<std::string>& words = set.options;
   std::optional<std::uint64_t> seed = set.seed;
-  std::string property = value_in(words, "--property");
-  if (property.empty()) property = Options().property;
+  const auto value = [&words](const char* name) {
+    return records::option_of(words, name).value_or("");
+  };
+  const std::string property = records::option_of(words, "--property").value_or(Options().property);
   const bool is_none = std::find(words.begin(), words.end(), "--no-known") != words.end();
-  if (app.count("--corpus") == 0) options.corpus = value_in(words, "--corpus");
+  if (app.count("--corpus") == 0) options.corpus = value("--corpus");
+  const bool is_told = set.contract_digest && app.count("--contract") > 0;
+  const std::string contract = is_told ? options.contract : value("--contract");
   options.keeps_cases = true;
   return settle(app, "--seed", set.section, options.seed, seed)
       .and_then(
           [&] { return settle(app, "--cases", set.section, options.cases, set.cases_per_law); })
       .and_then([&] { return settle(app, "--property", set.section, options.property, property); })
+      .and_then([&] { return settle(app, "--contract", set.section, options.contract, contract); })
       .and_then([&] {
-        return settle(app, "--contract", set.section, options.contract,
-                      value_in(words, "--contract"));
-      })
-      .and_then([&] {
-        return settle(app, "--known", set.section, options.known.directory,
-                      value_in(words, "--known"));
+        return settle(app, "--known", set.section, options.known.directory, value("--known"));
       })
       .and_then(
           [&] { return settle(app, "--no-known", set.section, options.known.is_none, is_none); });
 }
 
-/// Reads the baseline that the run will be held against, where there is one, and what the run has
-/// to be for it: of one that goes on, that is settled.
-Result<std::optional<GateSide>> prepare_gate(const CLI::App& app, Options& options) {
+/// What the run will be held against.
+struct RunGate {
+  GateSide baseline;
+  reports::Policy policy;
+};
+
+/// Reads it, where there is one, and what the run has to be for it: of one that goes on, that is
+/// settled.
+Result<std::optional<RunGate>> prepare_gate(const CLI::App& app, Options& options) {
   if (options.baseline.empty()) return std::nullopt;
   Result<GateSide> baseline = read_side(options.baseline);
   if (!baseline) return tl::unexpected(baseline.error());
@@ -358,20 +367,38 @@ Result<std::optional<GateSide>> prepare_gate(const CLI::App& app, Options& optio
             .and_then([&](const CaseSet& set) { return take_case_set(app, set, options); });
     if (!taken) return tl::unexpected(taken.error());
   }
-  return *std::move(baseline);
+  return read_policy(options.policy).map([&baseline](reports::Policy policy) {
+    return std::optional(RunGate{*std::move(baseline), std::move(policy)});
+  });
+}
+
+/// Whether the run's contract says what that of the baseline says, as far as that is known: asked
+/// before the work rather than after it.
+Result<void> check_contract(const std::optional<RunGate>& gate, const properties::RunPlan& plan) {
+  if (!gate || plan.contract_file.empty()) return {};
+  const Result<CaseSet> set =
+      case_set_for(gate->baseline, plan.campaign.backends, environment(1, 0));
+  if (!set) return tl::unexpected(set.error());
+  const std::uint64_t digest = cases::digest_of(plan.terms);
+  if (set->contract_digest.value_or(digest) == digest) return {};
+  return tl::unexpected(
+      Error{plan.contract_file, "",
+            fmt::format("is another contract than that of the baseline's section {}: the digest "
+                        "of its terms was {:016x} and is {:016x}",
+                        set->section, *set->contract_digest, digest)});
 }
 
 /// Holds the run against the baseline, where there is one.
-ExitCode hold_run(const Options& options, const std::optional<GateSide>& baseline,
+ExitCode hold_run(const Options& options, const std::optional<RunGate>& gate,
                   const records::Run& run) {
-  if (!baseline) return ExitCode::ok;
+  if (!gate) return ExitCode::ok;
   if (run.cases_left > 0) return ExitCode::interrupted;
   Result<GateSide> current = side_of(run, options.output);
   if (!current) return fail(current.error());
   set_commit(*current, commit_of(""));
   if (!options.json) fmt::print("\n");
-  return hold_against(*baseline, *current,
-                      {options.policy, options.output, false, options.quiet, !options.json});
+  return hold_against(gate->baseline, *current,
+                      {gate->policy, options.output, false, options.quiet, !options.json});
 }
 
 /// Ends a run whose results cannot be written: what it found is on the terminal already.
@@ -408,10 +435,13 @@ ExitCode tell(const Options& options, const records::Run& run,
 ExitCode run_campaign(Options options, const CLI::App& app) {
   const auto start = std::chrono::steady_clock::now();
   isolate_foreign_backends(options.timeout);
-  const Result<std::optional<GateSide>> baseline = prepare_gate(app, options);
-  if (!baseline) return fail(baseline.error());
+  const Result<std::optional<RunGate>> gate = prepare_gate(app, options);
+  if (!gate) return fail(gate.error());
   Result<Work> work = prepare(options);
   if (!work) return fail(work.error());
+  if (const auto same = check_contract(*gate, work->start.plan); !same) {
+    return fail(same.error());
+  }
   const bool keeps_cases = work->start.plan.campaign.keeps_cases;
   if (const auto can_write = check_output(options, keeps_cases); !can_write) {
     return fail(can_write.error());
@@ -465,74 +495,97 @@ ExitCode run_campaign(Options options, const CLI::App& app) {
 
   const ExitCode told = tell(options, run, promises, seconds.count());
   if (told == ExitCode::usage) return told;
-  const ExitCode code = first_of(told, hold_run(options, *baseline, run));
+  const ExitCode code = first_of(told, hold_run(options, *gate, run));
   if (is_whole) campaign.remove();
   return is_whole ? code : first_of(code, ExitCode::interrupted);
 }
 
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("--backend", options->backends, "What is checked; may be given several times")
+  app.add_option("--backend", options->backends,
+                 "What is checked (see rastercheck list backends); may be given several times")
+      ->type_name(kBackend)
       ->capture_default_str();
   app.add_option("--property", options->property,
-                 "Only properties whose name matches, as '*edge*' (see rastercheck list "
+                 "Only properties whose whole name matches, as '*edge*' (see rastercheck list "
                  "properties)")
+      ->type_name(kProperty)
       ->capture_default_str();
-  app.add_option("--cases", options->cases, "Random cases of each property")
+  app.add_option("--cases", options->cases,
+                 "Random cases of each property, beside those of the corpus")
       ->check(whole_number())
+      ->type_name("N")
       ->capture_default_str();
-  app.add_option("--seed", options->seed, "Seed of the random cases; random without it")
-      ->check(whole_number());
+  app.add_option("--seed", options->seed,
+                 "Seed of the random cases: the same seed, the same cases; random without it")
+      ->check(whole_number())
+      ->type_name("N");
   add_shard(app, options->shard);
-  app.add_option("--scene", options->scene, "Mesh or case file that is drawn and judged whole");
-  app.add_option("--scene-size", options->scene_size, "Width and height of a mesh's picture")
+  app.add_option("--scene", options->scene, "Mesh or case file that is drawn and judged whole, too")
+      ->type_name(kFile);
+  app.add_option("--scene-size", options->scene_size,
+                 "Width and height of a mesh's picture, in pixels")
       ->check(CLI::Range(1, cases::kMaxSize))
+      ->type_name("N")
       ->capture_default_str();
   add_contract(app, options->contract);
   app.add_option("--corpus", options->corpus,
-                 "Folder of case files that takes the place of the project's own");
+                 "Folder of case files that every property is checked on first; without it the "
+                 "one that comes with the program")
+      ->type_name(kFolder);
   add_known(app, options->known);
-  app.add_option("--output", options->output, "Folder for the results")->capture_default_str();
-  app.add_option("--format", options->formats, "Reports to write, with commas between them")
-      ->delimiter(',')
+  app.add_option("--output", options->output, "Folder for the results")
+      ->type_name(kFolder)
       ->capture_default_str();
+  add_formats(app, options->formats);
   app.add_option("--shrink-tries", options->shrink_tries,
                  "Smaller cases that are tried of each counterexample; 0 leaves it as it is found")
       ->check(whole_number())
+      ->type_name("N")
       ->capture_default_str();
   app.add_option("--shrink-seconds", options->shrink_seconds,
-                 "Seconds for each counterexample; no limit without it")
-      ->check(CLI::PositiveNumber);
+                 "Seconds for making each counterexample smaller; no limit without it")
+      ->check(CLI::Range(kLeastSeconds, kMostSeconds))
+      ->type_name("SECONDS");
   add_timeout(app, options->timeout);
   app.add_flag("--keep-cases", options->keeps_cases,
-               "Keeps what each case gave in run.json, for baselines and for cases.jsonl");
-  app.add_option("--baseline", options->baseline,
-                 "Holds the run against this baseline (rastercheck baseline save), of whose seed "
-                 "and cases it is then");
+               "Keeps what each case gave in run.json, for a baseline and for --format cases");
+  CLI::Option* baseline =
+      app.add_option("--baseline", options->baseline,
+                     "Holds the run against this baseline (rastercheck baseline save), with seed "
+                     "and cases as there")
+          ->type_name(kFile);
   app.add_option("--policy", options->policy,
-                 "What may be worse than it, why and until when (see rastercheck compare)");
+                 "With --baseline: what may be worse than it, why and until when")
+      ->needs(baseline)
+      ->type_name(kFile);
   CLI::Option* resume =
       app.add_flag("--resume", options->resume,
-                   "Goes on with the interrupted run of the output folder, as it was");
+                   "Goes on with the interrupted run in the folder --output, with the options that "
+                   "it was begun with");
   for (const char* settled : {"--backend", "--property", "--cases", "--seed", "--scene",
                               "--scene-size", "--contract", "--corpus", "--known", "--no-known",
                               "--shrink-tries", "--shrink-seconds", "--keep-cases"}) {
     resume->excludes(settled);
   }
-  app.add_option("--jobs", options->jobs, "Processes")
+  app.add_option("--jobs", options->jobs, "Processes that work side by side")
       ->check(CLI::Range(1, 1024))
+      ->type_name("N")
       ->capture_default_str();
-  app.add_flag("--json", options->json, "The table as JSON");
-  app.add_flag("-q,--quiet", options->quiet, "Rows only, no progress bar");
+  app.add_flag("--json", options->json, "Prints the table as JSON");
+  app.add_flag("-q,--quiet", options->quiet, "Prints the table's rows only, and no progress bar");
   app.footer(
       "Exit code 0 if every property held, or was violated in known ways only, 1 if one was "
-      "violated\n"
-      "otherwise, 3 if one is worse than the baseline, 5 if one checked nothing, 130 if the run "
-      "was\ninterrupted.");
+      "violated otherwise, 3 if one is worse than the baseline, 4 if a backend cannot run here, 5 "
+      "if one checked nothing, 130 if the run was interrupted.\n\n"
+      "Examples:\n"
+      "  rastercheck run --backend vulkan:lavapipe --cases 100 --jobs 4\n"
+      "  rastercheck run --backend plugin:./mine.so --property '*edge*' --seed 1\n"
+      "  rastercheck run --scene bunny.obj");
   return [options, &app] { return run_campaign(*options, app); };
 }
 
-const Registration kRegistration("run", "A campaign: every property on the corpus and random cases",
+const Registration kRegistration("run", "Checks every property, on the corpus and on random cases",
                                  &set_up);
 
 }  // namespace

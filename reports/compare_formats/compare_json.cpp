@@ -20,7 +20,8 @@
 //          "share_before": 0.1, "share_after": 0.2}]}],
 //      "cases": 19228, "changed_cases": 20, "grown_cases": 10,
 //      "growths": [{"law": "…", "origin": "random", "index": 12, "name": "…", "kind": "smooth",
-//                   "stratum": "sliver", "file": "grown/….json", "mismatches_before": 0,
+//                   "stratum": "sliver", "file": "grown/….json", "outcome_before": "held",
+//                   "outcome_after": "violated", "mismatches_before": 0,
 //                   "mismatches_after": 1, "before": {a worst error as in records}, "after": {…},
 //                   "part_to_look_at": {"stage": "set-up", "error": [0.3, 0.3]},
 //                   "commands": ["rastercheck replay …"]}],
@@ -91,6 +92,10 @@ ordered_json json_of(const Gate& gate, const Comparison& comparison, const CaseG
   if (!growth.name.empty()) object["name"] = growth.name;
   if (growth.kind) object["kind"] = to_string(*growth.kind);
   if (growth.stratum) object["stratum"] = to_string(*growth.stratum);
+  if (growth.outcome_before != growth.outcome_after) {
+    object["outcome_before"] = to_string(growth.outcome_before);
+    object["outcome_after"] = to_string(growth.outcome_after);
+  }
   object["mismatches_before"] = growth.mismatches_before;
   object["mismatches_after"] = growth.mismatches_after;
   if (growth.before) object["before"] = records::error_without_case_to_json(*growth.before);

@@ -10,7 +10,8 @@
 //     "backends": ["cpu"],
 //     "laws": ["…"],
 //     "scene": "bunny",
-//     "contract_file": "…",     only where backends were held to one
+//     "contract_file": "…",     only where backends were held to one, as is:
+//     "contract_digest": "0123456789abcdef",
 //     "options": ["--property", "*edge*"],   only where there were any
 //     "shard": {…},             records/shard_json.h; only of a shard
 //     "cases_left": 120,        only of a run that was interrupted
@@ -132,6 +133,9 @@ std::string write(const records::Run& run) {
   add("laws", text_of(run.laws));
   add("scene", text_of(run.scene));
   if (!run.contract_file.empty()) add("contract_file", text_of(run.contract_file));
+  if (run.contract_digest) {
+    add("contract_digest", text_of(records::digest_text(*run.contract_digest)));
+  }
   if (!run.options.empty()) add("options", text_of(run.options));
   if (run.shard) add("shard", text_of(records::shard_to_json(*run.shard)));
   if (run.cases_left > 0) add("cases_left", std::to_string(run.cases_left));

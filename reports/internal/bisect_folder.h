@@ -16,6 +16,9 @@ class BisectFolder {
   /// name a temporary one, which goes with this.
   static Result<BisectFolder> make(const std::string& output);
 
+  /// Removes what is in it, and what make() made: as if there had been no bisection.
+  void discard() const;
+
   BisectFolder(BisectFolder&& other) noexcept;
   BisectFolder& operator=(BisectFolder&&) = delete;
   BisectFolder(const BisectFolder&) = delete;
@@ -32,9 +35,11 @@ class BisectFolder {
                                                const std::string& work_tree) const;
 
  private:
-  BisectFolder(std::filesystem::path path, bool is_temporary);
+  BisectFolder(std::filesystem::path path, std::vector<std::filesystem::path> made,
+               bool is_temporary);
 
   std::filesystem::path path_;
+  std::vector<std::filesystem::path> made_;  ///< that make() made, the innermost first
   bool is_temporary_;
 };
 

@@ -7,6 +7,7 @@
 namespace rastercheck::reports {
 namespace {
 
+using records::CaseOutcome;
 using records::Enclosure;
 using records::WorstError;
 
@@ -29,6 +30,15 @@ Enclosure size_of(const WorstError* worst) {
   return worst == nullptr ? Enclosure() : records::magnitude(worst->error);
 }
 
+/// How much there is to hold a growth against: 2 of an error that was one before, 1 of an error
+/// where none is known of before, be it that no value was off or that none was judged, 0 without.
+int footing(const CaseGrowth& growth) { return !growth.after ? 0 : growth.before ? 2 : 1; }
+
+/// Whether the error of the first grew more, as far as that can be said.
+bool grew_more(const CaseGrowth& a, const CaseGrowth& b) {
+  return std::pair(footing(a), growth_of(a)) > std::pair(footing(b), growth_of(b));
+}
+
 /// The error of the case that grew most, if one did.
 void find_grown_error(const CaseFigures& before, const CaseFigures& after, CaseGrowth& growth) {
   for (const auto& [kind, strata] : after.worst) {
@@ -40,7 +50,7 @@ void find_grown_error(const CaseFigures& before, const CaseFigures& after, CaseG
       candidate.stratum = stratum;
       candidate.before = was == nullptr ? std::nullopt : std::optional(*was);
       candidate.after = is;
-      if (!growth.after || growth_of(candidate) > growth_of(growth)) growth = candidate;
+      if (grew_more(candidate, growth)) growth = candidate;
     }
   }
 }
@@ -56,9 +66,44 @@ Enclosure size_in(const CaseFigures& figures, records::AttributeKind kind) {
   return largest;
 }
 
-void count_growth(const std::string& law, const CaseFigures& before, const CaseFigures& after,
-                  std::map<EntryKey, std::uint64_t>& counts) {
-  if (after.mismatches > before.mismatches) {
+/// From what a law wants to what it wants least.
+int badness(CaseOutcome outcome) {
+  return outcome == CaseOutcome::violated ? 2 : outcome == CaseOutcome::known ? 1 : 0;
+}
+
+bool is_worse(CaseOutcome after, CaseOutcome before) { return badness(after) > badness(before); }
+
+/// The cases of a law then and now.
+struct LawPair {
+  const LawCases& before;
+  const LawCases& after;
+  bool are_outcomes_known = false;  ///< of both
+
+  CaseOutcome outcome(const CaseFigures& figures) const {
+    return are_outcomes_known ? figures.outcome : CaseOutcome::held;
+  }
+  bool are_same(CaseFigures was, const CaseFigures& is) const {
+    if (!are_outcomes_known) was.outcome = is.outcome;
+    return was == is;
+  }
+};
+
+/// All laws that both have.
+std::map<std::string, LawPair> law_pairs(const BaselineSection& before,
+                                         const BaselineSection& after) {
+  std::map<std::string, LawPair> pairs;
+  for (const auto& [law, cases] : before.laws) {
+    const auto now = after.laws.find(law);
+    if (now == after.laws.end()) continue;
+    const bool are_known = are_outcomes_known(before, law) && are_outcomes_known(after, law);
+    pairs.emplace(law, LawPair{cases, now->second, are_known});
+  }
+  return pairs;
+}
+
+void count_growth(const std::string& law, const LawPair& pair, const CaseFigures& before,
+                  const CaseFigures& after, std::map<EntryKey, std::uint64_t>& counts) {
+  if (after.mismatches > before.mismatches || is_worse(pair.outcome(after), pair.outcome(before))) {
     ++counts[{law, records::AttributeKind::coverage, std::nullopt}];
   }
   for (const auto& [kind, strata] : after.worst) {
@@ -83,10 +128,12 @@ bool goes_before(const CaseGrowth& a, const CaseGrowth& b) {
                ? growth.mismatches_after - growth.mismatches_before
                : 0;
   };
+  const auto is_worse_off = [](const CaseGrowth& growth) {
+    return is_worse(growth.outcome_after, growth.outcome_before);
+  };
+  if (is_worse_off(a) != is_worse_off(b)) return is_worse_off(a);
   if (wrong(a) != wrong(b)) return wrong(a) > wrong(b);
-  const double by = growth_of(a);
-  const double other = growth_of(b);
-  if (by != other) return by > other;
+  if (grew_more(a, b) || grew_more(b, a)) return grew_more(a, b);
   return place_of(a) < place_of(b);
 }
 
@@ -95,25 +142,31 @@ class CaseComparer {
   CaseComparer(const BaselineSection& after, Comparison& comparison)
       : after_(after), comparison_(comparison) {}
 
-  void compare(const std::string& law, const LawCases& before, const LawCases& after) {
-    comparison_.compared_cases += after.count;
-    for (const auto& [number, was] : before.cases) {
-      const auto is = after.cases.find(number);
-      if (is == after.cases.end()) {
+  void compare(const std::string& law, const LawPair& pair) {
+    comparison_.compared_cases += pair.after.count;
+    for (const auto& [number, was] : pair.before.cases) {
+      const auto is = pair.after.cases.find(number);
+      if (is == pair.after.cases.end()) {
         ++comparison_.changed_cases;  // of which the law says nothing any more
-      } else if (is->second != was) {
+      } else if (!pair.are_same(was, is->second)) {
         ++comparison_.changed_cases;
-        compare(law, number, was, is->second);
+        compare(law, number, pair, was, is->second);
       }
     }
-    for (const auto& [number, is] : after.cases) {
-      if (!before.cases.contains(number)) ++comparison_.changed_cases;
+    for (const auto& [number, is] : pair.after.cases) {
+      if (pair.before.cases.contains(number)) continue;
+      ++comparison_.changed_cases;
+      if (!is_worse(is.outcome, CaseOutcome::not_applicable)) continue;
+      CaseGrowth growth = growth_of_case(law, number);
+      growth.mismatches_after = is.mismatches;
+      growth.outcome_before = CaseOutcome::not_applicable;
+      growth.outcome_after = is.outcome;
+      comparison_.growths.push_back(std::move(growth));
     }
   }
 
  private:
-  void compare(const std::string& law, const CaseNumber& number, const CaseFigures& was,
-               const CaseFigures& is) {
+  CaseGrowth growth_of_case(const std::string& law, const CaseNumber& number) const {
     CaseGrowth growth;
     growth.law = law;
     std::tie(growth.origin, growth.index) = number;
@@ -121,10 +174,19 @@ class CaseComparer {
       const auto name = after_.corpus.find(growth.index);
       if (name != after_.corpus.end()) growth.name = name->second;
     }
+    return growth;
+  }
+
+  void compare(const std::string& law, const CaseNumber& number, const LawPair& pair,
+               const CaseFigures& was, const CaseFigures& is) {
+    CaseGrowth growth = growth_of_case(law, number);
     growth.mismatches_before = was.mismatches;
     growth.mismatches_after = is.mismatches;
+    growth.outcome_before = pair.outcome(was);
+    growth.outcome_after = pair.outcome(is);
     find_grown_error(was, is, growth);
-    if (growth.after || is.mismatches > was.mismatches) {
+    if (growth.after || is.mismatches > was.mismatches ||
+        is_worse(growth.outcome_after, growth.outcome_before)) {
       comparison_.growths.push_back(std::move(growth));
     }
   }
@@ -142,12 +204,17 @@ bool is_larger(const Enclosure& a, const Enclosure& b) {
 std::map<EntryKey, std::uint64_t> grown_cases(const BaselineSection& before,
                                               const BaselineSection& after) {
   std::map<EntryKey, std::uint64_t> counts;
-  for (const auto& [law, cases] : before.laws) {
-    const auto now = after.laws.find(law);
-    if (now == after.laws.end()) continue;
-    for (const auto& [number, was] : cases.cases) {
-      const auto is = now->second.cases.find(number);
-      if (is != now->second.cases.end()) count_growth(law, was, is->second, counts);
+  for (const auto& [law, pair] : law_pairs(before, after)) {
+    for (const auto& [number, was] : pair.before.cases) {
+      const auto is = pair.after.cases.find(number);
+      if (is != pair.after.cases.end()) count_growth(law, pair, was, is->second, counts);
+    }
+    // Errors of a case that the law said nothing of have nothing to be held against.
+    for (const auto& [number, is] : pair.after.cases) {
+      if (pair.before.cases.contains(number)) continue;
+      if (is_worse(is.outcome, CaseOutcome::not_applicable)) {
+        ++counts[{law, records::AttributeKind::coverage, std::nullopt}];
+      }
     }
   }
   return counts;
@@ -156,10 +223,7 @@ std::map<EntryKey, std::uint64_t> grown_cases(const BaselineSection& before,
 void compare_cases(const BaselineSection& before, const BaselineSection& after,
                    const CompareOptions& options, Comparison& comparison) {
   CaseComparer comparer(after, comparison);
-  for (const auto& [law, cases] : before.laws) {
-    const auto now = after.laws.find(law);
-    if (now != after.laws.end()) comparer.compare(law, cases, now->second);
-  }
+  for (const auto& [law, pair] : law_pairs(before, after)) comparer.compare(law, pair);
   std::vector<CaseGrowth>& growths = comparison.growths;
   comparison.grown_cases = growths.size();
   std::sort(growths.begin(), growths.end(), goes_before);

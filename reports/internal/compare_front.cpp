@@ -48,8 +48,12 @@ std::string largest_growth(const Gate& gate, std::size_t number) {
   if (growth.after) {
     text += fmt::format(
         ": {}: <strong>{} → {} scale ULP</strong>{}", html(place_text(growth, *growth.after)),
-        growth.before ? number_text(records::magnitude(growth.before->error)) : std::string("0"),
+        growth.before ? number_text(records::magnitude(growth.before->error)) : std::string("none"),
         number_text(records::magnitude(growth.after->error)), stage);
+  }
+  if (growth.outcome_after != growth.outcome_before) {
+    text += fmt::format(": <strong>{} → {}</strong>", to_string(growth.outcome_before),
+                        to_string(growth.outcome_after));
   }
   if (growth.mismatches_after > growth.mismatches_before) {
     text += fmt::format(": <strong>{} → {} came out wrong</strong>",

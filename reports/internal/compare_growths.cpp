@@ -63,7 +63,8 @@ std::string errors_of(const CaseGrowth& growth) {
   if (growth.before) {
     text += error_row("baseline", *growth.before);
   } else {
-    text += "<tr><td>baseline</td><td colspan=\"4\">no value was off at all</td></tr>\n";
+    text +=
+        "<tr><td>baseline</td><td colspan=\"4\">no value was off, or none was judged</td></tr>\n";
   }
   if (growth.after) text += error_row("now", *growth.after);
   return text + "</tbody>\n</table>\n";
@@ -101,10 +102,11 @@ std::string commands_of(const Gate& gate, const Comparison& comparison, const Ca
   return text;
 }
 
-/// Largest errors of the case in the baseline, if they are of the kind and stratum that is shown.
+/// Largest errors of the case in the baseline, of the kind and stratum that is shown; nothing where
+/// none is known, as perhaps none was judged.
 std::optional<records::Enclosure> reach_of(const CaseGrowth& growth) {
-  if (!growth.after) return std::nullopt;
-  return growth.before ? growth.before->error : records::Enclosure();
+  if (!growth.after || !growth.before) return std::nullopt;
+  return growth.before->error;
 }
 
 std::string start_of(const std::string& id, const std::string& title, bool is_open) {
@@ -133,12 +135,13 @@ std::string section_of(const Gate& gate, std::size_t number, std::size_t i) {
   if (growth.after) {
     title += fmt::format(
         " <small>{} → {} scale ULP</small>",
-        growth.before ? number_text(records::magnitude(growth.before->error)) : std::string("0"),
+        growth.before ? number_text(records::magnitude(growth.before->error)) : std::string("none"),
         number_text(records::magnitude(growth.after->error)));
   }
   std::string text = start_of(growth_id(number, i), title, i < kMostOpen);
   for (const std::string& line : growth_lines(growth)) {
-    if (line.starts_with("came out wrong")) text += "<p>" + html(line) + "</p>\n";
+    if (line.starts_with(kOutcomeLine) || line.starts_with(kMismatchesLine))
+      text += "<p>" + html(line) + "</p>\n";
   }
   if (growth.kind && growth.stratum) {
     text += fmt::format("<p class=\"unit\">{}, {}</p>\n", to_string(*growth.kind),

@@ -31,6 +31,14 @@ OldAndNew sizes_text(const Enclosure& before, const Enclosure& after) {
   return {ends(before), ends(after)};
 }
 
+/// "none" where no error but 0 is known of before: laws that draw twice judge values only where the
+/// two differ, so that it need not have been 0.
+OldAndNew errors_text(const CaseGrowth& growth, const records::WorstError& after) {
+  const Enclosure is = records::magnitude(after.error);
+  if (!growth.before) return {"none", records::to_decimal(is, kDigits)};
+  return sizes_text(records::magnitude(growth.before->error), is);
+}
+
 OldAndNew shares_text(const FigureValue& before, const FigureValue& after) {
   const auto text = [](const FigureValue& value) {
     return fmt::format("{} ({} of {})", records::share_text(value.count, value.of),
@@ -60,9 +68,7 @@ records::Run as_run(const Comparison& comparison) {
   run.seed = comparison.seed;
   run.cases_per_law = comparison.cases_per_law;
   run.options = comparison.options;
-  for (std::size_t i = 0; i + 1 < run.options.size(); ++i) {
-    if (run.options[i] == "--contract") run.contract_file = run.options[i + 1];
-  }
+  run.contract_file = records::option_of(run.options, "--contract").value_or("");
   return run;
 }
 
@@ -142,8 +148,7 @@ std::vector<std::string> growth_lines(const CaseGrowth& growth) {
   constexpr std::size_t kLongestFraction = 40;
   std::vector<std::string> lines;
   if (growth.after) {
-    const Enclosure was = growth.before ? records::magnitude(growth.before->error) : Enclosure();
-    const OldAndNew sizes = sizes_text(was, records::magnitude(growth.after->error));
+    const OldAndNew sizes = errors_text(growth, *growth.after);
     lines.push_back(place_text(growth, *growth.after));
     lines.push_back(fmt::format("error {} → {} ULP", sizes.before, sizes.after));
     if (!growth.after->exact.empty()) {
@@ -159,8 +164,12 @@ std::vector<std::string> growth_lines(const CaseGrowth& growth) {
     }
     lines.push_back(was);
   }
+  if (growth.outcome_before != growth.outcome_after) {
+    lines.push_back(fmt::format("{}{} → {}", kOutcomeLine, to_string(growth.outcome_before),
+                                to_string(growth.outcome_after)));
+  }
   if (growth.mismatches_before != growth.mismatches_after) {
-    lines.push_back(fmt::format("came out wrong: {} → {}", grouped(growth.mismatches_before),
+    lines.push_back(fmt::format("{}{} → {}", kMismatchesLine, grouped(growth.mismatches_before),
                                 grouped(growth.mismatches_after)));
   }
   return lines;
@@ -186,7 +195,7 @@ std::optional<records::StagePart> part_to_look_at(const Gate& gate, const Compar
   const records::CloserLook* look = find_look(gate, comparison, growth);
   if (look == nullptr) return largest;
   for (const records::ErrorSplit& split : look->inspection.splits) {
-    if (split.attribute != look->inspection.attribute) continue;
+    if (split.attribute != look->inspection.attribute || !split.is_traced) continue;
     for (const records::StagePart& part : split.parts) {
       if (size(part) > (largest ? size(*largest) : 0)) largest = part;
     }
@@ -240,7 +249,7 @@ std::string approve_command(const Gate& gate) {
   std::vector<std::string> words{"rastercheck", "baseline",         "approve",        "--reason",
                                  "…",           gate.baseline_file, gate.current_file};
   for (const Comparison& comparison : gate.comparisons) {
-    if (comparison.key.backend == comparison.backend) continue;
+    if (comparison.key.backend == section_name(comparison.backend)) continue;
     words.insert(words.end(), {"--as", comparison.key.backend});
   }
   return command_line(words);

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "records/stage_split.h"
@@ -35,7 +36,12 @@ std::string case_text(const CaseGrowth& growth);
 /// "smooth, sliver, triangle 0, pixel (3, 5), sample 0, attribute 1".
 std::string place_text(const CaseGrowth& growth, const records::WorstError& at);
 
-/// One line each: sizes of both errors, exact and actual values, counts of what came out wrong.
+/// What became of the case, and how much of it came out wrong: how these lines begin.
+inline constexpr std::string_view kOutcomeLine = "outcome: ";
+inline constexpr std::string_view kMismatchesLine = "came out wrong: ";
+
+/// One line each: sizes of both errors, exact and actual values, outcomes, counts of what came out
+/// wrong.
 std::vector<std::string> growth_lines(const CaseGrowth& growth);
 
 /// "smooth, all strata: set-up made 0.01 → 0.2 ULP on average, 5.3% → 52% of all parts", by the
@@ -47,7 +53,8 @@ const records::CloserLook* find_look(const Gate& gate, const Comparison& compari
                                      const CaseGrowth& growth);
 
 /// The stage that made most of a grown error, the rounding at the end aside, and its part; nothing
-/// where the case was not drawn again, or all of the error is that rounding.
+/// where the case was not drawn again, or all of the error is that rounding, or the backend tells
+/// of no stages: what its contract leaves open and what is beyond that is nothing to look at.
 std::optional<records::StagePart> part_to_look_at(const Gate& gate, const Comparison& comparison,
                                                   const CaseGrowth& growth);
 

@@ -23,6 +23,12 @@ using records::LawSummary;
 using records::LawVerdict;
 using records::Run;
 
+/// The words of the table below, for who meets them here.
+constexpr std::string_view kJudgedSentence =
+    "A backend is a rasterizer or driver, a case some triangles to draw, a sample a place of a "
+    "pixel that a triangle covers or not, a law what is true of every right drawing. Whatever was "
+    "drawn has been judged in exact arithmetic.";
+
 /// What asks for a look comes first; else the order of the laws.
 std::vector<LawSummary> by_urgency(std::vector<LawSummary> rows) {
   const auto rank = [](const LawSummary& row) {
@@ -209,8 +215,9 @@ std::string again(const Run& run) {
 std::string front_of(const Run& run, const std::vector<LawSummary>& rows) {
   const LawSummary total = totals(rows);
   return fmt::format(
-             "<header>\n<p class=\"name\">RasterCheck</p>\n<h1 class=\"{}\">{}</h1>\n</header>\n",
-             verdict_class(total.verdict), html(verdict_sentence(rows))) +
+             "<header>\n<p class=\"name\">RasterCheck</p>\n<h1 class=\"{}\">{}</h1>\n<p>{}</p>\n"
+             "</header>\n",
+             verdict_class(total.verdict), html(verdict_sentence(rows)), html(kJudgedSentence)) +
          figures_of(run, rows, total) +
          fmt::format("<p class=\"unit\">{}</p>\n", html(kUnitSentence)) +
          "<div class=\"front\">\n<section>\n<h2>Every law on " +

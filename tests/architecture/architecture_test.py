@@ -148,7 +148,7 @@ class Documents(unittest.TestCase):
     def test_name_what_is_there(self):
         def exists(place):
             return any(SOURCE.glob(place)) if "*" in place else (SOURCE / place).exists()
-        pages = [SOURCE / "README.md", *(SOURCE / "docs").glob("*.md")]
+        pages = [*SOURCE.glob("*.md"), *(SOURCE / "docs").glob("*.md")]
         self.assertGreater(len(pages), 10)
         for page in pages:
             missing = missing_places(page.read_text(encoding="utf-8"), exists)

@@ -208,7 +208,10 @@ class Refuses(BisectTest):
         self.make_repository(worse=6)
         first, last = self.hashes[0], self.hashes[-1]
         self.refuses("is in no work tree of git", first, last, "--repository", self.folder)
-        self.refuses("nobody: is no commit of this repository", "nobody", last)
+        # A folder that was made for it is gone: the same words work once the commit is named right.
+        new = self.folder / "new/deep"
+        self.refuses("nobody: is no commit of this repository", "nobody", last, "--output", new)
+        self.assertFalse(new.parent.exists())
         self.refuses("is no ancestor of", last, first)
         self.refuses("is the same commit as", last, "main")
         self.git("checkout", "-q", "-b", "side", self.hashes[2])
@@ -262,22 +265,26 @@ class Refuses(BisectTest):
         full.mkdir()
         (full / "file").touch()
         self.refuses("is not empty", self.hashes[0], "main", "--output", full)
-        self.refuses("it said: rastercheck: --property: no property matches", self.hashes[0], "main",
-                     "--property", "none of them")
+        self.assertTrue((full / "file").exists())
+        self.refuses("it said: rastercheck: --property: none of them: is no property's whole name", self.hashes[0],
+                     "main", "--property", "none of them")
 
 
 class Interrupted(BisectTest):
-    def check_interrupted(self, building):
-        """Ctrl-C while the commit of that number is built, which takes for ever."""
+    def check_interrupted(self, building, by=signal.SIGINT):
+        """Ctrl-C, or another signal, while the commit of that number is built, which takes for ever."""
         script = (f"if tail -n 1 plugin.c | grep -q '/\\* {building} \\*/'; then touch {self.folder}/begun; sleep 1000; "
                   "fi; sh build.sh")
+        # Whatever this test was started by: nohup has SIGHUP ignored.
+        before = signal.signal(signal.SIGHUP, signal.SIG_DFL)
+        self.addCleanup(signal.signal, signal.SIGHUP, before)
         program = subprocess.Popen(self.words(self.hashes[0], "main", build=("sh", "-c", script)),
                                    cwd=self.repository, env=self.environment, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True)
         while not (self.folder / "begun").exists():
             self.assertIsNone(program.poll())
             time.sleep(0.01)
-        program.send_signal(signal.SIGINT)
+        program.send_signal(by)
         out, err = program.communicate()
         self.assertEqual((program.returncode, out), (130, ""), err)
         self.assertIn("rastercheck: ending; what was checked out is checked out again\n", err)
@@ -290,6 +297,10 @@ class Interrupted(BisectTest):
     def test_while_git_searches(self):
         self.make_repository(worse=6)
         self.check_interrupted(building=4)
+
+    def test_by_a_closed_terminal(self):
+        self.make_repository(worse=6)
+        self.check_interrupted(building=0, by=signal.SIGHUP)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -201,6 +202,16 @@ TEST_F(Compare, SavesOverNothingButABaseline) {
   EXPECT_THAT(outcome.err, HasSubstr("--keep-cases"));
 }
 
+// Kills: a file whose name is "-"; words among the baseline.
+TEST_F(Compare, PrintsABaselineForADash) {
+  const Outcome outcome = run_shell(
+      "cd " + folder()->path() +
+      " && \"$PROGRAM\" baseline save - --as mine --commit c0ffee --output - <double/run.json");
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_EQ(outcome.out, folder()->content("baseline.json"));
+  EXPECT_FALSE(std::filesystem::exists(path("-")));
+}
+
 // --- run --baseline ------------------------------------------------------------------------------
 
 TEST_F(Compare, OfARunTakesItsCasesFromTheBaseline) {
@@ -223,6 +234,78 @@ TEST_F(Compare, OfARunTakesItsCasesFromTheBaseline) {
     EXPECT_TRUE(is_failure(refused, 2)) << refused;
     EXPECT_THAT(refused.err, HasSubstr(std::string(option)));
   }
+}
+
+// Kills: another contract under the same name, compared as if it were the same.
+TEST_F(Compare, KnowsAContractByWhatItSays) {
+  const auto contract = [](const char* name, const char* constant) {
+    return folder()->put(name, R"({"format": "rastercheck-contract", "version": 1, "name": ")" +
+                                   std::string(name) + R"(", "bounds": {"smooth": {"constant": )" +
+                                   constant + "}}}");
+  };
+  const std::string file = contract("held.json", "3");
+  const std::vector<std::string> run{"run", "--backend", "method:rational-linear", "--quiet"};
+  const auto with = [&run](std::vector<std::string> more) {
+    more.insert(more.begin(), run.begin(), run.end());
+    return program(more);
+  };
+  const auto anew = [&](const std::string& output) {
+    return with({"--property", kLaw, "--cases", "2", "--seed", "1", "--corpus", path("corpus"),
+                 "--contract", file, "--keep-cases", "--output", path(output)});
+  };
+  ASSERT_EQ(anew("held").code, 0);
+  const std::string baseline = path("held-baseline.json");
+  ASSERT_EQ(program({"baseline", "save", path("held"), "--output", baseline}).code, 0);
+  const std::vector<std::string> again{"--baseline", baseline, "--output", path("held-again")};
+  EXPECT_EQ(with(again).code, 0);
+  std::vector<std::string> elsewhere = again;
+  elsewhere.insert(elsewhere.end(), {"--contract", contract("moved.json", "3.0")});
+  EXPECT_EQ(with(elsewhere).code, 0);
+
+  contract("held.json", "4");
+  ASSERT_EQ(anew("held-to-another").code, 0);
+  const Outcome compared = program({"compare", baseline, path("held-to-another")});
+  EXPECT_TRUE(is_failure(compared, 2)) << compared;
+  EXPECT_THAT(compared.err, HasSubstr("the contract is " + file + " in the baseline and " + file +
+                                      " now, and its terms differ: "));
+  // Of a run it is said before the work.
+  std::filesystem::remove_all(path("held-again"));
+  const Outcome refused = with(again);
+  EXPECT_TRUE(is_failure(refused, 2)) << refused;
+  EXPECT_THAT(refused.err, HasSubstr(file + ": is another contract than that of the baseline's "
+                                            "section method:rational-linear on "));
+  EXPECT_FALSE(std::filesystem::exists(path("held-again")));
+}
+
+// Kills: minutes of work before a policy that cannot be read; a policy that nothing is held by.
+TEST_F(Compare, OfARunReadsThePolicyBeforeTheWork) {
+  ASSERT_EQ(program({"baseline", "save", path("double"), "--output", path("p.json")}).code, 0);
+  const std::string policy = folder()->put("broken-policy.json", "{");
+  const std::vector<std::string> run{"run",        "--backend",  "method:rational-linear",
+                                     "--policy",   policy,       "--output",
+                                     path("none"), "--baseline", path("p.json")};
+  const Outcome broken = program(run);
+  EXPECT_TRUE(is_failure(broken, 2)) << broken;
+  EXPECT_THAT(broken.err, StartsWith("rastercheck: " + policy + ": "));
+  EXPECT_FALSE(std::filesystem::exists(path("none")));
+  const Outcome alone = program({run.begin(), run.end() - 2});
+  EXPECT_TRUE(is_failure(alone, 2)) << alone;
+  EXPECT_THAT(alone.err, HasSubstr("--policy requires --baseline"));
+  EXPECT_FALSE(std::filesystem::exists(path("none")));
+}
+
+TEST_F(Compare, OfAWorseRunObeysAPolicy) {
+  const std::string baseline = path("float-policy.json");
+  ASSERT_EQ(program({"baseline", "save", path("double"), "--as", "method:rational-linear-float",
+                     "--output", baseline})
+                .code,
+            0);
+  const std::string policy = folder()->put("allows.json", R"({"format": "rastercheck-policy",
+      "version": 1, "allow": [{"reason": "a faster divide", "until": "9999-12-31"}]})");
+  const Outcome outcome = program({"run", "--backend", "method:rational-linear-float", "--baseline",
+                                   baseline, "--policy", policy, "--output", path("allowed")});
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_THAT(outcome.out, HasSubstr("allowed: a faster divide (until 9999-12-31)"));
 }
 
 TEST_F(Compare, OfAWorseRunEndsWithItsCode) {

@@ -133,6 +133,31 @@ TEST_P(Interrupted, TwiceEndsAtOnceAndGoesOn) {
   if (std::filesystem::exists(out("unfinished.json"))) expect_goes_on();
 }
 
+// Kills: findings lost as a terminal was closed; nohup that does not help.
+TEST_P(Interrupted, ByAClosedTerminalGoesOnUnlessThatIsIgnored) {
+  const auto before = std::signal(SIGHUP, SIG_DFL);
+  {
+    RunningProgram program(arguments("out", 100000));
+    wait_for_progress();
+    program.kill(SIGHUP);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.code, 1) << outcome;
+    EXPECT_THAT(outcome.out, HasSubstr("The run was interrupted: "));
+    EXPECT_TRUE(std::filesystem::exists(out("unfinished.json")));
+  }
+  std::filesystem::remove_all(out());
+  std::signal(SIGHUP, SIG_IGN);
+  {
+    RunningProgram program(arguments("out"));
+    wait_for_progress();
+    program.kill(SIGHUP);
+    const Outcome outcome = program.wait();
+    EXPECT_THAT(outcome.out, Not(HasSubstr("The run was interrupted: ")));
+    EXPECT_FALSE(std::filesystem::exists(out("unfinished.json")));
+  }
+  std::signal(SIGHUP, before);
+}
+
 // Kills: exit code 0 of a run that was cut short.
 TEST_P(Interrupted, BeforeAnythingWasViolatedIsNotOk) {
   std::vector<std::string> held = arguments("out", 1000000);

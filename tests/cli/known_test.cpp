@@ -107,6 +107,18 @@ TEST_F(Known, DefectThatIsGoneInAnotherVersionIsAWarning) {
               HasSubstr("What is known of damaged:newer was found with 1, and this is 2."));
 }
 
+// Kills: a list called wrong as a contract file leaves open what its entries violate.
+TEST_F(Known, ContractFileMakesNoListStale) {
+  const std::string lax =
+      known_.put("lax.json", R"({"format": "rastercheck-contract", "version": 1})");
+  const Outcome mended = run_known("damaged:mended", {"--contract", lax});
+  EXPECT_EQ(mended.code, 0) << mended;
+  EXPECT_FALSE(run_json().contains("unexpected_passes"));
+  const Outcome damaged = run_known("damaged:driver", {"--contract", lax});
+  EXPECT_EQ(damaged.code, 0) << damaged;
+  EXPECT_THAT(damaged.out, HasSubstr("Known defects of damaged:driver: damaged-1 in "));
+}
+
 TEST_F(Known, DefectIsNamedWhereItIsReplayed) {
   const std::string file = known_.path("damaged/known/damaged-1.json");
   const Outcome known = run_damaged_program({"replay", "--known", known_.path(), file});

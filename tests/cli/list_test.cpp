@@ -3,6 +3,7 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/cli/program.h"
 #include "tests/temporary_folder.h"
@@ -11,6 +12,16 @@ namespace rastercheck::cli {
 namespace {
 
 using testing::HasSubstr;
+
+// Kills: rows that a terminal breaks somewhere.
+TEST(List, FitsTheTerminal) {
+  const Outcome outcome = run_shell(
+      R"(script -qec "stty cols 60; '$PROGRAM' list generators" /dev/null </dev/null | tr -d '\r')");
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_THAT(outcome.out, HasSubstr("\n  summary: "));
+  std::istringstream lines(outcome.out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 60U) << line;
+}
 
 TEST(List, ShowsEveryKind) {
   const Outcome outcome = run_program({"list"});

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <vector>
 
+#include "tests/cli/help.h"
 #include "tests/cli/program.h"
 
 namespace rastercheck::cli {
@@ -18,24 +19,17 @@ TEST(Program, SaysItsVersion) {
   EXPECT_EQ(outcome.out, "rastercheck " RASTERCHECK_VERSION "\n");
 }
 
-TEST(Program, HelpsItselfAndEveryCommand) {
-  const Outcome all = run_program({"--help"});
-  EXPECT_EQ(all.code, 0);
-  // The commands as the help lists them, each at the start of a line after "Subcommands:".
-  std::istringstream lines(all.out.substr(all.out.find("Subcommands:")));
-  std::vector<std::string> listed;
-  std::string line;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    std::istringstream words(line);
-    std::string command;
-    if (line.starts_with("  ") && line[2] != ' ' && words >> command) listed.push_back(command);
-  }
-  EXPECT_THAT(listed, testing::IsSupersetOf({"import", "list", "oracle"}));
-  for (const std::string& command : listed) {
-    const Outcome one = run_program({command, "--help"});
-    EXPECT_EQ(one.code, 0);
-    EXPECT_THAT(one.out, HasSubstr("--help"));
+// Kills: text that a terminal wraps once more, an entry of which nothing is said.
+TEST(Program, HelpsItselfAndEveryCommandInEightyColumns) {
+  const std::vector<Help> all = all_help();
+  EXPECT_THAT(all.front().commands, testing::IsSupersetOf({"import", "list", "oracle", "run"}));
+  for (const Help& help : all) {
+    EXPECT_THAT(help.options, testing::Contains("--help")) << joined(help.command);
+    std::istringstream lines(help.text);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), 80U) << joined(help.command) << ": " << line;
+      EXPECT_FALSE(line.ends_with(' ')) << joined(help.command) << ": " << line;
+    }
   }
 }
 
@@ -85,6 +79,16 @@ TEST(Program, ReportsOutputThatCannotBeWritten) {
                               " > /dev/full 2> /dev/null";
   const int status = std::system(command.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 2);
+}
+
+// Kills: fmt's exception as an internal error, help that is taken for whole.
+TEST(Program, ReportsWhateverOutputCannotBeWritten) {
+  for (const char* arguments :
+       {"list properties", "list --json", "--help", "run --help", "--version", "manual"}) {
+    const Outcome outcome = run_shell(std::string("\"$PROGRAM\" ") + arguments + " > /dev/full");
+    EXPECT_TRUE(is_failure(outcome, 2)) << arguments << outcome;
+    EXPECT_THAT(outcome.err, HasSubstr("No space left")) << arguments;
+  }
 }
 
 }  // namespace

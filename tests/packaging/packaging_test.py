@@ -123,8 +123,10 @@ class Contents(unittest.TestCase):
         docs = "usr/share/doc/rastercheck/"
         for name in ["copyright", "README.md", "docs/when-it-fails.md", "docs/images/bunny-cpu.png"]:
             self.assertIn(docs + name, held)
+        self.assertEqual(held[docs + "docs/ci/gate.sh"], "-rwxr-xr-x")
         others = {name for name in held if not name.startswith((docs, "usr/share/rastercheck/"))}
-        self.assertEqual(others, {"usr/bin/rastercheck"})
+        self.assertEqual(others, {"usr/bin/rastercheck", "usr/share/man/man1/rastercheck.1",
+                                  "usr/share/bash-completion/completions/rastercheck"})
 
     def test_the_program_needs_libraries_and_no_headers(self):
         needed = dependencies(field("rastercheck", "Depends"))

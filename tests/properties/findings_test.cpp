@@ -78,6 +78,24 @@ TEST(FirstToRead, IsOfTheCaseAsItStandsAndSmall) {
   EXPECT_EQ(first_to_read({}), 0U);
 }
 
+// Kills: a wrong fill rule, one sample in every mesh, behind a sample that floats cannot tell.
+TEST(FirstToRead, IsOfLogicBeforeOneOfRounding) {
+  const auto one = [](double distance, std::size_t triangles) {
+    Counterexample counterexample;
+    counterexample.source.found =
+        cases::Found{"coverage obeys the contract", "cpu", "missing", 1, 2};
+    counterexample.source.triangles.resize(triangles);
+    counterexample.violations.resize(1);
+    counterexample.violations[0].distance = records::Enclosure{distance, distance};
+    return counterexample;
+  };
+  EXPECT_EQ(first_to_read({one(-3e-7, 1), one(0, 2)}), 1U);
+  EXPECT_EQ(first_to_read({one(3e-7, 1), one(0.5, 2)}), 1U);
+  EXPECT_EQ(first_to_read({one(3e-7, 1), one(-0.5, 2)}), 1U);
+  EXPECT_EQ(first_to_read({one(0, 2), one(0.5, 1)}), 1U);
+  EXPECT_EQ(first_to_read({one(3e-7, 2), one(-3e-7, 1)}), 1U);
+}
+
 // Kills: two saved files of one place, of which the one that was read first wins.
 TEST(Merge, TakesTheSameOfTwoWhateverTheOrder) {
   const cases::Found found{"law", "cpu", "missing", 1, 2};

@@ -76,7 +76,8 @@ std::string refusal(const char* pointer, const std::optional<json>& value) {
 }
 
 TEST(KnownJson, IsRefusedWhereItIsNot) {
-  EXPECT_EQ(refusal("/format", "rastercheck-case"), "f: /format: must be \"rastercheck-known\"");
+  EXPECT_EQ(refusal("/format", "rastercheck-case"),
+            "f: /format: must be \"rastercheck-known\", not \"rastercheck-case\"");
   EXPECT_EQ(refusal("/version", 2), "f: /version: version must be 1");
   EXPECT_EQ(refusal("/driver/name", ""), "f: /driver/name: must not be empty");
   EXPECT_EQ(refusal("/entries/0/reason", "a\nb"), "f: /entries/0/reason: must be one line");

@@ -73,11 +73,11 @@ TEST(OptionOf, IsTheValueOfAnOption) {
   records::Run run;
   run.options = {"--property", "--known",  "--no-known", "--keep-cases",
                  "--corpus",   "a folder", "--timeout",  "5"};
-  EXPECT_EQ(option_of(run, "--property"), "--known");
-  EXPECT_EQ(option_of(run, "--known"), std::nullopt);
-  EXPECT_EQ(option_of(run, "--corpus"), "a folder");
-  EXPECT_EQ(option_of(run, "--timeout"), "5");
-  EXPECT_EQ(option_of(run, "5"), std::nullopt);
+  EXPECT_EQ(option_of(run.options, "--property"), "--known");
+  EXPECT_EQ(option_of(run.options, "--known"), std::nullopt);
+  EXPECT_EQ(option_of(run.options, "--corpus"), "a folder");
+  EXPECT_EQ(option_of(run.options, "--timeout"), "5");
+  EXPECT_EQ(option_of(run.options, "5"), std::nullopt);
   EXPECT_EQ(option_of({}, "--timeout"), std::nullopt);
 }
 

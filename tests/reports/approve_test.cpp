@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/reports/sample_sections.h"
 
 namespace rastercheck::reports {
@@ -81,6 +83,31 @@ TEST(Approve, TakesOnlyWhatIsChosen) {
   EXPECT_EQ(rest.section.entries, worse_section().entries);
 }
 
+// Kills: a total that is taken over without what its cases have of it, and so is worse still.
+TEST(Approve, TakesATotalWithItsStrataAndCases) {
+  BaselineSection current = worse_section();
+  CaseFigures& other = current.laws[kSampleLaw].cases[{records::Origin::corpus, 0}];
+  other.worst[AttributeKind::smooth][Stratum::ordinary] = sample_error(0.125);
+  other.worst[AttributeKind::depth][Stratum::ordinary] = sample_error(0.25);
+  const Approved result = approved(sample_section(), current, {.kind = "smooth", .stratum = "all"});
+  EXPECT_THAT(result.changes,
+              ElementsAre("values are <within> bounds: smooth: cases that grew 0 → 2",
+                          "values are <within> bounds: smooth, sliver: worst 0.625 → 0.75 ULP",
+                          "values are <within> bounds: smooth, sliver: cases that grew 0 → 1"));
+  const auto worst_of = [](const BaselineSection& section) {
+    return section.laws.at(kSampleLaw).cases.at({records::Origin::corpus, 0}).worst;
+  };
+  EXPECT_EQ(worst_of(result.section).at(AttributeKind::smooth),
+            worst_of(current).at(AttributeKind::smooth));
+  EXPECT_FALSE(worst_of(result.section).contains(AttributeKind::depth));
+  const Comparison left = compare(result.section, current).value();
+  EXPECT_EQ(refused(left), 1U);  // coverage
+  EXPECT_TRUE(std::all_of(left.entries.begin(), left.entries.end(), [](const EntryChange& one) {
+    return one.key.kind == AttributeKind::coverage || one.change == Change::same;
+  }));
+  EXPECT_EQ(approved(sample_section(), current, {.stratum = "all"}).section.laws, current.laws);
+}
+
 // Kills: cases of entries that nobody approved, taken over as no figure of theirs is kept.
 TEST(Approve, LeavesCasesThatGrewToTheirOwnEntries) {
   BaselineSection current = sample_section();
@@ -90,6 +117,51 @@ TEST(Approve, LeavesCasesThatGrewToTheirOwnEntries) {
   const Approved result = approved(sample_section(), current, {.kind = "coverage"});
   EXPECT_THAT(result.changes, ElementsAre("values are <within> bounds: coverage: extra 0 → 1"));
   EXPECT_EQ(refused(compare(result.section, current).value()), 2U);
+}
+
+// Kills: a case that was approved as violated, and is violated anew each time.
+TEST(Approve, TakesWhatBecameOfCasesWithTheirCoverage) {
+  BaselineSection current = sample_section();
+  current.entries[kSampleCoverage].cases = {20, 3, 2, 0};
+  auto& cases = current.laws[kSampleLaw].cases;
+  cases[kSampleCase].outcome = records::CaseOutcome::violated;
+  cases[kSampleCase].worst[AttributeKind::smooth][Stratum::sliver] = sample_error(0.75);
+  cases[{records::Origin::random, 13}].outcome = records::CaseOutcome::violated;  // new
+  cases.erase({records::Origin::corpus, 0});
+  const BaselineSection section = approved(sample_section(), current, {.kind = "coverage"}).section;
+  const auto& taken = section.laws.at(kSampleLaw).cases;
+  EXPECT_EQ(taken.at(kSampleCase).outcome, records::CaseOutcome::violated);
+  EXPECT_EQ(taken.at(kSampleCase).worst,
+            sample_section().laws[kSampleLaw].cases[kSampleCase].worst);
+  EXPECT_EQ(taken.size(), 2U);
+  EXPECT_TRUE(are_outcomes_known(section, kSampleLaw));
+  const Comparison left = compare(section, current).value();
+  EXPECT_EQ(left.entries.at(0).change, Change::same);  // coverage
+  EXPECT_EQ(refused(left), 2U);                        // the error that grew
+}
+
+// Kills: violations that are approved without a word.
+TEST(Approve, CountsViolationsOfLawsThatHaveMoreOrOthers) {
+  using enum records::CaseOutcome;
+  const CaseNumber other{records::Origin::random, 13};
+  const auto with = [&other](records::CaseOutcome one, records::CaseOutcome another) {
+    BaselineSection section = sample_section();
+    section.laws[kSampleLaw].cases[kSampleCase].outcome = one;
+    section.laws[kSampleLaw].cases[other].outcome = another;
+    section.entries[kSampleCoverage].cases.violations =
+        (one == violated ? 1U : 0U) + (another == violated ? 1U : 0U);
+    return section;
+  };
+  const auto taken = [](const BaselineSection& before, const BaselineSection& after,
+                        const EntryPattern& pattern) {
+    return violations_taken(compare(before, after).value(), pattern);
+  };
+  EXPECT_THAT(taken(with(held, held), with(violated, violated), {}),
+              ElementsAre(testing::Pair(kSampleLaw, 2U)));
+  EXPECT_THAT(taken(with(held, violated), with(violated, held), {}),
+              ElementsAre(testing::Pair(kSampleLaw, 1U)));
+  EXPECT_THAT(taken(with(violated, violated), with(violated, held), {}), IsEmpty());
+  EXPECT_THAT(taken(with(held, held), with(violated, held), {.kind = "smooth"}), IsEmpty());
 }
 
 // Kills: digests that stay old for ever, as no figure is there to approve.

@@ -16,10 +16,12 @@ Baseline sample_baseline() {
   specific.specimens = {sample_specimen()};
   specific.key.instruction_set = "avx2";
   specific.key.compiler = "GNU 12.2.0";
+  specific.contract_digest = 0xfedcba9876543210;
   specific.approvals = {{"because \"so\"", "0.1.0", "c0ffee", {"a: worst 0.5 → 0.6 ULP", "b"}}};
   specific.entries[kSampleCoverage].cases = {20, 3, 2, 1};
   specific.entries[kSampleCoverage].classes[records::FragmentClass::missing] = 2;
   specific.laws[kSampleLaw].cases[kSampleCase].mismatches = 4;
+  specific.laws[kSampleLaw].cases[kSampleCase].outcome = records::CaseOutcome::violated;
   records::WorstError corpus = sample_error(0.5);
   corpus.case_index = 0;
   corpus.case_name = specific.corpus.at(0);
@@ -60,6 +62,15 @@ TEST(BaselineJson, HasAnEntryALine) {
   EXPECT_TRUE(text.starts_with("{\n\"format\": \"rastercheck-baseline\",\n\"version\": 1,\n"));
 }
 
+TEST(BaselineJson, NamesAPluginByItsPathHoweverWritten) {
+  Baseline baseline = sample_baseline();
+  baseline.sections.resize(1);
+  baseline.sections[0].key.backend = "plugin:./p.so";
+  const Result<Baseline> read = parse_baseline(to_json(baseline), "b.json");
+  ASSERT_TRUE(read) << to_string(read.error());
+  EXPECT_EQ(read->sections[0].key.backend, "plugin:p.so");
+}
+
 TEST(BaselineJson, OfNothingIsRead) {
   const Result<Baseline> read = parse_baseline(to_json({}), "b.json");
   ASSERT_TRUE(read);
@@ -85,6 +96,10 @@ TEST(BaselineJson, RefusesWhatItCannotMean) {
               HasSubstr("/reason: must not be empty"));
   EXPECT_THAT(refusal("\"digest\":\"0123456789abcdef\"", "\"digest\":\"123\""),
               HasSubstr("16 hexadecimal digits"));
+  EXPECT_THAT(refusal("\"outcome\":\"violated\"", "\"outcome\":\"not applicable\""),
+              HasSubstr("/outcome: must be that of a case that the law says something of"));
+  EXPECT_THAT(refusal("\"contract_digest\": \"fedcba", "\"contract_digest\": \"FEDCBA"),
+              HasSubstr("/contract_digest: must be 16 hexadecimal digits"));
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ records::Run run_with_cases() {
   corpus.source_digest = 5;
   corpus.found_digest = 6;
   corpus.mismatches = 2;
+  corpus.outcome = CaseOutcome::violated;
   corpus.worst[AttributeKind::smooth][Stratum::ordinary] = sample_worst(0.5);
   (*run.cases)[{kValues, "cpu", Origin::corpus, 3}] = corpus;
   records::CaseRecord none;
@@ -70,6 +71,17 @@ TEST(SectionOf, HasTheFiguresOfAllFrozenCases) {
       {"a law <that> says | nothing", AttributeKind::coverage, std::nullopt}));
 }
 
+// Kills: a contract whose path alone is kept.
+TEST(SectionOf, HasWhatItsContractSays) {
+  records::Run run = run_with_cases();
+  EXPECT_EQ(section_of(run, "cpu")->contract_digest, std::nullopt);
+  run.options = {"--contract", "lax.json"};
+  run.contract_digest = 17;
+  const Result<BaselineSection> section = section_of(run, "cpu");
+  EXPECT_THAT(section->options, ElementsAre("--contract", "lax.json"));
+  EXPECT_EQ(section->contract_digest, 17U);
+}
+
 // Kills: a worst error below the exact value that counts as none.
 TEST(SectionOf, HasTheWorstOnEitherSide) {
   const Result<BaselineSection> section = section_of(run_with_cases(), "method:float32");
@@ -87,6 +99,7 @@ TEST(SectionOf, HasEachCaseOfWhichTheLawSaysSomething) {
   const CaseFigures& figures = law.cases.at({Origin::corpus, 3});
   EXPECT_EQ(figures.found_digest, 6U);
   EXPECT_EQ(figures.mismatches, 2U);
+  EXPECT_EQ(figures.outcome, CaseOutcome::violated);
   EXPECT_EQ(figures.worst.at(AttributeKind::smooth).at(Stratum::ordinary), sample_worst(0.5));
   EXPECT_THAT(section->corpus, ElementsAre(testing::Pair(3, "a name")));
   EXPECT_EQ(section->laws.size(), 3U);
@@ -182,6 +195,22 @@ TEST(Put, KeepsOneSectionOfAKey) {
   ASSERT_EQ(baseline.sections.size(), 2U);
   EXPECT_EQ(baseline.sections[0].key.instruction_set, "");
   EXPECT_EQ(baseline.sections[1].seed, 5U);
+}
+
+// Kills: a plugin that a baseline has no section for, as its path is written in another way.
+TEST(SectionName, IsTheSameForTheSamePath) {
+  EXPECT_EQ(section_name("plugin:./build//x/../p.so"), "plugin:build/p.so");
+  EXPECT_EQ(section_name("plugin:build/p.so"), "plugin:build/p.so");
+  EXPECT_EQ(section_name("plugin:/a/./p.so"), "plugin:/a/p.so");
+  EXPECT_EQ(section_name("plugin:../p.so"), "plugin:../p.so");
+  EXPECT_EQ(section_name("method:./a"), "method:./a");
+  records::Run run = run_with_cases();
+  run.backends = {"plugin:./p.so"};
+  EXPECT_EQ(section_of(run, "plugin:./p.so")->key.backend, "plugin:p.so");
+  EXPECT_EQ(section_of(run, "plugin:./p.so")->taken.backend, "plugin:./p.so");
+  run.backends.emplace_back("plugin:p.so");
+  EXPECT_EQ(baseline_of(run).error().reason,
+            "the backends 'plugin:./p.so' and 'plugin:p.so' are one in a baseline");
 }
 
 TEST(BaselineKey, ReadsAsASentencePart) {

@@ -85,6 +85,19 @@ TEST(CompareHtml, SaysWhatIsCertainWithoutOldPixels) {
                               "unchanged</title>"));
 }
 
+// Kills: values that were not judged then taken for exact ones.
+TEST(CompareHtml, ClaimsNothingOfErrorsThatNobodyKnows) {
+  BaselineSection before = sample_section();
+  before.laws[kSampleLaw].cases[kSampleCase].worst.clear();
+  Gate gate = gate_of(before, sample_grown_section());
+  gate.looks = {sample_look()};
+  const std::string text = page(gate);
+  EXPECT_EQ(count_of(text, "<svg class=\"crop\""), 1U);
+  EXPECT_THAT(text, HasSubstr("attribute 0: <strong>none → 0.75 scale ULP</strong>"));
+  EXPECT_THAT(text, HasSubstr("<small>none → 0.75 scale ULP</small>"));
+  EXPECT_THAT(text, HasSubstr("no value was off, or none was judged"));
+}
+
 TEST(CompareHtml, SaysWhereNothingCouldBeDrawn) {
   const std::string text = page(sample_gate());
   EXPECT_EQ(count_of(text, "<svg class=\"crop\""), 0U);

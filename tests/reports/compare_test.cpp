@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 
 #include "tests/reports/sample_sections.h"
 
@@ -249,6 +250,82 @@ TEST(CompareCases, MakeTheirEntriesWorse) {
   EXPECT_EQ(entry_of(compared(after, before), kSampleCoverage).change, Change::same);
 }
 
+/// The sample with cases of these outcomes, and as many violations among its figures.
+BaselineSection with_outcomes(const std::map<std::uint64_t, records::CaseOutcome>& outcomes) {
+  BaselineSection section = sample_section();
+  for (const auto& [index, outcome] : outcomes) {
+    section.laws[kSampleLaw].cases[{records::Origin::random, index}].outcome = outcome;
+    records::CaseCounts& counts = section.entries[kSampleCoverage].cases;
+    if (outcome == records::CaseOutcome::violated) ++counts.violations;
+    if (outcome == records::CaseOutcome::known) ++counts.known;
+  }
+  return section;
+}
+
+/// The only figure that is worse, of the coverage: cases that grew.
+std::uint64_t grown_in(const BaselineSection& before, const BaselineSection& after) {
+  const EntryChange entry = entry_of(compared(before, after), kSampleCoverage);
+  std::uint64_t grown = 0;
+  for (const FigureChange& figure : entry.figures) {
+    if (figure.change != Change::worse) continue;
+    EXPECT_EQ(figure.figure, Figure::grown_cases);
+    grown += figure.after.count;
+  }
+  return grown;
+}
+
+// Kills: a violation that is hidden by one that is mended.
+TEST(CompareCases, AreHeldOneByOne) {
+  using enum records::CaseOutcome;
+  const BaselineSection before = with_outcomes({{1, violated}, {2, held}, {3, held}});
+  EXPECT_EQ(grown_in(before, with_outcomes({{1, held}, {2, violated}, {3, held}})), 1U);
+  EXPECT_EQ(grown_in(before, with_outcomes({{1, held}, {2, held}, {3, held}})), 0U);
+  EXPECT_EQ(
+      grown_in(with_outcomes({{1, known}, {2, held}}), with_outcomes({{1, held}, {2, known}})), 1U);
+  // One of which the law said nothing: violated it is worse, held it is not, whatever its errors.
+  EXPECT_EQ(grown_in(before, with_outcomes({{1, held}, {2, held}, {3, held}, {4, violated}})), 1U);
+  BaselineSection after = with_outcomes({{1, violated}, {2, held}, {3, held}, {4, held}});
+  after.laws[kSampleLaw]
+      .cases[{records::Origin::random, 4}]
+      .worst[AttributeKind::smooth][Stratum::sliver] = sample_error(0.5);
+  EXPECT_EQ(count_of(compared(before, after), Change::same), 3U);
+  EXPECT_EQ(compared(before, after).changed_cases, 1U);
+}
+
+// Before all others, with what was and is.
+TEST(CompareCases, ThatAreViolatedNowAreShownFirst) {
+  using enum records::CaseOutcome;
+  const BaselineSection before = with_outcomes({{1, violated}, {2, held}});
+  BaselineSection after = with_outcomes({{1, held}, {2, held}, {4, violated}});
+  CaseFigures& other = after.laws[kSampleLaw].cases[{records::Origin::random, 2}];
+  other.found_digest = 5;
+  other.mismatches = 9;
+  const Comparison comparison = compared(before, after);
+  ASSERT_THAT(comparison.growths, SizeIs(2));
+  EXPECT_EQ(comparison.growths[0].index, 4U);
+  EXPECT_EQ(comparison.growths[0].outcome_before, not_applicable);
+  EXPECT_EQ(comparison.growths[0].outcome_after, violated);
+  EXPECT_EQ(comparison.growths[1].index, 2U);
+  EXPECT_EQ(comparison.grown_cases, 2U);
+}
+
+// Kills: a baseline from before outcomes were kept, of which every violation is a new one.
+TEST(CompareCases, OfAnOlderBaselineAreHeldAsFarAsTheyAreKnown) {
+  using enum records::CaseOutcome;
+  const BaselineSection now = with_outcomes({{1, violated}, {2, held}});
+  BaselineSection older = now;
+  older.laws[kSampleLaw].cases[{records::Origin::random, 1}].outcome = held;
+  EXPECT_FALSE(are_outcomes_known(older, kSampleLaw));
+  EXPECT_TRUE(are_outcomes_known(now, kSampleLaw));
+  for (const Comparison& comparison : {compared(older, now), compared(now, older)}) {
+    EXPECT_EQ(count_of(comparison, Change::same), 3U);
+    EXPECT_EQ(comparison.changed_cases, 0U);
+    EXPECT_THAT(comparison.growths, IsEmpty());
+  }
+  // Where nothing was violated, all of it is known.
+  EXPECT_TRUE(are_outcomes_known(sample_section(), kSampleLaw));
+}
+
 // What came out wrong goes before what is less precise; then the larger growth.
 TEST(CompareCases, AreOrderedByGrowthAndLimited) {
   BaselineSection before = sample_section();
@@ -271,6 +348,37 @@ TEST(CompareCases, AreOrderedByGrowthAndLimited) {
   EXPECT_FALSE(comparison->growths[0].after);
   EXPECT_EQ(comparison->growths[1].index, 1U);
   EXPECT_EQ(comparison->grown_cases, 3U);
+}
+
+// Kills: a case whose values were perhaps not judged before, as the one that grew most, and a kind
+// of a case likewise.
+TEST(CompareCases, WithoutAnErrorBeforeComeAfterThoseWithOne) {
+  BaselineSection before = sample_section();
+  BaselineSection after = before;
+  const auto figures = [](BaselineSection& section, std::uint64_t index) -> CaseFigures& {
+    return section.laws[kSampleLaw].cases[{records::Origin::random, index}];
+  };
+  for (const std::uint64_t index : {0U, 1U, 2U, 3U}) {
+    figures(before, index).found_digest = 100;
+    figures(after, index).found_digest = 200;
+  }
+  figures(after, 0).worst[AttributeKind::smooth][Stratum::ordinary] = sample_error(1000);
+  figures(after, 1).worst = figures(after, 0).worst;
+  figures(after, 1).worst[AttributeKind::flat][Stratum::ordinary] = sample_error(-2000);
+  figures(before, 2).worst[AttributeKind::depth][Stratum::ordinary] = sample_error(0.25);
+  figures(after, 2).worst = figures(after, 1).worst;
+  figures(after, 2).worst[AttributeKind::depth][Stratum::ordinary] = sample_error(0.5);
+  figures(after, 3).mismatches = 1;
+  const Comparison comparison = compared(before, after);
+  ASSERT_THAT(comparison.growths, SizeIs(4));
+  EXPECT_EQ(comparison.growths[0].index, 3U);
+  EXPECT_EQ(comparison.growths[1].index, 2U);
+  EXPECT_EQ(comparison.growths[1].kind, AttributeKind::depth);
+  EXPECT_EQ(comparison.growths[2].index, 1U);
+  EXPECT_EQ(comparison.growths[2].kind, AttributeKind::flat);
+  EXPECT_EQ(comparison.growths[3].index, 0U);
+  // Each is a growth as before.
+  EXPECT_EQ(comparison.grown_cases, 4U);
 }
 
 TEST(CompareCases, OfTheCorpusHaveTheirNames) {
@@ -317,6 +425,22 @@ TEST(CompareStages, GrowByHowManyTimesLargerTheyAre) {
   EXPECT_EQ(entry_of(compared(before, after), kSampleSliver).grown_stage, Stage::evaluation);
 }
 
+// Kills: what a backend adds beyond its contract, named as the stage where others have it.
+TEST(CompareStages, AreOnlyThoseThatABackendTellsOf) {
+  BaselineSection before = sample_section();
+  BaselineSection after = before;
+  before.entries[kSampleSliver].stages = {{Stage::excess, sample_sum(1, 4)},
+                                          {Stage::transform, sample_sum(1, 4)}};
+  after.entries[kSampleSliver].stages = {{Stage::excess, sample_sum(8, 4)},
+                                         {Stage::transform, sample_sum(4, 4)}};
+  const EntryChange entry = entry_of(compared(before, after), kSampleSliver);
+  EXPECT_EQ(entry.grown_stage, std::nullopt);
+  EXPECT_THAT(entry.stages, SizeIs(2));
+  before.entries[kSampleSliver].stages[Stage::snap] = sample_sum(4, 4);
+  after.entries[kSampleSliver].stages[Stage::snap] = sample_sum(4, 4);
+  EXPECT_EQ(entry_of(compared(before, after), kSampleSliver).grown_stage, Stage::transform);
+}
+
 // --- Refusals ------------------------------------------------------------------------------------
 
 TEST(CompareRefuses, AnythingElseThanTheSameCasesAndRules) {
@@ -340,6 +464,30 @@ TEST(CompareRefuses, AnythingElseThanTheSameCasesAndRules) {
             "the law 'values are <within> bounds' has 23 cases in the baseline and 24 now");
   EXPECT_THAT(with([](BaselineSection& s) { s.laws[kSampleLaw].digest = 1; }),
               HasSubstr("their digest was 0123456789abcdef and is 0000000000000001"));
+}
+
+// Kills: a contract known by its path, so that another one in its place is compared.
+TEST(CompareRefuses, WhatIsHeldToAnotherContract) {
+  const auto with = [](const std::string& file, std::optional<std::uint64_t> digest) {
+    BaselineSection section = sample_section();
+    section.options = {"--property", "--contract", "--contract", file, "--no-known"};
+    section.contract_digest = digest;
+    return section;
+  };
+  EXPECT_EQ(refusal(with("lax.json", 1), with("lax.json", 0xa)),
+            "the contract is lax.json in the baseline and lax.json now, and its terms differ: "
+            "their digest was 0000000000000001 and is 000000000000000a");
+  EXPECT_EQ(refusal(with("lax.json", 1), with("elsewhere/lax.json", 1)), "");
+  BaselineSection none = with("lax.json", std::nullopt);
+  none.options = {"--property", "--contract", "--no-known"};
+  EXPECT_EQ(refusal(with("lax.json", 1), none),
+            "the options are --property --contract --contract lax.json --no-known in the baseline "
+            "and --property --contract --no-known now");
+  // In files from before there were digests, paths are all there is.
+  EXPECT_EQ(refusal(with("lax.json", std::nullopt), with("lax.json", 1)), "");
+  EXPECT_EQ(refusal(with("lax.json", std::nullopt), with("b.json", 1)),
+            "the options are --property --contract --contract lax.json --no-known in the baseline "
+            "and --property --contract --contract b.json --no-known now");
 }
 
 // Kills: a version of the program, a commit or a corpus's folder that is compared.

@@ -45,6 +45,15 @@ TEST(ComparisonText, NamesWhatIsWorseWhereAndInWhichStage) {
             "  rastercheck baseline approve --reason '…' b.json out/run.json\n");
 }
 
+TEST(ComparisonText, SaysWhatBecameOfACase) {
+  BaselineSection after = sample_section();
+  after.laws[kSampleLaw].cases[kSampleCase].outcome = records::CaseOutcome::violated;
+  after.entries[kSampleCoverage].cases.violations = 1;
+  EXPECT_THAT(comparison_text(gate_of(sample_section(), after), false),
+              AllOf(HasSubstr("coverage\n    violations 0 → 1\n    cases that grew 0 → 1\n"),
+                    HasSubstr("\n    random case 12\n    outcome: held → violated\n")));
+}
+
 TEST(ComparisonText, IsShortWhereQuiet) {
   EXPECT_EQ(comparison_text(sample_gate(), true),
             "Regression: 2 of 3 entries worse than the baseline of cpu on x86_64; 1 the same.\n"
@@ -98,6 +107,44 @@ TEST(ComparisonText, SaysWhichStageMadeMostOfAGrownError) {
   gate.looks = {sample_look()};
   gate.looks[0].key.index = 13;
   EXPECT_THAT(comparison_text(gate, false), Not(HasSubstr("stage to look at")));
+}
+
+// Kills: parts that are no stages, "left open" for one, as what to look at.
+TEST(ComparisonText, NamesNoStageOfABackendThatTellsNone) {
+  using records::Stage;
+  BaselineSection before = sample_section();
+  BaselineSection after = sample_grown_section();
+  before.entries[kSampleSliver].stages = {{Stage::transform, sample_sum(1, 4)},
+                                          {Stage::left_open, sample_sum(1, 4)},
+                                          {Stage::excess, sample_sum(1, 4)}};
+  after.entries[kSampleSliver].stages = {{Stage::transform, sample_sum(4, 4)},
+                                         {Stage::left_open, sample_sum(8, 4)},
+                                         {Stage::excess, sample_sum(16, 4)}};
+  Gate gate = gate_of(before, after);
+  records::ErrorSplit& split = gate.looks.emplace_back(sample_look()).inspection.splits[0];
+  split.is_traced = false;
+  for (const Stage stage : {Stage::transform, Stage::left_open, Stage::excess}) {
+    split.parts = {{stage, {3, 3}}};
+    EXPECT_THAT(comparison_text(gate, false),
+                AllOf(HasSubstr("error 0.625 → 0.75 ULP"), Not(HasSubstr("stage to look at")),
+                      Not(HasSubstr("Stages"))));
+    for (const CompareFormat& format : compare_formats()) {
+      EXPECT_THAT(format.write(gate),
+                  AllOf(Not(HasSubstr("stage to look at")), Not(HasSubstr("part_to_look_at")),
+                        Not(HasSubstr("whose part")), Not(HasSubstr("\"grown\""))))
+          << format.name;
+    }
+  }
+}
+
+// Kills: 0 for the error of values that were perhaps not judged.
+TEST(ComparisonText, SaysWhereNoErrorIsKnownOfBefore) {
+  BaselineSection before = sample_section();
+  before.laws[kSampleLaw].cases[kSampleCase].worst.clear();
+  const Gate gate = gate_of(before, sample_grown_section());
+  EXPECT_THAT(comparison_text(gate, false),
+              AllOf(HasSubstr("Regression: 2 of 3 entries"),
+                    HasSubstr("    error none → 0.75 ULP\n"), Not(HasSubstr("then  "))));
 }
 
 // Kills: two numbers that differ and look the same.

@@ -66,7 +66,7 @@ TEST(CounterexampleText, SaysOfNoDrawingOnlyWhy) {
   EXPECT_THAT(counterexample_text(crashed(), "x"),
               AllOf(HasSubstr("; shrunk in 214 tries.\n  its process ended\n"),
                     Not(HasSubstr("pixel (")), Not(HasSubstr("exactly"))));
-  EXPECT_EQ(violations_text(crashed().violations, 1),
+  EXPECT_EQ(violations_text(crashed().violations, 1, {}),
             "  class  of  triangle  x  y  s  exact  actual  error  bound  distance  note\n"
             "  crash  -   -         -  -  -  -      -       -      -      -         "
             "its process ended\n");
@@ -93,10 +93,10 @@ TEST(CaseText, ShowsTheFirstOfMany) {
 
 TEST(ViolationsText, IsATable) {
   const records::Counterexample one = sample_counterexample(3);
-  const std::string text = violations_text(one.violations, one.violation_count);
+  const std::string text = violations_text(one.violations, one.violation_count, {});
   EXPECT_THAT(text, AllOf(HasSubstr("  class         of"), HasSubstr("  beyond bound  smooth [0]"),
                           HasSubstr("  missing       coverage"), EndsWith("  … 12 in all\n")));
-  EXPECT_THAT(violations_text(one.violations, 2), Not(HasSubstr("in all")));
+  EXPECT_THAT(violations_text(one.violations, 2, {}), Not(HasSubstr("in all")));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ BASELINE = {
         {
             "backend": "cpu", "architecture": "x86_64", "instruction_set": "avx2",
             "compiler": "GNU 12.2.0", "records_version": 1, "rules_version": 1, "seed": 1,
-            "cases_per_law": 100, "options": ["--property", "*"],
+            "cases_per_law": 100, "options": ["--property", "*"], "contract_digest": DIGEST,
             "taken": {
                 "backend": "cpu", "version": "0.1.0", "commit": "", "instruction_set": "avx2",
                 "compiler": "GNU 12.2.0",
@@ -70,7 +70,7 @@ BASELINE = {
                     "law": "a law",
                     "cases": [
                         {
-                            "corpus": 0, "found": DIGEST, "mismatches": 1,
+                            "corpus": 0, "found": DIGEST, "outcome": "violated", "mismatches": 1,
                             "worst": {"smooth": {"sliver": WORST}},
                         },
                         {"random": 0, "found": DIGEST},

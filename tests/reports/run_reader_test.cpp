@@ -96,6 +96,7 @@ RC_GTEST_PROP(ParseRun, GivesBackAnyRun, ()) {
   }
   run.cases_left = *rc::gen::element<std::uint64_t>(0, 1, 1000);
   run.contract_file = *rc::gen::element<std::string>("", "a \"b\".json");
+  if (*rc::gen::arbitrary<bool>()) run.contract_digest = *rc::gen::arbitrary<std::uint64_t>();
   if (*rc::gen::arbitrary<bool>()) run.shrink_seconds = *rc::gen::element(0.25, 1e-9, 3600.0);
   const std::string text = written(run);
   const Result<records::Run> again = parse_run(text, "run.json");
@@ -149,7 +150,8 @@ TEST_P(BadRun, IsRefusedWithItsPlace) {
 
 const Fault kFaults[] = {
     {"", "[]", "/", "must be an object"},
-    {"/format", R"("rastercheck-case")", "/format", "must be \"rastercheck-run\""},
+    {"/format", R"("rastercheck-case")", "/format",
+     "must be \"rastercheck-run\", not \"rastercheck-case\""},
     {"/format", "", "/", "missing key 'format'"},
     {"/version", "2", "/version", "version must be 1"},
     {"/more", "1", "/more", "unknown key 'more'"},

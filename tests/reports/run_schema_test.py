@@ -101,6 +101,7 @@ def mutations(base):
 def complete(document):
     """The same with the keys that it lacks."""
     document["contract_file"] = "mine.json"
+    document["contract_digest"] = "0123456789abcdef"
     document["cases_left"] = 3
     document["shrink_seconds"] = 2.5
     document["specimens"] = [

@@ -32,9 +32,9 @@ records::LawSummary row() {
 
 // Kills: an upper bound that is rounded down.
 TEST(SummaryTable, HasARowForEachLawAndBackend) {
-  EXPECT_EQ(summary_table({row()}, true),
+  EXPECT_EQ(summary_table({row()}, true, {}),
             "constants stay constant  cpu  12  1000  0.5  ≤ 0.459  –  violated\n");
-  EXPECT_THAT(summary_table({row()}, false), StartsWith("law  "));
+  EXPECT_THAT(summary_table({row()}, false, {}), StartsWith("law  "));
 }
 
 TEST(KnownText, CountsTheCasesOfWhatWasSeen) {

@@ -17,6 +17,31 @@ TEST(TextTable, CountsCharacters) {
   EXPECT_EQ(text_table({{"≤ 1", "x"}, {"abcd", "y"}}), "≤ 1   x\nabcd  y\n");
 }
 
+// Kills: rows that a terminal breaks somewhere.
+TEST(TextTable, IsEntriesWhereItIsWiderThanTheTerminal) {
+  const std::vector<std::vector<std::string>> rows{
+      {"  law", "worst ULP", "p99", "", "verdict"},
+      {"  values at vertices", "≤ 0.5", "–", "and so on", "held"},
+      {"  all", "", "-", "", ""}};
+  const std::string whole =
+      "  law                 worst ULP  p99             verdict\n"
+      "  values at vertices  ≤ 0.5      –    and so on  held\n"
+      "  all                            -\n";
+  EXPECT_EQ(text_table(rows, std::nullopt), whole);
+  EXPECT_EQ(text_table(rows, 56), whole);
+  EXPECT_EQ(text_table(rows, 55),
+            "  values at vertices\n"
+            "    worst ULP: ≤ 0.5; and so on; verdict: held\n"
+            "  all\n");
+  EXPECT_EQ(text_table(rows, 32),
+            "  values at vertices\n"
+            "    worst ULP: ≤ 0.5; and so on;\n"
+            "    verdict: held\n"
+            "  all\n");
+  EXPECT_EQ(text_table({}, 10), "");
+  EXPECT_EQ(text_table({{"law", "of"}, {"", "x"}}, 3), "\n  of:\n  x\n");
+}
+
 TEST(TextTable, EndsNoLineWithSpaces) {
   EXPECT_EQ(text_table({{"a", ""}, {"b", "c"}}), "a\nb  c\n");
 }

@@ -33,8 +33,33 @@ TEST(BisectFolder, WithANameStays) {
   temporary.put("a/b/file", "");
   const auto full = BisectFolder::make(path);
   ASSERT_FALSE(full);
-  EXPECT_EQ(to_string(full.error()), path + ": is not empty");
+  EXPECT_EQ(to_string(full.error()), path + ": is not empty; it has to be new");
   EXPECT_FALSE(BisectFolder::make(temporary.path("a/b/file")));
+  EXPECT_TRUE(fs::exists(path + "/file"));
+}
+
+// Kills: what a refusal leaves behind, so that the next bisection is refused for it.
+TEST(BisectFolder, IsAsItWasOnceItIsDiscarded) {
+  const TemporaryFolder temporary;
+  fs::create_directories(temporary.path("there/empty"));
+  for (const char* name : {"there/new/deep/", "there/./empty"}) {
+    const auto folder = BisectFolder::make(temporary.path(name));
+    ASSERT_TRUE(folder);
+    temporary.put("tree/file", "");
+    EXPECT_TRUE(folder->with_copies({"--contract", temporary.path("tree/file")}, {"--contract"},
+                                    temporary.path("tree")));
+    EXPECT_FALSE(fs::is_empty(folder->path()));
+    folder->discard();
+  }
+  EXPECT_FALSE(fs::exists(temporary.path("there/new")));
+  EXPECT_TRUE(fs::is_empty(temporary.path("there/empty")));
+  {
+    const auto folder = BisectFolder::make(temporary.path("new/deep"));
+    temporary.put("new/of-others", "");
+    folder->discard();
+  }
+  EXPECT_FALSE(fs::exists(temporary.path("new/deep")));
+  EXPECT_TRUE(fs::exists(temporary.path("new/of-others")));
 }
 
 // Kills: cases of another commit; copies of what no commit changes.

@@ -1,0 +1,25 @@
+// `rastercheck manual`: the manual page.
+
+#include "cli/manual.h"
+
+#include <fmt/format.h>
+
+#include "cli/command.h"
+
+namespace rastercheck::cli {
+namespace {
+
+Action set_up(CLI::App& app) {
+  app.footer(
+      "Example (a package installs it, for `man rastercheck`):\n"
+      "  rastercheck manual | man -l -");
+  return [&app] {
+    fmt::print("{}", manual_page(*app.get_parent()));
+    return ExitCode::ok;
+  };
+}
+
+const Registration kRegistration("manual", "Prints the manual page, all of --help", &set_up);
+
+}  // namespace
+}  // namespace rastercheck::cli

@@ -1,0 +1,59 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.h"
+
+namespace rastercheck::cli {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal(const std::vector<std::string>& arguments) {
+  const Outcome outcome = run_program(arguments);
+  EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+  return outcome.err;
+}
+
+TEST(Usage, NamesWhatWasPerhapsMeant) {
+  EXPECT_EQ(refusal({"rnu"}),
+            "rastercheck: there is no command 'rnu'; did you mean run? (see rastercheck --help)\n");
+  EXPECT_EQ(refusal({"run", "--case", "3"}),
+            "rastercheck: there is no option --case; did you mean --cases? (see rastercheck run "
+            "--help)\n");
+  EXPECT_THAT(refusal({"run", "--bakend=cpu"}),
+              HasSubstr("no option --bakend; did you mean --backend?"));
+  EXPECT_THAT(refusal({"corpus", "ad"}), HasSubstr("no command 'ad'; did you mean add?"));
+  EXPECT_THAT(refusal({"--vers"}), HasSubstr("did you mean --version?"));
+}
+
+// Kills: a suggestion of whatever there is.
+TEST(Usage, SuggestsNothingThatIsNotAlike) {
+  EXPECT_EQ(refusal({"frobnicate"}),
+            "rastercheck: there is no command 'frobnicate' (see rastercheck --help)\n");
+  EXPECT_EQ(refusal({"run", "--frobnicate"}),
+            "rastercheck: there is no option --frobnicate (see rastercheck run --help)\n");
+}
+
+// Kills: what follows from an unknown option, in its place.
+TEST(Usage, NamesAnUnknownOptionBeforeAllElse) {
+  EXPECT_THAT(refusal({"list", "--backnd", "cpu"}), HasSubstr("no option --backnd"));
+  EXPECT_THAT(refusal({"compare", "--polcy", "x"}), HasSubstr("no option --polcy"));
+}
+
+TEST(Usage, SaysWhichCommandsHelpToRead) {
+  EXPECT_THAT(refusal({}), HasSubstr("a command is missing, as `rastercheck run`"));
+  EXPECT_THAT(refusal({"baseline"}),
+              HasSubstr("a command is missing: save or approve (see rastercheck baseline --help)"));
+  EXPECT_THAT(refusal({"baseline", "approve", "a", "b"}),
+              HasSubstr("--reason is required (see rastercheck baseline approve --help)"));
+  EXPECT_THAT(refusal({"oracle", "a", "b"}),
+              HasSubstr("'b' is one argument too many (see rastercheck oracle --help)"));
+}
+
+TEST(Usage, PutsNoControlCharactersOnTheTerminal) {
+  EXPECT_EQ(refusal({"\x1b[31m"}).find('\x1b'), std::string::npos);
+  EXPECT_EQ(refusal({"list", "--\x1b[31m"}).find('\x1b'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rastercheck::cli
