@@ -9,11 +9,12 @@
 # rastercheck-out/compare.html has what, where, and by how much. 1: a law is violated; rastercheck-out/report.html.
 set -eu
 
+source=.  # the folder of the plugin's CMakeLists.txt
 backend=plugin:./build/plugin.so
 baseline=rastercheck-baseline.json
 output=rastercheck-out
 
-cmake -S . -B build
+cmake -S "$source" -B build
 cmake --build build
 
 case ${1:-} in

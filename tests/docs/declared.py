@@ -1,0 +1,74 @@
+"""What is done about commands of the pages that cannot be run as they stand, and why; what they say otherwise.
+
+Keys are patterns of commands. Each has to hold of some command of some page (docs.text)."""
+
+# Is not run at all.
+NOT_RUN = {
+    r"^\./scripts/(run|test)$": "installs packages, builds everything",
+    r"^(apt|apt-get|curl|docker|dpkg|git clone|npm|sudo|wget)\b": "needs root or a network",
+    r"^cmake (--preset |--build --preset |--build build/release\b)": "builds this project, which takes minutes",
+    r"\bclang-format -i$": "a program for developers, which rewrites sources",
+    r"build/(rasterizer|examples)\b": "test consumer.installed builds and runs that",
+    r"\bcpack -G DEB\b": "writes to the build; test packaging.contents looks at what it makes",
+    r"^scripts/(kill-matrix|fuzz)\b": "builds all mutants, or runs for hours",
+    r"\bscene\.json$": "takes six minutes",
+    r"^scripts/bench-table ": "wants what minutes of rastercheck-bench have written",
+}
+
+# Is run as something else: a pattern, what takes its place, why.
+INSTEAD = [
+    (r"\bCASE\b", "cases/corpus/behind-the-eye.json", "the reader's own case"),
+    (r"\bX,Y\b", "4,4", "a pixel of it"),
+    (r"--backend (BACKEND|B)\b", "--backend cpu", "any backend"),
+    (r"\bmethod:NAME\b", "method:screen-linear", "any method"),
+    (r"--seed S$", "--seed 1", "any seed"),
+    (r"^build/asan-ubsan/bin/fuzz_case FILE", "build/release/bin/fuzz_case cases/corpus/behind-the-eye.json",
+     "that build is not this one"),
+    (r"^((?:build/release/bin/)?rastercheck run (?!.*--(?:cases|baseline|resume)).*)", r"\1 --cases 1000",
+     "the default, for the next line"),
+    (r"^((?:build/release/bin/)?rastercheck run .*--cases) \d+", r"\1 5", "takes minutes; the corpus is run as well"),
+    (r"^(rastercheck bisect )", r"\1--cases 5 ", "takes minutes"),
+    (r"(second_opinion_test.py .*--cases) 5000", r"\1 20", "takes minutes"),
+    (r"(max_success)=3000", r"\1=30", "takes a minute"),
+    (r"^(rastercheck run .*)--shard 2/7 --output shard-2$",
+     r"for i in 1 2 3 4 5 6 7; do \1--shard $i/7 --output shard-$i || break; done", "all the jobs"),
+    (r"^UPDATE_APPROVED=1 (.*)", r"\1 --gtest_list_tests | grep '^ '", "writes to the sources; there are such tests"),
+    (r"^ctest --preset (?:[\w-]+) (.*)", r"ctest -N --preset release \1 | grep 'Total Tests: [1-9]'",
+     "runs tests; there are such tests"),
+    (r"^(.*\brastercheck-bench .*)", r"\1 --benchmark_list_tests | grep /", "takes minutes; there are such lines"),
+]
+
+# Ends with another exit code than 0: page, pattern of the commands of that page up to this one, codes, why.
+ENDS_WITH = [
+    ("findings.md", r"^rastercheck replay .*\Z", (0, 4), "4 where the machine has no such driver"),
+    ("from-formula-to-law.md", r"rastercheck_with_mutants .*\Z", (1,), "mutants"),
+    ("judge-a-driver.md", r"^rastercheck (run|replay) .*(--no-known|quarter\.json).*\Z", (1,), "a driver's defects"),
+    ("judge-your-rasterizer.md", r"^sed .*\n.*\nrastercheck run .*\Z", (1,), "the division is gone"),
+    ("regression-gate.md", r'"A reciprocal in float32"\nrastercheck run .*\Z', (3,), "made less precise"),
+    ("using-in-googletest.md", r"^ctest .*\Z", (8,), "the page's other suite, a careless rasterizer's, is in it"),
+    ("when-it-fails.md", r"mutant:right-end-included.*\Z", (1,), "a mutant"),
+]
+
+LITTLE = """mkdir -p include/rastercheck && cp backends/plugin/plugin.h include/rastercheck &&
+    $CC -O1 -shared -fPIC -Iinclude docs/examples/plugin/little.c -o little.so -lm"""
+# What a page takes to be there, as shell commands.
+BEFORE = {
+    "judge-a-driver.md": """cat >quarter.json <<END
+{"format": "rastercheck-contract", "version": 1, "bounds": {"smooth": {"constant": 0.25}}}
+END""",
+    "probing.md": LITTLE,
+    "using-in-googletest.md": """mkdir own && cp tests/consumer/testing/* own && mkdir own/build &&
+        ln -s ../../build/release own/build/release && cd own""",
+    "regression-gate.md": """rastercheck plugin new own && cd own && cmake -S . -B build && cmake --build build &&
+        mkdir .ci && ln -s ../../build/release build/release &&
+        git init -q . && git config user.name Somebody && git config user.email somebody@example.com &&
+        git add CMakeLists.txt plugin.c rastercheck && git commit -q -m good && git tag GOOD &&
+        sed -i 's|weight.i. /= t->w.i.;|weight[i] = (float)(weight[i] / t->w[i]);|' plugin.c &&
+        git commit -q -a -m bad && git tag BAD && git checkout -q GOOD""",
+}
+
+# Blocks of their own that show what the commands before them on the page print, by their first lines.
+PRINTED = {
+    "judge-your-rasterizer.md": ["Violated: 6 of 46 checks. Counterexamples above, one of each way to fail: 6."],
+    "when-it-fails.md": ["a shared edge covers each sample once"],
+}
