@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <vector>
+
+#include "cli/output.h"
 
 namespace rastercheck::cli {
 namespace {
@@ -28,12 +29,12 @@ Registration::Registration(std::string name, std::string summary,
 }
 
 ExitCode fail(const Error& error) {
-  fmt::print(stderr, "rastercheck: {}\n", to_string(error));
+  print_problem(fmt::format("rastercheck: {}\n", to_string(error)));
   return ExitCode::usage;
 }
 
 ExitCode fail_internally(const Error& error) {
-  fmt::print(stderr, "rastercheck: internal error: {}\n", to_string(error));
+  print_problem(fmt::format("rastercheck: internal error: {}\n", to_string(error)));
   return ExitCode::internal;
 }
 

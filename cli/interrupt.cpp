@@ -1,9 +1,12 @@
 #include "cli/interrupt.h"
 
+#include <fcntl.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <cstddef>
 
 namespace rastercheck::cli {
@@ -15,12 +18,28 @@ std::atomic<const std::string*> message_of_watch{nullptr};
 static_assert(std::atomic<bool>::is_always_lock_free);
 static_assert(std::atomic<const std::string*>::is_always_lock_free);
 
-extern "C" void note_interrupt(int /*signal*/) {
+/// A terminal that is gone takes nothing: what is printed there has nobody to read it, and is no
+/// reason to end otherwise.
+void forget_terminal() {
+  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere < 0) return;
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+    struct termios settings {};
+    const bool is_terminal = ::tcgetattr(stream, &settings) == 0 || errno == EIO;
+    if (is_terminal) ::dup2(nowhere, stream);
+  }
+  ::close(nowhere);
+}
+
+extern "C" void note_interrupt(int signal) {
+  const int before = errno;
+  if (signal == SIGHUP) forget_terminal();
   const std::string* message = message_of_watch;
   if (!interrupted.exchange(true) && message != nullptr) {
     const ssize_t ignored = ::write(STDERR_FILENO, message->data(), message->size());
     static_cast<void>(ignored);  // there is nobody to tell
   }
+  errno = before;
 }
 
 /// Watches a signal; what it did before.

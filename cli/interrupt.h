@@ -9,7 +9,8 @@ namespace rastercheck::cli {
 /// As long as it lives, the first SIGINT (Ctrl-C), SIGTERM or SIGHUP (a terminal that is closed)
 /// does not end the process: it prints `message` on standard error, and is_interrupted() says so
 /// from then on. The second of a kind ends the process as if nobody watched. A SIGHUP that is
-/// ignored, as nohup has it, stays ignored. One at a time.
+/// ignored, as nohup has it, stays ignored; after another, what is printed on a terminal goes
+/// nowhere. One at a time.
 class InterruptWatch {
  public:
   explicit InterruptWatch(const std::string& message);

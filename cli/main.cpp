@@ -69,24 +69,29 @@ int run(int argc, char** argv) {
   return static_cast<int>(code);
 }
 
+/// Without fail(), which wants memory: there may be none.
+void tell_last(const char* what, const char* why) {
+  for (const char* part : {what, why, "\n"}) print_problem(part);
+}
+
 }  // namespace
 }  // namespace rastercheck::cli
 
 int main(int argc, char** argv) {
   using rastercheck::cli::ExitCode;
+  using rastercheck::cli::tell_last;
   rastercheck::cli::open_standard_streams();
-  // Without fail_internally(), which may want memory that there is none of.
   try {
     return rastercheck::cli::run(argc, argv);
   } catch (const std::exception& problem) {
     // fmt throws where a stream cannot take what is printed.
     if (std::ferror(stdout) != 0) {
-      fmt::print(stderr, "rastercheck: standard output: {}\n", problem.what());
+      tell_last("rastercheck: standard output: ", problem.what());
       return static_cast<int>(ExitCode::usage);
     }
-    fmt::print(stderr, "rastercheck: internal error: {}\n", problem.what());
+    tell_last("rastercheck: internal error: ", problem.what());
   } catch (...) {
-    fmt::print(stderr, "rastercheck: internal error\n");
+    tell_last("rastercheck: internal error", "");
   }
   return static_cast<int>(ExitCode::internal);
 }

@@ -2,10 +2,15 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "cases/error.h"
 
 namespace rastercheck::cli {
+
+/// Prints on standard error. Where that takes nothing (a full disk, a closed terminal) there is
+/// nobody to tell. Wants no memory.
+void print_problem(std::string_view text) noexcept;
 
 /// Pushes out what was printed. Fails where standard output could not take it all (a full disk, a
 /// closed pipe), so that a cut result is never taken for a whole one.

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <string_view>
+
+#include "cli/output.h"
 
 namespace rastercheck::cli {
 namespace {
@@ -29,16 +30,15 @@ ProgressBar::ProgressBar(bool quiet)
     : is_shown_(!quiet && ::isatty(STDERR_FILENO) != 0 && !is_dumb_terminal() && !is_set("CI")) {}
 
 ProgressBar::~ProgressBar() {
-  if (has_drawn_) fmt::print(stderr, "\r\033[K");
+  if (has_drawn_) print_problem("\r\033[K");
 }
 
 void ProgressBar::show(std::uint64_t done, std::uint64_t all, const char* what) {
   if (!is_shown_ || all == 0) return;
   const std::scoped_lock lock(mutex_);
   const std::uint64_t filled = kWidth * done / all;
-  fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {} of {} {}", "", filled, "", kWidth - filled, done,
-             all, what);
-  std::fflush(stderr);
+  print_problem(fmt::format("\r\033[K[{:#<{}}{:.<{}}] {} of {} {}", "", filled, "", kWidth - filled,
+                            done, all, what));
   has_drawn_ = true;
 }
 

@@ -17,6 +17,7 @@
 #include "cli/interrupt.h"
 #include "cli/isolation.h"
 #include "cli/known_option.h"
+#include "cli/output.h"
 #include "cli/own_program.h"
 #include "cli/whole_number.h"
 #include "reports/compare_format.h"
@@ -100,7 +101,7 @@ ExitCode run(Options options) {
 
   const InterruptWatch watch("\nrastercheck: ending; what was checked out is checked out again\n");
   const auto report = [&options](const std::string& line) {
-    if (!options.quiet) fmt::print(stderr, "{}\n", line);
+    if (!options.quiet) print_problem(line + "\n");
   };
   Result<reports::BisectOutcome> outcome = reports::bisect(plan, {&is_interrupted, report});
   if (!outcome) return fail(outcome.error());

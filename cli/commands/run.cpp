@@ -404,10 +404,10 @@ ExitCode hold_run(const Options& options, const std::optional<RunGate>& gate,
 /// Ends a run whose results cannot be written: what it found is on the terminal already.
 ExitCode fail_to_write(const Options& options, const Error& error) {
   const ExitCode code = fail(error);
-  fmt::print(stderr,
-             "rastercheck: what was found is printed above; once there is room, `rastercheck run "
-             "--resume --output {}` writes it\n",
-             options.output);
+  print_problem(
+      fmt::format("rastercheck: what was found is printed above; once there is room, `rastercheck "
+                  "run --resume --output {}` writes it\n",
+                  options.output));
   return code;
 }
 

@@ -135,6 +135,15 @@ class Finds(BisectTest):
         # Of the two laws one is worse: on the way there are runs of that alone.
         self.assertEqual({entry.split(":")[0] for entry in worse["worse"]}, {"values stay within the bound"})
 
+    def test_nobody_reads_what_it_says(self):
+        self.make_repository(worse=6)
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run(self.words(self.hashes[0], "main"), cwd=self.repository, env=self.environment,
+                                  stdout=subprocess.PIPE, stderr=full, text=True, check=False)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn(f"First worse: {self.hashes[6][:10]} ", done.stdout)
+        self.check_restored()
+
     def test_several_where_those_between_do_not_build(self):
         self.make_repository(worse=6, broken=[4, 5])
         done = self.bisect(0, self.hashes[0], "main")
