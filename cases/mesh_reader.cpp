@@ -132,24 +132,29 @@ class TriangleCollector {
   VertexTable vertices_;
 };
 
-/// Why nothing was read: assimp's words, but for the name that it has for standard input.
-std::string reason_of(const Assimp::Importer& importer, bool is_input) {
+/// Why nothing was read: assimp's words, but for the name that it has for standard input, of which
+/// `format` was named.
+std::string reason_of(const Assimp::Importer& importer, bool is_input, const std::string& format) {
   const std::string_view words = importer.GetErrorString();
   if (!words.starts_with("No suitable reader")) return fmt::format("not a mesh: {}", words);
-  return is_input ? "not a mesh, or of a format that has to be named (--format obj)"
-                  : "not a mesh, by its ending and its content";
+  if (!is_input) return "not a mesh, by its ending and its content";
+  if (format.empty()) return "not a mesh, or of a format that has to be named (--format obj)";
+  return importer.IsExtensionSupported("." + format)
+             ? fmt::format("not a mesh of the format '{}'", format)
+             : fmt::format("there is no format '{}' of meshes", format);
 }
 
 /// The mesh of what an importer has read.
-Result<Mesh> mesh_of_scene(Assimp::Importer& importer, const std::string& file) {
+Result<Mesh> mesh_of_scene(Assimp::Importer& importer, const std::string& file,
+                           const std::string& format) {
   const auto refuse = [&file](const std::string& reason) {
     return tl::unexpected(Error{file, "", printable(reason)});
   };
   const aiScene* scene = importer.GetScene();
-  if (scene == nullptr) return refuse(reason_of(importer, file == "-"));
+  if (scene == nullptr) return refuse(reason_of(importer, file == "-", format));
   if (const std::string broken = fault_of(*scene); !broken.empty()) return refuse(broken);
   scene = importer.ApplyPostProcessing(kProcessing);
-  if (scene == nullptr) return refuse(reason_of(importer, file == "-"));
+  if (scene == nullptr) return refuse(reason_of(importer, file == "-", format));
 
   const std::span meshes(scene->mMeshes, scene->mNumMeshes);
   Mesh mesh;
@@ -169,6 +174,7 @@ Result<Mesh> read_mesh(const std::string& file, const std::string& format) {
   // assimp's own words for a file that is not there are not about the file.
   Result<std::string> text = read_text(file);
   if (!text) return tl::unexpected(text.error());
+  if (text->empty()) return tl::unexpected(Error{file, "", "not a mesh: there is nothing in it"});
   if (!is_input) *text = std::string();  // it reads the file itself
   try {
     Assimp::Importer importer;
@@ -177,7 +183,7 @@ Result<Mesh> read_mesh(const std::string& file, const std::string& format) {
     } else {
       importer.ReadFile(file, 0);
     }
-    return mesh_of_scene(importer, file);
+    return mesh_of_scene(importer, file, format);
   } catch (const std::bad_alloc&) {
     return tl::unexpected(Error{file, "", "there is not enough memory to read it"});
   }

@@ -90,8 +90,11 @@ constexpr std::string_view kEnd = R"(
       compopt -o filenames 2>/dev/null ;;
     DIR) while IFS= read -r reply; do replies+=("$reply"); done < <(compgen -d -- "$current")
       compopt -o filenames 2>/dev/null ;;
-    *) read -r -a replies <<<"$values" ;;
+    *) read -r -a replies <<<"${values#LIST }" ;;
   esac
+  if [[ $values == LIST\ * && $current == *,* ]]; then
+    replies=("${replies[@]/#/${current%,*},}")
+  fi
   prefix=
   [[ $current == *[:=]* ]] && prefix=${current%"${current##*[:=]}"}
   for reply in "${replies[@]}"; do
@@ -103,10 +106,12 @@ constexpr std::string_view kEnd = R"(
 complete -F _rastercheck rastercheck
 )";
 
-/// What the script looks values up by: a type that it completes, or the values themselves.
+/// What the script looks values up by: a type that it completes, or the values themselves, behind
+/// "LIST" where several may stand, with commas between.
 std::string values_of(const CLI::Option& option) {
   if (const auto choices = choices_of(option); !choices.empty()) {
-    return fmt::format("{}", fmt::join(choices, " "));
+    return fmt::format("{}{}", option.get_delimiter() == ',' ? "LIST " : "",
+                       fmt::join(choices, " "));
   }
   const std::string type = type_of(option);
   const bool is_known = type == kBackend || type == kProperty || type == kFile || type == kFolder;

@@ -40,8 +40,12 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
   return last.back();
 }
 
+bool is_option(std::string_view word) { return word.size() > 1 && word.front() == '-'; }
+
 /// "; did you mean --cases?", where one of the names begins like the word or is much like it.
 std::string suggestion(std::string_view word, const std::vector<std::string>& names) {
+  const std::size_t dashes = std::min(word.find_first_not_of('-'), word.size());
+  if (word.size() - dashes < 2) return "";  // too little to be like anything
   constexpr std::size_t kLettersForEachEdit = 3;
   std::size_t least = std::max<std::size_t>(1, word.size() / kLettersForEachEdit) + 1;
   std::string nearest;
@@ -56,9 +60,9 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& na
 }
 
 /// The command that was reached.
-const CLI::App& reached(const CLI::App& program) {
-  const auto inner = program.get_subcommands();
-  return inner.empty() ? program : reached(*inner.front());
+const CLI::App* reached(const CLI::App* program) {
+  const auto inner = program->get_subcommands();
+  return inner.empty() ? program : reached(inner.front());
 }
 
 std::vector<std::string> command_names(const CLI::App& app) {
@@ -80,7 +84,7 @@ std::optional<std::string> unknown_word(const CLI::App& program) {
   const std::vector<std::string> words = program.remaining(true);
   if (words.empty()) return std::nullopt;
   const auto option = std::find_if(words.begin(), words.end(), [](const std::string& word) {
-    return word.size() > 1 && word.starts_with('-') && word != "--";
+    return is_option(word) && word != "--";
   });
   return option == words.end() ? words.front() : *option;
 }
@@ -90,7 +94,7 @@ std::string reason_of(const CLI::App& program, const CLI::App& command,
   const bool wants_command = !command_names(command).empty();
   if (const auto word = unknown_word(program)) {
     const std::string name = word->substr(0, word->find('='));
-    if (word->starts_with('-')) {
+    if (is_option(*word)) {
       return fmt::format("there is no option {}{}", cases::printable(name),
                          suggestion(name, option_names(command)));
     }
@@ -111,7 +115,7 @@ std::string reason_of(const CLI::App& program, const CLI::App& command,
 }  // namespace
 
 Error wrong_usage(const CLI::App& program, const CLI::ParseError& refusal) {
-  const CLI::App& command = reached(program);
+  const CLI::App& command = *reached(&program);
   return {
       "", "",
       fmt::format("{} (see {} --help)", reason_of(program, command, refusal), full_name(command))};

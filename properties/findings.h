@@ -44,8 +44,8 @@ void merge(Findings& into, Findings from);
 void keep(Findings& findings, records::Counterexample counterexample);
 
 /// Which of some counterexamples to look at first: one of a law that speaks of the case as it
-/// stands, if there is one; of these, or of all, one that is not of rounding (coverage less than
-/// 1/1000 pixel beside the boundary); and of these the smallest.
+/// stands, if there is one; of these, or of all, one that is not of rounding (coverage alone,
+/// and all of it less than 1/1024 pixel beside the boundary); and of these the smallest.
 std::size_t first_to_read(const std::vector<records::Counterexample>& all);
 
 /// Whether keep() would add a case that failed so: what to ask before it is put together.

@@ -23,6 +23,7 @@ Action set_up(CLI::App& app) {
   app.add_option("SHELL", *shell, "Whose language it is in")
       ->check(CLI::IsMember({kBash}))
       ->required();
+  app.add_flag("-q,--quiet")->description("Accepted as everywhere; there is only the result");
   app.footer(
       "Example, for this shell alone (a package installs it for all):\n"
       "  source <(rastercheck completion bash)");

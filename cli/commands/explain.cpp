@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -36,6 +37,7 @@ struct Options {
 };
 
 constexpr const char* kDepth = "depth";
+constexpr std::uint64_t kMostNumber = std::numeric_limits<std::uint32_t>::max();
 
 /// What the options settle; fails where there is no such attribute.
 Result<properties::FocusRequest> request_of(const Options& options, const cases::Case& c) {
@@ -112,17 +114,17 @@ Action set_up(CLI::App& app) {
   app.add_option("--pixel", options->pixel,
                  "Which pixel; without it the one of the worst sample of the case")
       ->delimiter(',')
-      ->check(whole_number())
+      ->check(whole_number(kMostNumber))
       ->type_name("X,Y")
       ->expected(2);
   app.add_option("--sample", options->sample,
                  "Number of the sample, from 0; without it the worst of the pixel")
-      ->check(whole_number())
+      ->check(whole_number(kMostNumber))
       ->type_name("N");
   app.add_option("--triangle", options->triangle,
                  "Number of the triangle, from 0; without it one that is drawn there, or should "
                  "be")
-      ->check(whole_number())
+      ->check(whole_number(kMostNumber))
       ->type_name("N");
   app.add_option("--backend", options->backend,
                  "What draws; without it the one that a counterexample is of, else cpu")

@@ -10,6 +10,7 @@ namespace rastercheck::cli {
 namespace {
 
 Action set_up(CLI::App& app) {
+  app.add_flag("-q,--quiet")->description("Accepted as everywhere; there is only the result");
   app.footer(
       "Example (a package installs it, for `man rastercheck`):\n"
       "  rastercheck manual | man -l -");

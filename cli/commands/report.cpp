@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "cli/command.h"
 #include "cli/format_option.h"
@@ -22,7 +23,8 @@ struct Options {
 };
 
 ExitCode run(const Options& options) {
-  if (std::filesystem::is_regular_file(options.directory)) {
+  std::error_code unknown;  // to read run.json says why
+  if (std::filesystem::is_regular_file(options.directory, unknown)) {
     return fail({options.directory, "", "is a file, not the folder that a run wrote"});
   }
   const Result<records::Run> read = reports::read_run(options.directory + "/run.json");

@@ -79,6 +79,12 @@ TEST(Completion, OffersValuesWhereTheyAreKnown) {
   EXPECT_THAT(completions({"run", "--seed", "-"}), IsEmpty());
 }
 
+TEST(Completion, OffersTheNextOfAList) {
+  EXPECT_THAT(completions({"run", "--format", "html,ju"}), ElementsAre("html,junit"));
+  EXPECT_THAT(completions("run --format=html,ju", {"run", "--format", "=", "html,ju"}),
+              ElementsAre("html,junit"));
+}
+
 TEST(Completion, OffersThePropertiesByName) {
   EXPECT_THAT(completions("run --property values\\ at", {"run", "--property", "values\\\\ at"}),
               ElementsAre("values at vertices come back"));

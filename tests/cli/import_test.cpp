@@ -52,6 +52,24 @@ TEST(Import, RefusesWhatIsNoMesh) {
   EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1);
 }
 
+// Kills: assimp's words, which name a file that nobody has.
+TEST(Import, SaysWhatIsWrongWithTheFormatOfStandardInput) {
+  const auto reason = [](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"import", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_program(arguments, "neither\n");
+    EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+    return outcome.err;
+  };
+  EXPECT_EQ(run_program({"import", "-", "--format", "obj"}, "").err,
+            "rastercheck: -: not a mesh: there is nothing in it\n");
+  EXPECT_EQ(reason({}),
+            "rastercheck: -: not a mesh, or of a format that has to be named (--format obj)\n");
+  EXPECT_EQ(reason({"--format", "frobnicate"}),
+            "rastercheck: -: there is no format 'frobnicate' of meshes\n");
+  EXPECT_EQ(reason({"--format", "off"}), "rastercheck: -: not a mesh of the format 'off'\n");
+}
+
 // Kills: reading the file in the program itself, which assimp 5.2.5 ends by a signal over these.
 TEST(Import, AFileThatCrashesTheMeshReaderIsRefusedInOneLine) {
   for (const char* off :

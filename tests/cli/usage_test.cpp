@@ -34,6 +34,22 @@ TEST(Usage, SuggestsNothingThatIsNotAlike) {
             "rastercheck: there is no option --frobnicate (see rastercheck run --help)\n");
 }
 
+// Kills: the first option of all, of which every word begins like it.
+TEST(Usage, SuggestsNothingForTooLittle) {
+  for (const char* word : {"-", "--x", "---", "-x", "r"}) {
+    EXPECT_THAT(refusal({"run", word}), testing::Not(HasSubstr("did you mean"))) << word;
+  }
+  EXPECT_THAT(refusal({"run", "-"}), HasSubstr("'-' is one argument too many"));
+}
+
+// Kills: "Could not convert".
+TEST(Usage, SaysUpToWhereNumbersGo) {
+  EXPECT_THAT(refusal({"explain", "x.json", "--sample", "4294967296"}),
+              HasSubstr("4294967296 is no whole number from 0 to 4294967295"));
+  EXPECT_THAT(refusal({"run", "--seed", "-1"}),
+              HasSubstr("-1 is no whole number from 0 to 18446744073709551615"));
+}
+
 // Kills: what follows from an unknown option, in its place.
 TEST(Usage, NamesAnUnknownOptionBeforeAllElse) {
   EXPECT_THAT(refusal({"list", "--backnd", "cpu"}), HasSubstr("no option --backnd"));

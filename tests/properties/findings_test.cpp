@@ -86,6 +86,7 @@ TEST(FirstToRead, IsOfLogicBeforeOneOfRounding) {
         cases::Found{"coverage obeys the contract", "cpu", "missing", 1, 2};
     counterexample.source.triangles.resize(triangles);
     counterexample.violations.resize(1);
+    counterexample.violations[0].fragment_class = records::FragmentClass::missing;
     counterexample.violations[0].distance = records::Enclosure{distance, distance};
     return counterexample;
   };
@@ -94,6 +95,13 @@ TEST(FirstToRead, IsOfLogicBeforeOneOfRounding) {
   EXPECT_EQ(first_to_read({one(3e-7, 1), one(-0.5, 2)}), 1U);
   EXPECT_EQ(first_to_read({one(0, 2), one(0.5, 1)}), 1U);
   EXPECT_EQ(first_to_read({one(3e-7, 2), one(-3e-7, 1)}), 1U);
+  // One sample that is far tells of more than rounding; nor is a wrong value of it.
+  Counterexample several = one(3e-7, 2);
+  several.violations.push_back(one(0.5, 2).violations[0]);
+  EXPECT_EQ(first_to_read({one(3e-7, 1), several}), 1U);
+  Counterexample of_a_value = one(3e-7, 2);
+  of_a_value.violations[0].fragment_class = records::FragmentClass::beyond_bound;
+  EXPECT_EQ(first_to_read({one(3e-7, 1), of_a_value}), 1U);
 }
 
 // Kills: two saved files of one place, of which the one that was read first wins.
