@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "records/summary.h"
-#include "reports/base64.h"
 #include "reports/format.h"
 #include "reports/internal/html.h"
 #include "reports/internal/page.h"
+#include "reports/internal/picture_figure.h"
 #include "reports/internal/report_findings.h"
 #include "reports/internal/report_front.h"
 #include "reports/internal/report_laws.h"
@@ -24,22 +24,12 @@ namespace {
 using records::LawSummary;
 using records::Run;
 
-constexpr int kEnlarged = 320;  ///< pixels of width below which a picture is enlarged
-
 std::string pictures_of(const Run& run) {
   if (run.pictures.empty()) return "";
-  std::string text = "<section>\n<h2>Pictures</h2>\n";
+  std::string text = fmt::format("<section id=\"{}\">\n<h2>Pictures</h2>\n", kPicturesLink);
   if (!run.scene.empty()) text += "<p>Scene: " + html(run.scene) + "</p>\n";
   text += "<div class=\"pictures\">\n";
-  for (const records::Picture& picture : run.pictures) {
-    // Small ones are enlarged, and their pixels are what is to be seen.
-    const std::string_view style = picture.width < kEnlarged ? " class=\"small\"" : "";
-    text += fmt::format(
-        "<figure><img{} src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{}\">"
-        "<figcaption>{}</figcaption></figure>\n",
-        style, to_base64(picture.png), picture.width, picture.height, html(picture.name),
-        html(picture.caption));
-  }
+  for (const records::Picture& picture : run.pictures) text += picture_figure(picture);
   return text + "</div>\n</section>\n";
 }
 

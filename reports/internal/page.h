@@ -36,6 +36,8 @@ std::string_view verdict_sign(records::LawVerdict verdict);
 
 /// What the page's address has after "#" to show a law, and the id of its section. `law` is plain.
 std::string law_link(std::string_view law);
+/// The same of the pictures.
+inline constexpr std::string_view kPicturesLink = "pictures";
 /// The same of an inspection of the run.
 std::string inspection_link(std::size_t inspection);
 

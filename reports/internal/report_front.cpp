@@ -13,6 +13,7 @@
 #include "reports/commands.h"
 #include "reports/internal/html.h"
 #include "reports/internal/page.h"
+#include "reports/internal/picture_figure.h"
 #include "reports/internal/wording.h"
 
 namespace rastercheck::reports {
@@ -201,6 +202,15 @@ std::string gaps_of(const Run& run, const std::vector<LawSummary>& rows) {
   return "<section>\n<h2>Not checked</h2>\n<ul class=\"gaps\">\n" + text + "</ul>\n</section>\n";
 }
 
+/// What was drawn of the scene, for a first look; nothing where there was none.
+std::string scene_of(const Run& run) {
+  if (run.scene.empty() || run.pictures.empty()) return "";
+  return fmt::format(
+      "<section>\n<h2>Scene: {}</h2>\n<div class=\"pictures\">\n{}</div>\n"
+      "<p><a href=\"#{}\">All pictures, also of the errors</a></p>\n</section>\n",
+      html(run.scene), picture_figure(run.pictures.front()), kPicturesLink);
+}
+
 /// How to do it again, and what it was done with.
 std::string again(const Run& run) {
   std::string text = fmt::format(
@@ -224,7 +234,8 @@ std::string front_of(const Run& run, const std::vector<LawSummary>& rows) {
          (run.backends.size() == 1 ? html(run.backends[0]) : std::string("every backend")) +
          "</h2>\n" + table_of(run, rows) +
          fmt::format("<p class=\"unit\">{}</p>\n", html(kExcessSentence)) + facts_of(total) +
-         "</section>\n<aside>\n" + again(run) + gaps_of(run, rows) + "</aside>\n</div>\n";
+         "</section>\n<aside>\n" + scene_of(run) + again(run) + gaps_of(run, rows) +
+         "</aside>\n</div>\n";
 }
 
 }  // namespace rastercheck::reports

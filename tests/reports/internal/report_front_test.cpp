@@ -70,6 +70,22 @@ TEST(Front, SaysThatNothingWasLeftOut) {
   EXPECT_THAT(front(run), HasSubstr("<li>Nothing was left out.</li>"));
 }
 
+// Kills: a first screen without what was drawn, or with a scene where there was none.
+TEST(Front, ShowsTheScene) {
+  const std::string page = front(sample_run());
+  EXPECT_THAT(page, HasSubstr("<h2>Scene: it&#39;s a bunny</h2>"));
+  EXPECT_THAT(page, HasSubstr("alt=\"bunny-cpu\""));
+  EXPECT_THAT(page, HasSubstr("<figcaption>What cpu draws &lt;of it&gt;.</figcaption>"));
+  EXPECT_THAT(page, HasSubstr("<a href=\"#pictures\">"));
+  EXPECT_THAT(page, Not(HasSubstr("bunny-error")));
+  records::Run run = sample_run();
+  run.scene.clear();
+  EXPECT_THAT(front(run), Not(HasSubstr("<figure>")));
+  run = sample_run();
+  run.pictures.clear();
+  EXPECT_THAT(front(run), Not(HasSubstr("<figure>")));
+}
+
 TEST(Front, SaysHowToDoItAgainAndWhereItWasDone) {
   const std::string page = front(sample_run());
   EXPECT_THAT(page, HasSubstr("<code>rastercheck run --backend cpu --backend method:float32 "));
