@@ -1,5 +1,6 @@
 #include "cases/mesh_reader.h"
 
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -135,7 +136,10 @@ class TriangleCollector {
 /// Why nothing was read: assimp's words, but for the name that it has for standard input, of which
 /// `format` was named.
 std::string reason_of(const Assimp::Importer& importer, bool is_input, const std::string& format) {
-  const std::string_view words = importer.GetErrorString();
+  std::string words = importer.GetErrorString();
+  if (const std::size_t name = words.find(AI_MEMORYIO_MAGIC_FILENAME); name != std::string::npos) {
+    words.replace(name, AI_MEMORYIO_MAGIC_FILENAME_LENGTH, "-");
+  }
   if (!words.starts_with("No suitable reader")) return fmt::format("not a mesh: {}", words);
   if (!is_input) return "not a mesh, by its ending and its content";
   if (format.empty()) return "not a mesh, or of a format that has to be named (--format obj)";

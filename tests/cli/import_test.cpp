@@ -67,7 +67,9 @@ TEST(Import, SaysWhatIsWrongWithTheFormatOfStandardInput) {
             "rastercheck: -: not a mesh, or of a format that has to be named (--format obj)\n");
   EXPECT_EQ(reason({"--format", "frobnicate"}),
             "rastercheck: -: there is no format 'frobnicate' of meshes\n");
-  EXPECT_EQ(reason({"--format", "off"}), "rastercheck: -: not a mesh of the format 'off'\n");
+  EXPECT_EQ(reason({"--format", "glb"}), "rastercheck: -: not a mesh of the format 'glb'\n");
+  EXPECT_EQ(reason({"--format", "3ds"}),
+            "rastercheck: -: not a mesh: 3DS file is either empty or corrupt: -.3ds\n");
 }
 
 // Kills: reading the file in the program itself, which assimp 5.2.5 ends by a signal over these.
