@@ -206,9 +206,9 @@ std::string gaps_of(const Run& run, const std::vector<LawSummary>& rows) {
 std::string scene_of(const Run& run) {
   if (run.scene.empty() || run.pictures.empty()) return "";
   return fmt::format(
-      "<section>\n<h2>Scene: {}</h2>\n<div class=\"pictures\">\n{}</div>\n"
+      "<section>\n<h2>The scene</h2>\n<div class=\"pictures\">\n{}</div>\n"
       "<p><a href=\"#{}\">All pictures, also of the errors</a></p>\n</section>\n",
-      html(run.scene), picture_figure(run.pictures.front()), kPicturesLink);
+      picture_figure(run.pictures.front()), kPicturesLink);
 }
 
 /// How to do it again, and what it was done with.
