@@ -38,12 +38,14 @@ function(rastercheck_install_package)
     install(EXPORT RasterCheck-${component} NAMESPACE RasterCheck::
       DESTINATION "${package_folder}" COMPONENT ${component})
   endforeach()
+  # Where find_package() does not look for it: it goes through what is on the PATH as well, and a build's
+  # bin/ may be on it.
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/RasterCheckConfig.cmake.in
-    ${PROJECT_BINARY_DIR}/RasterCheckConfig.cmake INSTALL_DESTINATION "${package_folder}")
-  write_basic_package_version_file(${PROJECT_BINARY_DIR}/RasterCheckConfigVersion.cmake
+    ${PROJECT_BINARY_DIR}/CMakeFiles/RasterCheckConfig.cmake INSTALL_DESTINATION "${package_folder}")
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/CMakeFiles/RasterCheckConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)
   install(FILES
-    ${PROJECT_BINARY_DIR}/RasterCheckConfig.cmake
-    ${PROJECT_BINARY_DIR}/RasterCheckConfigVersion.cmake
+    ${PROJECT_BINARY_DIR}/CMakeFiles/RasterCheckConfig.cmake
+    ${PROJECT_BINARY_DIR}/CMakeFiles/RasterCheckConfigVersion.cmake
     DESTINATION "${package_folder}" COMPONENT rasterizer)
 endfunction()

@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import zlib
 
 SOURCE, BUILD, CONFIG, CMAKE, COMPILER, FLAGS = pathlib.Path(), pathlib.Path(), "", "", "", ""
@@ -189,6 +190,14 @@ class Components(unittest.TestCase):
         self.assertIn("Its component testing lacks its own files.", log)
         _, log = self.targets(both, "REQUIRED COMPONENTS testing", *without(["fmt", "GTest"]), expected=1)
         self.assertIn("Its component testing lacks fmt, GTest.", log)
+
+    def test_a_build_on_the_path_is_no_package(self):
+        # CMake looks for packages beside each bin/ of the PATH, and docs have this one there.
+        with unittest.mock.patch.dict(os.environ, PATH=f"{BUILD}/bin:{os.environ['PATH']}"):
+            self.targets("", "QUIET")
+        cache = (self.folder / "build/CMakeCache.txt").read_text(encoding="utf-8")
+        (place,) = re.findall("^RasterCheck_DIR:PATH=(.*)$", cache, re.MULTILINE)
+        self.assertNotEqual(place, str(BUILD))
 
 
 class Testing(unittest.TestCase):
