@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "backends/backend.h"
 #include "cases/case_reader.h"
@@ -22,9 +24,14 @@
 namespace rastercheck::cli {
 namespace {
 
+struct Pixel {
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+};
+
 struct Options {
   std::string file;
-  std::vector<std::uint32_t> pixel;  ///< x and y, or nothing
+  std::optional<Pixel> pixel;
   std::optional<std::uint32_t> sample;
   std::optional<std::uint32_t> triangle;
   std::string backend;
@@ -39,14 +46,27 @@ struct Options {
 constexpr const char* kDepth = "depth";
 constexpr std::uint64_t kMostNumber = std::numeric_limits<std::uint32_t>::max();
 
+/// "3,5" as a pixel; throws CLI::ValidationError where it is none.
+Pixel pixel_of(const std::string& text) {
+  Pixel pixel;
+  const char* const end = text.data() + text.size();
+  const auto [comma, of_x] = std::from_chars(text.data(), end, pixel.x);
+  if (of_x == std::errc() && comma != end && *comma == ',') {
+    const auto [stop, of_y] = std::from_chars(comma + 1, end, pixel.y);
+    if (of_y == std::errc() && stop == end) return pixel;
+  }
+  throw CLI::ValidationError(
+      "--pixel", fmt::format("{} is not X,Y, two whole numbers as in 3,5", cases::printable(text)));
+}
+
 /// What the options settle; fails where there is no such attribute.
 Result<properties::FocusRequest> request_of(const Options& options, const cases::Case& c) {
   properties::FocusRequest request;
   request.triangle = options.triangle;
   request.sample = options.sample;
-  if (!options.pixel.empty()) {
-    request.x = options.pixel[0];
-    request.y = options.pixel[1];
+  if (options.pixel) {
+    request.x = options.pixel->x;
+    request.y = options.pixel->y;
   }
   if (options.attribute.empty()) return request;
   for (std::uint32_t i = 0; i < c.attributes.size(); ++i) {
@@ -111,12 +131,10 @@ Action set_up(CLI::App& app) {
   app.add_option("CASE", options->file, "Case file or counterexample; - reads standard input")
       ->type_name(kFile)
       ->required();
-  app.add_option("--pixel", options->pixel,
-                 "Which pixel; without it the one of the worst sample of the case")
-      ->delimiter(',')
-      ->check(whole_number(kMostNumber))
-      ->type_name("X,Y")
-      ->expected(2);
+  app.add_option_function<std::string>(
+         "--pixel", [options](const std::string& text) { options->pixel = pixel_of(text); },
+         "Which pixel; without it the one of the worst sample of the case")
+      ->type_name("X,Y");
   app.add_option("--sample", options->sample,
                  "Number of the sample, from 0; without it the worst of the pixel")
       ->check(whole_number(kMostNumber))

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -112,8 +113,10 @@ TEST(Explain, RefusesWhatIsNotThereInOneLine) {
   EXPECT_THAT(error({"--triangle", "2"}), HasSubstr("-: there is no triangle 2; it has 2"));
   EXPECT_THAT(error({"--sample", "1"}), HasSubstr("-: there is no sample 1; a pixel has 1"));
   EXPECT_THAT(error({"--attribute", "y"}), HasSubstr("-: --attribute: there is no attribute 'y'"));
-  EXPECT_THAT(error({"--pixel", "8"}), HasSubstr("--pixel"));
-  EXPECT_THAT(error({"--pixel=-1,2"}), HasSubstr("--pixel"));
+  for (const char* text : {"8", "-1,2", "1,2,3", "1,", ",1", "1,4294967296", "a"}) {
+    EXPECT_THAT(error({fmt::format("--pixel={}", text)}),
+                StartsWith(fmt::format("rastercheck: --pixel: {} is not X,Y, two whole", text)));
+  }
   EXPECT_THAT(error({"--backend", "gpu"}), HasSubstr("no backend of that name"));
   const auto damaged = [](const std::string& backend) {
     return run_damaged_program({"explain", "--backend", backend, "-"}, square_case());
