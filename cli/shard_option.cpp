@@ -2,24 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cstdint>
-#include <system_error>
-
 #include "cases/json.h"
+#include "cli/whole_number.h"
 
 namespace rastercheck::cli {
 namespace {
 
 Error refusal(const std::string& text, const std::string& reason) {
   return {"--shard", cases::printable(text), reason};
-}
-
-std::optional<std::uint64_t> whole_number_in(const std::string& text) {
-  std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, value);
-  return stop == end && problem == std::errc() ? std::optional(value) : std::nullopt;
 }
 
 std::string name_of(const std::optional<records::ShardNumber>& shard) {
@@ -39,21 +29,17 @@ CLI::Option* add_shard(CLI::App& app, ShardOption& shard) {
 Result<std::optional<records::ShardNumber>> parse_shard(const ShardOption& option) {
   if (!option) return std::nullopt;
   const std::string& text = *option;
-  const std::size_t slash = text.find('/');
-  const auto index = whole_number_in(text.substr(0, slash));
-  const auto count =
-      slash == std::string::npos ? std::nullopt : whole_number_in(text.substr(slash + 1));
-  if (!index || !count) {
-    return tl::unexpected(refusal(text, "must be two whole numbers, as 2/7"));
-  }
-  if (*count == 0 || *count > records::kMostShards) {
+  const auto numbers = two_whole_numbers_in(text, '/');
+  if (!numbers) return tl::unexpected(refusal(text, "must be two whole numbers, as 2/7"));
+  const auto [index, count] = *numbers;
+  if (count == 0 || count > records::kMostShards) {
     return tl::unexpected(
         refusal(text, fmt::format("a campaign has from 1 to {} shards", records::kMostShards)));
   }
-  if (*index == 0 || *index > *count) {
-    return tl::unexpected(refusal(text, fmt::format("there are shards 1 to {}", *count)));
+  if (index == 0 || index > count) {
+    return tl::unexpected(refusal(text, fmt::format("there are shards 1 to {}", count)));
   }
-  return records::ShardNumber{*index, *count};
+  return records::ShardNumber{index, count};
 }
 
 Result<void> check_shard(const properties::RunPlan& plan, const ShardOption& option) {

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "backends/backend.h"
 #include "cases/case_reader.h"
@@ -48,12 +46,10 @@ constexpr std::uint64_t kMostNumber = std::numeric_limits<std::uint32_t>::max();
 
 /// "3,5" as a pixel; throws CLI::ValidationError where it is none.
 Pixel pixel_of(const std::string& text) {
-  Pixel pixel;
-  const char* const end = text.data() + text.size();
-  const auto [comma, of_x] = std::from_chars(text.data(), end, pixel.x);
-  if (of_x == std::errc() && comma != end && *comma == ',') {
-    const auto [stop, of_y] = std::from_chars(comma + 1, end, pixel.y);
-    if (of_y == std::errc() && stop == end) return pixel;
+  const auto numbers = two_whole_numbers_in(text, ',');
+  if (numbers && numbers->first <= kMostNumber && numbers->second <= kMostNumber) {
+    return {static_cast<std::uint32_t>(numbers->first),
+            static_cast<std::uint32_t>(numbers->second)};
   }
   throw CLI::ValidationError(
       "--pixel", fmt::format("{} is not X,Y, two whole numbers as in 3,5", cases::printable(text)));
