@@ -20,7 +20,7 @@
 namespace rastercheck::cases {
 namespace {
 
-tl::unexpected<Error> failure(const std::string& what, int problem) {
+tl::unexpected<Error> call_failure(const std::string& what, int problem) {
   return tl::unexpected(Error{what, "", std::strerror(problem)});
 }
 
@@ -130,11 +130,11 @@ ProcessEnd ChildProcess::wait() {
 
 Result<ChildOutcome> run_child(const std::vector<std::string>& command, std::uint64_t most_output) {
   std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return failure("pipe", errno);
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return call_failure("pipe", errno);
   const Descriptor ours(ends[0]);
   Descriptor theirs(ends[1]);
   const Descriptor nowhere(::open("/dev/null", O_WRONLY | O_CLOEXEC));
-  if (!nowhere.is_open()) return failure("/dev/null", errno);
+  if (!nowhere.is_open()) return call_failure("/dev/null", errno);
   Result<ChildProcess> child = ChildProcess::start(
       command, {.output = theirs.number(), .error = nowhere.number()}, ProcessGroup::of_parent);
   if (!child) return tl::unexpected(child.error());
@@ -150,7 +150,7 @@ Result<ChildOutcome> run_child(const std::vector<std::string>& command, std::uin
 Result<Descriptor> take_standard_output() {
   Descriptor answers(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3));
   if (!answers.is_open() || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
-    return failure("standard output", errno);
+    return call_failure("standard output", errno);
   }
   return answers;
 }
@@ -167,23 +167,24 @@ Result<void> limit_this_process(const ProcessLimits& limits) {
   for (auto& [resource, limit] : all) {
     // What this process may not have anyway stays as it is.
     rlimit now{};
-    if (::getrlimit(resource, &now) != 0) return failure("getrlimit", errno);
+    if (::getrlimit(resource, &now) != 0) return call_failure("getrlimit", errno);
     limit.rlim_max = std::min(limit.rlim_max, now.rlim_max);
     limit.rlim_cur = std::min(limit.rlim_cur, limit.rlim_max);
-    if (::setrlimit(resource, &limit) != 0) return failure("setrlimit", errno);
+    if (::setrlimit(resource, &limit) != 0) return call_failure("setrlimit", errno);
   }
   return {};
 }
 
 Result<void> limit_processor_time_from_now(std::chrono::duration<double> time) {
   timespec used{};
-  if (::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used) != 0) return failure("clock_gettime", errno);
+  if (::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used) != 0)
+    return call_failure("clock_gettime", errno);
   // Limits are whole seconds; one more, so that none is shorter than it should be.
   const rlim_t seconds = static_cast<rlim_t>(used.tv_sec) + static_cast<rlim_t>(time.count()) + 2;
   rlimit limit{};
-  if (::getrlimit(RLIMIT_CPU, &limit) != 0) return failure("getrlimit", errno);
+  if (::getrlimit(RLIMIT_CPU, &limit) != 0) return call_failure("getrlimit", errno);
   limit.rlim_cur = std::min(seconds, limit.rlim_max);
-  if (::setrlimit(RLIMIT_CPU, &limit) != 0) return failure("setrlimit", errno);
+  if (::setrlimit(RLIMIT_CPU, &limit) != 0) return call_failure("setrlimit", errno);
   return {};
 }
 

@@ -29,7 +29,7 @@ constexpr std::uint64_t kWriting = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCE
 constexpr std::uint64_t kTruncating = 1U << 14U;
 constexpr int kVersionOfTruncating = 3;
 
-tl::unexpected<Error> failure(const std::string& what, int problem) {
+tl::unexpected<Error> confinement_failure(const std::string& what, int problem) {
   return tl::unexpected(Error{what, "", std::strerror(problem)});
 }
 
@@ -41,13 +41,13 @@ int create_ruleset(const landlock_ruleset_attr* attributes, std::size_t size, st
 /// Drivers write to their devices, among which the system has named shared memory.
 Result<void> allow_devices(const Descriptor& ruleset, std::uint64_t access) {
   const Descriptor devices(::open("/dev", O_PATH | O_CLOEXEC));
-  if (!devices.is_open()) return failure("/dev", errno);
+  if (!devices.is_open()) return confinement_failure("/dev", errno);
   landlock_path_beneath_attr rule{};
   rule.allowed_access = access;
   rule.parent_fd = devices.number();
   if (::syscall(SYS_landlock_add_rule, ruleset.number(), LANDLOCK_RULE_PATH_BENEATH, &rule, 0) !=
       0) {
-    return failure("landlock_add_rule", errno);
+    return confinement_failure("landlock_add_rule", errno);
   }
   return {};
 }
@@ -59,12 +59,12 @@ Result<bool> take_files() {
   landlock_ruleset_attr attributes{};
   attributes.handled_access_fs = kWriting | (version >= kVersionOfTruncating ? kTruncating : 0);
   const Descriptor ruleset(create_ruleset(&attributes, sizeof attributes, 0));
-  if (!ruleset.is_open()) return failure("landlock_create_ruleset", errno);
+  if (!ruleset.is_open()) return confinement_failure("landlock_create_ruleset", errno);
   if (const Result<void> allowed = allow_devices(ruleset, attributes.handled_access_fs); !allowed) {
     return tl::unexpected(allowed.error());
   }
   if (::syscall(SYS_landlock_restrict_self, ruleset.number(), 0) != 0) {
-    return failure("landlock_restrict_self", errno);
+    return confinement_failure("landlock_restrict_self", errno);
   }
   return true;
 }
@@ -73,7 +73,7 @@ Result<bool> take_files() {
 Result<bool> take_networks() {
   const std::unique_ptr<void, decltype(&seccomp_release)> filter(::seccomp_init(SCMP_ACT_ALLOW),
                                                                  &seccomp_release);
-  if (!filter) return failure("seccomp_init", ENOMEM);
+  if (!filter) return confinement_failure("seccomp_init", ENOMEM);
   for (const int family : {AF_INET, AF_INET6}) {
     scmp_arg_cmp is_family{};
     is_family.arg = 0;
@@ -81,7 +81,7 @@ Result<bool> take_networks() {
     is_family.datum_a = static_cast<scmp_datum_t>(family);
     const int problem = ::seccomp_rule_add_array(filter.get(), SCMP_ACT_ERRNO(EACCES),
                                                  SCMP_SYS(socket), 1, &is_family);
-    if (problem != 0) return failure("seccomp_rule_add", -problem);
+    if (problem != 0) return confinement_failure("seccomp_rule_add", -problem);
   }
   return ::seccomp_load(filter.get()) == 0;
 }
@@ -90,7 +90,7 @@ Result<bool> take_networks() {
 
 Result<Confinement> confine_this_process() {
   // Without this only the superuser may take anything.
-  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return failure("prctl", errno);
+  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return confinement_failure("prctl", errno);
   const Result<bool> files = take_files();
   if (!files) return tl::unexpected(files.error());
   const Result<bool> networks = take_networks();

@@ -28,7 +28,7 @@ bool is_word(const JsonNode& node, std::string_view word) {
   return node.is_string() && node.text() == word;
 }
 
-CoverageTerm read_coverage(const JsonNode& node) {
+CoverageTerm read_coverage_term(const JsonNode& node) {
   if (is_word(node, kAsAsked)) return AsAsked{};
   if (node.is_string()) {
     if (node.text() != "exact") {
@@ -108,7 +108,7 @@ void read_bounds(const JsonNode& node, ContractTerms& terms) {
   }
 }
 
-void check_header(const JsonNode& root) {
+void check_contract_header(const JsonNode& root) {
   // These first: of a later version, its unknown keys are not what is wrong.
   root.expect_format("rastercheck-contract");
   if (root.has("version") && root["version"].integer(0, std::numeric_limits<int>::max()) != 1) {
@@ -231,10 +231,10 @@ std::uint64_t digest_of(ContractTerms terms) {
 
 ContractTerms read_contract_terms(const JsonNode& root) {
   ContractTerms terms;
-  check_header(root);
+  check_contract_header(root);
   if (root.failed()) return terms;
   if (root.has("name")) terms.name = root["name"].text();
-  if (root.has("coverage")) terms.coverage = read_coverage(root["coverage"]);
+  if (root.has("coverage")) terms.coverage = read_coverage_term(root["coverage"]);
   const auto boolean = [](const JsonNode& node) { return node.boolean(); };
   read_term(root, "is_on_grid", terms.is_on_grid, boolean);
   read_asked_term(root, "basis", terms.basis,

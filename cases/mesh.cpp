@@ -25,7 +25,7 @@ Bounds bounds_of(const std::vector<ClipVertex>& positions) {
   return bounds;
 }
 
-bool is_finite(const Camera& camera) {
+bool is_finite_camera(const Camera& camera) {
   const auto finite = [](float value) { return std::isfinite(value); };
   return std::all_of(camera.view.begin(), camera.view.end(), finite) &&
          std::all_of(camera.projection.begin(), camera.projection.end(), finite);
@@ -65,7 +65,7 @@ Result<Case> case_of_mesh(const Mesh& mesh, const std::string& file, const MeshO
   }
   c.camera =
       frame(bounds_of(c.positions), c.rules, double{c.viewport.width} / double{c.viewport.height});
-  if (!is_finite(*c.camera)) return refuse("too large to be framed by a float32 camera");
+  if (!is_finite_camera(*c.camera)) return refuse("too large to be framed by a float32 camera");
   return c;
 }
 

@@ -37,7 +37,7 @@ bool is_finite(const aiVector3D& v) {
 
 /// The first thing in a scene that must not be processed further, or "". Some of assimp's readers
 /// pass on indices beyond the vertices, which its processing follows.
-std::string fault_of(const aiScene& scene) {
+std::string fault_of_scene(const aiScene& scene) {
   for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
     for (const aiFace& face : std::span(mesh->mFaces, mesh->mNumFaces)) {
       for (const unsigned index : std::span(face.mIndices, face.mNumIndices)) {
@@ -135,7 +135,8 @@ class TriangleCollector {
 
 /// Why nothing was read: assimp's words, but for the name that it has for standard input, of which
 /// `format` was named.
-std::string reason_of(const Assimp::Importer& importer, bool is_input, const std::string& format) {
+std::string import_failure(const Assimp::Importer& importer, bool is_input,
+                           const std::string& format) {
   std::string words = importer.GetErrorString();
   if (const std::size_t name = words.find(AI_MEMORYIO_MAGIC_FILENAME); name != std::string::npos) {
     words.replace(name, AI_MEMORYIO_MAGIC_FILENAME_LENGTH, "-");
@@ -155,10 +156,10 @@ Result<Mesh> mesh_of_scene(Assimp::Importer& importer, const std::string& file,
     return tl::unexpected(Error{file, "", printable(reason)});
   };
   const aiScene* scene = importer.GetScene();
-  if (scene == nullptr) return refuse(reason_of(importer, file == "-", format));
-  if (const std::string broken = fault_of(*scene); !broken.empty()) return refuse(broken);
+  if (scene == nullptr) return refuse(import_failure(importer, file == "-", format));
+  if (const std::string broken = fault_of_scene(*scene); !broken.empty()) return refuse(broken);
   scene = importer.ApplyPostProcessing(kProcessing);
-  if (scene == nullptr) return refuse(reason_of(importer, file == "-", format));
+  if (scene == nullptr) return refuse(import_failure(importer, file == "-", format));
 
   const std::span meshes(scene->mMeshes, scene->mNumMeshes);
   Mesh mesh;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kTextColumn = 24;  ///< where what is said of options begins
 
-std::string entry(const std::string& name, const std::string& text) {
+std::string help_entry(const std::string& name, const std::string& text) {
   const std::string label = "  " + name;
   if (label.size() + 2 <= kTextColumn) return reports::wrapped(label, kTextColumn, text);
   return label + "\n" + reports::wrapped("", kTextColumn, text);
@@ -30,14 +30,15 @@ class HelpFormat : public CLI::Formatter {
 
   std::string make_option(const CLI::Option* option, bool /*is_positional*/) const override {
     const OptionText text = text_of(*option);
-    return entry(text.value.empty() ? text.names : text.names + " " + text.value, text.description);
+    return help_entry(text.value.empty() ? text.names : text.names + " " + text.value,
+                      text.description);
   }
 
   std::string make_subcommands(const CLI::App* app, CLI::AppFormatMode /*mode*/) const override {
     const auto commands = shown_commands(*app);
     std::string text = commands.empty() ? "" : "\nCommands:\n";
     for (const CLI::App* command : commands) {
-      text += entry(command->get_name(), command->get_description());
+      text += help_entry(command->get_name(), command->get_description());
     }
     return text;
   }

@@ -59,7 +59,7 @@ std::string section(const CLI::App& command) {
   return roff;
 }
 
-constexpr std::string_view kEnd = R"(.SH "EXIT STATUS"
+constexpr std::string_view kManualEnd = R"(.SH "EXIT STATUS"
 .TP
 0
 All laws held, or were violated in ways that are known of a driver.
@@ -113,7 +113,7 @@ std::string manual_page(const CLI::App& program) {
   for (const CLI::Option* option : options_of(program)) roff += entry(text_of(*option));
   roff += ".SH COMMANDS\n";
   for (const CLI::App* command : shown_commands(program)) roff += section(*command);
-  return roff + std::string(kEnd);
+  return roff + std::string(kManualEnd);
 }
 
 }  // namespace rastercheck::cli

@@ -87,7 +87,7 @@ Image image_of(const Cofactors& cofactors, const cases::Normal& normal) {
   return image;
 }
 
-FragmentClass class_of(const Image& image, std::size_t i, const Ring& share, float f) {
+FragmentClass class_of_component(const Image& image, std::size_t i, const Ring& share, float f) {
   if (std::isnan(f)) return FragmentClass::not_a_number;
   if (std::isinf(f)) return FragmentClass::infinite;
   if (sign_of(image.square) == 0) {
@@ -132,7 +132,7 @@ std::vector<JudgedNormal> judge_normals(const cases::Matrix4& model,
     const Ring beyond = share * share * image.terms_square;
     normal.is_cancelled = Ring(0x1p-50) * image.square < beyond;
     for (std::size_t i = 0; i < 3; ++i) {
-      normal.components[i].fragment_class = class_of(image, i, share, computed[k][i]);
+      normal.components[i].fragment_class = class_of_component(image, i, share, computed[k][i]);
       normal.components[i].exact = unit_component(image, i);
     }
   }

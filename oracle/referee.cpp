@@ -35,7 +35,7 @@ namespace {
 using cases::Rules;
 using FieldMatrix4 = Eigen::Matrix<Field, 4, 4>;
 
-FieldMatrix4 exact_matrix(const cases::Matrix4& rows) {
+FieldMatrix4 field_matrix(const cases::Matrix4& rows) {
   FieldMatrix4 matrix;
   for (std::size_t i = 0; i < 16; ++i) {
     matrix(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) =
@@ -48,9 +48,9 @@ FieldVector4 clip_position(const cases::Case& c, std::uint32_t vertex) {
   const cases::ClipVertex& p = c.positions[vertex];
   FieldVector4 position(exact_field(p.x), exact_field(p.y), exact_field(p.z), exact_field(p.w));
   if (!c.camera) return position;
-  position = (exact_matrix(c.camera->model) * position).eval();
-  position = (exact_matrix(c.camera->view) * position).eval();
-  return exact_matrix(c.camera->projection) * position;
+  position = (field_matrix(c.camera->model) * position).eval();
+  position = (field_matrix(c.camera->view) * position).eval();
+  return field_matrix(c.camera->projection) * position;
 }
 
 /// The image plane of a viewport: window = V (x, y, w)^T, so that a, b, c are the columns of V^-1.

@@ -6,7 +6,7 @@
 namespace rastercheck::properties {
 namespace {
 
-std::vector<Generator>& registry() {
+std::vector<Generator>& generator_registry() {
   static std::vector<Generator> all;
   return all;
 }
@@ -17,18 +17,18 @@ GeneratorRegistration::GeneratorRegistration(const Generator& generator) {
   // The order in which files register is the linker's; which of them a random number picks must
   // not depend on it.
   const auto after =
-      std::find_if(registry().begin(), registry().end(),
+      std::find_if(generator_registry().begin(), generator_registry().end(),
                    [&generator](const Generator& other) { return other.name > generator.name; });
-  registry().insert(after, generator);
+  generator_registry().insert(after, generator);
 }
 
-std::span<const Generator> generators() { return registry(); }
+std::span<const Generator> generators() { return generator_registry(); }
 
 const Generator* find_generator(std::string_view name) {
   const auto found =
-      std::find_if(registry().begin(), registry().end(),
+      std::find_if(generator_registry().begin(), generator_registry().end(),
                    [name](const Generator& generator) { return generator.name == name; });
-  return found == registry().end() ? nullptr : &*found;
+  return found == generator_registry().end() ? nullptr : &*found;
 }
 
 }  // namespace rastercheck::properties

@@ -9,7 +9,7 @@
 namespace rastercheck::properties {
 namespace {
 
-std::vector<Law>& registry() {
+std::vector<Law>& law_registry() {
   static std::vector<Law> all;
   return all;
 }
@@ -17,17 +17,17 @@ std::vector<Law>& registry() {
 }  // namespace
 
 LawRegistration::LawRegistration(const Law& law) {
-  const auto after = std::find_if(registry().begin(), registry().end(),
+  const auto after = std::find_if(law_registry().begin(), law_registry().end(),
                                   [&law](const Law& other) { return other.name > law.name; });
-  registry().insert(after, law);
+  law_registry().insert(after, law);
 }
 
-std::span<const Law> laws() { return registry(); }
+std::span<const Law> laws() { return law_registry(); }
 
 const Law* find_law(std::string_view name) {
-  const auto found = std::find_if(registry().begin(), registry().end(),
+  const auto found = std::find_if(law_registry().begin(), law_registry().end(),
                                   [name](const Law& law) { return law.name == name; });
-  return found == registry().end() ? nullptr : &*found;
+  return found == law_registry().end() ? nullptr : &*found;
 }
 
 std::uint64_t least_reached(const Cover& cover, std::uint64_t checked) {

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<Checkpoint> read_checkpoint(const std::string& file) {
+Result<Checkpoint> read_checkpoint_file(const std::string& file) {
   return cases::read_text(file).and_then(
       [&file](const std::string& text) { return parse_checkpoint(text, file); });
 }
@@ -25,7 +25,7 @@ Result<void> save_unfinished(const std::string& directory, const Warn& warn) {
   const std::string file = checkpoint_file(directory);
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return {};
-  const Result<Checkpoint> read = read_checkpoint(file);
+  const Result<Checkpoint> read = read_checkpoint_file(file);
   if (!read) {
     warn(read.error());  // It is replaced all the same: nobody can go on from it.
     return {};
@@ -66,7 +66,7 @@ Result<Checkpoint> resume_run(const std::string& directory, const std::string& p
   if (!fs::exists(file, ignored)) {
     return tl::unexpected(Error{file, "", "is not there: nothing was interrupted in this folder"});
   }
-  Result<Checkpoint> read = read_checkpoint(file);
+  Result<Checkpoint> read = read_checkpoint_file(file);
   if (!read) return read;
   const RunPlan& plan = read->plan;
   const auto refuse = [&file](const char* place, const std::string& reason) {

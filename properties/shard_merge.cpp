@@ -23,9 +23,9 @@ using Environment = std::map<std::string, std::string>;
 // --- Differences ---------------------------------------------------------------------------------
 
 /// How a shard differs from those before it: the first difference that was found.
-class Difference {
+class ShardDifference {
  public:
-  explicit Difference(std::string first) : first_(std::move(first)) {}
+  explicit ShardDifference(std::string first) : first_(std::move(first)) {}
 
   template <typename Value>
   void compare(std::string_view what, const Value& here, const Value& there) {
@@ -95,7 +95,7 @@ std::string other_promises(const Shard& here, const Shard& there) {
 
 Result<void> check_same_campaign(const Run& here, const Run& there, const std::string& file,
                                  const std::string& first) {
-  Difference difference(first);
+  ShardDifference difference(first);
   difference.compare("program's version", value_of(here.environment, "version"),
                      value_of(there.environment, "version"));
   // A baseline is of one architecture.

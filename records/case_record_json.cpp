@@ -15,16 +15,16 @@ namespace {
 using cases::JsonNode;
 using nlohmann::json;
 
-constexpr int kHexadecimal = 16;
-constexpr std::size_t kDigits = 16;
+constexpr int kDigestBase = 16;
+constexpr std::size_t kDigestDigits = 16;
 
-CaseKey read_key(const JsonNode& node) {
+CaseKey read_case_key(const JsonNode& node) {
   return {node["law"].text(), node["backend"].text(), node["origin"].enumerator<Origin>(),
           node["index"].count()};
 }
 
-std::map<Stratum, WorstError> read_strata(const JsonNode& node, std::uint64_t index,
-                                          const std::string& name) {
+std::map<Stratum, WorstError> read_worst_of_strata(const JsonNode& node, std::uint64_t index,
+                                                   const std::string& name) {
   constexpr auto kNames = names_of(Stratum{});
   node.expect_object({}, kNames);
   std::map<Stratum, WorstError> strata;
@@ -38,7 +38,7 @@ std::map<Stratum, WorstError> read_strata(const JsonNode& node, std::uint64_t in
   return strata;
 }
 
-CaseRecord read_record(const JsonNode& node, const CaseKey& key) {
+CaseRecord read_case_record(const JsonNode& node, const CaseKey& key) {
   CaseRecord record;
   if (node.has("name")) record.name = node["name"].text();
   record.stratum = node["stratum"].text();
@@ -60,8 +60,8 @@ std::uint64_t digest_from_json(const JsonNode& node) {
   const std::string text = node.text();
   std::uint64_t digest = 0;
   const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, digest, kHexadecimal);
-  if (text.size() != kDigits || error != std::errc() || stop != end ||
+  const auto [stop, error] = std::from_chars(text.data(), end, digest, kDigestBase);
+  if (text.size() != kDigestDigits || error != std::errc() || stop != end ||
       digest_text(digest) != text) {
     node.refuse("must be 16 hexadecimal digits");
   }
@@ -86,7 +86,7 @@ WorstOfCase worst_of_case_from_json(const JsonNode& node, std::uint64_t index,
   WorstOfCase worst;
   for (std::size_t i = 0; i < kKinds.size(); ++i) {
     if (!node.has(kKinds[i])) continue;
-    worst[static_cast<AttributeKind>(i)] = read_strata(node[kKinds[i]], index, name);
+    worst[static_cast<AttributeKind>(i)] = read_worst_of_strata(node[kKinds[i]], index, name);
   }
   return worst;
 }
@@ -119,8 +119,8 @@ CaseRecordSet case_records_from_json(const JsonNode& array) {
         {"law", "backend", "origin", "index", "stratum", "outcome", "source", "found"},
         {"name", "mismatches", "worst"});
     if (node.failed()) break;
-    CaseKey key = read_key(node);
-    CaseRecord record = read_record(node, key);
+    CaseKey key = read_case_key(node);
+    CaseRecord record = read_case_record(node, key);
     const bool is_new = records.emplace(std::move(key), std::move(record)).second;
     if (!is_new) node.refuse("a second record of the same law, backend, origin and index");
   }

@@ -11,7 +11,7 @@ namespace {
 __extension__ using Wide = unsigned __int128;
 
 /// units / 10^decimals, without zeros at the end.
-std::string in_decimals(Wide units, int decimals) {
+std::string units_in_decimals(Wide units, int decimals) {
   std::string digits = fmt::format("{}", units);
   const auto places = static_cast<std::size_t>(decimals);
   if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
@@ -40,7 +40,7 @@ std::string share_text(std::uint64_t part, std::uint64_t whole) {
     all *= 10;
   }
   const Wide rounded = (2 * smaller * all + whole) / (2 * Wide{whole});
-  return in_decimals(smaller == part ? rounded : all - rounded, decimals) + "%";
+  return units_in_decimals(smaller == part ? rounded : all - rounded, decimals) + "%";
 }
 
 std::string levels_text(const LevelCounts& levels, std::uint64_t undecided) {

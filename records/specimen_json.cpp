@@ -16,9 +16,9 @@ using cases::JsonNode;
 using nlohmann::json;
 
 constexpr std::string_view kUndrawn = "-";
-constexpr std::size_t kDigits = 8;
-constexpr int kHexadecimal = 16;
-constexpr std::uint32_t kMostSamples = 16;
+constexpr std::size_t kFloatDigits = 8;
+constexpr int kFloatBase = 16;
+constexpr std::uint32_t kMostCropSamples = 16;
 
 std::string sample_text(const Specimen& specimen, std::size_t at) {
   if (!specimen.drawn[at]) return std::string(kUndrawn);
@@ -51,20 +51,20 @@ std::string_view take(std::string_view& text, char separator) {
 std::optional<std::uint32_t> bits_of(const std::string& text) {
   std::uint32_t bits = 0;
   const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, bits, kHexadecimal);
-  const bool is_read = text.size() == kDigits && error == std::errc() && stop == end;
+  const auto [stop, error] = std::from_chars(text.data(), end, bits, kFloatBase);
+  const bool is_read = text.size() == kFloatDigits && error == std::errc() && stop == end;
   return is_read && fmt::format("{:08x}", bits) == text ? std::optional(bits) : std::nullopt;
 }
 
 /// Appends a sample; false where its text is none.
-bool read_sample(std::string_view text, Specimen& specimen) {
+bool read_crop_sample(std::string_view text, Specimen& specimen) {
   const std::size_t values = specimen.values_per_sample();
   specimen.drawn.push_back(text != kUndrawn);
   if (text == kUndrawn) {
     specimen.bits.insert(specimen.bits.end(), values, 0);
     return true;
   }
-  if (text.size() != values * (kDigits + 1) - 1) return false;
+  if (text.size() != values * (kFloatDigits + 1) - 1) return false;
   for (std::size_t value = 0; value < values; ++value) {
     const std::optional<std::uint32_t> bits = bits_of(std::string(take(text, ':')));
     if (!bits) return false;
@@ -79,7 +79,7 @@ void read_row(const JsonNode& node, Specimen& specimen) {
   std::string_view rest = row;
   bool is_row = !row.ends_with(' ');
   for (std::size_t i = 0; is_row && i < samples; ++i) {
-    is_row = read_sample(take(rest, ' '), specimen);
+    is_row = read_crop_sample(take(rest, ' '), specimen);
   }
   if (is_row && rest.empty()) return;
   node.refuse(
@@ -126,7 +126,7 @@ Specimen specimen_from_json(const JsonNode& node) {
   specimen.top = node["top"].count(kMostPixel);
   specimen.width = node["width"].count(kMostInspected);
   specimen.height = node["height"].count(kMostInspected);
-  specimen.samples = node["samples"].count(kMostSamples);
+  specimen.samples = node["samples"].count(kMostCropSamples);
   specimen.attributes = node["attributes"].count(static_cast<std::uint32_t>(cases::kMaxAttributes));
   if (node.failed()) return specimen;
   if (specimen.sample_count() == 0) node.refuse("must have a sample");

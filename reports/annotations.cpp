@@ -31,7 +31,7 @@ std::string command(std::string_view level, std::string_view title, std::string_
 }
 
 /// GitHub shows ten of a step, and drops the rest.
-constexpr std::size_t kMostEntries = 10;
+constexpr std::size_t kMostAnnotations = 10;
 
 std::string error_of(const Gate& gate, const Comparison& comparison, const EntryChange& entry) {
   std::string message;
@@ -86,7 +86,7 @@ std::string github_annotations(const Gate& gate) {
   for (const Comparison& comparison : gate.comparisons) {
     for (const EntryChange& entry : comparison.entries) {
       const bool is_refused = entry.change == Change::worse && !entry.allowed_because;
-      if (is_refused && ++shown <= kMostEntries) text += error_of(gate, comparison, entry);
+      if (is_refused && ++shown <= kMostAnnotations) text += error_of(gate, comparison, entry);
     }
   }
   for (const std::string& line : gate.policy.expired) text += command("warning", "expired", line);

@@ -19,7 +19,7 @@ constexpr std::size_t kDigitsOfGroup = 4;
 constexpr std::string_view kAlphabet =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-Error refusal() { return {"", "", "must be base64, with padding and without white space"}; }
+Error base64_refusal() { return {"", "", "must be base64, with padding and without white space"}; }
 
 }  // namespace
 
@@ -41,12 +41,12 @@ std::string to_base64(std::string_view bytes) {
 }
 
 Result<std::string> from_base64(std::string_view text) {
-  if (text.size() % kDigitsOfGroup != 0) return tl::unexpected(refusal());
+  if (text.size() % kDigitsOfGroup != 0) return tl::unexpected(base64_refusal());
   const std::size_t end_of_digits = text.find_last_not_of('=') + 1;
   const std::size_t padding = text.size() - end_of_digits;
   const bool is_foreign =
       text.substr(0, end_of_digits).find_first_not_of(kAlphabet) != std::string_view::npos;
-  if (padding >= kBytesOfGroup || is_foreign) return tl::unexpected(refusal());
+  if (padding >= kBytesOfGroup || is_foreign) return tl::unexpected(base64_refusal());
 
   std::string digits(text);
   std::fill_n(digits.rbegin(), padding, 'A');  // the digit 0
@@ -54,7 +54,7 @@ Result<std::string> from_base64(std::string_view text) {
   std::string bytes(Decoder(view.begin()), Decoder(view.end()));
   bytes.resize(bytes.size() - padding);
   // The last digit before padding has bits that belong to no byte; other than zero, it was cut off.
-  if (padding > 0 && to_base64(bytes) != text) return tl::unexpected(refusal());
+  if (padding > 0 && to_base64(bytes) != text) return tl::unexpected(base64_refusal());
   return bytes;
 }
 

@@ -28,7 +28,7 @@ using records::Stratum;
 // --- Writing -------------------------------------------------------------------------------------
 
 template <typename Json>
-std::string text_of(const Json& value) {
+std::string json_text(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -78,7 +78,7 @@ std::string line_of(const EntryKey& key, const EntryFigures& figures) {
   for (const auto& [stage, sum] : figures.stages) {
     object["stages"][std::string(to_string(stage))] = records::sum_to_json(sum);
   }
-  return text_of(object);
+  return json_text(object);
 }
 
 std::string line_of(const CaseNumber& number, const CaseFigures& figures) {
@@ -89,25 +89,25 @@ std::string line_of(const CaseNumber& number, const CaseFigures& figures) {
   }
   if (figures.mismatches > 0) object["mismatches"] = figures.mismatches;
   if (!figures.worst.empty()) object["worst"] = records::worst_of_case_to_json(figures.worst);
-  return text_of(object);
+  return json_text(object);
 }
 
 std::string line_of(const Approval& approval) {
-  return text_of(ordered_json{{"reason", approval.reason},
-                              {"version", approval.version},
-                              {"commit", approval.commit},
-                              {"changes", approval.changes}});
+  return json_text(ordered_json{{"reason", approval.reason},
+                                {"version", approval.version},
+                                {"commit", approval.commit},
+                                {"changes", approval.changes}});
 }
 
 std::string line_of(const Taken& taken) {
-  return text_of(ordered_json{{"backend", taken.backend},
-                              {"version", taken.version},
-                              {"commit", taken.commit},
-                              {"instruction_set", taken.instruction_set},
-                              {"compiler", taken.compiler}});
+  return json_text(ordered_json{{"backend", taken.backend},
+                                {"version", taken.version},
+                                {"commit", taken.commit},
+                                {"instruction_set", taken.instruction_set},
+                                {"compiler", taken.compiler}});
 }
 
-std::string text_of(const BaselineSection& section) {
+std::string json_text(const BaselineSection& section) {
   std::string text = "{\n";
   const auto add = [&text](std::string_view key, const std::string& value) {
     text += fmt::format("{}\"{}\": {}", text.size() > 2 ? ",\n" : "", key, value);
@@ -121,7 +121,7 @@ std::string text_of(const BaselineSection& section) {
   add("rules_version", std::to_string(section.rules_version));
   add("seed", std::to_string(section.seed));
   add("cases_per_law", std::to_string(section.cases_per_law));
-  add("options", text_of(ordered_json(section.options)));
+  add("options", json_text(ordered_json(section.options)));
   if (section.contract_digest) {
     add("contract_digest", cases::json_string(records::digest_text(*section.contract_digest)));
   }
@@ -134,13 +134,13 @@ std::string text_of(const BaselineSection& section) {
   add("entries", std::move(entries).end(']'));
   Lines laws('[');
   for (const auto& [law, of] : section.laws) {
-    laws.add(text_of(ordered_json{
+    laws.add(json_text(ordered_json{
         {"law", law}, {"cases", of.count}, {"digest", records::digest_text(of.digest)}}));
   }
   add("laws", std::move(laws).end(']'));
   Lines corpus('[');
   for (const auto& [index, name] : section.corpus) {
-    corpus.add(text_of(ordered_json::array({index, name})));
+    corpus.add(json_text(ordered_json::array({index, name})));
   }
   add("corpus", std::move(corpus).end(']'));
   Lines cases_by_law('[');
@@ -153,7 +153,7 @@ std::string text_of(const BaselineSection& section) {
   add("cases", std::move(cases_by_law).end(']'));
   Lines specimens('[');
   for (const records::Specimen& specimen : section.specimens) {
-    specimens.add(text_of(records::specimen_to_json(specimen)));
+    specimens.add(json_text(records::specimen_to_json(specimen)));
   }
   if (!section.specimens.empty()) add("specimens", std::move(specimens).end(']'));
   return text + "\n}";
@@ -161,7 +161,7 @@ std::string text_of(const BaselineSection& section) {
 
 // --- Reading -------------------------------------------------------------------------------------
 
-std::vector<std::string> read_texts(const JsonNode& node) {
+std::vector<std::string> read_text_list(const JsonNode& node) {
   std::vector<std::string> texts;
   for (const JsonNode& element : node.elements()) texts.push_back(element.text());
   return texts;
@@ -223,7 +223,7 @@ Taken read_taken(const JsonNode& node) {
 Approval read_approval(const JsonNode& node) {
   node.expect_object({"reason", "version", "commit", "changes"});
   Approval approval{node["reason"].text(), node["version"].text(), node["commit"].text(),
-                    read_texts(node["changes"])};
+                    read_text_list(node["changes"])};
   if (approval.reason.empty()) node["reason"].refuse("must not be empty");
   return approval;
 }
@@ -304,7 +304,7 @@ BaselineSection read_section(const JsonNode& node) {
   section.rules_version = node["rules_version"].count();
   section.seed = node["seed"].count();
   section.cases_per_law = node["cases_per_law"].count();
-  section.options = read_texts(node["options"]);
+  section.options = read_text_list(node["options"]);
   if (node.has("contract_digest")) {
     section.contract_digest = records::digest_from_json(node["contract_digest"]);
   }
@@ -323,7 +323,7 @@ BaselineSection read_section(const JsonNode& node) {
   return section;
 }
 
-Baseline read_document(const JsonNode& root) {
+Baseline read_baseline_document(const JsonNode& root) {
   // These first: of a later version, its unknown keys are not what is wrong.
   root.expect_format("rastercheck-baseline");
   if (root.has("version") && root["version"].count() != kBaselineVersion) {
@@ -345,14 +345,14 @@ Baseline read_document(const JsonNode& root) {
 
 std::string to_json(const Baseline& baseline) {
   Lines sections('[');
-  for (const BaselineSection& section : baseline.sections) sections.add(text_of(section));
+  for (const BaselineSection& section : baseline.sections) sections.add(json_text(section));
   return fmt::format(
       "{{\n\"format\": \"rastercheck-baseline\",\n\"version\": {},\n\"sections\": {}\n}}\n",
       kBaselineVersion, std::move(sections).end(']'));
 }
 
 Result<Baseline> parse_baseline(std::string_view text, const std::string& file) {
-  return cases::read_json(text, file, &read_document);
+  return cases::read_json(text, file, &read_baseline_document);
 }
 
 Result<Baseline> read_baseline(const std::string& file) {

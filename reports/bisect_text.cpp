@@ -18,13 +18,13 @@
 namespace rastercheck::reports {
 namespace {
 
-constexpr std::size_t kShortHash = 10;
+constexpr std::size_t kShownHash = 10;
 /// Figures that are worse; all of their entries are in the JSON.
 constexpr std::size_t kMostLines = 5;
-constexpr std::size_t kMostStages = 1;
+constexpr std::size_t kMostStagesOfCommit = 1;
 
 std::string title_text(const CommitTitle& commit) {
-  return fmt::format("{} {} {} ({})", commit.hash.substr(0, kShortHash), commit.date,
+  return fmt::format("{} {} {} ({})", commit.hash.substr(0, kShownHash), commit.date,
                      cases::one_line(commit.subject), cases::one_line(commit.author));
 }
 
@@ -55,7 +55,7 @@ std::string worse_text(const Comparison& comparison, const std::string& folder) 
   }
   if (lines.size() > kMostLines)
     text += fmt::format("    … and {} more\n", lines.size() - kMostLines);
-  for (const std::string& line : stage_lines(comparison, kMostStages)) {
+  for (const std::string& line : stage_lines(comparison, kMostStagesOfCommit)) {
     text += fmt::format("  stage: {}\n", line);
   }
   if (!comparison.growths.empty()) text += growth_text(comparison, folder);
@@ -144,7 +144,7 @@ std::string bisect_text(const BisectOutcome& outcome) {
   }
   return text + count_text(outcome) +
          (outcome.comparison.empty() ? "" : fmt::format("Comparison: {}\n", outcome.comparison)) +
-         fmt::format("See: git show {}\n", first.hash.substr(0, kShortHash));
+         fmt::format("See: git show {}\n", first.hash.substr(0, kShownHash));
 }
 
 std::string bisect_json(const BisectOutcome& outcome) {

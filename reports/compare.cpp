@@ -17,7 +17,7 @@ using records::Enclosure;
 
 // --- What cannot be compared ---------------------------------------------------------------------
 
-std::string words(const std::vector<std::string>& all) {
+std::string option_words(const std::vector<std::string>& all) {
   return all.empty() ? "none" : fmt::format("{}", fmt::join(all, " "));
 }
 
@@ -46,7 +46,8 @@ std::string other_options(const BaselineSection& before, const BaselineSection& 
   const std::vector<std::string> was = judged_by(before, !are_known);
   const std::vector<std::string> is = judged_by(after, !are_known);
   if (was != is) {
-    return fmt::format("the options are {} in the baseline and {} now", words(was), words(is));
+    return fmt::format("the options are {} in the baseline and {} now", option_words(was),
+                       option_words(is));
   }
   if (!are_known || before.contract_digest == after.contract_digest) return "";
   const auto file = [](const BaselineSection& section) {

@@ -11,7 +11,7 @@
 namespace rastercheck::reports {
 namespace {
 
-std::vector<CompareFormat>& registry() {
+std::vector<CompareFormat>& compare_registry() {
   static std::vector<CompareFormat> formats;
   return formats;
 }
@@ -21,16 +21,16 @@ std::vector<CompareFormat>& registry() {
 CompareFormatRegistration::CompareFormatRegistration(const CompareFormat& format) {
   // The order in which files register is the linker's; lists have one of their own.
   const auto after =
-      std::find_if(registry().begin(), registry().end(),
+      std::find_if(compare_registry().begin(), compare_registry().end(),
                    [&format](const CompareFormat& other) { return other.name > format.name; });
-  registry().insert(after, format);
+  compare_registry().insert(after, format);
 }
 
-const std::vector<CompareFormat>& compare_formats() { return registry(); }
+const std::vector<CompareFormat>& compare_formats() { return compare_registry(); }
 
 Result<CompareFormat> find_compare_format(std::string_view name) {
   std::vector<std::string_view> names;
-  for (const CompareFormat& format : registry()) {
+  for (const CompareFormat& format : compare_registry()) {
     if (format.name == name) return format;
     names.push_back(format.name);
   }
@@ -49,7 +49,7 @@ Result<void> write_comparison(const Gate& gate, const std::string& directory) {
   std::error_code why;
   std::filesystem::create_directories(directory, why);
   if (why) return tl::unexpected(Error{directory, "", "cannot be made: " + why.message()});
-  for (const CompareFormat& format : registry()) {
+  for (const CompareFormat& format : compare_registry()) {
     const std::string file = (std::filesystem::path(directory) / format.file_name).string();
     if (Result<void> written = cases::write_file(file, format.write(gate)); !written) {
       return written;

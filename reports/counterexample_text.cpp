@@ -21,7 +21,7 @@ using records::Violation;
 
 /// Vertices and triangles that are shown; of more the file is to be looked at.
 constexpr std::size_t kMostShown = 12;
-constexpr int kDigits = 6;  ///< of errors and distances, at most
+constexpr int kCoordinateDigits = 6;  ///< of errors and distances, at most
 
 /// "0x1.8p-2 (0.375)"; small whole numbers as they are.
 std::string number_text(float value) {
@@ -39,7 +39,7 @@ std::string attribute_name(const cases::Case& c, std::uint32_t attribute) {
                      cases::printable(c.attributes[attribute].name));
 }
 
-std::string violation_text(const Violation& v, const cases::Case& c) {
+std::string printed_violation(const Violation& v, const cases::Case& c) {
   const std::string note = cases::printable(v.note);
   if (!v.has_place()) return fmt::format("  {}\n", note);
   std::string text =
@@ -52,10 +52,13 @@ std::string violation_text(const Violation& v, const cases::Case& c) {
     text += fmt::format("{} is {}\n    exactly {}", what, cases::printable(v.actual),
                         exact_text(v.exact));
   }
-  if (v.error) text += fmt::format("; off by {} scale ULP", records::to_decimal(*v.error, kDigits));
-  if (v.bound) text += fmt::format(", {} allowed", records::to_decimal(*v.bound, kDigits));
+  if (v.error)
+    text += fmt::format("; off by {} scale ULP", records::to_decimal(*v.error, kCoordinateDigits));
+  if (v.bound)
+    text += fmt::format(", {} allowed", records::to_decimal(*v.bound, kCoordinateDigits));
   if (v.distance) {
-    text += fmt::format("; {} pixels from the boundary", records::to_decimal(*v.distance, kDigits));
+    text += fmt::format("; {} pixels from the boundary",
+                        records::to_decimal(*v.distance, kCoordinateDigits));
   }
   text += "\n";
   if (!note.empty()) text += fmt::format("    {}\n", note);
@@ -99,7 +102,7 @@ std::string attribute_header(const cases::Attribute& attribute, std::size_t inde
 }
 
 std::string enclosure_text(const std::optional<records::Enclosure>& enclosure) {
-  return enclosure ? records::to_decimal(*enclosure, kDigits) : "-";
+  return enclosure ? records::to_decimal(*enclosure, kCoordinateDigits) : "-";
 }
 
 }  // namespace
@@ -217,7 +220,8 @@ std::string counterexample_text(const Counterexample& counterexample, const std:
   const cases::Found found = c.found.value_or(cases::Found());
   std::string text = fmt::format("\n{}\n  on {}: {}. It is {}.\n", cases::printable(found.law),
                                  found.backend, found.verdict, history_text(counterexample));
-  if (!counterexample.violations.empty()) text += violation_text(counterexample.violations[0], c);
+  if (!counterexample.violations.empty())
+    text += printed_violation(counterexample.violations[0], c);
   if (counterexample.violation_count > 1) {
     text += fmt::format("  … {} violations in all\n", counterexample.violation_count);
   }

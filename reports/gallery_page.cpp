@@ -51,7 +51,7 @@ std::string definition(std::string_view term, const std::string& content) {
   return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", term, content);
 }
 
-std::string facts_of(const GalleryPicture& picture) {
+std::string picture_facts(const GalleryPicture& picture) {
   const std::string_view unit = picture.scale->unit;
   std::string text =
       "<dl class=\"facts\">\n" +
@@ -77,7 +77,7 @@ std::string pair_of(const GalleryPicture& picture, const PictureData& data) {
   };
   return "<div class=\"pair\">\n" + image(data.picture, "", "") +
          image(data.errors, ", its errors", "\n" + legend_svg(*picture.scale)) + "</div>\n" +
-         facts_of(picture);
+         picture_facts(picture);
 }
 
 /// Frames of a strip, from the strip itself as the background of each; the first pair runs through
@@ -97,7 +97,7 @@ std::string strip_of(const GalleryPicture& picture, const PictureData& data) {
                                  picture.frames, data.picture, data.errors);
   text += "<div class=\"top\">\n<div class=\"pair\">\n" + moving("drawn", ", moving", "") +
           moving("errors", ", its errors, moving", "\n" + legend_svg(*picture.scale)) + "</div>\n" +
-          facts_of(picture) + "</div>\n";
+          picture_facts(picture) + "</div>\n";
   for (const std::string_view of : {"drawn", "errors"}) {
     text += "<div class=\"frames\">";
     for (int i = 0; i < picture.frames; ++i) {
@@ -122,7 +122,7 @@ Result<std::string> panel_of(const GalleryPicture& picture) {
                      caption, is_strip ? strip_of(picture, *data) : pair_of(picture, *data));
 }
 
-Result<std::string> section_of(const GalleryFigure& figure, std::size_t number) {
+Result<std::string> figure_section(const GalleryFigure& figure, std::size_t number) {
   std::string text = fmt::format(
       "<section class=\"drawn\" id=\"figure-{}\">\n<h2>{}</h2>\n<p class=\"source\">{}</p>\n",
       number, html(figure.title), html(figure.source));
@@ -172,7 +172,7 @@ Result<std::string> gallery_html(std::span<const GalleryFigure> figures) {
       kTitle, kReportStyle, kGalleryStyle, kLead);
   text += contents_of(figures) + fmt::format("<p class=\"unit\">{}</p>\n", kUnits);
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    const Result<std::string> section = section_of(figures[i], i);
+    const Result<std::string> section = figure_section(figures[i], i);
     if (!section) return tl::unexpected(section.error());
     text += *section;
   }

@@ -260,7 +260,7 @@ std::string value_name(const Inspection& inspection, std::optional<std::uint32_t
   return fmt::format("{}; at the vertices {}", text, values);
 }
 
-std::string actual_text(float actual) {
+std::string drawn_value_text(float actual) {
   if (!std::isfinite(actual)) return fmt::format("{}", actual);
   return fmt::format("{:.9g} = {}", actual, cases::to_hex(actual));
 }
@@ -290,7 +290,7 @@ std::string value_text(const Inspection& inspection, const InspectedValue& value
   if (value.nearest && value.exact != fmt::format("{:.17g}", *value.nearest)) {
     text += broken("", kColumn, fmt::format("about {:.12g}", *value.nearest));
   }
-  text += broken("  drawn", kColumn, value.actual ? actual_text(*value.actual) : "nothing");
+  text += broken("  drawn", kColumn, value.actual ? drawn_value_text(*value.actual) : "nothing");
   text += errors_text(value) + conditions_text(value);
   const records::ErrorSplit* split = find_split(inspection, value.attribute);
   if (split == nullptr) return text;

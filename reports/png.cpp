@@ -12,17 +12,17 @@
 namespace rastercheck::reports {
 namespace {
 
-Error refusal(std::string reason) { return {"", "", "no PNG: " + std::move(reason)}; }
+Error png_refusal(std::string reason) { return {"", "", "no PNG: " + std::move(reason)}; }
 
 }  // namespace
 
 Result<std::string> to_png(const Image& image) {
-  if (image.width <= 0 || image.height <= 0) return tl::unexpected(refusal("no pixels"));
+  if (image.width <= 0 || image.height <= 0) return tl::unexpected(png_refusal("no pixels"));
   const std::size_t wanted =
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3;
   if (image.rgb.size() != wanted) {
-    return tl::unexpected(refusal(fmt::format("{} bytes of colour for {} × {} pixels",
-                                              image.rgb.size(), image.width, image.height)));
+    return tl::unexpected(png_refusal(fmt::format("{} bytes of colour for {} × {} pixels",
+                                                  image.rgb.size(), image.width, image.height)));
   }
 
   png_image header{};
@@ -35,7 +35,7 @@ Result<std::string> to_png(const Image& image) {
   std::string bytes(size, '\0');
   if (png_image_write_to_memory(&header, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) ==
       0) {
-    return tl::unexpected(refusal(static_cast<const char*>(header.message)));
+    return tl::unexpected(png_refusal(static_cast<const char*>(header.message)));
   }
   bytes.resize(size);
   return bytes;

@@ -62,7 +62,7 @@ Allowance read_allowance(const JsonNode& node) {
   return allowance;
 }
 
-Policy read_document(const JsonNode& root) {
+Policy read_policy_document(const JsonNode& root) {
   // These first: of a later version, its unknown keys are not what is wrong.
   root.expect_format("rastercheck-policy");
   if (root.has("version") && root["version"].count() != kPolicyVersion) {
@@ -148,7 +148,7 @@ PolicyReview apply(const Policy& policy, const Day& today, std::vector<Compariso
 }
 
 Result<Policy> parse_policy(std::string_view text, const std::string& file) {
-  return cases::read_json(text, file, &read_document).map([&file](Policy policy) {
+  return cases::read_json(text, file, &read_policy_document).map([&file](Policy policy) {
     policy.file = file;
     return policy;
   });

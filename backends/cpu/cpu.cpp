@@ -13,7 +13,7 @@
 #include "backends/cpu/rasterizer_backend.h"
 #include "rasterizer/simd.h"
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::cpu_registration {
 namespace {
 
 /// 1…256.
@@ -117,4 +117,4 @@ std::vector<Listing> list() {
 const BackendRegistration kRegistration({"cpu", &make, &list});
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::cpu_registration

@@ -5,7 +5,7 @@
 #include "backends/backend.h"
 #include "backends/cpu/method_backend.h"
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::method_registration {
 namespace {
 
 Result<std::unique_ptr<Backend>> make(const std::string& name) {
@@ -30,4 +30,4 @@ std::vector<Listing> list() {
 const BackendRegistration kRegistration({"method", &make, &list});
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::method_registration

@@ -10,7 +10,7 @@ namespace {
 
 namespace ras = rasterizer;
 
-std::string_view word(ras::Decision decision) {
+std::string_view decision_word(ras::Decision decision) {
   switch (decision) {
     case ras::Decision::outside:
       return "outside";
@@ -88,7 +88,7 @@ records::SampleTrace sample_trace(const ras::Trace& trace) {
   result.u = trace.u;
   result.v = trace.v;
   result.edges = trace.edges;
-  result.decision = word(trace.decision);
+  result.decision = decision_word(trace.decision);
   result.depth = value_of(trace.depth);
   for (const ras::TracedValue& value : trace.attributes) {
     result.attributes.push_back(value_of(value));

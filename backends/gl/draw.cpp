@@ -14,7 +14,7 @@
 namespace rastercheck::backends::gl {
 namespace {
 
-constexpr const char* kVertexShader = R"(#version 450 core
+constexpr const char* kMeshVertexShader = R"(#version 450 core
 layout(location = 0) in vec4 position;
 layout(location = 1) in vec2 attributes;
 smooth out vec2 interpolated;
@@ -24,7 +24,7 @@ void main() {
 }
 )";
 
-std::string fragment_shader(const DrawState& state) {
+std::string mesh_fragment_shader(const DrawState& state) {
   std::string head = R"(#version 450 core
 smooth in vec2 interpolated;
 layout(location = 0) out vec4 color;
@@ -61,7 +61,7 @@ void bind_floats(const Object& vertex_array, GLuint location, const Object& buff
   glEnableVertexArrayAttrib(name, location);
 }
 
-Result<void> validate(const MeshView& view) {
+Result<void> validate_view(const MeshView& view) {
   if (view.attributes.size() != kAttributes * view.positions.size()) {
     return failure("not two attributes for every vertex");
   }
@@ -92,7 +92,7 @@ Mesh& Mesh::operator=(Mesh&& other) noexcept = default;
 Mesh::~Mesh() = default;
 
 Result<Mesh> Mesh::upload(const Context& /*context*/, const MeshView& view) {
-  if (const Result<void> valid = validate(view); !valid) return tl::unexpected(valid.error());
+  if (const Result<void> valid = validate_view(view); !valid) return tl::unexpected(valid.error());
   auto impl = std::make_unique<Impl>();
   impl->positions = upload_buffer(view.positions);
   impl->attributes = upload_buffer(view.attributes);
@@ -118,7 +118,7 @@ Program& Program::operator=(Program&& other) noexcept = default;
 Program::~Program() = default;
 
 Result<Program> Program::build(const Context& /*context*/, const DrawState& state) {
-  Result<Object> program = make_program(kVertexShader, fragment_shader(state).c_str());
+  Result<Object> program = make_program(kMeshVertexShader, mesh_fragment_shader(state).c_str());
   if (!program) return tl::unexpected(program.error());
   auto impl = std::make_unique<Impl>();
   impl->state = state;

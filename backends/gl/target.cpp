@@ -9,21 +9,21 @@
 namespace rastercheck::backends::gl {
 namespace {
 
-std::string to_string(const TargetShape& shape) {
+std::string shape_text(const TargetShape& shape) {
   return std::to_string(shape.width) + " x " + std::to_string(shape.height) + ", " +
          std::to_string(shape.samples) + " samples";
 }
 
-Result<Object> make_image(const TargetShape& shape, GLenum format) {
+Result<Object> make_target_image(const TargetShape& shape, GLenum format) {
   if (shape.samples == 1) {
     Object image = make_texture(GL_TEXTURE_2D);
     glTextureStorage2D(image.name(), 1, format, shape.width, shape.height);
-    return check("a target of " + to_string(shape)).map([&] { return std::move(image); });
+    return check("a target of " + shape_text(shape)).map([&] { return std::move(image); });
   }
   Object image = make_texture(GL_TEXTURE_2D_MULTISAMPLE);
   glTextureStorage2DMultisample(image.name(), shape.samples, format, shape.width, shape.height,
                                 GL_TRUE);
-  if (const Result<void> made = check("a target of " + to_string(shape)); !made) {
+  if (const Result<void> made = check("a target of " + shape_text(shape)); !made) {
     return tl::unexpected(made.error());
   }
   // A driver may round the number of samples up.
@@ -55,19 +55,19 @@ unsigned Target::framebuffer() const { return impl_->framebuffer.name(); }
 
 Result<Target> Target::create(const Context& /*context*/, const TargetShape& shape) {
   if (shape.width < 1 || shape.height < 1 || shape.samples < 1) {
-    return failure("no target of " + to_string(shape));
+    return failure("no target of " + shape_text(shape));
   }
   Result<Object> color =
-      make_image(shape, shape.color == cases::ColorFormat::rgba8 ? GL_RGBA8 : GL_RGBA32F);
+      make_target_image(shape, shape.color == cases::ColorFormat::rgba8 ? GL_RGBA8 : GL_RGBA32F);
   if (!color) return tl::unexpected(color.error());
-  Result<Object> depth = make_image(shape, GL_DEPTH_COMPONENT32F);
+  Result<Object> depth = make_target_image(shape, GL_DEPTH_COMPONENT32F);
   if (!depth) return tl::unexpected(depth.error());
   Object framebuffer = make_framebuffer();
   glNamedFramebufferTexture(framebuffer.name(), GL_COLOR_ATTACHMENT0, color->name(), 0);
   glNamedFramebufferTexture(framebuffer.name(), GL_DEPTH_ATTACHMENT, depth->name(), 0);
   if (glCheckNamedFramebufferStatus(framebuffer.name(), GL_DRAW_FRAMEBUFFER) !=
       GL_FRAMEBUFFER_COMPLETE) {
-    return failure("the driver does not draw into " + to_string(shape));
+    return failure("the driver does not draw into " + shape_text(shape));
   }
   return Target(std::make_unique<Impl>(
       Impl{shape, *std::move(color), *std::move(depth), std::move(framebuffer)}));

@@ -9,7 +9,7 @@
 namespace rastercheck::backends::gl {
 namespace {
 
-Result<void> validate(std::span<const TextureLevel> levels) {
+Result<void> validate_levels(std::span<const TextureLevel> levels) {
   if (levels.empty()) return failure("a texture without a level");
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const TextureLevel& level = levels[i];
@@ -40,7 +40,8 @@ Texture::~Texture() = default;
 unsigned Texture::name() const { return impl_->texture.name(); }
 
 Result<Texture> Texture::upload(const Context& /*context*/, std::span<const TextureLevel> levels) {
-  if (const Result<void> valid = validate(levels); !valid) return tl::unexpected(valid.error());
+  if (const Result<void> valid = validate_levels(levels); !valid)
+    return tl::unexpected(valid.error());
   auto impl = std::make_unique<Impl>(Impl{make_texture(GL_TEXTURE_2D)});
   const GLuint name = impl->texture.name();
   glTextureStorage2D(name, static_cast<GLsizei>(levels.size()), GL_RGBA8, levels[0].width,

@@ -24,7 +24,7 @@ struct PartHeader {
 /// More than most drawings take, and little beside what a process has anyway.
 constexpr std::size_t kPartSize = std::size_t{4} << 20;
 
-tl::unexpected<Error> failure(const std::string& what) {
+tl::unexpected<Error> channel_failure(const std::string& what) {
   return tl::unexpected(Error{what, "", std::strerror(errno)});
 }
 
@@ -32,23 +32,24 @@ tl::unexpected<Error> failure(const std::string& what) {
 
 Result<SharedMemory> SharedMemory::create(std::size_t size) {
   cases::Descriptor file(::memfd_create("rastercheck", MFD_CLOEXEC | MFD_ALLOW_SEALING));
-  if (!file.is_open()) return failure("memfd_create");
-  if (::ftruncate(file.number(), static_cast<off_t>(size)) != 0) return failure("ftruncate");
+  if (!file.is_open()) return channel_failure("memfd_create");
+  if (::ftruncate(file.number(), static_cast<off_t>(size)) != 0)
+    return channel_failure("ftruncate");
   // Or the other end could take away what this one reads.
   if (::fcntl(file.number(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) {
-    return failure("fcntl");
+    return channel_failure("fcntl");
   }
   return open(std::move(file), size);
 }
 
 Result<SharedMemory> SharedMemory::open(cases::Descriptor file, std::size_t size) {
   struct stat status {};
-  if (::fstat(file.number(), &status) != 0) return failure("fstat");
+  if (::fstat(file.number(), &status) != 0) return channel_failure("fstat");
   if (status.st_size < static_cast<off_t>(size)) {
     return tl::unexpected(Error{"shared memory", "", "is not that of a channel"});
   }
   void* const data = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file.number(), 0);
-  if (data == MAP_FAILED) return failure("mmap");
+  if (data == MAP_FAILED) return channel_failure("mmap");
   return SharedMemory(std::move(file), static_cast<std::byte*>(data), size);
 }
 

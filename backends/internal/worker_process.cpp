@@ -24,7 +24,7 @@ constexpr std::chrono::milliseconds kLongestEnd{1000};
 constexpr std::uint64_t kMostWords = 65536;
 constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20U;
 
-tl::unexpected<Error> failure(const std::string& what) {
+tl::unexpected<Error> process_failure(const std::string& what) {
   return tl::unexpected(Error{what, "", std::strerror(errno)});
 }
 
@@ -51,7 +51,7 @@ std::uint64_t most_bytes(const cases::Case& c) {
 Result<std::array<cases::Descriptor, 2>> socket_pair() {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    return failure("socketpair");
+    return process_failure("socketpair");
   }
   return std::array{cases::Descriptor(ends[0]), cases::Descriptor(ends[1])};
 }
@@ -59,9 +59,9 @@ Result<std::array<cases::Descriptor, 2>> socket_pair() {
 /// The ends of a pipe, the one to be read first, which does not block.
 Result<std::array<cases::Descriptor, 2>> log_pipe() {
   std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return failure("pipe");
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return process_failure("pipe");
   std::array both{cases::Descriptor(ends[0]), cases::Descriptor(ends[1])};
-  if (::fcntl(ends[0], F_SETFL, O_NONBLOCK) != 0) return failure("fcntl");
+  if (::fcntl(ends[0], F_SETFL, O_NONBLOCK) != 0) return process_failure("fcntl");
   return both;
 }
 

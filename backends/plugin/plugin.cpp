@@ -21,7 +21,7 @@
 #include "cases/json.h"
 #include "cases/sample_pattern.h"
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::plugin_registration {
 namespace {
 
 /// Framebuffers of at most so many samples are cleared, and searched for what should not be there,
@@ -405,4 +405,4 @@ std::vector<Listing> list() {
 const BackendRegistration kRegistration({"plugin", &make, &list, true});
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::plugin_registration

@@ -18,7 +18,7 @@
 #include "reports/baseline_json.h"
 #include "reports/compare.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::baseline_command {
 namespace {
 
 struct SaveOptions {
@@ -290,4 +290,4 @@ const Registration kRegistration("baseline", "Keeps the figures that later runs 
                                  &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::baseline_command

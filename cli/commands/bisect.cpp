@@ -23,7 +23,7 @@
 #include "reports/compare_format.h"
 #include "reports/run_reader.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::bisect_command {
 namespace {
 
 struct Options {
@@ -178,4 +178,4 @@ const Registration kRegistration("bisect", "Finds the first commit of a reposito
                                  &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::bisect_command

@@ -5,7 +5,7 @@
 #include "cli/command.h"
 #include "reports/bisect.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::bisect_step_command {
 namespace {
 
 Action set_up(CLI::App& app) {
@@ -19,4 +19,4 @@ Action set_up(CLI::App& app) {
 const Registration kRegistration("bisect-step", "Judges the commit that is checked out", &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::bisect_step_command

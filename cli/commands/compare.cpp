@@ -7,7 +7,7 @@
 #include "cli/commit.h"
 #include "cli/gate.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::compare_command {
 namespace {
 
 struct Options {
@@ -82,4 +82,4 @@ const Registration kRegistration("compare",
                                  "Holds a run against a baseline, and says what is worse", &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::compare_command

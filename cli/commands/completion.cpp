@@ -8,7 +8,7 @@
 
 #include "cli/command.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::completion_command {
 namespace {
 
 constexpr const char* kBash = "bash";
@@ -34,4 +34,4 @@ const Registration kRegistration("completion",
                                  "Prints a script that makes a shell complete commands", &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::completion_command

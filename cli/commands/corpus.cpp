@@ -14,7 +14,7 @@
 #include "cli/command.h"
 #include "cli/corpus_folder.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::corpus_command {
 namespace {
 
 struct Options {
@@ -99,4 +99,4 @@ Action set_up(CLI::App& app) {
 const Registration kRegistration("corpus", "Keeps a counterexample for every run to come", &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::corpus_command

@@ -19,7 +19,7 @@
 #include "records/inspection_json.h"
 #include "reports/inspection_text.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::explain_command {
 namespace {
 
 struct Pixel {
@@ -164,4 +164,4 @@ const Registration kRegistration("explain",
                                  &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::explain_command

@@ -14,7 +14,7 @@
 #include "cli/terminal.h"
 #include "reports/text_table.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::gallery_command {
 namespace {
 
 using nlohmann::ordered_json;
@@ -117,4 +117,4 @@ const Registration kRegistration("gallery", "Draws the figures of textbooks, wit
                                  &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::gallery_command

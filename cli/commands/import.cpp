@@ -10,7 +10,7 @@
 #include "cli/command.h"
 #include "cli/mesh_file.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::import_command {
 namespace {
 
 struct Options {
@@ -63,4 +63,4 @@ Action set_up(CLI::App& app) {
 const Registration kRegistration("import", "Makes a case file of a mesh", &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::import_command

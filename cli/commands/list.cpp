@@ -20,7 +20,7 @@
 #include "rasterizer/methods/method.h"
 #include "reports/text_table.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::list_command {
 namespace {
 
 using nlohmann::ordered_json;
@@ -236,4 +236,4 @@ const Registration kRegistration(
     "list", "Lists what there is: backends, properties, known defects and more", &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::list_command

@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::manual_command {
 namespace {
 
 Action set_up(CLI::App& app) {
@@ -23,4 +23,4 @@ Action set_up(CLI::App& app) {
 const Registration kRegistration("manual", "Prints the manual page, all of --help", &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::manual_command

@@ -19,7 +19,7 @@
 #include "reports/summary_table.h"
 #include "reports/write.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::merge_command {
 namespace {
 
 struct Options {
@@ -103,4 +103,4 @@ const Registration kRegistration("merge", "Puts the parts of a run together (run
                                  &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::merge_command

@@ -6,7 +6,7 @@
 #include "cases/mesh_process.h"
 #include "cli/command.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::mesh_command {
 namespace {
 
 struct Options {
@@ -34,4 +34,4 @@ Action set_up(CLI::App& app) {
 const Registration kRegistration("mesh", "Reads a mesh for another process", &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::mesh_command

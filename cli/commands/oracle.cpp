@@ -17,7 +17,7 @@
 #include "oracle/self_check.h"
 #include "oracle/transform.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::oracle_command {
 namespace {
 
 using oracle::Fragment;
@@ -172,4 +172,4 @@ const Registration kRegistration("oracle", "Prints what has to be drawn of a cas
                                  &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::oracle_command

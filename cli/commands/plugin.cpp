@@ -13,7 +13,7 @@
 #include "cli/command.h"
 #include "cli/plugin_starter.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::plugin_command {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ Action set_up(CLI::App& app) {
 const Registration kRegistration("plugin", "Begins a plugin, to have a rasterizer judged", &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::plugin_command

@@ -20,7 +20,7 @@
 #include "cli/whole_number.h"
 #include "reports/text_table.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::probe_command {
 namespace {
 
 using nlohmann::ordered_json;
@@ -199,4 +199,4 @@ const Registration kRegistration("probe", "Measures what a backend draws, beside
                                  &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::probe_command

@@ -19,7 +19,7 @@
 #include "reports/picture.h"
 #include "reports/png.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::render_command {
 namespace {
 
 struct Options {
@@ -127,4 +127,4 @@ const Registration kRegistration("render",
                                  &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::render_command

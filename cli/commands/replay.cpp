@@ -22,7 +22,7 @@
 #include "records/counterexample_json.h"
 #include "reports/counterexample_text.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::replay_command {
 namespace {
 
 struct Options {
@@ -239,4 +239,4 @@ Action set_up(CLI::App& app) {
 const Registration kRegistration("replay", "Checks saved cases and counterexamples again", &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::replay_command

@@ -13,7 +13,7 @@
 #include "reports/run_reader.h"
 #include "reports/write.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::report_command {
 namespace {
 
 struct Options {
@@ -53,4 +53,4 @@ const Registration kRegistration("report", "Writes the reports of a run again, f
                                  &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::report_command

@@ -45,7 +45,7 @@
 #include "reports/summary_table.h"
 #include "reports/write.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::run_command {
 namespace {
 
 /// What a counterexample may be given, a day at most.
@@ -589,4 +589,4 @@ const Registration kRegistration("run", "Checks every property, on the corpus an
                                  &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::run_command

@@ -10,7 +10,7 @@
 #include "properties/corpus.h"
 #include "properties/workers.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::task_worker_command {
 namespace {
 
 struct Options {
@@ -62,4 +62,4 @@ const Registration kRegistration("task-worker", "Runs tasks of a campaign from s
                                  &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::task_worker_command

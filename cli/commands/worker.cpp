@@ -6,7 +6,7 @@
 #include "backends/isolation.h"
 #include "cli/command.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::worker_command {
 namespace {
 
 struct Options {
@@ -31,4 +31,4 @@ Action set_up(CLI::App& app) {
 const Registration kRegistration("worker", "Draws with a backend for another process", &set_up);
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::worker_command

@@ -29,8 +29,8 @@ oracle::PixelBox box_of(const Specimen& specimen) {
           top + static_cast<int>(specimen.height)};
 }
 
-std::optional<CloserLook> look_at(const LookRequest& request, std::uint64_t seed,
-                                  std::span<const cases::Case> corpus, MadeBackends& made) {
+std::optional<CloserLook> look_closer(const LookRequest& request, std::uint64_t seed,
+                                      std::span<const cases::Case> corpus, MadeBackends& made) {
   std::optional<cases::Case> c = frozen_case(request.key, seed, corpus);
   if (!c) return std::nullopt;
   CloserLook look;
@@ -61,7 +61,7 @@ std::vector<CloserLook> closer_looks(std::span<const LookRequest> requests, std:
   MadeBackends made;
   std::vector<CloserLook> looks;
   for (const LookRequest& request : requests) {
-    if (auto look = look_at(request, seed, corpus, made)) looks.push_back(*std::move(look));
+    if (auto look = look_closer(request, seed, corpus, made)) looks.push_back(*std::move(look));
   }
   return looks;
 }

@@ -35,10 +35,11 @@ using records::Inspection;
 using records::Verdict;
 
 /// The drawn fragments of one triangle, by (y, x, sample): indices into the framebuffer.
-using Drawn = std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::size_t>;
+using FragmentIndex =
+    std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::size_t>;
 
-Drawn fragments_of(const cases::Framebuffer& all, std::uint32_t triangle) {
-  Drawn drawn;
+FragmentIndex fragments_of(const cases::Framebuffer& all, std::uint32_t triangle) {
+  FragmentIndex drawn;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all.triangle[i] == triangle)
       drawn.emplace(std::tuple(all.y[i], all.x[i], all.sample[i]), i);
@@ -47,12 +48,12 @@ Drawn fragments_of(const cases::Framebuffer& all, std::uint32_t triangle) {
 }
 
 /// One triangle of a drawing, and both its truths.
-struct Subject {
+struct InspectedDrawing {
   const cases::Case* c;
   const TriangleTruth* exact;     ///< of the exact triangle
   const TriangleTruth* promised;  ///< as the contract has it
   const cases::Framebuffer* framebuffer;
-  Drawn drawn;
+  FragmentIndex drawn;
 
   std::optional<std::size_t> fragment_at(std::uint32_t x, std::uint32_t y,
                                          std::uint32_t sample) const {
@@ -65,7 +66,7 @@ struct Subject {
 // --- Values --------------------------------------------------------------------------------------
 
 /// What scale ULP are measured by (RULES §5).
-Rational magnitude_of(const Subject& subject, std::optional<std::uint32_t> attribute) {
+Rational magnitude_of(const InspectedDrawing& subject, std::optional<std::uint32_t> attribute) {
   if (attribute) return subject.exact->attribute_magnitude(*attribute);
   const cases::Viewport& v = subject.c->viewport;
   return Rational(std::max(std::abs(v.min_depth), std::abs(v.max_depth)));
@@ -101,7 +102,7 @@ double middle_of(const ValueRange& range) {
   return range.lo.nearest_double() / 2 + range.hi.nearest_double() / 2;
 }
 
-void add_errors(const Subject& subject, const std::optional<ValueRange>& exact,
+void add_errors(const InspectedDrawing& subject, const std::optional<ValueRange>& exact,
                 const InspectedSample& at, const Rational& magnitude, InspectedValue& value) {
   if (!value.actual || !std::isfinite(*value.actual)) return;
   if (exact) {
@@ -116,8 +117,9 @@ void add_errors(const Subject& subject, const std::optional<ValueRange>& exact,
   if (promised) value.excess = scale_error(*value.actual, *promised, magnitude);
 }
 
-InspectedValue inspect_value(const Subject& subject, std::optional<std::uint32_t> attribute,
-                             const InspectedSample& at, std::optional<std::size_t> fragment) {
+InspectedValue inspect_value(const InspectedDrawing& subject,
+                             std::optional<std::uint32_t> attribute, const InspectedSample& at,
+                             std::optional<std::size_t> fragment) {
   const auto x = static_cast<int>(at.x);
   const auto y = static_cast<int>(at.y);
   const auto sample = static_cast<int>(at.sample);
@@ -142,7 +144,7 @@ InspectedValue inspect_value(const Subject& subject, std::optional<std::uint32_t
   return value;
 }
 
-InspectedSample inspect_sample(const Subject& subject, std::uint32_t x, std::uint32_t y,
+InspectedSample inspect_sample(const InspectedDrawing& subject, std::uint32_t x, std::uint32_t y,
                                std::uint32_t sample) {
   const auto column = static_cast<int>(x);
   const auto row = static_cast<int>(y);
@@ -171,7 +173,7 @@ InspectedSample inspect_sample(const Subject& subject, std::uint32_t x, std::uin
 // --- The part that is shown ----------------------------------------------------------------------
 
 /// The pixels that are shown.
-PixelBox crop_of(const Subject& subject, const records::SampleAddress& at,
+PixelBox crop_of(const InspectedDrawing& subject, const records::SampleAddress& at,
                  const InspectOptions& options) {
   const auto x = static_cast<int>(at.x);
   const auto y = static_cast<int>(at.y);
@@ -184,7 +186,7 @@ PixelBox crop_of(const Subject& subject, const records::SampleAddress& at,
   return crop_around(*subject.c, touched, at, options.most_values);
 }
 
-void inspect_crop(const Subject& subject, const PixelBox& crop, Inspection& inspection) {
+void inspect_crop(const InspectedDrawing& subject, const PixelBox& crop, Inspection& inspection) {
   inspection.left = static_cast<std::uint32_t>(crop.x0);
   inspection.top = static_cast<std::uint32_t>(crop.y0);
   inspection.width = static_cast<std::uint32_t>(crop.x1 - crop.x0);
@@ -308,8 +310,8 @@ Result<Inspection> inspect(const cases::Case& c, backends::Backend& backend, con
   const SceneTruth promised_scene(*clip, contract);
   const TriangleTruth exact(exact_scene, focus.at.triangle);
   const TriangleTruth promised(promised_scene, focus.at.triangle);
-  const Subject subject{&*clip, &exact, &promised, &*drawn,
-                        fragments_of(*drawn, focus.at.triangle)};
+  const InspectedDrawing subject{&*clip, &exact, &promised, &*drawn,
+                                 fragments_of(*drawn, focus.at.triangle)};
   Inspection inspection = begin_inspection(exact_scene, focus, exact);
   const PixelBox crop = options.crop ? *options.crop : crop_of(subject, focus.at, options);
   inspect_crop(subject, crop, inspection);

@@ -12,12 +12,11 @@
 namespace rastercheck::properties {
 namespace {
 
-using records::WindowPoint;
-using Polygon = std::vector<WindowPoint>;
+using Polygon = std::vector<records::WindowPoint>;
 
 struct Guard {
-  WindowPoint lo;
-  WindowPoint hi;
+  records::WindowPoint lo;
+  records::WindowPoint hi;
 };
 
 Guard guard_of(const cases::Case& c) {
@@ -36,8 +35,8 @@ std::optional<Polygon> whole(const cases::Case& c, const cases::Triangle& triang
     const cases::ClipVertex& p = c.positions[vertex];
     if (!(p.w > 0)) return std::nullopt;
     const double w = p.w;
-    const WindowPoint at{(p.x / w + 1) / 2 * v.width + v.x,
-                         (up * p.y / w + 1) / 2 * v.height + v.y};
+    const records::WindowPoint at{(p.x / w + 1) / 2 * v.width + v.x,
+                                  (up * p.y / w + 1) / 2 * v.height + v.y};
     const bool is_within =
         at.x >= guard.lo.x && at.x <= guard.hi.x && at.y >= guard.lo.y && at.y <= guard.hi.y;
     if (!is_within) return std::nullopt;
@@ -51,11 +50,13 @@ using Line = std::array<double, 3>;
 
 /// The part of a polygon on the line's positive side, borders included (Sutherland & Hodgman).
 Polygon clipped(const Polygon& polygon, const Line& line) {
-  const auto at = [&line](const WindowPoint& p) { return line[0] * p.x + line[1] * p.y + line[2]; };
+  const auto at = [&line](const records::WindowPoint& p) {
+    return line[0] * p.x + line[1] * p.y + line[2];
+  };
   Polygon inside;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const WindowPoint& from = polygon[i];
-    const WindowPoint& to = polygon[(i + 1) % polygon.size()];
+    const records::WindowPoint& from = polygon[i];
+    const records::WindowPoint& to = polygon[(i + 1) % polygon.size()];
     const double a = at(from);
     const double b = at(to);
     if (a >= 0) inside.push_back(from);
@@ -69,7 +70,8 @@ Polygon clipped(const Polygon& polygon, const Line& line) {
 
 }  // namespace
 
-std::vector<WindowPoint> outline_of(const oracle::SceneTruth& scene, std::size_t triangle) {
+std::vector<records::WindowPoint> outline_of(const oracle::SceneTruth& scene,
+                                             std::size_t triangle) {
   const cases::Case& c = scene.source();
   const Guard guard = guard_of(c);
   if (auto corners = whole(c, c.triangles[triangle], guard)) return *std::move(corners);

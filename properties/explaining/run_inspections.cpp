@@ -76,7 +76,7 @@ struct Candidate {
 };
 
 /// Larger ones; of equals those of the law that is about values, then in the order of records.
-bool comes_before(const Candidate& a, const Candidate& b) {
+bool is_closer(const Candidate& a, const Candidate& b) {
   const auto is_of_values = [](const Candidate& one) { return one.key->law == kValuesLaw; };
   if (a.size() != b.size()) return a.size() > b.size();
   return is_of_values(a) && !is_of_values(b);
@@ -99,7 +99,7 @@ Candidates candidates_of(const records::Run& run) {
     }
   }
   for (auto& [key, errors] : candidates) {
-    std::stable_sort(errors.begin(), errors.end(), &comes_before);
+    std::stable_sort(errors.begin(), errors.end(), &is_closer);
   }
   return candidates;
 }

@@ -31,9 +31,9 @@ using records::Stratum;
 using records::WorstError;
 
 /// Cases that are tried for one that can be shown.
-constexpr std::size_t kMostTries = 4;
+constexpr std::size_t kMostSpecimenTries = 4;
 /// Triangles of a case that are looked through for a sample that is covered.
-constexpr std::size_t kMostTriangles = 8;
+constexpr std::size_t kMostSpecimenTriangles = 8;
 /// Places along either side of a triangle's box that are.
 constexpr int kPlaces = 9;
 
@@ -86,7 +86,7 @@ std::optional<SampleAddress> covered_place(const CasePart& part, std::uint32_t t
 
 /// The same of the first triangle that has one.
 std::optional<SampleAddress> covered_place(const cases::Case& c) {
-  for (std::size_t i = 0; i < std::min(c.triangles.size(), kMostTriangles); ++i) {
+  for (std::size_t i = 0; i < std::min(c.triangles.size(), kMostSpecimenTriangles); ++i) {
     const auto triangle = static_cast<std::uint32_t>(i);
     const std::optional<CasePart> part = drawn_part(c, triangle);
     if (!part) continue;
@@ -131,14 +131,14 @@ std::optional<Specimen> drawn(Specimen specimen, const CasePart& part, backends:
 }
 
 /// A case, and the sample of it that what is kept lies around.
-struct Subject {
+struct SpecimenSubject {
   CaseKey key;
   std::string name;
   SampleAddress at;
 };
 
 /// What is drawn around the sample.
-std::optional<Specimen> specimen_of(const Subject& subject, const cases::Case& c,
+std::optional<Specimen> specimen_of(const SpecimenSubject& subject, const cases::Case& c,
                                     MadeBackends& made) {
   backends::Backend* backend = made.find(subject.key.backend);
   if (backend == nullptr) return std::nullopt;
@@ -235,8 +235,8 @@ void Choice::add_firsts() {
   for (const auto& [key, record] : *run_->cases) {
     if (!is_of_interest(key)) continue;
     std::size_t& tried = tries[{key.law, record.stratum}];
-    if (tried == kMostTries) continue;
-    tried = add_first(key, record) ? kMostTries : tried + 1;
+    if (tried == kMostSpecimenTries) continue;
+    tried = add_first(key, record) ? kMostSpecimenTries : tried + 1;
   }
 }
 
@@ -271,7 +271,7 @@ void Choice::add_worst() {
   for (auto& [group, candidates] : errors) {
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const auto& a, const auto& b) { return a.size() > b.size(); });
-    const std::size_t most = std::min(candidates.size(), kMostTries);
+    const std::size_t most = std::min(candidates.size(), kMostSpecimenTries);
     for (std::size_t i = 0; i < most && !add(candidates[i]); ++i) {
     }
   }

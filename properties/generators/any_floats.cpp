@@ -10,7 +10,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::any_floats_generator {
 namespace {
 
 using Corners = std::array<cases::ClipVertex, 3>;
@@ -107,4 +107,4 @@ const GeneratorRegistration kRegistration(
      &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::any_floats_generator

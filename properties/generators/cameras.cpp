@@ -9,7 +9,7 @@
 #include "properties/generator.h"
 #include "properties/internal/camera_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::cameras_generator {
 namespace {
 
 cases::Case make(Draw& draw) {
@@ -26,4 +26,4 @@ const GeneratorRegistration kRegistration(
      &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::cameras_generator

@@ -12,7 +12,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::clipping_generator {
 namespace {
 
 /// A place in the view volume, which is [−1, 1]³ here under all rules.
@@ -203,4 +203,4 @@ const GeneratorRegistration kRegistration(
      &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::clipping_generator

@@ -11,7 +11,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::constants_generator {
 namespace {
 
 /// What is the same at all vertices of a triangle.
@@ -102,4 +102,4 @@ const GeneratorRegistration kRegistration(
     {"constants", "equal weights, equal depths, constant attributes, or a float from that", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::constants_generator

@@ -12,7 +12,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::degenerate_generator {
 namespace {
 
 /// A position of short numbers at or about the visible part, so that sums of a few stay exact.
@@ -125,4 +125,4 @@ const GeneratorRegistration kRegistration(
     {"degenerate", "triangles of no area at all, beside and on others that are drawn", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::degenerate_generator

@@ -10,7 +10,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::grazing_generator {
 namespace {
 
 /// A coordinate over w that is on a plane at `lo` or `hi`, in between, or beyond: times w it stays
@@ -122,4 +122,4 @@ const GeneratorRegistration kRegistration(
     {"grazing", "vertices exactly on clip planes and viewport borders, or a float beside", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::grazing_generator

@@ -9,7 +9,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::grids_generator {
 namespace {
 
 /// Two triangles of four vertices in order around a quad; the second one the other way round where
@@ -119,4 +119,4 @@ const GeneratorRegistration kRegistration(
     {"grids", "floors up to the horizon, and 4×4 turned squares of a fraction of a pixel", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::grids_generator

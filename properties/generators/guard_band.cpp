@@ -10,7 +10,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::guard_band_generator {
 namespace {
 
 /// ± a power of two of pixels, or less a grid unit of 2^-8 pixels, as the largest number of so many
@@ -98,4 +98,4 @@ const GeneratorRegistration kRegistration(
      &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::guard_band_generator

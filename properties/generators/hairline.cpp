@@ -13,7 +13,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::hairline_generator {
 namespace {
 
 // --- the viewport ------------------------------------------------------------------------------
@@ -245,4 +245,4 @@ const GeneratorRegistration kRegistration(
     {"hairline", "samples on edges and clip planes, or as close to them as floats get", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::hairline_generator

@@ -10,7 +10,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::huge_generator {
 namespace {
 
 /// How far out a vertex lies, in pixels: some power of two, exactly or by a pixel more or less, or
@@ -113,4 +113,4 @@ const GeneratorRegistration kRegistration(
     {"huge", "triangles that reach to 2^31 pixels and farther, w ratios up to 2^40", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::huge_generator

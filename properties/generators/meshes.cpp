@@ -12,7 +12,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::meshes_generator {
 namespace {
 
 /// A point of the window in whole subpixels, 2^-8 of a pixel.
@@ -262,4 +262,4 @@ const GeneratorRegistration kRegistration(
      &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::meshes_generator

@@ -12,7 +12,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::near_misses_generator {
 namespace {
 
 /// Moves the viewport by less than a pixel, so that its middle is the place of a sample in some
@@ -152,4 +152,4 @@ const GeneratorRegistration kRegistration(
      &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::near_misses_generator

@@ -9,7 +9,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::on_grid_generator {
 namespace {
 
 /// A point of the grid that the case's corners lie on, at or near the visible part.
@@ -158,4 +158,4 @@ const GeneratorRegistration kRegistration(
     {"on-grid", "corners on pixels, samples and the 1/256 grid, edges through samples", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::on_grid_generator

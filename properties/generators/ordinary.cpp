@@ -7,7 +7,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::ordinary_generator {
 namespace {
 
 /// How the weights of a case's vertices are made.
@@ -54,4 +54,4 @@ const GeneratorRegistration kRegistration(
     {"ordinary", "one to four triangles mostly on screen, w within [1/8, 8]", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::ordinary_generator

@@ -9,7 +9,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::sizes_generator {
 namespace {
 
 constexpr double kSubpixel = 0x1p-8;
@@ -125,4 +125,4 @@ const GeneratorRegistration kRegistration(
     {"sizes", "triangles of one extent, 2^-8 to 2^12 pixels, at all shifts and octants", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::sizes_generator

@@ -10,7 +10,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::slivers_generator {
 namespace {
 
 /// Where a sliver begins and ends: across the screen, between two samples, or a few pixels long.
@@ -74,7 +74,7 @@ void add_sliver(Draw& draw, cases::Case& c) {
 /// A triangle with an edge exactly through a sample, whose coordinates have up to 24 bits, so that
 /// no double holds the edge; the third corner lies a float's breadth off it. With the sample as q
 /// in homogeneous coordinates, free of divisions, the edge's ends are a and q − a.
-void add_needle(Draw& draw, cases::Case& c) {
+void add_slender_triangle(Draw& draw, cases::Case& c) {
   const WindowPoint p = visible_sample(draw, c);
   const double width{c.viewport.width};
   const double height{c.viewport.height};
@@ -112,7 +112,7 @@ cases::Case make(Draw& draw) {
   const int triangles = draw.between(6, 10 + draw.size() / 8);
   for (int i = 0; i < triangles; ++i) {
     if (draw.one_in(3)) {
-      add_needle(draw, c);
+      add_slender_triangle(draw, c);
     } else {
       add_sliver(draw, c);
     }
@@ -126,4 +126,4 @@ const GeneratorRegistration kRegistration(
     {"slivers", "triangles whose corners are close to one line, long and short", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::slivers_generator

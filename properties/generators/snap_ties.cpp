@@ -13,7 +13,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::snap_ties_generator {
 namespace {
 
 /// Pixels from the window origin beyond which a vertex may be clipped.
@@ -277,4 +277,4 @@ const GeneratorRegistration kRegistration(
     {"snap-ties", "window positions midway between points of a subpixel grid, and beside", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::snap_ties_generator

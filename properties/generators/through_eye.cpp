@@ -9,7 +9,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::through_eye_generator {
 namespace {
 
 /// A weight that is zero, or at most a few floats from a weight that is.
@@ -129,4 +129,4 @@ const GeneratorRegistration kRegistration(
     {"through-eye", "triangles that reach behind the eye or pass close by it, some w <= 0", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::through_eye_generator

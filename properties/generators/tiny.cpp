@@ -8,7 +8,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::tiny_generator {
 namespace {
 
 /// Three corners within 2^-k pixels of a sample, or of a point near one, which lies inside of about
@@ -126,4 +126,4 @@ const GeneratorRegistration kRegistration(
     {"tiny", "triangles from a few pixels down to the smallest floats", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::tiny_generator

@@ -7,7 +7,7 @@
 #include "properties/internal/random_state.h"
 #include "properties/internal/window_position.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::wide_generator {
 namespace {
 
 /// A point at which a row's first and last pixels may lie anywhere in their blocks; every third one
@@ -72,4 +72,4 @@ const GeneratorRegistration kRegistration(
     {"wide", "targets of 65 to 200 pixels in a row, triangles along it", &make});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::wide_generator

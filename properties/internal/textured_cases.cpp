@@ -73,21 +73,21 @@ void set_window_coordinate(Draw& draw, cases::Case& c, std::size_t attribute) {
   }
 }
 
-enum class Values { fractions, near_fractions, free, far, huge };
+enum class Coordinates { fractions, near_fractions, free, far, huge };
 
-float random_coordinate(Draw& draw, Values kind, int parts) {
+float random_coordinate(Draw& draw, Coordinates kind, int parts) {
   switch (kind) {
-    case Values::fractions:
-    case Values::near_fractions: {
+    case Coordinates::fractions:
+    case Coordinates::near_fractions: {
       const int n = draw.between(-2 * parts, 3 * parts);
       const float fraction = static_cast<float>(n) / static_cast<float>(parts);
-      return kind == Values::fractions ? fraction : nudged(draw, fraction);
+      return kind == Coordinates::fractions ? fraction : nudged(draw, fraction);
     }
-    case Values::free:
+    case Coordinates::free:
       return draw.uniform(-2, 3);
-    case Values::far:
+    case Coordinates::far:
       return draw.spread(4, 30);
-    case Values::huge:
+    case Coordinates::huge:
       break;
   }
   return draw.spread(24, 127);
@@ -95,9 +95,10 @@ float random_coordinate(Draw& draw, Values kind, int parts) {
 
 /// Numbers of one kind; fractions are whole numbers of texels of many sizes.
 void set_free_coordinate(Draw& draw, cases::Case& c, std::size_t attribute) {
-  const auto kind = draw.pick(std::array{Values::fractions, Values::fractions,
-                                         Values::near_fractions, Values::near_fractions,
-                                         Values::free, Values::free, Values::far, Values::huge});
+  const auto kind = draw.pick(std::array{Coordinates::fractions, Coordinates::fractions,
+                                         Coordinates::near_fractions, Coordinates::near_fractions,
+                                         Coordinates::free, Coordinates::free, Coordinates::far,
+                                         Coordinates::huge});
   const int parts = draw.pick(std::array{1, 3, 8, 16, 64});
   const bool is_constant = draw.one_in(8);
   const float constant = random_coordinate(draw, kind, parts);

@@ -8,14 +8,14 @@
 namespace rastercheck::properties {
 namespace {
 
-PixelSpan held(std::int64_t begin, std::int64_t extent, int size) {
+PixelSpan clamped_span(std::int64_t begin, std::int64_t extent, int size) {
   const auto hold = [size](std::int64_t at) {
     return static_cast<int>(std::clamp(at, std::int64_t{0}, std::int64_t{size}));
   };
   return {hold(begin), hold(begin + extent)};
 }
 
-float shortened(float value) {
+float without_last_bits(float value) {
   // Added to 1.5 · 2^13, float32 are multiples of 2^-10.
   constexpr float kBeyond = 0x1.8p13F;
   const float sum = value + kBeyond;
@@ -61,13 +61,13 @@ std::uint8_t carried_back(const std::vector<std::uint8_t>& carried, std::uint8_t
 PixelSpan scissor_columns(const cases::Case& c) {
   const int size = c.framebuffer.width;
   if (!c.scissor) return {0, size};
-  return held(c.scissor->x, c.scissor->width, size);
+  return clamped_span(c.scissor->x, c.scissor->width, size);
 }
 
 PixelSpan scissor_rows(const cases::Case& c) {
   const int size = c.framebuffer.height;
   if (!c.scissor) return {0, size};
-  return held(c.scissor->y, c.scissor->height, size);
+  return clamped_span(c.scissor->y, c.scissor->height, size);
 }
 
 cases::Scissor rectangle(const PixelSpan& columns, const PixelSpan& rows) {
@@ -95,7 +95,7 @@ void move_centroids_to_samples(cases::Case& c) {
 
 void shorten_viewport(cases::Case& c) {
   for (float* number : {&c.viewport.x, &c.viewport.y, &c.viewport.width, &c.viewport.height}) {
-    *number = shortened(*number);
+    *number = without_last_bits(*number);
   }
 }
 

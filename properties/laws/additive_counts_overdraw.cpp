@@ -24,7 +24,7 @@
 #include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::additive_counts_overdraw_law {
 namespace {
 
 using records::AttributeKind;
@@ -170,4 +170,4 @@ const LawRegistration kRegistration(
                 cover(17, "several samples"), cover_decided(5, "tie"), cover(6, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::additive_counts_overdraw_law

@@ -32,7 +32,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::affine_error_of_perspective_law {
 namespace {
 
 using cases::Interpolation;
@@ -178,4 +178,4 @@ const LawRegistration kRegistration(
      .covers = {cover(5, "near what w allows")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::affine_error_of_perspective_law

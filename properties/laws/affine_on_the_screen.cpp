@@ -45,7 +45,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::affine_on_the_screen_law {
 namespace {
 
 using cases::Interpolation;
@@ -262,4 +262,4 @@ const LawRegistration kRegistration(
                 cover(26, "clipped")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::affine_on_the_screen_law

@@ -38,7 +38,7 @@
 #include "properties/internal/same_picture.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::bad_input_is_refused_law {
 namespace {
 
 using records::AttributeKind;
@@ -248,4 +248,4 @@ const LawRegistration kRegistration(
      .covers = {cover(15, "mesh"), cover(10, "state"), cover(8, "target"), cover(8, "empty")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::bad_input_is_refused_law

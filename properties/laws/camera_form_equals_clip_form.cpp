@@ -51,7 +51,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::camera_form_equals_clip_form_law {
 namespace {
 
 using cases::ClipVertex;
@@ -483,4 +483,4 @@ const LawRegistration kRegistration(
                 cover(15, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::camera_form_equals_clip_form_law

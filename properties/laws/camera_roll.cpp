@@ -37,7 +37,7 @@
 #include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::camera_roll_law {
 namespace {
 
 using cases::Matrix4;
@@ -274,4 +274,4 @@ const LawRegistration kRegistration(
                 cover(10, "snapped")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::camera_roll_law

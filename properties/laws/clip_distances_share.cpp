@@ -32,7 +32,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::clip_distances_share_law {
 namespace {
 
 using records::AttributeKind;
@@ -295,4 +295,4 @@ const LawRegistration kRegistration(
                 cover(27, "shared triangle"), cover_decided(5, "zero at a sample")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::clip_distances_share_law

@@ -37,7 +37,7 @@
 #include "properties/internal/verdicts.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::clipped_equals_clipless_law {
 namespace {
 
 using cases::ClipVertex;
@@ -242,4 +242,4 @@ const LawRegistration kRegistration(
                 cover(5, "through the eye"), cover(10, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::clipped_equals_clipless_law

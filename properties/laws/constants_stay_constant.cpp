@@ -25,7 +25,7 @@
 #include "properties/internal/verdicts.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::constants_stay_constant_law {
 namespace {
 
 using oracle::Rational;
@@ -196,4 +196,4 @@ const LawRegistration kRegistration(
                 cover(17, "several samples"), cover(8, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::constants_stay_constant_law

@@ -2,7 +2,7 @@
 
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::coverage_obeys_the_contract_law {
 namespace {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
@@ -20,4 +20,4 @@ const LawRegistration kRegistration(
                 cover(18, "several samples"), cover_decided(10, "tie"), cover(8, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::coverage_obeys_the_contract_law

@@ -20,7 +20,7 @@
 #include "properties/internal/same_drawing.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::culled_and_unculled_partition_law {
 namespace {
 
 using records::FragmentClass;
@@ -148,4 +148,4 @@ const LawRegistration kRegistration(
                 cover(10, "clipped"), cover(5, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::culled_and_unculled_partition_law

@@ -40,7 +40,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::degenerate_covers_nothing_law {
 namespace {
 
 using cases::ClipVertex;
@@ -326,4 +326,4 @@ const LawRegistration kRegistration(
                 cover(15, "vertex twice")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::degenerate_covers_nothing_law

@@ -18,7 +18,7 @@
 #include "properties/internal/verdicts.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::derivatives_stay_within_the_bound_law {
 namespace {
 
 using records::AttributeKind;
@@ -128,4 +128,4 @@ const LawRegistration kRegistration(
                 cover(8, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::derivatives_stay_within_the_bound_law

@@ -31,7 +31,7 @@
 #include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::differences_across_quads_stay_within_the_bound_law {
 namespace {
 
 using oracle::WindowAxis;
@@ -200,4 +200,4 @@ const LawRegistration kRegistration(
                 cover(7, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::differences_across_quads_stay_within_the_bound_law

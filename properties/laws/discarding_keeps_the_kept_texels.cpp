@@ -29,7 +29,7 @@
 #include "properties/judged_law.h"
 #include "properties/picture_model.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::discarding_keeps_the_kept_texels_law {
 namespace {
 
 using oracle::TextureTruth;
@@ -221,4 +221,4 @@ const LawRegistration kRegistration(
                 cover(38, "kept"), cover(30, "overdraw"), cover(15, "several samples")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::discarding_keeps_the_kept_texels_law

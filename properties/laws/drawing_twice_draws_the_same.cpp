@@ -25,7 +25,7 @@
 #include "properties/internal/same_picture.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::drawing_twice_draws_the_same_law {
 namespace {
 
 cases::Rules other_rules(cases::Rules rules) {
@@ -153,4 +153,4 @@ const LawRegistration kRegistration(
                 cover(7, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::drawing_twice_draws_the_same_law

@@ -27,7 +27,7 @@
 #include "properties/internal/value_findings.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::equal_depth_stays_equal_law {
 namespace {
 
 // --- The law -------------------------------------------------------------------------------------
@@ -209,4 +209,4 @@ const LawRegistration kRegistration(
                 cover(18, "clipped"), cover(8, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::equal_depth_stays_equal_law

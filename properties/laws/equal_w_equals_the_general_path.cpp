@@ -48,7 +48,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::equal_w_equals_the_general_path_law {
 namespace {
 
 using cases::ClipVertex;
@@ -310,4 +310,4 @@ const LawRegistration kRegistration(
                 cover_decided(15, "snapped")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::equal_w_equals_the_general_path_law

@@ -26,7 +26,7 @@
 #include "properties/internal/textured_cases.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::filtered_colours_stay_within_the_bound_law {
 namespace {
 
 using cases::Filter;
@@ -181,4 +181,4 @@ const LawRegistration kRegistration(
                 cover(24, "trilinear")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::filtered_colours_stay_within_the_bound_law

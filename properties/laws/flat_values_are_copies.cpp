@@ -18,7 +18,7 @@
 #include "properties/internal/value_findings.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::flat_values_are_copies_law {
 namespace {
 
 using cases::Interpolation;
@@ -126,4 +126,4 @@ const LawRegistration kRegistration(
                 cover(16, "snapped"), cover(15, "clipped")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::flat_values_are_copies_law

@@ -46,7 +46,7 @@
 #include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::mirror_mirrors_law {
 namespace {
 
 using oracle::WindowAxis;
@@ -252,4 +252,4 @@ const LawRegistration kRegistration(
                 cover(8, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::mirror_mirrors_law

@@ -27,7 +27,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::nearest_fragment_wins_law {
 namespace {
 
 using records::AttributeKind;
@@ -194,4 +194,4 @@ const LawRegistration kRegistration(
                 cover(20, "three and more"), cover(5, "clipped"), cover(5, "several samples")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::nearest_fragment_wins_law

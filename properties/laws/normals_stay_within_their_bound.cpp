@@ -26,7 +26,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::normals_stay_within_their_bound_law {
 namespace {
 
 using cases::Matrix4;
@@ -217,4 +217,4 @@ const LawRegistration kRegistration(
      .covers = {cover(14, "mirrored"), cover(22, "no direction"), cover(13, "singular")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::normals_stay_within_their_bound_law

@@ -37,7 +37,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::nothing_outside_viewport_and_scissor_law {
 namespace {
 
 using records::AttributeKind;
@@ -317,4 +317,4 @@ const LawRegistration kRegistration(
                 cover(5, "several samples"), cover(5, "clipped")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::nothing_outside_viewport_and_scissor_law

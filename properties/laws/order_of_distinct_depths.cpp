@@ -26,7 +26,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::order_of_distinct_depths_law {
 namespace {
 
 using records::AttributeKind;
@@ -186,4 +186,4 @@ const LawRegistration kRegistration(
                 cover(9, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::order_of_distinct_depths_law

@@ -31,7 +31,7 @@
 #include "properties/internal/verdicts.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::parts_of_an_error_add_up_law {
 namespace {
 
 using records::AttributeKind;
@@ -226,4 +226,4 @@ const LawRegistration kRegistration(
                 cover(7, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::parts_of_an_error_add_up_law

@@ -30,7 +30,7 @@
 #include "properties/judged_law.h"
 #include "properties/picture_model.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::picture_is_what_fragments_leave_law {
 namespace {
 
 void add_labels(const cases::Case& c, const cases::Pipeline& pipeline, Tally& tally) {
@@ -141,4 +141,4 @@ const LawRegistration kRegistration(
                 cover(6, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::picture_is_what_fragments_leave_law

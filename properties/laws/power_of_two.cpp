@@ -30,7 +30,7 @@
 #include "properties/internal/same_drawing.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::power_of_two_law {
 namespace {
 
 /// Exponents of normal float32.
@@ -164,4 +164,4 @@ const LawRegistration kRegistration(
                 cover(7, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::power_of_two_law

@@ -27,7 +27,7 @@
 #include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::quarter_turn_turns_law {
 namespace {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
@@ -70,4 +70,4 @@ const LawRegistration kRegistration(
                 cover_decided(8, "tie"), cover(7, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::quarter_turn_turns_law

@@ -34,7 +34,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::sample_positions_are_the_patterns_law {
 namespace {
 
 using cases::Interpolation;
@@ -249,4 +249,4 @@ const LawRegistration kRegistration(
                 cover(21, "y up"), cover(28, "y down")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::sample_positions_are_the_patterns_law

@@ -48,7 +48,7 @@
 #include "properties/internal/verdicts.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::scaled_attributes_law {
 namespace {
 
 using records::AttributeKind;
@@ -380,4 +380,4 @@ const LawRegistration kRegistration(
      .covers = {cover(15, "scaled"), cover(25, "scaled and moved"), cover(5, "flat")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::scaled_attributes_law

@@ -23,7 +23,7 @@
 #include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::scissors_part_the_window_law {
 namespace {
 
 using records::AttributeKind;
@@ -161,4 +161,4 @@ const LawRegistration kRegistration(
                 cover(18, "several samples"), cover(9, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::scissors_part_the_window_law

@@ -37,7 +37,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::shared_edge_covers_once_law {
 namespace {
 
 using records::FragmentClass;
@@ -400,4 +400,4 @@ const LawRegistration kRegistration(
      .covers = {cover(40, "different w"), cover(16, "several samples"), cover_decided(16, "tie")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::shared_edge_covers_once_law

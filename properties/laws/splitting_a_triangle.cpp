@@ -28,7 +28,7 @@
 #include "properties/internal/drawn_fragments.h"
 #include "properties/internal/parted_triangles.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::splitting_a_triangle_law {
 namespace {
 
 using cases::Triangle;
@@ -107,4 +107,4 @@ const LawRegistration kRegistration(
                 cover(7, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::splitting_a_triangle_law

@@ -27,7 +27,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::strips_and_fans_are_their_triangles_law {
 namespace {
 
 using cases::Topology;
@@ -230,4 +230,4 @@ const LawRegistration kRegistration(
                 cover(20, "strip"), cover(6, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::strips_and_fans_are_their_triangles_law

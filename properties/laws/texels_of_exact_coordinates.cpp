@@ -28,7 +28,7 @@
 #include "properties/internal/textured_cases.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::texels_of_exact_coordinates_law {
 namespace {
 
 using oracle::TextureTruth;
@@ -160,4 +160,4 @@ const LawRegistration kRegistration(
                 cover(16, "texel border")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::texels_of_exact_coordinates_law

@@ -25,7 +25,7 @@
 #include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::traced_is_drawn_law {
 namespace {
 
 using records::AttributeKind;
@@ -274,4 +274,4 @@ const LawRegistration kRegistration(
                 cover(8, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::traced_is_drawn_law

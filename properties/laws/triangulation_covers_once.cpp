@@ -52,7 +52,7 @@
 #include "properties/internal/verdicts.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::triangulation_covers_once_law {
 namespace {
 
 using cases::ClipVertex;
@@ -386,4 +386,4 @@ const LawRegistration kRegistration(
                 cover(15, "several samples"), cover_decided(11, "snapped")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::triangulation_covers_once_law

@@ -39,7 +39,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::values_are_monotone_along_lines_law {
 namespace {
 
 using cases::Interpolation;
@@ -245,4 +245,4 @@ const LawRegistration kRegistration(
                 cover(16, "snapped"), cover(11, "clipped"), cover(6, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::values_are_monotone_along_lines_law

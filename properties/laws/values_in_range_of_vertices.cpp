@@ -31,7 +31,7 @@
 #include "properties/internal/value_findings.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::values_in_range_of_vertices_law {
 namespace {
 
 using cases::Interpolation;
@@ -214,4 +214,4 @@ const LawRegistration kRegistration(
                 cover(7, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::values_in_range_of_vertices_law

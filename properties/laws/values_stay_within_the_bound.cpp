@@ -4,7 +4,7 @@
 
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::values_stay_within_the_bound_law {
 namespace {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
@@ -23,4 +23,4 @@ const LawRegistration kRegistration(
                 cover(15, "several samples"), cover_decided(9, "tie"), cover(8, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::values_stay_within_the_bound_law

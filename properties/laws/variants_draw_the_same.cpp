@@ -25,7 +25,7 @@
 #include "properties/internal/same_picture.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::variants_draw_the_same_law {
 namespace {
 
 constexpr std::size_t kMostVariants = 2;
@@ -122,4 +122,4 @@ const LawRegistration kRegistration(
                 cover(20, "three attributes and more"), cover(10, "clipped")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::variants_draw_the_same_law

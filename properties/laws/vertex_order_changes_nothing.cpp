@@ -15,7 +15,7 @@
 #include "properties/internal/tally.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::vertex_order_changes_nothing_law {
 namespace {
 
 void even_out_flat_attributes(cases::Case& c) {
@@ -61,4 +61,4 @@ const LawRegistration kRegistration(
                 cover(15, "several samples"), cover_decided(9, "tie"), cover(8, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::vertex_order_changes_nothing_law

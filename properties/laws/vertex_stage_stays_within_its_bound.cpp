@@ -24,7 +24,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::vertex_stage_stays_within_its_bound_law {
 namespace {
 
 using cases::Matrix4;
@@ -242,4 +242,4 @@ const LawRegistration kRegistration(
      .covers = {cover(5, "cancellation"), cover(6, "subnormal"), cover(41, "w <= 0")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::vertex_stage_stays_within_its_bound_law

@@ -32,7 +32,7 @@
 #include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::vertex_values_come_back_law {
 namespace {
 
 using oracle::Rational;
@@ -360,4 +360,4 @@ const LawRegistration kRegistration(
                 cover(30, "vertex value far below the others"), cover(11, "vertex zero")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::vertex_values_come_back_law

@@ -34,7 +34,7 @@
 #include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::whole_pixels_move_law {
 namespace {
 
 /// Pixels.
@@ -156,4 +156,4 @@ const LawRegistration kRegistration(
                 cover(10, "snapped")}});
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::whole_pixels_move_law

@@ -55,7 +55,7 @@ struct Shares {
 };
 
 /// The value at a sample of what is linear in the window.
-double value_at(const FineTriangle& t, const std::array<float, 3>& values, int x, int y) {
+double fine_value_at(const FineTriangle& t, const std::array<float, 3>& values, int x, int y) {
   const auto pixels = [](std::int64_t fine) { return std::ldexp(static_cast<double>(fine), -18); };
   const double u = x + 0.5 - pixels(t.x[0]);
   const double v = y + 0.5 - pixels(t.y[0]);
@@ -144,8 +144,8 @@ ValueShares value_shares(Subject& subject, const Grid& grid) {
       const auto add = [&](Shares& to, float value, const std::array<float, 3>& values) {
         const int x = drawn->x[f];
         const int y = drawn->y[f];
-        to.add(double{value}, value_at(given.triangles[t], values, x, y),
-               value_at(placed, values, x, y));
+        to.add(double{value}, fine_value_at(given.triangles[t], values, x, y),
+               fine_value_at(placed, values, x, y));
       };
       add(shares.depth, drawn->depth[f], depths_of(given.source, given.values[t]));
       const std::span<const float> attributes = drawn->attributes_of(f);

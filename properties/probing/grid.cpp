@@ -83,7 +83,7 @@ std::array<FineEdge, 3> edges_of(const FineTriangle& t) {
 }
 
 /// Pixels whose samples may be inside: lo <= pixel < hi.
-std::pair<int, int> pixels_of(const std::array<std::int64_t, 3>& coordinates) {
+std::pair<int, int> pixel_range(const std::array<std::int64_t, 3>& coordinates) {
   const auto [least, most] = std::minmax_element(coordinates.begin(), coordinates.end());
   const auto lo = static_cast<int>(*least / kPixel) - 1;
   const auto hi = static_cast<int>(*most / kPixel) + 2;
@@ -108,8 +108,8 @@ double move_of(const std::array<FineEdge, 3>& edges, int x, int y, bool is_drawn
 void compare(const FineTriangle& placed, const std::array<std::uint64_t, 64>& rows, GridFit& fit) {
   const bool is_flat = area_of(placed) == 0;
   const std::array<FineEdge, 3> edges = edges_of(placed);
-  const auto [x0, x1] = pixels_of(placed.x);
-  const auto [y0, y1] = pixels_of(placed.y);
+  const auto [x0, x1] = pixel_range(placed.x);
+  const auto [y0, y1] = pixel_range(placed.y);
   for (int y = 0; y < kSide; ++y) {
     const std::uint64_t row = rows[static_cast<std::size_t>(y)];
     if (y < y0 || y >= y1) {

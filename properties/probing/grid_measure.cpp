@@ -119,7 +119,7 @@ std::optional<Snapping> least_holding(const Subject& subject, const std::vector<
   return *least;
 }
 
-std::string text_of(const std::optional<Snapping>& snapping) {
+std::string snapping_text(const std::optional<Snapping>& snapping) {
   if (!snapping) return "more than 4096 grid units";
   if (snapping->rounding == Rounding::unspecified) {
     const double units = 1 + double{snapping->position_error};
@@ -168,7 +168,7 @@ void measure_position_error(Subject& subject, const Sight& sight) {
       continue;
     }
     const std::optional<Snapping> least = least_holding(subject, drawn, grid);
-    subject.add("position error", kNotDeclared, text_of(least), name);
+    subject.add("position error", kNotDeclared, snapping_text(least), name);
     is_bounded = is_bounded && least;
     if (least) widest = wider_of(least.value(), widest);
   }

@@ -97,7 +97,7 @@ double worst_smooth(const Subject& subject, const Drawn& drawn) {
   return has_wrong ? HUGE_VAL : worst;
 }
 
-std::string text_of(const Range& range, const char* unit) {
+std::string range_text(const Range& range, const char* unit) {
   if (range.least > range.greatest) return "none draw right";
   const auto word = [&](int e, int end, const char* beyond) {
     return fmt::format("{}2^{}{}", unit, e, e == end ? beyond : "");
@@ -133,8 +133,8 @@ void measure_numbers(Subject& subject) {
   });
   const cases::MagnitudeRange declared = subject.declared().numbers;
   const std::string says = fmt::format("{:g} to {:g}", declared.least, declared.greatest);
-  subject.add("clip positions that draw right", says, text_of(positions, ""));
-  subject.add("attribute values that come back", says, text_of(values, ""));
+  subject.add("clip positions that draw right", says, range_text(positions, ""));
+  subject.add("attribute values that come back", says, range_text(values, ""));
   subject.add("subnormal clip positions", kNotDeclared, subnormal_text(positions));
   subject.add("subnormal attribute values", kNotDeclared, subnormal_text(values));
   subject.add("infinities and NaN", kNotDeclared, "not measured", "cases hold finite numbers");

@@ -36,7 +36,7 @@ constexpr std::array<std::string_view, 6> kShown{"ordinary", "slivers", "through
 /// Above every error that is a number.
 constexpr float kUnbounded = 0x1p127F;
 
-double worst_of(const records::ErrorSizes& sizes) {
+double largest_error(const records::ErrorSizes& sizes) {
   double worst = 0;
   for (const auto& end : {sizes.extremes.most_negative, sizes.extremes.most_positive}) {
     if (end) worst = std::max({worst, std::abs(end->error.lo), std::abs(end->error.hi)});
@@ -45,15 +45,15 @@ double worst_of(const records::ErrorSizes& sizes) {
 }
 
 /// Of one kind of value.
-struct Worst {
+struct WorstUlp {
   double ideal = 0;
   double excess = 0;
   std::uint64_t values = 0;
   std::uint64_t no_numbers = 0;  ///< NaN, and infinities where there should be a number
 
   void add(const records::ErrorStatistics& errors) {
-    ideal = std::max(ideal, worst_of(errors.ideal));
-    excess = std::max(excess, worst_of(errors.excess));
+    ideal = std::max(ideal, largest_error(errors.ideal));
+    excess = std::max(excess, largest_error(errors.excess));
     for (const FragmentClass one : {FragmentClass::correct, FragmentClass::beyond_bound}) {
       values += errors.classes[one];
     }
@@ -62,7 +62,7 @@ struct Worst {
   }
 };
 
-using WorstByKind = std::map<AttributeKind, Worst>;
+using WorstByKind = std::map<AttributeKind, WorstUlp>;
 
 std::optional<cases::ValueBound>& bound_of(cases::ContractTerms& terms, AttributeKind kind) {
   if (kind == AttributeKind::depth) return terms.depth;
@@ -157,7 +157,7 @@ std::optional<cases::ValueBound> varying_bound(const Subject& subject,
   return std::nullopt;
 }
 
-std::string text_of(const cases::ValueBound& bound) {
+std::string bound_text(const cases::ValueBound& bound) {
   std::string text = fmt::format("{:g}", bound.constant);
   if (bound.per_horizon > 0) text += fmt::format(" + {:g} per horizon", bound.per_horizon);
   if (bound.per_condition > 0) text += fmt::format(" + {:g} per condition", bound.per_condition);
@@ -165,14 +165,15 @@ std::string text_of(const cases::ValueBound& bound) {
   return text;
 }
 
-std::string text_of(const Worst& worst) {
+std::string bound_text(const WorstUlp& worst) {
   std::string text = fmt::format("{:.4g} ULP", worst.ideal);
   if (worst.no_numbers > 0) text += fmt::format(", {} no numbers", worst.no_numbers);
   return text;
 }
 
 void measure_bound(Subject& subject, const DrawnByGenerator& drawn, AttributeKind kind,
-                   const Worst& ordinary, const Worst& all, const cases::ValueBound& declared) {
+                   const WorstUlp& ordinary, const WorstUlp& all,
+                   const cases::ValueBound& declared) {
   // Hard cases that are less than so many times worse are no kind of their own.
   constexpr double kMuchWorse = 16;
   cases::ValueBound bound{bound_for(all.excess)};
@@ -182,8 +183,8 @@ void measure_bound(Subject& subject, const DrawnByGenerator& drawn, AttributeKin
     if (varying) bound = *varying;
   }
   bound_of(subject.result.terms, kind) = bound;
-  subject.add(fmt::format("bound of {}", records::to_string(kind)), text_of(declared),
-              text_of(bound),
+  subject.add(fmt::format("bound of {}", records::to_string(kind)), bound_text(declared),
+              bound_text(bound),
               fmt::format("{} values, {:.4g} ULP beyond at most", all.values, all.excess));
 }
 
@@ -220,7 +221,7 @@ void measure_precision(Subject& subject, const Progress& progress) {
   for (const auto& [name, some] : drawn) {
     const WorstByKind worst = worst_by_kind(subject, some, lax);
     for (const auto& [kind, one] : worst) {
-      Worst& most = all[kind];
+      WorstUlp& most = all[kind];
       most.ideal = std::max(most.ideal, one.ideal);
       most.excess = std::max(most.excess, one.excess);
       most.values += one.values;
@@ -236,7 +237,7 @@ void measure_precision(Subject& subject, const Progress& progress) {
       const auto found = shown.find(std::string(generator));
       if (found == shown.end() || found->second[kind].values == 0) continue;
       subject.add(fmt::format("worst error of {}, {}", records::to_string(kind), generator),
-                  kNotDeclared, text_of(found->second[kind]),
+                  kNotDeclared, bound_text(found->second[kind]),
                   fmt::format("{} values", found->second[kind].values));
     }
   }

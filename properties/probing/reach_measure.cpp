@@ -122,7 +122,7 @@ class Reach {
   std::map<double, std::optional<Drawn>> drawn_;
 };
 
-std::string text_of(double pixels) {
+std::string reach_text(double pixels) {
   if (pixels == 0) return fmt::format("below {:g} pixels", std::ldexp(1.0, kNearest));
   if (pixels >= std::ldexp(1.0, kFarthest)) return fmt::format("2^{} pixels or more", kFarthest);
   return fmt::format("{:.10g} pixels", pixels);
@@ -146,7 +146,7 @@ void measure_reach(Subject& subject) {
   }
   const auto add = [&](const char* what, const std::string& says, double pixels) {
     const bool is_last = pixels > 0 && pixels < std::ldexp(1.0, kFarthest);
-    subject.add(what, says, text_of(pixels),
+    subject.add(what, says, reach_text(pixels),
                 is_last && reach.is_refused() ? "farther out nothing is drawn" : "");
   };
   if (known) {

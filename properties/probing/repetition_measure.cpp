@@ -22,7 +22,8 @@ struct Counts {
   std::string detail() const { return fmt::format("{} of {} cases otherwise", violated, checked); }
 };
 
-Counts count(Subject& subject, const char* law_name, const cases::ContractTerms& terms) {
+Counts count_repetitions(Subject& subject, const char* law_name,
+                         const cases::ContractTerms& terms) {
   Counts counts;
   const Law* law = find_law(law_name);
   if (law == nullptr) return counts;
@@ -48,7 +49,7 @@ Counts count(Subject& subject, const char* law_name, const cases::ContractTerms&
 
 void measure_repetition(Subject& subject) {
   cases::ContractTerms& terms = subject.result.terms;
-  const Counts twice = count(subject, "drawing twice draws the same bits", terms);
+  const Counts twice = count_repetitions(subject, "drawing twice draws the same bits", terms);
   subject.add(
       "drawing twice", kNotDeclared,
       twice.checked == 0 ? "not seen" : (twice.violated == 0 ? "the same bits" : "other bits"),
@@ -59,7 +60,7 @@ void measure_repetition(Subject& subject) {
                         std::optional<bool> cases::ContractTerms::*term) {
     cases::ContractTerms promised = terms;
     promised.*term = true;
-    const Counts counts = count(subject, law, promised);
+    const Counts counts = count_repetitions(subject, law, promised);
     const bool keeps = counts.checked > 0 && counts.violated == 0;
     const char* const measured = counts.checked == 0 ? "not seen" : keeps ? "kept" : "not kept";
     subject.add(what, is_declared ? "kept" : "not promised", measured, counts.detail());

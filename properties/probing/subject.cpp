@@ -11,7 +11,7 @@ namespace rastercheck::properties {
 namespace {
 
 /// Pixels of a side.
-constexpr int kSide = 64;
+constexpr int kSubjectSide = 64;
 
 /// The backend, promising something of every case: properties::draw() asks no other.
 std::unique_ptr<backends::Backend> of_all_numbers(backends::Backend& backend) {
@@ -60,8 +60,8 @@ Result<void> Subject::choose_rules() {
 
 cases::Case Subject::base() const {
   cases::Case c;
-  c.framebuffer = {kSide, kSide, 1};
-  c.viewport = {0, 0, kSide, kSide, 0, 1};
+  c.framebuffer = {kSubjectSide, kSubjectSide, 1};
+  c.viewport = {0, 0, kSubjectSide, kSubjectSide, 0, 1};
   c.rules = rules_;
   c.fill_rule = cases::default_fill_rule(rules_);
   c.basis = cases::default_basis(rules_);

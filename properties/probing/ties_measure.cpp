@@ -99,7 +99,7 @@ Reading read(const Directions& directions, bool is_y_up) {
   return reading;
 }
 
-std::string declared_of(TieRule rule) {
+std::string declared_tie_rule(TieRule rule) {
   return rule == TieRule::unspecified ? "unspecified" : std::string(name_of(rule));
 }
 
@@ -114,7 +114,7 @@ void measure_ties(Subject& subject, const Sight& sight) {
     subject.ask(asked);
     return read(directions_of(sight.fit.grid, draw_grid_cases(subject)), is_y_up);
   };
-  const auto declared = [&subject] { return declared_of(subject.declared().tie_rule); };
+  const auto declared = [&subject] { return declared_tie_rule(subject.declared().tie_rule); };
   cases::ContractTerms& terms = subject.result.terms;
   if (said.fill_rule) {
     const Reading reading = read(directions_of(sight.fit.grid, sight.drawings), is_y_up);

@@ -18,7 +18,7 @@
 #include "reports/internal/viewer.h"
 #include "reports/internal/wording.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::compare_html_format {
 namespace {
 
 /// What a browser is told to load and to run: nothing.
@@ -50,4 +50,4 @@ std::string write(const Gate& gate) {
 const CompareFormatRegistration kRegistration({"html", "compare.html", &write});
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::compare_html_format

@@ -38,7 +38,7 @@
 #include "reports/compare_format.h"
 #include "reports/internal/compare_wording.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::compare_json_format {
 namespace {
 
 using nlohmann::ordered_json;
@@ -177,4 +177,4 @@ std::string write(const Gate& gate) {
 const CompareFormatRegistration kRegistration({"json", "compare.json", &write});
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::compare_json_format

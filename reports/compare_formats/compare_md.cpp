@@ -7,7 +7,7 @@
 #include "reports/internal/markdown.h"
 #include "reports/internal/wording.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::compare_md_format {
 namespace {
 
 constexpr std::size_t kMostEntries = 50;
@@ -105,4 +105,4 @@ std::string write(const Gate& gate) {
 const CompareFormatRegistration kRegistration({"markdown", "compare.md", &write});
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::compare_md_format

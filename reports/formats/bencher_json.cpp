@@ -10,7 +10,7 @@
 #include "reports/format.h"
 #include "reports/internal/metrics.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::bencher_json_format {
 namespace {
 
 using nlohmann::json;
@@ -31,4 +31,4 @@ std::string write(const records::Run& run) {
 const FormatRegistration kRegistration({"bencher", "bencher.json", &write, true});
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::bencher_json_format

@@ -9,7 +9,7 @@
 #include "reports/format.h"
 #include "reports/internal/metrics.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::benchmark_json_format {
 namespace {
 
 using nlohmann::json;
@@ -29,4 +29,4 @@ std::string write(const records::Run& run) {
 const FormatRegistration kRegistration({"benchmark", "benchmark.json", &write, true});
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::benchmark_json_format

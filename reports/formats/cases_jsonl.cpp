@@ -7,7 +7,7 @@
 #include "records/case_record_json.h"
 #include "reports/format.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::cases_jsonl_format {
 namespace {
 
 using nlohmann::json;
@@ -30,4 +30,4 @@ const FormatRegistration kRegistration({.name = "cases",
                                         .needs_cases = true});
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::cases_jsonl_format

@@ -21,7 +21,7 @@
 #include "reports/internal/html.h"
 #include "reports/internal/wording.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::junit_xml_format {
 namespace {
 
 using records::LawSummary;
@@ -136,4 +136,4 @@ std::string write(const Run& run) {
 const FormatRegistration kRegistration({"junit", "junit.xml", &write});
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::junit_xml_format

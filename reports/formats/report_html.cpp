@@ -18,7 +18,7 @@
 #include "reports/internal/viewer.h"
 #include "reports/internal/wording.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::report_html_format {
 namespace {
 
 using records::LawSummary;
@@ -64,4 +64,4 @@ std::string write(const Run& run) {
 const FormatRegistration kRegistration({"html", "report.html", &write});
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::report_html_format

@@ -49,7 +49,7 @@
 #include "reports/base64.h"
 #include "reports/format.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::run_json_format {
 namespace {
 
 using nlohmann::json;
@@ -158,4 +158,4 @@ std::string write(const records::Run& run) {
 const FormatRegistration kRegistration({"json", "run.json", &write});
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::run_json_format

@@ -10,7 +10,7 @@
 #include "reports/format.h"
 #include "reports/internal/wording.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::sarif_json_format {
 namespace {
 
 using nlohmann::json;
@@ -67,4 +67,4 @@ std::string write(const Run& run) {
 const FormatRegistration kRegistration({"sarif", "results.sarif", &write, true});
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::sarif_json_format

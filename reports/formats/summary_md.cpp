@@ -11,7 +11,7 @@
 #include "reports/internal/markdown.h"
 #include "reports/internal/wording.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::summary_md_format {
 namespace {
 
 using records::Counterexample;
@@ -138,4 +138,4 @@ std::string write(const Run& run) {
 const FormatRegistration kRegistration({"markdown", "summary.md", &write});
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::summary_md_format

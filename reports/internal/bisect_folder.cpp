@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::unexpected<Error> failure(const std::string& file, const std::string& what,
-                              const std::error_code& why) {
+tl::unexpected<Error> folder_failure(const std::string& file, const std::string& what,
+                                     const std::error_code& why) {
   return tl::unexpected(Error{file, "", what + ": " + why.message()});
 }
 
@@ -73,9 +73,9 @@ Result<BisectFolder> BisectFolder::make(const std::string& output) {
   if (!path.has_filename()) path = path.parent_path();  // without a '/' at its end
   std::vector<fs::path> made = missing(path);
   if (!why) fs::create_directories(path, why);
-  if (why) return failure(output, "cannot be made", why);
+  if (why) return folder_failure(output, "cannot be made", why);
   const bool is_empty = fs::is_empty(path, why);
-  if (why) return failure(output, "cannot be read", why);
+  if (why) return folder_failure(output, "cannot be read", why);
   if (!is_empty) return tl::unexpected(Error{output, "", "is not empty; it has to be new"});
   return BisectFolder(path, std::move(made), false);
 }
@@ -91,7 +91,7 @@ Result<std::vector<std::string>> BisectFolder::with_copies(std::vector<std::stri
     std::error_code why;
     fs::create_directories(copy.parent_path(), why);
     if (!why) fs::copy(value, copy, fs::copy_options::recursive, why);
-    if (why) return failure(value, "cannot be copied", why);
+    if (why) return folder_failure(value, "cannot be copied", why);
     value = copy.string();
   }
   return words;

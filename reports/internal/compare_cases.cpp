@@ -12,7 +12,7 @@ using records::Enclosure;
 using records::WorstError;
 
 /// A number to order growths by; what they are is shown as both errors.
-double growth_of(const CaseGrowth& growth) {
+double size_of_growth(const CaseGrowth& growth) {
   if (!growth.after) return 0;
   const double before = growth.before ? records::magnitude_bound(growth.before->error) : 0;
   return records::magnitude_bound(growth.after->error) - before;
@@ -36,7 +36,7 @@ int footing(const CaseGrowth& growth) { return !growth.after ? 0 : growth.before
 
 /// Whether the error of the first grew more, as far as that can be said.
 bool grew_more(const CaseGrowth& a, const CaseGrowth& b) {
-  return std::pair(footing(a), growth_of(a)) > std::pair(footing(b), growth_of(b));
+  return std::pair(footing(a), size_of_growth(a)) > std::pair(footing(b), size_of_growth(b));
 }
 
 /// The error of the case that grew most, if one did.
@@ -118,7 +118,7 @@ void count_growth(const std::string& law, const LawPair& pair, const CaseFigures
   }
 }
 
-auto place_of(const CaseGrowth& growth) {
+auto place_of_growth(const CaseGrowth& growth) {
   return std::tie(growth.law, growth.origin, growth.index);
 }
 
@@ -134,7 +134,7 @@ bool goes_before(const CaseGrowth& a, const CaseGrowth& b) {
   if (is_worse_off(a) != is_worse_off(b)) return is_worse_off(a);
   if (wrong(a) != wrong(b)) return wrong(a) > wrong(b);
   if (grew_more(a, b) || grew_more(b, a)) return grew_more(a, b);
-  return place_of(a) < place_of(b);
+  return place_of_growth(a) < place_of_growth(b);
 }
 
 class CaseComparer {

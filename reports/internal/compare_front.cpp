@@ -15,23 +15,23 @@
 namespace rastercheck::reports {
 namespace {
 
-std::string figure(std::string_view term, std::uint64_t number, std::string_view of) {
+std::string counted_figure(std::string_view term, std::uint64_t number, std::string_view of) {
   return definition(term,
                     fmt::format("<strong>{}</strong> <small>{}</small>", grouped(number), of));
 }
 
-std::string figures_of(const Comparison& comparison) {
+std::string front_figures(const Comparison& comparison) {
   const std::uint64_t worse = count_of(comparison, Change::worse);
   return "<dl class=\"figures\">\n" +
-         figure("worse", worse,
-                worse > 0 ? fmt::format("{} not allowed", grouped(refused(comparison)))
-                          : std::string("entries")) +
-         figure("better", count_of(comparison, Change::better), "entries") +
-         figure("the same", count_of(comparison, Change::same), "entries") +
-         figure("new", count_of(comparison, Change::appeared), "entries") +
-         figure("gone", count_of(comparison, Change::gone), "entries") +
-         figure("cases that grew", comparison.grown_cases,
-                fmt::format("of {}", grouped(comparison.compared_cases))) +
+         counted_figure("worse", worse,
+                        worse > 0 ? fmt::format("{} not allowed", grouped(refused(comparison)))
+                                  : std::string("entries")) +
+         counted_figure("better", count_of(comparison, Change::better), "entries") +
+         counted_figure("the same", count_of(comparison, Change::same), "entries") +
+         counted_figure("new", count_of(comparison, Change::appeared), "entries") +
+         counted_figure("gone", count_of(comparison, Change::gone), "entries") +
+         counted_figure("cases that grew", comparison.grown_cases,
+                        fmt::format("of {}", grouped(comparison.compared_cases))) +
          "</dl>\n";
 }
 
@@ -78,7 +78,7 @@ std::string taken_text(const Taken& taken) {
   return text;
 }
 
-std::string facts_of(const Gate& gate, const Comparison& comparison) {
+std::string gate_facts(const Gate& gate, const Comparison& comparison) {
   std::string options;
   for (const std::string& option : comparison.options) options += " " + option;
   return "<dl class=\"facts\">\n" + definition("baseline", html(to_string(comparison.key))) +
@@ -112,12 +112,12 @@ std::string compare_front(const Gate& gate, std::size_t number) {
                         refused(comparison) > 0 ? "violated" : "held",
                         html(verdict_sentence(comparison)));
   }
-  text += figures_of(comparison) + largest_growth(gate, number) +
+  text += front_figures(comparison) + largest_growth(gate, number) +
           fmt::format("<p>{}</p>\n", html(bits_sentence(comparison)));
   const std::string worse = worse_table(comparison, number);
   return text + "<div class=\"front\">\n<section>\n" +
          (worse.empty() ? "<p>No entry is worse than the baseline.</p>\n" : worse) +
-         "</section>\n<aside>\n<h2>What was compared</h2>\n" + facts_of(gate, comparison) +
+         "</section>\n<aside>\n<h2>What was compared</h2>\n" + gate_facts(gate, comparison) +
          "<h2>To take the new figures over</h2>\n<p><code>" + html(approve_command(gate)) +
          "</code></p>\n</aside>\n</div>\n";
 }

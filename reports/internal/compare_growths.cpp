@@ -24,13 +24,13 @@ using records::WorstError;
 
 constexpr std::size_t kLongestExact = 80;  ///< characters
 /// Sections that stand open.
-constexpr std::size_t kMostOpen = 2;
+constexpr std::size_t kMostOpenGrowths = 2;
 
 std::string actual_text(float actual) {
   return fmt::format("{:.9g}<br><code>{}</code>", actual, cases::to_hex(actual));
 }
 
-std::string place_of(const WorstError& at) {
+std::string place_of_error(const WorstError& at) {
   std::string text =
       fmt::format("triangle {}, pixel ({}, {}), sample {}", at.triangle, at.x, at.y, at.sample);
   return text +
@@ -38,14 +38,14 @@ std::string place_of(const WorstError& at) {
 }
 
 std::string error_row(std::string_view whose, const WorstError& worst) {
-  return "<tr>" + cell(std::string(whose)) + named_cell("where", place_of(worst)) +
+  return "<tr>" + cell(std::string(whose)) + named_cell("where", place_of_error(worst)) +
          named_cell("exact", html(exact_text(worst.exact, kLongestExact))) +
          named_cell("actual", actual_text(worst.actual)) +
          number_cell("error, ULP", number_text(worst.error)) + "</tr>\n";
 }
 
 /// "depth", "u", "attribute 3".
-std::string value_name(const records::Inspection& inspection) {
+std::string grown_value_name(const records::Inspection& inspection) {
   if (!inspection.attribute) return "depth";
   const auto& attributes = inspection.source.attributes;
   const bool has_name =
@@ -75,7 +75,7 @@ std::string subject_of(const CloserLook& look) {
   const records::Inspection& inspection = look.inspection;
   std::string text =
       fmt::format("<p>Pixel ({}, {}), sample {}, of triangle {}: {}", inspection.x, inspection.y,
-                  inspection.sample, look.triangle, value_name(inspection));
+                  inspection.sample, look.triangle, grown_value_name(inspection));
   const records::InspectedSample* const sample = records::inspected_sample(inspection);
   if (sample != nullptr) {
     text += fmt::format("; the sample is {} ({}) and {} now", to_string(sample->verdict),
@@ -127,7 +127,7 @@ std::string entry_link(const Comparison& comparison, std::size_t number, const C
                      html(to_string(entry->key)));
 }
 
-std::string section_of(const Gate& gate, std::size_t number, std::size_t i) {
+std::string growth_section(const Gate& gate, std::size_t number, std::size_t i) {
   const Comparison& comparison = gate.comparisons[number];
   const CaseGrowth& growth = comparison.growths[i];
   std::string title =
@@ -138,7 +138,7 @@ std::string section_of(const Gate& gate, std::size_t number, std::size_t i) {
         growth.before ? number_text(records::magnitude(growth.before->error)) : std::string("none"),
         number_text(records::magnitude(growth.after->error)));
   }
-  std::string text = start_of(growth_id(number, i), title, i < kMostOpen);
+  std::string text = start_of(growth_id(number, i), title, i < kMostOpenGrowths);
   for (const std::string& line : growth_lines(growth)) {
     if (line.starts_with(kOutcomeLine) || line.starts_with(kMismatchesLine))
       text += "<p>" + html(line) + "</p>\n";
@@ -194,7 +194,8 @@ std::string growth_id(std::size_t number, std::size_t growth) {
 std::string growth_sections(const Gate& gate, std::size_t number) {
   const Comparison& comparison = gate.comparisons[number];
   std::string text;
-  for (std::size_t i = 0; i < comparison.growths.size(); ++i) text += section_of(gate, number, i);
+  for (std::size_t i = 0; i < comparison.growths.size(); ++i)
+    text += growth_section(gate, number, i);
   if (!text.empty()) {
     text = "<section>\n<h2>Cases that grew most</h2>\n" + picture_legend() + text;
     if (comparison.grown_cases > comparison.growths.size()) {

@@ -45,23 +45,25 @@ std::string step_class(double error) {
 std::string size_text(double size) { return fmt::format("{:.3g}", size); }
 
 /// How one pixel of a picture is shown.
-struct Shown {
+struct ShownPicture {
   std::string style;  ///< its class; empty: nothing is shown
   std::string text;   ///< in words
   bool has_cross = false;
 };
 
-Shown shown_error(const std::optional<float>& value, const std::optional<double>& error) {
+ShownPicture shown_error(const std::optional<float>& value, const std::optional<double>& error) {
   if (!value) return {};
   if (error) return {step_class(*error), size_text(*error) + " ULP off"};
   if (!std::isfinite(*value)) return {"odd", fmt::format("{}", *value), true};
   return {"odd", "drawn, with no exact value", true};
 }
 
-Shown shown_before(const CropCell& cell) { return shown_error(cell.before, cell.error_before); }
-Shown shown_after(const CropCell& cell) { return shown_error(cell.after, cell.error_after); }
+ShownPicture shown_before(const CropCell& cell) {
+  return shown_error(cell.before, cell.error_before);
+}
+ShownPicture shown_after(const CropCell& cell) { return shown_error(cell.after, cell.error_after); }
 
-Shown shown_change(const CropCell& cell) {
+ShownPicture shown_change(const CropCell& cell) {
   if (!cell.change) return {};
   if (*cell.change == 0) return {"same", "same bits"};
   if (!cell.before) return {"odd", "drawn now only", true};
@@ -117,7 +119,7 @@ std::string picture(const Frame& frame, const std::vector<CropCell>& cells,
       "<figure><svg class=\"crop\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
       inspection.width, inspection.height, html(label));
   for (const CropCell& cell : cells) {
-    const Shown shown = show(cell);
+    const ShownPicture shown = show(cell);
     if (shown.style.empty()) continue;
     const int column = frame.column(cell.x);
     const int row = frame.row(cell.y);
@@ -190,26 +192,27 @@ std::string certain_pictures(const Frame& frame, const std::vector<CropCell>& ce
                             : std::nullopt;
   };
   const std::string most = up_to(largest(cells, least));
-  return text + picture(frame, cells,
-                        fmt::format("Difference, at least: no value of this case was more than {} "
-                                    "ULP off, so pixels changed by {} or more",
-                                    size_text(reach), most),
-                        "Least difference of new and old, " + most, [&](const CropCell& cell) {
-                          const std::optional<double> size = least(cell);
-                          if (!size) return shown_after(cell);
-                          if (*size == 0) return Shown{"same", "perhaps unchanged"};
-                          return Shown{step_class(*size), size_text(*size) + " ULP at least"};
-                        });
+  return text +
+         picture(frame, cells,
+                 fmt::format("Difference, at least: no value of this case was more than {} "
+                             "ULP off, so pixels changed by {} or more",
+                             size_text(reach), most),
+                 "Least difference of new and old, " + most, [&](const CropCell& cell) {
+                   const std::optional<double> size = least(cell);
+                   if (!size) return shown_after(cell);
+                   if (*size == 0) return ShownPicture{"same", "perhaps unchanged"};
+                   return ShownPicture{step_class(*size), size_text(*size) + " ULP at least"};
+                 });
 }
 
 // --- The pixels that changed most ----------------------------------------------------------------
 
-std::string value_text(const std::optional<float>& value) {
+std::string cell_value_text(const std::optional<float>& value) {
   if (!value) return "not drawn";
   return fmt::format("{:.9g}<br><code>{}</code>", *value, cases::to_hex(*value));
 }
 
-std::string table_of(const std::vector<CropCell>& cells, bool has_before, bool has_samples) {
+std::string cell_table(const std::vector<CropCell>& cells, bool has_before, bool has_samples) {
   std::vector<const CropCell*> listed;
   for (const CropCell& cell : cells) {
     if (has_before ? cell.change.value_or(0) > 0 : cell.error_after.value_or(0) > 0) {
@@ -236,8 +239,8 @@ std::string table_of(const std::vector<CropCell>& cells, bool has_before, bool h
             cell(has_samples ? fmt::format("({}, {}), sample {}", one->x, one->y, one->sample)
                              : fmt::format("({}, {})", one->x, one->y)) +
             named_cell("exact", one->exact ? fmt::format("{:.12g}", *one->exact) : "none") +
-            named_cell("old", has_before ? value_text(one->before) : "not kept") +
-            named_cell("new", value_text(one->after)) +
+            named_cell("old", has_before ? cell_value_text(one->before) : "not kept") +
+            named_cell("new", cell_value_text(one->after)) +
             number_cell("old error, ULP", number(one->error_before)) +
             number_cell("new error, ULP", number(one->error_after)) + "</tr>\n";
   }
@@ -253,7 +256,8 @@ std::string compare_pictures(const records::CloserLook& look,
   return "<div class=\"crops\">\n" +
          (look.before ? kept_pictures(frame, cells)
                       : certain_pictures(frame, cells, worst_before)) +
-         "</div>\n" + table_of(cells, look.before.has_value(), look.inspection.pattern.size() > 1);
+         "</div>\n" +
+         cell_table(cells, look.before.has_value(), look.inspection.pattern.size() > 1);
 }
 
 std::string picture_legend() {

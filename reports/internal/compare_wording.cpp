@@ -17,13 +17,13 @@ namespace {
 
 using records::Enclosure;
 
-constexpr int kDigits = 6;
+constexpr int kErrorDigits = 6;
 constexpr int kMostDigits = 17;  // tell any two doubles apart
 
 /// The certain digits of both, of so many that they differ.
 OldAndNew sizes_text(const Enclosure& before, const Enclosure& after) {
   OldAndNew texts;
-  for (int digits = kDigits; digits <= kMostDigits; ++digits) {
+  for (int digits = kErrorDigits; digits <= kMostDigits; ++digits) {
     texts = {records::to_decimal(before, digits), records::to_decimal(after, digits)};
     if (texts.before != texts.after || before == after) return texts;
   }
@@ -33,9 +33,9 @@ OldAndNew sizes_text(const Enclosure& before, const Enclosure& after) {
 
 /// "none" where no error but 0 is known of before: laws that draw twice judge values only where the
 /// two differ, so that it need not have been 0.
-OldAndNew errors_text(const CaseGrowth& growth, const records::WorstError& after) {
+OldAndNew old_and_new_errors(const CaseGrowth& growth, const records::WorstError& after) {
   const Enclosure is = records::magnitude(after.error);
-  if (!growth.before) return {"none", records::to_decimal(is, kDigits)};
+  if (!growth.before) return {"none", records::to_decimal(is, kErrorDigits)};
   return sizes_text(records::magnitude(growth.before->error), is);
 }
 
@@ -52,7 +52,7 @@ bool is_size(Figure figure) {
          figure == Figure::p999;
 }
 
-std::string actual_text(const records::WorstError& worst) {
+std::string actual_value_text(const records::WorstError& worst) {
   return fmt::format("{:.9g} ({})", worst.actual, cases::to_hex(worst.actual));
 }
 
@@ -72,7 +72,7 @@ records::Run as_run(const Comparison& comparison) {
   return run;
 }
 
-std::string entries_text(std::uint64_t number) { return counted(number, "entry", "entries"); }
+std::string counted_entries(std::uint64_t number) { return counted(number, "entry", "entries"); }
 
 }  // namespace
 
@@ -82,9 +82,9 @@ std::string verdict_sentence(const Comparison& comparison) {
   std::string text =
       refused_ones > 0
           ? fmt::format("Regression: {} of {} worse than the baseline of {}", refused_ones,
-                        entries_text(comparison.entries.size()), to_string(comparison.key))
+                        counted_entries(comparison.entries.size()), to_string(comparison.key))
           : fmt::format("No regression: {} held against the baseline of {}",
-                        entries_text(comparison.entries.size()), to_string(comparison.key));
+                        counted_entries(comparison.entries.size()), to_string(comparison.key));
   std::string rest;
   const auto add = [&rest](std::uint64_t number, std::string_view what) {
     if (number == 0) return;
@@ -148,16 +148,16 @@ std::vector<std::string> growth_lines(const CaseGrowth& growth) {
   constexpr std::size_t kLongestFraction = 40;
   std::vector<std::string> lines;
   if (growth.after) {
-    const OldAndNew sizes = errors_text(growth, *growth.after);
+    const OldAndNew sizes = old_and_new_errors(growth, *growth.after);
     lines.push_back(place_text(growth, *growth.after));
     lines.push_back(fmt::format("error {} → {} ULP", sizes.before, sizes.after));
     if (!growth.after->exact.empty()) {
       lines.push_back("exact " + exact_text(growth.after->exact, kLongestFraction));
     }
-    lines.push_back("now   " + actual_text(*growth.after));
+    lines.push_back("now   " + actual_value_text(*growth.after));
   }
   if (growth.after && growth.before) {
-    std::string was = "then  " + actual_text(*growth.before);
+    std::string was = "then  " + actual_value_text(*growth.before);
     if (!is_same_place(*growth.before, *growth.after)) {
       was += fmt::format(", at triangle {}, pixel ({}, {}), sample {}", growth.before->triangle,
                          growth.before->x, growth.before->y, growth.before->sample);

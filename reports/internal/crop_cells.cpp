@@ -48,7 +48,7 @@ bool is_same(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
-std::optional<double> change_of(const CropCell& cell, double spacing) {
+std::optional<double> change_of_cell(const CropCell& cell, double spacing) {
   if (!cell.before && !cell.after) return std::nullopt;
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   if (!cell.before || !cell.after) return kInfinite;
@@ -88,7 +88,7 @@ CropCell cell_of(const records::CloserLook& look, const InspectedSample& sample,
     cell.error_before = is_unchanged ? cell.error_after
                                      : std::optional(distance(*cell.before, *cell.exact, spacing));
   }
-  if (look.before) cell.change = change_of(cell, spacing);
+  if (look.before) cell.change = change_of_cell(cell, spacing);
   return cell;
 }
 

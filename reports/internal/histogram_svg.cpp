@@ -19,12 +19,12 @@ namespace {
 using records::Histogram;
 
 // The drawing, in units of its view box.
-constexpr double kWidth = 420;
-constexpr double kHeight = 150;
-constexpr double kLeft = 6;
-constexpr double kRight = 414;
-constexpr double kTop = 18;
-constexpr double kBottom = 118;
+constexpr double kHistogramWidth = 420;
+constexpr double kHistogramHeight = 150;
+constexpr double kHistogramLeft = 6;
+constexpr double kHistogramRight = 414;
+constexpr double kHistogramTop = 18;
+constexpr double kHistogramBottom = 118;
 constexpr double kWidestBar = 34;
 constexpr double kLeastBetweenLabels = 34;
 
@@ -91,29 +91,31 @@ std::uint64_t most_of(const std::vector<Bar>& bars) {
 }
 
 double step_of(const std::vector<Bar>& bars) {
-  return std::min((kRight - kLeft) / static_cast<double>(bars.size()), kWidestBar);
+  return std::min((kHistogramRight - kHistogramLeft) / static_cast<double>(bars.size()),
+                  kWidestBar);
 }
 
 /// One count is a bar that is seen: the scale starts at half of it.
 double height_of(std::uint64_t count, std::uint64_t most) {
   if (count == 0) return 0.0;
-  return (kBottom - kTop) * (drawn_log2(static_cast<double>(count)) + 1) /
+  return (kHistogramBottom - kHistogramTop) * (drawn_log2(static_cast<double>(count)) + 1) /
          (drawn_log2(static_cast<double>(most)) + 1);
 }
 
-std::string start_of(std::string_view title, std::uint64_t most) {
+std::string svg_start(std::string_view title, std::uint64_t most) {
   return fmt::format(
       "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n"
       "<text x=\"{}\" y=\"11\" class=\"axis\">{} in the highest bar</text>\n",
-      kWidth, kHeight, html(title), kLeft, counted(most, "value", "values"));
+      kHistogramWidth, kHistogramHeight, html(title), kHistogramLeft,
+      counted(most, "value", "values"));
 }
 
 /// A bar as "x, y, width and height" of a <rect>.
 std::string rectangle(std::size_t i, double step, std::uint64_t count, std::uint64_t most) {
   const double height = height_of(count, most);
   return fmt::format(R"(x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}")",
-                     kLeft + static_cast<double>(i) * step + 0.5, kBottom - height, step - 1,
-                     height);
+                     kHistogramLeft + static_cast<double>(i) * step + 0.5,
+                     kHistogramBottom - height, step - 1, height);
 }
 
 /// Labels where there is room for them, each after the bar that it is of.
@@ -122,19 +124,19 @@ class Labels {
   explicit Labels(double step) : step_(step) {}
 
   std::string of(std::size_t i, const Bar& bar) {
-    const double x = kLeft + static_cast<double>(i) * step_;
+    const double x = kHistogramLeft + static_cast<double>(i) * step_;
     // An octave's label stands at its upper border, that of exactly 0 below its bar.
     const double at = bar.label == "0" ? x + step_ / 2 : x + step_;
-    if (at - last_ < kLeastBetweenLabels || at > kRight) return "";
+    if (at - last_ < kLeastBetweenLabels || at > kHistogramRight) return "";
     last_ = at;
     return fmt::format(
         "<text x=\"{:.1f}\" y=\"{}\" class=\"axis\" text-anchor=\"middle\">{}</text>\n", at,
-        kBottom + 14, bar.label);
+        kHistogramBottom + 14, bar.label);
   }
 
  private:
   double step_;
-  double last_ = kLeft - kLeastBetweenLabels;
+  double last_ = kHistogramLeft - kLeastBetweenLabels;
 };
 
 std::string axis_and_end() {
@@ -142,27 +144,29 @@ std::string axis_and_end() {
       "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n"
       "<text x=\"{}\" y=\"{}\" class=\"axis\">magnitude in scale ULP, by octave; both scales "
       "logarithmic</text>\n</svg>\n",
-      kLeft, kBottom, kRight, kBottom, kLeft, kHeight - 4);
+      kHistogramLeft, kHistogramBottom, kHistogramRight, kHistogramBottom, kHistogramLeft,
+      kHistogramHeight - 4);
 }
 
 /// Where the limit lies among the bars; nothing where it lies beyond them.
-std::optional<double> place_of(const Limit& limit, const std::vector<Bar>& bars, double step) {
+std::optional<double> place_of_limit(const Limit& limit, const std::vector<Bar>& bars,
+                                     double step) {
   for (std::size_t i = 0; i < bars.size(); ++i) {
     const bool is_octave = bars[i].label != "0" && bars[i].label != "more";
     const double octaves = drawn_log2(limit.at) - bars[i].exponent;
     if (!is_octave || octaves <= -1 || octaves > 0) continue;
-    return kLeft + (static_cast<double>(i) + 1 + octaves) * step;
+    return kHistogramLeft + (static_cast<double>(i) + 1 + octaves) * step;
   }
   return std::nullopt;
 }
 
 std::string limit_line(const Limit& limit, double place) {
-  const bool is_right = place > (kLeft + kRight) / 2;
+  const bool is_right = place > (kHistogramLeft + kHistogramRight) / 2;
   return fmt::format(
       "<line class=\"limit\" x1=\"{0:.1f}\" y1=\"{1}\" x2=\"{0:.1f}\" y2=\"{2}\"/>\n"
       "<text class=\"limit\" x=\"{3:.1f}\" y=\"{4}\" text-anchor=\"{5}\">{6} {7}</text>\n",
-      place, kTop - 3, kBottom, place + (is_right ? -4 : 4), kTop + 6, is_right ? "end" : "start",
-      html(limit.name), limit.at);
+      place, kHistogramTop - 3, kHistogramBottom, place + (is_right ? -4 : 4), kHistogramTop + 6,
+      is_right ? "end" : "start", html(limit.name), limit.at);
 }
 
 }  // namespace
@@ -192,14 +196,14 @@ std::string histogram_svg(const Histogram& histogram, std::string_view title,
   const std::uint64_t most = most_of(bars);
   const double step = step_of(bars);
   Labels labels(step);
-  std::string svg = start_of(title, most);
+  std::string svg = svg_start(title, most);
   for (std::size_t i = 0; i < bars.size(); ++i) {
     svg += fmt::format("<rect {}><title>{}: {}</title></rect>\n",
                        rectangle(i, step, bars[i].count, most), html(bars[i].sizes),
                        counted(bars[i].count, "value", "values"));
     svg += labels.of(i, bars[i]);
   }
-  if (const auto place = limit ? place_of(*limit, bars, step) : std::nullopt) {
+  if (const auto place = limit ? place_of_limit(*limit, bars, step) : std::nullopt) {
     svg += limit_line(*limit, *place);
   }
   return svg + axis_and_end();
@@ -214,7 +218,7 @@ std::string overlay_svg(const Histogram& before, const Histogram& after, std::st
   const std::uint64_t most = std::max(most_of(old_bars), most_of(new_bars));
   const double step = step_of(new_bars);
   Labels labels(step);
-  std::string svg = start_of(title, most);
+  std::string svg = svg_start(title, most);
   for (std::size_t i = 0; i < new_bars.size(); ++i) {
     svg += fmt::format("<g><title>{}: {} → {}</title>", html(new_bars[i].sizes),
                        grouped(old_bars[i].count), counted(new_bars[i].count, "value", "values"));

@@ -23,7 +23,7 @@ using records::InspectedSample;
 using records::InspectedValue;
 using records::Inspection;
 
-constexpr int kDigits = 6;  ///< significant, of what is certified
+constexpr int kDataDigits = 6;  ///< significant, of what is certified
 constexpr std::size_t kAllDigits = std::numeric_limits<std::size_t>::max();
 
 /// How much of an inspection is kept.
@@ -36,7 +36,7 @@ constexpr std::array<Extent, 5> kExtents{
     {{kAllDigits, records::kMostInspected}, {60, 32}, {30, 32}, {16, 32}, {16, 8}}};
 
 json certain(const std::optional<Enclosure>& number) {
-  return number ? json(records::to_decimal(*number, kDigits)) : json();
+  return number ? json(records::to_decimal(*number, kDataDigits)) : json();
 }
 
 /// Each whole number of a fraction, or of two, with "…" for its middle where it has more digits.
@@ -61,7 +61,7 @@ json points(const std::vector<records::WindowPoint>& all) {
 }
 
 /// A rounded sum is off by less than the step to its neighbours.
-Enclosure sum_of(const Enclosure& a, const Enclosure& b) {
+Enclosure sum_of_two(const Enclosure& a, const Enclosure& b) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto end = [](double x, double y, double towards) {
     return x == 0 || y == 0 ? x + y : std::nextafter(x + y, towards);
@@ -93,7 +93,7 @@ json sample_data(const InspectedSample& sample, const Inspection& of, std::size_
     Enclosure sum;
     for (const Enclosure& edge : *sample.edges) {
       edges.push_back(certain(edge));
-      sum = sum_of(sum, edge);
+      sum = sum_of_two(sum, edge);
     }
     edges.push_back(certain(sum));
   }

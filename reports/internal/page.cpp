@@ -11,7 +11,7 @@ namespace {
 using records::LawSummary;
 using records::LawVerdict;
 
-std::string cell_of(std::string_view style, std::string_view name, const std::string& content) {
+std::string cell_html(std::string_view style, std::string_view name, const std::string& content) {
   const std::string_view none = content == kNothing ? " none" : "";
   return fmt::format("<td class=\"{}{}\" data-name=\"{}\">{}</td>", style, none, name, content);
 }
@@ -36,10 +36,10 @@ std::string url_encoded(std::string_view text) {
 }  // namespace
 
 std::string named_cell(std::string_view name, const std::string& content) {
-  return cell_of("named", name, content);
+  return cell_html("named", name, content);
 }
 std::string number_cell(std::string_view name, const std::string& content) {
-  return cell_of("number", name, content);
+  return cell_html("number", name, content);
 }
 
 std::string definition(std::string_view term, const std::string& content) {

@@ -29,7 +29,7 @@ using records::Run;
 constexpr std::size_t kLongestValue = 160;    ///< characters
 constexpr std::size_t kMostData = 3'500'000;  ///< bytes of all inspections in the page
 
-std::string value_text(std::string_view text) {
+std::string shortened_value(std::string_view text) {
   return "<span class=\"value\">" + html(elided(text, kLongestValue)) + "</span>";
 }
 
@@ -87,15 +87,17 @@ std::string cause_of(const Inspection& inspection, const std::optional<std::uint
 }
 
 std::string value_sentence(const Inspection& inspection, const InspectedValue& value) {
-  std::string text = fmt::format("<p class=\"finding\">{}: {} is exactly {}", place_of(inspection),
-                                 name_of(inspection, value.attribute),
-                                 value.exact.empty() ? "not defined" : value_text(value.exact));
+  std::string text =
+      fmt::format("<p class=\"finding\">{}: {} is exactly {}", place_of(inspection),
+                  name_of(inspection, value.attribute),
+                  value.exact.empty() ? "not defined" : shortened_value(value.exact));
   if (value.nearest && value.exact.find('/') != std::string::npos) {
-    text += fmt::format(" ≈ {}", value_text(fmt::format("{}", *value.nearest)));
+    text += fmt::format(" ≈ {}", shortened_value(fmt::format("{}", *value.nearest)));
   }
   if (!value.actual) return text + ", and was not drawn.</p>\n";
-  text += fmt::format(", and was drawn as {} <small>{}</small>",
-                      value_text(fmt::format("{}", *value.actual)), cases::to_hex(*value.actual));
+  text +=
+      fmt::format(", and was drawn as {} <small>{}</small>",
+                  shortened_value(fmt::format("{}", *value.actual)), cases::to_hex(*value.actual));
   if (value.scale_error) {
     text +=
         fmt::format(": <strong>{} scale ULP</strong> off", html(number_text(value.scale_error)));
@@ -165,8 +167,8 @@ std::string violation_row(const records::Violation& violation, const cases::Case
   if (violation.has_place()) what += fmt::format(", {}", to_string(violation.kind));
   if (!violation.note.empty()) what += "<br><small>" + html(violation.note) + "</small>";
   return "<tr>" + cell(html(place_text(violation, source))) + cell(what) +
-         named_cell("exact", violation.has_place() ? value_text(violation.exact) : "–") +
-         named_cell("actual", violation.has_place() ? value_text(violation.actual) : "–") +
+         named_cell("exact", violation.has_place() ? shortened_value(violation.exact) : "–") +
+         named_cell("actual", violation.has_place() ? shortened_value(violation.actual) : "–") +
          number_cell("error, ULP", number(violation.error)) +
          number_cell("bound, ULP", number(violation.bound)) +
          number_cell("distance, pixels", number(violation.distance)) + "</tr>\n";

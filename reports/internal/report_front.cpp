@@ -143,8 +143,8 @@ std::string backends_table(const std::vector<BackendFigures>& all) {
 }
 
 /// The figures that a reader wants first, large.
-std::string figures_of(const Run& run, const std::vector<LawSummary>& rows,
-                       const LawSummary& total) {
+std::string run_figures(const Run& run, const std::vector<LawSummary>& rows,
+                        const LawSummary& total) {
   const records::Counts& counts = total.counts;
   std::string text =
       "<dl class=\"figures\">\n" +
@@ -228,7 +228,7 @@ std::string front_of(const Run& run, const std::vector<LawSummary>& rows) {
              "<header>\n<p class=\"name\">RasterCheck</p>\n<h1 class=\"{}\">{}</h1>\n<p>{}</p>\n"
              "</header>\n",
              verdict_class(total.verdict), html(verdict_sentence(rows)), html(kJudgedSentence)) +
-         figures_of(run, rows, total) +
+         run_figures(run, rows, total) +
          fmt::format("<p class=\"unit\">{}</p>\n", html(kUnitSentence)) +
          "<div class=\"front\">\n<section>\n<h2>Every law on " +
          (run.backends.size() == 1 ? html(run.backends[0]) : std::string("every backend")) +

@@ -18,7 +18,7 @@ namespace {
 using records::LawSummary;
 using records::LawVerdict;
 
-constexpr std::size_t kLongestValue = 160;  ///< characters
+constexpr std::size_t kLongestWorstValue = 160;  ///< characters
 
 std::string histogram_figure(const records::SizeSummary& sizes, std::string_view caption,
                              const std::optional<Limit>& limit) {
@@ -41,7 +41,7 @@ std::string worst_text(const records::SizeSummary& sizes) {
       "<span class=\"value\">{}</span>, actual <span class=\"value\">{}</span>.</p>\n",
       html(records::to_decimal(worst.error, 6)), worst.case_index,
       worst.case_name.empty() ? "" : " “" + html(worst.case_name) + "”", worst.triangle, worst.x,
-      worst.y, worst.sample, of, html(elided(worst.exact, kLongestValue)),
+      worst.y, worst.sample, of, html(elided(worst.exact, kLongestWorstValue)),
       fmt::format("{}", worst.actual));
 }
 

@@ -12,8 +12,8 @@
 namespace rastercheck::reports {
 namespace {
 
-constexpr double kWidth = 200;  ///< of a bar's box, in its own units
-constexpr double kHeight = 14;
+constexpr double kSplitWidth = 200;  ///< of a bar's box, in its own units
+constexpr double kSplitHeight = 14;
 constexpr double kLeastBar = 1.5;  ///< so that the smallest is seen
 
 double middle(const records::Enclosure& error) { return error.lo / 2 + error.hi / 2; }
@@ -30,7 +30,7 @@ struct Scale {
   }
   double place(double at) const {
     const double range = greatest - least;
-    return range > 0 ? std::clamp((at - least) / range, 0.0, 1.0) * kWidth : 0;
+    return range > 0 ? std::clamp((at - least) / range, 0.0, 1.0) * kSplitWidth : 0;
   }
 };
 
@@ -42,17 +42,17 @@ std::string bar(const Scale& scale, double from, double to, std::string_view sty
       "<svg class=\"part\" viewBox=\"0 0 {} {}\" preserveAspectRatio=\"none\" aria-hidden=\"true\">"
       "<line x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"0\" y2=\"{}\"/>"
       "<rect class=\"{}\" x=\"{:.1f}\" y=\"2\" width=\"{:.1f}\" height=\"{}\"/></svg>",
-      kWidth, kHeight, zero, zero, kHeight, style, std::min(left, kWidth - width), width,
-      kHeight - 4);
+      kSplitWidth, kSplitHeight, zero, zero, kSplitHeight, style,
+      std::min(left, kSplitWidth - width), width, kSplitHeight - 4);
 }
 
-std::string row(std::string_view name, const records::Enclosure& error, const std::string& bar_of,
-                std::string_view style) {
+std::string split_row(std::string_view name, const records::Enclosure& error,
+                      const std::string& bar_of, std::string_view style) {
   const std::string text = number_text(error);
   const bool is_above = error.lo > 0;
   return fmt::format(
-      "<tr{}><th scope=\"row\">{}</th><td class=\"number\">{}{}</td><td>{}</td></tr>\n", style,
-      name, is_above ? "+" : "", text, bar_of);
+      "<tr{}><th scope=\"split_row\">{}</th><td class=\"number\">{}{}</td><td>{}</td></tr>\n",
+      style, name, is_above ? "+" : "", text, bar_of);
 }
 
 }  // namespace
@@ -76,12 +76,12 @@ std::string split_table(const records::ErrorSplit& split) {
     const double size = middle(part.error);
     const std::string drawn =
         size == 0 ? "" : bar(scale, from, from + size, size > 0 ? "above" : "below");
-    text += row(to_string(part.stage), part.error, drawn,
-                largest == part.stage ? " class=\"largest\"" : "");
+    text += split_row(to_string(part.stage), part.error, drawn,
+                      largest == part.stage ? " class=\"largest\"" : "");
     from += size;
   }
-  text +=
-      row("total", split.total, bar(scale, 0, middle(split.total), "total"), " class=\"total\"");
+  text += split_row("total", split.total, bar(scale, 0, middle(split.total), "total"),
+                    " class=\"total\"");
   return text + "</tbody>\n</table>\n";
 }
 

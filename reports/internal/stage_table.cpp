@@ -17,8 +17,8 @@ namespace {
 using records::Stage;
 using records::StageMean;
 
-constexpr double kWidth = 100;  ///< of a bar, in its own units
-constexpr double kHeight = 10;
+constexpr double kStageWidth = 100;  ///< of a bar, in its own units
+constexpr double kStageHeight = 10;
 
 /// What a part adds to the errors of its kind and stratum, on the whole; 0 where that is not known.
 double weight_of(const StageMean& part) {
@@ -38,20 +38,20 @@ std::string bar_of(std::span<const StageMean> parts) {
   std::string text = fmt::format(
       "<svg class=\"shares\" viewBox=\"0 0 {} {}\" preserveAspectRatio=\"none\" "
       "aria-hidden=\"true\">",
-      kWidth, kHeight);
+      kStageWidth, kStageHeight);
   double from = 0;
   for (const StageMean& part : parts) {
-    const double width = whole > 0 ? weight_of(part) / whole * kWidth : 0;
+    const double width = whole > 0 ? weight_of(part) / whole * kStageWidth : 0;
     if (width > 0) {
       text += fmt::format("<rect class=\"stage-{}\" x=\"{:.2f}\" width=\"{:.2f}\" height=\"{}\"/>",
-                          static_cast<int>(part.stage), from, width, kHeight);
+                          static_cast<int>(part.stage), from, width, kStageHeight);
     }
     from += width;
   }
   return text + "</svg>";
 }
 
-std::string row_of(std::span<const StageMean> parts, const std::set<Stage>& stages) {
+std::string stage_row(std::span<const StageMean> parts, const std::set<Stage>& stages) {
   const StageMean& first = parts.front();
   const auto largest = std::max_element(
       parts.begin(), parts.end(),
@@ -92,7 +92,7 @@ std::string stage_table(const records::LawSummary& row) {
            all[end].stratum == all[begin].stratum) {
       ++end;
     }
-    text += row_of(all.subspan(begin, end - begin), stages);
+    text += stage_row(all.subspan(begin, end - begin), stages);
     begin = end;
   }
   return text + "</tbody>\n</table>\n";

@@ -12,14 +12,14 @@ namespace rastercheck::backends::gl {
 namespace {
 
 /// One triangle over the whole target.
-constexpr const char* kVertexShader = R"(
+constexpr const char* kLayerVertexShader = R"(
 void main() {
   gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1);
 }
 )";
 
 /// The samples of a pixel side by side; number and depth in one.
-std::string fragment_shader(const Capabilities& has, int samples, std::size_t varyings) {
+std::string layer_fragment_shader(const Capabilities& has, int samples, std::size_t varyings) {
   const char* const sampler = samples > 1 ? "sampler2DMSArray" : "sampler2DArray";
   std::string outside =
       shader_head(has) +
@@ -45,8 +45,8 @@ std::string fragment_shader(const Capabilities& has, int samples, std::size_t va
 Result<CopyProgram> CopyPrograms::get(int samples, std::size_t varyings) {
   Object& program = made_[{samples, varyings}];
   if (program.name() == 0) {
-    Result<Object> made = make_program((shader_head(*has_) + kVertexShader).c_str(),
-                                       fragment_shader(*has_, samples, varyings).c_str());
+    Result<Object> made = make_program((shader_head(*has_) + kLayerVertexShader).c_str(),
+                                       layer_fragment_shader(*has_, samples, varyings).c_str());
     if (!made) return tl::unexpected(made.error());
     program = *std::move(made);
     glUseProgram(program.name());

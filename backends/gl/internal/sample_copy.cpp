@@ -6,7 +6,7 @@ namespace rastercheck::backends::gl {
 namespace {
 
 /// One triangle over the whole target.
-constexpr const char* kVertexShader = R"(#version 450 core
+constexpr const char* kSampleVertexShader = R"(#version 450 core
 void main() {
   gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1);
 }
@@ -33,7 +33,7 @@ Object make_image(const TargetShape& shape, GLenum format) {
 }  // namespace
 
 Result<Picture> read_samples(const TargetShape& shape, GLuint color, GLuint depth) {
-  const Result<Object> program = make_program(kVertexShader, kFragmentShader);
+  const Result<Object> program = make_program(kSampleVertexShader, kFragmentShader);
   if (!program) return tl::unexpected(program.error());
   // Depth is copied as a colour, which no depth range or clamp touches.
   const Object colors = make_image(shape, GL_RGBA32F);

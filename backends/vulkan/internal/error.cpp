@@ -9,7 +9,7 @@ namespace rastercheck::backends::vulkan {
 namespace {
 
 // The C header has no names of results; the C++ one does, and takes as long to compile as all else.
-constexpr std::array<std::pair<VkResult, const char*>, 10> kNames{{
+constexpr std::array<std::pair<VkResult, const char*>, 10> kResultNames{{
     {VK_TIMEOUT, "VK_TIMEOUT"},
     {VK_ERROR_OUT_OF_HOST_MEMORY, "VK_ERROR_OUT_OF_HOST_MEMORY"},
     {VK_ERROR_OUT_OF_DEVICE_MEMORY, "VK_ERROR_OUT_OF_DEVICE_MEMORY"},
@@ -22,8 +22,8 @@ constexpr std::array<std::pair<VkResult, const char*>, 10> kNames{{
     {VK_ERROR_UNKNOWN, "VK_ERROR_UNKNOWN"},
 }};
 
-std::string name_of(VkResult result) {
-  for (const auto& [value, name] : kNames) {
+std::string result_name(VkResult result) {
+  for (const auto& [value, name] : kResultNames) {
     if (value == result) return name;
   }
   return fmt::format("VkResult {}", static_cast<int>(result));
@@ -36,7 +36,7 @@ tl::unexpected<Error> failed(const std::string& reason, Failure failure) {
 }
 
 tl::unexpected<Error> failed(const char* call, VkResult result) {
-  return failed(fmt::format("{} gave {}", call, name_of(result)));
+  return failed(fmt::format("{} gave {}", call, result_name(result)));
 }
 
 Result<void> check(const char* call, VkResult result) {

@@ -9,7 +9,7 @@
 #include "cli/gallery/internal/scenes.h"
 #include "cli/gallery/internal/textures.h"
 
-namespace rastercheck::gallery {
+namespace rastercheck::gallery::affine_and_correct_figure {
 namespace {
 
 /// w = 5 at every vertex: four fifths of the picture's width, so that window positions are whole
@@ -57,4 +57,4 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
 const FigureRegistration kRegistration({"000-6-1", &draw});
 
 }  // namespace
-}  // namespace rastercheck::gallery
+}  // namespace rastercheck::gallery::affine_and_correct_figure

@@ -10,7 +10,7 @@
 #include "cli/gallery/internal/scenes.h"
 #include "cli/gallery/internal/textures.h"
 
-namespace rastercheck::gallery {
+namespace rastercheck::gallery::camera_roll_figure {
 namespace {
 
 constexpr int kFrames = 8;
@@ -52,4 +52,4 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
 const FigureRegistration kRegistration({"002-roll", &draw});
 
 }  // namespace
-}  // namespace rastercheck::gallery
+}  // namespace rastercheck::gallery::camera_roll_figure

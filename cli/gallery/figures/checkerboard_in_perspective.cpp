@@ -11,7 +11,7 @@
 #include "cli/gallery/internal/textures.h"
 #include "oracle/transform.h"
 
-namespace rastercheck::gallery {
+namespace rastercheck::gallery::checkerboard_in_perspective_figure {
 namespace {
 
 /// Marks at both sides of a picture, in the rows of the corners.
@@ -59,4 +59,4 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
 const FigureRegistration kRegistration({"002-2", &draw});
 
 }  // namespace
-}  // namespace rastercheck::gallery
+}  // namespace rastercheck::gallery::checkerboard_in_perspective_figure

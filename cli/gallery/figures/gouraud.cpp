@@ -9,7 +9,7 @@
 #include "cli/gallery/internal/scenes.h"
 #include "cli/gallery/internal/textures.h"
 
-namespace rastercheck::gallery {
+namespace rastercheck::gallery::gouraud_figure {
 namespace {
 
 /// A floor whose colours are linear in its length: left of the middle one quad, right of it two, of
@@ -53,4 +53,4 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
 const FigureRegistration kRegistration({"004-gouraud", &draw});
 
 }  // namespace
-}  // namespace rastercheck::gallery
+}  // namespace rastercheck::gallery::gouraud_figure

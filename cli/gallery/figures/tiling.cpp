@@ -8,7 +8,7 @@
 #include "cli/gallery/internal/scenes.h"
 #include "cli/gallery/internal/textures.h"
 
-namespace rastercheck::gallery {
+namespace rastercheck::gallery::tiling_figure {
 namespace {
 
 /// A floor of 4 · 6 tiles, from coordinates below 0 on.
@@ -40,4 +40,4 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
 const FigureRegistration kRegistration({"004-tiling", &draw});
 
 }  // namespace
-}  // namespace rastercheck::gallery
+}  // namespace rastercheck::gallery::tiling_figure

@@ -8,7 +8,7 @@
 #include "cli/gallery/internal/scenes.h"
 #include "cli/gallery/internal/textures.h"
 
-namespace rastercheck::gallery {
+namespace rastercheck::gallery::transparency_figure {
 namespace {
 
 /// The checkerboard as a wall, and before it the trellis, a little turned.
@@ -42,4 +42,4 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
 const FigureRegistration kRegistration({"004-transparency", &draw});
 
 }  // namespace
-}  // namespace rastercheck::gallery
+}  // namespace rastercheck::gallery::transparency_figure

@@ -16,7 +16,7 @@
 #include "cli/gallery/internal/scenes.h"
 #include "oracle/triangle_truth.h"
 
-namespace rastercheck::gallery {
+namespace rastercheck::gallery::u_of_x_figure {
 namespace {
 
 /// Of three rows the one in the middle, whose samples lie on the triangle's axis.
@@ -169,4 +169,4 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
 const FigureRegistration kRegistration({"002-4", &draw});
 
 }  // namespace
-}  // namespace rastercheck::gallery
+}  // namespace rastercheck::gallery::u_of_x_figure
