@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <memory>
 #include <string>
 #include <system_error>
 
@@ -19,8 +20,8 @@ CLI::Validator whole_number(std::uint64_t most) {
 
 std::optional<std::uint64_t> whole_number_in(std::string_view text) {
   std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, value);
+  const char* const end = std::to_address(text.end());
+  const auto [stop, problem] = std::from_chars(std::to_address(text.begin()), end, value);
   return stop == end && problem == std::errc() ? std::optional(value) : std::nullopt;
 }
 

@@ -23,6 +23,10 @@ target_compile_options(rastercheck_options INTERFACE
   -ffp-contract=off
   # GCC 12 sees overlaps in std::string's operator+ that are not there (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  # In a unity build GCC takes a source for a header, and compares its names with those of other sources:
+  # builds that compile each by itself look for these two.
+  $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>
+  $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
   $<$<BOOL:${RASTERCHECK_WERROR}>:-Werror>)
 
 if(RASTERCHECK_SANITIZE OR RASTERCHECK_COVERAGE)

@@ -12,7 +12,7 @@
 #include "oracle/rational.h"
 #include "oracle/triangle_truth.h"
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::api_promise_test {
 namespace {
 
 constexpr ApiLimits kEightBits{8};
@@ -206,4 +206,4 @@ TEST(ApiPromise, HoldsForSloppyArithmetic) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::api_promise_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::channel_test {
 namespace {
 
 /// Both ends of a channel, in one process.
@@ -107,4 +107,4 @@ TEST(SharedMemory, IsRefusedWhereItIsTooSmall) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::channel_test

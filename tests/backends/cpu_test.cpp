@@ -17,7 +17,7 @@
 #include "oracle/transform.h"
 #include "oracle/ulp.h"
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::cpu_test {
 namespace {
 
 using oracle::Fragment;
@@ -408,4 +408,4 @@ TEST(Method, NeitherTransformsNorAssembles) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::cpu_test

@@ -1,6 +1,6 @@
 #include "tests/backends/drivers.h"
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::drivers_test {
 namespace {
 
 TEST(RequiredBackends, AreThoseOfTheList) {
@@ -19,4 +19,4 @@ TEST(RequiredBackends, AreSoWhateverOptionsFollow) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::drivers_test

@@ -15,7 +15,7 @@
 
 #include "tests/backends/drivers.h"
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::gl_backend_test {
 namespace {
 
 using cases::Interpolation;
@@ -384,4 +384,4 @@ TEST(GlBackendOptions, AreThoseThatThereAre) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::gl_backend_test

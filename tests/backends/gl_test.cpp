@@ -22,7 +22,7 @@
 // Mesa's threads end while LeakSanitizer looks at them, at which its tracer crashes now and then.
 extern "C" int __lsan_is_turned_off() { return 1; }
 
-namespace rastercheck::backends::gl {
+namespace rastercheck::backends::gl::gl_test {
 namespace {
 
 using cases::ColorFormat;
@@ -367,4 +367,4 @@ TEST_F(Gl, RefusesWhatItCannotDraw) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends::gl
+}  // namespace rastercheck::backends::gl::gl_test

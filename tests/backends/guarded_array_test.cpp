@@ -6,7 +6,7 @@
 #include <array>
 #include <csignal>
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::guarded_array_test {
 namespace {
 
 TEST(GuardedArray, HoldsWhatItIsGiven) {
@@ -107,4 +107,4 @@ TEST(GuardedArrayDeathTest, IsNotWrittenWhereItMayOnlyBeRead) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::guarded_array_test

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::held_backend_test {
 namespace {
 
 /// Answers every question in another way than a backend that forgets to.
@@ -110,4 +110,4 @@ TEST(HeldBackend, IsWhatIsMadeUntilToldOtherwise) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::held_backend_test

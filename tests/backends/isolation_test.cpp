@@ -14,7 +14,7 @@
 #include "cases/case_reader.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::isolation_test {
 namespace {
 
 using testing::HasSubstr;
@@ -216,4 +216,4 @@ TEST(Isolation, OfADrawingThatTakesTooLongIsAHang) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::isolation_test

@@ -8,7 +8,7 @@
 
 #include "cases/case.h"
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::library_test {
 namespace {
 
 cases::Case plain_case() {
@@ -278,4 +278,4 @@ TEST(Plugin, IsRefusedWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::library_test

@@ -7,7 +7,7 @@
 #include <array>
 #include <string>
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::log_tail_test {
 namespace {
 
 /// What is remembered of a text that was said.
@@ -35,4 +35,4 @@ TEST(LogTail, HasNothingThatATerminalWouldObey) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::log_tail_test

@@ -6,7 +6,7 @@
 #include "cases/case.h"
 #include "cases/contract.h"
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::method_test {
 namespace {
 
 /// A triangle into 2×2 pixels.
@@ -91,4 +91,4 @@ TEST(MethodContract, SaysWhatAMethodClaims) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::method_test

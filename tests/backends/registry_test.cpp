@@ -3,7 +3,7 @@
 
 #include "backends/backend.h"
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::registry_test {
 namespace {
 
 TEST(Registry, ListsTheRasterizerAndTheMethods) {
@@ -30,4 +30,4 @@ TEST(Registry, NamesWhatThereIsWhereAskedForSomethingElse) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::registry_test

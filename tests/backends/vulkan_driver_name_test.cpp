@@ -3,7 +3,7 @@
 
 #include "backends/vulkan/driver_name.h"
 
-namespace rastercheck::backends::vulkan {
+namespace rastercheck::backends::vulkan::vulkan_driver_name_test {
 namespace {
 
 TEST(VulkanDriverName, IsTheProjectsWithItsVersion) {
@@ -31,4 +31,4 @@ TEST(VulkanDriverName, OfOneThatIsNotKnownIsItsFirstWord) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends::vulkan
+}  // namespace rastercheck::backends::vulkan::vulkan_driver_name_test

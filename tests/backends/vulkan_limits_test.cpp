@@ -2,7 +2,7 @@
 
 #include "backends/vulkan/limits.h"
 
-namespace rastercheck::backends::vulkan {
+namespace rastercheck::backends::vulkan::vulkan_limits_test {
 namespace {
 
 using cases::Interpolation;
@@ -129,4 +129,4 @@ TEST(VulkanLimits, AreOfRules) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends::vulkan
+}  // namespace rastercheck::backends::vulkan::vulkan_limits_test

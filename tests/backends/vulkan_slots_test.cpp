@@ -7,7 +7,7 @@
 
 #include "backends/vulkan/slots.h"
 
-namespace rastercheck::backends::vulkan {
+namespace rastercheck::backends::vulkan::vulkan_slots_test {
 namespace {
 
 using cases::Interpolation;
@@ -77,4 +77,4 @@ TEST(VulkanSlots, AreThoseOfFewShaders) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends::vulkan
+}  // namespace rastercheck::backends::vulkan::vulkan_slots_test

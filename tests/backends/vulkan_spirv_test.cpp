@@ -3,7 +3,7 @@
 
 #include "backends/vulkan/spirv.h"
 
-namespace rastercheck::backends::vulkan {
+namespace rastercheck::backends::vulkan::vulkan_spirv_test {
 namespace {
 
 using Words = std::vector<std::uint32_t>;
@@ -74,4 +74,4 @@ TEST(VulkanSpirv, OfBrokenWordsEndsAll) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends::vulkan
+}  // namespace rastercheck::backends::vulkan::vulkan_spirv_test

@@ -19,7 +19,7 @@
 #include "cases/sample_pattern.h"
 #include "tests/backends/drivers.h"
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::vulkan_test {
 namespace {
 
 using cases::Interpolation;
@@ -455,4 +455,4 @@ TEST(VulkanDevices, AreNamedWhereThereIsNoneOfThatName) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::vulkan_test

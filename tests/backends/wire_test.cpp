@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace rastercheck::backends {
+namespace rastercheck::backends::wire_test {
 namespace {
 
 /// A case in which no member has its default.
@@ -152,4 +152,4 @@ TEST(Wire, RefusesContractsOfNoNumbers) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends
+}  // namespace rastercheck::backends::wire_test

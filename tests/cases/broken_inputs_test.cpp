@@ -15,7 +15,7 @@
 
 #include "cases/case_reader.h"
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::broken_inputs_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -121,4 +121,4 @@ TEST(BrokenInputs, EachErrorIsOneLineWithoutControlCharactersThatBeginsWithTheFi
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::broken_inputs_test

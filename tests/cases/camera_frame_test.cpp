@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::camera_frame_test {
 namespace {
 
 using Vector4 = std::array<double, 4>;
@@ -211,4 +211,4 @@ RC_GTEST_PROP(CameraFrame, RandomBoxesLieInsideTheClipVolume, ()) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::camera_frame_test

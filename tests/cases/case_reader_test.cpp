@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::case_reader_test {
 namespace {
 
 using nlohmann::json;
@@ -276,4 +276,4 @@ TEST(CaseReader, AnErrorNamesFilePlaceAndReason) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::case_reader_test

@@ -15,7 +15,7 @@
 
 #include "cases/case_reader.h"
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::case_writer_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -267,4 +267,4 @@ RC_GTEST_PROP(CaseWriter, ReadBackGivesTheSameBitsForRandomCases, ()) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::case_writer_test

@@ -9,7 +9,7 @@
 #include <csignal>
 #include <string>
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::child_process_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -98,4 +98,4 @@ TEST(ChildProcessDeathTest, HasNoMoreProcessorTimeThanItIsGiven) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::child_process_test

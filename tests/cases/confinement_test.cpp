@@ -12,7 +12,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::confinement_test {
 namespace {
 
 /// Exits with 0 where the process, confined, can do all that it should and nothing that it should
@@ -47,4 +47,4 @@ TEST(ConfinementDeathTest, LeavesWhatADrawingNeeds) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::confinement_test

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::contract_json_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -169,4 +169,4 @@ TEST(ContractTerms, AsAskedIsWhatTheCaseNames) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::contract_json_test

@@ -6,7 +6,7 @@
 
 #include "cases/case.h"
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::contract_test {
 namespace {
 
 TEST(MagnitudeRange, HasItsEndsOfEitherSignAndZero) {
@@ -56,4 +56,4 @@ TEST_F(PromisesTest, DependOnEveryNumberThatIsComputedWith) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::contract_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rastercheck {
+namespace rastercheck::error_test {
 namespace {
 
 TEST(ErrorText, LeavesOutWhatIsEmpty) {
@@ -17,4 +17,4 @@ TEST(ErrorText, IsOneLineWhateverItQuotes) {
 }
 
 }  // namespace
-}  // namespace rastercheck
+}  // namespace rastercheck::error_test

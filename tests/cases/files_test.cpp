@@ -7,7 +7,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::files_test {
 namespace {
 
 TEST(ReadText, GivesTheBytesAsTheyAre) {
@@ -43,4 +43,4 @@ TEST(WriteFile, ThatFailsLeavesWhatWasThere) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::files_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::float_text_test {
 namespace {
 
 using namespace std::string_view_literals;
@@ -243,4 +243,4 @@ RC_GTEST_PROP(ExactFloat, RefusesEveryDoubleBetweenNeighbouringFloats, ()) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::float_text_test

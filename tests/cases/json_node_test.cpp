@@ -13,7 +13,7 @@
 #include "cases/json.h"
 #include "cases/names.h"
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::json_node_test {
 namespace {
 
 using nlohmann::json;
@@ -196,4 +196,4 @@ TEST(JsonNode, TextsAndBooleans) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::json_node_test

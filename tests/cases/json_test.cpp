@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::json_test {
 namespace {
 
 using nlohmann::json;
@@ -232,4 +232,4 @@ TEST(ValidUtf8, ReplacesOnlyWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::json_test

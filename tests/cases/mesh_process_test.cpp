@@ -10,7 +10,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::mesh_process_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -128,4 +128,4 @@ TEST(MeshProcess, ThatCannotBeStartedIsNamed) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::mesh_process_test

@@ -17,7 +17,7 @@
 #include "cases/mesh_reader.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::mesh_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -316,4 +316,4 @@ TEST(Mesh, FileNamesAreKnownByTheirEnding) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::mesh_test

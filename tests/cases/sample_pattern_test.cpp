@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace rastercheck::cases {
+namespace rastercheck::cases::sample_pattern_test {
 namespace {
 
 constexpr int kCounts[] = {1, 2, 4, 8, 16};
@@ -84,4 +84,4 @@ TEST(SamplePattern, IsEmptyForCountsThatAreNotInTheTable) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cases
+}  // namespace rastercheck::cases::sample_pattern_test

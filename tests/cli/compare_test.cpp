@@ -10,7 +10,7 @@
 #include "tests/cli/program.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::compare_test {
 namespace {
 
 using nlohmann::json;
@@ -321,4 +321,4 @@ TEST_F(Compare, OfAWorseRunEndsWithItsCode) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::compare_test

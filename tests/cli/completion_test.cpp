@@ -8,7 +8,7 @@
 #include "tests/cli/program.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::completion_test {
 namespace {
 
 using testing::Contains;
@@ -118,4 +118,4 @@ TEST(Completion, RefusesAnotherShell) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::completion_test

@@ -10,7 +10,7 @@
 #include "tests/approved_file.h"
 #include "tests/cli/program.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::explain_test {
 namespace {
 
 using nlohmann::json;
@@ -136,4 +136,4 @@ TEST(Explain, RefusesACameraBeyondFloat32) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::explain_test

@@ -7,7 +7,7 @@
 #include "tests/cli/program.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::gallery_test {
 namespace {
 
 using nlohmann::json;
@@ -72,4 +72,4 @@ TEST(Gallery, RefusesSizesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::gallery_test

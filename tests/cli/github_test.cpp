@@ -6,7 +6,7 @@
 #include "tests/cli/program.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::github_test {
 namespace {
 
 using testing::AllOf;
@@ -61,4 +61,4 @@ TEST_F(Github, HasASummaryThatCannotBeWrittenNamed) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::github_test

@@ -5,7 +5,7 @@
 #include "cases/case_reader.h"
 #include "tests/cli/program.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::import_test {
 namespace {
 
 std::string square_mesh() {
@@ -95,4 +95,4 @@ TEST(Import, AFileNameMayBeginLikeAnOption) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::import_test

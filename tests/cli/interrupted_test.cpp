@@ -13,7 +13,7 @@
 #include "tests/reports/report_files.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::interrupted_test {
 namespace {
 
 using nlohmann::json;
@@ -265,4 +265,4 @@ TEST_F(Unwritable, LaterOnTheTerminalHasWhatWasFound) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::interrupted_test

@@ -8,7 +8,7 @@
 #include "tests/cli/program.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::list_test {
 namespace {
 
 using testing::HasSubstr;
@@ -102,4 +102,4 @@ TEST(List, NamesWhatOtherCommandsTake) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::list_test

@@ -8,7 +8,7 @@
 #include "tests/cli/help.h"
 #include "tests/cli/program.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::main_test {
 namespace {
 
 using testing::HasSubstr;
@@ -108,4 +108,4 @@ TEST(Program, TakesQuietEverywhere) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::main_test

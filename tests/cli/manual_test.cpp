@@ -6,7 +6,7 @@
 #include "tests/cli/help.h"
 #include "tests/cli/program.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::manual_test {
 namespace {
 
 using testing::HasSubstr;
@@ -44,4 +44,4 @@ TEST(Manual, IsAPageThatGroffTakes) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::manual_test

@@ -5,7 +5,7 @@
 
 #include "tests/cli/program.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::oracle_test {
 namespace {
 
 using nlohmann::json;
@@ -113,4 +113,4 @@ TEST(OracleCommand, GivesRangesUnderAnUnspecifiedContract) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::oracle_test

@@ -7,7 +7,7 @@
 #include "tests/cli/program.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::plugin_test {
 namespace {
 
 using testing::ElementsAre;
@@ -65,4 +65,4 @@ TEST_F(Plugin, NewKnowsTwoLanguages) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::plugin_test

@@ -7,7 +7,7 @@
 #include "tests/cli/program.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::probe_test {
 namespace {
 
 using nlohmann::json;
@@ -127,4 +127,4 @@ TEST(RunWithContract, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::probe_test

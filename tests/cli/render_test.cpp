@@ -9,7 +9,7 @@
 #include "tests/cli/program.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::render_test {
 namespace {
 
 using nlohmann::json;
@@ -116,4 +116,4 @@ TEST(Render, RefusesPositionsBeyondFloat32) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::render_test

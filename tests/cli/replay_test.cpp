@@ -8,7 +8,7 @@
 #include "tests/cli/program.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::replay_test {
 namespace {
 
 using nlohmann::json;
@@ -168,4 +168,4 @@ TEST(Replay, PutsUnreadableInputFirst) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::replay_test

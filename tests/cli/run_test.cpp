@@ -9,7 +9,7 @@
 #include "tests/reports/report_files.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::run_test {
 namespace {
 
 using nlohmann::json;
@@ -461,4 +461,4 @@ TEST(WorkerCommand, RefusesWhatIsNoTask) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::run_test

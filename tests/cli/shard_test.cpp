@@ -12,7 +12,7 @@
 #include "tests/properties/known_list.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::shard_test {
 namespace {
 
 using nlohmann::json;
@@ -337,4 +337,4 @@ TEST_F(Shard, ThatWasInterruptedIsRefusedAndGoesOn) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::shard_test

@@ -3,7 +3,7 @@
 
 #include "tests/cli/program.h"
 
-namespace rastercheck::cli {
+namespace rastercheck::cli::usage_test {
 namespace {
 
 using testing::HasSubstr;
@@ -72,4 +72,4 @@ TEST(Usage, PutsNoControlCharactersOnTheTerminal) {
 }
 
 }  // namespace
-}  // namespace rastercheck::cli
+}  // namespace rastercheck::cli::usage_test

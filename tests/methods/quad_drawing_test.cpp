@@ -16,7 +16,7 @@
 #include "rasterizer/methods/quad.h"
 #include "tests/methods/quad_cases.h"
 
-namespace rastercheck {
+namespace rastercheck::quad_drawing_test {
 namespace {
 
 using oracle::FourPointMap;
@@ -156,4 +156,4 @@ TEST(QuadDrawing, HasNoSeamWhereOneWeightForAllHas) {
 }
 
 }  // namespace
-}  // namespace rastercheck
+}  // namespace rastercheck::quad_drawing_test

@@ -13,7 +13,7 @@
 #include "rasterizer/methods/quad.h"
 #include "tests/methods/quad_cases.h"
 
-namespace rastercheck {
+namespace rastercheck::quad_map_test {
 namespace {
 
 using oracle::FourPointError;
@@ -136,4 +136,4 @@ TEST(QuadMap, IsTheOraclesWithinItsBoundBothWays) {
 }
 
 }  // namespace
-}  // namespace rastercheck
+}  // namespace rastercheck::quad_map_test

@@ -17,7 +17,7 @@
 #include "tests/mutants/attribution.h"
 #include "tests/mutants/mutant_backend.h"
 
-namespace rastercheck::mutants {
+namespace rastercheck::mutants::mutants_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
@@ -210,4 +210,4 @@ TEST(MutantBackend, KnowsNoOther) {
 }
 
 }  // namespace
-}  // namespace rastercheck::mutants
+}  // namespace rastercheck::mutants::mutants_test

@@ -10,7 +10,7 @@
 #include "backends/backend.h"
 #include "properties/probing/probe.h"
 
-namespace rastercheck::mutants {
+namespace rastercheck::mutants::probing_test {
 namespace {
 
 using cases::Coverage;
@@ -77,4 +77,4 @@ INSTANTIATE_TEST_SUITE_P(
               "the same bits"}));
 
 }  // namespace
-}  // namespace rastercheck::mutants
+}  // namespace rastercheck::mutants::probing_test

@@ -18,7 +18,7 @@
 #include "tests/oracle/drawing.h"
 #include "tests/oracle/random_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::cascade_adversarial_test {
 namespace {
 
 using records::AttributeKind;
@@ -532,4 +532,4 @@ TEST(CascadeValues, ConstantsAndZerosAreExactToTheFirstLevel) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::cascade_adversarial_test

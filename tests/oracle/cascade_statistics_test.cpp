@@ -12,7 +12,7 @@
 #include "tests/oracle/drawing.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::cascade_statistics_test {
 namespace {
 
 using records::AttributeKind;
@@ -241,4 +241,4 @@ TEST(CascadeBorders, EveryFragmentOfAChunkIsJudgedOnce) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::cascade_statistics_test

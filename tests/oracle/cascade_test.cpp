@@ -12,7 +12,7 @@
 #include "tests/oracle/random_case.h"
 #include "tests/simd_targets.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::cascade_test {
 namespace {
 
 /// Adds up to two triangles that share vertices with those before.
@@ -203,4 +203,4 @@ TEST(CascadeTargets, GiveTheSameBits) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::cascade_test

@@ -6,7 +6,7 @@
 #include "oracle/triangle_truth.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::conditioning_test {
 namespace {
 
 Conditioning at_first_pixel(const std::array<std::vector<float>, 3>& values) {
@@ -41,4 +41,4 @@ TEST(KappaD, IsTheWorstCancellationOfAWeight) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::conditioning_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::convex_region_test {
 namespace {
 
 Line line(int a, int b, int c) { return {Ring(a), Ring(b), Ring(c)}; }
@@ -120,4 +120,4 @@ TEST(ConvexRegion, HasTheCornersOfItsDefinition) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::convex_region_test

@@ -14,7 +14,7 @@
 #include "cases/case_reader.h"
 #include "oracle/fragments.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::corpus_test {
 namespace {
 
 const std::filesystem::path kCorpus = RASTERCHECK_SOURCE_DIR "/cases/corpus";
@@ -277,4 +277,4 @@ TEST(Corpus, DefectsOfOtherRasterizersAreDrawnRight) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::corpus_test

@@ -7,7 +7,7 @@
 #include "oracle/triangle_truth.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::coverage_test {
 namespace {
 
 using cases::ClipVertex;
@@ -264,4 +264,4 @@ TEST(ClipError, LeavesOpenWhatIsNearAPlaneByItsDistance) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::coverage_test

@@ -9,7 +9,7 @@
 #include "oracle/triangle_truth.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::derivatives_test {
 namespace {
 
 cases::Case corner(float w1, const std::array<std::vector<float>, 3>& values) {
@@ -225,4 +225,4 @@ TEST(QuadDifference, OfAFlatAttributeIsZero) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::derivatives_test

@@ -18,7 +18,7 @@
 #include "tests/oracle/drawing.h"
 #include "tests/simd_targets.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::filter_kernels_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -469,4 +469,4 @@ TEST_P(FilterKernels, GiveTheSameBitsAsOnAnyOther) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::filter_kernels_test

@@ -17,7 +17,7 @@
 #include "oracle/ulp.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::floating_point_state_test {
 namespace {
 
 /// MXCSR without its sticky exception flags.
@@ -112,4 +112,4 @@ TEST(FloatingPointState, AnswersDoNotDependOnTheRoundingMode) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::floating_point_state_test

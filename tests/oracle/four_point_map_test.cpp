@@ -11,7 +11,7 @@
 #include "oracle/internal/rational_number.h"
 #include "tests/oracle/random_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::four_point_map_test {
 namespace {
 
 using Side = FourPointError::Side;
@@ -190,4 +190,4 @@ RC_GTEST_PROP(FourPointMap, TakesEachPointToItsOwn, ()) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::four_point_map_test

@@ -9,7 +9,7 @@
 
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::fragment_json_test {
 namespace {
 
 using nlohmann::json;
@@ -63,4 +63,4 @@ TEST(FragmentJson, GivesBothEndsOfAnOpenRange) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::fragment_json_test

@@ -6,7 +6,7 @@
 
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::fragments_test {
 namespace {
 
 /// Layers that cover all of a 2 × 2 framebuffer, each at one depth.
@@ -78,4 +78,4 @@ TEST(DepthTest, PermitsBothWherePermittedCoverageLeavesItOpen) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::fragments_test

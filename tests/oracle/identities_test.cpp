@@ -9,7 +9,7 @@
 #include "oracle/triangle_truth.h"
 #include "tests/oracle/random_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::identities_test {
 namespace {
 
 Ring ring(float value) { return {double{value}}; }
@@ -238,4 +238,4 @@ RC_GTEST_PROP(Coverage, ASquareSplitByADiagonalIsCoveredOnce, ()) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::identities_test

@@ -10,7 +10,7 @@
 #include "tests/oracle/drawing.h"
 #include "tests/oracle/random_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::judge_test {
 namespace {
 
 using records::AttributeKind;
@@ -384,4 +384,4 @@ TEST(JudgeOfAClaim, LeavesAffineValuesFreeWhereSomeWIsNotPositive) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::judge_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::judged_normals_test {
 namespace {
 
 using records::FragmentClass;
@@ -73,4 +73,4 @@ TEST(JudgedNormals, WithoutAnImageHaveToBeZero) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::judged_normals_test

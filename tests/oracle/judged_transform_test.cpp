@@ -7,7 +7,7 @@
 
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::judged_transform_test {
 namespace {
 
 using cases::ClipVertex;
@@ -83,4 +83,4 @@ TEST(JudgedTransform, TakesPositionsWithoutACameraForTheExactOnes) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::judged_transform_test

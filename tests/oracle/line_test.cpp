@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::line_test {
 namespace {
 
 Line line(int a, int b, int c) { return {Ring(a), Ring(b), Ring(c)}; }
@@ -99,4 +99,4 @@ TEST(Line, IsNeverOnTheWrongSide) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::line_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::number_test {
 namespace {
 
 constexpr float kLargest = std::numeric_limits<float>::max();
@@ -91,4 +91,4 @@ TEST(Enclosure, OfALogarithmIsExactForPowersOfTwo) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::number_test

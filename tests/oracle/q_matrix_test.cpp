@@ -10,7 +10,7 @@
 
 #include "oracle/internal/camera_form.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::q_matrix_test {
 namespace {
 
 using rasterizer::QMatrixError;
@@ -132,4 +132,4 @@ TEST(QMatrix, OfTheClipFormIsThatOfTheCameraForm) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::q_matrix_test

@@ -6,7 +6,7 @@
 
 #include "oracle/internal/rational_number.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::rational_test {
 namespace {
 
 Rational ratio(int p, int q) { return to_rational(Field(p, q)); }
@@ -55,4 +55,4 @@ TEST(Rational, HasANearestFloat) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::rational_test

@@ -10,7 +10,7 @@
 #include "oracle/transform.h"
 #include "tests/oracle/random_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::referee_test {
 namespace {
 
 std::vector<Fragment> fast_fragments(const cases::Case& c) {
@@ -90,4 +90,4 @@ TEST(Referee, IsNotVacuous) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::referee_test

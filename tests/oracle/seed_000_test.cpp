@@ -18,7 +18,7 @@
 #include "tests/oracle/drawn.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::seed_000_test {
 namespace {
 
 /// Samples with u + v < 8, that is x + y <= 6 (x + y = 7 is a tie of an edge that owns none).
@@ -174,4 +174,4 @@ TEST(Seed000, OneOtherWMakesSmoothAndNoperspectiveDiffer) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::seed_000_test

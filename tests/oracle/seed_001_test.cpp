@@ -23,7 +23,7 @@
 #include "tests/oracle/drawn.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::seed_001_test {
 namespace {
 
 const Field kU(7, 2);
@@ -283,4 +283,4 @@ TEST(Seed001, PlaneThroughTheEyeHasNoQMatrixAndCoversNothing) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::seed_001_test

@@ -21,7 +21,7 @@
 #include "tests/oracle/drawn.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::seed_002_test {
 namespace {
 
 Field center(int pixel) { return Field(pixel) + Field(1, 2); }
@@ -272,4 +272,4 @@ TEST(Seed002, HandClippedPolygonHasTheFragmentsOfTheUnclippedTriangle) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::seed_002_test

@@ -19,7 +19,7 @@
 #include "tests/oracle/drawn.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::seed_003_test {
 namespace {
 
 Field center(int pixel) { return Field(pixel) + Field(1, 2); }
@@ -236,4 +236,4 @@ TEST(Seed003, VaryingIsTheQuotientOfLinearlyInterpolatedInternalVariables) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::seed_003_test

@@ -15,7 +15,7 @@
 #include "oracle/triangle_truth.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::seed_004_test {
 namespace {
 
 /// The triangle of the edge, with attribute values of V1 and V2 (those of V3 do not matter on the
@@ -192,4 +192,4 @@ TEST(Seed004, CutAndUncutSidesOfAnEdgeAgreeOnlyInPerspective) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::seed_004_test

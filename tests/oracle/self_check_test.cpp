@@ -5,7 +5,7 @@
 
 #include "tests/oracle/random_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::self_check_test {
 namespace {
 
 RC_GTEST_PROP(SelfCheck, FindsNothingToSayOfARightFragment, ()) {
@@ -65,4 +65,4 @@ TEST_F(SelfCheckOf, ASampleThatIsNotCoveredSaysSo) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::self_check_test

@@ -7,7 +7,7 @@
 #include "oracle/triangle_truth.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::snapping_test {
 namespace {
 
 using cases::Rounding;
@@ -252,4 +252,4 @@ TEST(Clipping, TakesTheGreatestPositionError) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::snapping_test

@@ -5,7 +5,7 @@
 #include "oracle/stage_split.h"
 #include "tests/oracle/stage_traces.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::stage_coverage_test {
 namespace {
 
 using records::SampleTrace;
@@ -171,4 +171,4 @@ TEST(CoverageStage, IsTheDecisionOfWhatIsNotOfTheTriangleAlone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::stage_coverage_test

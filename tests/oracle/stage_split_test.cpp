@@ -14,7 +14,7 @@
 #include "oracle/transform.h"
 #include "tests/oracle/stage_traces.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::stage_split_test {
 namespace {
 
 using records::SampleTrace;
@@ -490,4 +490,4 @@ TEST(UntracedSplit, OfACentroidStartsAtTheFirstCoveredSample) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::stage_split_test

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::texture_truth_test {
 namespace {
 
 using cases::Filter;
@@ -134,4 +134,4 @@ TEST(TextureTruth, EnclosesTheLevelOfDetail) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::texture_truth_test

@@ -4,7 +4,7 @@
 
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::transform_test {
 namespace {
 
 using cases::ClipVertex;
@@ -63,4 +63,4 @@ TEST(Transform, LeavesAClipCaseAsItIs) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::transform_test

@@ -8,7 +8,7 @@
 
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::triangle_truth_test {
 namespace {
 
 using Texts = std::array<std::string, 3>;
@@ -62,4 +62,4 @@ TEST(QMatrixOfATriangle, IsNotThereWhereItIsSeenEdgeOn) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::triangle_truth_test

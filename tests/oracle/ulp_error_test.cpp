@@ -7,7 +7,7 @@
 #include "oracle/ulp.h"
 #include "tests/oracle/random_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::ulp_error_test {
 namespace {
 
 Ring ring(double value) { return {value}; }
@@ -92,4 +92,4 @@ RC_GTEST_PROP(UlpErrors, AreThoseOfScaleUlpError, ()) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::ulp_error_test

@@ -4,7 +4,7 @@
 
 #include "oracle/internal/rational_number.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::ulp_test {
 namespace {
 
 using records::Enclosure;
@@ -46,4 +46,4 @@ TEST(ScaleUlpError, TakesTheExactValueWhereThatIsLarger) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::ulp_test

@@ -7,7 +7,7 @@
 #include "oracle/triangle_truth.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::value_bound_test {
 namespace {
 
 // By hand: 1/w is 1 at v = 4 and 1/4 at v = 0, so 1/w = (1 + 3 v/4)/4; at v = 1/2 it is 11/32.
@@ -129,4 +129,4 @@ TEST(ValueBound, OfAnAffineClaimIsThatOfANoperspectiveValue) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::value_bound_test

@@ -8,7 +8,7 @@
 #include "oracle/triangle_truth.h"
 #include "tests/oracle/random_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::value_errors_test {
 namespace {
 
 cases::Contract random_contract() {
@@ -114,4 +114,4 @@ RC_GTEST_PROP(ValueErrors, AreThoseOfTheRangeOfOrdinaryTriangles, ()) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::value_errors_test

@@ -6,7 +6,7 @@
 #include "oracle/triangle_truth.h"
 #include "tests/oracle/small_case.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::values_test {
 namespace {
 
 using cases::Interpolation;
@@ -164,4 +164,4 @@ TEST(Magnitude, IsTheLargestVertexValue) {
 }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::values_test

@@ -13,7 +13,7 @@
 #include "oracle/fragment_json.h"
 #include "oracle/fragments.h"
 
-namespace rastercheck::oracle {
+namespace rastercheck::oracle::vectors_test {
 namespace {
 
 using nlohmann::json;
@@ -57,4 +57,4 @@ INSTANTIATE_TEST_SUITE_P(Oracle, Vectors, testing::ValuesIn(vector_files()),
 TEST(VectorFolder, HoldsAllAnswers) { EXPECT_EQ(vector_files().size(), 48U); }
 
 }  // namespace
-}  // namespace rastercheck::oracle
+}  // namespace rastercheck::oracle::vectors_test

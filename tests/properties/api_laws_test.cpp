@@ -16,7 +16,7 @@
 #include "properties/findings.h"
 #include "properties/law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::api_laws_test {
 namespace {
 
 /// One way to draw that the APIs leave open.
@@ -124,4 +124,4 @@ TEST(ApiLaws, NoticeASixteenthOfAPixel) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::api_laws_test

@@ -9,7 +9,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::campaign_run_test {
 namespace {
 
 using testing::ElementsAre;
@@ -160,4 +160,4 @@ TEST_F(CampaignRunTest, WarnsOnceWhereItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::campaign_run_test

@@ -12,7 +12,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/gathered.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::campaign_test {
 namespace {
 
 using records::Counterexample;
@@ -406,4 +406,4 @@ TEST(TaskRunner, ShrinksNoLongerThanItMay) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::campaign_test

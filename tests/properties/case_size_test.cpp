@@ -8,7 +8,7 @@
 
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::case_size_test {
 namespace {
 
 TEST(SignificantBits, CountFromTheFirstToTheLastThatIsSet) {
@@ -114,4 +114,4 @@ TEST(NumbersOf, AreAllThatAVertexAndACameraHave) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::case_size_test

@@ -8,7 +8,7 @@
 
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::check_case_test {
 namespace {
 
 using records::Counterexample;
@@ -208,4 +208,4 @@ TEST(CheckCase, SaysNothingOfPositionsBeyondFloat32) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::check_case_test

@@ -9,7 +9,7 @@
 
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::checkpoint_test {
 namespace {
 
 using nlohmann::json;
@@ -98,4 +98,4 @@ TEST(DigestOf, TellsCasesApart) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::checkpoint_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::close_drawings_test {
 namespace {
 
 TEST(Closeness, IsOfTheGreatestNumbersUlp) {
@@ -14,4 +14,4 @@ TEST(Closeness, IsOfTheGreatestNumbersUlp) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::close_drawings_test

@@ -16,7 +16,7 @@
 #include "properties/internal/random_state.h"
 #include "tests/properties/generator_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::close_generators_test {
 namespace {
 
 using cases::Case;
@@ -414,4 +414,4 @@ TEST(SnapTies, ShareVerticesInMeshes) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::close_generators_test

@@ -5,7 +5,7 @@
 
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::close_up_test {
 namespace {
 
 using testing::AllOf;
@@ -111,4 +111,4 @@ TEST(CloseUp, IsNothingWhereNothingIsDrawn) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::close_up_test

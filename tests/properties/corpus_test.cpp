@@ -7,7 +7,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::corpus_test {
 namespace {
 
 using testing::ElementsAre;
@@ -91,4 +91,4 @@ TEST(ReadSaved, TakesWhatThisRunCanCheckAgain) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::corpus_test

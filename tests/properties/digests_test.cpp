@@ -13,7 +13,7 @@
 #include "cases/case_writer.h"
 #include "properties/law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::digests_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
@@ -51,4 +51,4 @@ TEST(Digests, OfTheFirstCasesAreTheApprovedOnes) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::digests_test

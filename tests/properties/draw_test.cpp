@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::draw_test {
 namespace {
 
 // From the test suite that the authors of FNV publish (draft-eastlake-fnv, appendix C).
@@ -155,4 +155,4 @@ TEST(Draw, PickTakesEveryChoice) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::draw_test

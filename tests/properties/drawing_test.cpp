@@ -14,7 +14,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::drawing_test {
 namespace {
 
 TEST(Drawing, HandsBackWhatTheBackendDrew) {
@@ -103,4 +103,4 @@ TEST(Drawing, FailsOnArraysOfDifferentLengths) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::drawing_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::exact_splits_test {
 namespace {
 
 /// a + b is the sum without rounding (Knuth).
@@ -114,4 +114,4 @@ TEST(NudgeSmallest, MovesTheSmallestThatIsNotZero) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::exact_splits_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::exact_sum_test {
 namespace {
 
 TEST(ExactSum, IsThereWhereADoubleHoldsIt) {
@@ -34,4 +34,4 @@ TEST(ExactSum, HasTheSignOfSumsThatRoundToOthers) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::exact_sum_test

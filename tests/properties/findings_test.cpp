@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::findings_test {
 namespace {
 
 using records::Counterexample;
@@ -129,4 +129,4 @@ TEST(Merge, KeepsTheFirstFault) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::findings_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::float_numbers_test {
 namespace {
 
 constexpr float kLargest = std::numeric_limits<float>::max();
@@ -37,4 +37,4 @@ TEST(ToFloat, IsHeldAtTheLargest) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::float_numbers_test

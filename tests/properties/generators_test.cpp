@@ -17,7 +17,7 @@
 #include "properties/law.h"
 #include "tests/properties/generator_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::generators_test {
 namespace {
 
 using cases::Case;
@@ -327,4 +327,4 @@ TEST(GenerateAny, TakesEveryGeneratorAndNamesIt) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::generators_test

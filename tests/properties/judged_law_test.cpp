@@ -7,7 +7,7 @@
 
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::judged_law_test {
 namespace {
 
 TEST(ValueText, IsDecimalAndHex) {
@@ -121,4 +121,4 @@ TEST(JudgeDrawn, LabelsWhatWasReached) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::judged_law_test

@@ -7,7 +7,7 @@
 
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::known_conditions_test {
 namespace {
 
 using records::KnownConditions;
@@ -179,4 +179,4 @@ TEST(KnownConditions, AskOfSomeTriangleWhereNothingWasDrawn) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::known_conditions_test

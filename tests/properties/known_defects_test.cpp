@@ -8,7 +8,7 @@
 #include "properties/workers.h"
 #include "tests/properties/known_list.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::known_defects_test {
 namespace {
 
 using testing::ElementsAre;
@@ -197,4 +197,4 @@ TEST(KnownDefects, AreToldApartByADigest) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::known_defects_test

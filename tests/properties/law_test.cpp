@@ -17,7 +17,7 @@
 #include "cases/case_writer.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::law_test {
 namespace {
 
 using cases::Case;
@@ -166,4 +166,4 @@ TEST(Laws, PassOnWhatABackendCannotDraw) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::law_test

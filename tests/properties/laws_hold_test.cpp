@@ -22,7 +22,7 @@
 #include "properties/check_case.h"
 #include "properties/law.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::laws_hold_test {
 namespace {
 
 constexpr std::array<const char*, 3> kBackends{"cpu", "cpu:precision=float32",
@@ -180,4 +180,4 @@ INSTANTIATE_TEST_SUITE_P(All, MethodTest, testing::ValuesIn(methods()),
                          });
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::laws_hold_test

@@ -15,7 +15,7 @@
 #include "properties/internal/camera_cases.h"
 #include "tests/properties/generator_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::mesh_generators_test {
 namespace {
 
 using cases::Case;
@@ -353,4 +353,4 @@ TEST(GuardBand, HasVerticesOnItAndAFloatBesideOfDrawnTriangles) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::mesh_generators_test

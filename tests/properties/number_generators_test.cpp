@@ -12,7 +12,7 @@
 
 #include "tests/properties/generator_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::number_generators_test {
 namespace {
 
 using cases::Case;
@@ -213,4 +213,4 @@ TEST(Sizes, AreDrawnOfEveryExtentAndOnTies) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::number_generators_test

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::parted_triangles_test {
 namespace {
 
 TEST(ShortVertices, MixExactly) {
@@ -39,4 +39,4 @@ TEST(ShortVertices, MixExactly) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::parted_triangles_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::picture_model_test {
 namespace {
 
 using cases::Blend;
@@ -191,4 +191,4 @@ TEST(PictureModel, GivesThreeVertexColoursAnAlphaOfOne) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::picture_model_test

@@ -13,7 +13,7 @@
 #include "properties/probing/grid.h"
 #include "properties/probing/probe.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::probing_test {
 namespace {
 
 using cases::Basis;
@@ -312,4 +312,4 @@ TEST(ProbeOfBent, FailsWhereNothingIsDrawn) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::probing_test

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::random_floats_test {
 namespace {
 
 TEST(AnyFloat, IsOfAllKindsAndNeverBeyond) {
@@ -54,4 +54,4 @@ TEST(RandomFloats, AreWhatTheirNamesSay) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::random_floats_test

@@ -7,7 +7,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::run_folder_test {
 namespace {
 
 using testing::ElementsAre;
@@ -113,4 +113,4 @@ TEST_F(RunFolder, GoesOnWithTheSameCorpusOnly) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::run_folder_test

@@ -6,7 +6,7 @@
 
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::same_drawing_test {
 namespace {
 
 using cases::Framebuffer;
@@ -81,4 +81,4 @@ TEST(SameDrawing, HasTheSameValues) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::same_drawing_test

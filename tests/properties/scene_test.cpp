@@ -8,7 +8,7 @@
 #include "records/run.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::scene_test {
 namespace {
 
 using records::AttributeKind;
@@ -178,4 +178,4 @@ TEST(JudgeScene, FailsWherePositionsAreBeyondFloat32) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::scene_test

@@ -16,7 +16,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::trial_test {
 namespace {
 
 using testing::AllOf;
@@ -337,4 +337,4 @@ TEST(TrialOptions, RefuseWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::trial_test

@@ -7,7 +7,7 @@
 
 #include "properties/internal/random_state.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::window_position_test {
 namespace {
 
 constexpr float kLargest = std::numeric_limits<float>::max();
@@ -102,4 +102,4 @@ TEST(EdgeThrough, HoldsThePointExactly) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::window_position_test

@@ -17,7 +17,7 @@
 #include "tests/properties/gathered.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::workers_test {
 namespace {
 
 using testing::HasSubstr;
@@ -177,4 +177,4 @@ TEST(WorkerProcesses, AreNotInTheProcessGroupOfTheOneThatStartedThem) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::workers_test

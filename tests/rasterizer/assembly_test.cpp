@@ -10,7 +10,7 @@
 
 #include "tests/rasterizer/failing_allocator.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::assembly_test {
 namespace {
 
 using testing::ElementsAre;
@@ -150,4 +150,4 @@ TEST(Assembly, KeepsTheProvokingVertex) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::assembly_test

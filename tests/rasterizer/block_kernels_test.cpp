@@ -8,7 +8,7 @@
 #include "tests/rasterizer/exact.h"
 #include "tests/simd_targets.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::block_kernels_test {
 namespace {
 
 /// The same arithmetic, one sample at a time.
@@ -186,4 +186,4 @@ TEST(BlockKernelTargets, ThereIsMoreThanOne) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::block_kernels_test

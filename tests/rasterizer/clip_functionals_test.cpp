@@ -5,7 +5,7 @@
 #include "rasterizer/internal/determinant.h"
 #include "tests/rasterizer/exact_frame.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::clip_functionals_test {
 namespace {
 
 /// The functionals of a triangle with these z and w and, of each vertex, one distance if any.
@@ -181,4 +181,4 @@ TEST(ClipFunctionals, DecideZerosByTheirNormals) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::clip_functionals_test

@@ -2,7 +2,7 @@
 
 #include "tests/rasterizer/method_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::clipless_homogeneous_test {
 namespace {
 
 constexpr TargetSize kEight{8, 8, 1};
@@ -70,4 +70,4 @@ TEST(CliplessHomogeneous, CountsItsOperations) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::clipless_homogeneous_test

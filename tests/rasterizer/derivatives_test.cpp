@@ -15,7 +15,7 @@
 #include "tests/rasterizer/brute_force.h"
 #include "tests/rasterizer/exact_frame.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::derivatives_test {
 namespace {
 
 /// What the derivation leaves exact paths: half a unit, and 2^-47 of what it is taken of.
@@ -532,4 +532,4 @@ TEST(Derivatives, AreThereOnlyWhereAskedFor) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::derivatives_test

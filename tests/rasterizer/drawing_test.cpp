@@ -8,7 +8,7 @@
 
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::drawing_test {
 namespace {
 
 constexpr TargetSize kFour{4, 4, 1};
@@ -309,4 +309,4 @@ TEST(ExactDraw, AttributesThatAreNotFiniteDoNoHarm) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::drawing_test

@@ -6,7 +6,7 @@
 
 #include "tests/rasterizer/exact_frame.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::edge_functions_test {
 namespace {
 
 Rational value_of(const ExactSum& sum) {
@@ -201,4 +201,4 @@ TEST(OwnsZero, IsAskedOfTheInwardNormal) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::edge_functions_test

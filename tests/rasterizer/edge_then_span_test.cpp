@@ -9,7 +9,7 @@
 #include "rasterizer/methods/method.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::edge_then_span_test {
 namespace {
 
 /// Of a row.
@@ -139,4 +139,4 @@ TEST(EdgeThenSpan, OperationsAreThoseOfTheSlides) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::edge_then_span_test

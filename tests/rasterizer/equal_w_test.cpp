@@ -8,7 +8,7 @@
 #include "tests/rasterizer/exact.h"
 #include "tests/rasterizer/method_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::equal_w_test {
 namespace {
 
 constexpr TargetSize kEight{8, 8, 1};
@@ -155,4 +155,4 @@ TEST(EqualW, CountsItsOperations) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::equal_w_test

@@ -11,7 +11,7 @@
 #include "tests/rasterizer/brute_force.h"
 #include "tests/rasterizer/random_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::exact_coverage_test {
 namespace {
 
 /// The draw in digits, for a failure.
@@ -175,4 +175,4 @@ TEST(ExactDraw, DrawsEdgesThatHardlyLeaveARow) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::exact_coverage_test

@@ -4,7 +4,7 @@
 
 #include "tests/rasterizer/exact.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::exact_sum_test {
 namespace {
 
 Rational value_of(const ExactSum& sum) {
@@ -160,4 +160,4 @@ TEST(ExactSum, NearestHoldsAtPowersOfTwo) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::exact_sum_test

@@ -13,7 +13,7 @@
 #include "rasterizer/internal/drawing.h"
 #include "tests/rasterizer/exact_frame.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::exact_values_test {
 namespace {
 
 float rounded(double value) { return static_cast<float>(value); }
@@ -489,4 +489,4 @@ TEST(ExactValues, ConstantDepthIsClamped) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::exact_values_test

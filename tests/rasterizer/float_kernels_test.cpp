@@ -11,7 +11,7 @@
 #include "tests/rasterizer/exact.h"
 #include "tests/simd_targets.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::float_kernels_test {
 namespace {
 
 using Three = std::array<double, 3>;
@@ -383,4 +383,4 @@ TEST(FloatPrecision, HoldsWhatDoesNotOverflow) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::float_kernels_test

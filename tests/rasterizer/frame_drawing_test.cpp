@@ -16,7 +16,7 @@
 #include "tests/rasterizer/random_draw.h"
 #include "tests/simd_targets.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::frame_drawing_test {
 namespace {
 
 /// A mesh of many triangles of all sizes, some of which share vertices.
@@ -349,4 +349,4 @@ TEST(Draw, GoesOnWhereBinsOutgrowTheirMemory) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::frame_drawing_test

@@ -15,7 +15,7 @@
 #include "tests/rasterizer/random_draw.h"
 #include "tests/simd_targets.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::frame_kernels_test {
 namespace {
 
 State random_kernel_state(Random& random, const TargetSize& size) {
@@ -219,4 +219,4 @@ TEST(FrameKernels, DrawWhatTheyAreMadeFor) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::frame_kernels_test

@@ -14,7 +14,7 @@
 #include "tests/rasterizer/random_draw.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::grid_coverage_test {
 namespace {
 
 constexpr std::array<std::span<const float>, 3> kNoDistances{};
@@ -256,4 +256,4 @@ TEST(GridPolygon, CornersLieWithinHalfAUnitOfTheClippedTriangle) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::grid_coverage_test

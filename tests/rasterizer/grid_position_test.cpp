@@ -10,7 +10,7 @@
 #include "tests/rasterizer/exact.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::grid_position_test {
 namespace {
 
 /// A window position in grid units, as RULES §1 define it.
@@ -130,4 +130,4 @@ TEST(GridPosition, TheGuardBandIsExact) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::grid_position_test

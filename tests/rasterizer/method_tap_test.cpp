@@ -12,7 +12,7 @@
 #include "tests/rasterizer/method_draw.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::method_tap_test {
 namespace {
 
 /// (0.5, 0.5), (6.5, 0.5), (0.5, 6.5) with w = 1, 2, 4 and a square behind it, in 8 x 8. Of each
@@ -197,4 +197,4 @@ TEST(MethodTap, OfABadAddressOrMethodIsRefusedOrNothing) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::method_tap_test

@@ -5,7 +5,7 @@
 #include "rasterizer/methods/method.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::methods_test {
 namespace {
 
 bool is_registered(std::string_view name) {
@@ -74,4 +74,4 @@ TEST(Methods, DrawWhatAPlainTriangleCovers) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::methods_test

@@ -14,7 +14,7 @@
 #include "rasterizer/methods/method.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::object_projective_test {
 namespace {
 
 constexpr TargetSize kFour{4, 4, 1};
@@ -215,4 +215,4 @@ TEST(ObjectProjective, CountsItsOperations) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::object_projective_test

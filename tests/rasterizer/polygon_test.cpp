@@ -9,7 +9,7 @@
 #include "rasterizer/methods/method.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::polygon_test {
 namespace {
 
 constexpr TargetSize kEight{8, 8, 1};
@@ -209,4 +209,4 @@ TEST(Polygon, HasASentenceForEveryError) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::polygon_test

@@ -11,7 +11,7 @@
 #include "rasterizer/methods/method.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::polynomial_test {
 namespace {
 
 /// Pixels of the one row; its span goes over all of it, but for a 2^-13th.
@@ -142,4 +142,4 @@ TEST(Polynomial, DividesPerRowAndNotPerPixel) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::polynomial_test

@@ -5,7 +5,7 @@
 #include "rasterizer/internal/counted.h"
 #include "tests/rasterizer/method_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::projective_inference_test {
 namespace {
 
 constexpr TargetSize kEight{8, 8, 1};
@@ -175,4 +175,4 @@ TEST(ProjectiveInference, WhereTheTextureIsCostsNothing) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::projective_inference_test

@@ -19,7 +19,7 @@
 
 #include "tests/rasterizer/method_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::q_matrix_test {
 namespace {
 
 using Vector = Triple<double>;
@@ -224,4 +224,4 @@ TEST(QMatrix, CountsItsOperations) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::q_matrix_test

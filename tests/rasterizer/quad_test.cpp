@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::quad_test {
 namespace {
 
 constexpr std::array<glm::vec2, 4> kSquare{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
@@ -122,4 +122,4 @@ TEST(Quad, ErrorsHaveWords) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::quad_test

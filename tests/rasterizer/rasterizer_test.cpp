@@ -13,7 +13,7 @@
 #include "tests/rasterizer/failing_allocator.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::rasterizer_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -546,4 +546,4 @@ TEST(ToString, EveryErrorHasASentenceOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::rasterizer_test

@@ -9,7 +9,7 @@
 #include "tests/rasterizer/either_way.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::rational_linear_test {
 namespace {
 
 constexpr TargetSize kFour{4, 4, 1};
@@ -366,4 +366,4 @@ TEST_P(RationalLinearConventions, CulledTrianglesAreNotCounted) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::rational_linear_test

@@ -8,7 +8,7 @@
 #include "tests/rasterizer/either_way.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::rational_linear_values_test {
 namespace {
 
 constexpr TargetSize kFour{4, 4, 1};
@@ -340,4 +340,4 @@ TEST(RationalLinearMethod, DrawsWhatTheRasterizerDoesOfAClippedTriangle) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::rational_linear_values_test

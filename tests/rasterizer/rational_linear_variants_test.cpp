@@ -14,7 +14,7 @@
 #include "rasterizer/methods/method.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::rational_linear_variants_test {
 namespace {
 
 /// Of a row.
@@ -215,4 +215,4 @@ TEST(RationalLinearIncremental, BeginsWhereTheViewportDoes) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::rational_linear_variants_test

@@ -7,7 +7,7 @@
 #include "rasterizer/rasterizer.h"
 #include "tests/rasterizer/failing_allocator.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::resolve_test {
 namespace {
 
 Framebuffer two_pixels(int samples, std::size_t attributes, ColorFormat format) {
@@ -61,4 +61,4 @@ TEST(Resolve, RunningOutOfMemoryLeavesTheOld) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::resolve_test

@@ -4,7 +4,7 @@
 
 #include "tests/rasterizer/exact_frame.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::sample_frame_test {
 namespace {
 
 SampleFrame frame_of(const State& state, const TargetSize& size) {
@@ -131,4 +131,4 @@ TEST(LowestBit, IsTheExponentOfTheLastOne) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::sample_frame_test

@@ -16,7 +16,7 @@
 #include "rasterizer/methods/polygon.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::scanline_linear_test {
 namespace {
 
 /// Of a row.
@@ -218,4 +218,4 @@ TEST(ScanlineLinearRotation, ChangesNoPolygonWhoseValuesAreAffineOnTheScreen) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::scanline_linear_test

@@ -6,7 +6,7 @@
 
 #include "tests/rasterizer/method_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::screen_linear_test {
 namespace {
 
 constexpr TargetSize kEight{8, 8, 1};
@@ -117,4 +117,4 @@ TEST(ScreenLinear, CountsItsOperations) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::screen_linear_test

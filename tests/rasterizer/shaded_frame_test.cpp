@@ -18,7 +18,7 @@
 #include "tests/rasterizer/random_draw.h"
 #include "tests/simd_targets.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::shaded_frame_test {
 namespace {
 
 /// Any depth function, blend and write mask.
@@ -457,4 +457,4 @@ TEST(Shade, RunningOutOfMemoryLosesNothingThatWasDrawn) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::shaded_frame_test

@@ -8,7 +8,7 @@
 #include "tests/rasterizer/fragment_batch.h"
 #include "tests/simd_targets.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::shaders_test {
 namespace {
 
 class Shaders : public testing::TestWithParam<std::int64_t> {};
@@ -106,4 +106,4 @@ TEST_P(Shaders, WhatIsTransparentIsDiscarded) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::shaders_test

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::simd_test {
 namespace {
 
 std::vector<std::string> supported() {
@@ -84,4 +84,4 @@ TEST(Simd, OneThreadWaitsForTheOther) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::simd_test

@@ -9,7 +9,7 @@
 #include "rasterizer/methods/method.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::subdivide_test {
 namespace {
 
 constexpr TargetSize kFour{4, 4, 1};
@@ -216,4 +216,4 @@ TEST(Subdivide, CountsOperationsOfAllPieces) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::subdivide_test

@@ -12,7 +12,7 @@
 #include "tests/rasterizer/textures.h"
 #include "tests/simd_targets.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::texture_samples_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -336,4 +336,4 @@ TEST(Samples, AreTheSameOnAllTargets) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::texture_samples_test

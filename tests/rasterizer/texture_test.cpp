@@ -11,7 +11,7 @@
 #include "tests/rasterizer/textures.h"
 #include "tests/simd_targets.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::texture_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -335,4 +335,4 @@ TEST_P(Sampling, LevelsOfDetailByHand) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::texture_test

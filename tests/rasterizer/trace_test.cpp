@@ -10,7 +10,7 @@
 #include "rasterizer/simd.h"
 #include "tests/rasterizer/small_draw.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::trace_test {
 namespace {
 
 constexpr TargetSize kTarget{8, 8, 1};
@@ -378,4 +378,4 @@ TEST(Trace, OfABadAddressIsRefusedOrNothing) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::trace_test

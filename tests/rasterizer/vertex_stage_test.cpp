@@ -13,7 +13,7 @@
 #include "tests/rasterizer/exact.h"
 #include "tests/rasterizer/failing_allocator.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::vertex_stage_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -387,4 +387,4 @@ TEST(VertexStage, AppendsAndLosesNothingWhereMemoryRunsOut) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::vertex_stage_test

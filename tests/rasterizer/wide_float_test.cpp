@@ -7,7 +7,7 @@
 
 #include "tests/rasterizer/exact.h"
 
-namespace rastercheck::rasterizer {
+namespace rastercheck::rasterizer::wide_float_test {
 namespace {
 
 // Kills: rounding towards zero, ties away from even, a carry lost.
@@ -51,4 +51,4 @@ TEST(WideFloat, KeepsInfinitiesAndNan) {
 }
 
 }  // namespace
-}  // namespace rastercheck::rasterizer
+}  // namespace rastercheck::rasterizer::wide_float_test

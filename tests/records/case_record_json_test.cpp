@@ -9,7 +9,7 @@
 
 #include "records/record.h"
 
-namespace rastercheck::records {
+namespace rastercheck::records::case_record_json_test {
 namespace {
 
 using nlohmann::json;
@@ -87,4 +87,4 @@ TEST(CaseRecordJson, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::case_record_json_test

@@ -11,7 +11,7 @@
 #include "cases/case_writer.h"
 #include "cases/json.h"
 
-namespace rastercheck::records {
+namespace rastercheck::records::counterexample_json_test {
 namespace {
 
 using nlohmann::json;
@@ -108,4 +108,4 @@ TEST(CounterexampleFromJson, PlacesAreThoseOfTheWholeFile) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::counterexample_json_test

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace rastercheck::records {
+namespace rastercheck::records::enclosure_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -145,4 +145,4 @@ RC_GTEST_PROP(ToDecimal, GivesTheMostDigitsThatEveryNumberBetweenTheEndsRoundsTo
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::enclosure_test

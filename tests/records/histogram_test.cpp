@@ -11,7 +11,7 @@
 
 #include "tests/records/random_record.h"
 
-namespace rastercheck::records {
+namespace rastercheck::records::histogram_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -209,4 +209,4 @@ TEST(MagnitudeBound, IsTheEndFartherFromZero) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::histogram_test

@@ -13,7 +13,7 @@
 #include "cases/json.h"
 #include "tests/records/random_inspection.h"
 
-namespace rastercheck::records {
+namespace rastercheck::records::inspection_json_test {
 namespace {
 
 using nlohmann::json;
@@ -210,4 +210,4 @@ const Fault kFaults[] = {
 INSTANTIATE_TEST_SUITE_P(InspectionFromJson, BadInspection, ::testing::ValuesIn(kFaults));
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::inspection_json_test

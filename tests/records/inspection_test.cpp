@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rastercheck::records {
+namespace rastercheck::records::inspection_test {
 namespace {
 
 // Kills: a neighbour, another sample of the pixel.
@@ -25,4 +25,4 @@ TEST(InspectedSampleOf, IsTheOneThatWasLookedFor) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::inspection_test

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace rastercheck::records {
+namespace rastercheck::records::known_json_test {
 namespace {
 
 using nlohmann::json;
@@ -121,4 +121,4 @@ TEST(KnownJson, OfARunComesBackAsItWas) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::known_json_test

@@ -14,7 +14,7 @@
 
 #include "tests/records/random_record.h"
 
-namespace rastercheck::records {
+namespace rastercheck::records::record_json_test {
 namespace {
 
 using nlohmann::json;
@@ -340,4 +340,4 @@ TEST(RecordsFromJson, PlacesAreThoseOfTheWholeFile) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::record_json_test

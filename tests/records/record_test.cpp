@@ -15,7 +15,7 @@
 #include "records/record_json.h"
 #include "tests/records/random_record.h"
 
-namespace rastercheck::records {
+namespace rastercheck::records::record_test {
 namespace {
 
 WorstError error_of(Enclosure error) {
@@ -337,4 +337,4 @@ RC_GTEST_PROP(Merge, OfAnySplitGivesTheSameBytes, ()) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::record_test

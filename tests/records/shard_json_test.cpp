@@ -7,7 +7,7 @@
 
 #include "tests/records/sample_shard.h"
 
-namespace rastercheck::records {
+namespace rastercheck::records::shard_json_test {
 namespace {
 
 using nlohmann::json;
@@ -53,4 +53,4 @@ TEST(ShardJson, IsRefusedWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::shard_json_test

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-namespace rastercheck::records {
+namespace rastercheck::records::shard_test {
 namespace {
 
 TEST(ShardNumber, IsSaidInWords) { EXPECT_EQ(to_string(ShardNumber{2, 7}), "2 of 7"); }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::shard_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-namespace rastercheck::records {
+namespace rastercheck::records::share_test {
 namespace {
 
 constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
@@ -79,4 +79,4 @@ TEST(DecidedSentence, SaysWhatIsKnown) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::share_test

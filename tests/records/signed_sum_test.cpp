@@ -11,7 +11,7 @@
 
 #include "tests/records/random_record.h"
 
-namespace rastercheck::records {
+namespace rastercheck::records::signed_sum_test {
 namespace {
 
 using Units = SignedSum::Units;
@@ -169,4 +169,4 @@ TEST(SignedSum, TheMeanIsThatOfTheTerms) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::signed_sum_test

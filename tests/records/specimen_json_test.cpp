@@ -9,7 +9,7 @@
 
 #include "cases/json.h"
 
-namespace rastercheck::records {
+namespace rastercheck::records::specimen_json_test {
 namespace {
 
 using nlohmann::json;
@@ -100,4 +100,4 @@ TEST(SpecimenFromJson, RefusesAnyOtherForm) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::specimen_json_test

@@ -6,7 +6,7 @@
 #include <bit>
 #include <limits>
 
-namespace rastercheck::records {
+namespace rastercheck::records::specimen_test {
 namespace {
 
 /// Two by one pixels at (3, 5) with two samples, of a depth and an attribute; all drawn.
@@ -101,4 +101,4 @@ TEST(ChangeOf, SeesTheSignOfZero) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::specimen_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rastercheck::records {
+namespace rastercheck::records::stage_split_test {
 namespace {
 
 // Kills: the last of equally large parts; signs that count.
@@ -20,4 +20,4 @@ TEST(LargestPart, IsNothingWhereThereIsNoError) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::stage_split_test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace rastercheck::records {
+namespace rastercheck::records::summary_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -313,4 +313,4 @@ TEST(LawVerdict, HasWords) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::summary_test

@@ -7,7 +7,7 @@
 #include <set>
 #include <string_view>
 
-namespace rastercheck::records {
+namespace rastercheck::records::verdict_test {
 namespace {
 
 constexpr std::array kReasons{Reason::inside,    Reason::tie,           Reason::snapping,
@@ -54,4 +54,4 @@ TEST(Reason, WordsAreShortPlainAscii) {
 }
 
 }  // namespace
-}  // namespace rastercheck::records
+}  // namespace rastercheck::records::verdict_test

@@ -7,7 +7,7 @@
 
 #include "tests/reports/sample_sections.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::approve_test {
 namespace {
 
 using records::AttributeKind;
@@ -188,4 +188,4 @@ TEST(Approve, TakesNewLawsAndDropsThoseThatAreGone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::approve_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::base64_test {
 namespace {
 
 // RFC 4648, section 10. Kills: padding that is short by one; reading beyond the last byte.
@@ -43,4 +43,4 @@ INSTANTIATE_TEST_SUITE_P(Base64, BadBase64,
                                            "Zh==", "Zm9=", "Zg==Zg=="));
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::base64_test

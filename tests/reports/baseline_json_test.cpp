@@ -6,7 +6,7 @@
 #include "tests/reports/sample_look.h"
 #include "tests/reports/sample_sections.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::baseline_json_test {
 namespace {
 
 using testing::HasSubstr;
@@ -103,4 +103,4 @@ TEST(BaselineJson, RefusesWhatItCannotMean) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::baseline_json_test

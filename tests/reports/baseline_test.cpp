@@ -6,7 +6,7 @@
 #include "tests/reports/sample_run.h"
 #include "tests/reports/sample_sections.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::baseline_test {
 namespace {
 
 using records::AttributeKind;
@@ -221,4 +221,4 @@ TEST(BaselineKey, ReadsAsASentencePart) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::baseline_test

@@ -9,7 +9,7 @@
 
 #include "tests/reports/sample_run.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::bisect_test {
 namespace {
 
 using testing::AllOf;
@@ -109,4 +109,4 @@ TEST(BisectJson, HasAllOfIt) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::bisect_test

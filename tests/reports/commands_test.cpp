@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::commands_test {
 namespace {
 
 TEST(RunCommand, NamesWhatDecidesTheRun) {
@@ -44,4 +44,4 @@ TEST(ReplayCommand, TakesTheOptionsThatItKnows) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::commands_test

@@ -9,7 +9,7 @@
 #include "tests/reports/sample_gate.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::compare_format_test {
 namespace {
 
 using testing::Contains;
@@ -52,4 +52,4 @@ TEST(FileOf, IsAName) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::compare_format_test

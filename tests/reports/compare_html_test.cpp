@@ -10,7 +10,7 @@
 #include "tests/reports/sample_gate.h"
 #include "tests/reports/sample_look.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::compare_html_test {
 namespace {
 
 using testing::HasSubstr;
@@ -193,4 +193,4 @@ TEST(CompareHtml, HasOnePlaceForEachLink) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::compare_html_test

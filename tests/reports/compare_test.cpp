@@ -11,7 +11,7 @@
 
 #include "tests/reports/sample_sections.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::compare_test {
 namespace {
 
 using records::AttributeKind;
@@ -519,4 +519,4 @@ TEST(CompareRefuses, WhatTheBaselineHasNoSectionOf) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::compare_test

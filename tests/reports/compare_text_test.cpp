@@ -7,7 +7,7 @@
 #include "tests/reports/sample_gate.h"
 #include "tests/reports/sample_look.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::compare_text_test {
 namespace {
 
 using testing::AllOf;
@@ -187,4 +187,4 @@ TEST(GateAnnotations, NameEachEntryThatIsRefused) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::compare_text_test

@@ -5,7 +5,7 @@
 
 #include "tests/reports/sample_run.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::counterexample_text_test {
 namespace {
 
 using ::testing::AllOf;
@@ -100,4 +100,4 @@ TEST(ViolationsText, IsATable) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::counterexample_text_test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::error_picture_test {
 namespace {
 
 using cases::Rules;
@@ -101,4 +101,4 @@ TEST(DrawErrorMap, HasALegendThatFits) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::error_picture_test

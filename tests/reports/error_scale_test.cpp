@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::error_scale_test {
 namespace {
 
 using testing::HasSubstr;
@@ -50,4 +50,4 @@ TEST(LegendSvg, NamesUnitAndEnds) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::error_scale_test

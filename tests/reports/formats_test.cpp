@@ -11,7 +11,7 @@
 #include "tests/approved_file.h"
 #include "tests/reports/sample_run.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::formats_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -189,4 +189,4 @@ TEST(MarkdownFormat, SaysHowToDoItAgain) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::formats_test

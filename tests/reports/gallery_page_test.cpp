@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::gallery_page_test {
 namespace {
 
 using testing::HasSubstr;
@@ -95,4 +95,4 @@ TEST(GalleryHtml, RefusesWhatIsNoPicture) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::gallery_page_test

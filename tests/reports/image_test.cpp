@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::image_test {
 namespace {
 
 // Kills: columns taken for rows, channels in another order.
@@ -29,4 +29,4 @@ TEST(Image, NothingIsOutside) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::image_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <sstream>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::inspection_text_test {
 namespace {
 
 using records::Enclosure;
@@ -211,4 +211,4 @@ TEST(InspectionText, FitsATerminal) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::inspection_text_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::line_plot_test {
 namespace {
 
 using testing::HasSubstr;
@@ -47,4 +47,4 @@ TEST(LinePlotSvg, NamesCurvesThatHaveNoPoints) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::line_plot_test

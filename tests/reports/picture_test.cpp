@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::picture_test {
 namespace {
 
 constexpr Color kBackground{242, 242, 238};
@@ -135,4 +135,4 @@ TEST(DrawPicture, TakesTheDepthWhereThereAreNoAttributes) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::picture_test

@@ -8,7 +8,7 @@
 
 #include "tests/decoded_png.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::png_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -54,4 +54,4 @@ TEST(ToPng, RefusesWhatIsNoImage) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::png_test

@@ -9,7 +9,7 @@
 
 #include "tests/reports/sample_sections.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::policy_test {
 namespace {
 
 using testing::ElementsAre;
@@ -167,4 +167,4 @@ TEST(PolicyFile, RefusesWhatItCannotMean) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::policy_test

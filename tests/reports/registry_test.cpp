@@ -9,7 +9,7 @@
 
 #include "reports/format.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::registry_test {
 namespace {
 
 using ::testing::AllOf;
@@ -56,4 +56,4 @@ TEST(FindFormat, KnowsNamesOnly) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::registry_test

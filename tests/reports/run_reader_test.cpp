@@ -15,7 +15,7 @@
 #include "tests/reports/sample_look.h"
 #include "tests/reports/sample_run.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::run_reader_test {
 namespace {
 
 using nlohmann::json;
@@ -197,4 +197,4 @@ TEST(ReadRun, NamesAFileThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::run_reader_test

@@ -8,7 +8,7 @@
 
 #include "tests/reports/sample_run.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::summary_table_test {
 namespace {
 
 using nlohmann::json;
@@ -92,4 +92,4 @@ TEST(SummaryJson, HasPrecisionByKindAndStratum) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::summary_table_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::text_table_test {
 namespace {
 
 TEST(TextTable, HasColumnsAsWideAsTheirWidestCell) {
@@ -47,4 +47,4 @@ TEST(TextTable, EndsNoLineWithSpaces) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::text_table_test

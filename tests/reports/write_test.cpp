@@ -16,7 +16,7 @@
 #include "tests/reports/sample_run.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::write_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -147,4 +147,4 @@ TEST_F(WriteReports, RefusesTwoCounterexamplesOfOneName) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::write_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace rastercheck::backends::gl {
+namespace rastercheck::backends::gl::capabilities_test {
 namespace {
 
 using cases::Interpolation;
@@ -119,4 +119,4 @@ TEST(Capabilities, CountSamplesAndClipDistances) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends::gl
+}  // namespace rastercheck::backends::gl::capabilities_test

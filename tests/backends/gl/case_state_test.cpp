@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace rastercheck::backends::gl {
+namespace rastercheck::backends::gl::case_state_test {
 namespace {
 
 TEST(CaseState, PutsVerticesInOrder) {
@@ -29,4 +29,4 @@ TEST(CaseState, PutsVerticesInOrder) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends::gl
+}  // namespace rastercheck::backends::gl::case_state_test

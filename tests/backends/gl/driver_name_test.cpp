@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rastercheck::backends::gl {
+namespace rastercheck::backends::gl::driver_name_test {
 namespace {
 
 TEST(DriverName, OfMesasSoftwareDrivers) {
@@ -35,4 +35,4 @@ TEST(DriverName, OfStringsThatSayLittle) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends::gl
+}  // namespace rastercheck::backends::gl::driver_name_test

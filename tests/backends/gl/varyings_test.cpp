@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace rastercheck::backends::gl {
+namespace rastercheck::backends::gl::varyings_test {
 namespace {
 
 using cases::Interpolation;
@@ -86,4 +86,4 @@ TEST(Varyings, OfNoAttributesAreOnePass) {
 }
 
 }  // namespace
-}  // namespace rastercheck::backends::gl
+}  // namespace rastercheck::backends::gl::varyings_test

@@ -21,7 +21,7 @@
 #include "tests/cli/gallery/small_gallery.h"
 #include "tests/decoded_png.h"
 
-namespace rastercheck::gallery {
+namespace rastercheck::gallery::approved_test {
 namespace {
 
 using reports::Image;
@@ -113,4 +113,4 @@ TEST(ApprovedGallery, TellsPicturesApart) {
 }
 
 }  // namespace
-}  // namespace rastercheck::gallery
+}  // namespace rastercheck::gallery::approved_test

@@ -15,7 +15,7 @@
 #include "cli/gallery/internal/scenes.h"
 #include "tests/cli/gallery/small_gallery.h"
 
-namespace rastercheck::gallery {
+namespace rastercheck::gallery::figures_test {
 namespace {
 
 using reports::GalleryPicture;
@@ -177,4 +177,4 @@ TEST(Gouraud, PartsAtTheJointUnlessInPerspective) {
 }
 
 }  // namespace
-}  // namespace rastercheck::gallery
+}  // namespace rastercheck::gallery::figures_test

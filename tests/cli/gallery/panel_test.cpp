@@ -9,7 +9,7 @@
 #include "cli/gallery/internal/scenes.h"
 #include "cli/gallery/internal/textures.h"
 
-namespace rastercheck::gallery {
+namespace rastercheck::gallery::panel_test {
 namespace {
 
 using reports::Color;
@@ -149,4 +149,4 @@ TEST(Tiles, RepeatBelowZeroAndFarAway) {
 }
 
 }  // namespace
-}  // namespace rastercheck::gallery
+}  // namespace rastercheck::gallery::panel_test

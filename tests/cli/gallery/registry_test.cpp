@@ -8,7 +8,7 @@
 #include "cli/gallery/figure.h"
 #include "tests/cli/gallery/small_gallery.h"
 
-namespace rastercheck::gallery {
+namespace rastercheck::gallery::registry_test {
 namespace {
 
 TEST(Figures, AreInTheOrderOfTheirNames) {
@@ -40,4 +40,4 @@ TEST(Figures, SayWhatTheyAreOfAndShow) {
 }
 
 }  // namespace
-}  // namespace rastercheck::gallery
+}  // namespace rastercheck::gallery::registry_test

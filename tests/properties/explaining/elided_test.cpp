@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::elided_test {
 namespace {
 
 using oracle::Rational;
@@ -41,4 +41,4 @@ TEST(Elided, ShowsBothEndsOfARange) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::elided_test

@@ -4,7 +4,7 @@
 
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::focus_test {
 namespace {
 
 /// Of A x is a little off at (1, 1) and more at (3, 2), and `one` more than that; of B a depth.
@@ -94,4 +94,4 @@ TEST(Focus, DrawsEachTriangleAlone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::focus_test

@@ -9,7 +9,7 @@
 #include "properties/explaining/run_inspections.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::gathered_inspections_test {
 namespace {
 
 using testing::IsEmpty;
@@ -72,4 +72,4 @@ TEST(GatheredInspections, AreNoMoreThanOfAnyRun) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::gathered_inspections_test

@@ -12,7 +12,7 @@
 
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::inspect_test {
 namespace {
 
 using records::Enclosure;
@@ -216,4 +216,4 @@ TEST(Inspect, RefusesWhatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::inspect_test

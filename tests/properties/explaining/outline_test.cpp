@@ -11,7 +11,7 @@
 
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::outline_test {
 namespace {
 
 using records::WindowPoint;
@@ -83,4 +83,4 @@ TEST(Outline, IsNotThereBehindTheEye) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::outline_test

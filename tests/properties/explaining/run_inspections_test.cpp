@@ -12,7 +12,7 @@
 #include "records/histogram.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::run_inspections_test {
 namespace {
 
 using records::Inspection;
@@ -177,4 +177,4 @@ TEST(InspectRun, TakesATriangleOutOfALargeCase) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::run_inspections_test

@@ -15,7 +15,7 @@
 #include "records/histogram.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::specimens_test {
 namespace {
 
 using records::Specimen;
@@ -230,4 +230,4 @@ TEST(CloserLooks, LeaveOutWhatIsNotWhatWasAskedFor) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::specimens_test

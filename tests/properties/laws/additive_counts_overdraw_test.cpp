@@ -10,7 +10,7 @@
 #include "tests/properties/laws/own_cases.h"
 #include "tests/properties/picture_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::additive_counts_overdraw_test {
 namespace {
 
 using cases::Case;
@@ -91,4 +91,4 @@ TEST(Overdraw, LetsPermittedSamplesBe) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::additive_counts_overdraw_test

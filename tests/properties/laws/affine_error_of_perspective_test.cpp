@@ -7,7 +7,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::affine_error_of_perspective_test {
 namespace {
 
 using cases::Case;
@@ -68,4 +68,4 @@ TEST(AffineError, SaysNothingOfWhatClaimsPerspective) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::affine_error_of_perspective_test

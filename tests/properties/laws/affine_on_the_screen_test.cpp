@@ -9,7 +9,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::affine_on_the_screen_test {
 namespace {
 
 using cases::Case;
@@ -95,4 +95,4 @@ TEST(Affine, SaysNothingOfSmoothValuesAndClampedDepths) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::affine_on_the_screen_test

@@ -8,7 +8,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::bad_input_is_refused_test {
 namespace {
 
 using cases::Case;
@@ -81,4 +81,4 @@ TEST(BadInput, IsNotJudgedOfBackendsThatDoNotDrawOver) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::bad_input_is_refused_test

@@ -9,7 +9,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::camera_form_equals_clip_form_test {
 namespace {
 
 using cases::Case;
@@ -122,4 +122,4 @@ TEST(CameraForm, HoldsOfSnappedVerticesToTheirReach) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::camera_form_equals_clip_form_test

@@ -10,7 +10,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::camera_roll_test {
 namespace {
 
 using cases::Case;
@@ -126,4 +126,4 @@ TEST(CameraRoll, SaysNothingOfWhatDoesNotTurn) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::camera_roll_test

@@ -8,7 +8,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::clip_distances_share_test {
 namespace {
 
 using cases::Case;
@@ -123,4 +123,4 @@ TEST(ClipDistances, OfTheLawsOwnCasesMeetWhatTheyAreAbout) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::clip_distances_share_test

@@ -11,7 +11,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::clipped_equals_clipless_test {
 namespace {
 
 using cases::Case;
@@ -92,4 +92,4 @@ TEST(Clipping, OfATextbookMethodHolds) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::clipped_equals_clipless_test

@@ -9,7 +9,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/violations.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::constants_stay_constant_test {
 namespace {
 
 using cases::Case;
@@ -82,4 +82,4 @@ TEST(ConstantsStayConstant, SaysNothingOfACaseWithoutConstants) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::constants_stay_constant_test

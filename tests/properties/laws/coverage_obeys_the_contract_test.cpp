@@ -9,7 +9,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/violations.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::coverage_obeys_the_contract_test {
 namespace {
 
 using cases::Case;
@@ -76,4 +76,4 @@ TEST(CoverageObeysTheContract, LeavesValuesAlone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::coverage_obeys_the_contract_test

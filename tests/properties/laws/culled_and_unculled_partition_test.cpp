@@ -9,7 +9,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::culled_and_unculled_partition_test {
 namespace {
 
 using cases::Case;
@@ -117,4 +117,4 @@ TEST(Culling, FindsValuesThatDependOnIt) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::culled_and_unculled_partition_test

@@ -13,7 +13,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::degenerate_covers_nothing_test {
 namespace {
 
 using cases::Case;
@@ -113,4 +113,4 @@ TEST(Degenerate, TrianglesNeedOthersToBeMadeOf) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::degenerate_covers_nothing_test

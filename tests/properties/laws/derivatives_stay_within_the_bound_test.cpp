@@ -9,7 +9,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/violations.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::derivatives_stay_within_the_bound_test {
 namespace {
 
 using cases::Case;
@@ -100,4 +100,4 @@ TEST(ScreenDerivatives, SaysNothingWhereNoneArePromisedOrGiven) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::derivatives_stay_within_the_bound_test

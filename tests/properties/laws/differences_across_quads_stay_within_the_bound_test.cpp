@@ -11,7 +11,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::differences_across_quads_stay_within_the_bound_test {
 namespace {
 
 using cases::Case;
@@ -111,4 +111,4 @@ TEST(QuadDifferences, AreOfBackendsThatPromiseThem) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::differences_across_quads_stay_within_the_bound_test

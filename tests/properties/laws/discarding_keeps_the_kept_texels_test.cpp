@@ -10,7 +10,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::discarding_keeps_the_kept_texels_test {
 namespace {
 
 using cases::Case;
@@ -63,4 +63,4 @@ TEST(Discarding, ShowsDepthThatWasLeft) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::discarding_keeps_the_kept_texels_test

@@ -9,7 +9,7 @@
 #include "properties/law.h"
 #include "tests/properties/picture_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::drawing_twice_draws_the_same_test {
 namespace {
 
 using cases::Case;
@@ -75,4 +75,4 @@ TEST(DrawingTwice, FindsWhatIsLeftInAPicture) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::drawing_twice_draws_the_same_test

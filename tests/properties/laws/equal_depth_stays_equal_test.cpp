@@ -11,7 +11,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::equal_depth_stays_equal_test {
 namespace {
 
 using cases::Case;
@@ -101,4 +101,4 @@ TEST(EqualDepth, LeavesSamplesThatShouldNotBeThereAlone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::equal_depth_stays_equal_test

@@ -10,7 +10,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::equal_w_equals_the_general_path_test {
 namespace {
 
 using cases::Case;
@@ -110,4 +110,4 @@ TEST(EqualW, LeavesWhatIsPlacedAnywhereAlone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::equal_w_equals_the_general_path_test

@@ -8,7 +8,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::filtered_colours_stay_within_the_bound_test {
 namespace {
 
 using cases::Case;
@@ -88,4 +88,4 @@ TEST(FilteredColours, AreJudgedByTheBound) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::filtered_colours_stay_within_the_bound_test

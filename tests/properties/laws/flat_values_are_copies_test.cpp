@@ -7,7 +7,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::flat_values_are_copies_test {
 namespace {
 
 using cases::Case;
@@ -70,4 +70,4 @@ TEST(FlatValues, SaysNothingOfInterpolatedOnes) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::flat_values_are_copies_test

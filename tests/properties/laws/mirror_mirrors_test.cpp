@@ -9,7 +9,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::mirror_mirrors_test {
 namespace {
 
 using cases::Case;
@@ -201,4 +201,4 @@ TEST(Mirror, SaysNothingOfWhatHasNoImage) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::mirror_mirrors_test

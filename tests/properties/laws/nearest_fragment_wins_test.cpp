@@ -10,7 +10,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::nearest_fragment_wins_test {
 namespace {
 
 using cases::Case;
@@ -127,4 +127,4 @@ TEST(NearestFragment, LeavesDepthsThatAreNoNumberAlone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::nearest_fragment_wins_test

@@ -11,7 +11,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::normals_stay_within_their_bound_test {
 namespace {
 
 using cases::Case;
@@ -136,4 +136,4 @@ TEST(NormalsBound, MeetsWhatItIsAbout) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::normals_stay_within_their_bound_test

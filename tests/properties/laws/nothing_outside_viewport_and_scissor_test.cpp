@@ -9,7 +9,7 @@
 #include "properties/law.h"
 #include "tests/properties/picture_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::nothing_outside_viewport_and_scissor_test {
 namespace {
 
 using cases::Case;
@@ -126,4 +126,4 @@ TEST(Outside, FindsWhatAPictureHasThere) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::nothing_outside_viewport_and_scissor_test

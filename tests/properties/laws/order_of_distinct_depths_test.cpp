@@ -10,7 +10,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::order_of_distinct_depths_test {
 namespace {
 
 using cases::Case;
@@ -112,4 +112,4 @@ TEST(DistinctDepths, OfTheLawsOwnCasesMeetEachOther) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::order_of_distinct_depths_test

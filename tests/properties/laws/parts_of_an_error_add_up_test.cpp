@@ -12,7 +12,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::parts_of_an_error_add_up_test {
 namespace {
 
 using records::AttributeKind;
@@ -148,4 +148,4 @@ TEST(PartsAddUp, HoldsBeyondTheHorizonOfASnappedTriangle) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::parts_of_an_error_add_up_test

@@ -11,7 +11,7 @@
 #include "tests/properties/laws/own_cases.h"
 #include "tests/properties/picture_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::picture_is_what_fragments_leave_test {
 namespace {
 
 using cases::Picture;
@@ -137,4 +137,4 @@ TEST(APicture, OfAnotherShapeIsAnError) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::picture_is_what_fragments_leave_test

@@ -11,7 +11,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::power_of_two_test {
 namespace {
 
 using cases::Case;
@@ -128,4 +128,4 @@ TEST(PowerOfTwo, SaysNothingWhereNoFactorKeepsAllDigits) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::power_of_two_test

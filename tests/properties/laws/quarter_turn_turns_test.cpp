@@ -8,7 +8,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::quarter_turn_turns_test {
 namespace {
 
 using cases::Case;
@@ -144,4 +144,4 @@ TEST(QuarterTurn, OfTheLawsOwnCasesMeetsAllSorts) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::quarter_turn_turns_test

@@ -9,7 +9,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::sample_positions_are_the_patterns_test {
 namespace {
 
 using cases::Case;
@@ -111,4 +111,4 @@ TEST(SamplePositions, SaysNothingOfOtherAttributes) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::sample_positions_are_the_patterns_test

@@ -12,7 +12,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::scaled_attributes_test {
 namespace {
 
 using cases::Case;
@@ -189,4 +189,4 @@ TEST(ScaledAttributes, SayNothingOfValuesThatCannotBeScaled) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::scaled_attributes_test

@@ -11,7 +11,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::scissors_part_the_window_test {
 namespace {
 
 using cases::Case;
@@ -121,4 +121,4 @@ TEST(Scissors, PartWhatADepthTestLeaves) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::scissors_part_the_window_test

@@ -9,7 +9,7 @@
 #include "tests/properties/laws/own_cases.h"
 #include "tests/properties/laws/violations.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::shared_edge_covers_once_test {
 namespace {
 
 using cases::Case;
@@ -93,4 +93,4 @@ TEST(SharedEdge, MeetsTiesWithDifferentWeightsAndSamples) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::shared_edge_covers_once_test

@@ -13,7 +13,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::splitting_a_triangle_test {
 namespace {
 
 using cases::Case;
@@ -107,4 +107,4 @@ TEST(Splitting, LeavesTheOutlineOfSnappedTrianglesAlone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::splitting_a_triangle_test

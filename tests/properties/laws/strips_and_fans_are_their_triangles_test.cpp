@@ -10,7 +10,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::strips_and_fans_are_their_triangles_test {
 namespace {
 
 using cases::Case;
@@ -172,4 +172,4 @@ TEST(StripsAndFans, HoldOfCasesThatAreNoStrip) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::strips_and_fans_are_their_triangles_test

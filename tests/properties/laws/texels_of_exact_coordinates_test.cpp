@@ -11,7 +11,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::texels_of_exact_coordinates_test {
 namespace {
 
 using cases::Case;
@@ -95,4 +95,4 @@ TEST(Texels, ShowEveryWrap) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::texels_of_exact_coordinates_test

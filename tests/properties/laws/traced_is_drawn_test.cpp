@@ -10,7 +10,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::traced_is_drawn_test {
 namespace {
 
 using records::AttributeKind;
@@ -189,4 +189,4 @@ TEST(TracedIsDrawn, HoldsOfMethods) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::traced_is_drawn_test

@@ -11,7 +11,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::triangulation_covers_once_test {
 namespace {
 
 using cases::Case;
@@ -156,4 +156,4 @@ TEST(Triangulation, IsWhatTheLawsOwnCasesAre) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::triangulation_covers_once_test

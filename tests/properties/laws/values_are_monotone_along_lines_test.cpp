@@ -9,7 +9,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::values_are_monotone_along_lines_test {
 namespace {
 
 using cases::Case;
@@ -89,4 +89,4 @@ TEST(Monotone, SaysNothingOfFlatValuesAndOtherPlaces) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::values_are_monotone_along_lines_test

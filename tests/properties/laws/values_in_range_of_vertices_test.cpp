@@ -10,7 +10,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::values_in_range_of_vertices_test {
 namespace {
 
 using cases::Case;
@@ -127,4 +127,4 @@ TEST(RangeOfVertices, LeavesSamplesThatShouldNotBeThereAlone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::values_in_range_of_vertices_test

@@ -10,7 +10,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/violations.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::values_stay_within_the_bound_test {
 namespace {
 
 using cases::Case;
@@ -62,4 +62,4 @@ TEST(ValuesStayWithinTheBound, LeavesCoverageAlone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::values_stay_within_the_bound_test

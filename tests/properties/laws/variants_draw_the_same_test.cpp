@@ -9,7 +9,7 @@
 #include "properties/law.h"
 #include "tests/properties/picture_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::variants_draw_the_same_test {
 namespace {
 
 using cases::Case;
@@ -80,4 +80,4 @@ TEST(Variants, AreNotPromisedByABackendThatNamesNone) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::variants_draw_the_same_test

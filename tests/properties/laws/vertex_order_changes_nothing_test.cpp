@@ -8,7 +8,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/violations.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::vertex_order_changes_nothing_test {
 namespace {
 
 using cases::Case;
@@ -41,4 +41,4 @@ TEST(VertexOrder, LetsFlatAttributesFollowTheProvokingVertex) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::vertex_order_changes_nothing_test

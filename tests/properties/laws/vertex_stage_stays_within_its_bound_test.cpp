@@ -11,7 +11,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::vertex_stage_stays_within_its_bound_test {
 namespace {
 
 using cases::Case;
@@ -135,4 +135,4 @@ TEST(VertexStageBound, MeetsCancellationAndSubnormals) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::vertex_stage_stays_within_its_bound_test

@@ -11,7 +11,7 @@
 #include "tests/properties/damaged_backend.h"
 #include "tests/properties/laws/own_cases.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::vertex_values_come_back_test {
 namespace {
 
 using cases::Case;
@@ -158,4 +158,4 @@ TEST(VertexValues, OfTheLawsOwnCasesComeInAllSorts) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::vertex_values_come_back_test

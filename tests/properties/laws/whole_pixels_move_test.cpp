@@ -11,7 +11,7 @@
 #include "properties/law.h"
 #include "tests/properties/damaged_backend.h"
 
-namespace rastercheck::properties {
+namespace rastercheck::properties::whole_pixels_move_test {
 namespace {
 
 using cases::Case;
@@ -151,4 +151,4 @@ TEST(WholePixels, SayNothingOfMovesThatAreRounded) {
 }
 
 }  // namespace
-}  // namespace rastercheck::properties
+}  // namespace rastercheck::properties::whole_pixels_move_test

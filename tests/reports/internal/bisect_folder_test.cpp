@@ -7,7 +7,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::bisect_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ TEST(BisectFolder, CopiesWhatOptionsNameOfTheWorkTree) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::bisect_folder_test

@@ -7,7 +7,7 @@
 #include "tests/reports/sample_run.h"
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::commit_drawing_test {
 namespace {
 
 using testing::HasSubstr;
@@ -118,4 +118,4 @@ TEST(CommitDrawing, WrongPlansEndABisection) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::commit_drawing_test

@@ -10,7 +10,7 @@
 
 #include "tests/reports/sample_look.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::crop_cells_test {
 namespace {
 
 using testing::SizeIs;
@@ -85,4 +85,4 @@ TEST(CropCells, ShowOfEachPixelTheSampleThatChangedMost) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::crop_cells_test

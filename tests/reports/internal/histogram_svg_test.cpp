@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::histogram_svg_test {
 namespace {
 
 using records::Histogram;
@@ -188,4 +188,4 @@ TEST(OverlayTable, HasTheNumbers) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::histogram_svg_test

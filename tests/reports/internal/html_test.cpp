@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::html_test {
 namespace {
 
 TEST(Html, EscapesMarkup) {
@@ -22,4 +22,4 @@ TEST(Html, ReplacesWhatHasNoPlaceInAPage) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::html_test

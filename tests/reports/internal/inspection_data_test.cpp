@@ -9,7 +9,7 @@
 
 #include "tests/reports/sample_inspections.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::inspection_data_test {
 namespace {
 
 using nlohmann::json;
@@ -145,4 +145,4 @@ TEST(InspectionData, LeavesOutInspectionsAtLast) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::inspection_data_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::lettering_test {
 namespace {
 
 constexpr Color kPaper{255, 255, 255};
@@ -49,4 +49,4 @@ TEST(WidthOf, HasNoSpaceAfterTheLast) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::lettering_test

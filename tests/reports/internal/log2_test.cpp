@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::log2_test {
 namespace {
 
 TEST(DrawnLog2, IsExactAtPowersOfTwoAndLinearBetween) {
@@ -32,4 +32,4 @@ TEST(CurveLog2, IsTheLogarithm) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::log2_test

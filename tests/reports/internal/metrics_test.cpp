@@ -9,7 +9,7 @@
 
 #include "tests/reports/sample_run.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::metrics_test {
 namespace {
 
 records::Run run_of(const records::ErrorSizes& sizes) {
@@ -66,4 +66,4 @@ TEST(MeteredEntries, LeaveOutWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::metrics_test

@@ -6,7 +6,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::outside_command_test {
 namespace {
 
 std::vector<std::string> shell(const std::string& script) { return {"sh", "-c", script}; }
@@ -60,4 +60,4 @@ TEST(OutsideCommand, TellingLine) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::outside_command_test

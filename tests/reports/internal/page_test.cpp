@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::page_test {
 namespace {
 
 using records::LawSummary;
@@ -34,4 +34,4 @@ TEST(VerdictMark, HasASignAndAWord) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::page_test

@@ -5,7 +5,7 @@
 
 #include "tests/reports/sample_run.h"
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::report_laws_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -48,4 +48,4 @@ TEST(Laws, ShowErrorsByStageWhereTheyWereSplit) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::report_laws_test

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::split_table_test {
 namespace {
 
 using records::ErrorSplit;
@@ -45,4 +45,4 @@ TEST(SplitTable, DrawsWithinItsBox) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::split_table_test

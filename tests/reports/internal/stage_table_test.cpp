@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::stage_table_test {
 namespace {
 
 using records::AttributeKind;
@@ -39,4 +39,4 @@ TEST(StageTable, OfUnknownSizesThereIsNoBar) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::stage_table_test

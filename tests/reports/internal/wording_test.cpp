@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-namespace rastercheck::reports {
+namespace rastercheck::reports::wording_test {
 namespace {
 
 using records::Enclosure;
@@ -172,4 +172,4 @@ TEST(PlaceText, NamesTheAttribute) {
 }
 
 }  // namespace
-}  // namespace rastercheck::reports
+}  // namespace rastercheck::reports::wording_test
