@@ -15,8 +15,8 @@ using records::Enclosure;
 using records::Reason;
 using records::Verdict;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFarthest = std::numeric_limits<double>::infinity();
+constexpr double kNoDepth = std::numeric_limits<double>::quiet_NaN();
 
 /// The most that a computed depth may be off, in depth.
 Field depth_slack(const Scene& scene) {
@@ -50,7 +50,7 @@ NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriang
   const cases::FramebufferSize& size = scene.source().framebuffer;
   samples_.resize(static_cast<std::size_t>(y1 - y0) * static_cast<std::size_t>(size.width) *
                       static_cast<std::size_t>(size.samples),
-                  Sample{{}, false, kInfinity});
+                  Sample{{}, false, kFarthest});
 }
 
 Enclosure NearestBand::depth_of(const PreparedTriangles::Prepared& triangle,
@@ -58,7 +58,7 @@ Enclosure NearestBand::depth_of(const PreparedTriangles::Prepared& triangle,
   const auto pattern = scene_->scene().pattern();
   if (const auto depth = filter.at(x, y, pattern[static_cast<std::size_t>(s)])) return *depth;
   const std::optional<ValueRange> depth = triangle.truth->depth(x, y, s);
-  if (!depth) return {kNaN, kNaN};
+  if (!depth) return {kNoDepth, kNoDepth};
   return {depth->lo.enclosure().lo, depth->hi.enclosure().hi};
 }
 
@@ -84,7 +84,7 @@ void NearestBand::add(Sample& sample, const Covering& covering) const {
   if (covering.depth.lo > sample.horizon) return;
   sample.coverings.push_back(covering);
   if (!is_required(covering.decision)) return;
-  const double horizon = std::nextafter(covering.depth.hi + both_slacks_, kInfinity);
+  const double horizon = std::nextafter(covering.depth.hi + both_slacks_, kFarthest);
   if (!(horizon < sample.horizon)) return;
   sample.horizon = horizon;
   std::erase_if(sample.coverings,

@@ -5,6 +5,7 @@ Usage: architecture_test.py SOURCE_DIR BUILD_DIR CONFIG
 Every rule is also tried on something that breaks it, so that a rule that cannot fail shows.
 """
 
+import collections
 import json
 import pathlib
 import re
@@ -26,6 +27,11 @@ ROOMS = {"cases", "records", "rasterizer", "oracle", "backends", "properties", "
          "scripts", "cmake", ".ci"}
 # What stands for a name that the reader chooses, as in tests/mutants/NAME.patch.
 PLACEHOLDER = re.compile(r"[A-Z]{4}")
+# A type, or a function or an object, that a line without indentation declares. Not what is a member of
+# something declared elsewhere, nor GoogleTest's macros, nor what a shader begins with.
+DECLARED = re.compile(r"(?:struct|class|enum class|enum|using) (?!namespace)(\w+)\b(?!::)"
+                      r"|(?!using|namespace|template|return|TEST|INSTANTIATE|MATCHER|RC_|void main\()"
+                      r"[\w:][\w:<>,*& ]*[ *&](\w+)(?:\(|\{| = |\[|;|$)")
 # Libraries return errors as values.
 FORBIDDEN_SYMBOLS = {"abort", "exit", "_exit", "quick_exit", "printf", "puts", "putchar", "std::cout",
                      "std::cerr", "std::clog", "__assert_fail", "std::terminate()"}
@@ -76,6 +82,25 @@ def missing_places(text, exists):
     named = re.findall(r"`((?:\.ci|\w+)/[\w./*-]*)`", text)
     named = [name for name in named if name.split("/")[0] in ROOMS and not PLACEHOLDER.search(name)]
     return [name for name in named if not exists(name)]
+
+
+def library_of(path):
+    """The nearest folder above it that CMake knows: what is compiled together is in one of these."""
+    return next(folder for folder in pathlib.PurePosixPath(path).parents
+                if (SOURCE / folder / "CMakeLists.txt").exists())
+
+
+def unnamed(text):
+    """(namespace, name) of whatever a file's text declares in the unnamed namespace within a namespace."""
+    names, outer, is_inside = set(), "", False
+    for line in text.splitlines():
+        if opened := re.match(r"namespace ([\w:]+) \{", line):
+            outer = opened[1]
+        elif line in ("namespace {", "}  // namespace"):
+            is_inside = line == "namespace {"
+        elif is_inside and (declared := DECLARED.match(line)):
+            names.add((outer, declared[1] or declared[2]))
+    return names
 
 
 def undefined_symbols(library):
@@ -129,6 +154,27 @@ class Includes(unittest.TestCase):
         graph = {path: local_includes(text) for path, text in sources(SOURCE)}
         self.assertEqual(circles(graph), [])
         self.assertEqual(circles({"a": ["b"], "b": ["c"], "c": ["b"]}), ["b", "c"])
+
+
+class UnnamedNamespaces(unittest.TestCase):
+    """Release builds compile several files as one, in which their unnamed namespaces are one."""
+
+    def test_of_a_folder_share_no_name(self):
+        owners = collections.defaultdict(set)
+        for path, text in sources(SOURCE):
+            # The rasterizer's are compiled one by one, and so are benchmarks.
+            if path.endswith(".cpp") and not path.startswith(("rasterizer/", "tests/bench/")):
+                for name in unnamed(text):
+                    owners[library_of(path), *name].add(path)
+        self.assertGreater(len(owners), 1000)
+        shared = {name: files for name, files in owners.items() if len(files) > 1}
+        self.assertEqual(shared, {}, shared)
+
+    def test_the_scan_sees_names(self):
+        text = ("namespace rastercheck::a {\nnamespace {\n\nconstexpr int kSize = 3;\nstruct Pair {\n  int x;\n};\n"
+                "std::vector<int> all_of(int a,\n    int b) {\n  return f(a);\n}\n\n}  // namespace\n\n"
+                "void seen() {}\n\n}  // namespace rastercheck::a\n")
+        self.assertEqual(unnamed(text), {("rastercheck::a", name) for name in ("kSize", "Pair", "all_of")})
 
 
 class Documents(unittest.TestCase):
@@ -188,9 +234,10 @@ class Flags(unittest.TestCase):
     def setUp(self):
         with open(BUILD / "compile_commands.json", encoding="utf-8") as commands:
             files = {pathlib.Path(entry["file"]): entry["command"] for entry in json.load(commands)}
-        # CMake's own, of headers compiled beforehand, lie in the build folder.
-        self.commands = {path.relative_to(SOURCE).as_posix(): command for path, command in files.items()
-                         if not path.is_relative_to(BUILD)}
+        # In the build folder lie sources that include several of the project's, in the place that their
+        # library has in the tree, and CMake's own, of headers compiled beforehand.
+        self.commands = {path.relative_to(BUILD if path.is_relative_to(BUILD) else SOURCE).as_posix(): command
+                         for path, command in files.items() if "cmake_pch" not in path.name}
 
     def test_rounding_math_only_where_cgal_is(self):
         with_flag = {path for path, command in self.commands.items() if "-frounding-math" in command}
