@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "backends/backend.h"
+#include "cases/suggestion.h"
 
 namespace rastercheck::backends {
 namespace {
@@ -47,14 +49,18 @@ Result<std::unique_ptr<Backend>> make_backend(const std::string& specification) 
   const std::string options =
       colon == std::string::npos ? std::string() : specification.substr(colon + 1);
   std::string known;
+  std::vector<std::string> kinds;
   for (const BackendKind& candidate : registry()) {
     if (candidate.kind == kind) {
       const bool is_apart = candidate.is_foreign && make_foreign();
       return wrapped(is_apart ? make_foreign()(specification) : candidate.make(options));
     }
-    known += (known.empty() ? "" : ", ") + std::string(candidate.kind);
+    kinds.emplace_back(candidate.kind);
+    known += (known.empty() ? "" : ", ") + kinds.back();
   }
-  return tl::unexpected(Error{specification, "", "no backend of that name; there are: " + known});
+  return tl::unexpected(
+      Error{specification, "",
+            "no backend of that name; there are: " + known + cases::did_you_mean(kind, kinds)});
 }
 
 std::vector<Listing> list_backends() {

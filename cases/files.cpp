@@ -1,11 +1,12 @@
 #include "cases/files.h"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
-#include <sstream>
+#include <istream>
 #include <system_error>
 
 namespace rastercheck::cases {
@@ -17,22 +18,32 @@ Error cannot_be_written(const fs::path& file, const std::error_code& why) {
   return {file.string(), "", "cannot be written" + (why ? ": " + why.message() : "")};
 }
 
+Result<std::string> text_of(std::istream& stream, const std::string& name) {
+  constexpr std::size_t kAtOnce = std::size_t{1} << 16;
+  std::string text;
+  while (stream) {
+    const std::size_t before = text.size();
+    if (before > kMostBytes) {
+      return tl::unexpected(Error{name, "", fmt::format("has more than {} bytes", kMostBytes)});
+    }
+    text.resize(before + kAtOnce);
+    stream.read(text.data() + before, kAtOnce);
+    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
+  // A folder opens, but cannot be read.
+  if (stream.eof() && !stream.bad()) return text;
+  const std::error_code why(errno, std::generic_category());
+  return tl::unexpected(
+      Error{name, "", why ? "cannot be read: " + why.message() : "cannot be read"});
+}
+
 }  // namespace
 
 Result<std::string> read_text(const std::string& file) {
-  if (file == "-") return std::string(std::istreambuf_iterator<char>(std::cin), {});
   errno = 0;
+  if (file == "-") return text_of(std::cin, "standard input");
   std::ifstream stream(file, std::ios::binary);
-  std::stringstream content;
-  // A folder opens but cannot be read; a file that is empty leaves failbit on `content`.
-  if (!stream ||
-      (stream.peek() != std::ifstream::traits_type::eof() && !(content << stream.rdbuf())) ||
-      stream.bad()) {
-    const std::error_code why(errno, std::generic_category());
-    return tl::unexpected(
-        Error{file, "", why ? "cannot be read: " + why.message() : "cannot be read"});
-  }
-  return std::move(content).str();
+  return text_of(stream, file);
 }
 
 Result<void> write_file(const std::string& name, const std::string& content) {

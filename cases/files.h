@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "cases/error.h"
 
 namespace rastercheck::cases {
+
+/// The most that read_text() takes, in bytes: what has no end, as /dev/zero, is refused there.
+inline constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
 /// The whole of a file, or of standard input for "-".
 Result<std::string> read_text(const std::string& file);

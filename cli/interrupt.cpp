@@ -9,12 +9,16 @@
 #include <cerrno>
 #include <cstddef>
 
+#include "cli/exit_code.h"
+
 namespace rastercheck::cli {
 namespace {
 
 // What a signal handler may touch: lock-free, and there before and after any watch.
 std::atomic<bool> interrupted{false};
+std::atomic<unsigned> grace_of_watch{0};
 std::atomic<const std::string*> message_of_watch{nullptr};
+std::atomic<const std::string*> last_words_of_watch{nullptr};
 static_assert(std::atomic<bool>::is_always_lock_free);
 static_assert(std::atomic<const std::string*>::is_always_lock_free);
 
@@ -31,15 +35,25 @@ void forget_terminal() {
   ::close(nowhere);
 }
 
+void tell(const std::string* message) {
+  if (message == nullptr) return;
+  const ssize_t ignored = ::write(STDERR_FILENO, message->data(), message->size());
+  static_cast<void>(ignored);  // there is nobody to tell
+}
+
 extern "C" void note_interrupt(int signal) {
   const int before = errno;
   if (signal == SIGHUP) forget_terminal();
-  const std::string* message = message_of_watch;
-  if (!interrupted.exchange(true) && message != nullptr) {
-    const ssize_t ignored = ::write(STDERR_FILENO, message->data(), message->size());
-    static_cast<void>(ignored);  // there is nobody to tell
+  if (!interrupted.exchange(true)) {
+    tell(message_of_watch);
+    ::alarm(grace_of_watch);  // 0: none
   }
   errno = before;
+}
+
+extern "C" void end_at_once(int /*signal*/) {
+  tell(last_words_of_watch);
+  ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
 /// Watches a signal; what it did before.
@@ -48,7 +62,7 @@ struct sigaction watch(int signal) {
   ::sigaction(signal, nullptr, &before);
   if (signal == SIGHUP && before.sa_handler == SIG_IGN) return before;
   struct sigaction action {};
-  action.sa_handler = &note_interrupt;
+  action.sa_handler = signal == SIGALRM ? &end_at_once : &note_interrupt;
   // The second of a kind has its usual effect; calls that were interrupted go on.
   action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
   ::sigaction(signal, &action, nullptr);
@@ -57,17 +71,22 @@ struct sigaction watch(int signal) {
 
 }  // namespace
 
-InterruptWatch::InterruptWatch(const std::string& message) {
+InterruptWatch::InterruptWatch(const std::string& message, unsigned grace,
+                               const std::string& last_words) {
   interrupted = false;
+  grace_of_watch = grace;
   message_of_watch = new std::string(message);
+  last_words_of_watch = new std::string(last_words);
   std::transform(kSignals.begin(), kSignals.end(), before_.begin(), &watch);
 }
 
 InterruptWatch::~InterruptWatch() {
+  ::alarm(0);
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     ::sigaction(kSignals[i], &before_[i], nullptr);
   }
   delete message_of_watch.exchange(nullptr);
+  delete last_words_of_watch.exchange(nullptr);
 }
 
 bool is_interrupted() { return interrupted; }

@@ -11,15 +11,19 @@ namespace rastercheck::cli {
 /// from then on. The second of a kind ends the process as if nobody watched. A SIGHUP that is
 /// ignored, as nohup has it, stays ignored; after another, what is printed on a terminal goes
 /// nowhere. One at a time.
+///
+/// With `grace`, what has not ended so many seconds after the first signal is ended then, with exit
+/// code 130 and `last_words`: wherever it is, so that all that matters has to be in files by then.
 class InterruptWatch {
  public:
-  explicit InterruptWatch(const std::string& message);
+  explicit InterruptWatch(const std::string& message, unsigned grace = 0,
+                          const std::string& last_words = "");
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
   ~InterruptWatch();
 
  private:
-  static constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
+  static constexpr std::array<int, 4> kSignals{SIGINT, SIGTERM, SIGHUP, SIGALRM};
   std::array<struct sigaction, kSignals.size()> before_{};  ///< what they did, in that order
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <system_error>
 
 namespace rastercheck::cli {
@@ -19,6 +20,13 @@ Result<void> flush_standard_output() {
   const std::error_code why(errno, std::generic_category());
   return tl::unexpected(Error{"standard output", "",
                               why ? "cannot be written: " + why.message() : "cannot be written"});
+}
+
+Result<void> check_output_file(const std::string& output, const std::string& input) {
+  std::error_code is_not_there;
+  if (!std::filesystem::equivalent(output, input, is_not_there)) return {};
+  return tl::unexpected(
+      Error{output, "", "is what is read, and would be overwritten; write to another file"});
 }
 
 std::string where_reports_are(const std::string& directory, std::span<const std::string> formats) {

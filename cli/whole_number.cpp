@@ -9,10 +9,28 @@
 
 namespace rastercheck::cli {
 
+namespace {
+
+/// "1e9" with its zeros written out, if there are no more of them than a number can have; any other
+/// text as it is.
+std::string without_exponent(const std::string& text) {
+  const std::size_t mark = text.find_first_of("eE");
+  if (mark == std::string::npos || mark == 0) return text;
+  const auto zeros = whole_number_in(std::string_view(text).substr(mark + 1));
+  constexpr std::uint64_t kMostZeros = std::numeric_limits<std::uint64_t>::digits10;
+  if (!zeros || *zeros > kMostZeros) return text;
+  return text.substr(0, mark) + std::string(*zeros, '0');
+}
+
+}  // namespace
+
 CLI::Validator whole_number(std::uint64_t most) {
   return {[most](std::string& text) -> std::string {
-            const auto value = whole_number_in(text);
-            if (value && *value <= most) return "";
+            const auto value = whole_number_in(without_exponent(text));
+            if (value && *value <= most) {
+              text = std::to_string(*value);
+              return "";
+            }
             return fmt::format("Value {} is no whole number from 0 to {}", text, most);
           },
           ""};

@@ -9,8 +9,8 @@
 
 namespace rastercheck::cli {
 
-/// Accepts 0 … `most` in decimal digits. By itself CLI11 takes "-1" for 2^64 − 1, and what is too
-/// large for the largest.
+/// Accepts 0 … `most` in decimal digits, also with an exponent, as 1e9, which transform() makes
+/// digits. By itself CLI11 takes "-1" for 2^64 − 1, and what is too large for the largest.
 CLI::Validator whole_number(std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
 /// The number that decimal digits say; nothing where there is anything else, or too much of them.

@@ -1,4 +1,4 @@
-# Every outside library, in one place. All are Debian 12 packages (scripts/packages.txt).
+# Every outside library, in one place. All are packages of Debian 12 and 13 (scripts/packages.txt).
 
 # What the rasterizer needs; cmake/RasterCheckConfig.cmake.in has the same list.
 find_package(glm REQUIRED)
@@ -23,7 +23,19 @@ find_package(rapidcheck REQUIRED)
 find_package(Vulkan REQUIRED)
 find_program(RASTERCHECK_GLSLANG glslangValidator REQUIRED)
 # d3, which goes into every report.html.
-find_file(RASTERCHECK_D3 d3.min.js PATHS /usr/share/nodejs/d3/dist NO_DEFAULT_PATH REQUIRED)
+find_file(RASTERCHECK_D3 d3.min.js PATHS /usr/share/nodejs/d3/dist NO_DEFAULT_PATH
+  DOC "d3.min.js of d3 5 to 7, as Debian's node-d3 has it")
+if(NOT RASTERCHECK_D3)
+  message(FATAL_ERROR "d3.min.js is not in /usr/share/nodejs/d3/dist, where Debian's node-d3 has it: "
+    "-DRASTERCHECK_D3=FILE says where it is")
+endif()
+# The Stanford bunny, which scripts/run, benchmarks and some tests draw.
+find_file(RASTERCHECK_BUNNY bunny.obj PATHS /usr/share/glmark2/models NO_DEFAULT_PATH
+  DOC "The Stanford bunny, as Debian's glmark2-data has it")
+if(NOT RASTERCHECK_BUNNY)
+  message(WARNING "bunny.obj is not in /usr/share/glmark2/models, where Debian's glmark2-data has it: "
+    "-DRASTERCHECK_BUNNY=FILE says where it is; what draws it fails, all else works")
+endif()
 
 # libepoxy, which finds OpenGL's functions when the program runs. It comes without a CMake file.
 find_path(RASTERCHECK_EPOXY_INCLUDE epoxy/egl.h REQUIRED)

@@ -224,6 +224,7 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
     return findings;
   }
   for (std::uint64_t i = task.first; i < task.last && !findings.fault; ++i) {
+    if (is_to_end && is_to_end()) break;
     check_case(*law, task.backend, backend, seed_, numbered_case(task, *law, i), findings, known);
   }
   return findings;

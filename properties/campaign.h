@@ -114,8 +114,9 @@ class TaskRunner {
 
   const std::vector<cases::Case>& corpus() const { return corpus_; }
 
-  /// What the task found. Fails where there is no such law, backend or corpus case. Shrinking ends
-  /// with what it has when `is_to_end` says so.
+  /// What the task found. Fails where there is no such law, backend or corpus case. When
+  /// `is_to_end` says so, shrinking ends with what it has, and checking between two cases: what it
+  /// found is then of a part of the task.
   Result<Findings> run(const Task& task, const IsToEnd& is_to_end = {});
 
   /// What is known of the backends. Fails where one cannot be made, or its list not be read.

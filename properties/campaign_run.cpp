@@ -62,15 +62,21 @@ void CampaignRun::write_if_due(bool is_news) {
 }
 
 Result<void> CampaignRun::check_cases(const Execute& execute, const Progress& progress) {
-  std::vector<Task> open;
   std::vector<std::size_t> places;
   std::uint64_t all = 0;
   for (std::size_t i = 0; i < tasks_.size(); ++i) {
     all += tasks_[i].cases();
-    if (checkpoint_.is_done[i]) continue;
-    open.push_back(tasks_[i]);
-    places.push_back(i);
+    if (!checkpoint_.is_done[i]) places.push_back(i);
   }
+  // Whenever it ends, each law has been checked about as much as the others.
+  std::stable_sort(places.begin(), places.end(), [this](std::size_t a, std::size_t b) {
+    const auto order = [](const Task& task) {
+      return std::pair(task.kind == TaskKind::random, task.first);
+    };
+    return order(tasks_[a]) < order(tasks_[b]);
+  });
+  std::vector<Task> open;
+  for (const std::size_t place : places) open.push_back(tasks_[place]);
   std::uint64_t done = all - cases_left();
   return execute(open, [&](std::size_t task, Findings found) {
     if (found.fault) {

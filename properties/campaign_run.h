@@ -31,7 +31,8 @@ class CampaignRun {
   /// Writes the checkpoint; fails where it cannot be. Asked before the work rather than after it.
   Result<void> begin();
 
-  /// Checks the cases that are not done. A fault of the oracle ends it: findings() has it.
+  /// Checks the cases that are not done, the first ones of each law before further ones of any. A
+  /// fault of the oracle ends it: findings() has it.
   Result<void> check_cases(const Execute& execute, const Progress& progress);
 
   /// Adds what is not kept in the checkpoint, as it is found anew each time.
@@ -46,6 +47,8 @@ class CampaignRun {
   void remove();
 
   const Findings& findings() const { return all_; }
+  /// Whether anything fails that is not known to.
+  bool is_violated() const { return !all_.counterexamples.empty(); }
   /// Cases that were not checked.
   std::uint64_t cases_left() const;
   /// Whether every counterexample has been made as small as it gets, or its time was up.

@@ -180,12 +180,23 @@ class Dispatcher {
     }
     if (!is_ending_ && *is_to_end_ && (*is_to_end_)()) {
       is_ending_ = true;
-      for (const Worker* worker : busy) worker->hurry();
+      hurry();
+      return true;
     }
     for (std::size_t i = 0; i < busy.size() && !error_; ++i) {
       if (sockets[i].revents != 0) hear(*busy[i]);
     }
     return true;
+  }
+
+  /// Shrinking ends soon, and whoever checks is ended.
+  void hurry() {
+    std::erase_if(workers_, [this](const std::unique_ptr<Worker>& worker) {
+      return worker->is_busy() && (*tasks_)[worker->task()].kind != TaskKind::shrink;
+    });
+    for (const auto& worker : workers_) {
+      if (worker->is_busy()) worker->hurry();
+    }
   }
 
   void hear(Worker& worker) {
@@ -238,7 +249,8 @@ Result<void> run_tasks(TaskRunner& runner, const std::vector<Task>& tasks, const
     if (is_to_end && is_to_end()) break;
     Result<Findings> found = runner.run(tasks[i], is_to_end);
     if (!found) return tl::unexpected(found.error());
-    if (!done(i, *std::move(found))) break;
+    const bool may_be_part = tasks[i].kind != TaskKind::shrink && is_to_end && is_to_end();
+    if (may_be_part || !done(i, *std::move(found))) break;
   }
   return {};
 }

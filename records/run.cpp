@@ -54,7 +54,7 @@ std::vector<std::string> caveats(const Run& run) {
   }
   if (run.cases_left > 0) {
     all.push_back(
-        fmt::format("The run was interrupted: {} cases were not checked.", run.cases_left));
+        fmt::format("The run ended early: {} of its cases were not checked.", run.cases_left));
   }
   if (run.shrink_seconds) {
     all.push_back(
@@ -81,14 +81,20 @@ std::vector<std::string> caveats(const Run& run) {
   return all;
 }
 
-std::optional<std::string> option_of(const std::vector<std::string>& options,
-                                     std::string_view name) {
+std::vector<std::string> values_of(const std::vector<std::string>& options, std::string_view name) {
+  std::vector<std::string> values;
   for (std::size_t i = 0; i + 1 < options.size(); ++i) {
     if (is_flag(options[i])) continue;
-    if (options[i] == name) return options[i + 1];
+    if (options[i] == name) values.push_back(options[i + 1]);
     ++i;
   }
-  return std::nullopt;
+  return values;
+}
+
+std::optional<std::string> option_of(const std::vector<std::string>& options,
+                                     std::string_view name) {
+  const std::vector<std::string> values = values_of(options, name);
+  return values.empty() ? std::nullopt : std::optional(values.front());
 }
 
 std::vector<std::string> replay_options(const Run& run) {

@@ -107,6 +107,9 @@ std::vector<std::string> caveats(const Run& run);
 std::optional<std::string> option_of(const std::vector<std::string>& options,
                                      std::string_view name);
 
+/// All values of one that may be given several times.
+std::vector<std::string> values_of(const std::vector<std::string>& options, std::string_view name);
+
 /// Those of the options that replaying one of its cases takes as well: what drawings are held to,
 /// and what is known of them.
 std::vector<std::string> replay_options(const Run& run);

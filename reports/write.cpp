@@ -31,31 +31,25 @@ Result<void> make_folder(const fs::path& folder) {
   return {};
 }
 
-/// Whether a run of this tool wrote the file, a case whose `found` gives it the name it has, and of
-/// a law and backend that this run checked.
-bool is_counterexample_of(const records::Run& run, const fs::path& file) {
+/// Whether a run of this tool wrote the file: a case whose `found` gives it the name it has.
+bool is_counterexample(const fs::path& file) {
   std::error_code ignored;
   if (file.extension() != ".json" || !fs::is_regular_file(file, ignored)) return false;
   const Result<cases::Case> source = cases::read_case(file.string());
-  if (!source || !source->found) return false;
-  const auto has = [](const std::vector<std::string>& all, const std::string& one) {
-    return std::find(all.begin(), all.end(), one) != all.end();
-  };
-  return has(run.laws, source->found->law) && has(run.backends, source->found->backend) &&
+  return source && source->found &&
          fs::path(records::file_of({*source, 0, {}})).filename() == file.filename();
 }
 
-/// Puts aside the counterexamples of the run's laws and backends that are not among `current`: it
-/// checked them again, and found something else or nothing.
-Result<void> put_earlier_aside(const records::Run& run, const fs::path& folder,
-                               const std::set<fs::path>& current) {
+/// Puts aside the counterexamples that are not among `current`. Those of the run's laws and
+/// backends it checked again, and found something else or nothing; others are not this run's.
+Result<void> put_earlier_aside(const fs::path& folder, const std::set<fs::path>& current) {
   std::error_code why;
   if (!fs::exists(folder, why)) return {};
   // Moving while listing would leave open what the list shows.
   std::vector<fs::path> stale;
   for (auto entry = fs::directory_iterator(folder, why); !why && entry != fs::directory_iterator();
        entry.increment(why)) {
-    if (!current.contains(entry->path()) && is_counterexample_of(run, entry->path())) {
+    if (!current.contains(entry->path()) && is_counterexample(entry->path())) {
       stale.push_back(entry->path());
     }
   }
@@ -84,7 +78,7 @@ Result<void> write_counterexamples(const records::Run& run, const fs::path& dire
   }
   // An interrupted run may not have come to them, and of shards only the first checks them.
   if (run.cases_left > 0 || (run.shard && run.shard->number.index != 1)) return {};
-  return put_earlier_aside(run, directory / kCounterexamples, written);
+  return put_earlier_aside(directory / kCounterexamples, written);
 }
 
 }  // namespace

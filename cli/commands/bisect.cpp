@@ -141,11 +141,11 @@ Action set_up(CLI::App& app) {
       ->type_name(kProperty)
       ->capture_default_str();
   app.add_option("--cases", options->cases, "Random cases of each property")
-      ->check(whole_number())
+      ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--seed", options->seed, "Seed of the random cases")
-      ->check(whole_number())
+      ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
   add_contract(app, options->contract);

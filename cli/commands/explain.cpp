@@ -133,12 +133,12 @@ Action set_up(CLI::App& app) {
       ->type_name("X,Y");
   app.add_option("--sample", options->sample,
                  "Number of the sample, from 0; without it the worst of the pixel")
-      ->check(whole_number(kMostNumber))
+      ->transform(whole_number(kMostNumber))
       ->type_name("N");
   app.add_option("--triangle", options->triangle,
                  "Number of the triangle, from 0; without it one that is drawn there, or should "
                  "be")
-      ->check(whole_number(kMostNumber))
+      ->transform(whole_number(kMostNumber))
       ->type_name("N");
   app.add_option("--backend", options->backend,
                  "What draws; without it the one that a counterexample is of, else cpu")

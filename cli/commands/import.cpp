@@ -6,9 +6,11 @@
 #include <memory>
 
 #include "cases/case_writer.h"
+#include "cases/files.h"
 #include "cases/names.h"
 #include "cli/command.h"
 #include "cli/mesh_file.h"
+#include "cli/output.h"
 
 namespace rastercheck::cli::import_command {
 namespace {
@@ -18,6 +20,7 @@ struct Options {
   cases::MeshOptions mesh;
   std::string rules = "vulkan";
   std::string format;
+  std::string output = "-";
   bool quiet = false;
 };
 
@@ -25,8 +28,14 @@ ExitCode run(Options options) {
   options.mesh.rules = cases::from_name<cases::Rules>(options.rules).value_or(cases::Rules::vulkan);
   const Result<cases::Case> c = case_from_mesh_file(options.file, options.format, options.mesh);
   if (!c) return fail(c.error());
-  fmt::print("{}", cases::to_json(*c));
-  return ExitCode::ok;
+  if (options.output == "-") {
+    fmt::print("{}", cases::to_json(*c));
+    return ExitCode::ok;
+  }
+  const Result<void> written = check_output_file(options.output, options.file).and_then([&] {
+    return cases::write_file(options.output, cases::to_json(*c));
+  });
+  return written ? ExitCode::ok : fail(written.error());
 }
 
 Action set_up(CLI::App& app) {
@@ -52,11 +61,14 @@ Action set_up(CLI::App& app) {
   app.add_option("--format", options->format,
                  "Of standard input: the ending that a file would have, as obj")
       ->type_name("ENDING");
+  app.add_option("--output", options->output, "The case file; - prints it")
+      ->type_name(kFile)
+      ->capture_default_str();
   app.add_flag("-q,--quiet", options->quiet, "Accepted as everywhere; there is only the result");
   app.footer(
-      "Prints a case that draws the mesh, framed by a camera, to standard output.\n\n"
+      "Prints a case that draws the mesh, framed by a camera.\n\n"
       "Example:\n"
-      "  rastercheck import bunny.obj --width 256 --height 256 > bunny.json");
+      "  rastercheck import bunny.obj --width 256 --height 256 --output bunny.json");
   return [options] { return run(*options); };
 }
 

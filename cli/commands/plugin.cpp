@@ -24,12 +24,16 @@ struct Options {
   bool quiet = false;
 };
 
-/// Makes the folder, or finds it empty.
+/// Makes the folder, or finds it empty, or with nothing but a git repository.
 Result<void> make_empty(const std::string& folder) {
   std::error_code why;
   fs::create_directories(folder, why);
   if (why) return tl::unexpected(Error{folder, "", "cannot be made: " + why.message()});
-  const bool is_empty = fs::is_empty(folder, why);
+  bool is_empty = true;
+  for (auto entry = fs::directory_iterator(folder, why); !why && entry != fs::directory_iterator();
+       entry.increment(why)) {
+    is_empty = is_empty && entry->path().filename() == ".git";
+  }
   if (why) return tl::unexpected(Error{folder, "", "cannot be read: " + why.message()});
   if (!is_empty) return tl::unexpected(Error{folder, "", "is there already, and is not empty"});
   return {};
@@ -56,7 +60,9 @@ Action set_up(CLI::App& app) {
   app.require_subcommand(1);
   CLI::App* new_command =
       app.add_subcommand("new", "Writes a project that builds a plugin: a little rasterizer");
-  new_command->add_option("DIR", options->folder, "Folder for it, new or empty")
+  new_command
+      ->add_option("DIR", options->folder,
+                   "Folder for it, new or empty; one with a git repository alone is")
       ->type_name(kFolder)
       ->required();
   new_command->add_option("--language", options->language, "Language of the project")

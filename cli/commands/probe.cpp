@@ -180,7 +180,7 @@ Action set_up(CLI::App& app) {
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--seed", options->seed, "Seed of what is drawn")
-      ->check(whole_number())
+      ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
   add_timeout(app, options->timeout);

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <string>
 
 #include "backends/backend.h"
 #include "cases/case_reader.h"
@@ -13,6 +17,7 @@
 #include "cli/backend_failure.h"
 #include "cli/command.h"
 #include "cli/isolation.h"
+#include "cli/output.h"
 #include "cli/sample_limit.h"
 #include "oracle/transform.h"
 #include "properties/drawing.h"
@@ -71,7 +76,20 @@ void print_table(const cases::Case& c, const cases::Framebuffer& drawn, bool qui
   if (!quiet) fmt::print("{} fragments\n", drawn.size());
 }
 
+/// Whether the picture, if one is wanted, may have that name.
+Result<void> check_png(const Options& options) {
+  if (options.png.empty()) return {};
+  std::string ending = std::filesystem::path(options.png).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  if (!ending.empty() && ending != ".png") {
+    return tl::unexpected(Error{"--png", options.png, "the picture is a PNG: name it ….png"});
+  }
+  return check_output_file(options.png, options.file);
+}
+
 ExitCode run(const Options& options) {
+  if (const Result<void> png = check_png(options); !png) return fail(png.error());
   isolate_foreign_backends(options.timeout);
   auto backend = backends::make_backend(options.backend);
   if (!backend) return fail_backend(backend.error());

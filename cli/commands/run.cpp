@@ -3,7 +3,6 @@
 #include "records/run.h"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,7 +10,6 @@
 #include <filesystem>
 #include <future>
 #include <memory>
-#include <random>
 
 #include "backends/held_backend.h"
 #include "cases/contract_json.h"
@@ -20,7 +18,6 @@
 #include "cli/command.h"
 #include "cli/commit.h"
 #include "cli/contract_option.h"
-#include "cli/corpus_folder.h"
 #include "cli/environment.h"
 #include "cli/format_option.h"
 #include "cli/gate.h"
@@ -31,6 +28,7 @@
 #include "cli/output.h"
 #include "cli/own_program.h"
 #include "cli/progress.h"
+#include "cli/run_options.h"
 #include "cli/run_results.h"
 #include "cli/scene.h"
 #include "cli/shard_option.h"
@@ -51,115 +49,14 @@ namespace {
 /// What a counterexample may be given, a day at most.
 constexpr double kLeastSeconds = 0.001;
 constexpr double kMostSeconds = 86400;
-
-struct Options {
-  std::vector<std::string> backends{"cpu"};
-  std::string property = "*";
-  std::uint64_t cases = 1000;
-  std::optional<std::uint64_t> seed;
-  ShardOption shard;
-  std::string scene;
-  int scene_size = 512;
-  std::string contract;
-  std::string corpus;
-  KnownOption known;
-  std::string output = "rastercheck-out";
-  std::vector<std::string> formats = reports::default_format_names();
-  std::uint64_t shrink_tries = properties::ShrinkBudget().tries;
-  std::optional<double> shrink_seconds;
-  double timeout = kDefaultTimeout;
-  bool keeps_cases = false;
-  std::string baseline;
-  std::string policy;
-  bool resume = false;
-  int jobs = 1;
-  bool json = false;
-  bool quiet = false;
-};
-
-/// The laws whose names match a pattern; "@(this|that)" matches either.
-std::vector<std::string> chosen_laws(const std::string& pattern) {
-  std::vector<std::string> names;
-  for (const properties::Law& law : properties::laws()) {
-    const std::string name(law.name);
-    if (::fnmatch(pattern.c_str(), name.c_str(), FNM_EXTMATCH) == 0) names.push_back(name);
-  }
-  return names;
-}
-
-/// The same without those that were there before: twice the same is no more work.
-std::vector<std::string> without_repetitions(const std::vector<std::string>& all) {
-  std::vector<std::string> once;
-  for (const std::string& one : all) {
-    if (std::find(once.begin(), once.end(), one) == once.end()) once.push_back(one);
-  }
-  return once;
-}
-
-/// What of the command decides what is found, but for backends, cases, seed and scene.
-std::vector<std::string> other_options(const Options& options) {
-  std::vector<std::string> words;
-  const auto add = [&words](const char* name, const std::string& value) {
-    words.insert(words.end(), {name, value});
-  };
-  const Options usual;
-  if (options.property != usual.property) add("--property", options.property);
-  if (!options.scene.empty() && options.scene_size != usual.scene_size) {
-    add("--scene-size", std::to_string(options.scene_size));
-  }
-  if (!options.contract.empty()) add("--contract", options.contract);
-  if (!options.corpus.empty()) add("--corpus", options.corpus);
-  if (options.known.is_none) words.emplace_back("--no-known");
-  if (!options.known.directory.empty()) add("--known", options.known.directory);
-  if (options.shrink_tries != usual.shrink_tries) {
-    add("--shrink-tries", std::to_string(options.shrink_tries));
-  }
-  if (options.shrink_seconds) add("--shrink-seconds", fmt::format("{}", *options.shrink_seconds));
-  if (options.keeps_cases) words.emplace_back("--keep-cases");
-  if (options.timeout != usual.timeout) add("--timeout", fmt::format("{}", options.timeout));
-  return words;
-}
-
-/// What the options ask for.
-Result<properties::RunPlan> plan_of(const Options& options) {
-  const auto shard = parse_shard(options.shard);
-  if (!shard) return tl::unexpected(shard.error());
-  if (*shard && !options.seed) {
-    return tl::unexpected(
-        Error{"--shard", "", "needs --seed: all shards have to be of the same campaign"});
-  }
-  properties::RunPlan plan;
-  plan.campaign.shard = *shard;
-  plan.campaign.seed = options.seed ? *options.seed : std::random_device()();
-  plan.campaign.cases_per_law = options.cases;
-  plan.campaign.backends = without_repetitions(options.backends);
-  plan.campaign.laws = chosen_laws(options.property);
-  plan.campaign.shrinking = {options.shrink_tries, options.shrink_seconds};
-  plan.campaign.keeps_cases = options.keeps_cases;
-  if (plan.campaign.laws.empty()) {
-    return tl::unexpected(
-        Error{"--property", cases::printable(options.property),
-              "is no property's whole name; a part of one has stars around it, as '*edge*' (see "
-              "rastercheck list properties)"});
-  }
-  plan.corpus = options.corpus.empty() ? corpus_folder() : options.corpus;
-  plan.known = options.known.folder();
-  plan.scene = options.scene;
-  plan.scene_size = options.scene_size;
-  plan.options = other_options(options);
-  plan.program = RASTERCHECK_VERSION;
-  plan.contract_file = options.contract;
-  if (plan.contract_file.empty()) return plan;
-  return cases::read_contract(plan.contract_file).map([&plan](const cases::ContractTerms& terms) {
-    plan.terms = terms;
-    return plan;
-  });
-}
+/// Between a signal and the end, whatever is being drawn. What was done is in the checkpoint.
+constexpr unsigned kGrace = 2;
 
 /// How tasks are run: in this process, or in several.
 class Executor {
  public:
-  Executor(const properties::RunPlan& plan, std::vector<cases::Case> corpus, const Options& options)
+  Executor(const properties::RunPlan& plan, std::vector<cases::Case> corpus,
+           const RunOptions& options)
       : runner_(plan.campaign.seed, std::move(corpus), plan.campaign.shrinking, plan.known,
                 plan.campaign.keeps_cases),
         command_{kOwnProgram,      "task-worker",
@@ -179,9 +76,9 @@ class Executor {
   }
 
   Result<void> operator()(const std::vector<properties::Task>& tasks,
-                          const properties::TaskDone& done) {
-    if (jobs_ == 1) return properties::run_tasks(runner_, tasks, done, &is_interrupted);
-    return properties::run_tasks_in_processes(command_, jobs_, tasks, done, &is_interrupted);
+                          const properties::TaskDone& done, const properties::IsToEnd& is_to_end) {
+    if (jobs_ == 1) return properties::run_tasks(runner_, tasks, done, is_to_end);
+    return properties::run_tasks_in_processes(command_, jobs_, tasks, done, is_to_end);
   }
 
   Result<properties::KnownByBackend> known_of(const std::vector<std::string>& backends) {
@@ -198,16 +95,36 @@ class Executor {
   int jobs_;
 };
 
-/// The campaign and the scene, side by side where there are processes for it; then shrinking.
-Result<void> find(const Options& options, Executor& executor,
+using Clock = std::chrono::steady_clock;
+
+/// When the time that the run was given is up; never without one.
+Clock::time_point end_of(const RunOptions& options, Clock::time_point start) {
+  if (!options.max_time) return Clock::time_point::max();
+  const std::chrono::duration<double> most(*options.max_time);
+  return start + std::chrono::duration_cast<Clock::duration>(most);
+}
+
+/// The campaign and the scene, side by side where there are processes for it; then shrinking. What
+/// ends it before all is done: a signal, its time being up, and with --fail-fast a violation.
+Result<void> find(const RunOptions& options, Executor& executor,
                   const std::optional<cases::Case>& scene, const properties::KnownByBackend& known,
-                  records::Run& run, properties::CampaignRun& campaign) {
+                  Clock::time_point end, records::Run& run, properties::CampaignRun& campaign) {
   ProgressBar bar(options.quiet);
   const auto progress_of = [&bar](const char* what) {
     return [&bar, what](std::uint64_t done, std::uint64_t all) { bar.show(done, all, what); };
   };
-  const properties::Execute execute = std::ref(executor);
-  const auto check_cases = [&] { return campaign.check_cases(execute, progress_of("cases")); };
+  const properties::IsToEnd is_over = [end] { return is_interrupted() || Clock::now() >= end; };
+  const properties::IsToEnd is_checked = [&] {
+    return is_over() || (options.fail_fast && campaign.is_violated());
+  };
+  const auto until = [&executor](const properties::IsToEnd& is_to_end) {
+    return [&executor, &is_to_end](const auto& tasks, const auto& done) {
+      return executor(tasks, done, is_to_end);
+    };
+  };
+  const auto check_cases = [&] {
+    return campaign.check_cases(until(is_checked), progress_of("cases"));
+  };
 
   Result<properties::Findings> of_scene;
   Result<void> checked;
@@ -223,11 +140,11 @@ Result<void> find(const Options& options, Executor& executor,
   if (!checked) return checked;
   campaign.add_scene(*std::move(of_scene));
   if (campaign.findings().fault) return {};
-  return campaign.shrink(execute, &is_interrupted, progress_of("counterexamples shrunk"));
+  return campaign.shrink(until(is_over), is_over, progress_of("counterexamples shrunk"));
 }
 
 /// Whether reports can be written there; asked before the work rather than after it.
-Result<void> check_output(const Options& options, bool keeps_cases) {
+Result<void> check_output(const RunOptions& options, bool keeps_cases) {
   for (const std::string& name : options.formats) {
     const auto format = reports::find_format(name);
     if (!format) return tl::unexpected(format.error());
@@ -248,7 +165,7 @@ struct Work {
   std::optional<cases::Case> scene;
 };
 
-Result<Work> prepare(const Options& options) {
+Result<Work> prepare(const RunOptions& options) {
   const auto warn = [](const Error& error) { fail(error); };
   Result<properties::Checkpoint> start =
       options.resume ? properties::resume_run(options.output, RASTERCHECK_VERSION)
@@ -279,7 +196,7 @@ Result<Work> prepare(const Options& options) {
 
 /// What is known of the plan's backends; of a run that goes on it has to be what it began with, as
 /// has the corpus.
-Result<properties::KnownByBackend> read_known(Executor& executor, const Options& options,
+Result<properties::KnownByBackend> read_known(Executor& executor, const RunOptions& options,
                                               Work& work) {
   properties::RunPlan& plan = work.start.plan;
   Result<properties::KnownByBackend> known = executor.known_of(plan.campaign.backends);
@@ -310,45 +227,6 @@ records::Run planned(const properties::RunPlan& plan, const properties::KnownByB
   return run;
 }
 
-/// Sets one option to what the baseline was made with; refuses another value that was given.
-template <typename Value>
-Result<void> settle(const CLI::App& app, const char* name, const std::string& section,
-                    Value& option, const Value& in_baseline) {
-  if (app.count(name) > 0 && option != in_baseline) {
-    return tl::unexpected(Error{
-        name, "",
-        fmt::format("is not as in the baseline's section {}; leave it out, and it is", section)});
-  }
-  option = in_baseline;
-  return {};
-}
-
-/// Takes seed, cases and all that decides what is found from the baseline. Of a corpus or contract
-/// that lies elsewhere now, digests tell whether it is the same.
-Result<void> take_case_set(const CLI::App& app, const CaseSet& set, Options& options) {
-  const std::vector<std::string>& words = set.options;
-  std::optional<std::uint64_t> seed = set.seed;
-  const auto value = [&words](const char* name) {
-    return records::option_of(words, name).value_or("");
-  };
-  const std::string property = records::option_of(words, "--property").value_or(Options().property);
-  const bool is_none = std::find(words.begin(), words.end(), "--no-known") != words.end();
-  if (app.count("--corpus") == 0) options.corpus = value("--corpus");
-  const bool is_told = set.contract_digest && app.count("--contract") > 0;
-  const std::string contract = is_told ? options.contract : value("--contract");
-  options.keeps_cases = true;
-  return settle(app, "--seed", set.section, options.seed, seed)
-      .and_then(
-          [&] { return settle(app, "--cases", set.section, options.cases, set.cases_per_law); })
-      .and_then([&] { return settle(app, "--property", set.section, options.property, property); })
-      .and_then([&] { return settle(app, "--contract", set.section, options.contract, contract); })
-      .and_then([&] {
-        return settle(app, "--known", set.section, options.known.directory, value("--known"));
-      })
-      .and_then(
-          [&] { return settle(app, "--no-known", set.section, options.known.is_none, is_none); });
-}
-
 /// What the run will be held against.
 struct RunGate {
   GateSide baseline;
@@ -357,7 +235,7 @@ struct RunGate {
 
 /// Reads it, where there is one, and what the run has to be for it: of one that goes on, that is
 /// settled.
-Result<std::optional<RunGate>> prepare_gate(const CLI::App& app, Options& options) {
+Result<std::optional<RunGate>> prepare_gate(const CLI::App& app, RunOptions& options) {
   if (options.baseline.empty()) return std::nullopt;
   Result<GateSide> baseline = read_side(options.baseline);
   if (!baseline) return tl::unexpected(baseline.error());
@@ -389,7 +267,7 @@ Result<void> check_contract(const std::optional<RunGate>& gate, const properties
 }
 
 /// Holds the run against the baseline, where there is one.
-ExitCode hold_run(const Options& options, const std::optional<RunGate>& gate,
+ExitCode hold_run(const RunOptions& options, const std::optional<RunGate>& gate,
                   const records::Run& run) {
   if (!gate) return ExitCode::ok;
   if (run.cases_left > 0) return ExitCode::interrupted;
@@ -402,7 +280,7 @@ ExitCode hold_run(const Options& options, const std::optional<RunGate>& gate,
 }
 
 /// Ends a run whose results cannot be written: what it found is on the terminal already.
-ExitCode fail_to_write(const Options& options, const Error& error) {
+ExitCode fail_to_write(const RunOptions& options, const Error& error) {
   const ExitCode code = fail(error);
   print_problem(
       fmt::format("rastercheck: what was found is printed above; once there is room, `rastercheck "
@@ -412,7 +290,7 @@ ExitCode fail_to_write(const Options& options, const Error& error) {
 }
 
 /// Writes and prints what was found; the outcome of the run alone.
-ExitCode tell(const Options& options, const records::Run& run,
+ExitCode tell(const RunOptions& options, const records::Run& run,
               const std::vector<records::BackendPromises>& promises, double seconds) {
   const std::vector<records::LawSummary> rows = records::summarize(run);
   const Result<void> written = reports::write_reports(run, options.output, options.formats);
@@ -432,8 +310,11 @@ ExitCode tell(const Options& options, const records::Run& run,
   return exit_code_of(rows, promises);
 }
 
-ExitCode run_campaign(Options options, const CLI::App& app) {
-  const auto start = std::chrono::steady_clock::now();
+ExitCode run_campaign(RunOptions options, const CLI::App& app) {
+  const Clock::time_point start = Clock::now();
+  if (!options.rerun_failed.empty()) {
+    if (const Result<void> taken = take_failed(options); !taken) return fail(taken.error());
+  }
   isolate_foreign_backends(options.timeout);
   const Result<std::optional<RunGate>> gate = prepare_gate(app, options);
   if (!gate) return fail(gate.error());
@@ -462,15 +343,16 @@ ExitCode run_campaign(Options options, const CLI::App& app) {
 
   records::Run run = planned(plan, *known);
   run.shard = shard_of(work->start, promises, work->scene);
-  const InterruptWatch watch(
-      fmt::format("\nrastercheck: ending; once more ends at once. `rastercheck run --resume "
-                  "--output {}` goes on.\n",
-                  options.output));
+  const std::string goes_on =
+      fmt::format("`rastercheck run --resume --output {}` goes on.\n", options.output);
+  const InterruptWatch watch("\nrastercheck: ending; once more ends at once. " + goes_on, kGrace,
+                             "rastercheck: ended before its reports were written. " + goes_on);
   properties::CampaignRun campaign(
       work->start, options.output, work->corpus.size(), [](const Error& error) { fail(error); },
       *known);
   if (const Result<void> begun = campaign.begin(); !begun) return fail(begun.error());
-  const Result<void> found = find(options, executor, work->scene, *known, run, campaign);
+  const Result<void> found =
+      find(options, executor, work->scene, *known, end_of(options, start), run, campaign);
   campaign.save();
   if (!found) return fail_internally(found.error());
   const properties::Findings& findings = campaign.findings();
@@ -486,39 +368,41 @@ ExitCode run_campaign(Options options, const CLI::App& app) {
   } else {
     run.unreached = properties::unreached_labels(run.laws, promises, run.records);
   }
-  const cases::Case* scene = work->scene ? &*work->scene : nullptr;
-  const properties::CaseSources sources{work->corpus, work->start.saved, *known, scene};
-  run.inspections = properties::inspect_run(run, sources);
-  run.specimens = properties::make_specimens(run, sources);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  if (!is_interrupted()) {  // They are drawn once more, which takes as long as it takes.
+    const cases::Case* scene = work->scene ? &*work->scene : nullptr;
+    const properties::CaseSources sources{work->corpus, work->start.saved, *known, scene};
+    run.inspections = properties::inspect_run(run, sources);
+    run.specimens = properties::make_specimens(run, sources);
+  }
+  const std::chrono::duration<double> seconds = Clock::now() - start;
   run.environment = environment(options.jobs, seconds.count());
 
   const ExitCode told = tell(options, run, promises, seconds.count());
   if (told == ExitCode::usage) return told;
   const ExitCode code = first_of(told, hold_run(options, *gate, run));
   if (is_whole) campaign.remove();
-  return is_whole ? code : first_of(code, ExitCode::interrupted);
+  return is_interrupted() && !is_whole ? first_of(code, ExitCode::interrupted) : code;
 }
 
 Action set_up(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunOptions>();
   app.add_option("--backend", options->backends,
                  "What is checked (see rastercheck list backends); may be given several times")
       ->type_name(kBackend)
       ->capture_default_str();
-  app.add_option("--property", options->property,
+  app.add_option("--property", options->properties,
                  "Only properties whose whole name matches, as '*edge*' (see rastercheck list "
-                 "properties)")
+                 "properties); may be given several times")
       ->type_name(kProperty)
       ->capture_default_str();
   app.add_option("--cases", options->cases,
                  "Random cases of each property, beside those of the corpus")
-      ->check(whole_number())
+      ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--seed", options->seed,
                  "Seed of the random cases: the same seed, the same cases; random without it")
-      ->check(whole_number())
+      ->transform(whole_number())
       ->type_name("N");
   add_shard(app, options->shard);
   app.add_option("--scene", options->scene, "Mesh or case file that is drawn and judged whole, too")
@@ -540,7 +424,7 @@ Action set_up(CLI::App& app) {
   add_formats(app, options->formats);
   app.add_option("--shrink-tries", options->shrink_tries,
                  "Smaller cases that are tried of each counterexample; 0 leaves it as it is found")
-      ->check(whole_number())
+      ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--shrink-seconds", options->shrink_seconds,
@@ -550,6 +434,18 @@ Action set_up(CLI::App& app) {
   add_timeout(app, options->timeout);
   app.add_flag("--keep-cases", options->keeps_cases,
                "Keeps what each case gave in run.json, for a baseline and for --format cases");
+  app.add_flag("--fail-fast", options->fail_fast, "Ends with the first violation");
+  app.add_option("--max-time", options->max_time,
+                 "Ends after so many seconds with what it has; every property is checked about as "
+                 "often by then, and --resume goes on")
+      ->check(CLI::Range(kLeastSeconds, kMostSeconds))
+      ->type_name("SECONDS");
+  CLI::Option* rerun =
+      app.add_option(
+             "--rerun-failed", options->rerun_failed,
+             "Checks what the run in this folder found violated, with cases and settings as "
+             "there")
+          ->type_name(kFolder);
   CLI::Option* baseline =
       app.add_option("--baseline", options->baseline,
                      "Holds the run against this baseline (rastercheck baseline save), with seed "
@@ -567,7 +463,11 @@ Action set_up(CLI::App& app) {
                               "--scene-size", "--contract", "--corpus", "--known", "--no-known",
                               "--shrink-tries", "--shrink-seconds", "--keep-cases"}) {
     resume->excludes(settled);
+    rerun->excludes(settled);
   }
+  rerun->excludes(resume)->excludes(baseline);
+  // Of a part there is nothing to compare.
+  baseline->excludes("--max-time")->excludes("--fail-fast");
   app.add_option("--jobs", options->jobs, "Processes that work side by side")
       ->check(CLI::Range(1, 1024))
       ->type_name("N")

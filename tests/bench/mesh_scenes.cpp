@@ -15,7 +15,7 @@ namespace {
 
 /// Where CMake has unpacked archives.
 const std::string kUnpacked = RASTERCHECK_BENCH_DATA "/";
-const std::string kModels = "/usr/share/assimp/models/";
+const std::string kModels = RASTERCHECK_BENCH_MODELS;
 
 /// `origin`: the package, and what else is to be done for it to be there.
 Result<void> check_there(const std::string& file, const char* origin) {
@@ -63,7 +63,7 @@ Result<Scene> framed_mesh(const std::string& file, const char* origin, const glm
 }  // namespace
 
 Result<Scene> bunny(const glm::ivec2& size) {
-  return framed_mesh("/usr/share/glmark2/models/bunny.obj", "glmark2-data", size);
+  return framed_mesh(RASTERCHECK_BUNNY, "glmark2-data", size);
 }
 
 Result<Scene> armadillo(const glm::ivec2& size) {

@@ -22,7 +22,7 @@
 namespace rastercheck::bench {
 namespace {
 
-constexpr const char* kBunny = "/usr/share/glmark2/models/bunny.obj";
+constexpr const char* kBunny = RASTERCHECK_BUNNY;
 
 /// A scene with three attributes, on a target of that size.
 cases::Case to_case(const Scene& scene, int width = kTarget, int height = kTarget) {

@@ -106,12 +106,12 @@ TEST_P(Interrupted, OnceWritesWhatItHas) {
   EXPECT_THAT(outcome.err, HasSubstr("rastercheck: ending; once more ends at once. `rastercheck "
                                      "run --resume --output " +
                                      out() + "` goes on.\n"));
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("The run was interrupted: "), HasSubstr("Again: ")));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("The run ended early: "), HasSubstr("Again: ")));
   const json run = json::parse(folder_.content("out/run.json"));
   EXPECT_GT(run.at("cases_left"), 0);
   EXPECT_EQ(run.at("counterexamples").size(), 1U);
-  EXPECT_THAT(folder_.content("out/summary.md"), HasSubstr("The run was interrupted: "));
-  EXPECT_THAT(folder_.content("out/report.html"), HasSubstr("The run was interrupted: "));
+  EXPECT_THAT(folder_.content("out/summary.md"), HasSubstr("The run ended early: "));
+  EXPECT_THAT(folder_.content("out/report.html"), HasSubstr("The run ended early: "));
   EXPECT_TRUE(std::filesystem::exists(out("unfinished.json")));
 }
 
@@ -142,7 +142,7 @@ TEST_P(Interrupted, ByAClosedTerminalGoesOnUnlessThatIsIgnored) {
     program.kill(SIGHUP);
     const Outcome outcome = program.wait();
     EXPECT_EQ(outcome.code, 1) << outcome;
-    EXPECT_THAT(outcome.out, HasSubstr("The run was interrupted: "));
+    EXPECT_THAT(outcome.out, HasSubstr("The run ended early: "));
     EXPECT_TRUE(std::filesystem::exists(out("unfinished.json")));
   }
   std::filesystem::remove_all(out());
@@ -152,7 +152,7 @@ TEST_P(Interrupted, ByAClosedTerminalGoesOnUnlessThatIsIgnored) {
     wait_for_progress();
     program.kill(SIGHUP);
     const Outcome outcome = program.wait();
-    EXPECT_THAT(outcome.out, Not(HasSubstr("The run was interrupted: ")));
+    EXPECT_THAT(outcome.out, Not(HasSubstr("The run ended early: ")));
     EXPECT_FALSE(std::filesystem::exists(out("unfinished.json")));
   }
   std::signal(SIGHUP, before);

@@ -18,9 +18,8 @@ import unittest
 import unittest.mock
 import zlib
 
-SOURCE, BUILD, CONFIG, CMAKE, COMPILER, FLAGS = pathlib.Path(), pathlib.Path(), "", "", "", ""
+SOURCE, BUILD, CONFIG, CMAKE, COMPILER, FLAGS, BUNNY = pathlib.Path(), pathlib.Path(), "", "", "", "", ""
 
-BUNNY = "/usr/share/glmark2/models/bunny.obj"
 # What the rasterizer draws is the same to the bit with every compiler, but the examples' shader and
 # camera are compiled by their users', who may fuse products and sums: that moves a colour by far less
 # than a byte's unit, which rounding can make one.
@@ -309,5 +308,5 @@ class Docs(unittest.TestCase):
 
 if __name__ == "__main__":
     SOURCE, BUILD = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    CONFIG, CMAKE, COMPILER, FLAGS = sys.argv[3:7]
-    unittest.main(argv=[sys.argv[0], *sys.argv[7:]])
+    CONFIG, CMAKE, COMPILER, FLAGS, BUNNY = sys.argv[3:8]
+    unittest.main(argv=[sys.argv[0], *sys.argv[8:]])

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Looks at the Debian packages that `cpack -G DEB` makes, and uses them on a Debian 12 with nothing else on it.
+"""Looks at the Debian packages that `cpack -G DEB` makes, and uses them on a Debian of this machine's release with
+nothing else on it.
 
 Usage: packaging_test.py SOURCE_DIR BUILD_DIR PACKAGES CLASS
 PACKAGES is the folder they are in. Exit code 77: this machine lacks what the test needs, and the last line says
@@ -9,6 +10,7 @@ what. The Debian is made in the build folder from the sources that apt has here,
 import json
 import os
 import pathlib
+import platform
 import re
 import shutil
 import subprocess
@@ -19,7 +21,7 @@ import unittest
 SOURCE, BUILD, PACKAGES = pathlib.Path(), pathlib.Path(), pathlib.Path()
 
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
-SUITES = ("bookworm", "bookworm-updates", "bookworm-security")
+RELEASE = platform.freedesktop_os_release().get("VERSION_CODENAME", "")
 # What of apt's configuration says how to get at the sources.
 REACHING = re.compile(r"^Acquire::(Check-|Languages|Retries|https?::)")
 
@@ -67,21 +69,22 @@ def files(name):
 
 
 def dependencies(text):
-    return {entry.split()[0] for entry in text.split(", ")}
+    """Debian 13 has libraries of programs that know times after 2038 under names that end with t64."""
+    return {entry.split()[0].removesuffix("t64") for entry in text.split(", ")}
 
 
-def sources(targets):
-    """apt's sources of Debian 12, one line each, from lines "URI|RELEASE|COMPONENT"."""
+def sources(targets, code):
+    """apt's sources of one release of Debian, one line each, from lines "URI|RELEASE|COMPONENT"."""
     rows = [line.split("|") for line in targets.splitlines()]
     return [f"deb {uri} {release} {component}" for uri, release, component in rows
-            if release in SUITES and component == "main"]
+            if release in (code, f"{code}-updates", f"{code}-security") and component == "main"]
 
 
 def sources_here():
     if not shutil.which("apt-get"):
         return []
     return sources(output("apt-get", "indextargets", "--format", "$(REPO_URI)|$(RELEASE)|$(COMPONENT)",
-                          "Created-By: Packages"))
+                          "Created-By: Packages"), RELEASE)
 
 
 def ways_to_reach(dump):
@@ -97,9 +100,10 @@ def lacking():
     if subprocess.run(["unshare", *inside, "--mount", "true"], capture_output=True, check=False).returncode != 0:
         return "neither root nor a user with namespaces, who may mount, runs it"
     found = sources_here()
-    if not any(" bookworm " in line for line in found):
-        return "apt knows no source of Debian 12 here"
-    _, uri, release, _ = next(line for line in found if " bookworm " in line).split()
+    first = next((line for line in found if f" {RELEASE} " in line), None)
+    if not first:
+        return "apt knows no source of Debian here"
+    _, uri, release, _ = first.split()
     with tempfile.TemporaryDirectory(prefix="packaging-", dir=BUILD) as folder:
         asked = subprocess.run(["timeout", "60", "/usr/lib/apt/apt-helper", "download-file",
                                 f"{uri.rstrip('/')}/dists/{release}/InRelease", f"{folder}/InRelease"],
@@ -179,7 +183,7 @@ class OnCleanDebian(unittest.TestCase):
             f"--customize-hook=copy-in {folder}/on_debian /",
             '--customize-hook=chroot "$1" sh /on_debian',
             f"--customize-hook=copy-out /home/somebody/out/run.json {folder}",
-            "bookworm", "-", *sources_here(), env={**os.environ, "TMPDIR": str(folder), "LC_ALL": "C.UTF-8"})
+            RELEASE, "-", *sources_here(), env={**os.environ, "TMPDIR": str(folder), "LC_ALL": "C.UTF-8"})
         print(log)
 
         self.assertIn("The run ended with 0.", log)
@@ -197,9 +201,10 @@ class OnCleanDebian(unittest.TestCase):
 class Checks(unittest.TestCase):
     """The parts of this file that decide whether the test above runs."""
 
-    def test_take_debian_12_and_nothing_else(self):
+    def test_take_debian_and_nothing_else(self):
         self.assertEqual(sources("http://a/debian/|bookworm|main\nhttp://b/|nodistro|main\n"
-                                 "http://a/debian/|bookworm|contrib\nhttp://a/s/|bookworm-security|main\n"),
+                                 "http://a/debian/|bookworm|contrib\nhttp://a/s/|bookworm-security|main\n",
+                                 "bookworm"),
                          ["deb http://a/debian/ bookworm main", "deb http://a/s/ bookworm-security main"])
 
     def test_take_the_settings_for_the_way_there(self):

@@ -51,7 +51,7 @@ TEST(Caveats, SayWhatIsMissing) {
   run.contract_file = "lax.json";
   EXPECT_THAT(caveats(run),
               ElementsAre("Held to the contract of lax.json, not to what the backends promise.",
-                          "The run was interrupted: 120 cases were not checked.",
+                          "The run ended early: 120 of its cases were not checked.",
                           "Shrinking was limited to 2.5 s a counterexample: how small they are "
                           "depends on the machine."));
 }
