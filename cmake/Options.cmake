@@ -3,6 +3,7 @@
 option(RASTERCHECK_ONLY_RASTERIZER "Build RasterCheck::rasterizer alone, without tests" OFF)
 option(RASTERCHECK_TESTS "Build the tests" ON)
 option(RASTERCHECK_WERROR "Treat warnings as errors" OFF)
+option(RASTERCHECK_ALL_VECTORS "Instrumented builds, too, have kernels for every kind of vectors" OFF)
 set(RASTERCHECK_SANITIZE "" CACHE STRING "Sanitizers for every target, as -fsanitize takes them")
 option(RASTERCHECK_FUZZ "Build the fuzz targets with libFuzzer, which clang has" OFF)
 option(RASTERCHECK_COVERAGE "Instrument for gcov" OFF)
@@ -29,11 +30,11 @@ target_compile_options(rastercheck_options INTERFACE
   $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
   $<$<BOOL:${RASTERCHECK_WERROR}>:-Werror>)
 
-if(RASTERCHECK_SANITIZE OR RASTERCHECK_COVERAGE)
-  # Instrumented kernels take minutes to compile for each kind of vectors. Left out are those that
-  # have as many lanes as the plainest, which stays.
+if((RASTERCHECK_SANITIZE OR RASTERCHECK_COVERAGE) AND NOT RASTERCHECK_ALL_VECTORS)
+  # Instrumented kernels take minutes to compile for each kind of vectors. Those that stay have four
+  # lanes and eight: SSE2's or none, and AVX2's.
   target_compile_definitions(rastercheck_options INTERFACE
-    "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4)")
+    "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_AVX3)")
 endif()
 if(RASTERCHECK_COVERAGE)
   # What threads count has to add up: gcov works out some counts from others.

@@ -21,6 +21,13 @@ TEST(ReadText, AnEmptyFileIsAnEmptyText) {
   EXPECT_EQ(read_text(folder.put("empty", "")).value_or("?"), "");
 }
 
+// Kills: a program that fills the memory with what has no end.
+TEST(ReadText, RefusesWhatHasNoEnd) {
+  const Result<std::string> text = read_text("/dev/zero");
+  ASSERT_FALSE(text.has_value());
+  EXPECT_EQ(to_string(text.error()), "/dev/zero: has more than 1073741824 bytes");
+}
+
 TEST(WriteFile, PutsTheBytesInPlaceOfWhatWasThere) {
   const TemporaryFolder folder;
   const std::string bytes("a\r\n\0\xff", 5);

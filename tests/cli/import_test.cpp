@@ -4,6 +4,7 @@
 
 #include "cases/case_reader.h"
 #include "tests/cli/program.h"
+#include "tests/temporary_folder.h"
 
 namespace rastercheck::cli::import_test {
 namespace {
@@ -31,6 +32,20 @@ TEST(Import, PrintsACaseThatTheOracleReads) {
   const Outcome oracle = run_program({"oracle", "-", "--json"}, imported.out);
   EXPECT_EQ(oracle.code, 0) << oracle.err;
   EXPECT_NE(oracle.out.find("required"), std::string::npos);
+}
+
+// Kills: a mesh that its case takes the place of.
+TEST(Import, WritesACaseButNotOverTheMesh) {
+  const TemporaryFolder folder;
+  const std::string mesh = folder.put("square.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n");
+  const Outcome imported = run_program({"import", mesh, "--output", folder.path("square.json")});
+  ASSERT_EQ(imported.code, 0) << imported;
+  EXPECT_EQ(imported.out, "");
+  EXPECT_EQ(cases::read_case(folder.path("square.json"))->triangles.size(), 1U);
+  const Outcome refused = run_program({"import", mesh, "--output", folder.path("./square.obj")});
+  EXPECT_TRUE(is_failure(refused, 2)) << refused;
+  EXPECT_NE(refused.err.find("is what is read, and would be overwritten"), std::string::npos);
+  EXPECT_TRUE(folder.content("square.obj").starts_with("v -1"));
 }
 
 TEST(Import, ReadsStandardInputInTheFormatGiven) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -121,6 +122,25 @@ TEST_P(Interrupted, OnceGoesOn) {
   program.kill(SIGTERM);
   EXPECT_EQ(program.wait().code, 1);
   expect_goes_on();
+}
+
+// Kills: a signal that waits for what is being drawn.
+TEST_P(Interrupted, EndsWhateverIsBeingDrawn) {
+  std::vector<std::string> stuck = arguments("out");
+  std::replace(stuck.begin(), stuck.end(), std::string("damaged:slow"),
+               std::string("damaged:stuck"));
+  RunningProgram program(stuck);
+  while (!std::filesystem::exists(out("unfinished.json"))) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  program.kill(SIGTERM);
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.code, 130) << outcome;
+  // Other processes are ended, and the reports written; in this one nothing else can be done.
+  const bool is_one = GetParam() == std::string("1");
+  EXPECT_EQ(outcome.err.find("ended before its reports were written") != std::string::npos, is_one);
+  EXPECT_EQ(std::filesystem::exists(out("run.json")), !is_one);
+  EXPECT_TRUE(std::filesystem::exists(out("unfinished.json")));
 }
 
 TEST_P(Interrupted, TwiceEndsAtOnceAndGoesOn) {

@@ -45,6 +45,13 @@ TEST_F(Plugin, NewWritesTheExample) {
   EXPECT_THAT(folder_.content("cxx/CMakeLists.txt"), HasSubstr("LANGUAGES CXX)"));
 }
 
+TEST_F(Plugin, NewTakesAnEmptyGitRepository) {
+  folder_.put("mine/.git/HEAD", "ref: refs/heads/main\n");
+  const Outcome made = run_program({"plugin", "new", folder_.path("mine")});
+  EXPECT_EQ(made.code, 0) << made;
+  EXPECT_EQ(folder_.content("mine/plugin.c"), source("docs/examples/plugin/little.c"));
+}
+
 // Kills: a project that writes over somebody's files.
 TEST_F(Plugin, NewLosesNothing) {
   folder_.put("mine/notes.txt", "mine");

@@ -44,6 +44,26 @@ TEST(Render, RefusesABackendThatIsNotThere) {
   EXPECT_THAT(outcome.err, HasSubstr("no backend of that name; there are: cpu"));
 }
 
+TEST(Render, ThinksOfTheBackendThatWasMeant) {
+  const Outcome outcome =
+      run_program({"render", "--backend", "opengl", source_file("cases/corpus/camera.json")});
+  EXPECT_THAT(outcome.err, HasSubstr("; did you mean gl?"));
+}
+
+// Kills: a case lost to its own picture; a PNG by another name.
+TEST(Render, WritesNoPictureOverItsCaseNorUnderAnotherFormatsName) {
+  const TemporaryFolder folder;
+  const std::string own = folder.put("own.png", square_case());
+  const Outcome over = run_program({"render", own, "--png", own});
+  EXPECT_TRUE(is_failure(over, 2)) << over;
+  EXPECT_THAT(over.err, HasSubstr("own.png: is what is read, and would be overwritten"));
+  EXPECT_EQ(folder.content("own.png"), square_case());
+  const Outcome other = run_program({"render", own, "--png", folder.path("x.jpg")});
+  EXPECT_TRUE(is_failure(other, 2)) << other;
+  EXPECT_THAT(other.err, HasSubstr("x.jpg: the picture is a PNG: name it ….png"));
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"own.png"});
+}
+
 TEST(Render, QuietlyPrintsRowsOnly) {
   const Outcome outcome = run_program({"render", "--quiet", "-"}, square_case());
   EXPECT_EQ(outcome.code, 0) << outcome;

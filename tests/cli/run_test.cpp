@@ -216,6 +216,62 @@ TEST_F(Run, TakesABackendOnceHoweverOftenItIsNamed) {
   EXPECT_EQ(run_json().at("records").at(0).at("cases").at("checked"), 1);
 }
 
+TEST_F(Run, TakesSeveralPropertiesAndRefusesOneThatIsNone) {
+  const Outcome outcome = run(
+      {"--cases", "3", "--property", kCoverage, "--property", "whole*", "--property", "coverage*"});
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_EQ(run_json().at("laws"), (json{kCoverage, "whole pixels move the picture"}));
+  const Outcome refused = run({"--property", kCoverage, "--property", "none"});
+  EXPECT_TRUE(is_failure(refused, 2)) << refused;
+  EXPECT_THAT(refused.err, HasSubstr("--property: none: "));
+}
+
+// Kills: a first failure that hides how much was not checked; one that nobody can go on from.
+TEST_F(Run, EndsWithTheFirstViolationIfAsked) {
+  const Outcome outcome = run_damaged({"--backend", "damaged", "--cases", "200", "--seed", "1",
+                                       "--property", kCoverage, "--fail-fast"});
+  EXPECT_EQ(outcome.code, 1) << outcome;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("The run ended early: 200 of its cases were not checked."),
+                    HasSubstr("shrunk in ")));
+  EXPECT_EQ(run_json().at("cases_left"), 200);
+  const Outcome resumed = run_damaged_program({"run", "--resume", "--output", folder_.path("out")});
+  EXPECT_EQ(resumed.code, 1) << resumed;
+  EXPECT_FALSE(run_json().contains("cases_left"));
+}
+
+// Kills: a run that has no end; laws of which the last are never checked.
+TEST_F(Run, EndsWhenItsTimeIsUpWithAllLawsCheckedAlike) {
+  const Outcome outcome = run({"--cases", "1e9", "--seed", "1", "--max-time", "1", "--property",
+                               kCoverage, "--property", "whole*", "--property", "values stay w*"});
+  EXPECT_EQ(outcome.code, 0) << outcome;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("The run ended early: "), HasSubstr("--resume")));
+  const Outcome at_once = run({"--cases", "3", "--seed", "1", "--max-time", "0.001"});
+  EXPECT_EQ(at_once.code, 5) << at_once;  // nothing was checked
+}
+
+// Kills: a failure that is not checked again as it was found.
+TEST_F(Run, ChecksWhatFailedOnceMore) {
+  const Outcome first =
+      run_damaged({"--backend", "damaged", "--backend", "cpu", "--cases", "6", "--seed", "7",
+                   "--property", kCoverage, "--property", "whole*", "--keep-cases"});
+  EXPECT_EQ(first.code, 1) << first;
+  const json before = run_json();
+  const Outcome again = run_damaged_program(
+      {"run", "--rerun-failed", folder_.path("out"), "--output", folder_.path("again")});
+  EXPECT_EQ(again.code, 1) << again;
+  const json after = json::parse(folder_.content("again/run.json"));
+  EXPECT_EQ(after.at("backends"), json{"damaged"});
+  EXPECT_EQ(after.at("laws"), json{kCoverage});
+  EXPECT_EQ(after.at("seed"), 7);
+  EXPECT_EQ(after.at("cases_per_law"), 6);
+  EXPECT_EQ(after.at("counterexamples"), before.at("counterexamples"));
+  EXPECT_EQ(run({"--cases", "3", "--seed", "1"}).code, 0);
+  const Outcome nothing = run_program({"run", "--rerun-failed", folder_.path("out")});
+  EXPECT_TRUE(is_failure(nothing, 2)) << nothing;
+  EXPECT_THAT(nothing.err, HasSubstr("says that nothing was violated"));
+}
+
 // Kills: a counterexample of yesterday that nobody checks today.
 TEST_F(Run, ChecksSavedCounterexamplesAgain) {
   const auto run_cpu = [this] {

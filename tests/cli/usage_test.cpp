@@ -42,6 +42,14 @@ TEST(Usage, SuggestsNothingForTooLittle) {
   EXPECT_THAT(refusal({"run", "-"}), HasSubstr("'-' is one argument too many"));
 }
 
+TEST(Usage, TakesWholeNumbersWithAnExponent) {
+  EXPECT_THAT(refusal({"run", "--cases", "1e99"}), HasSubstr("1e99 is no whole number from 0 to "));
+  EXPECT_THAT(refusal({"run", "--cases", "e3"}), HasSubstr("e3 is no whole number"));
+  EXPECT_THAT(refusal({"explain", "x.json", "--sample", "5e9"}),
+              HasSubstr("5e9 is no whole number from 0 to 4294967295"));
+  EXPECT_THAT(refusal({"run", "--cases", "1e9", "--property", "none"}), HasSubstr("--property"));
+}
+
 // Kills: "Could not convert".
 TEST(Usage, SaysUpToWhereNumbersGo) {
   EXPECT_THAT(refusal({"explain", "x.json", "--sample", "4294967296"}),

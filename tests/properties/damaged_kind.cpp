@@ -3,6 +3,7 @@
 //
 //   damaged           loses the last fragment of every draw
 //   damaged:slow      the same, and takes its time, so that a run can be interrupted
+//   damaged:stuck     draws what is right after a minute
 //   damaged:refuses   fails to draw
 //   damaged:absent    cannot run here
 //   damaged:speaks    says of itself what a terminal takes for a command
@@ -35,6 +36,15 @@ class SlowBackend : public DamagedBackend {
   explicit SlowBackend(const Damage& damage) : DamagedBackend(damage, "cpu") {}
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
     std::this_thread::sleep_for(std::chrono::milliseconds(4));
+    return DamagedBackend::draw(c);
+  }
+};
+
+class StuckBackend : public DamagedBackend {
+ public:
+  StuckBackend() : DamagedBackend({}, "cpu") {}
+  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+    std::this_thread::sleep_for(std::chrono::minutes(1));
     return DamagedBackend::draw(c);
   }
 };
@@ -82,6 +92,7 @@ constexpr const char* kAbsent = "needs what no machine has";
 Result<std::unique_ptr<backends::Backend>> make(const std::string& options) {
   if (options.empty()) return std::make_unique<DamagedBackend>(&lose_last);
   if (options == "slow") return std::make_unique<SlowBackend>(&lose_last);
+  if (options == "stuck") return std::make_unique<StuckBackend>();
   if (options == "refuses") return std::make_unique<RefusingBackend>();
   if (options == "speaks") return std::make_unique<SpeakingBackend>();
   if (options == "unseen") return std::make_unique<UnseenBackend>();
@@ -104,6 +115,7 @@ std::vector<backends::Listing> list() {
           {"damaged:refuses", "fails to draw", ""},
           {"damaged:slow", "loses the last fragment, slowly", ""},
           {"damaged:speaks", "says what a terminal obeys", ""},
+          {"damaged:stuck", "draws rightly, after a minute", ""},
           {"damaged:unseen", "draws rightly what is never seen", ""},
           {"damaged:worse", "the same driver, which always loses it", ""}};
 }

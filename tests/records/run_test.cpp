@@ -81,6 +81,13 @@ TEST(OptionOf, IsTheValueOfAnOption) {
   EXPECT_EQ(option_of({}, "--timeout"), std::nullopt);
 }
 
+TEST(ValuesOf, AreAllThatAnOptionWasGiven) {
+  const std::vector<std::string> options{"--property", "a", "--no-known", "--property",
+                                         "--property"};
+  EXPECT_THAT(values_of(options, "--property"), ElementsAre("a", "--property"));
+  EXPECT_THAT(values_of(options, "--corpus"), testing::IsEmpty());
+}
+
 // Kills: violations that nobody saw, and that look like any others.
 TEST(Caveats, SayWhatWasNotDrawn) {
   records::Run run;
