@@ -18,7 +18,7 @@ Error cannot_be_written(const fs::path& file, const std::error_code& why) {
   return {file.string(), "", "cannot be written" + (why ? ": " + why.message() : "")};
 }
 
-Result<std::string> text_of(std::istream& stream, const std::string& name) {
+Result<std::string> read_stream(std::istream& stream, const std::string& name) {
   constexpr std::size_t kAtOnce = std::size_t{1} << 16;
   std::string text;
   while (stream) {
@@ -41,9 +41,9 @@ Result<std::string> text_of(std::istream& stream, const std::string& name) {
 
 Result<std::string> read_text(const std::string& file) {
   errno = 0;
-  if (file == "-") return text_of(std::cin, "standard input");
+  if (file == "-") return read_stream(std::cin, "standard input");
   std::ifstream stream(file, std::ios::binary);
-  return text_of(stream, file);
+  return read_stream(stream, file);
 }
 
 Result<void> write_file(const std::string& name, const std::string& content) {

@@ -201,7 +201,7 @@ TEST_P(Interrupted, ByKillLeavesItsCounterexamplesToTheNextRun) {
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("an unfinished run, which this one replaces"),
                                  HasSubstr("counterexamples of it that are kept: 1")));
   EXPECT_THAT(folder_.files("out/counterexamples"),
-              ElementsAre("coverage-obeys-the-contract-damaged-slow-missing.json"));
+              ElementsAre("earlier/coverage-obeys-the-contract-damaged-slow-missing.json"));
 }
 
 TEST_P(Interrupted, GoesOnOnlyAsItWasBegun) {

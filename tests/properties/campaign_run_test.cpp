@@ -30,10 +30,18 @@ class CampaignRunTest : public testing::Test {
   CampaignRun run(const Checkpoint& start) {
     return {start, folder_.path(), 0, [this](const Error& error) { warnings_.push_back(error); }};
   }
-  /// Runs tasks here, until `most` are done.
+  /// Runs tasks here, until `most` are done, and the first cases of one more.
   Execute execute(std::size_t most = 1000) {
     return [this, most](const std::vector<Task>& tasks, const TaskDone& done) {
-      return run_tasks(runner_, tasks, done, [left = most]() mutable { return left-- == 0; });
+      std::size_t count = 0;
+      std::size_t asked = 0;
+      const TaskDone counted = [&](std::size_t task, Findings found) {
+        ++count;
+        return done(task, std::move(found));
+      };
+      constexpr std::size_t kFirstCases = 3;
+      const auto is_to_end = [&] { return count == most && ++asked > kFirstCases; };
+      return run_tasks(runner_, tasks, counted, is_to_end);
     };
   }
   Checkpoint kept() const {

@@ -148,20 +148,35 @@ TEST(WorkerProcesses, GetNothingMoreToDoAfterAFault) {
 
 // Kills: a task that is lost, or waited for in vain, when no more are wanted; a worker that is not
 // told to hurry.
-TEST(WorkerProcesses, AreAskedToHurryAndWaitedFor) {
+TEST(WorkerProcesses, AreAskedToHurryAndWaitedForWhereTheyShrink) {
   const TemporaryFolder folder;
   const std::string script = "read task; read hurry; echo hurried > " + folder.path("said") +
                              R"(; echo '{"records": [], "counterexamples": []}'; read more)";
+  records::Counterexample subject;
+  subject.source = square();
+  subject.source.found = cases::Found{kCoverage, "cpu", "missing", 7, 0};
+  const std::vector<Task> shrinking(2, {"cpu", kCoverage, TaskKind::shrink, 0, 1, subject});
   int told = 0;
   int asked = 0;
   const auto done = [&told](std::size_t task, const Findings&) {
     EXPECT_EQ(task, 0U);
     return ++told > 0;
   };
-  ASSERT_TRUE(run_tasks_in_processes({"/bin/sh", "-c", script}, 1, tasks_of(kSmall, 0), done,
+  ASSERT_TRUE(run_tasks_in_processes({"/bin/sh", "-c", script}, 1, shrinking, done,
                                      [&asked] { return ++asked > 2; }));
   EXPECT_EQ(told, 1);
   EXPECT_EQ(folder.content("said"), "hurried\n");
+  EXPECT_TRUE(has_no_children());
+}
+
+// Kills: a campaign that ends when the case is drawn that it is at; a part of a task taken for it.
+TEST(WorkerProcesses, AreEndedWhereTheyCheck) {
+  int told = 0;
+  int asked = 0;
+  const auto done = [&told](std::size_t, const Findings&) { return ++told > 0; };
+  ASSERT_TRUE(run_tasks_in_processes({"/bin/sh", "-c", "read task; exec sleep 600"}, 1,
+                                     tasks_of(kSmall, 0), done, [&asked] { return ++asked > 2; }));
+  EXPECT_EQ(told, 0);
   EXPECT_TRUE(has_no_children());
 }
 
