@@ -18,17 +18,17 @@ Error cannot_be_written(const fs::path& file, const std::error_code& why) {
   return {file.string(), "", "cannot be written" + (why ? ": " + why.message() : "")};
 }
 
-Result<std::string> read_stream(std::istream& stream, const std::string& name) {
+Result<std::string> read_stream(std::istream& stream, const std::string& name, std::size_t most) {
   constexpr std::size_t kAtOnce = std::size_t{1} << 16;
   std::string text;
-  while (stream) {
+  while (stream && text.size() <= most) {
     const std::size_t before = text.size();
-    if (before > kMostBytes) {
-      return tl::unexpected(Error{name, "", fmt::format("has more than {} bytes", kMostBytes)});
-    }
     text.resize(before + kAtOnce);
     stream.read(text.data() + before, kAtOnce);
     text.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
+  if (text.size() > most) {
+    return tl::unexpected(Error{name, "", fmt::format("has more than {} bytes", most)});
   }
   // A folder opens, but cannot be read.
   if (stream.eof() && !stream.bad()) return text;
@@ -39,11 +39,11 @@ Result<std::string> read_stream(std::istream& stream, const std::string& name) {
 
 }  // namespace
 
-Result<std::string> read_text(const std::string& file) {
+Result<std::string> read_text(const std::string& file, std::size_t most) {
   errno = 0;
-  if (file == "-") return read_stream(std::cin, "standard input");
+  if (file == "-") return read_stream(std::cin, "standard input", most);
   std::ifstream stream(file, std::ios::binary);
-  return read_stream(stream, file);
+  return read_stream(stream, file, most);
 }
 
 Result<void> write_file(const std::string& name, const std::string& content) {

@@ -7,11 +7,11 @@
 
 namespace rastercheck::cases {
 
-/// The most that read_text() takes, in bytes: what has no end, as /dev/zero, is refused there.
+/// The largest input that read_text() accepts, in bytes: files without an end, as /dev/zero, fail.
 inline constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
 /// The whole of a file, or of standard input for "-".
-Result<std::string> read_text(const std::string& file);
+Result<std::string> read_text(const std::string& file, std::size_t most = kMostBytes);
 
 /// Writes a file whole or not at all: under another name first. The error names it.
 Result<void> write_file(const std::string& name, const std::string& content);

@@ -8,8 +8,8 @@
 namespace rastercheck::cases {
 namespace {
 
-/// Characters to be put in, left out, exchanged, or swapped with the next, at least, to make one of
-/// the other.
+/// The optimal string alignment distance: the least number of characters to insert, delete,
+/// exchange or swap with their neighbour that makes `b` of `a`.
 std::size_t edits_between(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before;
   std::vector<std::size_t> last(b.size() + 1);

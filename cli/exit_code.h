@@ -12,7 +12,7 @@ enum class ExitCode : int {
   backend_unavailable = 4,
   nothing_checked = 5,
   internal = 70,
-  interrupted = 130,  ///< by a signal, and nothing was violated until then
+  interrupted = 130,  ///< by a signal; nothing was violated until then, or it could not be written
 };
 
 }  // namespace rastercheck::cli

@@ -20,6 +20,7 @@ std::atomic<unsigned> grace_of_watch{0};
 std::atomic<const std::string*> message_of_watch{nullptr};
 std::atomic<const std::string*> last_words_of_watch{nullptr};
 static_assert(std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<unsigned>::is_always_lock_free);
 static_assert(std::atomic<const std::string*>::is_always_lock_free);
 
 /// A terminal that is gone takes nothing: what is printed there has nobody to read it, and is no
@@ -81,13 +82,17 @@ InterruptWatch::InterruptWatch(const std::string& message, unsigned grace,
 }
 
 InterruptWatch::~InterruptWatch() {
-  ::alarm(0);
-  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+  // The alarm's own last: a signal that comes meanwhile may set it.
+  for (std::size_t i = 0; i + 1 < kSignals.size(); ++i) {
     ::sigaction(kSignals[i], &before_[i], nullptr);
   }
+  let_it_end();
+  ::sigaction(kSignals.back(), &before_.back(), nullptr);
   delete message_of_watch.exchange(nullptr);
   delete last_words_of_watch.exchange(nullptr);
 }
+
+void InterruptWatch::let_it_end() { ::alarm(0); }
 
 bool is_interrupted() { return interrupted; }
 

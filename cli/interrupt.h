@@ -12,8 +12,8 @@ namespace rastercheck::cli {
 /// ignored, as nohup has it, stays ignored; after another, what is printed on a terminal goes
 /// nowhere. One at a time.
 ///
-/// With `grace`, what has not ended so many seconds after the first signal is ended then, with exit
-/// code 130 and `last_words`: wherever it is, so that all that matters has to be in files by then.
+/// With `grace`, in seconds: so long after the first signal the process is ended wherever it is,
+/// with exit code 130 and `last_words`. All that matters has to be in files by then.
 class InterruptWatch {
  public:
   explicit InterruptWatch(const std::string& message, unsigned grace = 0,
@@ -21,6 +21,9 @@ class InterruptWatch {
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
   ~InterruptWatch();
+
+  /// Takes the limit back: what is left is short, and better not cut.
+  static void let_it_end();
 
  private:
   static constexpr std::array<int, 4> kSignals{SIGINT, SIGTERM, SIGHUP, SIGALRM};

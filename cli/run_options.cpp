@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <memory>
 #include <random>
 #include <span>
+#include <system_error>
 
 #include "cases/contract_json.h"
 #include "cases/json.h"
@@ -54,7 +56,8 @@ std::vector<std::string> without_repetitions(const std::vector<std::string>& all
   return once;
 }
 
-/// What of the command decides what is found, but for backends, cases, seed and scene.
+/// The options that decide what is found, as words of the command line; without backends, cases,
+/// seed and scene.
 std::vector<std::string> other_options(const RunOptions& options) {
   std::vector<std::string> words;
   const auto add = [&words](const char* name, const std::string& value) {
@@ -93,11 +96,18 @@ Result<void> settle(const CLI::App& app, const char* name, const std::string& se
   return {};
 }
 
-/// What a run's option was given; as without it where it was not.
+/// Sets an option to the number that the run recorded of it, and leaves it where it recorded none.
+/// Fails on anything but a number that is not negative.
 template <typename Value>
-void take_number(const records::Run& run, const char* name, Value& option) {
+Result<void> take_number(const records::Run& run, const std::string& file, const char* name,
+                         Value& option) {
   const std::optional<std::string> text = records::option_of(run.options, name);
-  if (text) std::from_chars(text->data(), text->data() + text->size(), option);
+  if (!text) return {};
+  const char* const end = std::to_address(text->end());
+  const auto [stop, problem] = std::from_chars(std::to_address(text->begin()), end, option);
+  if (stop == end && problem == std::errc() && option >= Value()) return {};
+  return tl::unexpected(Error{
+      file, "/options", fmt::format("'{}' is no value of {}", cases::printable(*text), name)});
 }
 
 }  // namespace
@@ -170,6 +180,9 @@ Result<void> take_failed(RunOptions& options) {
     options.backends.push_back(row.backend);
     options.properties.push_back(row.law);
   }
+  if (run->scene == "-") {
+    return tl::unexpected(Error{file, "/scene", "was read from standard input"});
+  }
   if (options.properties.empty()) {
     return tl::unexpected(
         Error{file, "", "says that nothing was violated: nothing to check again"});
@@ -189,11 +202,10 @@ Result<void> take_failed(RunOptions& options) {
   options.known.directory = text("--known");
   options.known.is_none = is_set("--no-known");
   options.keeps_cases = is_set("--keep-cases");
-  take_number(*run, "--scene-size", options.scene_size);
-  take_number(*run, "--shrink-tries", options.shrink_tries);
-  take_number(*run, "--timeout", options.timeout);
   options.shrink_seconds = run->shrink_seconds;
-  return {};
+  return take_number(*run, file, "--scene-size", options.scene_size)
+      .and_then([&] { return take_number(*run, file, "--shrink-tries", options.shrink_tries); })
+      .and_then([&] { return take_number(*run, file, "--timeout", options.timeout); });
 }
 
 }  // namespace rastercheck::cli

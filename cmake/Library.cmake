@@ -15,8 +15,8 @@ endfunction()
 # rastercheck_precompile(TARGET HEADERS…): the standard library's and other libraries' headers that most
 # of a target's files need and that take most of their time, compiled once for all of them; never the
 # project's own, so that a change of one compiles just what includes it. With GCC only: clang-tidy reads
-# the commands of Clang's builds, and not what another version precompiled. Those builds also see which
-# file lacks an include. Unity builds (the presets `release` and `clang`) share headers without it.
+# the commands of a Clang build, which also sees what lacks an include, and not what another version
+# precompiled. Unity builds (all presets but `dev` and `coverage`) share headers without it.
 function(rastercheck_precompile target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_UNITY_BUILD)
     target_compile_options(${target} PRIVATE

@@ -14,8 +14,11 @@ using records::Counterexample;
 
 /// Cases in a task: some seconds of work at most, and a process more or less makes no difference.
 constexpr std::uint64_t kCasesPerTask = 10;
-/// Of a law and backend; beyond it tasks grow, as what each found has to be handed over and merged.
+/// A campaign of many cases has larger tasks, as what each found has to be handed over and merged:
+/// of a law and backend up to a 500th of its cases …
 constexpr std::uint64_t kMostTasks = 500;
+/// … and a 16th of those before it: a run that is ended drops the tasks that it is at.
+constexpr std::uint64_t kShareOfThoseBefore = 16;
 /// Of a law and backend in each of several shards, if it has that many cases: enough of them that
 /// one more or less makes no difference.
 constexpr std::uint64_t kTasksPerShard = 4;
@@ -24,18 +27,15 @@ constexpr std::uint64_t kTasksPerShard = 4;
 /// try may take the whole time that a backend has.
 constexpr double kHangSeconds = 60;
 
-std::uint64_t tasks_in(std::uint64_t cases, std::uint64_t size) {
-  return cases / size + (cases % size == 0 ? 0 : 1);
-}
-
 /// Deals tasks out to shards in turn, as seen by one of them.
 class Deal {
  public:
   explicit Deal(records::ShardNumber ours) : ours_(ours) {}
 
-  /// Cases in a task of a law that has `count`.
-  std::uint64_t task_size(std::uint64_t count) const {
-    const std::uint64_t usual = std::max(kCasesPerTask, count / kMostTasks);
+  /// Cases in the task of a law with `count` cases that begins at its case `first`.
+  std::uint64_t task_size(std::uint64_t first, std::uint64_t count) const {
+    const std::uint64_t most = std::max(kCasesPerTask, count / kMostTasks);
+    const std::uint64_t usual = std::clamp(first / kShareOfThoseBefore, kCasesPerTask, most);
     if (ours_.count == 1) return usual;
     return std::clamp<std::uint64_t>(count / (kTasksPerShard * ours_.count), 1, usual);
   }
@@ -75,14 +75,14 @@ std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_si
   std::vector<Task> tasks;
   Deal deal(options.shard.value_or(records::ShardNumber()));
   const auto add = [&](TaskKind kind, std::uint64_t count) {
-    const std::uint64_t size = deal.task_size(count);
     for (const std::string& backend : options.backends) {
       for (const std::string& law : options.laws) {
-        for (std::uint64_t first = 0, last = 0; first < count; first = last) {
-          last = first + std::min(size, count - first);
+        std::uint64_t dealt = 0;
+        for (std::uint64_t first = 0, last = 0; first < count; first = last, ++dealt) {
+          last = first + std::min(deal.task_size(first, count), count - first);
           if (deal.is_next_ours()) tasks.push_back({backend, law, kind, first, last});
         }
-        deal.end_law(tasks_in(count, size));
+        deal.end_law(dealt);
       }
     }
   };

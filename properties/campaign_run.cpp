@@ -30,6 +30,12 @@ void replace(Findings& findings, const Counterexample& shrunk) {
 
 }  // namespace
 
+std::uint64_t violations_of(const Findings& findings) {
+  std::uint64_t violations = 0;
+  for (const auto& [key, record] : findings.records) violations += record.cases.violations;
+  return violations;
+}
+
 CampaignRun::CampaignRun(Checkpoint start, std::string directory, std::size_t corpus_size,
                          Warn warn, const KnownByBackend& known)
     : checkpoint_(std::move(start)),
@@ -38,6 +44,7 @@ CampaignRun::CampaignRun(Checkpoint start, std::string directory, std::size_t co
       warn_(std::move(warn)),
       all_(checkpoint_.findings) {
   checkpoint_.is_done.resize(tasks_.size());
+  violations_at_start_ = violations_of(all_);
 }
 
 Result<void> CampaignRun::begin() { return write(); }

@@ -21,6 +21,9 @@ using Execute = std::function<Result<void>(const std::vector<Task>&, const TaskD
 /// Told of what is done: so many cases, or counterexamples, of so many.
 using Progress = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
+/// Cases that violated their law, those of known defects aside.
+std::uint64_t violations_of(const Findings& findings);
+
 class CampaignRun {
  public:
   /// Goes on from `start`, whose tasks are those of its plan and of what is `known` of its
@@ -47,8 +50,8 @@ class CampaignRun {
   void remove();
 
   const Findings& findings() const { return all_; }
-  /// Whether anything fails that is not known to.
-  bool is_violated() const { return !all_.counterexamples.empty(); }
+  /// Whether it has found a violation that it did not begin with.
+  bool has_new_violation() const { return violations_of(all_) > violations_at_start_; }
   /// Cases that were not checked.
   std::uint64_t cases_left() const;
   /// Whether every counterexample has been made as small as it gets, or its time was up.
@@ -63,6 +66,7 @@ class CampaignRun {
   std::vector<Task> tasks_;
   Warn warn_;
   Findings all_;  ///< with the scene's
+  std::uint64_t violations_at_start_ = 0;
   bool has_cut_short_ = false;
   bool has_warned_ = false;
   std::chrono::steady_clock::time_point written_;

@@ -47,13 +47,15 @@ Result<void> save_unfinished(const std::string& directory, const Warn& warn) {
 
 }  // namespace
 
-Result<Checkpoint> begin_run(const RunPlan& plan, const std::string& directory, const Warn& warn) {
+Result<Checkpoint> begin_run(const RunPlan& plan, const std::string& directory, const Warn& warn,
+                             const std::string& saved_in) {
   const Result<void> kept = save_unfinished(directory, warn);
   if (!kept) return tl::unexpected(kept.error());
   Checkpoint start;
   start.plan = plan;
   if (plan.campaign.shard && plan.campaign.shard->index != 1) return start;
-  const std::string folder = (fs::path(directory) / "counterexamples").string();
+  const fs::path origin = saved_in.empty() ? directory : saved_in;
+  const std::string folder = (origin / "counterexamples").string();
   SavedCases saved = read_saved(folder, plan.campaign.laws, plan.campaign.backends);
   for (const Error& error : saved.unreadable) warn(error);
   start.saved = std::move(saved.cases);

@@ -18,8 +18,10 @@ using Warn = std::function<void(const Error&)>;
 /// Where a new run begins: at nothing, but for the counterexamples that earlier runs left in the
 /// folder, those of an unfinished one included: they are made files of, as the new run takes its
 /// place. Of several shards only the first gets them, so that they are counted once. Warns of an
-/// unfinished run, and of counterexamples that cannot be read.
-Result<Checkpoint> begin_run(const RunPlan& plan, const std::string& directory, const Warn& warn);
+/// unfinished run, and of counterexamples that cannot be read. With `saved_in` those of that folder
+/// are checked again instead.
+Result<Checkpoint> begin_run(const RunPlan& plan, const std::string& directory, const Warn& warn,
+                             const std::string& saved_in = "");
 
 /// Where the folder's unfinished run had come to. Fails where there is none, or where `program`, a
 /// version, is not the one that began it, or a law that it checks is gone.

@@ -180,7 +180,7 @@ class Dispatcher {
     }
     if (!is_ending_ && *is_to_end_ && (*is_to_end_)()) {
       is_ending_ = true;
-      hurry();
+      end_early();
       return true;
     }
     for (std::size_t i = 0; i < busy.size() && !error_; ++i) {
@@ -189,8 +189,8 @@ class Dispatcher {
     return true;
   }
 
-  /// Shrinking ends soon, and whoever checks is ended.
-  void hurry() {
+  /// Asks workers that shrink to end early; ends those that check.
+  void end_early() {
     std::erase_if(workers_, [this](const std::unique_ptr<Worker>& worker) {
       return worker->is_busy() && (*tasks_)[worker->task()].kind != TaskKind::shrink;
     });
@@ -250,7 +250,7 @@ Result<void> run_tasks(TaskRunner& runner, const std::vector<Task>& tasks, const
     Result<Findings> found = runner.run(tasks[i], is_to_end);
     if (!found) return tl::unexpected(found.error());
     const bool may_be_part = tasks[i].kind != TaskKind::shrink && is_to_end && is_to_end();
-    if (may_be_part || !done(i, *std::move(found))) break;
+    if ((may_be_part && !found->fault) || !done(i, *std::move(found))) break;
   }
   return {};
 }

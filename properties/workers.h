@@ -4,8 +4,8 @@
 // by worker processes of the same program, each fed one task at a time over a socket that is its
 // standard input and output.
 //
-// Who gives out tasks may be told to end before all are done: shrinking ends with what it has, and
-// of a task that is being checked nothing is kept: it is not done.
+// A caller may end early: a task that shrinks then returns its best case so far, one that checks is
+// dropped and counts as not done.
 
 #include <functional>
 #include <string>

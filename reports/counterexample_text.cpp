@@ -21,7 +21,7 @@ using records::Violation;
 
 /// Vertices and triangles that are shown; of more the file is to be looked at.
 constexpr std::size_t kMostShown = 12;
-constexpr int kCoordinateDigits = 6;  ///< of errors and distances, at most
+constexpr int kMeasureDigits = 6;  ///< of errors and distances, at most
 
 /// "0x1.8p-2 (0.375)"; small whole numbers as they are.
 std::string number_text(float value) {
@@ -53,12 +53,11 @@ std::string printed_violation(const Violation& v, const cases::Case& c) {
                         exact_text(v.exact));
   }
   if (v.error)
-    text += fmt::format("; off by {} scale ULP", records::to_decimal(*v.error, kCoordinateDigits));
-  if (v.bound)
-    text += fmt::format(", {} allowed", records::to_decimal(*v.bound, kCoordinateDigits));
+    text += fmt::format("; off by {} scale ULP", records::to_decimal(*v.error, kMeasureDigits));
+  if (v.bound) text += fmt::format(", {} allowed", records::to_decimal(*v.bound, kMeasureDigits));
   if (v.distance) {
     text += fmt::format("; {} pixels from the boundary",
-                        records::to_decimal(*v.distance, kCoordinateDigits));
+                        records::to_decimal(*v.distance, kMeasureDigits));
   }
   text += "\n";
   if (!note.empty()) text += fmt::format("    {}\n", note);
@@ -102,7 +101,7 @@ std::string attribute_header(const cases::Attribute& attribute, std::size_t inde
 }
 
 std::string enclosure_text(const std::optional<records::Enclosure>& enclosure) {
-  return enclosure ? records::to_decimal(*enclosure, kCoordinateDigits) : "-";
+  return enclosure ? records::to_decimal(*enclosure, kMeasureDigits) : "-";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -31,27 +32,42 @@ Result<void> make_folder(const fs::path& folder) {
   return {};
 }
 
-/// Whether a run of this tool wrote the file: a case whose `found` gives it the name it has.
-bool is_counterexample(const fs::path& file) {
+/// What a run of this tool found, if it wrote the file: a case whose `found` gives it the name it
+/// has.
+std::optional<cases::Found> found_in(const fs::path& file) {
   std::error_code ignored;
-  if (file.extension() != ".json" || !fs::is_regular_file(file, ignored)) return false;
+  if (file.extension() != ".json" || !fs::is_regular_file(file, ignored)) return std::nullopt;
   const Result<cases::Case> source = cases::read_case(file.string());
-  return source && source->found &&
-         fs::path(records::file_of({*source, 0, {}})).filename() == file.filename();
+  const bool is_ours = source && source->found &&
+                       fs::path(records::file_of({*source, 0, {}})).filename() == file.filename();
+  return is_ours ? source->found : std::nullopt;
 }
 
-/// Puts aside the counterexamples that are not among `current`. Those of the run's laws and
-/// backends it checked again, and found something else or nothing; others are not this run's.
-Result<void> put_earlier_aside(const fs::path& folder, const std::set<fs::path>& current) {
+/// Whether the case may fail as before: it is of the run's laws and backends, and the run may not
+/// have come to it, as it ended early, or is a shard that is not the first, which alone checks
+/// them.
+bool may_fail_still(const records::Run& run, const cases::Found& found) {
+  const auto has = [](const std::vector<std::string>& all, const std::string& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+  };
+  const bool is_part = run.cases_left > 0 || (run.shard && run.shard->number.index != 1);
+  return is_part && has(run.laws, found.law) && has(run.backends, found.backend);
+}
+
+/// Puts aside the counterexamples of earlier runs that are not among `current`: the run checked
+/// them again, and found something else or nothing, or they are of laws and backends that it has
+/// not.
+Result<void> put_earlier_aside(const records::Run& run, const fs::path& folder,
+                               const std::set<fs::path>& current) {
   std::error_code why;
   if (!fs::exists(folder, why)) return {};
   // Moving while listing would leave open what the list shows.
   std::vector<fs::path> stale;
   for (auto entry = fs::directory_iterator(folder, why); !why && entry != fs::directory_iterator();
        entry.increment(why)) {
-    if (!current.contains(entry->path()) && is_counterexample(entry->path())) {
-      stale.push_back(entry->path());
-    }
+    if (current.contains(entry->path())) continue;
+    const std::optional<cases::Found> found = found_in(entry->path());
+    if (found && !may_fail_still(run, *found)) stale.push_back(entry->path());
   }
   if (why) return tl::unexpected(failure(folder, "cannot be listed", why));
   const fs::path aside = folder / kEarlier;
@@ -76,9 +92,7 @@ Result<void> write_counterexamples(const records::Run& run, const fs::path& dire
     });
     if (!done) return done;
   }
-  // An interrupted run may not have come to them, and of shards only the first checks them.
-  if (run.cases_left > 0 || (run.shard && run.shard->number.index != 1)) return {};
-  return put_earlier_aside(directory / kCounterexamples, written);
+  return put_earlier_aside(run, directory / kCounterexamples, written);
 }
 
 }  // namespace

@@ -46,11 +46,11 @@
 namespace rastercheck::cli::run_command {
 namespace {
 
-/// What a counterexample may be given, a day at most.
+/// Limits of --shrink-seconds and --max-time: a millisecond and a day.
 constexpr double kLeastSeconds = 0.001;
 constexpr double kMostSeconds = 86400;
 /// Between a signal and the end, whatever is being drawn. What was done is in the checkpoint.
-constexpr unsigned kGrace = 2;
+constexpr unsigned kGraceSeconds = 2;
 
 /// How tasks are run: in this process, or in several.
 class Executor {
@@ -104,8 +104,8 @@ Clock::time_point end_of(const RunOptions& options, Clock::time_point start) {
   return start + std::chrono::duration_cast<Clock::duration>(most);
 }
 
-/// The campaign and the scene, side by side where there are processes for it; then shrinking. What
-/// ends it before all is done: a signal, its time being up, and with --fail-fast a violation.
+/// The campaign and the scene, side by side where there are processes for it; then shrinking. Ends
+/// early on a signal, when its time is up, and with --fail-fast at a violation.
 Result<void> find(const RunOptions& options, Executor& executor,
                   const std::optional<cases::Case>& scene, const properties::KnownByBackend& known,
                   Clock::time_point end, records::Run& run, properties::CampaignRun& campaign) {
@@ -115,7 +115,7 @@ Result<void> find(const RunOptions& options, Executor& executor,
   };
   const properties::IsToEnd is_over = [end] { return is_interrupted() || Clock::now() >= end; };
   const properties::IsToEnd is_checked = [&] {
-    return is_over() || (options.fail_fast && campaign.is_violated());
+    return is_over() || (options.fail_fast && campaign.has_new_violation());
   };
   const auto until = [&executor](const properties::IsToEnd& is_to_end) {
     return [&executor, &is_to_end](const auto& tasks, const auto& done) {
@@ -130,15 +130,18 @@ Result<void> find(const RunOptions& options, Executor& executor,
   Result<void> checked;
   if (options.jobs == 1) {
     if (scene) of_scene = judge_scene_of(run, *scene, 1, known);
-    if (of_scene) checked = check_cases();
+    if (of_scene) {
+      campaign.add_scene(*std::move(of_scene));
+      checked = check_cases();
+    }
   } else {
     auto dispatched = std::async(std::launch::async, check_cases);
     if (scene) of_scene = judge_scene_of(run, *scene, static_cast<unsigned>(options.jobs), known);
     checked = dispatched.get();
+    if (of_scene) campaign.add_scene(*std::move(of_scene));
   }
   if (!of_scene) return tl::unexpected(of_scene.error());
   if (!checked) return checked;
-  campaign.add_scene(*std::move(of_scene));
   if (campaign.findings().fault) return {};
   return campaign.shrink(until(is_over), is_over, progress_of("counterexamples shrunk"));
 }
@@ -168,10 +171,11 @@ struct Work {
 Result<Work> prepare(const RunOptions& options) {
   const auto warn = [](const Error& error) { fail(error); };
   Result<properties::Checkpoint> start =
-      options.resume ? properties::resume_run(options.output, RASTERCHECK_VERSION)
-                     : plan_of(options).and_then([&](const properties::RunPlan& plan) {
-                         return properties::begin_run(plan, options.output, warn);
-                       });
+      options.resume
+          ? properties::resume_run(options.output, RASTERCHECK_VERSION)
+          : plan_of(options).and_then([&](const properties::RunPlan& plan) {
+              return properties::begin_run(plan, options.output, warn, options.rerun_failed);
+            });
   if (!start) return tl::unexpected(start.error());
   const Result<void> same_shard = check_shard(start->plan, options.shard);
   if (!same_shard) return tl::unexpected(same_shard.error());
@@ -345,7 +349,8 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   run.shard = shard_of(work->start, promises, work->scene);
   const std::string goes_on =
       fmt::format("`rastercheck run --resume --output {}` goes on.\n", options.output);
-  const InterruptWatch watch("\nrastercheck: ending; once more ends at once. " + goes_on, kGrace,
+  const InterruptWatch watch("\nrastercheck: ending; once more ends at once. " + goes_on,
+                             kGraceSeconds,
                              "rastercheck: ended before its reports were written. " + goes_on);
   properties::CampaignRun campaign(
       work->start, options.output, work->corpus.size(), [](const Error& error) { fail(error); },
@@ -353,6 +358,7 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   if (const Result<void> begun = campaign.begin(); !begun) return fail(begun.error());
   const Result<void> found =
       find(options, executor, work->scene, *known, end_of(options, start), run, campaign);
+  InterruptWatch::let_it_end();
   campaign.save();
   if (!found) return fail_internally(found.error());
   const properties::Findings& findings = campaign.findings();
@@ -368,7 +374,7 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   } else {
     run.unreached = properties::unreached_labels(run.laws, promises, run.records);
   }
-  if (!is_interrupted()) {  // They are drawn once more, which takes as long as it takes.
+  if (!is_interrupted()) {  // Cases are drawn once more for these, however long that takes.
     const cases::Case* scene = work->scene ? &*work->scene : nullptr;
     const properties::CaseSources sources{work->corpus, work->start.saved, *known, scene};
     run.inspections = properties::inspect_run(run, sources);
@@ -435,9 +441,10 @@ Action set_up(CLI::App& app) {
   app.add_flag("--keep-cases", options->keeps_cases,
                "Keeps what each case gave in run.json, for a baseline and for --format cases");
   app.add_flag("--fail-fast", options->fail_fast, "Ends with the first violation");
-  app.add_option("--max-time", options->max_time,
-                 "Ends after so many seconds with what it has; every property is checked about as "
-                 "often by then, and --resume goes on")
+  app.add_option(
+         "--max-time", options->max_time,
+         "Stops checking after so many seconds, with all properties checked about as often, and "
+         "reports what was found; a scene and the reports come on top; --resume goes on")
       ->check(CLI::Range(kLeastSeconds, kMostSeconds))
       ->type_name("SECONDS");
   CLI::Option* rerun =
@@ -465,7 +472,7 @@ Action set_up(CLI::App& app) {
     resume->excludes(settled);
     rerun->excludes(settled);
   }
-  rerun->excludes(resume)->excludes(baseline);
+  rerun->excludes(resume)->excludes(baseline)->excludes("--timeout");
   // Of a part there is nothing to compare.
   baseline->excludes("--max-time")->excludes("--fail-fast");
   app.add_option("--jobs", options->jobs, "Processes that work side by side")
@@ -477,7 +484,8 @@ Action set_up(CLI::App& app) {
   app.footer(
       "Exit code 0 if every property held, or was violated in known ways only, 1 if one was "
       "violated otherwise, 3 if one is worse than the baseline, 4 if a backend cannot run here, 5 "
-      "if one checked nothing, 130 if the run was interrupted.\n\n"
+      "if one checked nothing, 130 if the run was interrupted. Of a run that ended early the code "
+      "says what was found until then.\n\n"
       "Examples:\n"
       "  rastercheck run --backend vulkan:lavapipe --cases 100 --jobs 4\n"
       "  rastercheck run --backend plugin:./mine.so --property '*edge*' --seed 1\n"

@@ -89,12 +89,12 @@ bool is_so(KnownFact fact, const Question& of) {
 }
 
 /// In window pixels, of a vertex with w != 0.
-struct ExactWindowPoint {
+struct RoundedWindowPoint {
   double x;
   double y;
 };
 
-ExactWindowPoint window_point(const Case& c, const ClipVertex& v) {
+RoundedWindowPoint window_point(const Case& c, const ClipVertex& v) {
   const cases::Viewport& viewport = c.viewport;
   const double half_width = double{viewport.width} / 2;
   const double half_height = double{viewport.height} / 2;
@@ -107,7 +107,7 @@ double largest_coordinate(const Question& of) {
   double largest = 0;
   for (const ClipVertex& v : of.vertices()) {
     if (v.w == 0) return std::numeric_limits<double>::infinity();
-    const ExactWindowPoint p = window_point(*of.clip, v);
+    const RoundedWindowPoint p = window_point(*of.clip, v);
     largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   }
   return largest;
@@ -126,7 +126,7 @@ std::optional<double> w_ratio(const Question& of) {
 
 /// Twice the area by the longest edge; which way y points does not matter.
 std::optional<double> height(const Question& of) {
-  std::array<ExactWindowPoint, 3> p{};
+  std::array<RoundedWindowPoint, 3> p{};
   const auto all = of.vertices();
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!(all[i].w > 0)) return std::nullopt;
@@ -134,7 +134,7 @@ std::optional<double> height(const Question& of) {
   }
   double longest = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const ExactWindowPoint& next = p[(i + 1) % p.size()];
+    const RoundedWindowPoint& next = p[(i + 1) % p.size()];
     longest = std::max(longest, std::hypot(next.x - p[i].x, next.y - p[i].y));
   }
   if (longest == 0) return 0;

@@ -35,13 +35,13 @@ struct Mesh {
 };
 
 /// From `low` to `high`, low < high.
-struct Area {
+struct PixelBounds {
   WindowPoint low;
   WindowPoint high;
 };
 
 /// The viewport and 3 to 12 pixels more on every side.
-Area box_about_viewport(Draw& draw, const cases::Case& c) {
+PixelBounds box_about_viewport(Draw& draw, const cases::Case& c) {
   const cases::Viewport& v = c.viewport;
   const double more = double{draw.uniform(3, 12)};
   const double x1 = double{v.x} + double{v.width};
@@ -68,7 +68,7 @@ void add_cells(Draw& draw, Mesh& mesh, int columns, int rows) {
 /// outwards.
 Mesh jittered_grid(Draw& draw, const cases::Case& c) {
   Mesh mesh;
-  const Area box = box_about_viewport(draw, c);
+  const PixelBounds box = box_about_viewport(draw, c);
   const int most = 2 + draw.size() / 20;
   const int columns = draw.between(1, most);
   const int rows = draw.between(1, most);
@@ -92,7 +92,7 @@ Mesh jittered_grid(Draw& draw, const cases::Case& c) {
 /// Cells of whole pixels, from a sample on.
 Mesh grid_on_samples(Draw& draw, const cases::Case& c) {
   Mesh mesh;
-  const Area box = box_about_viewport(draw, c);
+  const PixelBounds box = box_about_viewport(draw, c);
   const WindowPoint sample = visible_sample(draw, c);
   const auto cell_of = [&draw](double size) {
     const int least = std::max(3, static_cast<int>(size / 6));
@@ -162,7 +162,7 @@ void split_edge(Draw& draw, Mesh& mesh, std::size_t at) {
 
 Mesh inserted_points(Draw& draw, const cases::Case& c) {
   Mesh mesh;
-  const Area box = box_about_viewport(draw, c);
+  const PixelBounds box = box_about_viewport(draw, c);
   mesh.add(box.low);
   mesh.add({box.high.u, box.low.v});
   mesh.add(box.high);

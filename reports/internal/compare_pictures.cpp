@@ -45,25 +45,25 @@ std::string step_class(double error) {
 std::string size_text(double size) { return fmt::format("{:.3g}", size); }
 
 /// How one pixel of a picture is shown.
-struct ShownPicture {
+struct ShownPixel {
   std::string style;  ///< its class; empty: nothing is shown
   std::string text;   ///< in words
   bool has_cross = false;
 };
 
-ShownPicture shown_error(const std::optional<float>& value, const std::optional<double>& error) {
+ShownPixel shown_error(const std::optional<float>& value, const std::optional<double>& error) {
   if (!value) return {};
   if (error) return {step_class(*error), size_text(*error) + " ULP off"};
   if (!std::isfinite(*value)) return {"odd", fmt::format("{}", *value), true};
   return {"odd", "drawn, with no exact value", true};
 }
 
-ShownPicture shown_before(const CropCell& cell) {
+ShownPixel shown_before(const CropCell& cell) {
   return shown_error(cell.before, cell.error_before);
 }
-ShownPicture shown_after(const CropCell& cell) { return shown_error(cell.after, cell.error_after); }
+ShownPixel shown_after(const CropCell& cell) { return shown_error(cell.after, cell.error_after); }
 
-ShownPicture shown_change(const CropCell& cell) {
+ShownPixel shown_change(const CropCell& cell) {
   if (!cell.change) return {};
   if (*cell.change == 0) return {"same", "same bits"};
   if (!cell.before) return {"odd", "drawn now only", true};
@@ -119,7 +119,7 @@ std::string picture(const Frame& frame, const std::vector<CropCell>& cells,
       "<figure><svg class=\"crop\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
       inspection.width, inspection.height, html(label));
   for (const CropCell& cell : cells) {
-    const ShownPicture shown = show(cell);
+    const ShownPixel shown = show(cell);
     if (shown.style.empty()) continue;
     const int column = frame.column(cell.x);
     const int row = frame.row(cell.y);
@@ -192,17 +192,16 @@ std::string certain_pictures(const Frame& frame, const std::vector<CropCell>& ce
                             : std::nullopt;
   };
   const std::string most = up_to(largest(cells, least));
-  return text +
-         picture(frame, cells,
-                 fmt::format("Difference, at least: no value of this case was more than {} "
-                             "ULP off, so pixels changed by {} or more",
-                             size_text(reach), most),
-                 "Least difference of new and old, " + most, [&](const CropCell& cell) {
-                   const std::optional<double> size = least(cell);
-                   if (!size) return shown_after(cell);
-                   if (*size == 0) return ShownPicture{"same", "perhaps unchanged"};
-                   return ShownPicture{step_class(*size), size_text(*size) + " ULP at least"};
-                 });
+  return text + picture(frame, cells,
+                        fmt::format("Difference, at least: no value of this case was more than {} "
+                                    "ULP off, so pixels changed by {} or more",
+                                    size_text(reach), most),
+                        "Least difference of new and old, " + most, [&](const CropCell& cell) {
+                          const std::optional<double> size = least(cell);
+                          if (!size) return shown_after(cell);
+                          if (*size == 0) return ShownPixel{"same", "perhaps unchanged"};
+                          return ShownPixel{step_class(*size), size_text(*size) + " ULP at least"};
+                        });
 }
 
 // --- The pixels that changed most ----------------------------------------------------------------

@@ -23,9 +23,13 @@ TEST(ReadText, AnEmptyFileIsAnEmptyText) {
 
 // Kills: a program that fills the memory with what has no end.
 TEST(ReadText, RefusesWhatHasNoEnd) {
-  const Result<std::string> text = read_text("/dev/zero");
+  const Result<std::string> text = read_text("/dev/zero", 100000);
   ASSERT_FALSE(text.has_value());
-  EXPECT_EQ(to_string(text.error()), "/dev/zero: has more than 1073741824 bytes");
+  EXPECT_EQ(to_string(text.error()), "/dev/zero: has more than 100000 bytes");
+  const TemporaryFolder folder;
+  const std::string file = folder.put("ten", "0123456789");
+  EXPECT_TRUE(read_text(file, 10).has_value());
+  EXPECT_FALSE(read_text(file, 9).has_value());
 }
 
 TEST(WriteFile, PutsTheBytesInPlaceOfWhatWasThere) {

@@ -133,6 +133,7 @@ TEST_P(Interrupted, EndsWhateverIsBeingDrawn) {
   while (!std::filesystem::exists(out("unfinished.json"))) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
+  std::this_thread::sleep_for(std::chrono::seconds(1));  // until it draws
   program.kill(SIGTERM);
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.code, 130) << outcome;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -276,6 +277,23 @@ TEST_F(Run, EndsWhenItsTimeIsUpWithAllLawsCheckedAlike) {
                                kCoverage, "--property", "whole*", "--property", "values stay w*"});
   EXPECT_EQ(outcome.code, 0) << outcome;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("The run ended early: "), HasSubstr("--resume")));
+  const json document = run_json();
+  std::map<std::string, std::uint64_t> checked;
+  for (const json& record : document.at("records")) {
+    if (record.at("stratum") == "corpus" || record.at("attribute_kind") != "coverage") continue;
+    const json& cases = record.at("cases");
+    checked[record.at("law")] +=
+        cases.at("checked").get<std::uint64_t>() + cases.at("not_applicable").get<std::uint64_t>();
+  }
+  ASSERT_THAT(checked, SizeIs(3));
+  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t most = 0;
+  for (const auto& [law, cases] : checked) {
+    least = std::min(least, cases);
+    most = std::max(most, cases);
+  }
+  EXPECT_GT(least, 0U);
+  EXPECT_LE(most - least, 10 + most / 16);  // a task
   const Outcome at_once = run({"--cases", "3", "--seed", "1", "--max-time", "0.001"});
   EXPECT_EQ(at_once.code, 5) << at_once;  // nothing was checked
 }

@@ -3,7 +3,7 @@
 //
 //   damaged           loses the last fragment of every draw
 //   damaged:slow      the same, and takes its time, so that a run can be interrupted
-//   damaged:stuck     draws what is right after a minute
+//   damaged:stuck     draws what is right after an hour
 //   damaged:refuses   fails to draw
 //   damaged:absent    cannot run here
 //   damaged:speaks    says of itself what a terminal takes for a command
@@ -44,7 +44,7 @@ class StuckBackend : public DamagedBackend {
  public:
   StuckBackend() : DamagedBackend({}, "cpu") {}
   Result<cases::Framebuffer> draw(const cases::Case& c) override {
-    std::this_thread::sleep_for(std::chrono::minutes(1));
+    std::this_thread::sleep_for(std::chrono::hours(1));
     return DamagedBackend::draw(c);
   }
 };
@@ -115,7 +115,7 @@ std::vector<backends::Listing> list() {
           {"damaged:refuses", "fails to draw", ""},
           {"damaged:slow", "loses the last fragment, slowly", ""},
           {"damaged:speaks", "says what a terminal obeys", ""},
-          {"damaged:stuck", "draws rightly, after a minute", ""},
+          {"damaged:stuck", "draws rightly, after an hour", ""},
           {"damaged:unseen", "draws rightly what is never seen", ""},
           {"damaged:worse", "the same driver, which always loses it", ""}};
 }
