@@ -83,6 +83,7 @@ Result<void> CampaignRun::check_cases(const Execute& execute, const Progress& pr
     return order(tasks_[a]) < order(tasks_[b]);
   });
   std::vector<Task> open;
+  open.reserve(places.size());
   for (const std::size_t place : places) open.push_back(tasks_[place]);
   std::uint64_t done = all - cases_left();
   return execute(open, [&](std::size_t task, Findings found) {

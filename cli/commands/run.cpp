@@ -131,14 +131,14 @@ Result<void> find(const RunOptions& options, Executor& executor,
   if (options.jobs == 1) {
     if (scene) of_scene = judge_scene_of(run, *scene, 1, known);
     if (of_scene) {
-      campaign.add_scene(*std::move(of_scene));
+      campaign.add_scene(*of_scene);
       checked = check_cases();
     }
   } else {
     auto dispatched = std::async(std::launch::async, check_cases);
     if (scene) of_scene = judge_scene_of(run, *scene, static_cast<unsigned>(options.jobs), known);
     checked = dispatched.get();
-    if (of_scene) campaign.add_scene(*std::move(of_scene));
+    if (of_scene) campaign.add_scene(*of_scene);
   }
   if (!of_scene) return tl::unexpected(of_scene.error());
   if (!checked) return checked;
@@ -390,6 +390,16 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   return is_interrupted() && !is_whole ? first_of(code, ExitCode::interrupted) : code;
 }
 
+void add_early_ends(CLI::App& app, RunOptions& options) {
+  app.add_flag("--fail-fast", options.fail_fast, "Ends with the first violation");
+  app.add_option(
+         "--max-time", options.max_time,
+         "Stops checking after so many seconds, with all properties checked about as often, and "
+         "reports what was found; a scene and the reports come on top; --resume goes on")
+      ->check(CLI::Range(kLeastSeconds, kMostSeconds))
+      ->type_name("SECONDS");
+}
+
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<RunOptions>();
   app.add_option("--backend", options->backends,
@@ -440,13 +450,7 @@ Action set_up(CLI::App& app) {
   add_timeout(app, options->timeout);
   app.add_flag("--keep-cases", options->keeps_cases,
                "Keeps what each case gave in run.json, for a baseline and for --format cases");
-  app.add_flag("--fail-fast", options->fail_fast, "Ends with the first violation");
-  app.add_option(
-         "--max-time", options->max_time,
-         "Stops checking after so many seconds, with all properties checked about as often, and "
-         "reports what was found; a scene and the reports come on top; --resume goes on")
-      ->check(CLI::Range(kLeastSeconds, kMostSeconds))
-      ->type_name("SECONDS");
+  add_early_ends(app, *options);
   CLI::Option* rerun =
       app.add_option(
              "--rerun-failed", options->rerun_failed,
