@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -104,6 +105,16 @@ std::optional<float> exact_float(double value) {
   return candidate;
 }
 
-std::string to_hex(float value) { return fmt::format("{:a}", double{value}); }
+std::string to_hex(float value) {
+  const std::string_view sign = std::signbit(value) ? "-" : "";
+  if (!std::isfinite(value)) return fmt::format("{}{}", sign, std::isnan(value) ? "nan" : "inf");
+  // As a double no float32 is subnormal. fmt's own has another zero in each version.
+  constexpr std::size_t kLongest = 16;  // 1.fffffep+127
+  std::array<char, kLongest> digits{};
+  const auto end =
+      std::to_chars(digits.begin(), digits.end(), std::abs(double{value}), std::chars_format::hex)
+          .ptr;
+  return fmt::format("{}0x{}", sign, std::string_view(digits.begin(), end));
+}
 
 }  // namespace rastercheck::cases

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <string_view>
 
 #include "cases/case_reader.h"
 #include "tests/cli/program.h"
@@ -87,14 +88,17 @@ TEST(Import, SaysWhatIsWrongWithTheFormatOfStandardInput) {
             "rastercheck: -: not a mesh: 3DS file is either empty or corrupt: -.3ds\n");
 }
 
-// Kills: reading the file in the program itself, which assimp 5.2.5 ends by a signal over these.
+// Kills: reading the file in the program itself, which assimp 5.2.5 ends by a signal over these;
+// later versions may refuse them, or read them.
 TEST(Import, AFileThatCrashesTheMeshReaderIsRefusedInOneLine) {
+  const bool crashes = std::string_view(RASTERCHECK_ASSIMP_VERSION).starts_with("5.2.");
   for (const char* off :
        {"OFF\n3 1 0\n0 0 0\n2  4 03 \n 11 20 0\n0 4 03 \n 11 2\n",
         "OFF\n3 11 0\n0 0 0\n2 0 0\n0 4 1\n3 0 1  0\n0 0 0\n2 0 0\n0 4 1\n3 0 1 2\n"}) {
     const Outcome outcome = run_program({"import", "-", "--format", "off"}, off);
+    if (!crashes && outcome.code == 0) continue;
     EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
-    EXPECT_TRUE(outcome.err.starts_with("rastercheck: -: the mesh reader ")) << outcome;
+    EXPECT_EQ(outcome.err.starts_with("rastercheck: -: the mesh reader "), crashes) << outcome;
   }
 }
 
