@@ -51,8 +51,8 @@ std::string split_row(std::string_view name, const records::Enclosure& error,
   const std::string text = number_text(error);
   const bool is_above = error.lo > 0;
   return fmt::format(
-      "<tr{}><th scope=\"row\">{}</th><td class=\"number\">{}{}</td><td>{}</td></tr>\n",
-      style, name, is_above ? "+" : "", text, bar_of);
+      "<tr{}><th scope=\"row\">{}</th><td class=\"number\">{}{}</td><td>{}</td></tr>\n", style,
+      name, is_above ? "+" : "", text, bar_of);
 }
 
 }  // namespace
