@@ -30,6 +30,7 @@ REACHING = re.compile(r"^Acquire::(Check-|Languages|Retries|https?::)")
 ON_DEBIAN = """
 set -e
 apt-get install -y -q --no-install-recommends /packages/rastercheck_*.deb
+apt-get install -y -q --no-install-recommends passwd  # Debian 13 does without
 useradd --create-home somebody
 su - somebody -c 'rastercheck list'
 su - somebody -c 'rastercheck run --cases 3 --seed 1 --output out'
