@@ -374,7 +374,8 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   } else {
     run.unreached = properties::unreached_labels(run.laws, promises, run.records);
   }
-  if (!is_interrupted()) {  // Cases are drawn once more for these, however long that takes.
+  // Cases are drawn once more for these, however long that takes. Who goes on gets them later.
+  if (is_whole || !is_interrupted()) {
     const cases::Case* scene = work->scene ? &*work->scene : nullptr;
     const properties::CaseSources sources{work->corpus, work->start.saved, *known, scene};
     run.inspections = properties::inspect_run(run, sources);
