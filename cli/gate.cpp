@@ -16,6 +16,7 @@
 #include "cli/command.h"
 #include "cli/github.h"
 #include "cli/grown_cases.h"
+#include "cli/output.h"
 #include "properties/corpus.h"
 #include "reports/baseline_json.h"
 #include "reports/compare.h"
@@ -131,6 +132,18 @@ void set_commit(GateSide& side, const std::string& commit) {
 Result<reports::Policy> read_policy(const std::string& file) {
   if (file.empty()) return reports::Policy();
   return reports::read_policy(file);
+}
+
+Result<void> check_comparison_files(const std::string& folder,
+                                    std::span<const std::string> inputs) {
+  if (folder.empty()) return {};
+  for (const reports::CompareFormat& format : reports::compare_formats()) {
+    const std::string file = (std::filesystem::path(folder) / format.file_name).string();
+    for (const std::string& input : inputs) {
+      if (Result<void> checked = check_output_file(file, input); !checked) return checked;
+    }
+  }
+  return {};
 }
 
 ExitCode hold_against(const GateSide& baseline, const GateSide& current,

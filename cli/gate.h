@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,10 @@ struct GateOptions {
 
 /// The policy of a file; of none, which has no name, one that allows nothing.
 Result<reports::Policy> read_policy(const std::string& file);
+
+/// Refuses a folder (GateOptions::output) where a file of the comparison would be written over one
+/// of the files that it is made from.
+Result<void> check_comparison_files(const std::string& folder, std::span<const std::string> inputs);
 
 /// Compares, writes and prints, and tells GitHub; `regression` where an entry is worse that the
 /// policy does not allow.

@@ -16,7 +16,7 @@ void print_problem(std::string_view text) noexcept;
 /// closed pipe), so that a cut result is never taken for a whole one.
 Result<void> flush_standard_output();
 
-/// Whether a file may be written where another was read: not over it.
+/// Refuses to write a file over the one that is read, by whatever names.
 Result<void> check_output_file(const std::string& output, const std::string& input);
 
 /// The line that ends a command that wrote a run's folder: the page to look at, or, where HTML is

@@ -1,6 +1,8 @@
 // `rastercheck compare BASELINE CURRENT`: the regression gate.
 
+#include <array>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "cli/command.h"
@@ -41,6 +43,10 @@ ExitCode run(Options options) {
   if (!baseline) return fail(baseline.error());
   const Result<GateSide> current = read_current(options);
   if (!current) return fail(current.error());
+  const auto inputs = std::to_array<std::string>({baseline->file, current->file, options.policy});
+  if (const auto checked = check_comparison_files(options.gate.output, inputs); !checked) {
+    return fail(checked.error());
+  }
   return hold_against(*baseline, *current, options.gate);
 }
 

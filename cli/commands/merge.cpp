@@ -34,8 +34,10 @@ Result<properties::MergedRun> merged_run(const Options& options) {
   properties::ShardMerge merge;
   for (const std::string& shard : options.shards) {
     const std::string file = std::filesystem::is_directory(shard) ? shard + "/run.json" : shard;
-    const Result<void> added = reports::read_run(file).and_then(
-        [&](records::Run run) { return merge.add(std::move(run), file); });
+    const Result<void> added =
+        check_output_file(options.output + "/run.json", file)
+            .and_then([&] { return reports::read_run(file); })
+            .and_then([&](records::Run run) { return merge.add(std::move(run), file); });
     if (!added) return tl::unexpected(added.error());
   }
   return std::move(merge).finish();

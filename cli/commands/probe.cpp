@@ -15,6 +15,7 @@
 #include "cli/backend_failure.h"
 #include "cli/command.h"
 #include "cli/isolation.h"
+#include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/terminal.h"
 #include "cli/whole_number.h"
@@ -121,9 +122,17 @@ void print_table(const records::Probe& probe, bool quiet) {
              probe.failure.empty() ? "" : ": " + cases::one_line(probe.failure));
 }
 
+/// A backend may be a file, as in "plugin:FILE": the contract is not written over that.
+Result<void> check_contract_out(const Options& options) {
+  const std::size_t colon = options.backend.find(':');
+  if (colon == std::string::npos) return {};
+  return check_output_file(options.contract_out, options.backend.substr(colon + 1));
+}
+
 ExitCode run(const Options& options) {
   const Result<properties::ProbeOptions> read = read_options(options);
   if (!read) return fail(read.error());
+  if (const auto checked = check_contract_out(options); !checked) return fail(checked.error());
   isolate_foreign_backends(options.timeout);
   const auto backend = backends::make_backend(options.backend);
   if (!backend) return fail_backend(backend.error());

@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <future>
 #include <memory>
+#include <string>
 
 #include "backends/held_backend.h"
 #include "cases/contract_json.h"
@@ -243,6 +245,12 @@ Result<std::optional<RunGate>> prepare_gate(const CLI::App& app, RunOptions& opt
   if (options.baseline.empty()) return std::nullopt;
   Result<GateSide> baseline = read_side(options.baseline);
   if (!baseline) return tl::unexpected(baseline.error());
+  const auto inputs = std::to_array<std::string>({baseline->file, options.policy});
+  const Result<void> checked =
+      check_output_file(options.output + "/run.json", baseline->file).and_then([&] {
+        return check_comparison_files(options.output, inputs);
+      });
+  if (!checked) return tl::unexpected(checked.error());
   if (!options.resume) {
     const auto taken =
         case_set_for(*baseline, options.backends, environment(options.jobs, 0))

@@ -102,6 +102,22 @@ TEST_F(Compare, PrintsJson) {
   EXPECT_EQ(json::parse(outcome.out)["format"], "rastercheck-comparison");
 }
 
+// Kills: a baseline lost to the comparison with it, or to the run that is held against it.
+TEST_F(Compare, WritesOverNothingItReads) {
+  const std::string baseline = copy("own/compare.json");
+  const Outcome compared = program({"compare", baseline, path("double"), "--output", path("own")});
+  EXPECT_TRUE(is_failure(compared, 2)) << compared;
+  EXPECT_THAT(compared.err,
+              HasSubstr("own/compare.json: is what is read, and would be overwritten"));
+  EXPECT_EQ(folder()->content("own/compare.json"), folder()->content("baseline.json"));
+  const std::string before = folder()->content("double/run.json");
+  const Outcome run = program({"run", "--backend", "method:rational-linear", "--baseline",
+                               path("double"), "--output", path("double")});
+  EXPECT_TRUE(is_failure(run, 2)) << run;
+  EXPECT_THAT(run.err, HasSubstr("double/run.json: is what is read, and would be overwritten"));
+  EXPECT_EQ(folder()->content("double/run.json"), before);
+}
+
 TEST_F(Compare, TakesStandardInputForOneSide) {
   EXPECT_EQ(
       program({"compare", "-", path("double"), "--as", "mine"}, folder()->content("baseline.json"))

@@ -64,6 +64,16 @@ TEST(Probe, RefusesWhatItCannotAskFor) {
   EXPECT_TRUE(is_failure(run_program({"probe", "nothing"}), 2));
 }
 
+// Kills: a plugin lost to the contract that was measured of it.
+TEST(Probe, WritesNoContractOverItsPlugin) {
+  const TemporaryFolder folder;
+  const std::string plugin = folder.put("mine.so", "the plugin");
+  const Outcome over = run_program({"probe", "plugin:" + plugin, "--contract-out", plugin});
+  EXPECT_TRUE(is_failure(over, 2)) << over;
+  EXPECT_THAT(over.err, HasSubstr("mine.so: is what is read, and would be overwritten"));
+  EXPECT_EQ(folder.content("mine.so"), "the plugin");
+}
+
 TEST(Probe, SaysThatABackendIsNotThere) {
   const Outcome probe = run_program({"probe", "plugin:/nowhere/at/all.so"});
   EXPECT_NE(probe.code, 0) << probe;

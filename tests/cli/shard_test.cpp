@@ -242,6 +242,18 @@ TEST_F(Shard, IsMergedFromFilesIntoTheFormatsAskedFor) {
 
 // --- What is refused -----------------------------------------------------------------------------
 
+// Kills: a shard lost to the run that it is merged to.
+TEST_F(Shard, IsNotWrittenOverByTheMerge) {
+  const std::string shard = folder_.path("shard1");
+  run_small(1, 1);
+  const std::string before = folder_.content("shard1/run.json");
+  ASSERT_NE(before, "");
+  const Outcome outcome = run_program({"merge", shard, "--output", shard});
+  EXPECT_TRUE(is_failure(outcome, 2)) << outcome;
+  EXPECT_THAT(outcome.err, HasSubstr("run.json: is what is read, and would be overwritten"));
+  EXPECT_EQ(folder_.content("shard1/run.json"), before);
+}
+
 TEST_F(Shard, HasToBeOneThatThereIs) {
   for (const char* shard : {"0/3", "4/3", "1/0", "1/4097"}) {
     const Outcome outcome = run("out", {"--seed", "1", "--shard", shard});
