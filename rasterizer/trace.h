@@ -66,7 +66,7 @@ enum class Decision {
   exactly,           ///< by a sum without rounding, or the fill rule
   in_whole_numbers,  ///< on the subpixel grid
   clipped,           ///< inside the edges, and beyond a clip plane
-  by_span,           ///< between the ends of its row's span (rasterizer/internal/convex_scan.h)
+  by_span,  ///< between the ends of its row's span (rasterizer/methods/internal/convex_scan.h)
 };
 
 /// An attribute, or depth. It comes from planes, from the lines of the trace, or from neither: then

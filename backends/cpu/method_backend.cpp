@@ -15,7 +15,7 @@ namespace {
 
 namespace ras = rasterizer;
 
-/// Half widths of the viewport that methods clip to (rasterizer/internal/clip_polygon.h).
+/// Half widths of the viewport that methods clip to (rasterizer/methods/internal/clip_polygon.h).
 constexpr double kGuardBand = 0x1p10;
 
 /// The magnitudes of the terms of x_a y_b − x_b y_a.
@@ -104,13 +104,13 @@ cases::ValueBound value_bound(const ras::MethodBound& bound, double more) {
 /// What scan conversion in double of clipped polygons makes of a contract.
 ///
 /// Positions. Vertices are off by a few roundings of a double, and crossings with rows by
-/// 11 · 2^-53 of the edge's farthest coordinate (rasterizer/internal/convex_scan.h), which lies
-/// within 2^10 half widths around the viewport's middle. The position error granted, 2^-24 pixels,
-/// takes that in for viewports up to 2^14; the grid of 2^-16 pixels is only how the contract says
-/// where vertices may be. What clipping adds grows with the amplification A of the triangle's
-/// numbers, 2^-50 A half widths for a new vertex: the clip tolerance. An edge carries its values
-/// along, so what its errors do to values lies within the range that moving the vertices leaves
-/// open.
+/// 11 · 2^-53 of the edge's farthest coordinate (rasterizer/methods/internal/convex_scan.h), which
+/// lies within 2^10 half widths around the viewport's middle. The position error granted, 2^-24
+/// pixels, takes that in for viewports up to 2^14; the grid of 2^-16 pixels is only how the
+/// contract says where vertices may be. What clipping adds grows with the amplification A of the
+/// triangle's numbers, 2^-50 A half widths for a new vertex: the clip tolerance. An edge carries
+/// its values along, so what its errors do to values lies within the range that moving the vertices
+/// leaves open.
 ///
 /// Values. A clipped vertex has r w and z off by 2^-60 A of themselves, the guard band being 2^10,
 /// so that A 2^-34 scale ULP come on top of what is off anyhow; of depth that is, besides the

@@ -35,8 +35,8 @@
 // Operations for two attributes, and the divisions among them:
 //   clipless-homogeneous: 14 (2) per pixel, 63 per polygon
 
-#include "rasterizer/internal/homogeneous_planes.h"
-#include "rasterizer/internal/point_drawing.h"
+#include "rasterizer/methods/internal/homogeneous_planes.h"
+#include "rasterizer/methods/internal/point_drawing.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {

@@ -54,8 +54,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "rasterizer/internal/point_drawing.h"
-#include "rasterizer/internal/polygon_drawing.h"
+#include "rasterizer/methods/internal/point_drawing.h"
+#include "rasterizer/methods/internal/polygon_drawing.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {

@@ -41,8 +41,8 @@
 #include <cstddef>
 #include <span>
 
-#include "rasterizer/internal/homogeneous_planes.h"
-#include "rasterizer/internal/point_drawing.h"
+#include "rasterizer/methods/internal/homogeneous_planes.h"
+#include "rasterizer/methods/internal/point_drawing.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {

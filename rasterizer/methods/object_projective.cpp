@@ -44,7 +44,7 @@
 #include <glm/vec3.hpp>
 
 #include "rasterizer/internal/checked_draw.h"
-#include "rasterizer/internal/point_drawing.h"
+#include "rasterizer/methods/internal/point_drawing.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "rasterizer/internal/checked_draw.h"
-#include "rasterizer/internal/clip_polygon.h"
 #include "rasterizer/internal/determinant.h"
+#include "rasterizer/methods/internal/clip_polygon.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {

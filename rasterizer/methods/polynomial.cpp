@@ -58,7 +58,7 @@
 #include <optional>
 #include <span>
 
-#include "rasterizer/internal/polygon_drawing.h"
+#include "rasterizer/methods/internal/polygon_drawing.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {

@@ -79,7 +79,7 @@
 // Operations for two attributes, and the divisions among them:
 //   projective-inference: 16 (2) per pixel, 143 (6) per polygon
 
-#include "rasterizer/internal/projective_inference.h"
+#include "rasterizer/methods/internal/projective_inference.h"
 
 #include <algorithm>
 #include <array>
@@ -91,7 +91,7 @@
 #include <span>
 
 #include "rasterizer/internal/determinant.h"
-#include "rasterizer/internal/point_drawing.h"
+#include "rasterizer/methods/internal/point_drawing.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {

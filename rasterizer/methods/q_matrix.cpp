@@ -55,8 +55,8 @@
 #include <cstddef>
 #include <span>
 
-#include "rasterizer/internal/point_drawing.h"
-#include "rasterizer/internal/wide_float.h"
+#include "rasterizer/methods/internal/point_drawing.h"
+#include "rasterizer/methods/internal/wide_float.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {

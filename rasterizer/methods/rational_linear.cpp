@@ -50,9 +50,9 @@
 // that has no bound, so r is held to the range of the polygon's vertices, and |δr| <= 2 M there:
 // with ε > 1/2 that is less than 2 (23 + 2 n) u g M, so that c = 2 serves everywhere.
 //
-// Measured on random triangles (tests/rasterizer/rational_linear_variants_test.cpp): float32 is off
-// by 3 scale ULP, whether w goes to 1.5 or to 2^20; increments, w up to 4, by 19 in rows of 64
-// pixels and by 3661 in rows of 8192.
+// Measured on random triangles (tests/rasterizer/methods/rational_linear_variants_test.cpp):
+// float32 is off by 3 scale ULP, whether w goes to 1.5 or to 2^20; increments, w up to 4, by 19 in
+// rows of 64 pixels and by 3661 in rows of 8192.
 //
 // What they do not do, besides what polygon_drawing.h does not: seed 002's reciprocal and products
 // in place of the n divisions per pixel. They cost a rounding more.
@@ -70,7 +70,7 @@
 #include <span>
 #include <type_traits>
 
-#include "rasterizer/internal/polygon_drawing.h"
+#include "rasterizer/methods/internal/polygon_drawing.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {

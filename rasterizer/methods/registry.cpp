@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "rasterizer/internal/checked_draw.h"
-#include "rasterizer/internal/method_tap.h"
+#include "rasterizer/methods/internal/method_tap.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {

@@ -40,7 +40,7 @@
 #include <cstddef>
 #include <span>
 
-#include "rasterizer/internal/polygon_drawing.h"
+#include "rasterizer/methods/internal/polygon_drawing.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {

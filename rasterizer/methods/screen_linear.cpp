@@ -46,7 +46,7 @@
 #include <cstddef>
 #include <span>
 
-#include "rasterizer/internal/point_drawing.h"
+#include "rasterizer/methods/internal/point_drawing.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {

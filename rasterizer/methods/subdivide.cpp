@@ -84,8 +84,8 @@
 #include <span>
 #include <string_view>
 
-#include "rasterizer/internal/counted.h"
-#include "rasterizer/internal/point_drawing.h"
+#include "rasterizer/methods/internal/counted.h"
+#include "rasterizer/methods/internal/point_drawing.h"
 #include "rasterizer/methods/method.h"
 
 namespace rastercheck::rasterizer {

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "rasterizer/internal/counted.h"
+#include "rasterizer/methods/internal/counted.h"
 #include "rasterizer/methods/method.h"
 #include "tests/rasterizer/small_draw.h"
 

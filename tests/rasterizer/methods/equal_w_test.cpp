@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "rasterizer/internal/homogeneous_planes.h"
+#include "rasterizer/methods/internal/homogeneous_planes.h"
 #include "tests/rasterizer/exact.h"
-#include "tests/rasterizer/method_draw.h"
+#include "tests/rasterizer/methods/method_draw.h"
 
 namespace rastercheck::rasterizer::equal_w_test {
 namespace {

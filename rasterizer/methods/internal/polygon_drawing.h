@@ -64,8 +64,8 @@
 #include <cstddef>
 #include <span>
 
-#include "rasterizer/internal/convex_scan.h"
-#include "rasterizer/internal/counted.h"
+#include "rasterizer/methods/internal/convex_scan.h"
+#include "rasterizer/methods/internal/counted.h"
 #include "rasterizer/methods/method.h"
 #include "rasterizer/rasterizer.h"
 

@@ -1,9 +1,9 @@
-#include "rasterizer/internal/projective_inference.h"
+#include "rasterizer/methods/internal/projective_inference.h"
 
 #include <gtest/gtest.h>
 
-#include "rasterizer/internal/counted.h"
-#include "tests/rasterizer/method_draw.h"
+#include "rasterizer/methods/internal/counted.h"
+#include "tests/rasterizer/methods/method_draw.h"
 
 namespace rastercheck::rasterizer::projective_inference_test {
 namespace {

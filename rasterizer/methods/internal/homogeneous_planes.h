@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <span>
 
-#include "rasterizer/internal/point_drawing.h"
+#include "rasterizer/methods/internal/point_drawing.h"
 #include "rasterizer/methods/q_matrix.h"
 #include "rasterizer/rasterizer.h"
 

@@ -1,4 +1,4 @@
-#include "rasterizer/internal/convex_scan.h"
+#include "rasterizer/methods/internal/convex_scan.h"
 
 #include <algorithm>
 #include <limits>

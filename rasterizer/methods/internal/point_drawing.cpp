@@ -1,4 +1,4 @@
-#include "rasterizer/internal/point_drawing.h"
+#include "rasterizer/methods/internal/point_drawing.h"
 
 #include <cmath>
 #include <cstdint>
@@ -6,9 +6,9 @@
 #include <glm/vec4.hpp>
 
 #include "rasterizer/internal/drawing.h"
-#include "rasterizer/internal/method_tap.h"
 #include "rasterizer/internal/standard_pattern.h"
-#include "rasterizer/internal/window_map.h"
+#include "rasterizer/methods/internal/method_tap.h"
+#include "rasterizer/methods/internal/window_map.h"
 
 namespace rastercheck::rasterizer {
 namespace {

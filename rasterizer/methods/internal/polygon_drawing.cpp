@@ -1,4 +1,4 @@
-#include "rasterizer/internal/polygon_drawing.h"
+#include "rasterizer/methods/internal/polygon_drawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,14 +9,14 @@
 #include <numeric>
 #include <optional>
 
-#include "rasterizer/internal/clip_polygon.h"
 #include "rasterizer/internal/determinant.h"
 #include "rasterizer/internal/discard.h"
 #include "rasterizer/internal/draw_bounds.h"
 #include "rasterizer/internal/draw_setting.h"
-#include "rasterizer/internal/method_tap.h"
 #include "rasterizer/internal/standard_pattern.h"
-#include "rasterizer/internal/window_map.h"
+#include "rasterizer/methods/internal/clip_polygon.h"
+#include "rasterizer/methods/internal/method_tap.h"
+#include "rasterizer/methods/internal/window_map.h"
 #include "rasterizer/methods/polygon.h"
 
 namespace rastercheck::rasterizer {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tests/rasterizer/method_draw.h"
+#include "tests/rasterizer/methods/method_draw.h"
 
 namespace rastercheck::rasterizer::clipless_homogeneous_test {
 namespace {

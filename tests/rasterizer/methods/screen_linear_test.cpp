@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "tests/rasterizer/method_draw.h"
+#include "tests/rasterizer/methods/method_draw.h"
 
 namespace rastercheck::rasterizer::screen_linear_test {
 namespace {

@@ -12,7 +12,7 @@
 // cancellation: z on a depth plane, w on the guard band (where w may be G times smaller than at the
 // ends, and its error from the formula above as many times larger).
 
-#include "rasterizer/internal/clip_polygon.h"
+#include "rasterizer/methods/internal/clip_polygon.h"
 
 #include <utility>
 

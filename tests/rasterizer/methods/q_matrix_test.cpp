@@ -17,7 +17,7 @@
 #include <limits>
 #include <utility>
 
-#include "tests/rasterizer/method_draw.h"
+#include "tests/rasterizer/methods/method_draw.h"
 
 namespace rastercheck::rasterizer::q_matrix_test {
 namespace {

@@ -43,7 +43,7 @@
 #include <cstdint>
 #include <span>
 
-#include "rasterizer/internal/counted.h"
+#include "rasterizer/methods/internal/counted.h"
 #include "rasterizer/methods/method.h"
 #include "rasterizer/rasterizer.h"
 

@@ -1,7 +1,7 @@
 // Traces of samples drawn by the textbook methods: of each what it draws, and of each kind what it
 // tells besides.
 
-#include "rasterizer/internal/method_tap.h"
+#include "rasterizer/methods/internal/method_tap.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "rasterizer/methods/method.h"
-#include "tests/rasterizer/method_draw.h"
+#include "tests/rasterizer/methods/method_draw.h"
 #include "tests/rasterizer/small_draw.h"
 
 namespace rastercheck::rasterizer::method_tap_test {

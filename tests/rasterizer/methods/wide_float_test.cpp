@@ -1,4 +1,4 @@
-#include "rasterizer/internal/wide_float.h"
+#include "rasterizer/methods/internal/wide_float.h"
 
 #include <gtest/gtest.h>
 
