@@ -25,26 +25,26 @@ bool matches(const std::string& name, const std::string& pattern) {
   return ::fnmatch(pattern.c_str(), name.c_str(), FNM_EXTMATCH) == 0;
 }
 
-/// The laws whose names match one of the patterns; "@(this|that)" matches either. Fails where one
-/// matches none.
+/// The ids of the laws that match one of the patterns; "@(this|that)" matches either. Fails where a
+/// pattern matches none.
 Result<std::vector<std::string>> chosen_laws(const std::vector<std::string>& patterns) {
   const std::span<const properties::Law> laws = properties::laws();
   for (const std::string& pattern : patterns) {
-    const auto is_meant = [&](const auto& law) { return matches(std::string(law.name), pattern); };
+    const auto is_meant = [&](const auto& law) { return matches(std::string(law.id), pattern); };
     if (std::none_of(laws.begin(), laws.end(), is_meant)) {
       return tl::unexpected(
           Error{"--property", cases::printable(pattern),
-                "is no property's whole name; a part of one has stars around it, as '*edge*' (see "
+                "no property has this id; stars match the rest of one, as in '*edge*' (see "
                 "rastercheck list properties)"});
     }
   }
-  std::vector<std::string> names;
+  std::vector<std::string> ids;
   for (const properties::Law& law : laws) {
-    const std::string name(law.name);
-    const auto is_of = [&](const std::string& pattern) { return matches(name, pattern); };
-    if (std::any_of(patterns.begin(), patterns.end(), is_of)) names.push_back(name);
+    std::string id(law.id);
+    const auto is_of = [&](const std::string& pattern) { return matches(id, pattern); };
+    if (std::any_of(patterns.begin(), patterns.end(), is_of)) ids.push_back(std::move(id));
   }
-  return names;
+  return ids;
 }
 
 /// The same without those that were there before: twice the same is no more work.

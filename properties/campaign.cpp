@@ -119,7 +119,7 @@ std::vector<records::UnreachedLabel> unreached_labels(const Law& law,
                                                       const records::RecordSet& records) {
   // Shares were measured of backends that draw every case.
   if (promises.has_limits) return {};
-  const std::string law_name(law.name);
+  const std::string law_name(law.id);
   const auto [checked, labels] = random_labels(records, law_name, promises.backend);
   std::vector<records::UnreachedLabel> unreached;
   for (const Cover& cover : law.covers) {
@@ -249,7 +249,7 @@ NumberedCase TaskRunner::numbered_case(const Task& task, const Law& law, std::ui
     return {source, std::string(records::kSavedStratum), source.found->index,
             records::Origin::saved};
   }
-  Draw draw(seed_, law.name, i);
+  Draw draw(seed_, law.id, i);
   Generated generated = law.generate(draw);
   return {std::move(generated.source), std::move(generated.stratum), i, records::Origin::random};
 }

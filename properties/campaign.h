@@ -42,7 +42,7 @@ constexpr auto names_of(TaskKind /*type*/) {
 /// single case of its own.
 struct Task {
   std::string backend;  ///< specification
-  std::string law;      ///< name
+  std::string law;      ///< id
   TaskKind kind = TaskKind::random;
   std::uint64_t first = 0;  ///< index of the first case; of known ones of the entry
   std::uint64_t last = 0;   ///< one past the last

@@ -89,7 +89,7 @@ void keep_counterexample(const Law& law, const std::string& specification,
                          backends::Backend& backend, std::uint64_t seed,
                          const NumberedCase& numbered, const Check& check, Findings& findings,
                          const KnownDefects* known) {
-  cases::Found place{std::string(law.name), specification, verdict_of(check), seed, numbered.index};
+  cases::Found place{std::string(law.id), specification, verdict_of(check), seed, numbered.index};
   // A saved counterexample tells where it was found at first.
   if (numbered.origin == records::Origin::saved && numbered.source.found) {
     place.seed = numbered.source.found->seed;
@@ -148,8 +148,8 @@ records::Record& count_check(const Law& law, const std::string& specification,
                              const backends::Backend& backend, const std::string& stratum,
                              const Check& check, Findings& findings) {
   if (check.fault && !findings.fault) findings.fault = check.fault;
-  const records::RecordKey key{std::string(law.name), specification,
-                               records::AttributeKind::coverage, stratum};
+  const records::RecordKey key{std::string(law.id), specification, records::AttributeKind::coverage,
+                               stratum};
   records::Record& record = findings.records[key];
   if (!check.is_applicable) {
     count_not_applicable(reason_of(law, backend, check), record);
@@ -173,7 +173,7 @@ CaseOutcome outcome_of(const Check& check) {
 void keep_case(const Law& law, const std::string& specification, const NumberedCase& numbered,
                const Check& check, Findings& findings) {
   if (!findings.cases) return;
-  const std::string name(law.name);
+  const std::string name(law.id);
   records::CaseRecord record;
   record.name = numbered.source.name;
   record.stratum = numbered.stratum;
@@ -211,7 +211,7 @@ void check_case(const Law& law, const std::string& specification, backends::Back
   if (backend.is_lost()) {
     // Its counterexamples are those that it was lost by.
     records::Record& record = findings.records[{
-        std::string(law.name), specification, records::AttributeKind::coverage, numbered.stratum}];
+        std::string(law.id), specification, records::AttributeKind::coverage, numbered.stratum}];
     if (!is_promised(law, backend)) {
       count_not_applicable(reason_of(law, backend, {}), record);
       keep_case(law, specification, numbered, not_applicable(""), findings);
@@ -260,7 +260,7 @@ void check_known_case(const Law& law, const std::string& specification, backends
     return;
   }
   keep(findings,
-       records::UnexpectedPass{specification, id, std::string(law.name), known.is_same_version()});
+       records::UnexpectedPass{specification, id, std::string(law.id), known.is_same_version()});
   if (known.is_same_version()) ++record.cases.violations;
 }
 

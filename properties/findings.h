@@ -16,8 +16,8 @@
 namespace rastercheck::properties {
 
 /// The laws that speak of whatever is drawn of a case as it stands.
-inline constexpr std::string_view kCoverageLaw = "coverage obeys the contract";
-inline constexpr std::string_view kValuesLaw = "values stay within the bound";
+inline constexpr std::string_view kCoverageLaw = "coverage-obeys-the-contract";
+inline constexpr std::string_view kValuesLaw = "values-stay-within-the-bound";
 
 /// What part of a campaign found.
 struct Findings {

@@ -61,7 +61,7 @@ std::string unknown_law(const KnownEntry& entry) {
   for (const std::string& pattern : entry.laws) {
     const auto all = laws();
     const bool is_there = std::any_of(all.begin(), all.end(), [&pattern](const Law& law) {
-      return ::fnmatch(pattern.c_str(), std::string(law.name).c_str(), 0) == 0;
+      return ::fnmatch(pattern.c_str(), std::string(law.id).c_str(), 0) == 0;
     });
     if (!is_there) return pattern;
   }
@@ -150,7 +150,7 @@ void tell_known(const KnownDefects& known, const Law& law, const cases::Case& c,
   if (!clip) return;
   std::set<std::string> ids;
   const auto is_new = [&](const Violation& violation) {
-    const std::vector<std::string> of = entries_of(known, law.name, *clip, violation);
+    const std::vector<std::string> of = entries_of(known, law.id, *clip, violation);
     ids.insert(of.begin(), of.end());
     return of.empty();
   };

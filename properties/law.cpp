@@ -18,15 +18,15 @@ std::vector<Law>& law_registry() {
 
 LawRegistration::LawRegistration(const Law& law) {
   const auto after = std::find_if(law_registry().begin(), law_registry().end(),
-                                  [&law](const Law& other) { return other.name > law.name; });
+                                  [&law](const Law& other) { return other.id > law.id; });
   law_registry().insert(after, law);
 }
 
 std::span<const Law> laws() { return law_registry(); }
 
-const Law* find_law(std::string_view name) {
+const Law* find_law(std::string_view id) {
   const auto found = std::find_if(law_registry().begin(), law_registry().end(),
-                                  [name](const Law& law) { return law.name == name; });
+                                  [id](const Law& law) { return law.id == id; });
   return found == law_registry().end() ? nullptr : &*found;
 }
 

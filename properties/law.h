@@ -3,7 +3,8 @@
 // Laws: what has to hold of every case, stated as a sentence. A file in properties/laws/ defines
 // one and registers it:
 //
-//   const LawRegistration kRegistration({.name = "constants stay constant",
+//   const LawRegistration kRegistration({.id = "constants-stay-constant",
+//                                        .sentence = "constants stay constant",
 //                                        .reason = "Σ c e_i / Σ e_i is c.",
 //                                        .exceptions = "flat attributes, which are copies",
 //                                        .generate = &generate,
@@ -74,8 +75,11 @@ constexpr Cover cover_decided(int percent, std::string_view label) {
 }
 
 struct Law {
-  /// The sentence; also the name that cases, records and --property know it by.
-  std::string_view name;
+  /// Never changes: cases are drawn from it, and records, baselines, lists of known defects and
+  /// --property know the law by it. Lower-case letters, digits and hyphens.
+  std::string_view id;
+  /// What has to hold, for readers; may be said better at any time.
+  std::string_view sentence;
   /// Why it holds, for readers of docs/properties.md; the file's opening comment has the proof.
   std::string_view reason;
   /// What it says nothing of: cases, samples, attributes, backends.
@@ -115,10 +119,10 @@ bool is_promised(const Law& law, const backends::Backend& backend);
 records::BackendPromises promises_of(const std::string& name, const backends::Backend* backend,
                                      std::span<const std::string> laws);
 
-/// All laws, in the order of their names.
+/// All laws, in the order of their ids.
 std::span<const Law> laws();
-/// The law of a name; nullptr where there is none.
-const Law* find_law(std::string_view name);
+/// The law of an id; nullptr where there is none.
+const Law* find_law(std::string_view id);
 
 struct LawRegistration {
   explicit LawRegistration(const Law& law);

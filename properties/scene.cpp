@@ -180,10 +180,10 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
   result.map = reader.take_map();
 
   for (const Law* law : scene_laws(laws)) {
-    const bool is_coverage = law->name == kCoverageLaw;
-    const records::RecordKey key{std::string(law->name), specification,
+    const bool is_coverage = law->id == kCoverageLaw;
+    const records::RecordKey key{std::string(law->id), specification,
                                  records::AttributeKind::coverage, numbered.stratum};
-    const SceneReader::Few& few = reader.of(law->name);
+    const SceneReader::Few& few = reader.of(law->id);
     records::add(result.findings.records, key,
                  is_coverage ? coverage_part(judged.judgement) : judged.judgement);
     records::Record& record = result.findings.records[key];

@@ -21,16 +21,16 @@
 
 namespace rastercheck::properties {
 
-/// The names of all laws. GoogleTest asks for it when main() runs: until then not all laws have
+/// The ids of all laws. GoogleTest asks for it when main() runs: until then not all laws have
 /// registered themselves. Where none is linked there is a test all the same, which fails.
-inline std::vector<std::string> names_of_laws() {
-  std::vector<std::string> names;
-  for (const Law& law : laws()) names.emplace_back(law.name);
-  if (names.empty()) names.emplace_back("there are laws");
-  return names;
+inline std::vector<std::string> ids_of_laws() {
+  std::vector<std::string> ids;
+  for (const Law& law : laws()) ids.emplace_back(law.id);
+  if (ids.empty()) ids.emplace_back("there are laws");
+  return ids;
 }
 
-/// A law's name in the letters, digits and underscores that GoogleTest takes.
+/// A law's id in the letters, digits and underscores that GoogleTest takes.
 inline std::string law_test_name(const testing::TestParamInfo<std::string>& test) {
   std::string name;
   for (const char c : test.param) {
@@ -73,17 +73,16 @@ inline void test_law(const std::string& law, const std::string& backend, const M
 
 /// The same of what a callable makes, a std::unique_ptr to a backend; `Name`, an identifier, is
 /// what the suite is called. The backend is made anew for each test.
-#define RASTERCHECK_GTEST_SUITE_OF(Name, ...)                                                  \
-  static std::unique_ptr<::rastercheck::backends::Backend> rastercheck_make_##Name() {         \
-    return (__VA_ARGS__)();                                                                    \
-  }                                                                                            \
-  namespace rastercheck_suites { /* where the suite may have the name of the class */          \
-  class Name : public ::testing::TestWithParam<::std::string> {};                              \
-  TEST_P(Name, law) {                                                                          \
-    ::rastercheck::properties::test_law(GetParam(), #Name, &rastercheck_make_##Name, __FILE__, \
-                                        __LINE__);                                             \
-  }                                                                                            \
-  INSTANTIATE_TEST_SUITE_P(, Name,                                                             \
-                           ::testing::ValuesIn(::rastercheck::properties::names_of_laws()),    \
-                           &::rastercheck::properties::law_test_name);                         \
+#define RASTERCHECK_GTEST_SUITE_OF(Name, ...)                                                     \
+  static std::unique_ptr<::rastercheck::backends::Backend> rastercheck_make_##Name() {            \
+    return (__VA_ARGS__)();                                                                       \
+  }                                                                                               \
+  namespace rastercheck_suites { /* where the suite may have the name of the class */             \
+  class Name : public ::testing::TestWithParam<::std::string> {};                                 \
+  TEST_P(Name, law) {                                                                             \
+    ::rastercheck::properties::test_law(GetParam(), #Name, &rastercheck_make_##Name, __FILE__,    \
+                                        __LINE__);                                                \
+  }                                                                                               \
+  INSTANTIATE_TEST_SUITE_P(, Name, ::testing::ValuesIn(::rastercheck::properties::ids_of_laws()), \
+                           &::rastercheck::properties::law_test_name);                            \
   }

@@ -122,7 +122,7 @@ std::string counterexample_text(const Law& law, const Counterexample& one,
   const cases::Case& c = one.source;
   std::string text =
       fmt::format("{} violates the law “{}”: {}\n  The law: {}\n  Found in {}.\n", c.found->backend,
-                  law.name, c.found->verdict, law.reason, history_text(one, c.name));
+                  law.sentence, c.found->verdict, law.reason, history_text(one, c.name));
   if (!one.violations.empty()) text += violation_text(one.violations.front(), c);
   if (one.violation_count > 1) {
     text += fmt::format("  … {} violations in all\n", one.violation_count);
@@ -140,7 +140,8 @@ std::string findings_text(const Law& law, backends::Backend& backend, const Find
     shrink_counterexample(law, backend, found, shrink_limits(options.shrinking, found), shrunk);
   }
   const std::optional<std::string>& fault = findings.fault ? findings.fault : shrunk.fault;
-  if (fault) return fmt::format("“{}” could not be tried: {}", law.name, cases::printable(*fault));
+  if (fault)
+    return fmt::format("“{}” could not be tried: {}", law.sentence, cases::printable(*fault));
   return counterexample_text(law, shrunk.counterexamples.front(), options);
 }
 
@@ -157,7 +158,7 @@ Findings check_cases(const Law& law, const std::string& name, backends::Backend&
                findings);
   }
   for (std::uint64_t i = 0; i < options.cases && !is_over(); ++i) {
-    Draw draw(options.seed, law.name, i);
+    Draw draw(options.seed, law.id, i);
     Generated generated = law.generate(draw);
     check_case(law, name, backend, options.seed,
                {std::move(generated.source), std::move(generated.stratum), i}, findings);
@@ -181,7 +182,8 @@ std::string unreached_text(const Law& law, const std::string& name,
                         one.label, one.reached, one.checked, one.least);
   }
   if (text.empty()) return text;
-  return fmt::format("{} violates “{}” nowhere, but was hardly tested:\n{}", name, law.name, text);
+  return fmt::format("{} violates “{}” nowhere, but was hardly tested:\n{}", name, law.sentence,
+                     text);
 }
 
 }  // namespace
@@ -215,7 +217,7 @@ Trial try_law(const Law& law, const std::string& name, const MakeBackend& make,
   if (!is_promised(law, *backend)) {
     return {Trial::Outcome::skipped,
             fmt::format("{} does not promise what “{}” is about, which says nothing of: {}", name,
-                        law.name, law.exceptions)};
+                        law.sentence, law.exceptions)};
   }
 
   const Findings findings = check_cases(law, name, *backend, corpus, options);
@@ -223,12 +225,12 @@ Trial try_law(const Law& law, const std::string& name, const MakeBackend& make,
     return {Trial::Outcome::failed, findings_text(law, *backend, findings, options)};
   }
   if (const std::optional<Error> lost = backend->is_lost()) {
-    return {Trial::Outcome::failed, fmt::format("“{}” could not be tried: {}", law.name,
+    return {Trial::Outcome::failed, fmt::format("“{}” could not be tried: {}", law.sentence,
                                                 cases::printable(to_string(*lost)))};
   }
   if (checked_cases(findings.records) == 0) {
     return {Trial::Outcome::skipped,
-            fmt::format("nothing was checked: “{}” says nothing of any of {} cases", law.name,
+            fmt::format("nothing was checked: “{}” says nothing of any of {} cases", law.sentence,
                         corpus.size() + options.cases)};
   }
   std::string unreached = unreached_text(law, name, *backend, findings.records);

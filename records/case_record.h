@@ -20,7 +20,7 @@ namespace rastercheck::records {
 
 /// Which case of which law on which backend.
 struct CaseKey {
-  std::string law;      ///< the property's name
+  std::string law;      ///< the property's id
   std::string backend;  ///< as given on the command line
   Origin origin = Origin::random;
   std::uint64_t index = 0;  ///< of its law and seed, or in the corpus

@@ -77,7 +77,7 @@ struct KnownEntry {
   std::string reason;                   ///< one sentence
   std::string rule;                     ///< the section of the specification that it breaks
   std::string finding;                  ///< anchor in docs/findings.md
-  std::vector<std::string> laws;        ///< names, or patterns as of the shell
+  std::vector<std::string> laws;        ///< ids, or patterns as of the shell
   std::vector<FragmentClass> verdicts;  ///< classes that its violations have
   KnownConditions when;
   std::string case_file;  ///< that shows it, relative to the list's folder

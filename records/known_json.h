@@ -5,7 +5,7 @@
 //   {"format": "rastercheck-known", "version": 1,
 //    "driver": {"name": "llvmpipe", "version": "Mesa 22.3.6"},
 //    "entries": [{"id": "llvmpipe-1", "reason": "…", "rule": "OpenGL 4.6, 14.6.1",
-//                 "finding": "llvmpipe-1", "laws": ["values stay within the bound", "*edge*"],
+//                 "finding": "llvmpipe-1", "laws": ["values-stay-within-the-bound", "*edge*"],
 //                 "verdicts": ["beyond bound"],
 //                 "when": {"nonpositive_w": true, "samples": [2, 4], "error_at_most": 1000},
 //                 "case": "known/llvmpipe-1.json"}]}

@@ -29,7 +29,7 @@ inline constexpr std::string_view kSceneStratum = "scene ";
 
 /// What a record is of; records are ordered by these, first to last.
 struct RecordKey {
-  std::string law;      ///< the property's name
+  std::string law;      ///< the property's id
   std::string backend;  ///< as given on the command line
   AttributeKind attribute_kind = AttributeKind::coverage;
   std::string stratum;  ///< the part of the law's cases, as its generator names them

@@ -31,6 +31,11 @@ std::string shard_sentence(const Run& run) {
 
 }  // namespace
 
+const std::string& sentence_of(const Run& run, const std::string& law) {
+  const auto found = run.sentences.find(law);
+  return found == run.sentences.end() ? law : found->second;
+}
+
 std::string unreached_sentence(const UnreachedLabel& label) {
   return fmt::format("Not reached: {} on {}: '{}' in {} of {} cases, where at least {} had to.",
                      label.law, label.backend, label.label, label.reached, label.checked,

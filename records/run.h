@@ -45,15 +45,17 @@ struct UnreachedLabel {
 /// drawing may be judged otherwise. Figures of two versions are not compared.
 inline constexpr std::uint64_t kRulesVersion = 1;
 /// The version of the form in which records are kept.
-inline constexpr std::uint64_t kRecordsVersion = 1;
+inline constexpr std::uint64_t kRecordsVersion = 2;
 
 struct Run {
   std::uint64_t rules_version = kRulesVersion;
   std::uint64_t seed = 0;
   std::uint64_t cases_per_law = 0;
   std::vector<std::string> backends;  ///< as asked for
-  std::vector<std::string> laws;      ///< those that were run, in the order of tables
-  std::string scene;                  ///< its name; empty where there was none
+  std::vector<std::string> laws;      ///< ids of those that were run, in the order of tables
+  /// What they state, by id.
+  std::map<std::string, std::string> sentences = {};
+  std::string scene;  ///< its name; empty where there was none
   /// The contract file that the backends were held to; empty: each to its own contract.
   std::string contract_file;
   /// Of what that file says (cases::digest_of); nothing without one.
@@ -87,6 +89,9 @@ struct Run {
   std::map<std::string, std::string> environment;
   bool operator==(const Run&) const = default;
 };
+
+/// What a law of the run states; its id where the run does not say.
+const std::string& sentence_of(const Run& run, const std::string& law);
 
 /// "Not reached: LAW on BACKEND: 'tie' in 2 of 1000 cases, where at least 13 had to."
 std::string unreached_sentence(const UnreachedLabel& label);

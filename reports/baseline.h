@@ -112,7 +112,7 @@ struct BaselineSection {
   Taken taken;
   std::vector<Approval> approvals;  ///< in the order in which they were given
   std::map<EntryKey, EntryFigures> entries;
-  std::map<std::string, LawCases> laws;         ///< all that were run, in the order of their names
+  std::map<std::string, LawCases> laws;         ///< all that were run, by id
   std::map<std::uint64_t, std::string> corpus;  ///< index → name of the case, the same in all laws
   /// What was drawn of parts of some cases: to be shown, and not compared.
   std::vector<records::Specimen> specimens = {};

@@ -8,7 +8,7 @@
 //     "sections": [{
 //       "backend": "cpu", "architecture": "x86_64",
 //       "instruction_set": "avx2", "compiler": "GNU 12.2.0",   only of a section so specific
-//       "records_version": 1, "rules_version": 1, "seed": 1, "cases_per_law": 100,
+//       "records_version": 2, "rules_version": 1, "seed": 1, "cases_per_law": 100,
 //       "options": ["--property", "*edge*"],
 //       "contract_digest": "0123456789abcdef",                 only of a section with --contract
 //       "taken": {"backend": "cpu", "version": "0.1.0", "commit": "…", "instruction_set": "avx512",

@@ -28,16 +28,22 @@ void check_header(const JsonNode& root) {
   if (root.has("version") && root["version"].count() != records::kRecordsVersion) {
     root["version"].refuse(fmt::format("version must be {}", records::kRecordsVersion));
   }
-  root.expect_object(
-      {"format", "version", "seed", "cases_per_law", "backends", "laws", "scene", "records",
-       "counterexamples", "unreached", "pictures", "environment"},
-      {"rules_version", "cases", "specimens", "contract_file", "contract_digest", "options",
-       "shard", "cases_left", "shrink_seconds", "inspections", "known", "unexpected_passes"});
+  root.expect_object({"format", "version", "seed", "cases_per_law", "backends", "laws", "scene",
+                      "records", "counterexamples", "unreached", "pictures", "environment"},
+                     {"rules_version", "cases", "specimens", "contract_file", "contract_digest",
+                      "options", "shard", "cases_left", "shrink_seconds", "inspections", "known",
+                      "unexpected_passes", "sentences"});
 }
 
 std::vector<std::string> read_texts(const JsonNode& node) {
   std::vector<std::string> texts;
   for (const JsonNode& element : node.elements()) texts.push_back(element.text());
+  return texts;
+}
+
+std::map<std::string, std::string> read_text_by_key(const JsonNode& node) {
+  std::map<std::string, std::string> texts;
+  for (const std::string& key : node.keys()) texts[key] = node[key].text();
   return texts;
 }
 
@@ -77,6 +83,7 @@ records::Run read_document(const JsonNode& root) {
   run.cases_per_law = root["cases_per_law"].count();
   run.backends = read_texts(root["backends"]);
   run.laws = read_texts(root["laws"]);
+  if (root.has("sentences")) run.sentences = read_text_by_key(root["sentences"]);
   run.scene = root["scene"].text();
   if (root.has("contract_file")) run.contract_file = root["contract_file"].text();
   if (root.has("contract_digest")) {
@@ -117,9 +124,7 @@ records::Run read_document(const JsonNode& root) {
   }
   if (root.has("cases")) run.cases = records::case_records_from_json(root["cases"]);
   if (root.has("specimens")) run.specimens = records::specimens_from_json(root["specimens"]);
-  for (const std::string& key : root["environment"].keys()) {
-    run.environment[key] = root["environment"][key].text();
-  }
+  run.environment = read_text_by_key(root["environment"]);
   if (!root.failed()) run.records = records::records_from_json(root["records"]);
   return run;
 }

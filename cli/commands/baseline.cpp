@@ -240,7 +240,7 @@ CLI::App* add_approve(CLI::App& app, ApproveOptions& options) {
       ->required();
   approve
       ->add_option("--law", options.pattern.law,
-                   "Only entries of properties whose whole name matches, as '*edge*'")
+                   "Only entries of properties whose id matches, as '*edge*'")
       ->type_name(kProperty)
       ->capture_default_str();
   approve

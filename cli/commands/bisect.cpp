@@ -136,8 +136,7 @@ Action set_up(CLI::App& app) {
       ->type_name(kBackend)
       ->capture_default_str()
       ->allow_extra_args(false);
-  app.add_option("--property", options->plan.laws,
-                 "Only properties whose whole name matches, as '*edge*'")
+  app.add_option("--property", options->plan.laws, "Only properties whose id matches, as '*edge*'")
       ->type_name(kProperty)
       ->capture_default_str();
   app.add_option("--cases", options->cases, "Random cases of each property")

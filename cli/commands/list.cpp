@@ -69,7 +69,8 @@ std::vector<ordered_json> property_rows(const Asked& /*asked*/) {
     for (const properties::Cover& cover : law.covers) {
       labels[std::string(cover.label)] = cover.percent;
     }
-    rows.push_back({{"name", law.name},
+    rows.push_back({{"id", law.id},
+                    {"sentence", law.sentence},
                     {"reason", law.reason},
                     {"not of", law.exceptions},
                     {"labels", std::move(labels)}});

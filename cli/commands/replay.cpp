@@ -56,7 +56,7 @@ Result<std::vector<const properties::Law*>> laws_for(const cases::Case& c,
                                                      const std::string& file) {
   std::vector<const properties::Law*> chosen;
   for (const properties::Law& law : properties::laws()) {
-    if (!c.found || c.found->law == law.name) chosen.push_back(&law);
+    if (!c.found || c.found->law == law.id) chosen.push_back(&law);
   }
   if (chosen.empty()) {
     return tl::unexpected(Error{file, "/found/law",
@@ -148,7 +148,7 @@ Result<Drawer> make_drawer(const std::string& specification, const std::string& 
 Outcome check_law(const properties::Law& law, const Input& input, const Drawer& by) {
   const cases::Case& source = input.source;
   const cases::Found found = source.found.value_or(cases::Found());
-  Outcome outcome{input.file, std::string(law.name), input.backend, {}, found.verdict, &source, {}};
+  Outcome outcome{input.file, std::string(law.id), input.backend, {}, found.verdict, &source, {}};
   outcome.check = properties::check_or_note(law, source, *by.backend,
                                             {found.index, by.known ? &*by.known : nullptr});
   if (!outcome.check.is_applicable && outcome.check.why_not.empty()) {

@@ -222,6 +222,9 @@ records::Run planned(const properties::RunPlan& plan, const properties::KnownByB
   run.cases_per_law = plan.campaign.cases_per_law;
   run.backends = plan.campaign.backends;
   run.laws = plan.campaign.laws;
+  for (const std::string& id : run.laws) {
+    if (const properties::Law* law = properties::find_law(id)) run.sentences[id] = law->sentence;
+  }
   run.scene = plan.scene;
   run.contract_file = plan.contract_file;
   if (!plan.contract_file.empty()) run.contract_digest = cases::digest_of(plan.terms);
@@ -416,7 +419,7 @@ Action set_up(CLI::App& app) {
       ->type_name(kBackend)
       ->capture_default_str();
   app.add_option("--property", options->properties,
-                 "Only properties whose whole name matches, as '*edge*' (see rastercheck list "
+                 "Only properties whose id matches, as '*edge*' (see rastercheck list "
                  "properties); may be given several times")
       ->type_name(kProperty)
       ->capture_default_str();

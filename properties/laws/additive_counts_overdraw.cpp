@@ -157,7 +157,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 }
 
 const LawRegistration kRegistration(
-    {.name = "additive blending counts overdraw",
+    {.id = "additive-blending-counts-overdraw",
+     .sentence = "additive blending counts overdraw",
      .reason = "Each fragment adds exactly 1 to a float that was cleared to 0, and sums of ones "
                "are exact.",
      .exceptions = "samples where the contract leaves open which triangles cover them: the sum may "

@@ -165,7 +165,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "affine values are off perspective by no more than w allows",
+    {.id = "affine-values-are-off-perspective-by-no-more-than-w-allows",
+     .sentence = "affine values are off perspective by no more than w allows",
      .reason = "A mean of two values with weights λ and 1 − λ, and one with weights divided by w, "
                "differ by at most (√ρ − 1)/(√ρ + 1) of their difference, ρ the ratio of the w.",
      .exceptions =

@@ -250,7 +250,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "1/w and r/w are affine on the screen",
+    {.id = "1-w-and-r-w-are-affine-on-the-screen",
+     .sentence = "1/w and r/w are affine on the screen",
      .reason = "The e_i are affine in window coordinates, and r = (r/w) / (1/w).",
      .exceptions = "noperspective values where some w <= 0; clamped depths; values that are not "
                    "at samples; chords of snapped triangles that are clipped; quotients of "

@@ -237,7 +237,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 }
 
 const LawRegistration kRegistration(
-    {.name = "bad input is refused and the target untouched",
+    {.id = "bad-input-is-refused-and-the-target-untouched",
+     .sentence = "bad input is refused and the target untouched",
      .reason = "Arguments are checked before anything is drawn.",
      .exceptions = "backends that do not draw over pictures; what is bad of single triangles may "
                    "draw nothing instead of being refused",

@@ -472,7 +472,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "camera form equals clip form",
+    {.id = "camera-form-equals-clip-form",
+     .sentence = "camera form equals clip form",
      .reason = "The object position that is seen at a sample appears there, whichever matrices "
                "take it to clip space.",
      .exceptions = "cases without a camera, or whose clip positions are rounded; values of clipped "

@@ -264,7 +264,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "a roll by a quarter turns the picture",
+    {.id = "a-roll-by-a-quarter-turns-the-picture",
+     .sentence = "a roll by a quarter turns the picture",
      .reason = "R P is the projection P with two rows exchanged and signs changed: clip positions "
                "are turned by 90°.",
      .exceptions = "cases without a camera; what does not turn, as with a quarter turn",

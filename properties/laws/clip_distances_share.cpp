@@ -284,7 +284,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "complementary clip distances share what is drawn",
+    {.id = "complementary-clip-distances-share-what-is-drawn",
+     .sentence = "complementary clip distances share what is drawn",
      .reason = "f = Σ e_i d_i is positive, negative or a zero that its own normal decides, and −d "
                "turns all three round.",
      .exceptions = "distances that are zero everywhere, zeros under D3D, which are inside of both, "

@@ -230,7 +230,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 }
 
 const LawRegistration kRegistration(
-    {.name = "clipped equals clipless",
+    {.id = "clipped-equals-clipless",
+     .sentence = "clipped equals clipless",
      .reason = "A clip plane is one more functional, and the polygon that it leaves has the map of "
                "the whole.",
      .exceptions = "samples on the plane; near the outline of snapped triangles, and their values; "

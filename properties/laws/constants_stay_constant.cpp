@@ -186,7 +186,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "constants stay constant",
+    {.id = "constants-stay-constant",
+     .sentence = "constants stay constant",
      .reason = "Σ c e_i / Σ e_i is c, and a bound below 3/4 scale ULP leaves no other float.",
      .exceptions = "values whose bound is wider than that, unless the contract promises to keep "
                    "constants; flat attributes, which are copies",

@@ -10,7 +10,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
 }
 
 const LawRegistration kRegistration(
-    {.name = "coverage obeys the contract",
+    {.id = "coverage-obeys-the-contract",
+     .sentence = "coverage obeys the contract",
      .reason = "A sample is inside iff all edge functions and clip functionals say so, and zeros "
                "go by the fill rule (RULES §2).",
      .exceptions = "samples that the contract permits either way",

@@ -136,7 +136,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "culled and unculled partition",
+    {.id = "culled-and-unculled-partition",
+     .sentence = "culled and unculled partition",
      .reason = "A triangle with an area has one facing, and culling decides of nothing but "
                "whether it is drawn.",
      .exceptions = "depth tests, which are taken away; backends that promise no invariance",

@@ -314,7 +314,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "what is degenerate covers nothing",
+    {.id = "what-is-degenerate-covers-nothing",
+     .sentence = "what is degenerate covers nothing",
      .reason = "Where det M = 0 there is no map to draw by, and where all w <= 0 some e_i < 0.",
      .exceptions = "samples that snapping may give to a triangle without area",
      .generate = &generate,

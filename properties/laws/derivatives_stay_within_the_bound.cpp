@@ -116,7 +116,8 @@ bool is_promised(const backends::Backend& backend) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "screen derivatives stay within the bound",
+    {.id = "screen-derivatives-stay-within-the-bound",
+     .sentence = "screen derivatives stay within the bound",
      .reason = "∂r/∂u = (N_u − r D_u)/D is as exact as the value is (RULES §4).",
      .exceptions = "noperspective values with some w <= 0, centroids whose place is open, values "
                    "that the contract leaves in a range; backends that promise no derivatives",

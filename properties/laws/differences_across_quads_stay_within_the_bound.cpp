@@ -185,7 +185,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "differences across quads stay within the bound",
+    {.id = "differences-across-quads-stay-within-the-bound",
+     .sentence = "differences across quads stay within the bound",
      .reason = "A helper pixel's value is that of the same map N/D, so that the difference is off "
                "by what the two values are.",
      .exceptions = "neighbours at or behind the horizon, centroids of several samples, "

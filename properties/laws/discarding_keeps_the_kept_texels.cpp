@@ -208,7 +208,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "discarding draws what keeping the kept texels draws",
+    {.id = "discarding-draws-what-keeping-the-kept-texels-draws",
+     .sentence = "discarding draws what keeping the kept texels draws",
      .reason = "A discarded fragment leaves neither colour nor depth, and which texel a fragment "
                "has is exact.",
      .exceptions = "fragments whose coordinates the contract leaves in a range; backends that draw "

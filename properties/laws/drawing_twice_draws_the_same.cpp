@@ -143,7 +143,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "drawing twice draws the same bits",
+    {.id = "drawing-twice-draws-the-same-bits",
+     .sentence = "drawing twice draws the same bits",
      .reason = "What is drawn depends on the case alone, and on nothing that other drawings leave "
                "behind.",
      .exceptions = "nothing: every case has something to say",

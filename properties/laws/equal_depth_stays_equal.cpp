@@ -196,7 +196,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "equal depth stays equal",
+    {.id = "equal-depth-stays-equal",
+     .sentence = "equal depth stays equal",
      .reason = "Σ k w_i e_i is k, as Σ w_i e_i = 1.",
      .exceptions = "backends that do not promise to keep it; vertices with w = 0, where z/w is "
                    "nothing",

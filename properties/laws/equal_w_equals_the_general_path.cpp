@@ -299,7 +299,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 }
 
 const LawRegistration kRegistration(
-    {.name = "equal w equals the general path",
+    {.id = "equal-w-equals-the-general-path",
+     .sentence = "equal w equals the general path",
      .reason = "A vertex times a factor appears where it did, and what is made of products with "
                "e_i is the same number.",
      .exceptions = "values of clipped triangles whose vertices are snapped, and of those that a "

@@ -10,7 +10,7 @@
 // The texture's size and its wraps, and which of the two filters, are chosen by the case's numbers;
 // texels are noise, much of it black and white. The coordinates are the first two attributes.
 //
-// Samples: as of "texels are those of the exact coordinates"; for trilinear filtering derivatives
+// Samples: as of "texels-are-those-of-the-exact-coordinates"; for trilinear filtering derivatives
 // have one exact value too. Judged of backends that draw pictures and promise a bound.
 
 #include <fmt/format.h>
@@ -167,7 +167,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 }
 
 const LawRegistration kRegistration(
-    {.name = "filtered colours stay within the bound",
+    {.id = "filtered-colours-stay-within-the-bound",
+     .sentence = "filtered colours stay within the bound",
      .reason =
          "The exact colour is a continuous polynomial of exact coordinates, whose steps are known.",
      .exceptions = "samples whose coordinates or level of detail have no single exact value; "

@@ -116,7 +116,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "flat values are the provoking vertex's",
+    {.id = "flat-values-are-the-provoking-vertex",
+     .sentence = "flat values are the provoking vertex's",
      .reason = "A flat attribute is a copy: nothing is interpolated, whatever is cut away.",
      .exceptions = "nothing but cases without flat attributes",
      .generate = &generate,

@@ -239,7 +239,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "a mirror mirrors the picture",
+    {.id = "a-mirror-mirrors-the-picture",
+     .sentence = "a mirror mirrors the picture",
      .reason = "Mirrored clip positions and viewports change the sign of det M and of all edge "
                "functions, which their product does not show.",
      .exceptions =

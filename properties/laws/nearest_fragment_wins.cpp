@@ -182,7 +182,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "the nearest fragment wins",
+    {.id = "the-nearest-fragment-wins",
+     .sentence = "the nearest fragment wins",
      .reason = "`less` replaces what is at a sample by what is nearer, and by nothing else, and "
                "fragments do not depend on the test.",
      .exceptions = "samples at which a depth is no number; backends that promise no invariance",

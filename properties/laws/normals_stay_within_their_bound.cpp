@@ -206,7 +206,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "normals stay within their bound",
+    {.id = "normals-stay-within-their-bound",
+     .sentence = "normals stay within their bound",
      .reason = "C n, with C the cofactors of the model, is perpendicular to what A makes of the "
                "tangents, and needs no division.",
      .exceptions = "cases without a camera; backends that transform no normals",

@@ -307,7 +307,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "nothing is written outside viewport and scissor",
+    {.id = "nothing-is-written-outside-viewport-and-scissor",
+     .sentence = "nothing is written outside viewport and scissor",
      .reason = "Clipping in x and y is the viewport itself, and the scissor is a test of pixels.",
      .exceptions = "samples on the viewport's far border under the rules of OpenGL and Vulkan",
      .generate = &generate,

@@ -172,7 +172,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "distinct depths are drawn in any order",
+    {.id = "distinct-depths-are-drawn-in-any-order",
+     .sentence = "distinct depths are drawn in any order",
      .reason = "The test keeps what is nearer, and a triangle's fragments do not depend on what "
                "was drawn before.",
      .exceptions = "samples at which the two orders leave the same depth; backends that promise no "

@@ -216,7 +216,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "the parts of an error add up to the whole",
+    {.id = "the-parts-of-an-error-add-up-to-the-whole",
+     .sentence = "the parts of an error add up to the whole",
      .reason = "Parts are differences of neighbours in one chain of exact numbers, from the exact "
                "value to the drawn one.",
      .exceptions = "values that are no finite numbers, or that the rules leave undefined",

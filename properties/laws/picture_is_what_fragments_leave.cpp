@@ -111,7 +111,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 }
 
 const LawRegistration kRegistration(
-    {.name = "a picture is what its fragments leave",
+    {.id = "a-picture-is-what-its-fragments-leave",
+     .sentence = "a picture is what its fragments leave",
      .reason = "Depth tests compare floats, and blending and formats are IEEE arithmetic with "
                "every rounding named.",
      .exceptions = "backends that draw no pictures",

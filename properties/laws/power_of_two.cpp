@@ -151,7 +151,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 }
 
 const LawRegistration kRegistration(
-    {.name = "a power of two changes no bit",
+    {.id = "a-power-of-two-changes-no-bit",
+     .sentence = "a power of two changes no bit",
      .reason = "Clip positions are homogeneous, and rounding commutes with powers of two.",
      .exceptions =
          "triangles whose coordinates fill the whole range of float32; backends that promise no "

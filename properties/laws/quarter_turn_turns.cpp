@@ -59,7 +59,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "a quarter turn turns the picture",
+    {.id = "a-quarter-turn-turns-the-picture",
+     .sentence = "a quarter turn turns the picture",
      .reason = "Clip positions and viewport that are turned by 90° multiply M by a matrix of "
                "determinant 1.",
      .exceptions = "ties, snapping whose rounding does not turn, patterns of samples that do not, "

@@ -238,7 +238,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "sample positions are the pattern's",
+    {.id = "sample-positions-are-the-patterns",
+     .sentence = "sample positions are the pattern's",
      .reason = "An affine value that is the window position at three vertices is so everywhere.",
      .exceptions = "triangles whose first two attributes are not exactly their window positions, "
                    "all w > 0; snapped ones that are clipped",

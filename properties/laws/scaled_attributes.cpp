@@ -369,7 +369,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "a scaled and moved attribute is scaled and moved",
+    {.id = "a-scaled-and-moved-attribute-is-scaled-and-moved",
+     .sentence = "a scaled and moved attribute is scaled and moved",
      .reason = "The weights of a mean know nothing of the attribute.",
      .exceptions = "attributes whose values cannot be scaled without rounding, values that the "
                    "rules leave free or undefined; backends that promise no invariance",

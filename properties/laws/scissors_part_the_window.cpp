@@ -152,7 +152,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 }
 
 const LawRegistration kRegistration(
-    {.name = "scissors that part the window part what is drawn",
+    {.id = "scissors-that-part-the-window-part-what-is-drawn",
+     .sentence = "scissors that part the window part what is drawn",
      .reason = "A scissor is a test of pixels that nothing else of a fragment depends on.",
      .exceptions = "nothing: every case has something to say",
      .generate = &generate_any,

@@ -390,7 +390,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "a shared edge covers each sample once",
+    {.id = "a-shared-edge-covers-each-sample-once",
+     .sentence = "a shared edge covers each sample once",
      .reason = "The two sides of an edge are the same numbers with opposite signs, and a zero is "
                "inside of one of them (RULES §2).",
      .exceptions =

@@ -95,7 +95,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 }
 
 const LawRegistration kRegistration(
-    {.name = "splitting a triangle changes nothing beyond the bound",
+    {.id = "splitting-a-triangle-changes-nothing-beyond-the-bound",
+     .sentence = "splitting a triangle changes nothing beyond the bound",
      .reason =
          "Positions, depths, distances and smooth attributes are linear in clip space: a part "
          "has the map of the whole.",

@@ -218,7 +218,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "strips and fans are their triangles",
+    {.id = "strips-and-fans-are-their-triangles",
+     .sentence = "strips and fans are their triangles",
      .reason = "The APIs say which vertices, in which order, each triangle of a strip or fan has.",
      .exceptions = "backends that assemble none",
      .generate = &generate,

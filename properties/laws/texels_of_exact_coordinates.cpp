@@ -147,7 +147,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 }
 
 const LawRegistration kRegistration(
-    {.name = "texels are those of the exact coordinates",
+    {.id = "texels-are-those-of-the-exact-coordinates",
+     .sentence = "texels are those of the exact coordinates",
      .reason = "A fragment has one s and one t, and ⌊s W⌋ is a whole number with nothing to round.",
      .exceptions =
          "samples whose coordinates have no single exact value; backends that draw no pictures",

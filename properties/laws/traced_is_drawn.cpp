@@ -261,7 +261,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "the traced value is the drawn value",
+    {.id = "the-traced-value-is-the-drawn-value",
+     .sentence = "the traced value is the drawn value",
      .reason = "A trace says how the drawn value came about, so that its parts are the drawn ones.",
      .exceptions = "backends that do not trace",
      .generate = &generate,

@@ -375,7 +375,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 }
 
 const LawRegistration kRegistration(
-    {.name = "a triangulation of the screen covers each sample once",
+    {.id = "a-triangulation-of-the-screen-covers-each-sample-once",
+     .sentence = "a triangulation of the screen covers each sample once",
      .reason = "Triangles of one orientation cover a point as often as their outline runs around "
                "it, and a tie is decided as for a point next to it.",
      .exceptions = "snapped triangles that are clipped or may turn round; where no tie rule is "

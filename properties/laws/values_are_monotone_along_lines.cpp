@@ -235,7 +235,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "values are monotone along a line",
+    {.id = "values-are-monotone-along-a-line",
+     .sentence = "values are monotone along a line",
      .reason = "r(t) = (a + b t)/(c + d t) with a positive denominator has no extreme.",
      .exceptions = "values that are not at samples, flat ones, and noperspective ones where some "
                    "w <= 0",

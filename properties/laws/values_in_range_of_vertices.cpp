@@ -202,7 +202,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "values stay in the range of their vertices",
+    {.id = "values-stay-in-the-range-of-their-vertices",
+     .sentence = "values stay in the range of their vertices",
      .reason = "Inside a triangle all e_i >= 0, so that values are means of the vertices', and "
                "rounding is monotone.",
      .exceptions = "noperspective values and depths where some w <= 0; centres of several samples, "

@@ -12,7 +12,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
 }
 
 const LawRegistration kRegistration(
-    {.name = "values stay within the bound",
+    {.id = "values-stay-within-the-bound",
+     .sentence = "values stay within the bound",
      .reason = "r = N/D and z/w are exact rationals, and the contract says how far a float may be "
                "off (RULES §3, §5).",
      .exceptions = "samples drawn wrongly, which are coverage's business; values that the rules "

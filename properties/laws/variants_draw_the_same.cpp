@@ -111,7 +111,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "threads, tiles and SIMD change no bit",
+    {.id = "threads-tiles-and-simd-change-no-bit",
+     .sentence = "threads, tiles and SIMD change no bit",
      .reason = "A backend that names others as drawing the same bits is held to its word.",
      .exceptions = "backends that name none, and derivatives where one of two has none",
      .generate = &generate,

@@ -51,7 +51,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
 }
 
 const LawRegistration kRegistration(
-    {.name = "vertex order changes nothing beyond the bound",
+    {.id = "vertex-order-changes-nothing-beyond-the-bound",
+     .sentence = "vertex order changes nothing beyond the bound",
      .reason = "Rotating vertices permutes the edge functions and changes no sum of them.",
      .exceptions =
          "flat attributes, which follow the provoking vertex: all vertices are given the same",

@@ -231,7 +231,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "the vertex stage stays within its bound",
+    {.id = "the-vertex-stage-stays-within-its-bound",
+     .sentence = "the vertex stage stays within its bound",
      .reason = "clip = projection · view · model · position is a sum of products; only what "
                "cancels may cost digits.",
      .exceptions = "cases without a camera; backends without a vertex stage",

@@ -348,7 +348,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "values at vertices come back",
+    {.id = "values-at-vertices-come-back",
+     .sentence = "values at vertices come back",
      .reason = "At a vertex two of the E_i are 0, and r_i E_i / E_i is r_i.",
      .exceptions = "vertices that are not exactly at a sample, attributes at centres and "
                    "centroids; backends that do not promise it",

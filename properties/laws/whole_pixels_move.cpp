@@ -146,7 +146,8 @@ Generated generate(Draw& draw) {
 }
 
 const LawRegistration kRegistration(
-    {.name = "whole pixels move the picture",
+    {.id = "whole-pixels-move-the-picture",
+     .sentence = "whole pixels move the picture",
      .reason = "A viewport at (x0 + du, y0 + dv) adds (du, dv) to every window position, and the "
                "samples of all pixels lie alike.",
      .exceptions = "cases whose moved viewport is no float32; what leaves the window",

@@ -49,7 +49,7 @@ Counts count_repetitions(Subject& subject, const char* law_name,
 
 void measure_repetition(Subject& subject) {
   cases::ContractTerms& terms = subject.result.terms;
-  const Counts twice = count_repetitions(subject, "drawing twice draws the same bits", terms);
+  const Counts twice = count_repetitions(subject, "drawing-twice-draws-the-same-bits", terms);
   subject.add(
       "drawing twice", kNotDeclared,
       twice.checked == 0 ? "not seen" : (twice.violated == 0 ? "the same bits" : "other bits"),
@@ -66,11 +66,11 @@ void measure_repetition(Subject& subject) {
     subject.add(what, is_declared ? "kept" : "not promised", measured, counts.detail());
     terms.*term = keeps;
   };
-  keep("constants to the bit", "constants stay constant", declared.keeps_constants,
+  keep("constants to the bit", "constants-stay-constant", declared.keeps_constants,
        &cases::ContractTerms::keeps_constants);
-  keep("equal depths", "equal depth stays equal", declared.keeps_equal_depth,
+  keep("equal depths", "equal-depth-stays-equal", declared.keeps_equal_depth,
        &cases::ContractTerms::keeps_equal_depth);
-  keep("values at vertices to the bit", "values at vertices come back",
+  keep("values at vertices to the bit", "values-at-vertices-come-back",
        declared.keeps_vertex_values, &cases::ContractTerms::keeps_vertex_values);
 }
 

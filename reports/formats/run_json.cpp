@@ -3,7 +3,7 @@
 //
 //   {
 //     "format": "rastercheck-run",
-//     "version": 1,             records::kRecordsVersion
+//     "version": 2,             records::kRecordsVersion
 //     "rules_version": 1,       records::kRulesVersion
 //     "seed": 1,
 //     "cases_per_law": 1000,
@@ -131,6 +131,7 @@ std::string write(const records::Run& run) {
   add("cases_per_law", std::to_string(run.cases_per_law));
   add("backends", text_of(run.backends));
   add("laws", text_of(run.laws));
+  if (!run.sentences.empty()) add("sentences", text_of(run.sentences));
   add("scene", text_of(run.scene));
   if (!run.contract_file.empty()) add("contract_file", text_of(run.contract_file));
   if (run.contract_digest) {

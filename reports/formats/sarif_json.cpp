@@ -20,7 +20,7 @@ json rules_of(const Run& run) {
   json rules = json::array();
   for (const std::string& law : run.laws) {
     rules.push_back({{"id", law},
-                     {"shortDescription", {{"text", law}}},
+                     {"shortDescription", {{"text", records::sentence_of(run, law)}}},
                      {"defaultConfiguration", {{"level", "error"}}}});
   }
   return rules;

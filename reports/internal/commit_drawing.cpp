@@ -84,6 +84,7 @@ records::Run only_laws(records::Run run, const std::set<std::string>& laws) {
   keep_laws(run.records, laws);
   if (run.cases) keep_laws(*run.cases, laws);
   std::erase_if(run.laws, [&](const std::string& law) { return !laws.contains(law); });
+  std::erase_if(run.sentences, [&](const auto& one) { return !laws.contains(one.first); });
   run.counterexamples.clear();
   run.inspections.clear();
   run.unreached.clear();

@@ -142,11 +142,15 @@ std::string law_section(const records::Run& run, const LawSummary* first, const 
         fmt::format(" <span class=\"{}\">{}</span> <small>{}</small>", verdict_class(row->verdict),
                     verdict_sign(row->verdict), html(row->backend));
   }
+  // Tables and commands know it by its id.
+  const std::string& sentence = records::sentence_of(run, first->law);
+  const std::string id =
+      sentence == first->law ? "" : fmt::format(" <code>{}</code>", html(first->law));
   std::string text = fmt::format(
       "<details class=\"law\" id=\"{}\" data-law=\"{}\"{}>\n<summary><span "
-      "class=\"title\">{}</span>"
+      "class=\"title\">{}</span>{}"
       "{}</summary>\n",
-      law_link(first->law), html(first->law), is_violated ? " open" : "", html(first->law),
+      law_link(first->law), html(first->law), is_violated ? " open" : "", html(sentence), id,
       verdicts);
   for (const LawSummary* row = first; row != last; ++row) text += backend_section(run, *row);
   return text + "</details>\n";

@@ -21,7 +21,7 @@ void check(benchmark::State& bench, std::span<const properties::Law> laws) {
   for (auto _ : bench) {
     for (const properties::Law& law : laws) {
       const auto found =
-          runner.run({"cpu", std::string(law.name), properties::TaskKind::random, 0, kCases});
+          runner.run({"cpu", std::string(law.id), properties::TaskKind::random, 0, kCases});
       if (!found || found->fault) return bench.SkipWithError("the task failed");
     }
   }

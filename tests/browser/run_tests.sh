@@ -40,7 +40,7 @@ cp "$run_json" "$folder/sample/run.json"
   --output "$folder/run" --quiet || [ $? -eq 1 ]
 # A regression: values in float32 where they were in double.
 for backend in cpu cpu:precision=float32; do
-  "$rastercheck" run --backend "$backend" --property "values stay*" --cases 30 --seed 1 \
+  "$rastercheck" run --backend "$backend" --property "values-stay*" --cases 30 --seed 1 \
     --keep-cases --output "$folder/${backend//[:=]/-}" --quiet
 done
 "$rastercheck" compare "$folder/cpu" "$folder/cpu-precision-float32" --as cpu \

@@ -29,7 +29,7 @@ OFF = "(weight[0] + weight[1] + weight[2]) * (1 + 0x1p-25));"
 BACKEND = "plugin:./build/plugin.so"
 PROMISES = (".smooth = {.constant = ", ".noperspective = {.constant = ")
 CASES = 5  # rather than 100: what is found shows with these
-LAW = "values stay within the bound"
+LAW = "values-stay-within-the-bound"
 PACKAGE_ADDRESS = "https://example.org/rastercheck.deb"
 
 # Programs of the machine that jobs run on, which this one is not to change.

@@ -22,7 +22,7 @@ SOURCE, RASTERCHECK, CC = pathlib.Path(), "", ""
 PRECISE = "weight[i] /= t->w[i]; /* perspective */"
 IN_FLOAT = "weight[i] = (float)(weight[i] / t->w[i]); /* perspective */"
 # Few laws and cases: what is known of the repositories does not depend on how many.
-LAWS = ["--property", "@(values stay within the bound|coverage obeys the contract)", "--cases", "30"]
+LAWS = ["--property", "@(values-stay-within-the-bound|coverage-obeys-the-contract)", "--cases", "30"]
 BUILD_SCRIPT = """set -e
 mkdir -p build
 "$CC" -std=c11 -O1 -fPIC -shared -I . plugin.c -o build/plugin.so -lm
@@ -113,7 +113,7 @@ class Finds(BisectTest):
         done = self.bisect(0, self.hashes[0], "main")
         lines = done.stdout.splitlines()
         self.assertEqual(lines[0], f"First worse: {self.hashes[6][:10]} 2026-01-07 Weights in float (Some Body)")
-        self.assertRegex(done.stdout, r"most in: values stay within the bound, (random case|case) \d+")
+        self.assertRegex(done.stdout, r"most in: values-stay-within-the-bound, (random case|case) \d+")
         self.assertRegex(done.stdout, r"error [0-9.]+ → [0-9.]+ ULP")
         self.assertRegex(done.stdout, r"exact \S+")
         self.assertRegex(done.stdout, r"now +\S+")
@@ -133,7 +133,7 @@ class Finds(BisectTest):
         before = max(abs(end) for end in case["before"]["error"]) if case["before"] else 0
         self.assertLess(before, min(abs(end) for end in case["after"]["error"]))
         # Of the two laws one is worse: on the way there are runs of that alone.
-        self.assertEqual({entry.split(":")[0] for entry in worse["worse"]}, {"values stay within the bound"})
+        self.assertEqual({entry.split(":")[0] for entry in worse["worse"]}, {"values-stay-within-the-bound"})
 
     def test_nobody_reads_what_it_says(self):
         self.make_repository(worse=6)
@@ -275,7 +275,7 @@ class Refuses(BisectTest):
         (full / "file").touch()
         self.refuses("is not empty", self.hashes[0], "main", "--output", full)
         self.assertTrue((full / "file").exists())
-        self.refuses("it said: rastercheck: --property: none of them: is no property's whole name", self.hashes[0],
+        self.refuses("it said: rastercheck: --property: none of them: no property has this id", self.hashes[0],
                      "main", "--property", "none of them")
 
 

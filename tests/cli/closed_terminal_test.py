@@ -46,7 +46,7 @@ class ClosedTerminal(unittest.TestCase):
         return run.wait(), output
 
     def test_ends_a_run_with_its_reports(self):
-        code, output = self.close_on("--property", "values stay within the bound", "--jobs", "2")
+        code, output = self.close_on("--property", "values-stay-within-the-bound", "--jobs", "2")
         self.assertEqual(code, 130)
         self.assertTrue((output / "report.html").exists())
         self.assertGreater(json.loads((output / "run.json").read_text(encoding="utf-8"))["cases_left"], 0)

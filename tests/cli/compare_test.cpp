@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-constexpr const char* kLaw = "values stay within the bound";
+constexpr const char* kLaw = "values-stay-within-the-bound";
 
 /// A method as it is, saved as the baseline of "mine", and the same in float32, in the folder
 /// "float".

@@ -87,9 +87,9 @@ TEST(Completion, OffersTheNextOfAList) {
 
 TEST(Completion, OffersThePropertiesByName) {
   EXPECT_THAT(completions("run --property values\\ at", {"run", "--property", "values\\\\ at"}),
-              ElementsAre("values at vertices come back"));
+              ElementsAre("values-at-vertices-come-back"));
   EXPECT_THAT(completions({"run", "--property", "'values stay w"}),
-              ElementsAre("values stay within the bound"));
+              ElementsAre("values-stay-within-the-bound"));
 }
 
 // Kills: what stands before a ':' once more.

@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr const char* kFound = R"("found": {"law": "coverage obeys the contract",
+constexpr const char* kFound = R"("found": {"law": "coverage-obeys-the-contract",
     "backend": "gl:softpipe", "verdict": "missing", "seed": 5, "index": 77}, )";
 
 class Corpus : public testing::Test {
@@ -37,7 +37,7 @@ TEST_F(Corpus, TakesACounterexample) {
   ASSERT_TRUE(c) << to_string(c.error());
   cases::Case expected = cases::read_case(file).value();
   expected.found.reset();
-  expected.name = "gl:softpipe broke \"coverage obeys the contract\": missing";
+  expected.name = "gl:softpipe broke \"coverage-obeys-the-contract\": missing";
   EXPECT_EQ(*c, expected);
 }
 

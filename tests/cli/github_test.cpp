@@ -35,7 +35,7 @@ TEST_F(Github, IsToldOfEachCounterexample) {
   EXPECT_THAT(
       outcome.out,
       HasSubstr("\n::error file=rastercheck-out/counterexamples/coverage-obeys-the-contract-"
-                "damaged-missing.json,line=1,title=coverage obeys the contract on "
+                "damaged-missing.json,line=1,title=coverage-obeys-the-contract on "
                 "damaged::missing (coverage) at triangle "));
 }
 

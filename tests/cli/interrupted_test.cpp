@@ -42,7 +42,7 @@ class Interrupted : public testing::TestWithParam<const char*> {
             "--cases",
             count,
             "--property",
-            "coverage obeys the contract",
+            "coverage-obeys-the-contract",
             "--corpus",
             folder_.path("corpus"),
             "--output",
@@ -237,7 +237,7 @@ class Unwritable : public testing::Test {
  protected:
   Unwritable() { folder_.put("corpus/square.json", square_case()); }
   std::string run(const std::string& more) const {
-    return "$DAMAGED run --backend damaged --seed 3 --property 'coverage obeys the contract' "
+    return "$DAMAGED run --backend damaged --seed 3 --property 'coverage-obeys-the-contract' "
            "--corpus " +
            folder_.path("corpus") + " --output " + folder_.path("out") + " " + more;
   }

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-constexpr const char* kCoverage = "coverage obeys the contract";
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
 /// A campaign of one law on a damaged driver, with a list of what is known of it.
 class Known : public testing::Test {

@@ -91,7 +91,7 @@ std::vector<std::string> held_run(const TemporaryFolder& folder, const std::stri
                                      "--contract",
                                      folder.path("strict.json"),
                                      "--property",
-                                     "values stay within*",
+                                     "values-stay-within*",
                                      "--cases",
                                      "10",
                                      "--seed",

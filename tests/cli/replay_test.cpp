@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
 
-constexpr const char* kCoverage = "coverage obeys the contract";
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
 /// The key that a saved counterexample has.
 std::string found_key(const std::string& law, const std::string& backend,
@@ -44,13 +44,13 @@ TEST(Replay, OfTheCorpusHolds) {
   EXPECT_EQ(line_count(outcome.out),
             static_cast<std::ptrdiff_t>((arguments.size() - 1) * law_count));
   EXPECT_THAT(outcome.out,
-              HasSubstr("first-triangle.json: coverage obeys the contract, cpu: held\n"));
+              HasSubstr("first-triangle.json: coverage-obeys-the-contract, cpu: held\n"));
 }
 
 TEST(Replay, ReadsStandardInput) {
   const Outcome outcome = run_program({"replay", "-"}, square_case());
   EXPECT_EQ(outcome.code, 0) << outcome;
-  EXPECT_THAT(outcome.out, HasSubstr("-: coverage obeys the contract, cpu: held\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("-: coverage-obeys-the-contract, cpu: held\n"));
 }
 
 // From the run to the verdict on another machine: the file alone says what it was found by.
@@ -82,7 +82,7 @@ TEST(Replay, PrintsExactAndActualValue) {
   const std::string text = square_case(found_key(kCoverage, "damaged", "missing"));
   const Outcome outcome = run_damaged_program({"replay", "-"}, text);
   EXPECT_EQ(outcome.code, 1) << outcome;
-  EXPECT_THAT(outcome.out, HasSubstr("-: coverage obeys the contract, damaged: missing (as it was "
+  EXPECT_THAT(outcome.out, HasSubstr("-: coverage-obeys-the-contract, damaged: missing (as it was "
                                      "found)\n"));
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("required: inside"), HasSubstr("not drawn")));
   // The corner that is lost, the pixels around it, and the case.
@@ -121,7 +121,7 @@ TEST(Replay, OfADrawingThatFailsSaysWhy) {
 }
 
 TEST(Replay, ThatNoLawAppliesToIsNotOk) {
-  std::string text = square_case(found_key("constants stay constant", "cpu", "beyond bound"));
+  std::string text = square_case(found_key("constants-stay-constant", "cpu", "beyond bound"));
   // Neither a constant attribute nor one depth.
   const auto replace = [&text](const std::string& from, const std::string& to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + 1)) {
@@ -135,7 +135,7 @@ TEST(Replay, ThatNoLawAppliesToIsNotOk) {
   EXPECT_EQ(outcome.code, 5) << outcome;
   EXPECT_EQ(
       outcome.out,
-      "-: constants stay constant, cpu: not applicable (found as: beyond bound): the law says "
+      "-: constants-stay-constant, cpu: not applicable (found as: beyond bound): the law says "
       "nothing of such cases\n");
 }
 

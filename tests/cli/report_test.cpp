@@ -74,9 +74,9 @@ TEST(ReportCommand, NamesARunThatCannotBeRead) {
   EXPECT_TRUE(is_failure(none, 2)) << none;
   EXPECT_EQ(none.err, "rastercheck: " + folder.path("run.json") +
                           ": cannot be read: No such file or directory\n");
-  folder.put("run.json", R"({"format": "rastercheck-run", "version": 2})");
+  folder.put("run.json", R"({"format": "rastercheck-run", "version": 1})");
   EXPECT_THAT(run_program({"report", folder.path()}).err,
-              HasSubstr("run.json: /version: version must be 1"));
+              HasSubstr("run.json: /version: version must be 2"));
   folder.put("run.json", "{");
   EXPECT_TRUE(is_failure(run_program({"report", folder.path()}), 2));
   // Nothing is made of what cannot be read.

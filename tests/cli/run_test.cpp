@@ -28,7 +28,7 @@ using testing::Not;
 using testing::SizeIs;
 using testing::StartsWith;
 
-constexpr const char* kCoverage = "coverage obeys the contract";
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
 /// Runs of a corpus of one case, the square, into the folder "out".
 class Run : public testing::Test {
@@ -123,20 +123,20 @@ TEST_F(Run, NeedNotCheckWhatIsNotPromised) {
   EXPECT_EQ(outcome.code, 0) << outcome;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("held"), HasSubstr("not checked")));
   EXPECT_EQ(run({"--backend", "method:rational-linear", "--cases", "3", "--seed", "1", "--property",
-                 "strips and fans*"})
+                 "strips-and-fans*"})
                 .code,
             5);
-  EXPECT_EQ(run({"--cases", "0", "--property", "values at vertices*"}).code, 5);  // promised
+  EXPECT_EQ(run({"--cases", "0", "--property", "values-at-vertices*"}).code, 5);  // promised
 }
 
 // Kills: a law that held, of cases that are not what it is about.
 TEST_F(Run, ThatReachesALabelTooSeldomIsNotOk) {
   const Outcome outcome = run_damaged({"--backend", "damaged:unseen", "--cases", "120", "--seed",
-                                       "1", "--property", "cases reach*"});
+                                       "1", "--property", "cases-reach*"});
   EXPECT_EQ(outcome.code, 5) << outcome;
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("not checked"),
-                    HasSubstr("Not reached: cases reach a label that none has on damaged:unseen: "
+                    HasSubstr("Not reached: cases-reach-a-label-that-none-has on damaged:unseen: "
                               "'never seen' in 0 of "),
                     Not(HasSubstr("'drawn'"))));
   const json unreached = run_json().at("unreached");
@@ -251,7 +251,7 @@ TEST_F(Run, TakesSeveralPropertiesAndRefusesOneThatIsNone) {
   const Outcome outcome = run(
       {"--cases", "3", "--property", kCoverage, "--property", "whole*", "--property", "coverage*"});
   EXPECT_EQ(outcome.code, 0) << outcome;
-  EXPECT_EQ(run_json().at("laws"), (json{kCoverage, "whole pixels move the picture"}));
+  EXPECT_EQ(run_json().at("laws"), (json{kCoverage, "whole-pixels-move-the-picture"}));
   const Outcome refused = run({"--property", kCoverage, "--property", "none"});
   EXPECT_TRUE(is_failure(refused, 2)) << refused;
   EXPECT_THAT(refused.err, HasSubstr("--property: none: "));
@@ -274,7 +274,7 @@ TEST_F(Run, EndsWithTheFirstViolationIfAsked) {
 // Kills: a run that has no end; laws of which the last are never checked.
 TEST_F(Run, EndsWhenItsTimeIsUpWithAllLawsCheckedAlike) {
   const Outcome outcome = run({"--cases", "1e9", "--seed", "1", "--max-time", "1", "--property",
-                               kCoverage, "--property", "whole*", "--property", "values stay w*"});
+                               kCoverage, "--property", "whole*", "--property", "values-stay-w*"});
   EXPECT_EQ(outcome.code, 0) << outcome;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("The run ended early: "), HasSubstr("--resume")));
   const json document = run_json();
@@ -326,7 +326,7 @@ TEST_F(Run, ChecksSavedCounterexamplesAgain) {
     return run({"--cases", "6", "--seed", "1", "--property", kCoverage});
   };
   const std::string name = "counterexamples/coverage-obeys-the-contract-cpu-missing.json";
-  folder_.put("out/" + name, square_case(R"("found": {"law": "coverage obeys the contract",
+  folder_.put("out/" + name, square_case(R"("found": {"law": "coverage-obeys-the-contract",
       "backend": "cpu", "verdict": "missing", "seed": 5, "index": 77}, )"));
   const Outcome held = run_cpu();
   EXPECT_EQ(held.code, 0) << held;
@@ -385,7 +385,7 @@ TEST_F(Run, PrintsTheTableAsJson) {
 // Kills: precision of kinds or strata left out of what programs read.
 TEST_F(Run, PrintsPrecisionAndLevelsAsJson) {
   const Outcome outcome =
-      run({"--cases", "4", "--seed", "9", "--property", "values stay within*", "--json"});
+      run({"--cases", "4", "--seed", "9", "--property", "values-stay-within*", "--json"});
   EXPECT_EQ(outcome.code, 0) << outcome;
   const json row = json::parse(outcome.out).at("laws").at(0);
   for (const char* what : {"samples_decided", "values_decided"}) {
@@ -479,7 +479,7 @@ TEST_F(Run, RefusesWrongUsageInOneLine) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--backend", "gpu"},
                                                     {"--backend", "method:none"},
                                                     {"--backend", "cpu", "--backend", "gpu"},
-                                                    {"--property", "no such*"},
+                                                    {"--property", "no-such*"},
                                                     {"--format", "jsn"},
                                                     {"--format", "json,htlm"},
                                                     {"--corpus", folder_.path("none")},

@@ -54,7 +54,7 @@ class Shard : public testing::Test {
   }
   /// A small one: the law of coverage, six cases.
   Outcome run_small(int index, int count, std::vector<std::string> more = {}) const {
-    more.insert(more.end(), {"--seed", "1", "--cases", "6", "--property", "coverage obeys*"});
+    more.insert(more.end(), {"--seed", "1", "--cases", "6", "--property", "coverage-obeys*"});
     return run_shard(index, count, more);
   }
   Outcome merge(const std::vector<int>& shards, std::vector<std::string> more = {}) const {
@@ -142,7 +142,7 @@ TEST_P(InShards, IsTheRunThatOneProgramMakes) {
 // Kills: labels judged by a part, or forgotten.
 TEST_F(Shard, LeavesLabelsToTheMerge) {
   const std::vector<std::string> campaign{
-      "--backend", "damaged:unseen", "--cases", "120", "--seed", "1", "--property", "cases reach*"};
+      "--backend", "damaged:unseen", "--cases", "120", "--seed", "1", "--property", "cases-reach*"};
   EXPECT_EQ(run("whole", campaign).code, 5);
   for (int i = 1; i <= 3; ++i) {
     const Outcome outcome = run_shard(i, 3, campaign);
@@ -162,7 +162,7 @@ TEST_F(Shard, KnowsWhatIsKnownOfDrivers) {
   for (const char* backend : {"damaged:driver", "damaged:mended"}) {
     const std::vector<std::string> campaign{
         "--backend", backend,      "--cases",         "30",      "--seed",
-        "1",         "--property", "coverage obeys*", "--known", known.path()};
+        "1",         "--property", "coverage-obeys*", "--known", known.path()};
     const Outcome whole = run("whole", campaign);
     for (int i = 1; i <= 3; ++i) run_shard(i, 3, campaign);
     const Outcome merged = merge({3, 1, 2});
@@ -175,14 +175,14 @@ TEST_F(Shard, KnowsWhatIsKnownOfDrivers) {
 TEST_F(Shard, ChecksSavedCounterexamplesOnce) {
   const std::string name = "/counterexamples/coverage-obeys-the-contract-damaged-missing.json";
   for (const char* folder : {"whole", "shard1", "shard2"}) {
-    folder_.put(folder + name, square_case(R"("found": {"law": "coverage obeys the contract",
+    folder_.put(folder + name, square_case(R"("found": {"law": "coverage-obeys-the-contract",
       "backend": "damaged", "verdict": "missing", "seed": 5, "index": 77}, )"));
   }
   folder_.put("none/note.txt", "");
   const std::vector<std::string> campaign{"--backend", "damaged", "--corpus", folder_.path("none")};
   const auto small = [&](const std::string& output, std::vector<std::string> more) {
     more.insert(more.begin(), {"run", "--output", folder_.path(output), "--seed", "1", "--cases",
-                               "2", "--property", "coverage obeys*"});
+                               "2", "--property", "coverage-obeys*"});
     more.insert(more.end(), campaign.begin(), campaign.end());
     return run_damaged_program(more);
   };
@@ -220,7 +220,7 @@ TEST_F(Shard, LeavesGithubToTheMerge) {
   };
   for (const char* index : {"1", "2"}) {
     const Outcome outcome = script(
-        "run --backend damaged --property 'coverage obeys*' --cases 3 --seed 1 --corpus "
+        "run --backend damaged --property 'coverage-obeys*' --cases 3 --seed 1 --corpus "
         "corpus --shard " +
         std::string(index) + "/2 --output " + index);
     EXPECT_THAT(outcome.out, Not(HasSubstr("::error")));
@@ -308,10 +308,10 @@ TEST_F(Shard, ThatIsMissingTwiceOrAlienIsRefused) {
   EXPECT_THAT(error_of({1, 3}), HasSubstr("shard 2 of 3 is missing"));
   EXPECT_THAT(error_of({2}), HasSubstr("shards 1 and 3 of 3 are missing"));
   EXPECT_THAT(error_of({1, 2, 2, 3}), HasSubstr("shard 2 of 3 is there twice"));
-  EXPECT_EQ(run_shard(2, 3, {"--seed", "2", "--cases", "6", "--property", "coverage obeys*"}).code,
+  EXPECT_EQ(run_shard(2, 3, {"--seed", "2", "--cases", "6", "--property", "coverage-obeys*"}).code,
             0);
   EXPECT_THAT(error_of({1, 2, 3}), HasSubstr("its seed is 2, and 1 there"));
-  EXPECT_EQ(run("shard2", {"--cases", "1", "--property", "coverage obeys*"}).code, 0);
+  EXPECT_EQ(run("shard2", {"--cases", "1", "--property", "coverage-obeys*"}).code, 0);
   EXPECT_THAT(error_of({1, 2, 3}), HasSubstr("shard2/run.json: is no shard"));
   EXPECT_THAT(error_of({4}), HasSubstr("shard4: cannot be read"));
 }
@@ -321,7 +321,7 @@ TEST_F(Shard, ThatIsMissingTwiceOrAlienIsRefused) {
 TEST_F(Shard, ThatWasInterruptedIsRefusedAndGoesOn) {
   const std::vector<std::string> campaign{"--backend",  "damaged:slow",   "--seed",
                                           "3",          "--cases",        "120",
-                                          "--property", "coverage obeys*"};
+                                          "--property", "coverage-obeys*"};
   EXPECT_EQ(run("whole", campaign).code, 1);
   EXPECT_EQ(run_shard(1, 2, campaign).code, 1);
   {

@@ -110,7 +110,7 @@ Result<void> run(const properties::Law& law, std::uint64_t cases, std::vector<Gr
     for (Group& group : groups) {
       if (!group.is_alive()) continue;
       if (!generated) {
-        properties::Draw draw(kSeed, law.name, index);
+        properties::Draw draw(kSeed, law.id, index);
         generated = law.generate(draw);
       }
       const Result<void> judged = judge(law, generated->source, index, group);
@@ -128,7 +128,7 @@ void print(const properties::Law& law, const std::vector<std::string>& names,
     for (const Mutant& mutant : group.mutants) judged[mutant.name] = &mutant;
   }
   for (const std::string& name : names) {
-    nlohmann::json line{{"law", law.name}, {"mutant", name}, {"kill", nullptr}, {"says", false}};
+    nlohmann::json line{{"law", law.id}, {"mutant", name}, {"kill", nullptr}, {"says", false}};
     if (const auto found = judged.find(name); found != judged.end()) {
       line["says"] = found->second->is_spoken_of;
       if (found->second->killed_at) line["kill"] = *found->second->killed_at;
@@ -154,7 +154,7 @@ int main_of(const std::vector<std::string>& arguments) {
   const Result<void> done = groups ? run(*law, cases, *groups)  //
                                    : Result<void>(tl::unexpected(groups.error()));
   if (!done) {
-    std::cerr << law->name << ": " << to_string(done.error()) << '\n';
+    std::cerr << law->id << ": " << to_string(done.error()) << '\n';
     return 1;
   }
   print(*law, names, *groups);

@@ -17,7 +17,7 @@ const std::vector<std::string>& gate_mutant_names();
 /// What a patch says of its mutant, before the first line of the diff: of texts the first line.
 struct Header {
   std::string defect;      ///< what is wrong
-  std::string killed_by;   ///< the name of a law; empty where nothing can kill it
+  std::string killed_by;   ///< the id of a law; empty where nothing can kill it
   std::string equivalent;  ///< why nothing can
   std::string of;          ///< the backend whose sources it damages
   /// The stage that the exact split of its errors has to name (records::Stage); empty: not asked.

@@ -33,7 +33,7 @@ struct Kill {
 /// The first of the law's own cases whose check finds violations.
 Result<std::optional<Kill>> first_kill(const properties::Law& law, backends::Backend& mutant) {
   for (std::uint64_t index = 0; index < kCases; ++index) {
-    properties::Draw draw(kSeed, law.name, index);
+    properties::Draw draw(kSeed, law.id, index);
     const properties::Generated generated = law.generate(draw);
     Result<properties::Check> check = law.check(generated.source, mutant, {index});
     if (!check) return tl::unexpected(check.error());
@@ -58,7 +58,7 @@ void expect_unharmed_passes(const properties::Law& law, const std::string& of, c
 /// Written as a case file and read back, the case gets the same verdict from a mutant loaded anew.
 void expect_replays(const properties::Law& law, const std::string& mutant, const Kill& kill) {
   cases::Case saved = kill.source;
-  saved.found = {std::string(law.name), "mutant:" + mutant, "violated", kSeed, kill.index};
+  saved.found = {std::string(law.id), "mutant:" + mutant, "violated", kSeed, kill.index};
   const auto read = cases::parse_case(cases::to_json(saved), "counterexample");
   ASSERT_TRUE(read) << to_string(read.error());
   EXPECT_EQ(*read, saved);
@@ -173,7 +173,7 @@ TEST_P(EquivalentMutants, KeepTheContract) {
   EXPECT_EQ(header_of(GetParam()).killed_by, "");
   const auto mutant = backends::make_backend("mutant:" + GetParam());
   ASSERT_TRUE(mutant) << to_string(mutant.error());
-  for (const char* name : {"coverage obeys the contract", "values stay within the bound"}) {
+  for (const char* name : {"coverage-obeys-the-contract", "values-stay-within-the-bound"}) {
     const properties::Law* law = properties::find_law(name);
     ASSERT_NE(law, nullptr);
     const auto kill = first_kill(*law, **mutant);
@@ -189,8 +189,8 @@ TEST(Laws, HaveAMutantEach) {
   for (const properties::Law& law : properties::laws()) {
     EXPECT_TRUE(
         std::any_of(mutant_names().begin(), mutant_names().end(),
-                    [&law](const std::string& m) { return header_of(m).killed_by == law.name; }))
-        << law.name;
+                    [&law](const std::string& m) { return header_of(m).killed_by == law.id; }))
+        << law.id;
   }
 }
 

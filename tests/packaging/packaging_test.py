@@ -190,12 +190,12 @@ class OnCleanDebian(unittest.TestCase):
         self.assertIn("The run ended with 0.", log)
         self.assertIn("The tests ended with 0.", log)
         self.assertIn("[  PASSED  ] 1 test.", log)
-        self.assertIn("coverage obeys the contract", log)
+        self.assertIn("coverage-obeys-the-contract", log)
         self.assertIn("method:rational-linear", log)
         # The whole corpus was checked, which is the package's: there is no source tree.
         run = json.loads((folder / "run.json").read_text(encoding="utf-8"))
         checked = [record["cases"]["checked"] for record in run["records"]
-                   if record["law"] == "coverage obeys the contract" and record["stratum"] == "corpus"]
+                   if record["law"] == "coverage-obeys-the-contract" and record["stratum"] == "corpus"]
         self.assertGreater(sum(checked), 300)
 
 

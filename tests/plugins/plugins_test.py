@@ -19,8 +19,8 @@ import unittest
 SOURCE, RASTERCHECK, CMAKE, CC, CXX, PATCH, CASES = pathlib.Path(), "", "", "", "", "", 0
 
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
-COVERAGE, VALUES = "coverage obeys the contract", "values stay within the bound"
-VERTEX_ORDER = "vertex order changes nothing beyond the bound"
+COVERAGE, VALUES = "coverage-obeys-the-contract", "values-stay-within-the-bound"
+VERTEX_ORDER = "vertex-order-changes-nothing-beyond-the-bound"
 # What matches just those three laws.
 THREE_LAWS = "[cv]* the [bc]o*"
 RANDOM_CASES = 5

@@ -69,13 +69,13 @@ TEST_P(ApiLawsTest, HoldOfWhatTheApisLeaveOpen) {
   for (const Law& law : laws()) {
     if (!is_promised(law, driver)) continue;
     for (std::uint64_t index = 0; index < kCases; ++index) {
-      Draw draw(0, law.name, index);
+      Draw draw(0, law.id, index);
       const Generated made = law.generate(draw);
       const Check check = check_or_note(law, made.source, driver, {index});
       checked += check.is_applicable ? 1 : 0;
       ASSERT_FALSE(check.fault.has_value()) << *check.fault;
       EXPECT_EQ(check.violation_count, 0U)
-          << law.name << ": " << verdict_of(check) << ", " << check.violations.front().note
+          << law.id << ": " << verdict_of(check) << ", " << check.violations.front().note
           << "\ncase " << index << ", " << made.stratum << ":\n"
           << cases::to_json(made.source);
     }
@@ -100,9 +100,9 @@ TEST(ApiLaws, ThatRestOnInvarianceAreNotAsked) {
   const Driver driver(Way{"exact", std::nullopt});
   const auto cpu = backends::make_backend("cpu").value();
   for (const char* const name :
-       {"a power of two changes no bit", "a scaled and moved attribute is scaled and moved",
-        "culled and unculled partition", "distinct depths are drawn in any order",
-        "the nearest fragment wins"}) {
+       {"a-power-of-two-changes-no-bit", "a-scaled-and-moved-attribute-is-scaled-and-moved",
+        "culled-and-unculled-partition", "distinct-depths-are-drawn-in-any-order",
+        "the-nearest-fragment-wins"}) {
     const Law* const law = find_law(name);
     ASSERT_NE(law, nullptr) << name;
     EXPECT_FALSE(is_promised(*law, driver)) << name;
@@ -117,7 +117,7 @@ TEST(ApiLaws, NoticeASixteenthOfAPixel) {
   const Law& law = *find_law(kCoverageLaw);
   std::uint64_t violated = 0;
   for (std::uint64_t index = 0; index < 200; ++index) {
-    Draw draw(0, law.name, index);
+    Draw draw(0, law.id, index);
     violated += check_or_note(law, law.generate(draw).source, driver, {index}).violation_count > 0;
   }
   EXPECT_GT(violated, 2U);

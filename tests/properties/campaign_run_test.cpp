@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr const char* kCoverage = "coverage obeys the contract";
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
 /// A campaign of 25 random cases that fail, into a folder of its own.
 class CampaignRunTest : public testing::Test {

@@ -21,8 +21,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr const char* kCoverage = "coverage obeys the contract";
-constexpr const char* kValues = "values stay within the bound";
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
+constexpr const char* kValues = "values-stay-within-the-bound";
 
 /// Says that the oracle has failed from the case with index 3 on.
 constexpr const char* kFaultyLaw = "a law of this test, with a fault";
@@ -36,7 +36,7 @@ Result<Check> check_with_fault(const cases::Case& /*c*/, backends::Backend& /*ba
   return check;
 }
 
-const LawRegistration kRegistration({.name = kFaultyLaw,
+const LawRegistration kRegistration({.id = kFaultyLaw,
                                      .reason = "a test",
                                      .exceptions = "nothing",
                                      .generate = &generate_square,
@@ -287,7 +287,7 @@ records::RecordSet ties(const std::string& law, const std::string& stratum, std:
 // Kills: a label that is reached in the corpus or a scene alone, and counts; one that is missing
 // and does not; one asked of a backend that leaves open what it says.
 TEST(UnreachedLabels, AreThoseOfRandomCases) {
-  const std::string law = "coverage obeys the contract";
+  const std::string law = "coverage-obeys-the-contract";
   CampaignOptions options;
   options.laws = {law};
   TaskRunner runner(1, {});
@@ -322,10 +322,10 @@ TEST(UnreachedLabels, AreThoseOfRandomCases) {
 // Kills: a law that asks nothing of a backend that is gone when the run ends, or something of one
 // that does not draw every case.
 TEST(UnreachedLabels, DependOnWhatIsPromised) {
-  const Law& law = *find_law("coverage obeys the contract");
-  records::RecordSet few = ties(std::string(law.name), "ordinary", 1000, 0);
+  const Law& law = *find_law("coverage-obeys-the-contract");
+  records::RecordSet few = ties(std::string(law.id), "ordinary", 1000, 0);
   few.begin()->second.labels["clipped"] = 0;
-  const std::vector<std::string> laws{std::string(law.name)};
+  const std::vector<std::string> laws{std::string(law.id)};
   records::BackendPromises promises = promises_of("cpu", nullptr, laws);
   const auto unreached = unreached_labels(law, promises, few);
   ASSERT_EQ(unreached.size(), 1U);

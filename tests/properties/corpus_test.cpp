@@ -14,8 +14,8 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr const char* kCoverage = "coverage obeys the contract";
-constexpr const char* kValues = "values stay within the bound";
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
+constexpr const char* kValues = "values-stay-within-the-bound";
 
 cases::Case named(const std::string& name) {
   cases::Case c = square();
@@ -78,7 +78,7 @@ TEST(ReadSaved, TakesWhatThisRunCanCheckAgain) {
   folder.put("1.json", cases::to_json(found_by(kCoverage, "damaged")));
   folder.put("2.json", cases::to_json(found_by(kValues, "cpu")));
   folder.put("3.json", cases::to_json(found_by(kValues, "gl")));
-  folder.put("4.json", cases::to_json(found_by("constants stay constant", "cpu")));
+  folder.put("4.json", cases::to_json(found_by("constants-stay-constant", "cpu")));
   folder.put("5.json", cases::to_json(square()));
   const std::string broken = folder.put("6.json", "{");
   folder.put("notes.txt", "{");

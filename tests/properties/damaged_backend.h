@@ -191,7 +191,7 @@ inline void lose_last_corner(const cases::Case& /*c*/, cases::Framebuffer& drawn
   if (find(drawn, last, 7, 7) < drawn.size()) drop(drawn, last, 7, 7);
 }
 
-/// What the law of that name finds of a case.
+/// What the law of that id finds of a case.
 inline Check check_of(std::string_view law, const cases::Case& c, backends::Backend& backend) {
   return find_law(law)->check(c, backend, {}).value();
 }

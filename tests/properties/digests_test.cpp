@@ -23,7 +23,7 @@ constexpr std::uint64_t kCases = 1000;
 std::uint64_t digest_of(const Law& law) {
   std::uint64_t digest = 0;
   for (std::uint64_t index = 0; index < kCases; ++index) {
-    Draw draw(kSeed, law.name, index);
+    Draw draw(kSeed, law.id, index);
     const Generated made = law.generate(draw);
     digest = fnv1a(std::to_string(digest) + made.stratum + cases::to_json(made.source));
   }
@@ -34,7 +34,7 @@ TEST(Digests, OfTheFirstCasesAreTheApprovedOnes) {
   const std::string file = RASTERCHECK_SOURCE_DIR "/tests/properties/approved/digests.txt";
   std::ostringstream digests;
   for (const Law& law : laws()) {
-    digests << std::hex << std::setw(16) << std::setfill('0') << digest_of(law) << "  " << law.name
+    digests << std::hex << std::setw(16) << std::setfill('0') << digest_of(law) << "  " << law.id
             << "\n";
   }
   if (std::getenv("UPDATE_APPROVED") != nullptr) {

@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kCoverage = "coverage obeys the contract";
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
 constexpr const char* kOdd = "a \"b\"\\\n\t\x01 \u00fc \U0001f4d0";
 
 /// What a damaged backend gives of the square, under odd names.

@@ -72,8 +72,8 @@ TEST(FirstToRead, IsOfTheCaseAsItStandsAndSmall) {
     return counterexample;
   };
   EXPECT_EQ(first_to_read({one("a", 3), one("b", 2), one("c", 2)}), 1U);
-  EXPECT_EQ(first_to_read({one("a", 1), one("coverage obeys the contract", 9), one("c", 1),
-                           one("values stay within the bound", 4)}),
+  EXPECT_EQ(first_to_read({one("a", 1), one("coverage-obeys-the-contract", 9), one("c", 1),
+                           one("values-stay-within-the-bound", 4)}),
             3U);
   EXPECT_EQ(first_to_read({}), 0U);
 }
@@ -83,7 +83,7 @@ TEST(FirstToRead, IsOfLogicBeforeOneOfRounding) {
   const auto one = [](double distance, std::size_t triangles) {
     Counterexample counterexample;
     counterexample.source.found =
-        cases::Found{"coverage obeys the contract", "cpu", "missing", 1, 2};
+        cases::Found{"coverage-obeys-the-contract", "cpu", "missing", 1, 2};
     counterexample.source.triangles.resize(triangles);
     counterexample.violations.resize(1);
     counterexample.violations[0].fragment_class = records::FragmentClass::missing;

@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr const char* kCoverage = "coverage obeys the contract";
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
 std::unique_ptr<backends::Backend> driver(const std::string& name = "driver") {
   return backends::make_backend("damaged:" + name).value();
@@ -61,7 +61,7 @@ TEST(KnownDefects, AreRefusedWhereTheyDoNotFit) {
   put_known(folder, replaced(kKnownList, "\"laws\": [\"cov", "\"laws\": [\"no law\", \"cov"));
   EXPECT_EQ(refusal(folder), "/entries/0/laws: there is no law 'no law'");
   cases::Case c = scissored_square();
-  c.found->law = "values stay within the bound";
+  c.found->law = "values-stay-within-the-bound";
   put_known(folder, kKnownList, c);
   EXPECT_EQ(refusal(folder), "/found: is found by a law that is not of its entry");
   c = scissored_square();

@@ -33,18 +33,21 @@ Case kept_square() {
 }
 
 // Each says what its cases have to reach, or nobody would know that they do not.
-TEST(Laws, AreKnownByTheirNames) {
-  std::vector<std::string_view> names;
+TEST(Laws, AreKnownByTheirIds) {
+  std::vector<std::string_view> ids;
   for (const Law& law : laws()) {
-    names.push_back(law.name);
-    EXPECT_EQ(find_law(law.name)->name, law.name);
-    EXPECT_NE(law.reason, "") << law.name;
-    EXPECT_NE(law.exceptions, "") << law.name;
-    EXPECT_FALSE(law.covers.empty()) << law.name;
+    ids.push_back(law.id);
+    EXPECT_EQ(find_law(law.id)->id, law.id);
+    EXPECT_EQ(law.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"), law.id.npos)
+        << law.id;
+    EXPECT_NE(law.sentence, "") << law.id;
+    EXPECT_NE(law.reason, "") << law.id;
+    EXPECT_NE(law.exceptions, "") << law.id;
+    EXPECT_FALSE(law.covers.empty()) << law.id;
   }
-  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
-  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
-  EXPECT_EQ(find_law("a law"), nullptr);
+  EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
+  EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end());
+  EXPECT_EQ(find_law("a-law"), nullptr);
 }
 
 TEST(Laws, AskForNoMoreThanChanceAllows) {
@@ -72,17 +75,17 @@ TEST(Laws, MakeCasesThatComeBackFromTheirFilesAndNameTheirStratum) {
   for (const Law& law : laws()) {
     std::set<std::string> strata;
     for (std::uint64_t i = 0; i < 200; ++i) {
-      Draw first(7, law.name, i);
-      Draw second(7, law.name, i);
+      Draw first(7, law.id, i);
+      Draw second(7, law.id, i);
       const Generated made = law.generate(first);
-      EXPECT_EQ(made.source, law.generate(second).source) << law.name << i;
+      EXPECT_EQ(made.source, law.generate(second).source) << law.id << i;
       const Result<Case> read = cases::parse_case(cases::to_json(made.source), "");
-      ASSERT_TRUE(read.has_value()) << law.name << i << ": " << to_string(read.error());
-      EXPECT_EQ(*read, made.source) << law.name << i;
+      ASSERT_TRUE(read.has_value()) << law.id << i << ": " << to_string(read.error());
+      EXPECT_EQ(*read, made.source) << law.id << i;
       strata.insert(made.stratum);
     }
-    EXPECT_GE(strata.size(), 3U) << law.name;
-    EXPECT_FALSE(strata.contains("")) << law.name;
+    EXPECT_GE(strata.size(), 3U) << law.id;
+    EXPECT_FALSE(strata.contains("")) << law.id;
   }
 }
 
@@ -94,11 +97,11 @@ TEST(Laws, HoldOfTheSquare) {
     DamagedBackend cpu({}, "cpu");
     DamagedBackend& backend = is_promised(law, method) ? method : cpu;
     const Check check = law.check(kept_square(), backend, {}).value();
-    EXPECT_EQ(check.violation_count, 0U) << law.name;
-    EXPECT_TRUE(std::is_sorted(check.labels.begin(), check.labels.end())) << law.name;
+    EXPECT_EQ(check.violation_count, 0U) << law.id;
+    EXPECT_TRUE(std::is_sorted(check.labels.begin(), check.labels.end())) << law.id;
     if (!check.is_applicable) continue;
     ++checked;
-    EXPECT_GT(check.judgement.counts.required, 0U) << law.name;
+    EXPECT_GT(check.judgement.counts.required, 0U) << law.id;
   }
   EXPECT_GE(checked, 12);
 }
@@ -108,23 +111,23 @@ TEST(Laws, SayNothingOfWhatIsNotPromised) {
   std::vector<std::string_view> not_promised;
   for (const Law& law : laws()) {
     if (is_promised(law, *method)) continue;
-    not_promised.push_back(law.name);
+    not_promised.push_back(law.id);
     for (std::uint64_t i = 0; i < 20; ++i) {
-      Draw draw(1, law.name, i);
+      Draw draw(1, law.id, i);
       const Case c = law.generate(draw).source;
-      EXPECT_FALSE(law.check(c, *method, {i}).value().is_applicable) << law.name << i;
+      EXPECT_FALSE(law.check(c, *method, {i}).value().is_applicable) << law.id << i;
     }
   }
   EXPECT_THAT(
       not_promised,
       testing::IsSupersetOf(
-          {"a picture is what its fragments leave", "additive blending counts overdraw",
-           "differences across quads stay within the bound",
-           "discarding draws what keeping the kept texels draws",
-           "filtered colours stay within the bound", "normals stay within their bound",
-           "screen derivatives stay within the bound", "strips and fans are their triangles",
-           "texels are those of the exact coordinates", "the vertex stage stays within its bound",
-           "values at vertices come back"}));
+          {"a-picture-is-what-its-fragments-leave", "additive-blending-counts-overdraw",
+           "differences-across-quads-stay-within-the-bound",
+           "discarding-draws-what-keeping-the-kept-texels-draws",
+           "filtered-colours-stay-within-the-bound", "normals-stay-within-their-bound",
+           "screen-derivatives-stay-within-the-bound", "strips-and-fans-are-their-triangles",
+           "texels-are-those-of-the-exact-coordinates", "the-vertex-stage-stays-within-its-bound",
+           "values-at-vertices-come-back"}));
 }
 
 TEST(Laws, PassOnWhatABackendCannotDraw) {
@@ -158,7 +161,7 @@ TEST(Laws, PassOnWhatABackendCannotDraw) {
     if (!is_promised(law, backend)) continue;
     const Result<Check> check = law.check(c, backend, {});
     if (check && !check->is_applicable) continue;
-    ASSERT_FALSE(check.has_value()) << law.name;
+    ASSERT_FALSE(check.has_value()) << law.id;
     EXPECT_EQ(check.error().reason, "no triangles today");
     ++asked;
   }

@@ -36,7 +36,7 @@ struct LawOfBackend {
 };
 
 std::ostream& operator<<(std::ostream& out, const LawOfBackend& which) {
-  return out << which.law->name << " of " << which.backend;
+  return out << which.law->id << " of " << which.backend;
 }
 
 /// Every law of every backend that promises what it is about.
@@ -77,7 +77,7 @@ class LawTest : public testing::TestWithParam<LawOfBackend> {
  protected:
   /// Checks case `index`; false where that is the end of it.
   bool check_case(const Law& law, backends::Backend& backend, std::uint64_t index) {
-    Draw draw(parameters_.seed, law.name, index);
+    Draw draw(parameters_.seed, law.id, index);
     if (draw.size() > parameters_.maxSize) return true;
     const Generated made = law.generate(draw);
     const Check check = check_or_note(law, made.source, backend, {index});
@@ -133,7 +133,7 @@ std::string as_test_name(std::string name) {
 }
 
 std::string test_name(const testing::TestParamInfo<LawOfBackend>& test) {
-  return as_test_name(std::string(test.param.law->name) + "_of_" + test.param.backend);
+  return as_test_name(std::string(test.param.law->id) + "_of_" + test.param.backend);
 }
 
 // Registered where all laws have registered themselves: GoogleTest asks for the parameters when
@@ -143,8 +143,8 @@ INSTANTIATE_TEST_SUITE_P(All, LawTest, testing::ValuesIn(promised_laws()), test_
 // Kills: laws that no backend promises, and nobody checks.
 TEST(Laws, AreAllPromisedByOneOfThem) {
   std::set<std::string_view> promised;
-  for (const LawOfBackend& which : promised_laws()) promised.insert(which.law->name);
-  for (const Law& law : laws()) EXPECT_TRUE(promised.contains(law.name)) << law.name;
+  for (const LawOfBackend& which : promised_laws()) promised.insert(which.law->id);
+  for (const Law& law : laws()) EXPECT_TRUE(promised.contains(law.id)) << law.id;
 }
 
 /// A few cases of every law: of many a campaign with that backend is the check.
@@ -160,13 +160,13 @@ TEST_P(MethodTest, KeepsWhatItPromises) {
   for (const Law& law : laws()) {
     if (!is_promised(law, *backend)) continue;
     for (std::uint64_t index = 0; index < kCases; ++index) {
-      Draw draw(parameters.seed, law.name, index);
+      Draw draw(parameters.seed, law.id, index);
       const Generated made = law.generate(draw);
       const Check check = check_or_note(law, made.source, *backend, {index});
       checked += check.is_applicable ? 1 : 0;
       ASSERT_FALSE(check.fault.has_value()) << *check.fault;
       ASSERT_EQ(check.violation_count, 0U)
-          << law.name << ": " << verdict_of(check) << "\ncase " << index << " of seed "
+          << law.id << ": " << verdict_of(check) << "\ncase " << index << " of seed "
           << parameters.seed << ", " << made.stratum << ":\n"
           << cases::to_json(made.source);
     }

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr const char* kCoverage = "coverage obeys the contract";
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
 constexpr const char* kFile = "counterexamples/coverage-obeys-the-contract-damaged-missing.json";
 
 RunPlan plan() {

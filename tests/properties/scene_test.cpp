@@ -18,9 +18,9 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr const char* kCoverage = "coverage obeys the contract";
-constexpr const char* kValues = "values stay within the bound";
-const std::vector<std::string> kLaws{"constants stay constant", kCoverage, kValues};
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
+constexpr const char* kValues = "values-stay-within-the-bound";
+const std::vector<std::string> kLaws{"constants-stay-constant", kCoverage, kValues};
 
 cases::Case scene() {
   cases::Case c = square();
@@ -58,7 +58,7 @@ TEST(JudgeScene, RecordsTheTwoLawsThatHoldOfEveryCase) {
                 .errors.classes[records::FragmentClass::correct],
             192U);
   EXPECT_FALSE(records.contains(key(kCoverage, AttributeKind::smooth)));
-  EXPECT_FALSE(records.contains(key("constants stay constant")));
+  EXPECT_FALSE(records.contains(key("constants-stay-constant")));
 }
 
 TEST(JudgeScene, RecordsOnlyWhatIsAskedFor) {

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr const char* kLaw = "coverage obeys the contract";
+constexpr const char* kLaw = "coverage-obeys-the-contract";
 
 records::Counterexample found_at(std::uint64_t index) {
   records::Counterexample one;

@@ -25,7 +25,7 @@ using testing::HasSubstr;
 using testing::Not;
 using Outcome = Trial::Outcome;
 
-constexpr const char* kCoverage = "coverage obeys the contract";
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
 /// Loses pixel (7, 7) of whatever is drawn, smaller cases too.
 void lose_corner(const cases::Case& c, cases::Framebuffer& drawn) {
@@ -166,7 +166,7 @@ TEST(TryLaw, NamesTheCaseOfTheCorpus) {
 }
 
 TEST(TryLaw, SaysHowFarAValueIsOff) {
-  Law law = *find_law("values stay within the bound");
+  Law law = *find_law("values-stay-within-the-bound");
   law.generate = [](Draw&) { return Generated{square(), "squares"}; };
   TrialOptions options = few_cases();
   options.shrinking.tries = 0;
@@ -210,7 +210,7 @@ TEST(TryLaw, PrintsTheCaseWhereItCannotBeSaved) {
 
 TEST(TryLaw, SkipsWhatIsNotPromised) {
   const Trial trial =
-      try_law(*find_law("strips and fans are their triangles"), "Mine", damaged({}), few_cases());
+      try_law(*find_law("strips-and-fans-are-their-triangles"), "Mine", damaged({}), few_cases());
   EXPECT_EQ(trial.outcome, Outcome::skipped);
   EXPECT_THAT(trial.text,
               AllOf(HasSubstr("Mine does not promise what “strips and fans are their triangles”"),

@@ -23,8 +23,8 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr const char* kCoverage = "coverage obeys the contract";
-const CampaignOptions kSmall{7, 25, {"cpu", "damaged"}, {kCoverage, "constants stay constant"}};
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
+const CampaignOptions kSmall{7, 25, {"cpu", "damaged"}, {kCoverage, "constants-stay-constant"}};
 
 /// Whether every process is gone, and none left a zombie.
 bool has_no_children() { return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
@@ -88,7 +88,7 @@ TEST(WorkerProcesses, ThatDieAreNamedWithTheirTask) {
   const Result<Findings> found = run_with({"/bin/false"}, 1);
   ASSERT_FALSE(found);
   EXPECT_EQ(to_string(found.error()),
-            "worker: ended with exit code 1 at the law 'coverage obeys the contract' with cpu, "
+            "worker: ended with exit code 1 at the law 'coverage-obeys-the-contract' with cpu, "
             "cases 0 to 9");
   EXPECT_TRUE(has_no_children());
 }

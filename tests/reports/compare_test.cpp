@@ -450,8 +450,8 @@ TEST(CompareRefuses, AnythingElseThanTheSameCasesAndRules) {
     change(after);
     return refusal(before, after);
   };
-  EXPECT_EQ(with([](BaselineSection& s) { s.records_version = 2; }),
-            "the version of records is 1 in the baseline and 2 now");
+  EXPECT_EQ(with([](BaselineSection& s) { s.records_version = 1; }),
+            "the version of records is 2 in the baseline and 1 now");
   EXPECT_EQ(with([](BaselineSection& s) { s.rules_version = 7; }),
             "the version of the rules is 1 in the baseline and 7 now");
   EXPECT_EQ(with([](BaselineSection& s) { s.seed = 2; }),

@@ -44,7 +44,7 @@ BASELINE = {
     "sections": [
         {
             "backend": "cpu", "architecture": "x86_64", "instruction_set": "avx2",
-            "compiler": "GNU 12.2.0", "records_version": 1, "rules_version": 1, "seed": 1,
+            "compiler": "GNU 12.2.0", "records_version": 2, "rules_version": 1, "seed": 1,
             "cases_per_law": 100, "options": ["--property", "*"], "contract_digest": DIGEST,
             "taken": {
                 "backend": "cpu", "version": "0.1.0", "commit": "", "instruction_set": "avx2",

@@ -66,6 +66,7 @@ RC_GTEST_PROP(ParseRun, GivesBackAnyRun, ()) {
   run.records = records::records_of(records::random_observations());
   run.scene = records::one_of<std::string>({"", "bunny", "\"\n\\"});
   run.laws = {run.scene, "b"};
+  if (*rc::gen::arbitrary<bool>()) run.sentences = {{run.scene, "a \"b\""}, {"b", ""}};
   run.backends = {"cpu", run.scene};
   run.environment[run.scene] = "x";
   for (auto left = *rc::gen::inRange(0, 3); left > 0; --left) {

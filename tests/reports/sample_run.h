@@ -167,6 +167,7 @@ inline records::Run sample_run() {
   run.cases_per_law = 1000;
   run.backends = {"cpu", "method:float32"};
   run.laws = {"coverage is exact", "values are within bounds", "a law <that> says | nothing"};
+  run.sentences = {{"coverage is exact", "coverage is <that> of the contract"}};
   run.scene = "it's a bunny";
   run.options = {"--property", "*<values>*", "--timeout", "2.5"};
   for (const std::string& backend : run.backends) {

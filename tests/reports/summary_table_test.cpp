@@ -18,7 +18,7 @@ using ::testing::StartsWith;
 /// A law whose p99 lies in a bucket that ends just above 0.4585.
 records::LawSummary row() {
   records::LawSummary row;
-  row.law = "constants stay constant";
+  row.law = "constants-stay-constant";
   row.backend = "cpu";
   row.cases = {12, 3, 1};
   row.fragments = 1000;
@@ -33,7 +33,7 @@ records::LawSummary row() {
 // Kills: an upper bound that is rounded down.
 TEST(SummaryTable, HasARowForEachLawAndBackend) {
   EXPECT_EQ(summary_table({row()}, true, {}),
-            "constants stay constant  cpu  12  1000  0.5  ≤ 0.459  –  violated\n");
+            "constants-stay-constant  cpu  12  1000  0.5  ≤ 0.459  –  violated\n");
   EXPECT_THAT(summary_table({row()}, false, {}), StartsWith("law  "));
 }
 

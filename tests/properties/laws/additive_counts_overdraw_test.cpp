@@ -17,7 +17,7 @@ using cases::Case;
 using cases::Framebuffer;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "additive blending counts overdraw";
+constexpr std::string_view kLaw = "additive-blending-counts-overdraw";
 
 TEST(Overdraw, IsOfBackendsThatDrawPictures) {
   PictureBackend backend;

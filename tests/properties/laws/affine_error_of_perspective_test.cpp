@@ -13,7 +13,7 @@ namespace {
 using cases::Case;
 using cases::Framebuffer;
 
-constexpr std::string_view kLaw = "affine values are off perspective by no more than w allows";
+constexpr std::string_view kLaw = "affine-values-are-off-perspective-by-no-more-than-w-allows";
 
 /// Over 8 × 8 pixels, w = 1 and r = 0 on the left side, w = 4 and r = 1 at the vertex on the right.
 /// At u = 2 1/2 the weight of that vertex is 5/16 in the window, and 5/64 over 11/16 + 5/64, 5/49,

@@ -17,7 +17,7 @@ using cases::Framebuffer;
 using records::AttributeKind;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "1/w and r/w are affine on the screen";
+constexpr std::string_view kLaw = "1-w-and-r-w-are-affine-on-the-screen";
 
 /// The square with w of 1, 2, 4 and 8, r = 8 q, and q from 0 to 8.
 Case weighted() {

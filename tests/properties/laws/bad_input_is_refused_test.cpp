@@ -15,7 +15,7 @@ using cases::Case;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "bad input is refused and the target untouched";
+constexpr std::string_view kLaw = "bad-input-is-refused-and-the-target-untouched";
 
 /// A square whose numbers choose another fault for each `i`.
 Case numbered(int i) {

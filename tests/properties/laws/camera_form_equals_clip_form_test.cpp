@@ -18,7 +18,7 @@ using cases::Framebuffer;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "camera form equals clip form";
+constexpr std::string_view kLaw = "camera-form-equals-clip-form";
 
 /// A triangle that leads away from the camera, w from 1 to 4; it fills most of 8×8 pixels.
 Case seen_at_a_slant() {

@@ -20,7 +20,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr std::string_view kLaw = "a roll by a quarter turns the picture";
+constexpr std::string_view kLaw = "a-roll-by-a-quarter-turns-the-picture";
 
 /// A camera at the origin sees triangle A of the square, two units away, in 12×8 pixels.
 Case seen() {

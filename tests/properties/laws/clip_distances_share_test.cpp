@@ -16,7 +16,7 @@ using cases::Framebuffer;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "complementary clip distances share what is drawn";
+constexpr std::string_view kLaw = "complementary-clip-distances-share-what-is-drawn";
 
 /// The square, and the distance u − 3.5: zero at the centres of column 3.
 Case cut_square() {

@@ -18,7 +18,7 @@ using cases::Case;
 using cases::Framebuffer;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "clipped equals clipless";
+constexpr std::string_view kLaw = "clipped-equals-clipless";
 
 /// What is left at a plane has vertices besides those of the triangles that it is left of.
 bool is_clipped(const Case& c) {

@@ -17,7 +17,7 @@ using cases::Framebuffer;
 using records::AttributeKind;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "constants stay constant";
+constexpr std::string_view kLaw = "constants-stay-constant";
 
 TEST(ConstantsStayConstant, FindsOneUlpAndTheOtherZero) {
   const Check check = check_of(kLaw, square(), [](const Case&, Framebuffer& drawn) {

@@ -17,7 +17,7 @@ using cases::Framebuffer;
 using records::AttributeKind;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "coverage obeys the contract";
+constexpr std::string_view kLaw = "coverage-obeys-the-contract";
 
 TEST(CoverageObeysTheContract, FindsAMissingFragment) {
   const Check check =

@@ -19,7 +19,7 @@ using cases::FrontFace;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "culled and unculled partition";
+constexpr std::string_view kLaw = "culled-and-unculled-partition";
 
 /// The square, one half of which is seen from behind.
 Case two_sided() {

@@ -21,7 +21,7 @@ using cases::Framebuffer;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "what is degenerate covers nothing";
+constexpr std::string_view kLaw = "what-is-degenerate-covers-nothing";
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 

@@ -17,7 +17,7 @@ using cases::Framebuffer;
 using records::AttributeKind;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "screen derivatives stay within the bound";
+constexpr std::string_view kLaw = "screen-derivatives-stay-within-the-bound";
 
 /// Of a backend that gives derivatives, and goes wrong so.
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }

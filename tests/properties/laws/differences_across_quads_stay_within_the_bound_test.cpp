@@ -21,7 +21,7 @@ using cases::Shading;
 using records::AttributeKind;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "differences across quads stay within the bound";
+constexpr std::string_view kLaw = "differences-across-quads-stay-within-the-bound";
 
 /// How many of a hundred cases of the law a backend breaks.
 int broken(DamagedBackend& backend) { return check_own_cases(kLaw, backend, 100).violated; }

@@ -16,7 +16,7 @@ namespace {
 using cases::Case;
 using cases::Pipeline;
 
-constexpr std::string_view kLaw = "discarding draws what keeping the kept texels draws";
+constexpr std::string_view kLaw = "discarding-draws-what-keeping-the-kept-texels-draws";
 
 /// How many of a hundred cases of the law a backend breaks.
 int broken_by(const PipelineDamage& damage) {

@@ -17,7 +17,7 @@ using cases::Framebuffer;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "drawing twice draws the same bits";
+constexpr std::string_view kLaw = "drawing-twice-draws-the-same-bits";
 
 TEST(DrawingTwice, DrawsTheSame) {
   std::vector<Case> drawn;

@@ -19,7 +19,7 @@ using cases::Framebuffer;
 using records::AttributeKind;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "equal depth stays equal";
+constexpr std::string_view kLaw = "equal-depth-stays-equal";
 
 /// The square with w of its own at each vertex, still at depth 1/4.
 Case tilted() {

@@ -17,7 +17,7 @@ using cases::Case;
 using cases::Framebuffer;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "equal w equals the general path";
+constexpr std::string_view kLaw = "equal-w-equals-the-general-path";
 
 Check checked(const Case& c, const Damage& damage, const std::string& specification = "cpu") {
   return check_of(kLaw, c, damage, specification);

@@ -16,7 +16,7 @@ using cases::Filter;
 using cases::Pipeline;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "filtered colours stay within the bound";
+constexpr std::string_view kLaw = "filtered-colours-stay-within-the-bound";
 
 /// How many of a hundred cases of the law a backend breaks.
 int broken_by(const PipelineDamage& damage) {
@@ -47,7 +47,7 @@ TEST(FilteredColours, AreNotJudgedWithoutABound) {
   backend.promised->texture_bounds.reset();
   EXPECT_FALSE(is_promised(*find_law(kLaw), backend));
   EXPECT_FALSE(check_of(kLaw, square(), backend).is_applicable);
-  EXPECT_TRUE(is_promised(*find_law("texels are those of the exact coordinates"), backend));
+  EXPECT_TRUE(is_promised(*find_law("texels-are-those-of-the-exact-coordinates"), backend));
 }
 
 TEST(FilteredColours, ShowAnotherFilter) {

@@ -15,7 +15,7 @@ using cases::Framebuffer;
 using records::AttributeKind;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "flat values are the provoking vertex's";
+constexpr std::string_view kLaw = "flat-values-are-the-provoking-vertex";
 
 /// Attribute 2 is flat and −0 at vertex 0 only, and a subnormal at vertex 1.
 Case flat() {

@@ -18,7 +18,7 @@ using records::FragmentClass;
 using testing::Contains;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "a mirror mirrors the picture";
+constexpr std::string_view kLaw = "a-mirror-mirrors-the-picture";
 constexpr int kNumbers = 32;
 
 Check checked(const Case& c, backends::Backend& backend) { return check_of(kLaw, c, backend); }

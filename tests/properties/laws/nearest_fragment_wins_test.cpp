@@ -18,7 +18,7 @@ using cases::Framebuffer;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "the nearest fragment wins";
+constexpr std::string_view kLaw = "the-nearest-fragment-wins";
 
 /// The square's A three times, at these depths.
 Case layers(float first, float second, float third) {

@@ -19,7 +19,7 @@ using cases::Matrix4;
 using cases::Normal;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "normals stay within their bound";
+constexpr std::string_view kLaw = "normals-stay-within-their-bound";
 
 /// The square, its positions (0, 3, 4) and (0, 0, 2) first, by a model that stretches x.
 Case stretched() {

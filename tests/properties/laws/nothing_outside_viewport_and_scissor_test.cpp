@@ -17,7 +17,7 @@ using cases::Framebuffer;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "nothing is written outside viewport and scissor";
+constexpr std::string_view kLaw = "nothing-is-written-outside-viewport-and-scissor";
 
 /// The square in a viewport of columns 1 to 4 and rows 2 to 6 of 8×8 pixels.
 Case inset() {

@@ -18,7 +18,7 @@ using cases::Framebuffer;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "distinct depths are drawn in any order";
+constexpr std::string_view kLaw = "distinct-depths-are-drawn-in-any-order";
 
 /// The square's A twice: at depth 1/4 and then at 1/2.
 Case layers() {

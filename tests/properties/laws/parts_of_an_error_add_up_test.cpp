@@ -21,7 +21,7 @@ using records::SampleTrace;
 using records::Stage;
 using records::Stratum;
 
-constexpr std::string_view kLaw = "the parts of an error add up to the whole";
+constexpr std::string_view kLaw = "the-parts-of-an-error-add-up-to-the-whole";
 
 /// What the law finds where the traces of the square are changed so.
 Check with_traces(const std::function<void(SampleTrace&)>& change) {

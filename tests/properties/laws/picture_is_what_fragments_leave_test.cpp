@@ -20,7 +20,7 @@ using records::AttributeKind;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "a picture is what its fragments leave";
+constexpr std::string_view kLaw = "a-picture-is-what-its-fragments-leave";
 
 /// How many of a hundred cases of the law a backend breaks.
 int broken(PictureBackend& backend) { return check_own_cases(kLaw, backend, 100).violated; }

@@ -19,7 +19,7 @@ using cases::Framebuffer;
 using records::FragmentClass;
 using testing::Contains;
 
-constexpr std::string_view kLaw = "a power of two changes no bit";
+constexpr std::string_view kLaw = "a-power-of-two-changes-no-bit";
 constexpr int kNumbers = 32;
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage); }

@@ -16,7 +16,7 @@ using cases::Framebuffer;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "a quarter turn turns the picture";
+constexpr std::string_view kLaw = "a-quarter-turn-turns-the-picture";
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 

@@ -17,7 +17,7 @@ using cases::Framebuffer;
 using records::AttributeKind;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "sample positions are the pattern's";
+constexpr std::string_view kLaw = "sample-positions-are-the-patterns";
 
 /// The square with its window positions as attributes.
 Case positions(int samples, cases::Location location = cases::Location::sample) {

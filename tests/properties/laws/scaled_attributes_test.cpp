@@ -21,7 +21,7 @@ using records::FragmentClass;
 using testing::Contains;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "a scaled and moved attribute is scaled and moved";
+constexpr std::string_view kLaw = "a-scaled-and-moved-attribute-is-scaled-and-moved";
 constexpr int kNumbers = 32;
 
 Check checked(const Case& c, const Damage& damage, const std::string& specification = "cpu") {

@@ -19,7 +19,7 @@ using cases::Framebuffer;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "scissors that part the window part what is drawn";
+constexpr std::string_view kLaw = "scissors-that-part-the-window-part-what-is-drawn";
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage); }
 

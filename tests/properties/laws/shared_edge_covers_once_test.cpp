@@ -18,7 +18,7 @@ using records::AttributeKind;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "a shared edge covers each sample once";
+constexpr std::string_view kLaw = "a-shared-edge-covers-each-sample-once";
 
 // (3, 4) lies on the diagonal and is drawn by triangle 1.
 TEST(SharedEdge, FindsASampleDrawnByNeither) {

@@ -20,7 +20,7 @@ using cases::Case;
 using cases::Framebuffer;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "splitting a triangle changes nothing beyond the bound";
+constexpr std::string_view kLaw = "splitting-a-triangle-changes-nothing-beyond-the-bound";
 
 Check checked(const Case& c, const Damage& damage, const std::string& specification = "cpu") {
   return check_of(kLaw, c, damage, specification);

@@ -20,7 +20,7 @@ using records::FragmentClass;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
 
-constexpr std::string_view kLaw = "strips and fans are their triangles";
+constexpr std::string_view kLaw = "strips-and-fans-are-their-triangles";
 
 /// What the law finds of so many of its own cases, drawn by a backend that goes wrong so.
 struct Found {

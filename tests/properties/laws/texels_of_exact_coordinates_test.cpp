@@ -22,7 +22,7 @@ using records::AttributeKind;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "texels are those of the exact coordinates";
+constexpr std::string_view kLaw = "texels-are-those-of-the-exact-coordinates";
 
 /// How many of a hundred cases of the law a backend breaks.
 int broken_by(const PipelineDamage& damage) {

@@ -20,7 +20,7 @@ using records::SampleTrace;
 using records::TracedValue;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "the traced value is the drawn value";
+constexpr std::string_view kLaw = "the-traced-value-is-the-drawn-value";
 
 /// The first fragment of triangle 0, which the law asks about.
 bool is_first(const SampleAddress& at) { return at == SampleAddress{}; }

@@ -18,7 +18,7 @@ using cases::Case;
 using cases::Framebuffer;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "a triangulation of the screen covers each sample once";
+constexpr std::string_view kLaw = "a-triangulation-of-the-screen-covers-each-sample-once";
 
 /// Four cells around the centre of pixel (4, 4), 4 pixels beyond the screen on each side:
 ///

@@ -17,7 +17,7 @@ using cases::Framebuffer;
 using records::AttributeKind;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "values are monotone along a line";
+constexpr std::string_view kLaw = "values-are-monotone-along-a-line";
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 

@@ -18,7 +18,7 @@ using cases::Framebuffer;
 using records::AttributeKind;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "values stay in the range of their vertices";
+constexpr std::string_view kLaw = "values-stay-in-the-range-of-their-vertices";
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 

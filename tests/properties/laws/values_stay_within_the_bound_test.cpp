@@ -18,7 +18,7 @@ using cases::Framebuffer;
 using records::AttributeKind;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "values stay within the bound";
+constexpr std::string_view kLaw = "values-stay-within-the-bound";
 
 // One ulp of a value of one is one scale ULP of an attribute that is one everywhere.
 TEST(ValuesStayWithinTheBound, FindsOneUlp) {

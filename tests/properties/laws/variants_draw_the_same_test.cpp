@@ -16,7 +16,7 @@ using cases::Case;
 using cases::Framebuffer;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "threads, tiles and SIMD change no bit";
+constexpr std::string_view kLaw = "threads-tiles-and-simd-change-no-bit";
 
 Result<Check> checked(DamagedBackend& backend) {
   return find_law(kLaw)->check(square(), backend, {});

@@ -16,7 +16,7 @@ using cases::Framebuffer;
 using records::AttributeKind;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "vertex order changes nothing beyond the bound";
+constexpr std::string_view kLaw = "vertex-order-changes-nothing-beyond-the-bound";
 
 TEST(VertexOrder, FindsAValueThatDependsOnIt) {
   const Check check = check_of(kLaw, square(), [](const Case& c, Framebuffer& drawn) {

@@ -18,7 +18,7 @@ using cases::Case;
 using cases::ClipVertex;
 using records::FragmentClass;
 
-constexpr std::string_view kLaw = "the vertex stage stays within its bound";
+constexpr std::string_view kLaw = "the-vertex-stage-stays-within-its-bound";
 
 /// The square by a camera that moves it by 3 and back, all of it exactly.
 Case seen_square() {

@@ -20,7 +20,7 @@ using records::AttributeKind;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "values at vertices come back";
+constexpr std::string_view kLaw = "values-at-vertices-come-back";
 
 /// 8×8 pixels, a triangle with the corners (1.5, 1.5), (5.5, 1.5) and (1.5, 5.5), each the centre
 /// of a pixel, w = 1, 4 and 2. Ties go to top and left edges: of the three the first is drawn. The

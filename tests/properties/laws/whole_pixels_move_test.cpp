@@ -19,7 +19,7 @@ using cases::Framebuffer;
 using records::FragmentClass;
 using testing::HasSubstr;
 
-constexpr std::string_view kLaw = "whole pixels move the picture";
+constexpr std::string_view kLaw = "whole-pixels-move-the-picture";
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 

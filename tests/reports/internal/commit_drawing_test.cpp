@@ -18,7 +18,7 @@ bool matches(const std::string& pattern, const std::string& law) {
 
 TEST(CommitDrawing, PatternMatchesTheseLawsAndNoOthers) {
   const std::string odd = "1/w (in [0, 1]) is *one* of a|b, isn't it? \\ @(c)";
-  EXPECT_EQ(pattern_of({"values stay within the bound"}), "values stay within the bound");
+  EXPECT_EQ(pattern_of({"values-stay-within-the-bound"}), "values-stay-within-the-bound");
   EXPECT_TRUE(matches(pattern_of({odd}), odd));
   EXPECT_FALSE(matches(pattern_of({odd}), "1/w (in 0) is two one of a|b, isn't its \\ @(c)"));
   const std::string both = pattern_of({odd, "coverage"});
