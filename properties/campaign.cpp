@@ -198,7 +198,7 @@ Result<KnownByBackend> TaskRunner::known_of(const std::vector<std::string>& back
 
 Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   const Law* law = find_law(task.law);
-  if (law == nullptr) return tl::unexpected(Error{task.law, "", "there is no law of that name"});
+  if (law == nullptr) return tl::unexpected(Error{task.law, "", "no law has this id"});
   if (task.kind == TaskKind::corpus && task.last > corpus_.size()) {
     return tl::unexpected(Error{"the corpus", "", "has fewer cases than a task asks for"});
   }
@@ -249,7 +249,7 @@ NumberedCase TaskRunner::numbered_case(const Task& task, const Law& law, std::ui
     return {source, std::string(records::kSavedStratum), source.found->index,
             records::Origin::saved};
   }
-  Draw draw(seed_, law.id, i);
+  Draw draw = draw_of(law, seed_, i);
   Generated generated = law.generate(draw);
   return {std::move(generated.source), std::move(generated.stratum), i, records::Origin::random};
 }

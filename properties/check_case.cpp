@@ -192,8 +192,9 @@ void keep_case(const Law& law, const std::string& specification, const NumberedC
     }
   }
   records::RecordSet alone;
-  // Not of the backend's name, which is another where a plugin lies elsewhere.
-  const records::RecordKey key{name, "", records::AttributeKind::coverage, numbered.stratum};
+  // Not of the backend's name, which is another where a plugin lies elsewhere, nor of the law's,
+  // which every case of it has.
+  const records::RecordKey key{"", "", records::AttributeKind::coverage, numbered.stratum};
   records::add(alone, key, judged);
   for (const std::string& label : check.labels) ++alone[key].labels[label];
   alone[key].cases.violations = check.violation_count;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <string>
 
 #include "properties/internal/float_numbers.h"
 
@@ -14,14 +13,6 @@ namespace {
 
 constexpr int kSizes = 101;
 
-/// Of an id with spaces for its hyphens: laws were known by their sentences before they had ids,
-/// and keep the cases that these gave them.
-std::uint64_t stream_of(std::string_view law_id) {
-  std::string words(law_id);
-  std::replace(words.begin(), words.end(), '-', ' ');
-  return fnv1a(words);
-}
-
 }  // namespace
 
 struct Draw::State {
@@ -29,9 +20,9 @@ struct Draw::State {
   int size;
 };
 
-Draw::Draw(std::uint64_t seed, std::string_view law_id, std::uint64_t index)
+Draw::Draw(std::uint64_t seed, std::string_view stream, std::uint64_t index)
     : state_(std::make_unique<State>(
-          State{rc::Random(rc::Random::Key{{seed, stream_of(law_id), index, 0}}),
+          State{rc::Random(rc::Random::Key{{seed, fnv1a(stream), index, 0}}),
                 static_cast<int>(index % kSizes)})) {}
 
 Draw::~Draw() = default;

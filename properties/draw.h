@@ -20,8 +20,8 @@ using cases::fnv1a;
 
 class Draw {
  public:
-  /// Case `index` of the law with an id: a stream that depends on these three alone.
-  Draw(std::uint64_t seed, std::string_view law_id, std::uint64_t index);
+  /// The choices of case `index` of a stream with a name: they depend on these three alone.
+  Draw(std::uint64_t seed, std::string_view stream, std::uint64_t index);
   Draw(const Draw&) = delete;
   Draw& operator=(const Draw&) = delete;
   ~Draw();

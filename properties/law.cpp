@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <string>
 
 #include "properties/generator.h"
 
@@ -28,6 +29,14 @@ const Law* find_law(std::string_view id) {
   const auto found = std::find_if(law_registry().begin(), law_registry().end(),
                                   [id](const Law& law) { return law.id == id; });
   return found == law_registry().end() ? nullptr : &*found;
+}
+
+Draw draw_of(const Law& law, std::uint64_t seed, std::uint64_t index) {
+  // Laws were known by their sentences before they had ids: with spaces for hyphens, all but four
+  // keep the cases that these gave them.
+  std::string stream(law.id);
+  std::replace(stream.begin(), stream.end(), '-', ' ');
+  return Draw(seed, stream, index);
 }
 
 std::uint64_t least_reached(const Cover& cover, std::uint64_t checked) {

@@ -124,6 +124,9 @@ std::span<const Law> laws();
 /// The law of an id; nullptr where there is none.
 const Law* find_law(std::string_view id);
 
+/// The choices that a law's random case is made by: generate() takes them.
+Draw draw_of(const Law& law, std::uint64_t seed, std::uint64_t index);
+
 struct LawRegistration {
   explicit LawRegistration(const Law& law);
 };

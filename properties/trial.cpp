@@ -158,7 +158,7 @@ Findings check_cases(const Law& law, const std::string& name, backends::Backend&
                findings);
   }
   for (std::uint64_t i = 0; i < options.cases && !is_over(); ++i) {
-    Draw draw(options.seed, law.id, i);
+    Draw draw = draw_of(law, options.seed, i);
     Generated generated = law.generate(draw);
     check_case(law, name, backend, options.seed,
                {std::move(generated.source), std::move(generated.stratum), i}, findings);

@@ -43,8 +43,8 @@ std::string unreached_sentence(const UnreachedLabel& label) {
 }
 
 std::string unexpected_sentence(const UnexpectedPass& pass) {
-  return fmt::format("Unexpected pass: the case of {} no longer violates the law “{}” on {}; {}",
-                     pass.id, pass.law, pass.backend,
+  return fmt::format("Unexpected pass: the case of {} no longer violates {} on {}; {}", pass.id,
+                     pass.law, pass.backend,
                      pass.is_same_version
                          ? "the list of known defects is wrong, which counts as a violation."
                          : "a warning, as the list was made for another version of the driver.");

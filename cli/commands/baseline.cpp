@@ -118,7 +118,7 @@ std::string violations_text(const Approved& approved) {
   std::string by_law;
   for (const auto& [law, cases] : approved.violations) {
     all += cases;
-    by_law += fmt::format("{}{} of “{}”", by_law.empty() ? "" : ", ", cases, law);
+    by_law += fmt::format("{}{} of {}", by_law.empty() ? "" : ", ", cases, law);
   }
   if (all == 0) return "";
   return fmt::format("{} taken over: {}",

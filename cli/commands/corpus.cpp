@@ -13,6 +13,7 @@
 #include "cases/json.h"
 #include "cli/command.h"
 #include "cli/corpus_folder.h"
+#include "properties/law.h"
 
 namespace rastercheck::cli::corpus_command {
 namespace {
@@ -35,7 +36,9 @@ bool is_plain_word(const std::string& word) {
 /// The sentence that says what the case is for, where nobody gave one.
 std::string sentence_of(const cases::Case& c) {
   if (!c.found) return c.name;
-  return fmt::format("{} broke \"{}\": {}", c.found->backend, c.found->law, c.found->verdict);
+  const properties::Law* const law = properties::find_law(c.found->law);
+  const std::string_view broken = law == nullptr ? c.found->law : law->sentence;
+  return fmt::format("{} broke \"{}\": {}", c.found->backend, broken, c.found->verdict);
 }
 
 ExitCode add(const Options& options) {

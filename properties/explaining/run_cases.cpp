@@ -23,7 +23,7 @@ std::optional<cases::Case> frozen_case(const records::CaseKey& key, std::uint64_
   }
   const Law* law = key.origin == records::Origin::random ? find_law(key.law) : nullptr;
   if (law == nullptr || law->generate == nullptr) return std::nullopt;
-  Draw draw(seed, law->id, key.index);
+  Draw draw = draw_of(*law, seed, key.index);
   return law->generate(draw).source;
 }
 

@@ -8,7 +8,8 @@
 //     "seed": 1,
 //     "cases_per_law": 1000,
 //     "backends": ["cpu"],
-//     "laws": ["…"],
+//     "laws": ["ID"],
+//     "sentences": {"ID": "…"},
 //     "scene": "bunny",
 //     "contract_file": "…",     only where backends were held to one, as is:
 //     "contract_digest": "0123456789abcdef",

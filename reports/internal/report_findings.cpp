@@ -240,7 +240,7 @@ std::string worst_section(const Shown& shown) {
   }
   std::string text =
       section_start(&shown, "<span class=\"unchecked\">◦</span>",
-                    fmt::format("<span class=\"title\">{}{}</span> <small>on {}, by “{}”</small>",
+                    fmt::format("<span class=\"title\">{}{}</span> <small>on {}, by {}</small>",
                                 what, error, html(inspection.backend), html(inspection.law)),
                     false);
   if (!inspection.source.name.empty()) text += "<p>“" + html(inspection.source.name) + "”</p>\n";

@@ -37,7 +37,7 @@ TEST_F(Corpus, TakesACounterexample) {
   ASSERT_TRUE(c) << to_string(c.error());
   cases::Case expected = cases::read_case(file).value();
   expected.found.reset();
-  expected.name = "gl:softpipe broke \"coverage-obeys-the-contract\": missing";
+  expected.name = "gl:softpipe broke \"coverage obeys the contract\": missing";
   EXPECT_EQ(*c, expected);
 }
 

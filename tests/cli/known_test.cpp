@@ -90,8 +90,9 @@ TEST_F(Known, DefectThatIsGoneIsAStaleList) {
   const Outcome outcome = run_known("damaged:mended", {"--quiet"});
   EXPECT_EQ(outcome.code, 1) << outcome;
   const std::string sentence =
-      "Unexpected pass: the case of damaged-1 no longer violates the law “coverage obeys the "
-      "contract” on damaged:mended; the list of known defects is wrong, which counts as a "
+      "Unexpected pass: the case of damaged-1 no longer violates "
+      "coverage-obeys-the-contract on damaged:mended; the list of known defects is wrong, which "
+      "counts as a "
       "violation.";
   EXPECT_THAT(outcome.out, HasSubstr(sentence));
   EXPECT_THAT(output_.content("report.html"), HasSubstr(sentence));

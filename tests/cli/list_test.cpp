@@ -96,7 +96,7 @@ TEST(List, NamesWhatOtherCommandsTake) {
     const Outcome outcome =
         run_program({"run", "--backend", "cpu", "--backend", "method:screen-linear", "--corpus",
                      folder.path("corpus"), "--cases", "6", "--seed", "1", "--output",
-                     folder.path("out"), "--property", row.at("name")});
+                     folder.path("out"), "--property", row.at("id")});
     EXPECT_EQ(outcome.code, 0) << outcome;
   }
 }

@@ -419,7 +419,7 @@ TEST_F(Run, ChecksThePropertiesThatMatch) {
   json expected = json::array();
   const json listed = json::parse(run_program({"list", "properties", "--json"}).out);
   for (const json& row : listed.at("properties")) {
-    if (row.at("name").get<std::string>().starts_with("co")) expected.push_back(row.at("name"));
+    if (row.at("id").get<std::string>().starts_with("co")) expected.push_back(row.at("id"));
   }
   ASSERT_GT(expected.size(), 1U);
   run({"--cases", "2", "--property", "co*"});

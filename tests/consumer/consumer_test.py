@@ -214,7 +214,7 @@ class Testing(unittest.TestCase):
 
     def laws(self):
         listed = run(BUILD / "bin/rastercheck", "list", "properties", "--json")
-        return {law["name"] for law in json.loads(listed)["properties"]}
+        return {law["id"] for law in json.loads(listed)["properties"]}
 
     def test_headers_are_in_folders_of_their_own(self):
         self.assertEqual({header.split("/")[0] for header in self.headers}, {"rasterizer", "rastercheck"})

@@ -110,7 +110,7 @@ Result<void> run(const properties::Law& law, std::uint64_t cases, std::vector<Gr
     for (Group& group : groups) {
       if (!group.is_alive()) continue;
       if (!generated) {
-        properties::Draw draw(kSeed, law.id, index);
+        properties::Draw draw = draw_of(law, kSeed, index);
         generated = law.generate(draw);
       }
       const Result<void> judged = judge(law, generated->source, index, group);

@@ -33,7 +33,7 @@ struct Kill {
 /// The first of the law's own cases whose check finds violations.
 Result<std::optional<Kill>> first_kill(const properties::Law& law, backends::Backend& mutant) {
   for (std::uint64_t index = 0; index < kCases; ++index) {
-    properties::Draw draw(kSeed, law.id, index);
+    properties::Draw draw = draw_of(law, kSeed, index);
     const properties::Generated generated = law.generate(draw);
     Result<properties::Check> check = law.check(generated.source, mutant, {index});
     if (!check) return tl::unexpected(check.error());

@@ -22,7 +22,7 @@ WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
 COVERAGE, VALUES = "coverage-obeys-the-contract", "values-stay-within-the-bound"
 VERTEX_ORDER = "vertex-order-changes-nothing-beyond-the-bound"
 # What matches just those three laws.
-THREE_LAWS = "[cv]* the [bc]o*"
+THREE_LAWS = "[cv]*-the-[bc]o*"
 RANDOM_CASES = 5
 
 # The fault, the class of the counterexamples (None: it cannot be had at all), and what is said.

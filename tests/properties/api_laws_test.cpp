@@ -69,7 +69,7 @@ TEST_P(ApiLawsTest, HoldOfWhatTheApisLeaveOpen) {
   for (const Law& law : laws()) {
     if (!is_promised(law, driver)) continue;
     for (std::uint64_t index = 0; index < kCases; ++index) {
-      Draw draw(0, law.id, index);
+      Draw draw = draw_of(law, 0, index);
       const Generated made = law.generate(draw);
       const Check check = check_or_note(law, made.source, driver, {index});
       checked += check.is_applicable ? 1 : 0;
@@ -117,7 +117,7 @@ TEST(ApiLaws, NoticeASixteenthOfAPixel) {
   const Law& law = *find_law(kCoverageLaw);
   std::uint64_t violated = 0;
   for (std::uint64_t index = 0; index < 200; ++index) {
-    Draw draw(0, law.id, index);
+    Draw draw = draw_of(law, 0, index);
     violated += check_or_note(law, law.generate(draw).source, driver, {index}).violation_count > 0;
   }
   EXPECT_GT(violated, 2U);

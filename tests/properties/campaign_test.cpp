@@ -25,7 +25,7 @@ constexpr const char* kCoverage = "coverage-obeys-the-contract";
 constexpr const char* kValues = "values-stay-within-the-bound";
 
 /// Says that the oracle has failed from the case with index 3 on.
-constexpr const char* kFaultyLaw = "a law of this test, with a fault";
+constexpr const char* kFaultyLaw = "a-law-of-this-test-with-a-fault";
 
 Generated generate_square(Draw& /*draw*/) { return {square(), "square"}; }
 
@@ -37,6 +37,7 @@ Result<Check> check_with_fault(const cases::Case& /*c*/, backends::Backend& /*ba
 }
 
 const LawRegistration kRegistration({.id = kFaultyLaw,
+                                     .sentence = "the oracle fails",
                                      .reason = "a test",
                                      .exceptions = "nothing",
                                      .generate = &generate_square,
@@ -155,7 +156,7 @@ TEST(TasksOf, ShardsTakeAnyNumberOfCases) {
 TEST(TaskRunner, NamesWhatThereIsNot) {
   TaskRunner runner(1, {square()});
   EXPECT_EQ(to_string(runner.run({"cpu", "no law", TaskKind::random, 0, 1}).error()),
-            "no law: there is no law of that name");
+            "no law: no law has this id");
   EXPECT_EQ(to_string(runner.run({"cpu", kCoverage, TaskKind::corpus, 0, 2}).error()),
             "the corpus: has fewer cases than a task asks for");
   for (int twice = 0; twice < 2; ++twice) {  // a failure is not kept in a backend's place

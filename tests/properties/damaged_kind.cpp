@@ -132,6 +132,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
 }
 
 const LawRegistration kLaw({.id = "cases-reach-a-label-that-none-has",
+                            .sentence = "cases reach a label that none has",
                             .reason = "A law has not held of cases that it is not about.",
                             .exceptions = "all backends but damaged:unseen",
                             .generate = &generate_any,

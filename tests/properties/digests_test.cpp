@@ -23,7 +23,7 @@ constexpr std::uint64_t kCases = 1000;
 std::uint64_t digest_of(const Law& law) {
   std::uint64_t digest = 0;
   for (std::uint64_t index = 0; index < kCases; ++index) {
-    Draw draw(kSeed, law.id, index);
+    Draw draw = draw_of(law, kSeed, index);
     const Generated made = law.generate(draw);
     digest = fnv1a(std::to_string(digest) + made.stratum + cases::to_json(made.source));
   }

@@ -23,7 +23,7 @@ TEST(Fnv1a, GivesThePublishedHashes) {
 // Where these change, every case number of every run so far means another case. The choices follow
 // from the words above them by hand: the first is 0xaf3… >> 57 = 87 of 0…99, and so on.
 TEST(Draw, KeepsItsStream) {
-  Draw draw(1, "a-law", 7);
+  Draw draw(1, "a law", 7);
   std::vector<std::uint64_t> words(7);
   for (std::uint64_t& word : words) word = draw.bits(64);
   EXPECT_EQ(words,
@@ -31,7 +31,7 @@ TEST(Draw, KeepsItsStream) {
                                         0x07a111669b97f1bc, 0x19744310fb13c520, 0x64ee0796c6c211a9,
                                         0x0cfa281ff988e2bb}));
 
-  Draw choices(1, "a-law", 7);
+  Draw choices(1, "a law", 7);
   const int between = choices.between(-3, 96);
   const float unit = choices.unit();
   const float uniform = choices.uniform(-2, 5);
@@ -41,7 +41,7 @@ TEST(Draw, KeepsItsStream) {
   EXPECT_EQ(uniform, 0x1.5f6ae4p+1F);
   EXPECT_EQ(spread, -0x1.6p-134F);  // exponent 15 − 149, three more bits of mantissa: 011
 
-  Draw far(0xffffffffffffffff, "values-stay-within-the-bound", std::uint64_t{1} << 40);
+  Draw far(0xffffffffffffffff, "values stay within the bound", std::uint64_t{1} << 40);
   EXPECT_EQ(far.bits(64), 0x924ab8b56b105034U);
 }
 

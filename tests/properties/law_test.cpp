@@ -1,4 +1,4 @@
-// Laws are known by their names, make valid cases, and say nothing where nothing is promised. What
+// Laws are known by their ids, make valid cases, and say nothing where nothing is promised. What
 // each of them catches: tests/properties/laws/.
 
 #include "properties/law.h"
@@ -75,8 +75,8 @@ TEST(Laws, MakeCasesThatComeBackFromTheirFilesAndNameTheirStratum) {
   for (const Law& law : laws()) {
     std::set<std::string> strata;
     for (std::uint64_t i = 0; i < 200; ++i) {
-      Draw first(7, law.id, i);
-      Draw second(7, law.id, i);
+      Draw first = draw_of(law, 7, i);
+      Draw second = draw_of(law, 7, i);
       const Generated made = law.generate(first);
       EXPECT_EQ(made.source, law.generate(second).source) << law.id << i;
       const Result<Case> read = cases::parse_case(cases::to_json(made.source), "");
@@ -113,7 +113,7 @@ TEST(Laws, SayNothingOfWhatIsNotPromised) {
     if (is_promised(law, *method)) continue;
     not_promised.push_back(law.id);
     for (std::uint64_t i = 0; i < 20; ++i) {
-      Draw draw(1, law.id, i);
+      Draw draw = draw_of(law, 1, i);
       const Case c = law.generate(draw).source;
       EXPECT_FALSE(law.check(c, *method, {i}).value().is_applicable) << law.id << i;
     }

@@ -77,7 +77,7 @@ class LawTest : public testing::TestWithParam<LawOfBackend> {
  protected:
   /// Checks case `index`; false where that is the end of it.
   bool check_case(const Law& law, backends::Backend& backend, std::uint64_t index) {
-    Draw draw(parameters_.seed, law.id, index);
+    Draw draw = draw_of(law, parameters_.seed, index);
     if (draw.size() > parameters_.maxSize) return true;
     const Generated made = law.generate(draw);
     const Check check = check_or_note(law, made.source, backend, {index});
@@ -160,7 +160,7 @@ TEST_P(MethodTest, KeepsWhatItPromises) {
   for (const Law& law : laws()) {
     if (!is_promised(law, *backend)) continue;
     for (std::uint64_t index = 0; index < kCases; ++index) {
-      Draw draw(parameters.seed, law.id, index);
+      Draw draw = draw_of(law, parameters.seed, index);
       const Generated made = law.generate(draw);
       const Check check = check_or_note(law, made.source, *backend, {index});
       checked += check.is_applicable ? 1 : 0;

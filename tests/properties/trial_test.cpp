@@ -124,7 +124,7 @@ TEST(TryLaw, ChecksTheRandomCasesOfACampaign) {
   ASSERT_EQ(drawn.size(), 4U);
   EXPECT_EQ(drawn[0], first);
   for (std::uint64_t i = 0; i < 3; ++i) {
-    Draw draw(7, kCoverage, i);
+    Draw draw = draw_of(*find_law(kCoverage), 7, i);
     EXPECT_EQ(drawn[i + 1].triangles, law.generate(draw).source.triangles) << i;
   }
 }

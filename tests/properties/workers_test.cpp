@@ -127,7 +127,7 @@ TEST(WorkerProcesses, PassOnWhatIsWrongWithATask) {
   const Result<void> found = run_tasks_in_processes(
       {RASTERCHECK_DAMAGED_PROGRAM, "task-worker", "--seed", "7"}, 1, tasks, {});
   ASSERT_FALSE(found);
-  EXPECT_EQ(to_string(found.error()), "no law: there is no law of that name");
+  EXPECT_EQ(to_string(found.error()), "no law: no law has this id");
   EXPECT_TRUE(has_no_children());
 }
 

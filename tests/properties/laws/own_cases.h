@@ -13,7 +13,7 @@
 namespace rastercheck::properties {
 
 inline Generated own_case(std::string_view law, std::uint64_t index) {
-  Draw draw(1, law, index);
+  Draw draw = draw_of(*find_law(law), 1, index);
   return find_law(law)->generate(draw);
 }
 

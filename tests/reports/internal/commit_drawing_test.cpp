@@ -31,6 +31,7 @@ TEST(CommitDrawing, PatternMatchesTheseLawsAndNoOthers) {
 TEST(CommitDrawing, OnlyLawsKeepsWhatFrozenCasesGave) {
   records::Run run;
   run.laws = {"one", "two", "three"};
+  run.sentences = {{"one", "the first"}, {"two", "the second"}};
   run.cases.emplace();
   for (const std::string& law : run.laws) {
     run.records[{law, "cpu", records::AttributeKind::coverage, ""}];
@@ -39,6 +40,7 @@ TEST(CommitDrawing, OnlyLawsKeepsWhatFrozenCasesGave) {
   run.counterexamples = {sample_counterexample(3)};
   const records::Run only = only_laws(run, {"one", "three", "four"});
   EXPECT_EQ(only.laws, (std::vector<std::string>{"one", "three"}));
+  EXPECT_EQ(only.sentences.size(), 1U);
   EXPECT_EQ(only.records.size(), 2U);
   EXPECT_FALSE(only.records.contains({"two", "cpu", records::AttributeKind::coverage, ""}));
   EXPECT_EQ(only.cases->size(), 2U);
