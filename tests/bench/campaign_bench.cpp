@@ -42,7 +42,7 @@ void add(std::string name, std::span<const properties::Law> laws) {
 void register_campaigns() {
   const std::span<const properties::Law> all = properties::laws();
   add("all laws", all);
-  for (std::size_t i = 0; i < all.size(); ++i) add(std::string(all[i].name), all.subspan(i, 1));
+  for (std::size_t i = 0; i < all.size(); ++i) add(std::string(all[i].id), all.subspan(i, 1));
 }
 
 }  // namespace rastercheck::bench

@@ -154,7 +154,7 @@ const Fault kFaults[] = {
     {"/format", R"("rastercheck-case")", "/format",
      "must be \"rastercheck-run\", not \"rastercheck-case\""},
     {"/format", "", "/", "missing key 'format'"},
-    {"/version", "2", "/version", "version must be 1"},
+    {"/version", "1", "/version", "version must be 2"},
     {"/more", "1", "/more", "unknown key 'more'"},
     {"/seed", "-1", "/seed", "must be an integer from 0"},
     {"/seed", "1.0", "/seed", "must be an integer from 0"},
