@@ -32,7 +32,7 @@ enum class DepthFunction {
 };
 
 /// What is drawn of a colour s where d is: s itself; s_a s + (1 − s_a) d, of alpha s_a + (1 − s_a)
-/// d_a; s + d (properties/picture_model.h).
+/// d_a; s + d (properties/laws/internal/picture_model.h).
 enum class Blend { off, over, additive };
 
 /// Floats, or bytes k that are k/255.

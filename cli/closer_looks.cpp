@@ -5,8 +5,8 @@
 #include <iterator>
 #include <utility>
 
-#include "properties/explaining/closer_looks.h"
-#include "properties/explaining/specimens.h"
+#include "properties/inspect/closer_looks.h"
+#include "properties/inspect/specimens.h"
 
 namespace rastercheck::cli {
 namespace {

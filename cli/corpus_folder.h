@@ -8,7 +8,8 @@ namespace rastercheck::cli {
 /// was built from.
 std::string corpus_folder();
 
-/// The lists of known defects that come with it (properties/known_defects.h), found likewise.
+/// The lists of known defects that come with it (properties/campaign/known_defects.h), found
+/// likewise.
 std::string known_folder();
 
 }  // namespace rastercheck::cli

@@ -17,7 +17,7 @@
 #include "cli/github.h"
 #include "cli/grown_cases.h"
 #include "cli/output.h"
-#include "properties/corpus.h"
+#include "properties/campaign/corpus.h"
 #include "reports/baseline_json.h"
 #include "reports/compare.h"
 #include "reports/compare_format.h"

@@ -8,8 +8,8 @@
 #include "cases/case_writer.h"
 #include "cases/files.h"
 #include "cli/corpus_folder.h"
-#include "properties/corpus.h"
-#include "properties/explaining/run_cases.h"
+#include "properties/campaign/corpus.h"
+#include "properties/inspect/run_cases.h"
 
 namespace rastercheck::cli {
 namespace {

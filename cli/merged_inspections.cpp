@@ -9,11 +9,11 @@
 #include "cli/corpus_folder.h"
 #include "cli/isolation.h"
 #include "cli/scene.h"
-#include "properties/campaign.h"
-#include "properties/checkpoint.h"
-#include "properties/corpus.h"
-#include "properties/explaining/run_inspections.h"
-#include "properties/explaining/specimens.h"
+#include "properties/campaign/campaign.h"
+#include "properties/campaign/checkpoint.h"
+#include "properties/campaign/corpus.h"
+#include "properties/inspect/run_inspections.h"
+#include "properties/inspect/specimens.h"
 
 namespace rastercheck::cli {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cases/error.h"
-#include "properties/shard_merge.h"
+#include "properties/campaign/shard_merge.h"
 
 namespace rastercheck::cli {
 

@@ -13,7 +13,7 @@
 #include "cli/isolation.h"
 #include "cli/known_option.h"
 #include "cli/shard_option.h"
-#include "properties/checkpoint.h"
+#include "properties/campaign/checkpoint.h"
 #include "reports/format.h"
 
 namespace rastercheck::cli {

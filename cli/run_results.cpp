@@ -7,7 +7,7 @@
 
 #include "backends/backend.h"
 #include "cli/terminal.h"
-#include "properties/findings.h"
+#include "properties/campaign/findings.h"
 #include "properties/law.h"
 #include "reports/commands.h"
 #include "reports/counterexample_text.h"

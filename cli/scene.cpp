@@ -12,7 +12,7 @@
 #include "cases/mesh_reader.h"
 #include "cli/mesh_file.h"
 #include "oracle/transform.h"
-#include "properties/scene.h"
+#include "properties/campaign/scene.h"
 #include "reports/error_picture.h"
 #include "reports/picture.h"
 #include "reports/png.h"

@@ -6,8 +6,8 @@
 
 #include "cases/case.h"
 #include "cases/error.h"
-#include "properties/findings.h"
-#include "properties/known_defects.h"
+#include "properties/campaign/findings.h"
+#include "properties/campaign/known_defects.h"
 #include "records/run.h"
 
 namespace rastercheck::cli {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cases/error.h"
-#include "properties/checkpoint.h"
+#include "properties/campaign/checkpoint.h"
 #include "records/shard.h"
 
 namespace rastercheck::cli {

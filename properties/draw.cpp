@@ -6,7 +6,7 @@
 #include <bit>
 #include <cassert>
 
-#include "properties/internal/float_numbers.h"
+#include "properties/float_numbers.h"
 
 namespace rastercheck::properties {
 namespace {

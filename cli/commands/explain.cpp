@@ -15,7 +15,7 @@
 #include "cli/isolation.h"
 #include "cli/sample_limit.h"
 #include "cli/whole_number.h"
-#include "properties/explaining/inspect.h"
+#include "properties/inspect/inspect.h"
 #include "records/inspection_json.h"
 #include "reports/inspection_text.h"
 

@@ -17,8 +17,8 @@
 #include "cli/known_option.h"
 #include "cli/terminal.h"
 #include "oracle/transform.h"
-#include "properties/check_case.h"
-#include "properties/close_up.h"
+#include "properties/campaign/check_case.h"
+#include "properties/campaign/close_up.h"
 #include "records/counterexample_json.h"
 #include "reports/counterexample_text.h"
 

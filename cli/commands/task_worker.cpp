@@ -7,8 +7,8 @@
 #include "cases/contract_json.h"
 #include "cli/command.h"
 #include "cli/isolation.h"
-#include "properties/corpus.h"
-#include "properties/workers.h"
+#include "properties/campaign/corpus.h"
+#include "properties/campaign/workers.h"
 
 namespace rastercheck::cli::task_worker_command {
 namespace {

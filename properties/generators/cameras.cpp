@@ -6,8 +6,8 @@
 #include <cassert>
 
 #include "oracle/transform.h"
+#include "properties/camera_cases.h"
 #include "properties/generator.h"
-#include "properties/internal/camera_cases.h"
 
 namespace rastercheck::properties::cameras_generator {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "properties/generator.h"
-#include "properties/internal/random_floats.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/window_position.h"
+#include "properties/random_floats.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::degenerate_generator {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "cases/sample_pattern.h"
 #include "properties/generator.h"
-#include "properties/internal/close_triangles.h"
-#include "properties/internal/exact_splits.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/window_position.h"
+#include "properties/generators/internal/close_triangles.h"
+#include "properties/generators/internal/exact_splits.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::hairline_generator {
 namespace {

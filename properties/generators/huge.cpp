@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "properties/generator.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/window_position.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::huge_generator {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "properties/generator.h"
-#include "properties/internal/close_triangles.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/window_position.h"
+#include "properties/generators/internal/close_triangles.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::near_misses_generator {
 namespace {

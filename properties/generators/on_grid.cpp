@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "properties/generator.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/window_position.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::on_grid_generator {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "properties/generator.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/window_position.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::ordinary_generator {
 namespace {

@@ -19,10 +19,10 @@
 #include <vector>
 
 #include "oracle/transform.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/picture_cases.h"
-#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/picture_cases.h"
+#include "properties/laws/internal/tally.h"
 
 namespace rastercheck::properties::additive_counts_overdraw_law {
 namespace {

@@ -25,12 +25,12 @@
 #include <array>
 #include <cmath>
 
-#include "properties/internal/drawn_values.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/value_findings.h"
-#include "properties/internal/verdicts.h"
-#include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_values.h"
+#include "properties/laws/internal/value_findings.h"
+#include "properties/laws/internal/verdicts.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::affine_error_of_perspective_law {
 namespace {

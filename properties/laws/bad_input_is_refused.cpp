@@ -32,11 +32,11 @@
 #include <utility>
 
 #include "oracle/transform.h"
-#include "properties/internal/choices.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/picture_cases.h"
-#include "properties/internal/same_picture.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/picture_cases.h"
+#include "properties/laws/internal/same_picture.h"
 
 namespace rastercheck::properties::bad_input_is_refused_law {
 namespace {

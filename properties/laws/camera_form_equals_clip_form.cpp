@@ -42,14 +42,14 @@
 #include "cases/sample_pattern.h"
 #include "oracle/judged_transform.h"
 #include "oracle/transform.h"
-#include "properties/internal/camera_matrices.h"
-#include "properties/internal/close_drawings.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/verdicts.h"
-#include "properties/internal/window_position.h"
+#include "properties/camera_matrices.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/close_drawings.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/verdicts.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::camera_form_equals_clip_form_law {
 namespace {

@@ -28,14 +28,14 @@
 
 #include "oracle/judged_transform.h"
 #include "oracle/transform.h"
-#include "properties/internal/camera_matrices.h"
-#include "properties/internal/changed_drawing.h"
-#include "properties/internal/quarter_turn.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/window_position.h"
-#include "properties/internal/window_symmetry.h"
+#include "properties/camera_matrices.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/changed_drawing.h"
+#include "properties/laws/internal/quarter_turn.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/window_symmetry.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::camera_roll_law {
 namespace {

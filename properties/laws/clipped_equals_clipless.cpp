@@ -31,11 +31,11 @@
 #include <vector>
 
 #include "oracle/transform.h"
-#include "properties/internal/choices.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/parted_triangles.h"
-#include "properties/internal/verdicts.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/parted_triangles.h"
+#include "properties/laws/internal/verdicts.h"
 
 namespace rastercheck::properties::clipped_equals_clipless_law {
 namespace {

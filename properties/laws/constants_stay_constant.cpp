@@ -19,11 +19,11 @@
 #include <vector>
 
 #include "oracle/ulp.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/verdicts.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/verdicts.h"
+#include "properties/random_state.h"
 
 namespace rastercheck::properties::constants_stay_constant_law {
 namespace {

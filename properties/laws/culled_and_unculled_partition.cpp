@@ -16,9 +16,9 @@
 #include <set>
 
 #include "oracle/transform.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/same_drawing.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/same_drawing.h"
 
 namespace rastercheck::properties::culled_and_unculled_partition_law {
 namespace {

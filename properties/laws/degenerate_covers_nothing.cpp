@@ -32,13 +32,13 @@
 #include <vector>
 
 #include "oracle/transform.h"
-#include "properties/internal/choices.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/parted_triangles.h"
-#include "properties/internal/same_drawing.h"
-#include "properties/internal/verdicts.h"
-#include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/parted_triangles.h"
+#include "properties/laws/internal/same_drawing.h"
+#include "properties/laws/internal/verdicts.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::degenerate_covers_nothing_law {
 namespace {

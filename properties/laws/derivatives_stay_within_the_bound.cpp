@@ -11,12 +11,12 @@
 #include <numeric>
 #include <vector>
 
-#include "properties/internal/choices.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/verdicts.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/verdicts.h"
+#include "properties/random_state.h"
 
 namespace rastercheck::properties::derivatives_stay_within_the_bound_law {
 namespace {

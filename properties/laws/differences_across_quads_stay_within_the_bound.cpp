@@ -25,11 +25,11 @@
 
 #include "oracle/judged_number.h"
 #include "oracle/transform.h"
-#include "properties/internal/choices.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/seen_triangles.h"
-#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/seen_triangles.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/random_state.h"
 
 namespace rastercheck::properties::differences_across_quads_stay_within_the_bound_law {
 namespace {

@@ -5,7 +5,7 @@
 // Why. Seed 004 draws transparency so: where a texel's alpha is 0, neither the pixel nor its depth
 // is written, and what lies behind shows. Which texel a fragment has is exact ("texels are those of
 // the exact coordinates"), and so is whether k/255 is less than the limit; what fragments leave is
-// in properties/picture_model.h. Depths are those of what the backend itself draws.
+// in properties/laws/internal/picture_model.h. Depths are those of what the backend itself draws.
 //
 // The texture, nearest filtering, its wraps, the limit, whether depths are written, blend and
 // format are chosen by the case's numbers; the depth test is `less`. The coordinates are the first
@@ -22,12 +22,12 @@
 
 #include "oracle/texture_truth.h"
 #include "oracle/transform.h"
-#include "properties/internal/picture_cases.h"
-#include "properties/internal/seen_triangles.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/textured_cases.h"
 #include "properties/judged_law.h"
-#include "properties/picture_model.h"
+#include "properties/laws/internal/picture_cases.h"
+#include "properties/laws/internal/picture_model.h"
+#include "properties/laws/internal/seen_triangles.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/textured_cases.h"
 
 namespace rastercheck::properties::discarding_keeps_the_kept_texels_law {
 namespace {

@@ -22,10 +22,10 @@
 #include <map>
 #include <vector>
 
-#include "properties/internal/float_numbers.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/value_findings.h"
+#include "properties/float_numbers.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/value_findings.h"
+#include "properties/random_state.h"
 
 namespace rastercheck::properties::equal_depth_stays_equal_law {
 namespace {

@@ -41,12 +41,12 @@
 #include <vector>
 
 #include "oracle/transform.h"
-#include "properties/internal/choices.h"
-#include "properties/internal/close_drawings.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/verdicts.h"
-#include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/close_drawings.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/verdicts.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::equal_w_equals_the_general_path_law {
 namespace {

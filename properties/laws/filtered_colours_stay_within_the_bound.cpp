@@ -21,10 +21,10 @@
 
 #include "oracle/texture_truth.h"
 #include "oracle/transform.h"
-#include "properties/internal/seen_triangles.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/textured_cases.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/seen_triangles.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/textured_cases.h"
 
 namespace rastercheck::properties::filtered_colours_stay_within_the_bound_law {
 namespace {

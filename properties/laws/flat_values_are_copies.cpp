@@ -15,8 +15,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "properties/internal/value_findings.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/value_findings.h"
 
 namespace rastercheck::properties::flat_values_are_copies_law {
 namespace {

@@ -38,13 +38,13 @@
 #include <utility>
 
 #include "oracle/transform.h"
-#include "properties/internal/changed_drawing.h"
-#include "properties/internal/choices.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/exact_sum.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/window_symmetry.h"
+#include "properties/exact_sum.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/changed_drawing.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/window_symmetry.h"
 
 namespace rastercheck::properties::mirror_mirrors_law {
 namespace {

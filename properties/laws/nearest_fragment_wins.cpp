@@ -20,12 +20,12 @@
 #include <string>
 
 #include "oracle/transform.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/picture_cases.h"
-#include "properties/internal/sample_place.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/picture_cases.h"
+#include "properties/laws/internal/sample_place.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::nearest_fragment_wins_law {
 namespace {

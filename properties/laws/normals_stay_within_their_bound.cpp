@@ -20,11 +20,11 @@
 #include <string>
 
 #include "oracle/judged_normals.h"
-#include "properties/internal/camera_matrices.h"
-#include "properties/internal/random_floats.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/window_position.h"
+#include "properties/camera_matrices.h"
 #include "properties/judged_law.h"
+#include "properties/random_floats.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::normals_stay_within_their_bound_law {
 namespace {

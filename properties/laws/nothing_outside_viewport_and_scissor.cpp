@@ -28,14 +28,14 @@
 #include "cases/names.h"
 #include "cases/sample_pattern.h"
 #include "oracle/transform.h"
-#include "properties/internal/choices.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/exact_sum.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/same_picture.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/window_position.h"
+#include "properties/exact_sum.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/same_picture.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::nothing_outside_viewport_and_scissor_law {
 namespace {

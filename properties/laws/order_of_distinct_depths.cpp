@@ -20,11 +20,11 @@
 #include <utility>
 
 #include "oracle/transform.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/sample_place.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/sample_place.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::order_of_distinct_depths_law {
 namespace {

@@ -23,13 +23,13 @@
 #include "oracle/transform.h"
 #include "oracle/triangle_truth.h"
 #include "oracle/ulp.h"
-#include "properties/internal/camera_cases.h"
-#include "properties/internal/choices.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/verdicts.h"
+#include "properties/camera_cases.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/verdicts.h"
+#include "properties/random_state.h"
 
 namespace rastercheck::properties::parts_of_an_error_add_up_law {
 namespace {

@@ -1,6 +1,6 @@
 // A picture is what its fragments leave: depth test, write mask, blending, colour format and
-// resolve do, sample by sample and in submission order, what properties/picture_model.h says, to
-// the bit.
+// resolve do, sample by sample and in submission order, what
+// properties/laws/internal/picture_model.h says, to the bit.
 //
 // Why. Nothing of a pipeline's last stage is left to the implementation here: depths are compared
 // as the floats they are, blending is IEEE arithmetic in double with each rounding named, and so is
@@ -22,13 +22,13 @@
 #include <string>
 
 #include "oracle/transform.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/picture_cases.h"
-#include "properties/internal/pipelines.h"
-#include "properties/internal/same_picture.h"
-#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
-#include "properties/picture_model.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/picture_cases.h"
+#include "properties/laws/internal/picture_model.h"
+#include "properties/laws/internal/pipelines.h"
+#include "properties/laws/internal/same_picture.h"
+#include "properties/laws/internal/tally.h"
 
 namespace rastercheck::properties::picture_is_what_fragments_leave_law {
 namespace {

@@ -25,10 +25,10 @@
 #include <string>
 
 #include "oracle/transform.h"
-#include "properties/internal/choices.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/same_drawing.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/same_drawing.h"
 
 namespace rastercheck::properties::power_of_two_law {
 namespace {

@@ -22,10 +22,10 @@
 // Cases whose turned viewport is no float32 are left out: H − y0 − h is exact or not taken.
 
 #include "oracle/transform.h"
-#include "properties/internal/quarter_turn.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/quarter_turn.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/window_symmetry.h"
 
 namespace rastercheck::properties::quarter_turn_turns_law {
 namespace {

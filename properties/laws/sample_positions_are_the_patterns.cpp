@@ -29,10 +29,10 @@
 
 #include "cases/names.h"
 #include "cases/sample_pattern.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/value_findings.h"
-#include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/value_findings.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::sample_positions_are_the_patterns_law {
 namespace {

@@ -38,15 +38,15 @@
 #include <vector>
 
 #include "oracle/transform.h"
-#include "properties/internal/choices.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/drawn_values.h"
-#include "properties/internal/exact_sum.h"
-#include "properties/internal/float_numbers.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/verdicts.h"
+#include "properties/exact_sum.h"
+#include "properties/float_numbers.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/drawn_values.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/verdicts.h"
+#include "properties/random_state.h"
 
 namespace rastercheck::properties::scaled_attributes_law {
 namespace {

@@ -18,10 +18,10 @@
 #include <utility>
 
 #include "oracle/transform.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/window_symmetry.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/window_symmetry.h"
 
 namespace rastercheck::properties::scissors_part_the_window_law {
 namespace {

@@ -31,11 +31,11 @@
 #include <utility>
 
 #include "oracle/transform.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::shared_edge_covers_once_law {
 namespace {

@@ -24,9 +24,9 @@
 #include <vector>
 
 #include "oracle/transform.h"
-#include "properties/internal/choices.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/parted_triangles.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/parted_triangles.h"
 
 namespace rastercheck::properties::splitting_a_triangle_law {
 namespace {

@@ -22,10 +22,10 @@
 #include <utility>
 
 #include "oracle/transform.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::strips_and_fans_are_their_triangles_law {
 namespace {

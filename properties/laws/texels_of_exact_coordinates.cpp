@@ -22,11 +22,11 @@
 
 #include "oracle/texture_truth.h"
 #include "oracle/transform.h"
-#include "properties/internal/picture_cases.h"
-#include "properties/internal/seen_triangles.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/textured_cases.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/picture_cases.h"
+#include "properties/laws/internal/seen_triangles.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/textured_cases.h"
 
 namespace rastercheck::properties::texels_of_exact_coordinates_law {
 namespace {

@@ -20,10 +20,10 @@
 #include <utility>
 
 #include "oracle/transform.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/random_state.h"
 
 namespace rastercheck::properties::traced_is_drawn_law {
 namespace {

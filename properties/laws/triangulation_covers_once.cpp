@@ -44,13 +44,13 @@
 
 #include "cases/sample_pattern.h"
 #include "oracle/transform.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/exact_sum.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/triangulations.h"
-#include "properties/internal/verdicts.h"
+#include "properties/exact_sum.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/triangulations.h"
+#include "properties/laws/internal/verdicts.h"
+#include "properties/random_state.h"
 
 namespace rastercheck::properties::triangulation_covers_once_law {
 namespace {

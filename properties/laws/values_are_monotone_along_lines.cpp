@@ -32,12 +32,12 @@
 #include <cstdint>
 #include <span>
 
-#include "properties/internal/drawn_values.h"
-#include "properties/internal/fragment_lines.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/value_findings.h"
-#include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_values.h"
+#include "properties/laws/internal/fragment_lines.h"
+#include "properties/laws/internal/value_findings.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::values_are_monotone_along_lines_law {
 namespace {

@@ -25,11 +25,11 @@
 #include <cmath>
 #include <utility>
 
-#include "properties/internal/drawn_values.h"
-#include "properties/internal/float_numbers.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/value_findings.h"
+#include "properties/float_numbers.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_values.h"
+#include "properties/laws/internal/value_findings.h"
+#include "properties/random_state.h"
 
 namespace rastercheck::properties::values_in_range_of_vertices_law {
 namespace {

@@ -18,12 +18,12 @@
 #include <vector>
 
 #include "oracle/transform.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/picture_cases.h"
-#include "properties/internal/pipelines.h"
-#include "properties/internal/same_drawing.h"
-#include "properties/internal/same_picture.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/picture_cases.h"
+#include "properties/laws/internal/pipelines.h"
+#include "properties/laws/internal/same_drawing.h"
+#include "properties/laws/internal/same_picture.h"
 
 namespace rastercheck::properties::variants_draw_the_same_law {
 namespace {

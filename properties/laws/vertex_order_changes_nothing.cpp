@@ -11,9 +11,9 @@
 // the same value of them. Leaving the attributes out instead would renumber the others.
 
 #include "oracle/transform.h"
-#include "properties/internal/changed_drawing.h"
-#include "properties/internal/tally.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/changed_drawing.h"
+#include "properties/laws/internal/tally.h"
 
 namespace rastercheck::properties::vertex_order_changes_nothing_law {
 namespace {

@@ -18,11 +18,11 @@
 #include <utility>
 
 #include "oracle/judged_transform.h"
-#include "properties/internal/camera_matrices.h"
-#include "properties/internal/random_floats.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/window_position.h"
+#include "properties/camera_matrices.h"
 #include "properties/judged_law.h"
+#include "properties/random_floats.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::vertex_stage_stays_within_its_bound_law {
 namespace {

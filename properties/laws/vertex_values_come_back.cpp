@@ -25,12 +25,12 @@
 
 #include "cases/sample_pattern.h"
 #include "oracle/ulp.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/random_state.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/verdicts.h"
-#include "properties/internal/window_position.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/verdicts.h"
+#include "properties/random_state.h"
+#include "properties/window_position.h"
 
 namespace rastercheck::properties::vertex_values_come_back_law {
 namespace {

@@ -26,13 +26,13 @@
 #include <limits>
 
 #include "oracle/transform.h"
-#include "properties/internal/changed_drawing.h"
-#include "properties/internal/choices.h"
-#include "properties/internal/drawn_fragments.h"
-#include "properties/internal/exact_sum.h"
-#include "properties/internal/tally.h"
-#include "properties/internal/window_symmetry.h"
+#include "properties/exact_sum.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/changed_drawing.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/tally.h"
+#include "properties/laws/internal/window_symmetry.h"
 
 namespace rastercheck::properties::whole_pixels_move_law {
 namespace {

@@ -12,8 +12,8 @@
 #include <cmath>
 #include <utility>
 
-#include "properties/internal/random_state.h"
 #include "properties/probing/measures.h"
+#include "properties/random_state.h"
 
 namespace rastercheck::properties {
 namespace {

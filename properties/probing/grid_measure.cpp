@@ -14,8 +14,8 @@
 #include <utility>
 
 #include "cases/names.h"
-#include "properties/internal/random_floats.h"
 #include "properties/probing/measures.h"
+#include "properties/random_floats.h"
 
 namespace rastercheck::properties {
 namespace {

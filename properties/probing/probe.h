@@ -11,7 +11,7 @@
 #include "backends/backend.h"
 #include "cases/case.h"
 #include "cases/error.h"
-#include "properties/campaign_run.h"
+#include "properties/campaign/campaign_run.h"
 #include "records/probe.h"
 
 namespace rastercheck::properties {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "backends/held_backend.h"
-#include "properties/check_case.h"
+#include "properties/campaign/check_case.h"
 #include "properties/law.h"
 #include "properties/probing/measures.h"
 

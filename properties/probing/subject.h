@@ -13,8 +13,8 @@
 #include "cases/contract_terms.h"
 #include "cases/framebuffer.h"
 #include "properties/draw.h"
-#include "properties/internal/window_position.h"
 #include "properties/probing/probe.h"
+#include "properties/window_position.h"
 #include "records/judgement.h"
 #include "records/probe.h"
 

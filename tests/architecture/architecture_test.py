@@ -21,7 +21,7 @@ SOURCE, BUILD, CONFIG = pathlib.Path(), pathlib.Path(), ""
 # Headers too heavy for a public header: whoever includes it would compile them too.
 HEAVY = re.compile(r"^(CGAL/|gmp|mpfr|Eigen/|rapidcheck|nlohmann/json\.hpp|assimp/|gtest/|epoxy/|EGL/|GL/|vulkan/)")
 # The one public header that is for users of GoogleTest, and of nothing else.
-FOR_GTEST = "properties/testing.h"
+FOR_GTEST = "properties/campaign/testing.h"
 # The folders whose files the documents name.
 ROOMS = {"cases", "records", "rasterizer", "oracle", "backends", "properties", "reports", "cli", "tests", "docs",
          "scripts", "cmake", ".ci"}
@@ -143,7 +143,7 @@ class Includes(unittest.TestCase):
             ("oracle/ulp.h", "#include <CGAL/Gmpq.h>"),
             ("backends/gl/target.h", "#include <epoxy/gl.h>"),
             ("properties/law.h", "#include <gtest/gtest.h>"),
-            ("properties/testing.h", "#include <rapidcheck.h>"),
+            ("properties/campaign/testing.h", "#include <rapidcheck.h>"),
             ("oracle/ulp.cpp", '#include "tests/oracle/small_case.h"'),
         ]:
             self.assertEqual(len(include_faults(path, line)), 1, (path, line))

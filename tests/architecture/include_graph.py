@@ -16,9 +16,15 @@ ALLOWED = {
     "backends": {"cases", "records"},
     "backends/cpu": {"cases", "records", "backends", "rasterizer"},
     "properties": {"cases", "records", "oracle", "backends"},
+    "properties/generators": {"cases", "oracle", "properties"},
+    "properties/laws": {"cases", "records", "oracle", "properties"},
+    "properties/campaign": {"cases", "records", "oracle", "backends", "properties"},
+    "properties/probing": {"cases", "records", "oracle", "backends", "properties", "properties/campaign"},
+    "properties/inspect": {"cases", "records", "oracle", "backends", "properties", "properties/campaign"},
     "reports": {"cases", "records"},
     "cli/gallery": {"cases", "records", "rasterizer", "oracle", "backends", "properties", "reports"},
-    "cli": {"cases", "records", "rasterizer", "oracle", "backends", "properties", "reports", "cli/gallery"},
+    "cli": {"cases", "records", "rasterizer", "oracle", "backends", "properties", "properties/campaign",
+            "properties/probing", "properties/inspect", "reports", "cli/gallery"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*(<([^>]+)>|"([^"]+)")', re.MULTILINE)
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "properties/campaign.h"
+#include "properties/campaign/campaign.h"
 
 namespace rastercheck::bench {
 namespace {

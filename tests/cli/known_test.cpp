@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tests/cli/program.h"
-#include "tests/properties/known_list.h"
+#include "tests/properties/campaign/known_list.h"
 #include "tests/temporary_folder.h"
 
 namespace rastercheck::cli::known_test {

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "tests/cli/program.h"
-#include "tests/properties/known_list.h"
+#include "tests/properties/campaign/known_list.h"
 #include "tests/temporary_folder.h"
 
 namespace rastercheck::cli::shard_test {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "properties/checkpoint.h"
+#include "properties/campaign/checkpoint.h"
 #include "tests/fuzz/target.h"
 
 namespace {

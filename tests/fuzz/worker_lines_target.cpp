@@ -1,6 +1,6 @@
 // The lines that a campaign and its worker processes send each other: tasks and findings.
 
-#include "properties/internal/findings_json.h"
+#include "properties/campaign/internal/findings_json.h"
 #include "tests/fuzz/target.h"
 
 namespace {

@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "backends/backend.h"
-#include "properties/check_case.h"
+#include "properties/campaign/check_case.h"
 #include "properties/law.h"
 #include "tests/mutants/mutant_backend.h"
 #include "tests/mutants/recording_backend.h"

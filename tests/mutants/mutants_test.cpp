@@ -12,7 +12,7 @@
 #include "backends/backend.h"
 #include "cases/case_reader.h"
 #include "cases/case_writer.h"
-#include "properties/campaign.h"
+#include "properties/campaign/campaign.h"
 #include "properties/law.h"
 #include "tests/mutants/attribution.h"
 #include "tests/mutants/mutant_backend.h"

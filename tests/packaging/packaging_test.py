@@ -144,7 +144,7 @@ class Contents(unittest.TestCase):
         library = r"usr/lib/(\S+/)?"
         for pattern in [r"usr/include/rasterizer/rasterizer\.h", r"usr/include/rastercheck/backends/backend\.h",
                         r"usr/include/rastercheck/plugin\.h",
-                        library + r"librastercheck_rasterizer\.a", library + r"librastercheck_properties\.a",
+                        library + r"librastercheck_rasterizer\.a", library + r"librastercheck_campaign\.a",
                         library + r"cmake/RasterCheck/RasterCheckConfig\.cmake",
                         r"usr/share/doc/rastercheck-dev/copyright"]:
             self.assertEqual(len([name for name in held if re.fullmatch(pattern, name)]), 1, pattern)

@@ -12,8 +12,8 @@
 
 #include "backends/api_promise.h"
 #include "cases/case_writer.h"
-#include "properties/check_case.h"
-#include "properties/findings.h"
+#include "properties/campaign/check_case.h"
+#include "properties/campaign/findings.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties::api_laws_test {

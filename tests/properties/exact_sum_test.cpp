@@ -1,4 +1,4 @@
-#include "properties/internal/exact_sum.h"
+#include "properties/exact_sum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "properties/internal/float_numbers.h"
+#include "properties/float_numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "cases/case_writer.h"
-#include "properties/check_case.h"
+#include "properties/campaign/check_case.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties::laws_hold_test {

@@ -1,4 +1,4 @@
-#include "properties/internal/random_floats.h"
+#include "properties/random_floats.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "properties/internal/window_position.h"
+#include "properties/window_position.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "properties/internal/random_state.h"
+#include "properties/random_state.h"
 
 namespace rastercheck::properties::window_position_test {
 namespace {

@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "backends/backend.h"
-#include "properties/testing.h"
+#include "properties/campaign/testing.h"
 
 namespace backends = rastercheck::backends;
 namespace cases = rastercheck::cases;

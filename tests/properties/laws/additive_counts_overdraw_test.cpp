@@ -8,7 +8,7 @@
 
 #include "properties/law.h"
 #include "tests/properties/laws/own_cases.h"
-#include "tests/properties/picture_backend.h"
+#include "tests/properties/laws/picture_backend.h"
 
 namespace rastercheck::properties::additive_counts_overdraw_test {
 namespace {

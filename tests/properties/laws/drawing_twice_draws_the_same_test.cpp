@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "properties/law.h"
-#include "tests/properties/picture_backend.h"
+#include "tests/properties/laws/picture_backend.h"
 
 namespace rastercheck::properties::drawing_twice_draws_the_same_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "properties/law.h"
-#include "tests/properties/picture_backend.h"
+#include "tests/properties/laws/picture_backend.h"
 
 namespace rastercheck::properties::nothing_outside_viewport_and_scissor_test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "properties/law.h"
 #include "tests/properties/laws/own_cases.h"
-#include "tests/properties/picture_backend.h"
+#include "tests/properties/laws/picture_backend.h"
 
 namespace rastercheck::properties::picture_is_what_fragments_leave_test {
 namespace {

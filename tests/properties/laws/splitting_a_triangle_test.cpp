@@ -7,10 +7,10 @@
 #include <cmath>
 #include <vector>
 
-#include "properties/internal/close_drawings.h"
-#include "properties/internal/float_numbers.h"
-#include "properties/internal/parted_triangles.h"
+#include "properties/float_numbers.h"
 #include "properties/law.h"
+#include "properties/laws/internal/close_drawings.h"
+#include "properties/laws/internal/parted_triangles.h"
 #include "tests/properties/damaged_backend.h"
 
 namespace rastercheck::properties::splitting_a_triangle_test {

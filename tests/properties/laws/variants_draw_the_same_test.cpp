@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "properties/law.h"
-#include "tests/properties/picture_backend.h"
+#include "tests/properties/laws/picture_backend.h"
 
 namespace rastercheck::properties::variants_draw_the_same_test {
 namespace {

@@ -1,0 +1,257 @@
+#include "properties/campaign/campaign.h"
+
+#include <algorithm>
+#include <chrono>
+#include <tuple>
+#include <utility>
+
+#include "properties/draw.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::Counterexample;
+
+/// Cases in a task: some seconds of work at most, and a process more or less makes no difference.
+constexpr std::uint64_t kCasesPerTask = 10;
+/// A campaign of many cases has larger tasks, as what each found has to be handed over and merged:
+/// of a law and backend up to a 500th of its cases …
+constexpr std::uint64_t kMostTasks = 500;
+/// … and a 16th of those before it: a run that is ended drops the tasks that it is at.
+constexpr std::uint64_t kShareOfThoseBefore = 16;
+/// Of a law and backend in each of several shards, if it has that many cases: enough of them that
+/// one more or less makes no difference.
+constexpr std::uint64_t kTasksPerShard = 4;
+
+/// Seconds in which a case that a backend hangs at is made smaller, if nobody says how many: each
+/// try may take the whole time that a backend has.
+constexpr double kHangSeconds = 60;
+
+/// Deals tasks out to shards in turn, as seen by one of them.
+class Deal {
+ public:
+  explicit Deal(records::ShardNumber ours) : ours_(ours) {}
+
+  /// Cases in the task of a law with `count` cases that begins at its case `first`.
+  std::uint64_t task_size(std::uint64_t first, std::uint64_t count) const {
+    const std::uint64_t most = std::max(kCasesPerTask, count / kMostTasks);
+    const std::uint64_t usual = std::clamp(first / kShareOfThoseBefore, kCasesPerTask, most);
+    if (ours_.count == 1) return usual;
+    return std::clamp<std::uint64_t>(count / (kTasksPerShard * ours_.count), 1, usual);
+  }
+
+  bool is_next_ours() { return next_++ % ours_.count == ours_.index - 1; }
+
+  /// Cases grow with their index. Where a law had as many for each, the next law begins at another
+  /// shard, so that none gets the smallest of all laws, and another the largest.
+  void end_law(std::uint64_t tasks) {
+    if (tasks % ours_.count == 0) ++next_;
+  }
+
+ private:
+  records::ShardNumber ours_;
+  std::uint64_t next_ = 0;
+};
+
+/// How many random cases of a law were checked, and of these how many reached each label. Nobody
+/// says what a corpus or a scene is to reach.
+std::pair<std::uint64_t, std::map<std::string, std::uint64_t>> random_labels(
+    const records::RecordSet& records, const std::string& law, const std::string& backend) {
+  std::uint64_t checked = 0;
+  std::map<std::string, std::uint64_t> labels;
+  for (const auto& [key, record] : records) {
+    const bool is_random = records::is_frozen(key) && key.stratum != records::kCorpusStratum;
+    if (key.law != law || key.backend != backend || !is_random) continue;
+    checked += record.cases.checked;
+    for (const auto& [label, cases] : record.labels) labels[label] += cases;
+  }
+  return {checked, std::move(labels)};
+}
+
+}  // namespace
+
+std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_size,
+                           std::span<const cases::Case> saved, const KnownByBackend& known) {
+  std::vector<Task> tasks;
+  Deal deal(options.shard.value_or(records::ShardNumber()));
+  const auto add = [&](TaskKind kind, std::uint64_t count) {
+    for (const std::string& backend : options.backends) {
+      for (const std::string& law : options.laws) {
+        std::uint64_t dealt = 0;
+        for (std::uint64_t first = 0, last = 0; first < count; first = last, ++dealt) {
+          last = first + std::min(deal.task_size(first, count), count - first);
+          if (deal.is_next_ours()) tasks.push_back({backend, law, kind, first, last});
+        }
+        deal.end_law(dealt);
+      }
+    }
+  };
+  add(TaskKind::corpus, corpus_size);
+  for (const cases::Case& c : saved) {
+    Counterexample subject;
+    subject.source = c;
+    subject.origin = records::Origin::saved;
+    tasks.push_back({c.found->backend, c.found->law, TaskKind::saved, 0, 1, subject});
+  }
+  for (const auto& [backend, defects] : known) {
+    for (const std::size_t entry : entries_to_check(defects, options.laws)) {
+      if (!deal.is_next_ours()) continue;
+      tasks.push_back(
+          {backend, defects.cases[entry].found->law, TaskKind::known, entry, entry + 1});
+    }
+  }
+  add(TaskKind::random, options.cases_per_law);
+  return tasks;
+}
+
+std::vector<Task> shrink_tasks(const Findings& findings) {
+  std::vector<Task> tasks;
+  for (const Counterexample& one : findings.counterexamples) {
+    if (one.shrinking) continue;
+    const cases::Found& found = *one.source.found;
+    tasks.push_back({found.backend, found.law, TaskKind::shrink, 0, 1, one});
+  }
+  return tasks;
+}
+
+std::vector<records::UnreachedLabel> unreached_labels(const Law& law,
+                                                      const records::BackendPromises& promises,
+                                                      const records::RecordSet& records) {
+  // Shares were measured of backends that draw every case.
+  if (promises.has_limits) return {};
+  const std::string law_name(law.id);
+  const auto [checked, labels] = random_labels(records, law_name, promises.backend);
+  std::vector<records::UnreachedLabel> unreached;
+  for (const Cover& cover : law.covers) {
+    if (cover.is_decided && !promises.draws_what_is_asked_for) continue;
+    const std::string label(cover.label);
+    const std::uint64_t least = least_reached(cover, checked);
+    const auto found = labels.find(label);
+    const std::uint64_t reached = found == labels.end() ? 0 : found->second;
+    if (reached < least) {
+      unreached.push_back({law_name, promises.backend, label, reached, least, checked});
+    }
+  }
+  return unreached;
+}
+
+std::vector<records::UnreachedLabel> unreached_labels(
+    std::span<const std::string> laws, std::span<const records::BackendPromises> backends,
+    const records::RecordSet& records) {
+  std::vector<records::UnreachedLabel> unreached;
+  for (const records::BackendPromises& backend : backends) {
+    for (const std::string& name : laws) {
+      const Law* law = find_law(name);
+      if (law == nullptr) continue;
+      const auto of_law = unreached_labels(*law, backend, records);
+      unreached.insert(unreached.end(), of_law.begin(), of_law.end());
+    }
+  }
+  std::sort(unreached.begin(), unreached.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.law, a.backend, a.label) < std::tie(b.law, b.backend, b.label);
+  });
+  return unreached;
+}
+
+ShrinkLimits shrink_limits(const ShrinkBudget& budget, const Counterexample& counterexample,
+                           const IsToEnd& is_to_end) {
+  const auto start = std::chrono::steady_clock::now();
+  const bool is_hang =
+      counterexample.source.found->verdict == records::to_string(records::FragmentClass::hang);
+  const std::optional<double> seconds = budget.seconds || !is_hang ? budget.seconds : kHangSeconds;
+  const auto is_late = [start, seconds, is_to_end] {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    return (seconds && passed.count() >= *seconds) || (is_to_end && is_to_end());
+  };
+  return {budget.tries, is_late};
+}
+
+TaskRunner::TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus, ShrinkBudget shrinking,
+                       std::string known, bool keeps_cases)
+    : seed_(seed),
+      corpus_(std::move(corpus)),
+      shrinking_(shrinking),
+      known_(std::move(known)),
+      keeps_cases_(keeps_cases) {}
+
+Result<const TaskRunner::Made*> TaskRunner::made(const std::string& specification) {
+  Made& made = made_[specification];
+  if (!made.backend) {
+    Result<std::unique_ptr<backends::Backend>> backend = backends::make_backend(specification);
+    if (!backend) return tl::unexpected(backend.error());
+    Result<std::optional<KnownDefects>> known = read_known_defects(known_, **backend);
+    if (!known) return tl::unexpected(known.error());
+    made = {*std::move(backend), *std::move(known)};
+  }
+  return &made;
+}
+
+Result<KnownByBackend> TaskRunner::known_of(const std::vector<std::string>& backends) {
+  KnownByBackend all;
+  for (const std::string& specification : backends) {
+    const Result<const Made*> drawing = made(specification);
+    if (!drawing) return tl::unexpected(drawing.error());
+    if ((*drawing)->known) all.emplace(specification, *(*drawing)->known);
+  }
+  return all;
+}
+
+Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
+  const Law* law = find_law(task.law);
+  if (law == nullptr) return tl::unexpected(Error{task.law, "", "no law has this id"});
+  if (task.kind == TaskKind::corpus && task.last > corpus_.size()) {
+    return tl::unexpected(Error{"the corpus", "", "has fewer cases than a task asks for"});
+  }
+  const Result<const Made*> drawing = made(task.backend);
+  if (!drawing) return tl::unexpected(drawing.error());
+  backends::Backend& backend = *(*drawing)->backend;
+  const KnownDefects* known = (*drawing)->known_defects();
+  const bool has_entry = known != nullptr && task.first < known->cases.size();
+  if (task.kind == TaskKind::known && !has_entry) {
+    return tl::unexpected(Error{task.backend, "", "has no such known defect as a task asks for"});
+  }
+
+  Findings findings;
+  const bool is_frozen = task.kind == TaskKind::corpus || task.kind == TaskKind::random;
+  if (keeps_cases_ && is_frozen) findings.cases.emplace();
+  if (task.kind == TaskKind::shrink) {
+    shrink_counterexample(*law, backend, *task.subject,
+                          shrink_limits(shrinking_, *task.subject, is_to_end), findings, known);
+    return findings;
+  }
+  if (task.kind == TaskKind::known) {
+    check_known_case(*law, task.backend, backend, seed_, *known, task.first, findings);
+    return findings;
+  }
+  for (std::uint64_t i = task.first; i < task.last && !findings.fault; ++i) {
+    if (is_to_end && is_to_end()) break;
+    check_case(*law, task.backend, backend, seed_, numbered_case(task, *law, i), findings, known);
+  }
+  return findings;
+}
+
+std::vector<records::BackendPromises> TaskRunner::promises(const CampaignOptions& options) {
+  std::vector<records::BackendPromises> all;
+  for (const std::string& specification : options.backends) {
+    const Result<const Made*> drawing = made(specification);
+    all.push_back(
+        promises_of(specification, drawing ? (*drawing)->backend.get() : nullptr, options.laws));
+  }
+  return all;
+}
+
+NumberedCase TaskRunner::numbered_case(const Task& task, const Law& law, std::uint64_t i) const {
+  if (task.kind == TaskKind::corpus) {
+    return {corpus_[i], std::string(records::kCorpusStratum), i, records::Origin::corpus};
+  }
+  if (task.kind == TaskKind::saved) {
+    const cases::Case& source = task.subject->source;
+    return {source, std::string(records::kSavedStratum), source.found->index,
+            records::Origin::saved};
+  }
+  Draw draw = draw_of(law, seed_, i);
+  Generated generated = law.generate(draw);
+  return {std::move(generated.source), std::move(generated.stratum), i, records::Origin::random};
+}
+
+}  // namespace rastercheck::properties

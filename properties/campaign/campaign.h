@@ -1,0 +1,147 @@
+#pragma once
+
+// A campaign: every chosen law on every chosen backend, over the corpus and over random cases.
+//
+// It is cut into tasks that depend on nothing but themselves, and what tasks find merges exactly:
+// however they are split over processes, and in whatever order they end, the outcome is the same to
+// the byte.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "backends/backend.h"
+#include "cases/case.h"
+#include "cases/error.h"
+#include "properties/campaign/check_case.h"
+#include "properties/campaign/findings.h"
+#include "properties/campaign/known_defects.h"
+#include "properties/law.h"
+#include "records/counterexample.h"
+#include "records/record.h"
+#include "records/run.h"
+#include "records/shard.h"
+
+namespace rastercheck::properties {
+
+/// What is done in a task, in the order in which a campaign does it. `saved` is one saved
+/// counterexample checked again, `known` the case of a known defect; `shrink` makes one smaller,
+/// whatever it came from.
+enum class TaskKind { corpus, saved, known, random, shrink };
+constexpr auto names_of(TaskKind /*type*/) {
+  return std::to_array<std::string_view>({"corpus", "saved", "known", "random", "shrink"});
+}
+
+/// Some cases of one law on one backend: corpus cases, or random ones of the campaign's seed; or a
+/// single case of its own.
+struct Task {
+  std::string backend;  ///< specification
+  std::string law;      ///< id
+  TaskKind kind = TaskKind::random;
+  std::uint64_t first = 0;  ///< index of the first case; of known ones of the entry
+  std::uint64_t last = 0;   ///< one past the last
+  /// What is checked again or made smaller; its case has `found`.
+  std::optional<records::Counterexample> subject = std::nullopt;
+  bool operator==(const Task&) const = default;
+
+  /// Cases that it adds to the records.
+  std::uint64_t cases() const { return kind == TaskKind::shrink ? 0 : last - first; }
+};
+
+/// How long one counterexample may be made smaller.
+struct ShrinkBudget {
+  std::uint64_t tries = 1000;     ///< cases checked; 0: it stays as it was found
+  std::optional<double> seconds;  ///< what comes of it depends on the machine then
+  bool operator==(const ShrinkBudget&) const = default;
+};
+
+/// The limits of making a counterexample smaller, which begins now; `is_to_end` ends it, too. Where
+/// the budget gives no seconds they are a minute if the backend hangs at the case.
+ShrinkLimits shrink_limits(const ShrinkBudget& budget,
+                           const records::Counterexample& counterexample,
+                           const IsToEnd& is_to_end = {});
+
+struct CampaignOptions {
+  std::uint64_t seed = 0;
+  std::uint64_t cases_per_law = 1000;
+  std::vector<std::string> backends{"cpu"};
+  std::vector<std::string> laws;  ///< names
+  ShrinkBudget shrinking = {};
+  bool keeps_cases = false;  ///< whether what each case gave is kept (records::CaseRecord)
+  /// The part of the work that is done; nothing: all of it.
+  std::optional<records::ShardNumber> shard = std::nullopt;
+  bool operator==(const CampaignOptions&) const = default;
+};
+
+/// The campaign's work but for shrinking: the corpus, saved counterexamples of its laws and
+/// backends, the cases of what is known of these, random cases. Short tasks, so that processes end
+/// together.
+///
+/// Of a shard those that fall to it: each is in one of all `count` shards, but for saved
+/// counterexamples, which only those have that were given any. A law's cases are dealt out like
+/// cards, so that shards take about equally long.
+std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_size,
+                           std::span<const cases::Case> saved = {},
+                           const KnownByBackend& known = {});
+
+/// The work that remains when all cases are checked: to shrink what was found and was not yet.
+std::vector<Task> shrink_tasks(const Findings& findings);
+
+/// The labels that random cases of a law did not reach often enough (least_reached), in the law's
+/// order. What the backend does not promise need not have been reached, and of one with limits
+/// nothing.
+std::vector<records::UnreachedLabel> unreached_labels(const Law& law,
+                                                      const records::BackendPromises& promises,
+                                                      const records::RecordSet& records);
+
+/// The same of all laws and backends, by law, backend and label.
+std::vector<records::UnreachedLabel> unreached_labels(
+    std::span<const std::string> laws, std::span<const records::BackendPromises> backends,
+    const records::RecordSet& records);
+
+/// Runs tasks, one after the other; keeps the backends it has made.
+class TaskRunner {
+ public:
+  /// `known`: the folder of what is known of drivers (read_known_defects); empty: nothing is.
+  TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus, ShrinkBudget shrinking = {},
+             std::string known = "", bool keeps_cases = false);
+
+  const std::vector<cases::Case>& corpus() const { return corpus_; }
+
+  /// What the task found. Fails where there is no such law, backend or corpus case. When
+  /// `is_to_end` says so, shrinking ends with what it has, and checking between two cases: what it
+  /// found is then of a part of the task.
+  Result<Findings> run(const Task& task, const IsToEnd& is_to_end = {});
+
+  /// What is known of the backends. Fails where one cannot be made, or its list not be read.
+  Result<KnownByBackend> known_of(const std::vector<std::string>& backends);
+
+  /// What is promised by each backend of a campaign, whoever runs it. Of one that cannot be made
+  /// any more nobody knows what it promises or draws, and what is asked of all is asked.
+  std::vector<records::BackendPromises> promises(const CampaignOptions& options);
+
+ private:
+  struct Made {
+    std::unique_ptr<backends::Backend> backend;
+    std::optional<KnownDefects> known;
+
+    const KnownDefects* known_defects() const { return known ? &*known : nullptr; }
+  };
+  Result<const Made*> made(const std::string& specification);
+  NumberedCase numbered_case(const Task& task, const Law& law, std::uint64_t i) const;
+
+  std::uint64_t seed_;
+  std::vector<cases::Case> corpus_;
+  ShrinkBudget shrinking_;
+  std::string known_;
+  bool keeps_cases_;
+  std::map<std::string, Made> made_;
+};
+
+}  // namespace rastercheck::properties

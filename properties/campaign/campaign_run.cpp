@@ -1,0 +1,144 @@
+#include "properties/campaign/campaign_run.h"
+
+#include <algorithm>
+#include <cassert>
+#include <filesystem>
+#include <utility>
+
+#include "cases/files.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::Counterexample;
+
+/// The longest that what is done goes unwritten. Writing takes some hundredths of it.
+constexpr std::chrono::seconds kMostUnwritten{1};
+
+bool is_same_failure(const Counterexample& a, const Counterexample& b) {
+  const cases::Found& of_a = *a.source.found;
+  const cases::Found& of_b = *b.source.found;
+  return of_a == of_b && a.origin == b.origin;
+}
+
+/// Puts a shrunk counterexample in the place of the one it was made from.
+void replace(Findings& findings, const Counterexample& shrunk) {
+  for (Counterexample& one : findings.counterexamples) {
+    if (is_same_failure(one, shrunk)) one = shrunk;
+  }
+}
+
+}  // namespace
+
+std::uint64_t violations_of(const Findings& findings) {
+  std::uint64_t violations = 0;
+  for (const auto& [key, record] : findings.records) violations += record.cases.violations;
+  return violations;
+}
+
+CampaignRun::CampaignRun(Checkpoint start, std::string directory, std::size_t corpus_size,
+                         Warn warn, const KnownByBackend& known)
+    : checkpoint_(std::move(start)),
+      directory_(std::move(directory)),
+      tasks_(tasks_of(checkpoint_, corpus_size, known)),
+      warn_(std::move(warn)),
+      all_(checkpoint_.findings) {
+  checkpoint_.is_done.resize(tasks_.size());
+  violations_at_start_ = violations_of(all_);
+}
+
+Result<void> CampaignRun::begin() { return write(); }
+
+Result<void> CampaignRun::write() {
+  written_ = std::chrono::steady_clock::now();
+  return cases::write_file(checkpoint_file(directory_), to_json(checkpoint_));
+}
+
+void CampaignRun::save() {
+  const Result<void> written = write();
+  if (written || has_warned_) return;
+  has_warned_ = true;
+  Error error = written.error();
+  error.reason += "; the run goes on, and what it finds from here on is found again if resumed";
+  warn_(error);
+}
+
+void CampaignRun::write_if_due(bool is_news) {
+  const auto now = std::chrono::steady_clock::now();
+  if (is_news || now - written_ >= kMostUnwritten) save();
+}
+
+Result<void> CampaignRun::check_cases(const Execute& execute, const Progress& progress) {
+  std::vector<std::size_t> places;
+  std::uint64_t all = 0;
+  for (std::size_t i = 0; i < tasks_.size(); ++i) {
+    all += tasks_[i].cases();
+    if (!checkpoint_.is_done[i]) places.push_back(i);
+  }
+  // Whenever it ends, each law has been checked about as much as the others.
+  std::stable_sort(places.begin(), places.end(), [this](std::size_t a, std::size_t b) {
+    const auto order = [](const Task& task) {
+      return std::pair(task.kind == TaskKind::random, task.first);
+    };
+    return order(tasks_[a]) < order(tasks_[b]);
+  });
+  std::vector<Task> open;
+  open.reserve(places.size());
+  for (const std::size_t place : places) open.push_back(tasks_[place]);
+  std::uint64_t done = all - cases_left();
+  return execute(open, [&](std::size_t task, Findings found) {
+    if (found.fault) {
+      merge(all_, std::move(found));
+      return false;
+    }
+    const std::size_t place = places[task];
+    const bool may_be_news = !found.counterexamples.empty();
+    std::vector<Counterexample> before;
+    if (may_be_news) before = checkpoint_.findings.counterexamples;
+    merge(all_, found);
+    merge(checkpoint_.findings, std::move(found));
+    checkpoint_.is_done[place] = true;
+    done += tasks_[place].cases();
+    if (progress) progress(done, all);
+    write_if_due(may_be_news && before != checkpoint_.findings.counterexamples);
+    return true;
+  });
+}
+
+void CampaignRun::add_scene(Findings scene) { merge(all_, std::move(scene)); }
+
+Result<void> CampaignRun::shrink(const Execute& execute, const IsToEnd& is_to_end,
+                                 const Progress& progress) {
+  const std::vector<Task> tasks = shrink_tasks(all_);
+  std::uint64_t done = 0;
+  return execute(tasks, [&](std::size_t /*task*/, Findings found) {
+    if (found.fault) {
+      merge(all_, std::move(found));
+      return false;
+    }
+    const bool is_whole = !is_to_end || !is_to_end();
+    for (const Counterexample& shrunk : found.counterexamples) {
+      replace(all_, shrunk);
+      if (is_whole) replace(checkpoint_.findings, shrunk);
+    }
+    if (!is_whole) has_cut_short_ = true;
+    if (progress) progress(++done, tasks.size());
+    write_if_due(is_whole);
+    return true;
+  });
+}
+
+void CampaignRun::remove() {
+  std::error_code ignored;
+  std::filesystem::remove(checkpoint_file(directory_), ignored);
+}
+
+std::uint64_t CampaignRun::cases_left() const {
+  std::uint64_t left = 0;
+  for (std::size_t i = 0; i < tasks_.size(); ++i) {
+    if (!checkpoint_.is_done[i]) left += tasks_[i].cases();
+  }
+  return left;
+}
+
+}  // namespace rastercheck::properties

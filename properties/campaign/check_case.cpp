@@ -1,0 +1,268 @@
+#include "properties/campaign/check_case.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "cases/case_writer.h"
+#include "oracle/transform.h"
+#include "properties/campaign/close_up.h"
+#include "properties/draw.h"
+#include "properties/judged_law.h"
+#include "records/record_json.h"
+#include "records/run.h"
+
+namespace rastercheck::properties {
+
+namespace {
+
+using records::CaseOutcome;
+using records::Counterexample;
+
+bool fails_with(const Check& check, const std::string& verdict) {
+  return check.is_applicable && check.violation_count > 0 && check.known.empty() && !check.fault &&
+         verdict_of(check) == verdict;
+}
+
+/// Of a drawing that failed.
+records::FragmentClass class_of(Failure failure) {
+  switch (failure) {
+    case Failure::crash:
+      return records::FragmentClass::crash;
+    case Failure::hang:
+      return records::FragmentClass::hang;
+    case Failure::refused:
+    case Failure::unavailable:
+    case Failure::unsupported:
+      break;
+  }
+  return records::FragmentClass::failed;
+}
+
+/// The check of a case that could not be drawn.
+Check failed_check(const Error& error) {
+  Check failed;
+  if (error.failure == Failure::unsupported) return not_applicable(error.reason);
+  failed.violation_count = 1;
+  records::Violation violation;
+  violation.fragment_class = class_of(error.failure);
+  violation.exact = "a drawing";
+  violation.actual = "none";
+  violation.note = to_string(error);
+  failed.violations = {violation};
+  return failed;
+}
+
+}  // namespace
+
+std::string verdict_of(const Check& check) {
+  if (check.violation_count == 0) return "held";
+  if (check.violations.empty()) return "violated";
+  return std::string(to_string(check.violations.front().fragment_class));
+}
+
+std::string reason_of(const Law& law, const backends::Backend& backend, const Check& check) {
+  if (!is_promised(law, backend)) {
+    return law.unpromised.empty() ? "the backend does not promise what the law is about"
+                                  : std::string(law.unpromised);
+  }
+  if (check.why_not.empty()) return "the law says nothing of such cases";
+  // What a plugin says of itself may be another each time, and is not counted.
+  return check.why_not.substr(0, check.why_not.find(": "));
+}
+
+Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
+                    const CheckOptions& options) {
+  if (!is_promised(law, backend)) return not_applicable("");
+  Result<Check> checked = law.check(c, backend, options);
+  // Positions beyond float32 cannot even be handed over: that is nobody's fault.
+  if (!checked && !oracle::to_clip_case(c, "")) {
+    return not_applicable("clip positions are beyond float32");
+  }
+  Check check = checked ? *std::move(checked) : failed_check(checked.error());
+  if (options.known != nullptr) tell_known(*options.known, law, c, check);
+  return check;
+}
+
+void keep_counterexample(const Law& law, const std::string& specification,
+                         backends::Backend& backend, std::uint64_t seed,
+                         const NumberedCase& numbered, const Check& check, Findings& findings,
+                         const KnownDefects* known) {
+  cases::Found place{std::string(law.id), specification, verdict_of(check), seed, numbered.index};
+  // A saved counterexample tells where it was found at first.
+  if (numbered.origin == records::Origin::saved && numbered.source.found) {
+    place.seed = numbered.source.found->seed;
+    place.index = numbered.source.found->index;
+  }
+  if (!is_kept(findings, place, numbered.origin, numbered.source.name)) return;
+  Counterexample found{numbered.source, check.violation_count, check.violations, numbered.origin};
+  // Of a scene with many triangles, not the whole is handed around until it is shrunk.
+  if (numbered.source.triangles.size() > 1 && !check.violations.empty()) {
+    const std::size_t triangle = check.violations.front().triangle;
+    if (triangle < numbered.source.triangles.size()) {
+      cases::Case one = with_triangles(numbered.source, {{triangle}});
+      const Check alone = check_or_note(law, one, backend, {numbered.index, known});
+      if (fails_with(alone, place.verdict)) {
+        found = {std::move(one), alone.violation_count, alone.violations, numbered.origin};
+      }
+    }
+  }
+  found.source.found = place;
+  keep(findings, std::move(found));
+}
+
+void shrink_counterexample(const Law& law, backends::Backend& backend, const Counterexample& found,
+                           const ShrinkLimits& limits, Findings& findings,
+                           const KnownDefects* known) {
+  const cases::Found place = found.source.found.value_or(cases::Found());
+  const auto fails_alike = [&](const cases::Case& c) -> std::optional<Check> {
+    if (findings.fault) return std::nullopt;  // There is nothing more to be learnt.
+    Check check = check_or_note(law, c, backend, {place.index, known});
+    findings.fault = check.fault;
+    return fails_with(check, place.verdict) ? std::optional(std::move(check)) : std::nullopt;
+  };
+  Check check;
+  check.violation_count = found.violation_count;
+  check.violations = found.violations;
+  Shrunk shrunk = shrink(found.source, std::move(check), fails_alike, limits);
+  Counterexample least{std::move(shrunk.source), shrunk.check.violation_count,
+                       std::move(shrunk.check.violations), found.origin,
+                       records::Shrinking{shrunk.tries, shrunk.is_least}};
+  if (!least.violations.empty()) {
+    least.close_up = close_up(least.source, backend, least.violations.front());
+  }
+  keep(findings, std::move(least));
+}
+
+namespace {
+
+/// Counts a case of which the law says nothing.
+void count_not_applicable(std::string why, records::Record& record) {
+  ++record.cases.not_applicable;
+  ++record.not_applicable_because[std::move(why)];
+}
+
+/// Adds a check to the records, violations aside; the record of kind `coverage`.
+records::Record& count_check(const Law& law, const std::string& specification,
+                             const backends::Backend& backend, const std::string& stratum,
+                             const Check& check, Findings& findings) {
+  if (check.fault && !findings.fault) findings.fault = check.fault;
+  const records::RecordKey key{std::string(law.id), specification, records::AttributeKind::coverage,
+                               stratum};
+  records::Record& record = findings.records[key];
+  if (!check.is_applicable) {
+    count_not_applicable(reason_of(law, backend, check), record);
+    return record;
+  }
+  ++record.cases.checked;
+  for (const std::string& label : check.labels) ++record.labels[label];
+  records::add(findings.records, key, check.judgement);
+  if (!check.known.empty()) ++record.cases.known;
+  for (const std::string& id : check.known) ++record.known[id];
+  return record;
+}
+
+CaseOutcome outcome_of(const Check& check) {
+  if (!check.is_applicable) return CaseOutcome::not_applicable;
+  if (check.violation_count == 0) return CaseOutcome::held;
+  return check.known.empty() ? CaseOutcome::violated : CaseOutcome::known;
+}
+
+/// Keeps what the case gave, where that is kept.
+void keep_case(const Law& law, const std::string& specification, const NumberedCase& numbered,
+               const Check& check, Findings& findings) {
+  if (!findings.cases) return;
+  const std::string name(law.id);
+  records::CaseRecord record;
+  record.name = numbered.source.name;
+  record.stratum = numbered.stratum;
+  record.outcome = outcome_of(check);
+  record.source_digest = fnv1a(cases::to_json(numbered.source));
+  records::Judgement judged = check.judgement;
+  judged.levels = {};  // how the oracle found out
+  for (const auto& [kind, errors] : judged.errors) {
+    for (std::size_t i = 1; i < errors.classes.counts.size(); ++i) {
+      record.mismatches += errors.classes.counts[i];
+    }
+    for (const auto& [stratum, sizes] : errors.strata) {
+      if (const records::WorstError* worst = records::worst_of(sizes.extremes)) {
+        record.worst[kind][stratum] = *worst;
+      }
+    }
+  }
+  records::RecordSet alone;
+  // Not of the backend's name, which is another where a plugin lies elsewhere, nor of the law's,
+  // which every case of it has.
+  const records::RecordKey key{"", "", records::AttributeKind::coverage, numbered.stratum};
+  records::add(alone, key, judged);
+  for (const std::string& label : check.labels) ++alone[key].labels[label];
+  alone[key].cases.violations = check.violation_count;
+  record.found_digest =
+      fnv1a(std::string(to_string(record.outcome)) + records::records_to_json(alone).dump());
+  findings.cases->insert_or_assign({name, specification, numbered.origin, numbered.index},
+                                   std::move(record));
+}
+
+}  // namespace
+
+void check_case(const Law& law, const std::string& specification, backends::Backend& backend,
+                std::uint64_t seed, const NumberedCase& numbered, Findings& findings,
+                const KnownDefects* known) {
+  if (backend.is_lost()) {
+    // Its counterexamples are those that it was lost by.
+    records::Record& record = findings.records[{
+        std::string(law.id), specification, records::AttributeKind::coverage, numbered.stratum}];
+    if (!is_promised(law, backend)) {
+      count_not_applicable(reason_of(law, backend, {}), record);
+      keep_case(law, specification, numbered, not_applicable(""), findings);
+      return;
+    }
+    ++record.cases.checked;
+    ++record.cases.violations;
+    ++record.labels[std::string(records::kGivenUp)];
+    Check lost;
+    lost.violation_count = 1;
+    lost.labels = {std::string(records::kGivenUp)};
+    keep_case(law, specification, numbered, lost, findings);
+    return;
+  }
+  const Check check = check_or_note(law, numbered.source, backend, {numbered.index, known});
+  records::Record& record =
+      count_check(law, specification, backend, numbered.stratum, check, findings);
+  keep_case(law, specification, numbered, check, findings);
+  if (check.violation_count == 0 || !check.known.empty()) return;
+  ++record.cases.violations;
+  keep_counterexample(law, specification, backend, seed, numbered, check, findings, known);
+}
+
+void check_known_case(const Law& law, const std::string& specification, backends::Backend& backend,
+                      std::uint64_t seed, const KnownDefects& known, std::size_t entry,
+                      Findings& findings) {
+  const cases::Case& source = known.cases[entry];
+  const std::string& id = known.list.entries[entry].id;
+  const std::string stratum(records::kKnownStratum);
+  if (backend.is_lost()) {
+    check_case(law, specification, backend, seed, {source, stratum, 0, records::Origin::saved},
+               findings, &known);
+    return;
+  }
+  const std::uint64_t index = source.found->index;
+  Check check = check_or_note(law, source, backend, {index, &known});
+  const bool is_expected =
+      std::find(check.known.begin(), check.known.end(), id) != check.known.end();
+  if (!is_expected) check.known.clear();
+  records::Record& record = count_check(law, specification, backend, stratum, check, findings);
+  if (!check.is_applicable || is_expected) return;
+  if (check.violation_count > 0) {  // in ways that are not the entry's
+    ++record.cases.violations;
+    keep_counterexample(law, specification, backend, seed,
+                        {source, stratum, index, records::Origin::saved}, check, findings, &known);
+    return;
+  }
+  keep(findings,
+       records::UnexpectedPass{specification, id, std::string(law.id), known.is_same_version()});
+  if (known.is_same_version()) ++record.cases.violations;
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,145 @@
+#include "properties/campaign/close_up.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "cases/names.h"
+#include "oracle/judge.h"
+#include "oracle/transform.h"
+#include "properties/drawing.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::FragmentClass;
+
+/// Pixels shown on either side of the violation.
+constexpr int kAcross = 7;
+constexpr int kUpAndDown = 5;
+
+struct Sign {
+  char sign;
+  std::string_view meaning;
+};
+
+constexpr Sign kRight{'#', "drawn as it has to be"};
+constexpr Sign kEmpty{'.', "not drawn, rightly"};
+constexpr std::array kWrong{Sign{'-', "missing"}, Sign{'+', "drawn, and must not be"},
+                            Sign{'!', "drawn with a wrong value"}};
+
+char sign_of(const oracle::JudgedSample& sample) {
+  if (sample.fragment_class == FragmentClass::missing) return '-';
+  if (sample.fragment_class != FragmentClass::correct) return '+';
+  const bool is_right = std::all_of(sample.values.begin(), sample.values.end(), [](const auto& v) {
+    return v.fragment_class == FragmentClass::correct;
+  });
+  return is_right ? kRight.sign : '!';
+}
+
+/// Pixels by (y, x).
+using Signs = std::map<std::pair<int, int>, char>;
+
+/// Whether the picture shows at the violation what the violation says.
+bool shows(char sign, const records::Violation& violation) {
+  switch (violation.fragment_class) {
+    case FragmentClass::missing:
+      return sign == '-';
+    case FragmentClass::extra:
+    case FragmentClass::wrong_triangle:
+      return sign == '+';
+    default:
+      return sign == '!';
+  }
+}
+
+std::string coverage_text(const cases::Coverage& coverage, cases::Basis basis) {
+  if (!coverage) return "exact coverage";
+  return fmt::format("coverage snapped to {} subpixel bits ({}), values of basis {}",
+                     coverage->subpixel_bits, cases::name_of(coverage->rounding),
+                     cases::name_of(basis));
+}
+
+std::string legend_of(const Signs& signs, bool has_empty) {
+  const auto occurs = [&signs](char sign) {
+    return std::any_of(signs.begin(), signs.end(),
+                       [sign](const auto& s) { return s.second == sign; });
+  };
+  std::string legend;
+  const auto add = [&legend](const Sign& sign) {
+    legend += fmt::format("{}{} {}", legend.empty() ? "" : "   ", sign.sign, sign.meaning);
+  };
+  if (occurs(kRight.sign)) add(kRight);
+  if (has_empty) add(kEmpty);
+  for (const Sign& sign : kWrong) {
+    if (occurs(sign.sign)) add(sign);
+  }
+  return legend;
+}
+
+}  // namespace
+
+std::vector<std::string> close_up(const cases::Case& c, backends::Backend& backend,
+                                  const records::Violation& violation) {
+  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip || violation.triangle >= clip->triangles.size()) return {};
+  const cases::Contract contract = backend.contract(*clip);
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return {};
+
+  const auto x = static_cast<int>(violation.x);
+  const auto y = static_cast<int>(violation.y);
+  const int x0 = std::max(x - kAcross, 0);
+  const int y0 = std::max(y - kUpAndDown, 0);
+  const int x1 = std::min(x + kAcross + 1, clip->framebuffer.width);
+  const int y1 = std::min(y + kUpAndDown + 1, clip->framebuffer.height);
+  Signs signs;
+  const oracle::SceneTruth scene(*clip, contract);
+  oracle::judge(scene, *drawn, {}, [&](const oracle::JudgedSample& sample, const auto* /*truth*/) {
+    const auto at = std::pair(static_cast<int>(sample.y), static_cast<int>(sample.x));
+    const bool is_shown = at.second >= x0 && at.second < x1 && at.first >= y0 && at.first < y1;
+    if (!is_shown || sample.sample != violation.sample || sample.triangle != violation.triangle)
+      return;
+    signs[at] = std::max(signs[at], sign_of(sample));
+  });
+
+  // A sign in brackets, or the number of its column.
+  const std::size_t width = std::max<std::size_t>(std::to_string(x1 - 1).size() + 2, 4);
+  std::vector<std::string> lines;
+  bool has_empty = false;
+  for (int row = y0; row < y1; ++row) {
+    std::string line = fmt::format("y {:>5}  ", row);
+    for (int column = x0; column < x1; ++column) {
+      const auto found = signs.find({row, column});
+      has_empty = has_empty || found == signs.end();
+      const char sign = found == signs.end() ? kEmpty.sign : found->second;
+      const bool is_it = row == y && column == x;
+      line += fmt::format("{:>{}}{}{}", is_it ? '[' : ' ', width - 2, sign, is_it ? ']' : ' ');
+    }
+    lines.push_back(line);
+  }
+  std::string columns = "   x     ";
+  for (int column = x0; column < x1; ++column) {
+    columns += fmt::format("{:>{}} ", column, width - 1);
+  }
+  lines.push_back(columns);
+  lines.push_back(legend_of(signs, has_empty));
+  const auto it = signs.find({y, x});
+  if (!shows(it == signs.end() ? kEmpty.sign : it->second, violation)) {
+    lines.emplace_back(
+        "This is the case as it stands, judged alone; the law compares it with another drawing.");
+  }
+  const bool is_as_asked =
+      contract.coverage == clip->coverage && (!clip->coverage || contract.basis == clip->basis);
+  if (!is_as_asked) {
+    lines.push_back(
+        fmt::format("Judged by what the backend promises, not by what the case asks: {}.",
+                    coverage_text(contract.coverage, contract.basis)));
+  }
+  return lines;
+}
+
+}  // namespace rastercheck::properties

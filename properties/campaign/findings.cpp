@@ -1,0 +1,103 @@
+#include "properties/campaign/findings.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "cases/case_writer.h"
+#include "properties/campaign/internal/case_size.h"
+#include "records/enclosure.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::Counterexample;
+
+/// The way in which a case failed: one counterexample of each is kept.
+auto bucket_of(const cases::Found& found) {
+  return std::tie(found.law, found.backend, found.verdict);
+}
+
+bool is_in_earlier_bucket(const Counterexample& one, const cases::Found& found) {
+  return bucket_of(*one.source.found) < bucket_of(found);
+}
+
+/// Where in a run it was found.
+auto place_of(const cases::Found& found, const records::Origin& origin, const std::string& name) {
+  return std::tie(origin, found.index, name, found.seed);
+}
+
+auto place_of(const Counterexample& one) {
+  return place_of(*one.source.found, one.origin, one.source.name);
+}
+
+/// Two that were found in the same place are saved ones, named alike by whoever saved them.
+bool comes_before(const Counterexample& a, const Counterexample& b) {
+  if (place_of(a) != place_of(b)) return place_of(a) < place_of(b);
+  return cases::to_json(a.source) < cases::to_json(b.source);
+}
+
+/// Samples that are missing or too many so close to the boundary, and not on it, fell to the wrong
+/// side by rounding, of which there is much in most rasterizers; an error of logic is seen at any
+/// distance. On a grid of 1/256 pixel, as most are snapped to, 1/1024 is less than half a step.
+bool is_of_rounding(const Counterexample& one) {
+  constexpr double kPixels = 0x1p-10;
+  return !one.violations.empty() &&
+         std::all_of(one.violations.begin(), one.violations.end(), [](const auto& violation) {
+           const bool is_of_coverage =
+               violation.fragment_class == records::FragmentClass::missing ||
+               violation.fragment_class == records::FragmentClass::extra;
+           if (!is_of_coverage || !violation.distance) return false;
+           const double farthest = records::magnitude(*violation.distance).hi;
+           return farthest > 0 && farthest < kPixels;
+         });
+}
+
+}  // namespace
+
+bool is_kept(const Findings& findings, const cases::Found& found, records::Origin origin,
+             const std::string& name) {
+  const auto& all = findings.counterexamples;
+  const auto place = std::lower_bound(all.begin(), all.end(), found, &is_in_earlier_bucket);
+  if (place == all.end() || bucket_of(*place->source.found) != bucket_of(found)) return true;
+  return !(place_of(*place) < place_of(found, origin, name));
+}
+
+void keep(Findings& findings, Counterexample counterexample) {
+  auto& all = findings.counterexamples;
+  const cases::Found& found = *counterexample.source.found;
+  const auto place = std::lower_bound(all.begin(), all.end(), found, &is_in_earlier_bucket);
+  if (place == all.end() || bucket_of(*place->source.found) != bucket_of(found)) {
+    all.insert(place, std::move(counterexample));
+  } else if (comes_before(counterexample, *place)) {
+    *place = std::move(counterexample);
+  }
+}
+
+void keep(Findings& findings, records::UnexpectedPass pass) {
+  auto& all = findings.unexpected;
+  const auto place = std::lower_bound(all.begin(), all.end(), pass);
+  if (place == all.end() || *place != pass) all.insert(place, std::move(pass));
+}
+
+std::size_t first_to_read(const std::vector<Counterexample>& all) {
+  const auto rank = [](const Counterexample& one) {
+    const std::string& law = one.source.found->law;
+    return std::tuple(law != kCoverageLaw && law != kValuesLaw, is_of_rounding(one),
+                      size_of(one.source));
+  };
+  const auto first = std::min_element(
+      all.begin(), all.end(), [&rank](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return static_cast<std::size_t>(first - all.begin());
+}
+
+void merge(Findings& into, Findings from) {
+  records::merge(into.records, from.records);
+  if (from.cases && !into.cases) into.cases.emplace();
+  if (from.cases) into.cases->merge(*from.cases);
+  for (Counterexample& one : from.counterexamples) keep(into, std::move(one));
+  for (records::UnexpectedPass& pass : from.unexpected) keep(into, std::move(pass));
+  if (!into.fault) into.fault = std::move(from.fault);
+}
+
+}  // namespace rastercheck::properties

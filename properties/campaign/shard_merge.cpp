@@ -1,0 +1,277 @@
+#include "properties/campaign/shard_merge.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "cases/json.h"
+#include "properties/campaign/campaign.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::Run;
+using records::Shard;
+using Environment = std::map<std::string, std::string>;
+
+// --- Differences ---------------------------------------------------------------------------------
+
+/// How a shard differs from those before it: the first difference that was found.
+class ShardDifference {
+ public:
+  explicit ShardDifference(std::string first) : first_(std::move(first)) {}
+
+  template <typename Value>
+  void compare(std::string_view what, const Value& here, const Value& there) {
+    if (here != there) say(fmt::format("its {} is {}, and {} there", what, here, there));
+  }
+  /// Of lists: what the one has and the other has not.
+  void compare(std::string_view what, const std::vector<std::string>& here,
+               const std::vector<std::string>& there) {
+    if (here == there) return;
+    const auto missing = [](const auto& all, const auto& some) {
+      return std::find_if(all.begin(), all.end(), [&some](const std::string& one) {
+        return std::find(some.begin(), some.end(), one) == some.end();
+      });
+    };
+    if (const auto one = missing(here, there); one != here.end()) {
+      say(fmt::format("its {} have '{}', which is not among those there", what, *one));
+    } else if (const auto other = missing(there, here); other != there.end()) {
+      say(fmt::format("its {} lack '{}', which is among those there", what, *other));
+    } else {
+      say(fmt::format("its {} are '{}', and '{}' there", what, fmt::join(here, " "),
+                      fmt::join(there, " ")));
+    }
+  }
+  /// Of what is too large to be shown.
+  void expect(bool is_same, const std::string& what) {
+    if (!is_same) say(what);
+  }
+
+  Result<void> result(const std::string& file) const {
+    if (!said_) return {};
+    return tl::unexpected(
+        Error{file, "",
+              cases::printable(fmt::format("is of another campaign than {}: {}", first_, *said_))});
+  }
+
+ private:
+  void say(std::string text) {
+    if (!said_) said_ = std::move(text);
+  }
+
+  std::string first_;
+  std::optional<std::string> said_;
+};
+
+std::string value_of(const Environment& environment, const std::string& key) {
+  const auto found = environment.find(key);
+  return found == environment.end() ? "" : found->second;
+}
+
+/// The driver that each known list is held against, "gl:llvmpipe 22.3.6".
+std::vector<std::string> drivers_of(const Run& run) {
+  std::vector<std::string> drivers;
+  drivers.reserve(run.known.size());
+  for (const records::KnownOfBackend& known : run.known) {
+    drivers.push_back(known.backend + " " + known.version);
+  }
+  return drivers;
+}
+
+/// The first backend whose promises differ.
+std::string other_promises(const Shard& here, const Shard& there) {
+  const auto [one, other] = std::mismatch(here.promises.begin(), here.promises.end(),
+                                          there.promises.begin(), there.promises.end());
+  return fmt::format("{} promises something else there",
+                     one == here.promises.end() ? "a backend" : one->backend);
+}
+
+Result<void> check_same_campaign(const Run& here, const Run& there, const std::string& file,
+                                 const std::string& first) {
+  ShardDifference difference(first);
+  difference.compare("program's version", value_of(here.environment, "version"),
+                     value_of(there.environment, "version"));
+  // A baseline is of one architecture.
+  difference.compare("architecture", value_of(here.environment, "architecture"),
+                     value_of(there.environment, "architecture"));
+  difference.compare("rules version", here.rules_version, there.rules_version);
+  difference.compare("number of shards", here.shard->number.count, there.shard->number.count);
+  difference.compare("seed", here.seed, there.seed);
+  difference.compare("number of cases of each law", here.cases_per_law, there.cases_per_law);
+  difference.compare("backends", here.backends, there.backends);
+  difference.compare("laws", here.laws, there.laws);
+  difference.compare("options", here.options, there.options);
+  difference.compare("scene", "'" + here.scene + "'", "'" + there.scene + "'");
+  difference.compare("contract file", "'" + here.contract_file + "'",
+                     "'" + there.contract_file + "'");
+  difference.expect(here.shard->contract == there.shard->contract,
+                    "its contract file says something else");
+  difference.compare("corpus' digest", here.shard->corpus_digest, there.shard->corpus_digest);
+  difference.compare("known drivers", drivers_of(here), drivers_of(there));
+  difference.expect(
+      here.shard->known_digest == there.shard->known_digest && here.known == there.known,
+      "its lists of known defects say something else");
+  if (here.shard->promises != there.shard->promises) {
+    difference.expect(false, other_promises(*here.shard, *there.shard));
+  }
+  return difference.result(file);
+}
+
+// --- Environment ---------------------------------------------------------------------------------
+
+std::optional<double> number_in(const std::string& text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return stop == end && error == std::errc() ? std::optional(number) : std::nullopt;
+}
+
+/// What all say of a key, each once, in the order of the shards.
+std::string all_said(const std::vector<std::string>& said) {
+  std::vector<std::string> once;
+  for (const std::string& one : said) {
+    if (std::find(once.begin(), once.end(), one) == once.end()) once.push_back(one);
+  }
+  return fmt::format("{}", fmt::join(once, ", "));
+}
+
+std::string sum_of(const std::vector<std::string>& said) {
+  double sum = 0;
+  for (const std::string& one : said) sum += number_in(one).value_or(0);
+  return fmt::format("{:.1f}", sum);
+}
+
+Environment merged_environment(const std::vector<Environment>& shards) {
+  std::map<std::string, std::vector<std::string>> said;
+  for (const Environment& environment : shards) {
+    for (const auto& [key, value] : environment) said[key].push_back(value);
+  }
+  Environment merged{{"shards", std::to_string(shards.size())}};
+  for (const auto& [key, values] : said) {
+    if (key == "seconds") {
+      merged[key] = sum_of(values);
+    } else if (key == "date") {
+      merged[key] = *std::max_element(values.begin(), values.end());
+    } else {
+      merged[key] = all_said(values);
+    }
+  }
+  return merged;
+}
+
+// --- Missing shards ------------------------------------------------------------------------------
+
+/// "shard 3 of 7 is missing", "shards 1 to 3 and 5 of 7 are missing".
+std::string missing_sentence(const std::vector<std::uint64_t>& missing, std::uint64_t count) {
+  std::vector<std::string> ranges;
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    const std::uint64_t first = missing[i];
+    while (i + 1 < missing.size() && missing[i + 1] == missing[i] + 1) ++i;
+    const bool is_range = missing[i] > first + 1;
+    if (is_range) {
+      ranges.push_back(fmt::format("{} to {}", first, missing[i]));
+    } else {
+      for (std::uint64_t one = first; one <= missing[i]; ++one) {
+        ranges.push_back(std::to_string(one));
+      }
+    }
+  }
+  std::string text = ranges.front();
+  for (std::size_t i = 1; i < ranges.size(); ++i) {
+    text += (i + 1 < ranges.size() ? ", " : " and ") + ranges[i];
+  }
+  const bool is_one = missing.size() == 1;
+  return fmt::format("{} {} of {} {} missing", is_one ? "shard" : "shards", text, count,
+                     is_one ? "is" : "are");
+}
+
+}  // namespace
+
+Result<void> ShardMerge::check(const Run& run, const std::string& file) const {
+  const auto refuse = [&file](const std::string& reason) {
+    return tl::unexpected(Error{file, "", reason});
+  };
+  if (!run.shard) return refuse("is no shard: the run was not cut by --shard");
+  const std::string name = "shard " + to_string(run.shard->number);
+  if (!added_.empty()) {
+    Result<void> same = check_same_campaign(run, first_, file, added_.begin()->second.file);
+    if (!same) return same;
+  }
+  if (run.cases_left > 0 || !run.shard->is_whole) {
+    const std::string what = run.cases_left == 0
+                                 ? "not all counterexamples are shrunk"
+                                 : fmt::format("cases not checked: {}", run.cases_left);
+    return refuse(name + " was interrupted, " + what +
+                  "; `rastercheck run --resume` goes on with it");
+  }
+  const auto other = added_.find(run.shard->number.index);
+  if (other != added_.end()) return refuse(name + " is there twice, also as " + other->second.file);
+  for (const records::Counterexample& one : run.counterexamples) {
+    if (!one.source.found) return refuse("a counterexample does not say how it was found");
+  }
+  return {};
+}
+
+Result<void> ShardMerge::add(Run run, const std::string& file) {
+  Result<void> checked = check(run, file);
+  if (!checked) return checked;
+  Added& added = added_[run.shard->number.index];
+  added = {file, run.environment, {run.counterexamples, std::move(run.inspections)}};
+  if (!run.shard->scene_digest.empty()) scene_digest_ = run.shard->scene_digest;
+  std::move(run.pictures.begin(), run.pictures.end(), std::back_inserter(pictures_));
+  std::move(run.shard->saved.begin(), run.shard->saved.end(), std::back_inserter(saved_));
+  merge(all_, {std::move(run.records), std::move(run.cases), std::move(run.counterexamples),
+               std::move(run.unexpected), std::nullopt});
+  if (added_.size() > 1) return {};
+  run.records.clear();
+  run.cases.reset();
+  run.counterexamples.clear();
+  run.unexpected.clear();
+  run.pictures.clear();
+  run.inspections.clear();
+  run.specimens.clear();
+  first_ = std::move(run);
+  return {};
+}
+
+Result<MergedRun> ShardMerge::finish() && {
+  if (added_.empty()) return tl::unexpected(Error{"merge", "", "there are no shards"});
+  const std::uint64_t count = first_.shard->number.count;
+  std::vector<std::uint64_t> missing;
+  for (std::uint64_t index = 1; index <= count; ++index) {
+    if (!added_.contains(index)) missing.push_back(index);
+  }
+  if (!missing.empty()) {
+    return tl::unexpected(Error{"merge", "", missing_sentence(missing, count)});
+  }
+  MergedRun merged;
+  std::vector<Environment> environments;
+  for (auto& [index, added] : added_) {
+    environments.push_back(std::move(added.environment));
+    merged.looked_at.push_back(std::move(added.looked_at));
+  }
+  merged.run = std::move(first_);
+  Run& run = merged.run;
+  merged.common = *std::move(run.shard);
+  merged.common.number = {};
+  merged.common.scene_digest = scene_digest_;
+  merged.common.saved = std::move(saved_);
+  run.shard.reset();
+  run.records = std::move(all_.records);
+  run.cases = std::move(all_.cases);
+  run.counterexamples = std::move(all_.counterexamples);
+  run.unexpected = std::move(all_.unexpected);
+  run.pictures = std::move(pictures_);
+  run.unreached = unreached_labels(run.laws, merged.common.promises, run.records);
+  run.environment = merged_environment(environments);
+  return merged;
+}
+
+}  // namespace rastercheck::properties

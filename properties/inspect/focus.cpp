@@ -1,0 +1,92 @@
+#include "properties/inspect/focus.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "oracle/judge.h"
+#include "oracle/transform.h"
+#include "properties/drawing.h"
+#include "records/histogram.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using oracle::JudgedSample;
+using oracle::JudgedValue;
+using records::FragmentClass;
+
+/// Keeps the sample to look at, of those that it is shown.
+class Search {
+ public:
+  explicit Search(const FocusRequest& request) : request_(&request) {}
+
+  void see(const JudgedSample& sample) {
+    if (has_violation_ || !fits(sample)) return;
+    if (sample.fragment_class != FragmentClass::correct) {
+      // What is missing or extra has no value that is wrong.
+      take(sample, request_->attribute, 0);
+      has_violation_ = true;
+      return;
+    }
+    for (const JudgedValue& value : sample.values) see_value(sample, value);
+  }
+
+  Focus found() const {
+    if (focus_) return *focus_;
+    return {{request_->triangle.value_or(0), request_->x.value_or(0), request_->y.value_or(0),
+             request_->sample.value_or(0)},
+            request_->attribute};
+  }
+
+ private:
+  bool fits(const JudgedSample& sample) const {
+    const auto is_it = [](const std::optional<std::uint32_t>& asked, std::uint32_t here) {
+      return !asked || *asked == here;
+    };
+    return is_it(request_->triangle, sample.triangle) && is_it(request_->x, sample.x) &&
+           is_it(request_->y, sample.y) && is_it(request_->sample, sample.sample);
+  }
+
+  void see_value(const JudgedSample& sample, const JudgedValue& value) {
+    const bool is_asked_for =
+        request_->is_depth || request_->attribute ? value.attribute == request_->attribute : true;
+    if (has_violation_ || !is_asked_for) return;
+    if (value.fragment_class != FragmentClass::correct) {
+      take(sample, value.attribute, 0);
+      has_violation_ = true;
+      return;
+    }
+    const double error = value.ideal ? records::magnitude_bound(*value.ideal) : 0;
+    if (!focus_ || error > largest_) take(sample, value.attribute, error);
+  }
+
+  void take(const JudgedSample& sample, std::optional<std::uint32_t> attribute, double error) {
+    focus_ = {{sample.triangle, sample.x, sample.y, sample.sample}, attribute};
+    largest_ = error;
+  }
+
+  const FocusRequest* request_;
+  std::optional<Focus> focus_;
+  double largest_ = 0;
+  bool has_violation_ = false;
+};
+
+}  // namespace
+
+Result<Focus> find_focus(const cases::Case& c, backends::Backend& backend,
+                         const FocusRequest& request) {
+  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return tl::unexpected(clip.error());
+  clip->depth_test = cases::DepthTest::none;
+  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  const oracle::SceneTruth scene(*clip, backend.contract(*clip));
+  Search search(request);
+  oracle::judge(scene, *drawn, {},
+                [&search](const JudgedSample& sample, const oracle::TriangleTruth* truth) {
+                  if (truth != nullptr) search.see(sample);
+                });
+  return search.found();
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,191 @@
+#include "properties/inspect/run_inspections.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "properties/campaign/check_case.h"
+#include "properties/inspect/inspect.h"
+#include "records/histogram.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::Inspection;
+using records::RecordKey;
+using records::Stratum;
+using records::WorstError;
+
+/// Values of each inspection: 16 × 16 pixels of a depth and an attribute. Forty make a page of some
+/// megabytes.
+constexpr InspectOptions kOfRuns{512};
+/// Errors of one backend, kind and stratum that are tried, the largest first: those of a law that
+/// draws something else than the case itself do not come back.
+constexpr std::size_t kMostTries = 4;
+
+// --- Counterexamples -----------------------------------------------------------------------------
+
+/// Where a counterexample is looked at: where it is violated, or, as that may be of a drawing of
+/// another size, where the case itself is worst.
+std::optional<Focus> focus_of(const records::Counterexample& found, backends::Backend& backend) {
+  const cases::Case& c = found.source;
+  if (found.violations.empty() || !found.violations.front().has_place()) return std::nullopt;
+  const records::Violation& v = found.violations.front();
+  const cases::FramebufferSize& size = c.framebuffer;
+  const bool is_there = v.triangle < c.triangles.size() && std::cmp_less(v.x, size.width) &&
+                        std::cmp_less(v.y, size.height) && std::cmp_less(v.sample, size.samples) &&
+                        (!v.attribute || *v.attribute < c.attributes.size());
+  if (is_there) return Focus{{v.triangle, v.x, v.y, v.sample}, v.attribute};
+  const Result<Focus> worst = find_focus(c, backend, {});
+  return worst ? std::optional(*worst) : std::nullopt;
+}
+
+void inspect_counterexamples(const records::Run& run, MadeBackends& made,
+                             std::vector<Inspection>& inspections) {
+  for (std::size_t i = 0; i < run.counterexamples.size(); ++i) {
+    if (inspections.size() == records::kMostInspections) return;
+    const records::Counterexample& one = run.counterexamples[i];
+    const cases::Found found = one.source.found.value_or(cases::Found());
+    backends::Backend* backend = made.find(found.backend);
+    if (backend == nullptr) continue;
+    const std::optional<Focus> focus = focus_of(one, *backend);
+    if (!focus) continue;
+    std::optional<Inspection> inspection =
+        inspect_part(one.source, found.backend, *focus, made, kOfRuns);
+    if (!inspection) continue;
+    inspection->occasion = records::Occasion::counterexample;
+    inspection->law = found.law;
+    inspection->counterexample = i;
+    inspections.push_back(*std::move(inspection));
+  }
+}
+
+// --- Worst cases ---------------------------------------------------------------------------------
+
+/// An error, and the record that has it.
+struct Candidate {
+  const RecordKey* key = nullptr;
+  const WorstError* worst = nullptr;
+
+  double size() const { return records::magnitude_bound(worst->error); }
+};
+
+/// Larger ones; of equals those of the law that is about values, then in the order of records.
+bool is_closer(const Candidate& a, const Candidate& b) {
+  const auto is_of_values = [](const Candidate& one) { return one.key->law == kValuesLaw; };
+  if (a.size() != b.size()) return a.size() > b.size();
+  return is_of_values(a) && !is_of_values(b);
+}
+
+using CandidateKey = std::tuple<std::string, AttributeKind, Stratum>;  ///< of which backend
+using Candidates = std::map<CandidateKey, std::vector<Candidate>>;
+
+/// The errors of each backend, kind and stratum, the largest first.
+Candidates candidates_of(const records::Run& run) {
+  Candidates candidates;
+  for (const auto& [key, record] : run.records) {
+    if (key.attribute_kind == AttributeKind::flat) continue;  // copies
+    for (const auto& [stratum, sizes] : record.errors.strata) {
+      for (const auto& worst :
+           {std::cref(sizes.extremes.most_negative), std::cref(sizes.extremes.most_positive)}) {
+        if (!worst.get()) continue;
+        candidates[{key.backend, key.attribute_kind, stratum}].push_back({&key, &*worst.get()});
+      }
+    }
+  }
+  for (auto& [key, errors] : candidates) {
+    std::stable_sort(errors.begin(), errors.end(), &is_closer);
+  }
+  return candidates;
+}
+
+/// The first saved case of that law and index; nullptr where there is none.
+const cases::Case* find_saved(std::span<const cases::Case> saved, const std::string& law,
+                              std::uint64_t index) {
+  const auto found = std::find_if(saved.begin(), saved.end(), [&](const cases::Case& c) {
+    return c.found && c.found->law == law && c.found->index == index;
+  });
+  return found == saved.end() ? nullptr : &*found;
+}
+
+/// The case that an error is of; nothing where there is none any more.
+std::optional<cases::Case> case_of(const Candidate& candidate, std::uint64_t seed,
+                                   const CaseSources& sources) {
+  const auto& [law_name, backend, kind, stratum] = *candidate.key;
+  const std::uint64_t index = candidate.worst->case_index;
+  const auto copy_of = [](const cases::Case* c) {
+    return c == nullptr ? std::nullopt : std::optional(*c);
+  };
+  if (stratum.starts_with(records::kSceneStratum)) return copy_of(sources.scene);
+  if (stratum == records::kSavedStratum) return copy_of(find_saved(sources.saved, law_name, index));
+  if (stratum == records::kKnownStratum) {
+    const auto known = sources.known.find(backend);
+    if (known == sources.known.end()) return std::nullopt;
+    return copy_of(find_saved(known->second.cases, law_name, index));
+  }
+  const records::Origin origin =
+      stratum == records::kCorpusStratum ? records::Origin::corpus : records::Origin::random;
+  return frozen_case({law_name, backend, origin, index}, seed, sources.corpus);
+}
+
+std::optional<Inspection> inspect_candidate(const Candidate& candidate, std::uint64_t seed,
+                                            const CaseSources& sources, MadeBackends& made) {
+  std::optional<cases::Case> c = case_of(candidate, seed, sources);
+  if (!c) return std::nullopt;
+  const WorstError& worst = *candidate.worst;
+  const Focus focus{{worst.triangle, worst.x, worst.y, worst.sample}, worst.attribute};
+  std::optional<Inspection> inspection =
+      inspect_part(*std::move(c), candidate.key->backend, focus, made, kOfRuns);
+  if (!inspection || !shows(*inspection, worst.attribute, worst.actual)) return std::nullopt;
+  inspection->occasion = records::Occasion::worst;
+  inspection->law = candidate.key->law;
+  inspection->kind = candidate.key->attribute_kind;
+  return inspection;
+}
+
+void inspect_worst(const records::Run& run, const CaseSources& sources, MadeBackends& made,
+                   std::vector<Inspection>& inspections) {
+  const Candidates candidates = candidates_of(run);
+  std::vector<Candidates::const_iterator> largest_first;
+  for (auto group = candidates.begin(); group != candidates.end(); ++group) {
+    largest_first.push_back(group);
+  }
+  std::stable_sort(largest_first.begin(), largest_first.end(), [](const auto& a, const auto& b) {
+    return a->second.front().size() > b->second.front().size();
+  });
+  const std::size_t room = records::kMostInspections - inspections.size();
+  std::vector<Inspection> worst;
+  for (const auto& group : largest_first) {
+    if (worst.size() == room) break;
+    const std::vector<Candidate>& errors = group->second;
+    for (std::size_t i = 0; i < std::min(errors.size(), kMostTries); ++i) {
+      std::optional<Inspection> inspection = inspect_candidate(errors[i], run.seed, sources, made);
+      if (!inspection) continue;
+      inspection->stratum = std::get<Stratum>(group->first);
+      worst.push_back(*std::move(inspection));
+      break;
+    }
+  }
+  std::sort(worst.begin(), worst.end(), [](const Inspection& a, const Inspection& b) {
+    return std::tie(a.law, a.backend, a.kind, a.stratum) <
+           std::tie(b.law, b.backend, b.kind, b.stratum);
+  });
+  std::move(worst.begin(), worst.end(), std::back_inserter(inspections));
+}
+
+}  // namespace
+
+std::vector<Inspection> inspect_run(const records::Run& run, const CaseSources& sources) {
+  MadeBackends made;
+  std::vector<Inspection> inspections;
+  inspect_counterexamples(run, made, inspections);
+  inspect_worst(run, sources, made, inspections);
+  return inspections;
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,315 @@
+#include "properties/inspect/specimens.h"
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "cases/exact_contract.h"
+#include "oracle/transform.h"
+#include "oracle/triangle_truth.h"
+#include "properties/campaign/findings.h"
+#include "properties/drawing.h"
+#include "properties/inspect/crop.h"
+#include "records/histogram.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using oracle::PixelBox;
+using records::AttributeKind;
+using records::CaseKey;
+using records::CaseRecord;
+using records::SampleAddress;
+using records::Specimen;
+using records::Stratum;
+using records::WorstError;
+
+/// Cases that are tried for one that can be shown.
+constexpr std::size_t kMostSpecimenTries = 4;
+/// Triangles of a case that are looked through for a sample that is covered.
+constexpr std::size_t kMostSpecimenTriangles = 8;
+/// Places along either side of a triangle's box that are.
+constexpr int kPlaces = 9;
+
+bool draws_cases_as_they_stand(std::string_view law) {
+  return law == kValuesLaw || law == kCoverageLaw;
+}
+
+// --- Where to look -------------------------------------------------------------------------------
+
+/// A case as it is drawn, the triangle in question alone if it is a large one.
+std::optional<CasePart> drawn_part(const cases::Case& c, std::uint32_t triangle) {
+  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  if (!clip) return std::nullopt;
+  clip->depth_test = cases::DepthTest::none;
+  return part_of(*std::move(clip), triangle);
+}
+
+/// The pixels that a triangle, exact, may cover: of the case alone.
+PixelBox pixels_of(const CasePart& part) {
+  const oracle::SceneTruth scene(part.source,
+                                 cases::exact_contract(cases::contract_of(part.source)));
+  return oracle::TriangleTruth(scene, part.triangle).pixels();
+}
+
+/// A number of places in [from, to), from the middle on.
+int place_between(int from, int to, int i) {
+  const int steps = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
+  return from + (to - from) / 2 + steps * std::max(1, (to - from) / kPlaces);
+}
+
+/// A pixel that the exact triangle covers, near its middle; nothing where none of those that are
+/// tried is.
+std::optional<SampleAddress> covered_place(const CasePart& part, std::uint32_t triangle) {
+  const oracle::SceneTruth scene(part.source,
+                                 cases::exact_contract(cases::contract_of(part.source)));
+  const oracle::TriangleTruth truth(scene, part.triangle);
+  const cases::FramebufferSize& size = part.source.framebuffer;
+  const PixelBox all = truth.pixels();
+  const PixelBox box{std::max(all.x0, 0), std::max(all.y0, 0), std::min(all.x1, size.width),
+                     std::min(all.y1, size.height)};
+  if (box.x0 >= box.x1 || box.y0 >= box.y1) return std::nullopt;
+  for (int i = 0; i < kPlaces * kPlaces; ++i) {
+    const int x = std::clamp(place_between(box.x0, box.x1, i % kPlaces), box.x0, box.x1 - 1);
+    const int y = std::clamp(place_between(box.y0, box.y1, i / kPlaces), box.y0, box.y1 - 1);
+    if (truth.judge(x, y, 0).verdict != records::Verdict::required) continue;
+    return SampleAddress{triangle, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0};
+  }
+  return std::nullopt;
+}
+
+/// The same of the first triangle that has one.
+std::optional<SampleAddress> covered_place(const cases::Case& c) {
+  for (std::size_t i = 0; i < std::min(c.triangles.size(), kMostSpecimenTriangles); ++i) {
+    const auto triangle = static_cast<std::uint32_t>(i);
+    const std::optional<CasePart> part = drawn_part(c, triangle);
+    if (!part) continue;
+    if (const auto place = covered_place(*part, triangle)) return place;
+  }
+  return std::nullopt;
+}
+
+// --- Drawing -------------------------------------------------------------------------------------
+
+/// Puts what was drawn of a triangle into the specimen, whose part is settled.
+void fill(Specimen& specimen, const cases::Framebuffer& drawn, std::uint32_t triangle) {
+  specimen.drawn.assign(specimen.sample_count(), false);
+  specimen.bits.assign(specimen.sample_count() * specimen.values_per_sample(), 0);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (drawn.triangle[i] != triangle) continue;
+    const auto at = specimen.index_of(drawn.x[i], drawn.y[i], drawn.sample[i]);
+    if (!at) continue;
+    const std::size_t first = *at * specimen.values_per_sample();
+    specimen.drawn[*at] = true;
+    specimen.bits[first] = std::bit_cast<std::uint32_t>(drawn.depth[i]);
+    const std::span<const float> attributes = drawn.attributes_of(i);
+    for (std::size_t a = 0; a < attributes.size(); ++a) {
+      specimen.bits[first + 1 + a] = std::bit_cast<std::uint32_t>(attributes[a]);
+    }
+  }
+}
+
+/// The part of a drawing that `specimen` says, or nothing where it cannot be drawn.
+std::optional<Specimen> drawn(Specimen specimen, const CasePart& part, backends::Backend& backend) {
+  const cases::FramebufferSize& size = part.source.framebuffer;
+  const bool is_there =
+      std::cmp_equal(specimen.samples, size.samples) &&
+      specimen.attributes == part.source.attributes.size() &&
+      std::cmp_less_equal(std::uint64_t{specimen.left} + specimen.width, size.width) &&
+      std::cmp_less_equal(std::uint64_t{specimen.top} + specimen.height, size.height);
+  if (!is_there) return std::nullopt;
+  const Result<cases::Framebuffer> framebuffer = draw(part.source, backend);
+  if (!framebuffer) return std::nullopt;
+  fill(specimen, *framebuffer, part.triangle);
+  return specimen;
+}
+
+/// A case, and the sample of it that what is kept lies around.
+struct SpecimenSubject {
+  CaseKey key;
+  std::string name;
+  SampleAddress at;
+};
+
+/// What is drawn around the sample.
+std::optional<Specimen> specimen_of(const SpecimenSubject& subject, const cases::Case& c,
+                                    MadeBackends& made) {
+  backends::Backend* backend = made.find(subject.key.backend);
+  if (backend == nullptr) return std::nullopt;
+  const std::optional<CasePart> part = drawn_part(c, subject.at.triangle);
+  if (!part) return std::nullopt;
+  const auto x = static_cast<int>(subject.at.x);
+  const auto y = static_cast<int>(subject.at.y);
+  const PixelBox crop = crop_around(part->source, hull(pixels_of(*part), {x, y, x + 1, y + 1}),
+                                    subject.at, records::kMostSpecimenValues);
+  Specimen specimen;
+  specimen.key = subject.key;
+  specimen.case_name = subject.name;
+  specimen.triangle = subject.at.triangle;
+  specimen.left = static_cast<std::uint32_t>(crop.x0);
+  specimen.top = static_cast<std::uint32_t>(crop.y0);
+  specimen.width = static_cast<std::uint32_t>(crop.x1 - crop.x0);
+  specimen.height = static_cast<std::uint32_t>(crop.y1 - crop.y0);
+  specimen.samples = static_cast<std::uint32_t>(part->source.framebuffer.samples);
+  specimen.attributes = static_cast<std::uint32_t>(part->source.attributes.size());
+  return drawn(std::move(specimen), *part, *backend);
+}
+
+// --- The choice ----------------------------------------------------------------------------------
+
+/// What is kept of one backend, each part of a case once.
+class Choice {
+ public:
+  Choice(const records::Run& run, const CaseSources& sources, std::string backend,
+         MadeBackends& made)
+      : run_(&run), sources_(&sources), backend_(std::move(backend)), made_(&made) {}
+
+  void add_firsts();
+  void add_worst();
+
+  std::vector<Specimen> take() && {
+    std::sort(kept_.begin(), kept_.end(), [](const Specimen& a, const Specimen& b) {
+      return std::tie(a.key, a.triangle, a.top, a.left) <
+             std::tie(b.key, b.triangle, b.top, b.left);
+    });
+    return std::move(kept_);
+  }
+
+ private:
+  struct Candidate {
+    const CaseKey* key;
+    const CaseRecord* record;
+    const WorstError* worst;
+
+    double size() const { return records::magnitude_bound(worst->error); }
+  };
+
+  bool is_of_interest(const CaseKey& key) const {
+    return key.backend == backend_ && draws_cases_as_they_stand(key.law);
+  }
+  std::optional<cases::Case> case_of(const CaseKey& key) const {
+    return frozen_case(key, run_->seed, sources_->corpus);
+  }
+  bool has(const CaseKey& key, const SampleAddress& at) const;
+  bool add_first(const CaseKey& key, const CaseRecord& record);
+  bool add(const Candidate& candidate);
+  void keep(Specimen specimen) {
+    if (kept_.size() < records::kMostSpecimens) kept_.push_back(std::move(specimen));
+  }
+
+  const records::Run* run_;
+  const CaseSources* sources_;
+  std::string backend_;
+  MadeBackends* made_;
+  std::vector<Specimen> kept_;
+};
+
+/// Whether that sample is kept already.
+bool Choice::has(const CaseKey& key, const SampleAddress& at) const {
+  return std::any_of(kept_.begin(), kept_.end(), [&](const Specimen& one) {
+    return one.key == key && one.triangle == at.triangle &&
+           one.index_of(at.x, at.y, at.sample).has_value();
+  });
+}
+
+/// False where nothing of the case can be shown.
+bool Choice::add_first(const CaseKey& key, const CaseRecord& record) {
+  const std::optional<cases::Case> c = case_of(key);
+  const std::optional<SampleAddress> place = c ? covered_place(*c) : std::nullopt;
+  if (!place) return false;
+  // A backend that draws nothing of it does not bring in another case.
+  if (std::optional<Specimen> one = specimen_of({key, record.name, *place}, *c, *made_)) {
+    keep(*std::move(one));
+  }
+  return true;
+}
+
+void Choice::add_firsts() {
+  std::map<std::pair<std::string, std::string>, std::size_t> tries;  ///< of law and stratum
+  for (const auto& [key, record] : *run_->cases) {
+    if (!is_of_interest(key)) continue;
+    std::size_t& tried = tries[{key.law, record.stratum}];
+    if (tried == kMostSpecimenTries) continue;
+    tried = add_first(key, record) ? kMostSpecimenTries : tried + 1;
+  }
+}
+
+/// False where the case has no such value: of a drawing that a law made of it.
+bool Choice::add(const Candidate& candidate) {
+  const WorstError& worst = *candidate.worst;
+  const SampleAddress at{worst.triangle, worst.x, worst.y, worst.sample};
+  if (has(*candidate.key, at)) return true;
+  const std::optional<cases::Case> c = case_of(*candidate.key);
+  if (!c) return false;
+  std::optional<Specimen> one =
+      specimen_of({*candidate.key, candidate.record->name, at}, *c, *made_);
+  if (!one) return false;
+  const auto value = one->value_at(at.x, at.y, at.sample, worst.attribute);
+  const bool is_it =
+      value && std::bit_cast<std::uint32_t>(*value) == std::bit_cast<std::uint32_t>(worst.actual);
+  if (is_it) keep(*std::move(one));
+  return is_it;
+}
+
+void Choice::add_worst() {
+  std::map<std::pair<AttributeKind, Stratum>, std::vector<Candidate>> errors;
+  for (const auto& [key, record] : *run_->cases) {
+    if (!is_of_interest(key)) continue;
+    for (const auto& [kind, strata] : record.worst) {
+      if (kind == AttributeKind::flat) continue;  // copies
+      for (const auto& [stratum, worst] : strata) {
+        errors[{kind, stratum}].push_back({&key, &record, &worst});
+      }
+    }
+  }
+  for (auto& [group, candidates] : errors) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    const std::size_t most = std::min(candidates.size(), kMostSpecimenTries);
+    for (std::size_t i = 0; i < most && !add(candidates[i]); ++i) {
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Specimen> make_specimens(const records::Run& run, const CaseSources& sources) {
+  std::vector<Specimen> all;
+  if (!run.cases) return all;
+  MadeBackends made;
+  for (const std::string& backend : run.backends) {
+    Choice choice(run, sources, backend, made);
+    choice.add_firsts();
+    choice.add_worst();
+    std::vector<Specimen> kept = std::move(choice).take();
+    std::move(kept.begin(), kept.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+std::vector<Specimen> draw_again(std::span<const Specimen> kept, const std::string& backend,
+                                 std::uint64_t seed, std::span<const cases::Case> corpus) {
+  std::vector<Specimen> again;
+  MadeBackends made;
+  for (const Specimen& one : kept) {
+    backends::Backend* const drawing = made.find(backend);
+    const std::optional<cases::Case> c = frozen_case(one.key, seed, corpus);
+    if (drawing == nullptr || !c) continue;
+    const std::optional<CasePart> part = drawn_part(*c, one.triangle);
+    if (!part) continue;
+    Specimen specimen = one;
+    specimen.key.backend = backend;
+    if (auto redrawn = drawn(std::move(specimen), *part, *drawing)) {
+      again.push_back(*std::move(redrawn));
+    }
+  }
+  return again;
+}
+
+}  // namespace rastercheck::properties

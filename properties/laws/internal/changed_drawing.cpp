@@ -1,0 +1,106 @@
+#include "properties/laws/internal/changed_drawing.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+#include "properties/judged_law.h"
+#include "properties/laws/internal/choices.h"
+#include "properties/laws/internal/drawn_fragments.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+
+/// Judging values takes far longer than comparing them.
+constexpr std::size_t kMostJudged = 16;
+
+bool has_same_values(const cases::Framebuffer& a, std::size_t i, const cases::Framebuffer& b,
+                     std::size_t j) {
+  const auto of_a = a.attributes_of(i);
+  const auto of_b = b.attributes_of(j);
+  return is_same(a.depth[i], b.depth[j]) &&
+         std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), &is_same);
+}
+
+/// The fragments of these indices, without derivatives.
+cases::Framebuffer part_of(const cases::Framebuffer& drawn, const std::vector<std::size_t>& some) {
+  cases::Framebuffer part;
+  part.attribute_count = drawn.attribute_count;
+  for (const std::size_t i : some) {
+    part.triangle.push_back(drawn.triangle[i]);
+    part.x.push_back(drawn.x[i]);
+    part.y.push_back(drawn.y[i]);
+    part.sample.push_back(drawn.sample[i]);
+    part.depth.push_back(drawn.depth[i]);
+    const auto values = drawn.attributes_of(i);
+    part.attributes.insert(part.attributes.end(), values.begin(), values.end());
+  }
+  return part;
+}
+
+/// How one drawing differs from the other.
+struct Difference {
+  bool is_in_places = false;
+  std::vector<std::size_t> others;  ///< fragments without one of the same place and values
+  std::set<std::uint32_t> triangles;
+};
+
+Difference difference_of(const cases::Case& c, const cases::Framebuffer& before,
+                         const cases::Framebuffer& drawn) {
+  const FragmentMap places = fragments_by_place(before);
+  std::set<FragmentPlace> seen;
+  Difference difference;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const FragmentPlace place = place_of(drawn, i);
+    if (is_of_case(c, place)) difference.triangles.insert(place.triangle);
+    const auto same = places.find(place);
+    if (same == places.end() || !seen.insert(place).second) {
+      difference.is_in_places = true;
+      difference.others.push_back(i);
+    } else if (!has_same_values(before, same->second, drawn, i)) {
+      difference.others.push_back(i);
+    }
+  }
+  difference.is_in_places = difference.is_in_places || seen.size() != before.size();
+  return difference;
+}
+
+/// Adds what was found of values alone.
+void merge_values(Check& into, Check&& values) {
+  values.judgement.counts = {};
+  values.judgement.errors.erase(AttributeKind::coverage);
+  merge(into, values);
+}
+
+}  // namespace
+
+Check judge_changed(const cases::Case& c, const cases::Contract& contract,
+                    const cases::Framebuffer& before, const cases::Framebuffer& drawn,
+                    const CheckOptions& options) {
+  const Difference difference = difference_of(c, before, drawn);
+  Check check;
+  if (difference.is_in_places) {
+    check = judge_drawn(c, contract, drawn, {.judges_values = false}, options);
+  } else {
+    check.judgement.counts.required = drawn.size();
+    check.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct] = drawn.size();
+  }
+  std::set<std::string> labels(check.labels.begin(), check.labels.end());
+  if (!difference.triangles.empty()) {
+    labels.emplace("drawn");
+    if (c.coverage) labels.emplace("snapped");
+  }
+  add_state_labels(c, difference.triangles, labels);
+  check.labels.assign(labels.begin(), labels.end());
+  if (!difference.others.empty()) {
+    const cases::Framebuffer part = part_of(drawn, some_of(difference.others, kMostJudged));
+    merge_values(check, judge_drawn(c, contract, part, {.counts_coverage = false}, options));
+  }
+  return check;
+}
+
+}  // namespace rastercheck::properties

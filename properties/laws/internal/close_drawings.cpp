@@ -1,0 +1,161 @@
+#include "properties/laws/internal/close_drawings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "properties/float_numbers.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+
+/// The difference of two floats, rounded to a double, is off by 2^-53 of itself at most, and an
+/// allowance, a product and a sum of doubles, by three times that: beyond this factor it is
+/// certainly exceeded.
+constexpr double kRounded = 1 + 0x1p-50;
+
+class CloseCheck {
+ public:
+  CloseCheck(const cases::Case& c, const cases::Framebuffer& expected,
+             const cases::Framebuffer& drawn, const Closeness& closeness)
+      : case_(&c), expected_(&expected), drawn_(&drawn), closeness_(&closeness) {
+    check_.judgement.errors[AttributeKind::coverage];
+  }
+
+  Check run() {
+    const FragmentMap places = fragments_by_place(*expected_);
+    std::set<FragmentPlace> seen;
+    for (std::size_t i = 0; i < drawn_->size(); ++i) {
+      const FragmentPlace place = place_of(*drawn_, i);
+      const auto before = places.find(place);
+      if (!seen.insert(place).second) {
+        see_difference(place, FragmentClass::extra, "forbidden: more than once");
+      } else if (before == places.end()) {
+        see_difference(place, FragmentClass::extra, "forbidden: it was not drawn");
+      } else {
+        see_both(place, before->second, i);
+      }
+    }
+    for (const auto& [place, index] : places) {
+      if (!seen.contains(place)) {
+        see_difference(place, FragmentClass::missing, "required: it was drawn");
+      }
+    }
+    if (!triangles_.empty()) labels_.emplace("drawn");
+    add_state_labels(*case_, triangles_, labels_);
+    check_.labels.assign(labels_.begin(), labels_.end());
+    return std::move(check_);
+  }
+
+ private:
+  /// A sample that not both have once.
+  void see_difference(const FragmentPlace& place, FragmentClass fragment_class, const char* exact) {
+    if (is_of_case(*case_, place) && closeness_->is_open(place)) {
+      ++check_.judgement.counts.permitted;
+      labels_.emplace("permitted");
+      return;
+    }
+    report(check_, violation_at(place, fragment_class, exact, closeness_->note));
+  }
+
+  void see_both(const FragmentPlace& place, std::size_t before, std::size_t now) {
+    ++check_.judgement.counts.required;
+    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+    if (!is_of_case(*case_, place)) return;
+    triangles_.insert(place.triangle);
+    see_value(place, std::nullopt, expected_->depth[before], drawn_->depth[now]);
+    for (std::uint32_t a = 0; a < case_->attributes.size(); ++a) {
+      see_value(place, a, expected_->attributes_of(before)[a], drawn_->attributes_of(now)[a]);
+    }
+  }
+
+  std::optional<Allowance> allowed(std::uint32_t triangle, std::optional<std::uint32_t> attribute) {
+    const auto [found, is_new] = allowed_.try_emplace({triangle, attribute});
+    if (is_new) found->second = closeness_->allowed(triangle, attribute);
+    return found->second;
+  }
+
+  void see_value(const FragmentPlace& place, std::optional<std::uint32_t> attribute, float before,
+                 float now) {
+    if (is_same(before, now) && !std::isnan(now)) return;
+    const std::optional<Allowance> both = allowed(place.triangle, attribute);
+    if (!both) return;
+    const double most = greatest_difference(*both, number_of(before), number_of(now));
+    const double difference = std::abs(number_of(before) - number_of(now));
+    if (difference <= most * kRounded) return;  // of NaN it is not
+    if (closeness_->is_undefined(place, attribute)) return;
+    report(check_, violation_at(place, class_of_wrong(now, FragmentClass::beyond_bound),
+                                fmt::format("at most {:.3g} from {}", most, value_text(before)),
+                                closeness_->note, {kind_of(*case_, attribute), attribute, now}));
+  }
+
+  const cases::Case* case_;
+  const cases::Framebuffer* expected_;
+  const cases::Framebuffer* drawn_;
+  const Closeness* closeness_;
+  Check check_;
+  std::set<std::string> labels_;
+  std::set<std::uint32_t> triangles_;
+  std::map<std::pair<std::uint32_t, std::optional<std::uint32_t>>, std::optional<Allowance>>
+      allowed_;
+};
+
+}  // namespace
+
+Allowance depth_allowance(const cases::Case& c, const cases::Contract& contract) {
+  const cases::ValueBound& bound = contract.bounds.depth;
+  return {double{bound.constant},
+          double{std::max(std::abs(c.viewport.min_depth), std::abs(c.viewport.max_depth))}};
+}
+
+std::optional<Allowance> value_allowance(const cases::Case& c, const cases::Contract& contract,
+                                         const cases::Triangle& triangle, std::size_t attribute) {
+  using cases::Interpolation;
+  const Interpolation interpolation = c.attributes[attribute].interpolation;
+  if (interpolation == Interpolation::flat) return Allowance{};
+  Allowance allowance;
+  double least_w = std::numeric_limits<double>::infinity();
+  double greatest_w = 0;
+  for (const std::uint32_t vertex : triangle) {
+    const double value{c.attributes_of(vertex)[attribute]};
+    allowance.magnitude = std::max(allowance.magnitude, std::abs(value));
+    least_w = std::min(least_w, double{c.positions[vertex].w});
+    greatest_w = std::max(greatest_w, double{c.positions[vertex].w});
+  }
+  const bool is_smooth = interpolation == Interpolation::smooth;
+  const bool is_affine = contract.is_affine(interpolation);
+  if (least_w <= 0 && is_affine) return std::nullopt;
+  const cases::ValueBound& bound =
+      is_smooth ? contract.bounds.smooth : contract.bounds.noperspective;
+  if (bound.per_condition > 0 || bound.range_share > 0) return std::nullopt;
+  allowance.units = double{bound.constant};
+  if (bound.per_horizon > 0) {
+    const bool is_covered = !contract.coverage || contract.basis == cases::Basis::snapped;
+    if (least_w <= 0 || !is_covered) return std::nullopt;
+    allowance.units += double{bound.per_horizon} * (is_affine ? 1.0 : greatest_w / least_w);
+  }
+  return allowance;
+}
+
+double greatest_difference(const Allowance& both, double f, double g) {
+  if (both.units >= 0x1p22) return std::numeric_limits<double>::infinity();
+  const double greater = std::max(std::abs(f), std::abs(g));
+  const double most = greater / (1 - both.units * 0x1p-23);
+  return both.units * ulp_of(std::max(both.magnitude, most));
+}
+
+Check compare_close(const cases::Case& c, const cases::Framebuffer& expected,
+                    const cases::Framebuffer& drawn, const Closeness& closeness) {
+  return CloseCheck(c, expected, drawn, closeness).run();
+}
+
+}  // namespace rastercheck::properties

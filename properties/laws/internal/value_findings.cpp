@@ -1,0 +1,103 @@
+#include "properties/laws/internal/value_findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "properties/float_numbers.h"
+#include "properties/judged_law.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using records::AttributeKind;
+using records::FragmentClass;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+float least_float(double lo, double bound, double unit) {
+  return static_cast<float>(std::nextafter(lo - before_rounding(bound) * unit, -kInfinity));
+}
+
+float greatest_float(double hi, double bound, double unit) {
+  return static_cast<float>(std::nextafter(hi + before_rounding(bound) * unit, kInfinity));
+}
+
+ValueFindings::ValueFindings(const cases::Case& c, const cases::Contract& contract)
+    : case_(&c), contract_(&contract), verdicts_(c, contract) {
+  check_.judgement.errors[AttributeKind::coverage];
+}
+
+const cases::ValueBound& ValueFindings::bound_of(std::optional<std::uint32_t> attribute) const {
+  if (!attribute) return contract_->bounds.depth;
+  return case_->attributes[*attribute].interpolation == cases::Interpolation::smooth
+             ? contract_->bounds.smooth
+             : contract_->bounds.noperspective;
+}
+
+bool ValueFindings::is_one_plane(std::uint32_t triangle) {
+  return !contract_->coverage || verdicts_.truth(triangle).has_certain_orientation();
+}
+
+bool ValueFindings::is_required(const FragmentPlace& place) {
+  return verdicts_.judge(place.triangle, place).verdict == records::Verdict::required;
+}
+
+std::optional<Promise> ValueFindings::promise_of(const FragmentPlace& place,
+                                                 std::optional<std::uint32_t> attribute) {
+  if (!is_required(place)) return std::nullopt;
+  const oracle::TriangleTruth& truth = verdicts_.truth(place.triangle);
+  if (attribute && truth.is_value_free(*attribute)) return std::nullopt;
+  const auto x = static_cast<int>(place.x);
+  const auto y = static_cast<int>(place.y);
+  const auto s = static_cast<int>(place.sample);
+  const auto range = attribute ? truth.attribute(*attribute, x, y, s) : truth.depth(x, y, s);
+  const auto bound =
+      truth.value_bound(attribute ? std::optional<std::size_t>(*attribute) : std::nullopt, x, y, s);
+  if (!range || !bound) return std::nullopt;
+
+  Promise promise;
+  promise.lo = range->lo.enclosure().lo;
+  promise.hi = range->hi.enclosure().hi;
+  promise.bound = bound->enclosure().hi;
+  if (attribute) {
+    const double of_vertices = truth.attribute_magnitude(*attribute).enclosure().hi;
+    promise.unit = ulp_of(std::max({std::abs(promise.lo), std::abs(promise.hi), of_vertices}));
+  } else {
+    promise.unit = ulp_of(double{std::max(case_->viewport.min_depth, case_->viewport.max_depth)});
+  }
+  return promise;
+}
+
+void ValueFindings::see(const FragmentPlace& place, std::optional<std::uint32_t> attribute) {
+  ++check_.judgement.errors[kind_of(*case_, attribute)].classes[FragmentClass::correct];
+  if (last_ == place) return;
+  last_ = place;
+  triangles_.insert(place.triangle);
+  ++check_.judgement.counts.required;
+  ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+}
+
+void ValueFindings::report(const FragmentPlace& place, std::optional<std::uint32_t> attribute,
+                           float actual, const std::string& exact, const std::string& text) {
+  const records::Violation violation =
+      violation_at(place, class_of_wrong(actual, FragmentClass::beyond_bound), exact, text,
+                   {kind_of(*case_, attribute), attribute, actual});
+  auto& classes = check_.judgement.errors[violation.kind].classes;
+  --classes[FragmentClass::correct];
+  ++classes[violation.fragment_class];
+  note(check_, violation);
+}
+
+Check ValueFindings::finish() {
+  check_.is_applicable = !triangles_.empty();
+  add_state_labels(*case_, triangles_, labels_);
+  if (case_->coverage && !triangles_.empty()) labels_.emplace("snapped");
+  check_.labels.assign(labels_.begin(), labels_.end());
+  return std::move(check_);
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,61 @@
+#pragma once
+
+// The oracle's answers for laws that ask few of them.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "oracle/triangle_truth.h"
+#include "properties/laws/internal/drawn_fragments.h"
+
+namespace rastercheck::properties {
+
+/// Of one case under a contract. Nothing is set up before it is asked for, and of triangles the one
+/// asked about last is kept.
+class Verdicts {
+ public:
+  Verdicts(const cases::Case& c, const cases::Contract& contract)
+      : case_(&c), contract_(contract) {}
+
+  const oracle::TriangleTruth& truth(std::uint32_t triangle) {
+    if (!scene_) scene_ = std::make_unique<oracle::SceneTruth>(*case_, contract_);
+    if (!truth_ || triangle_ != triangle) {
+      truth_ = std::make_unique<oracle::TriangleTruth>(*scene_, triangle);
+      triangle_ = triangle;
+    }
+    return *truth_;
+  }
+
+  /// Of a place of the case, asked of this triangle.
+  records::SampleVerdict judge(std::uint32_t triangle, const FragmentPlace& place) {
+    return truth(triangle).judge(static_cast<int>(place.x), static_cast<int>(place.y),
+                                 static_cast<int>(place.sample));
+  }
+
+  /// Whether it has no value there: depth, or an attribute's. So it is where values come from the
+  /// exact positions and a snapped triangle covers what has 1/w <= 0, or has no area but for that.
+  bool is_undefined(const FragmentPlace& place, std::optional<std::uint32_t> attribute) {
+    const auto x = static_cast<int>(place.x);
+    const auto y = static_cast<int>(place.y);
+    const auto s = static_cast<int>(place.sample);
+    const oracle::TriangleTruth& asked = truth(place.triangle);
+    return attribute ? !asked.attribute(*attribute, x, y, s) : !asked.depth(x, y, s);
+  }
+
+ private:
+  const cases::Case* case_;
+  cases::Contract contract_;
+  std::unique_ptr<oracle::SceneTruth> scene_;
+  std::unique_ptr<oracle::TriangleTruth> truth_;
+  std::uint32_t triangle_ = 0;
+};
+
+/// How far a contract may move a vertex along an axis, in pixels.
+inline double placement_reach(const cases::Snapping& grid) {
+  const double rounding = grid.rounding == cases::Rounding::unspecified ? 1 : 0.5;
+  const double unit = 1 / static_cast<double>(1 << grid.subpixel_bits);
+  return (rounding + double{grid.position_error}) * unit;
+}
+
+}  // namespace rastercheck::properties

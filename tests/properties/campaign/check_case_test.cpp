@@ -1,0 +1,211 @@
+#include "properties/campaign/check_case.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <utility>
+
+#include "tests/properties/damaged_backend.h"
+
+namespace rastercheck::properties::check_case_test {
+namespace {
+
+using records::Counterexample;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
+
+Findings check_square(backends::Backend& backend, cases::Case c = square()) {
+  c.name = "square";
+  Findings findings;
+  check_case(*find_law(kCoverage), "damaged", backend, 7, {std::move(c), "here", 4}, findings);
+  return findings;
+}
+
+TEST(CheckCase, CountsAndSaysWhereItIsFrom) {
+  DamagedBackend backend([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 1, 1); });
+  const Findings findings = check_square(backend);
+  const auto record =
+      findings.records.find({kCoverage, "damaged", records::AttributeKind::coverage, "here"});
+  ASSERT_NE(record, findings.records.end());
+  EXPECT_EQ(record->second.cases, (records::CaseCounts{1, 0, 1}));
+  EXPECT_GE(record->second.counts.required, 56U);  // all but the diagonal, which may be open
+  EXPECT_EQ(record->second.labels.at("drawn"), 1U);
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  EXPECT_EQ(findings.counterexamples[0].source.found,
+            (cases::Found{kCoverage, "damaged", "missing", 7, 4}));
+}
+
+records::CaseRecord case_record_of(backends::Backend& backend, const cases::Case& c = square()) {
+  Findings findings;
+  findings.cases.emplace();
+  check_case(*find_law(kCoverage), "damaged", backend, 7, {c, "here", 4}, findings);
+  EXPECT_THAT(*findings.cases, SizeIs(1));
+  return findings.cases->at({kCoverage, "damaged", records::Origin::random, 4});
+}
+
+TEST(CheckCase, KeepsWhatTheCaseGaveWhereThatIsKept) {
+  DamagedBackend right([](const cases::Case&, cases::Framebuffer&) {});
+  EXPECT_EQ(check_square(right).cases, std::nullopt);
+  const records::CaseRecord held = case_record_of(right);
+  EXPECT_EQ(held.outcome, records::CaseOutcome::held);
+  EXPECT_EQ(held.stratum, "here");
+  EXPECT_EQ(held.mismatches, 0U);
+  EXPECT_EQ(held, case_record_of(right));
+
+  DamagedBackend wrong([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 1, 1); });
+  const records::CaseRecord violated = case_record_of(wrong);
+  EXPECT_EQ(violated.outcome, records::CaseOutcome::violated);
+  EXPECT_EQ(violated.mismatches, 1U);
+  EXPECT_EQ(violated.source_digest, held.source_digest);
+  EXPECT_NE(violated.found_digest, held.found_digest);
+}
+
+// Kills: a digest of how much is wrong, and not of where.
+TEST(CheckCase, DigestsTellOneBitAndOnePlaceFromAnother) {
+  DamagedBackend here([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 1, 1); });
+  DamagedBackend right([](const cases::Case&, cases::Framebuffer&) {});
+  cases::Case other = square();
+  other.attribute_values[0] = 0x1p-149F;
+  EXPECT_NE(case_record_of(right, other).source_digest, case_record_of(right).source_digest);
+
+  const auto of_values = [](int x, float change) {
+    DamagedBackend backend([x, change](const cases::Case&, cases::Framebuffer& drawn) {
+      for (std::size_t i = 0; i < drawn.size(); ++i) {
+        if (drawn.x[i] == x && drawn.y[i] == 1) drawn.attributes[i * 3] += change;
+      }
+    });
+    Findings findings;
+    findings.cases.emplace();
+    check_case(*find_law(kValuesLaw), "damaged", backend, 7, {square(), "here", 4}, findings);
+    return findings.cases->begin()->second;
+  };
+  EXPECT_NE(of_values(1, 1).found_digest, of_values(2, 1).found_digest);
+  EXPECT_NE(of_values(1, 0x1p-22F).found_digest, of_values(1, 0).found_digest);
+}
+
+// Kills: the first triangle instead of the guilty one, values left with their old vertices.
+TEST(CheckCase, KeepsTheOneTriangleThatSuffices) {
+  cases::Case c = square();
+  c.clip_distance_count = 1;
+  c.clip_distances = {10, 11, 12, 13};
+  DamagedBackend backend(&lose_last_corner);
+  const Findings findings = check_square(backend, c);
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  const Counterexample& found = findings.counterexamples[0];
+  EXPECT_THAT(found.source.triangles, ElementsAre(cases::Triangle{0, 1, 2}));
+  EXPECT_THAT(found.source.positions, ElementsAre(c.positions[2], c.positions[1], c.positions[3]));
+  EXPECT_THAT(found.source.attribute_values, ElementsAre(0, 1, 0, 8, 1, 0, 8, 1, 0));
+  EXPECT_THAT(found.source.clip_distances, ElementsAre(12, 11, 13));
+  ASSERT_THAT(found.violations, SizeIs(1));
+  EXPECT_EQ(found.violations[0].triangle, 0U);
+  EXPECT_EQ(found.violations[0].x, 7U);
+}
+
+// Kills: a counterexample that holds when it is replayed.
+TEST(CheckCase, KeepsTheWholeCaseWhereNoTriangleSuffices) {
+  DamagedBackend backend([](const cases::Case& c, cases::Framebuffer& drawn) {
+    if (c.triangles.size() > 1) lose_last_corner(c, drawn);
+  });
+  const Findings findings = check_square(backend);
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  EXPECT_THAT(findings.counterexamples[0].source.triangles, SizeIs(2));
+  EXPECT_EQ(findings.counterexamples[0].violations[0].triangle, 1U);
+}
+
+TEST(CheckCase, KeepsTheLowestIndex) {
+  DamagedBackend backend(&lose_last_corner);
+  Findings findings;
+  for (std::uint64_t left = 8; left > 0; --left) {
+    check_case(*find_law(kCoverage), "damaged", backend, 1, {square(), "here", left - 1}, findings);
+  }
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  EXPECT_EQ(findings.counterexamples[0].source.found->index, 0U);
+  EXPECT_EQ(findings.records.begin()->second.cases.violations, 8U);
+}
+
+TEST(CheckCase, HoldsADrawingThatFailsAgainstTheBackend) {
+  const auto backend = backends::make_backend("damaged:refuses").value();
+  const Findings findings = check_square(*backend);
+  EXPECT_EQ(findings.records.begin()->second.cases, (records::CaseCounts{1, 0, 1}));
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  ASSERT_THAT(findings.counterexamples[0].violations, SizeIs(1));
+  EXPECT_EQ(findings.counterexamples[0].violations[0].note, "out of memory");
+  EXPECT_EQ(findings.counterexamples[0].source.found->verdict, "failed");
+}
+
+/// Fails to draw in one way; lost after so many drawings.
+class FailingBackend : public backends::Backend {
+ public:
+  FailingBackend(Failure failure, int drawings) : failure_(failure), left_(drawings) {}
+  cases::Contract contract(const cases::Case& c) const override { return cases::contract_of(c); }
+  Result<cases::Framebuffer> draw(const cases::Case& /*c*/) override {
+    --left_;
+    return tl::unexpected(failure());
+  }
+  std::optional<Error> is_lost() const override {
+    return left_ > 0 ? std::nullopt : std::optional(failure());
+  }
+  int left() const { return left_; }
+
+ private:
+  Error failure() const { return {"", "", "no", failure_}; }
+
+  Failure failure_;
+  int left_;
+};
+
+TEST(CheckCase, TellsFailuresApart) {
+  for (const auto& [failure, verdict] :
+       {std::pair(Failure::refused, "failed"), std::pair(Failure::unavailable, "failed"),
+        std::pair(Failure::crash, "crash"), std::pair(Failure::hang, "hang")}) {
+    FailingBackend backend(failure, 100);
+    const Findings findings = check_square(backend);
+    EXPECT_EQ(findings.records.begin()->second.cases, (records::CaseCounts{1, 0, 1})) << verdict;
+    ASSERT_THAT(findings.counterexamples, SizeIs(1)) << verdict;
+    EXPECT_EQ(findings.counterexamples[0].source.found->verdict, verdict);
+  }
+}
+
+TEST(CheckCase, SaysNothingOfWhatABackendDoesNotSupport) {
+  FailingBackend backend(Failure::unsupported, 100);
+  const Findings findings = check_square(backend);
+  EXPECT_EQ(findings.records.begin()->second.cases, (records::CaseCounts{0, 1, 0}));
+  EXPECT_THAT(findings.counterexamples, IsEmpty());
+}
+
+// Kills: asking on and on, which takes a campaign's time; and cases that count as held unasked.
+TEST(CheckCase, DoesNotAskABackendThatIsLost) {
+  FailingBackend backend(Failure::hang, 0);
+  const Findings findings = check_square(backend);
+  EXPECT_EQ(backend.left(), 0);
+  EXPECT_EQ(findings.records.begin()->second.cases, (records::CaseCounts{1, 0, 1}));
+  EXPECT_THAT(findings.counterexamples, IsEmpty());
+}
+
+// Kills: a case set that depends on when a backend was lost.
+TEST(CheckCase, KeepsCasesThatNobodyDrawsAnyMore) {
+  FailingBackend backend(Failure::hang, 0);
+  DamagedBackend right([](const cases::Case&, cases::Framebuffer&) {});
+  const records::CaseRecord record = case_record_of(backend);
+  EXPECT_EQ(record.outcome, records::CaseOutcome::violated);
+  EXPECT_EQ(record.source_digest, case_record_of(right).source_digest);
+}
+
+// Kills: blaming a backend for a case that it never got.
+TEST(CheckCase, SaysNothingOfPositionsBeyondFloat32) {
+  cases::Case c = square();
+  c.camera.emplace();
+  c.camera->model[0] = 0x1p127F;
+  c.camera->view[0] = 4;
+  const auto backend = backends::make_backend("cpu").value();
+  const Findings findings = check_square(*backend, c);
+  EXPECT_EQ(findings.records.begin()->second.cases, (records::CaseCounts{0, 1, 0}));
+  EXPECT_THAT(findings.counterexamples, IsEmpty());
+}
+
+}  // namespace
+}  // namespace rastercheck::properties::check_case_test

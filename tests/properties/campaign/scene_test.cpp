@@ -1,0 +1,181 @@
+#include "properties/campaign/scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cases/mesh.h"
+#include "properties/campaign/check_case.h"
+#include "records/run.h"
+#include "tests/properties/damaged_backend.h"
+
+namespace rastercheck::properties::scene_test {
+namespace {
+
+using records::AttributeKind;
+using records::Counterexample;
+using records::PixelState;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
+constexpr const char* kValues = "values-stay-within-the-bound";
+const std::vector<std::string> kLaws{"constants-stay-constant", kCoverage, kValues};
+
+cases::Case scene() {
+  cases::Case c = square();
+  c.name = "square";
+  return c;
+}
+
+SceneFindings judged(const cases::Case& c, const Damage& damage = {},
+                     const std::vector<std::string>& laws = kLaws) {
+  DamagedBackend backend(damage);
+  return judge_scene(c, "damaged", backend, 7, laws).value();
+}
+
+records::RecordKey key(const char* law, AttributeKind kind = AttributeKind::coverage) {
+  return {law, "damaged", kind, "scene square"};
+}
+
+PixelState state(const SceneFindings& found, std::size_t x, std::size_t y) {
+  return found.map.states[y * 8 + x];
+}
+float error(const SceneFindings& found, std::size_t x, std::size_t y) {
+  return found.map.errors[y * 8 + x];
+}
+
+TEST(JudgeScene, RecordsTheTwoLawsThatHoldOfEveryCase) {
+  const SceneFindings found = judged(scene());
+  EXPECT_THAT(found.findings.counterexamples, IsEmpty());
+  EXPECT_EQ(found.findings.fault, std::nullopt);
+  const auto& records = found.findings.records;
+  EXPECT_EQ(records.at(key(kCoverage)).cases, (records::CaseCounts{1, 0, 0}));
+  EXPECT_GE(records.at(key(kCoverage)).counts.required, 56U);  // the diagonal may be open
+  EXPECT_EQ(records.at(key(kValues)).cases, (records::CaseCounts{1, 0, 0}));
+  // Of 64 fragments each three attributes.
+  EXPECT_EQ(records.at(key(kValues, AttributeKind::smooth))
+                .errors.classes[records::FragmentClass::correct],
+            192U);
+  EXPECT_FALSE(records.contains(key(kCoverage, AttributeKind::smooth)));
+  EXPECT_FALSE(records.contains(key("constants-stay-constant")));
+}
+
+TEST(JudgeScene, RecordsOnlyWhatIsAskedFor) {
+  const SceneFindings found = judged(scene(), {}, {kCoverage});
+  EXPECT_TRUE(found.findings.records.contains(key(kCoverage)));
+  EXPECT_FALSE(found.findings.records.contains(key(kValues)));
+}
+
+TEST(JudgeScene, MapsWhatBecameOfPixels) {
+  cases::Case c = scene();
+  c.triangles.resize(1);  // A alone: pixels with x + y < 7, and perhaps the diagonal
+  const SceneFindings found = judged(c, [](const cases::Case&, cases::Framebuffer& drawn) {
+    drop(drawn, 0, 1, 1);
+    add(drawn, 0, 6, 6);
+    value(drawn, 0, 2, 3, 1) = 1.5F;
+  });
+  ASSERT_EQ(found.map.width, 8);
+  ASSERT_EQ(found.map.height, 8);
+  EXPECT_EQ(state(found, 0, 0), PixelState::correct);
+  EXPECT_EQ(error(found, 0, 0), 0);  // 1/2, 1 and 0 are floats
+  EXPECT_EQ(state(found, 7, 7), PixelState::empty);
+  EXPECT_EQ(error(found, 7, 7), 0);
+  EXPECT_EQ(state(found, 1, 1), PixelState::violated);  // missing
+  EXPECT_EQ(error(found, 1, 1), 0);
+  EXPECT_EQ(state(found, 6, 6), PixelState::violated);  // extra
+  EXPECT_EQ(state(found, 2, 3), PixelState::violated);
+  EXPECT_EQ(error(found, 2, 3), 0x1p22F);  // a half, in ulps of one
+  EXPECT_EQ(state(found, 3, 2), PixelState::correct);
+}
+
+// Kills: the error of a fragment that the picture does not show.
+TEST(JudgeScene, MapsTheErrorOfTheNearestFragment) {
+  cases::Case c = scene();
+  c.triangles = {{0, 1, 2}, {4, 5, 6}};
+  for (int i = 0; i < 3; ++i) {  // A once more, farther away
+    c.positions.push_back(c.positions[static_cast<std::size_t>(i)]);
+    c.positions.back().z = 0.5F;
+  }
+  c.attribute_values.insert(c.attribute_values.end(), {0, 1, 0, 8, 1, 0, 0, 1, 0});
+  const auto damaged = [&c](std::uint32_t triangle) {
+    return judged(c, [triangle](const cases::Case&, cases::Framebuffer& drawn) {
+      value(drawn, triangle, 2, 3, 1) = 1.5F;
+    });
+  };
+  EXPECT_EQ(state(damaged(0), 2, 3), PixelState::violated);
+  EXPECT_EQ(error(damaged(0), 2, 3), 0x1p22F);
+  EXPECT_EQ(state(damaged(1), 2, 3), PixelState::violated);
+  EXPECT_EQ(error(damaged(1), 2, 3), 0);
+}
+
+void lose_last(const cases::Case& /*c*/, cases::Framebuffer& drawn) {
+  drop(drawn, drawn.triangle.back(), 7, 7);
+}
+
+TEST(JudgeScene, MakesCounterexamplesOfOneTriangle) {
+  const SceneFindings found = judged(scene(), &lose_last);
+  EXPECT_EQ(found.findings.records.at(key(kCoverage)).cases, (records::CaseCounts{1, 0, 1}));
+  EXPECT_EQ(found.findings.records.at(key(kValues)).cases, (records::CaseCounts{1, 0, 0}));
+  ASSERT_THAT(found.findings.counterexamples, SizeIs(1));
+  const Counterexample& one = found.findings.counterexamples[0];
+  EXPECT_EQ(one.source.found, (cases::Found{kCoverage, "damaged", "missing", 7, 1}));
+  EXPECT_EQ(one.source.name, "scene square");
+  EXPECT_THAT(one.source.triangles, SizeIs(1));
+  EXPECT_THAT(one.source.positions,
+              ElementsAre(scene().positions[2], scene().positions[1], scene().positions[3]));
+}
+
+// Kills: two counterexamples of one file name, where the corpus has the scene too.
+TEST(JudgeScene, GivesWayToTheCorpus) {
+  cases::Case c = scene();
+  c.triangles = {{2, 1, 3}};
+  DamagedBackend backend(&lose_last);
+  Findings findings = judge_scene(c, "damaged", backend, 7, kLaws).value().findings;
+  EXPECT_EQ(findings.counterexamples.at(0).origin, records::Origin::scene);
+  const NumberedCase of_corpus{c, "corpus", 0, records::Origin::corpus};
+  check_case(*find_law(kCoverage), "damaged", backend, 7, of_corpus, findings);
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  EXPECT_EQ(findings.counterexamples[0].origin, records::Origin::corpus);
+}
+
+TEST(JudgeScene, HoldsADrawingThatFailsAgainstTheBackend) {
+  const auto backend = backends::make_backend("damaged:refuses").value();
+  const SceneFindings found = judge_scene(scene(), "damaged", *backend, 7, kLaws).value();
+  EXPECT_EQ(found.findings.records.at(key(kCoverage)).cases, (records::CaseCounts{1, 0, 1}));
+  EXPECT_EQ(found.findings.records.at(key(kValues)).cases, (records::CaseCounts{1, 0, 1}));
+  ASSERT_THAT(found.findings.counterexamples, SizeIs(2));
+  EXPECT_EQ(found.findings.counterexamples[0].violations[0].note, "out of memory");
+  EXPECT_EQ(found.drawn.size(), 0U);
+  EXPECT_THAT(found.map.states, SizeIs(64));
+}
+
+TEST(JudgeScene, DrawsAMeshWithItsCamera) {
+  cases::Mesh roof;
+  roof.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 1}, {-1, 1, 1}};
+  roof.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const cases::Case mesh =
+      cases::case_of_mesh(roof, "roof.obj", {16, 16, cases::Rules::vulkan}).value();
+  ASSERT_TRUE(mesh.camera);
+  const auto cpu = backends::make_backend("cpu").value();
+  const SceneFindings found = judge_scene(mesh, "cpu", *cpu, 7, kLaws).value();
+  EXPECT_THAT(found.findings.counterexamples, IsEmpty());
+  EXPECT_FALSE(found.source.camera);
+  EXPECT_GT(found.drawn.size(), 0U);
+  EXPECT_THAT(found.map.states, testing::Contains(PixelState::correct));
+  EXPECT_THAT(found.map.states, testing::Not(testing::Contains(PixelState::violated)));
+}
+
+TEST(JudgeScene, FailsWherePositionsAreBeyondFloat32) {
+  cases::Case c = scene();
+  c.camera.emplace();
+  c.camera->model[0] = 0x1p127F;
+  c.camera->view[0] = 4;
+  const auto cpu = backends::make_backend("cpu").value();
+  const auto found = judge_scene(c, "cpu", *cpu, 7, kLaws);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().place, "/vertices/0/position");
+}
+
+}  // namespace
+}  // namespace rastercheck::properties::scene_test

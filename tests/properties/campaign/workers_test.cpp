@@ -1,0 +1,195 @@
+// Tasks in processes: of the program with the damaged backends (damaged_kind.cpp), and of scripts
+// that are no workers.
+
+#include "properties/campaign/workers.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+
+#include "cases/case_writer.h"
+#include "properties/campaign/corpus.h"
+#include "tests/properties/campaign/gathered.h"
+#include "tests/properties/damaged_backend.h"
+#include "tests/temporary_folder.h"
+
+namespace rastercheck::properties::workers_test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr const char* kCoverage = "coverage-obeys-the-contract";
+const CampaignOptions kSmall{7, 25, {"cpu", "damaged"}, {kCoverage, "constants-stay-constant"}};
+
+/// Whether every process is gone, and none left a zombie.
+bool has_no_children() { return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
+
+Result<Findings> run_with(const std::vector<std::string>& command, int jobs = 2) {
+  return gathered([&](const TaskDone& done) {
+    return run_tasks_in_processes(command, jobs, tasks_of(kSmall, 0), done);
+  });
+}
+
+/// What a shell as a worker comes to.
+std::string shell_error(const std::string& script) {
+  const Result<Findings> found = run_with({"/bin/sh", "-c", script});
+  return found ? "no error" : to_string(found.error());
+}
+
+class Workers : public testing::TestWithParam<int> {};
+
+TEST_P(Workers, FindWhatOneProcessFinds) {
+  const TemporaryFolder corpus;
+  corpus.put("a.json", cases::to_json(square()));
+  corpus.put("b.json", cases::to_json(square()));
+  TaskRunner runner(kSmall.seed, read_corpus(corpus.path()).value());
+  const std::vector<Task> tasks = tasks_of(kSmall, 2);
+  const Findings expected =
+      gathered([&](const TaskDone& done) { return run_tasks(runner, tasks, done); }).value();
+  EXPECT_FALSE(expected.counterexamples.empty());
+
+  const std::vector<std::string> command{
+      RASTERCHECK_DAMAGED_PROGRAM, "task-worker", "--seed", "7", "--corpus", corpus.path()};
+  std::vector<int> told(tasks.size());
+  const Result<Findings> found = gathered([&](const TaskDone& done) {
+    return run_tasks_in_processes(command, GetParam(), tasks, [&](std::size_t task, Findings more) {
+      ++told.at(task);
+      return done(task, std::move(more));
+    });
+  });
+  ASSERT_TRUE(found) << to_string(found.error());
+  EXPECT_EQ(*found, expected);
+  EXPECT_THAT(told, testing::Each(1));
+  EXPECT_TRUE(has_no_children());
+
+  // And makes the same of what was found.
+  const std::vector<Task> shrinking = shrink_tasks(expected);
+  const auto shrunk_here =
+      gathered([&](const TaskDone& done) { return run_tasks(runner, shrinking, done); });
+  const auto shrunk_there = gathered([&](const TaskDone& done) {
+    return run_tasks_in_processes(command, GetParam(), shrinking, done);
+  });
+  EXPECT_FALSE(shrunk_here.value().counterexamples.empty());
+  EXPECT_EQ(shrunk_there.value(), shrunk_here.value());
+}
+
+INSTANTIATE_TEST_SUITE_P(Jobs, Workers, testing::Values(1, 2, 3, 40));
+
+TEST(WorkerProcesses, AreNoneWithoutTasks) {
+  EXPECT_TRUE(run_tasks_in_processes({"/no/such/program"}, 2, {}, {}));
+}
+
+TEST(WorkerProcesses, ThatDieAreNamedWithTheirTask) {
+  const Result<Findings> found = run_with({"/bin/false"}, 1);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(to_string(found.error()),
+            "worker: ended with exit code 1 at the law 'coverage-obeys-the-contract' with cpu, "
+            "cases 0 to 9");
+  EXPECT_TRUE(has_no_children());
+}
+
+TEST(WorkerProcesses, ThatCrashAreNamedWithTheirSignal) {
+  EXPECT_THAT(shell_error("read task; kill -s SEGV $$"),
+              StartsWith("worker: ended by signal Segmentation fault at the law"));
+  EXPECT_TRUE(has_no_children());
+}
+
+// Kills: waiting for the end of a process that has no reason to end.
+TEST(WorkerProcesses, ThatHangUpAndLiveOnAreEnded) {
+  EXPECT_THAT(shell_error("exec sleep 100000 < /dev/null > /dev/null"),
+              StartsWith("worker: ended by signal Killed at the law"));
+  EXPECT_TRUE(has_no_children());
+}
+
+TEST(WorkerProcesses, ThatAnswerRubbishAreEnded) {
+  EXPECT_THAT(shell_error("read task; echo rubbish; exec sleep 100000"),
+              StartsWith("worker: 1:1: not valid JSON"));
+  EXPECT_TRUE(has_no_children());
+}
+
+TEST(WorkerProcesses, ThatCannotBeStartedAreNamed) {
+  EXPECT_EQ(to_string(run_with({"/no/such/program"}).error()),
+            "/no/such/program: cannot be started: No such file or directory");
+  const TemporaryFolder folder;
+  const std::string script = folder.put("script", "#!/bin/sh\n");
+  EXPECT_EQ(to_string(run_with({script}).error()),
+            script + ": cannot be started: Permission denied");
+  EXPECT_TRUE(has_no_children());
+}
+
+TEST(WorkerProcesses, PassOnWhatIsWrongWithATask) {
+  const std::vector<Task> tasks{{"cpu", "no law", TaskKind::random, 0, 1}};
+  const Result<void> found = run_tasks_in_processes(
+      {RASTERCHECK_DAMAGED_PROGRAM, "task-worker", "--seed", "7"}, 1, tasks, {});
+  ASSERT_FALSE(found);
+  EXPECT_EQ(to_string(found.error()), "no law: no law has this id");
+  EXPECT_TRUE(has_no_children());
+}
+
+// Kills: more tasks for an oracle that is wrong.
+TEST(WorkerProcesses, GetNothingMoreToDoAfterAFault) {
+  const std::string script =
+      R"(while read task; do echo '{"records": [], "counterexamples": [], "fault": "f"}'; done)";
+  int told = 0;
+  const auto done = [&told](std::size_t, const Findings& found) {
+    EXPECT_EQ(found.fault, "f");
+    ++told;
+    return !found.fault;
+  };
+  ASSERT_TRUE(run_tasks_in_processes({"/bin/sh", "-c", script}, 1, tasks_of(kSmall, 0), done));
+  EXPECT_EQ(told, 1);
+  EXPECT_TRUE(has_no_children());
+}
+
+// Kills: a task that is lost, or waited for in vain, when no more are wanted; a worker that is not
+// told to hurry.
+TEST(WorkerProcesses, AreAskedToHurryAndWaitedForWhereTheyShrink) {
+  const TemporaryFolder folder;
+  const std::string script = "read task; read hurry; echo hurried > " + folder.path("said") +
+                             R"(; echo '{"records": [], "counterexamples": []}'; read more)";
+  records::Counterexample subject;
+  subject.source = square();
+  subject.source.found = cases::Found{kCoverage, "cpu", "missing", 7, 0};
+  const std::vector<Task> shrinking(2, {"cpu", kCoverage, TaskKind::shrink, 0, 1, subject});
+  int told = 0;
+  int asked = 0;
+  const auto done = [&told](std::size_t task, const Findings&) {
+    EXPECT_EQ(task, 0U);
+    return ++told > 0;
+  };
+  ASSERT_TRUE(run_tasks_in_processes({"/bin/sh", "-c", script}, 1, shrinking, done,
+                                     [&asked] { return ++asked > 2; }));
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(folder.content("said"), "hurried\n");
+  EXPECT_TRUE(has_no_children());
+}
+
+// Kills: a campaign that ends when the case is drawn that it is at; a part of a task taken for it.
+TEST(WorkerProcesses, AreEndedWhereTheyCheck) {
+  int told = 0;
+  int asked = 0;
+  const auto done = [&told](std::size_t, const Findings&) { return ++told > 0; };
+  ASSERT_TRUE(run_tasks_in_processes({"/bin/sh", "-c", "read task; exec sleep 600"}, 1,
+                                     tasks_of(kSmall, 0), done, [&asked] { return ++asked > 2; }));
+  EXPECT_EQ(told, 0);
+  EXPECT_TRUE(has_no_children());
+}
+
+// Kills: workers that Ctrl-C ends before the process that is to write down what they found.
+TEST(WorkerProcesses, AreNotInTheProcessGroupOfTheOneThatStartedThem) {
+  const TemporaryFolder folder;
+  const std::string script =
+      "read task; read -r pid name state parent group rest < /proc/$$/stat; echo $group > " +
+      folder.path("group") + R"(; echo '{"records": [], "counterexamples": [], "fault": "f"}')";
+  const auto done = [](std::size_t, const Findings&) { return false; };
+  ASSERT_TRUE(run_tasks_in_processes({"/bin/sh", "-c", script}, 1, tasks_of(kSmall, 0), done));
+  EXPECT_NE(std::stol(folder.content("group")), ::getpgrp());
+}
+
+}  // namespace
+}  // namespace rastercheck::properties::workers_test

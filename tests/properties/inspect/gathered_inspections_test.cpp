@@ -1,0 +1,75 @@
+#include "properties/inspect/gathered_inspections.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "properties/campaign/campaign.h"
+#include "properties/inspect/run_inspections.h"
+#include "tests/properties/damaged_backend.h"
+
+namespace rastercheck::properties::gathered_inspections_test {
+namespace {
+
+using testing::IsEmpty;
+
+records::Run run_of(const std::optional<records::ShardNumber>& shard) {
+  records::Run run;
+  run.seed = 1;
+  TaskRunner runner(run.seed, {square()}, {0, std::nullopt});
+  Findings all;
+  CampaignOptions options;
+  options.cases_per_law = 30;
+  options.backends = {"cpu", "damaged"};
+  options.laws = {std::string(kCoverageLaw), std::string(kValuesLaw)};
+  options.shard = shard;
+  for (const Task& task : tasks_of(options, 1)) merge(all, runner.run(task).value());
+  run.records = all.records;
+  run.counterexamples = all.counterexamples;
+  const std::vector<cases::Case> corpus{square()};
+  CaseSources sources;
+  sources.corpus = corpus;
+  run.inspections = inspect_run(run, sources);
+  return run;
+}
+
+// Kills: a part's worst taken for the whole's; an inspection of another shard's counterexample.
+TEST(GatheredInspections, AreThoseOfTheRun) {
+  const records::Run whole = run_of(std::nullopt);
+  EXPECT_EQ(whole.inspections.front().occasion, records::Occasion::counterexample);
+  EXPECT_EQ(whole.inspections.back().occasion, records::Occasion::worst);
+  std::vector<MergedRun::LookedAt> shards;
+  for (const std::uint64_t index : std::array<std::uint64_t, 3>{3, 1, 2}) {
+    records::Run part = run_of(records::ShardNumber{index, 3});
+    shards.push_back({part.counterexamples, part.inspections});
+    EXPECT_NE(part.inspections, whole.inspections);
+  }
+  EXPECT_EQ(gathered_inspections(whole, shards), whole.inspections);
+}
+
+TEST(GatheredInspections, AreNoneOfNothing) {
+  EXPECT_THAT(gathered_inspections({}, {}), IsEmpty());
+  const records::Run whole = run_of(std::nullopt);
+  EXPECT_THAT(gathered_inspections(whole, {}), IsEmpty());
+}
+
+// Kills: more than a report has room for.
+TEST(GatheredInspections, AreNoMoreThanOfAnyRun) {
+  records::Run run;
+  MergedRun::LookedAt shard;
+  for (std::uint64_t i = 0; i < records::kMostInspections + 5; ++i) {
+    records::Counterexample one;
+    one.source = square();
+    one.source.found = cases::Found{"law " + std::to_string(i), "cpu", "missing", 1, i};
+    run.counterexamples.push_back(one);
+    records::Inspection inspection;
+    inspection.counterexample = i;
+    shard.inspections.push_back(inspection);
+  }
+  shard.counterexamples = run.counterexamples;
+  EXPECT_EQ(gathered_inspections(run, {{shard}}).size(), records::kMostInspections);
+}
+
+}  // namespace
+}  // namespace rastercheck::properties::gathered_inspections_test
