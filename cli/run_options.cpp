@@ -143,7 +143,7 @@ Result<properties::RunPlan> plan_of(const RunOptions& options) {
   });
 }
 
-Result<void> take_case_set(const CLI::App& app, const CaseSet& set, RunOptions& options) {
+Result<void> take_case_set(const CLI::App& app, const gate::CaseSet& set, RunOptions& options) {
   const std::vector<std::string>& words = set.options;
   std::optional<std::uint64_t> seed = set.seed;
   const auto value = [&words](const char* name) {

@@ -53,7 +53,7 @@ Result<properties::RunPlan> plan_of(const RunOptions& options);
 /// Takes seed, cases and all that decides what is found from the baseline; refuses another value
 /// that was given. Of a corpus or contract that lies elsewhere now, digests tell whether it is the
 /// same.
-Result<void> take_case_set(const CLI::App& app, const CaseSet& set, RunOptions& options);
+Result<void> take_case_set(const CLI::App& app, const gate::CaseSet& set, RunOptions& options);
 
 /// Takes from the run in the folder `rerun_failed` the laws and backends that were violated, and
 /// all that decides what is found: the same cases fail again unless something has changed. Fails

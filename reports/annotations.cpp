@@ -33,10 +33,12 @@ std::string command(std::string_view level, std::string_view title, std::string_
 /// GitHub shows ten of a step, and drops the rest.
 constexpr std::size_t kMostAnnotations = 10;
 
-std::string error_of(const Gate& gate, const Comparison& comparison, const EntryChange& entry) {
+std::string error_of(const Gate& gate, const records::Comparison& comparison,
+                     const records::EntryChange& entry) {
   std::string message;
-  for (const FigureChange& change : entry.figures) message += figure_sentence(change) + "\n";
-  for (const CaseGrowth& growth : comparison.growths) {
+  for (const records::FigureChange& change : entry.figures)
+    message += figure_sentence(change) + "\n";
+  for (const records::CaseGrowth& growth : comparison.growths) {
     if (growth.law != entry.key.law) continue;
     message += fmt::format("most in {}", case_text(growth));
     for (const std::string& line : growth_lines(growth)) message += "; " + line;
@@ -83,9 +85,9 @@ std::string github_annotations(const records::Run& run, const std::string& direc
 std::string github_annotations(const Gate& gate) {
   std::string text;
   std::size_t shown = 0;
-  for (const Comparison& comparison : gate.comparisons) {
-    for (const EntryChange& entry : comparison.entries) {
-      const bool is_refused = entry.change == Change::worse && !entry.allowed_because;
+  for (const records::Comparison& comparison : gate.comparisons) {
+    for (const records::EntryChange& entry : comparison.entries) {
+      const bool is_refused = entry.change == records::Change::worse && !entry.allowed_because;
       if (is_refused && ++shown <= kMostAnnotations) text += error_of(gate, comparison, entry);
     }
   }

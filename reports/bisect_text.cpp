@@ -1,4 +1,4 @@
-// What a bisection found, as text and as JSON (bisect.h).
+#include "reports/bisect_text.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,8 @@
 #include "cases/float_text.h"
 #include "cases/json.h"
 #include "records/enclosure_json.h"
-#include "reports/bisect.h"
 #include "reports/compare_format.h"
 #include "reports/compare_text.h"
-#include "reports/internal/commit_drawing.h"
 #include "reports/internal/compare_wording.h"
 #include "reports/internal/wording.h"
 
@@ -23,13 +21,13 @@ constexpr std::size_t kShownHash = 10;
 constexpr std::size_t kMostLines = 5;
 constexpr std::size_t kMostStagesOfCommit = 1;
 
-std::string title_text(const CommitTitle& commit) {
+std::string title_text(const records::CommitTitle& commit) {
   return fmt::format("{} {} {} ({})", commit.hash.substr(0, kShownHash), commit.date,
                      cases::one_line(commit.subject), cases::one_line(commit.author));
 }
 
-std::string growth_text(const Comparison& comparison, const std::string& folder) {
-  const CaseGrowth& growth = comparison.growths.front();
+std::string growth_text(const records::Comparison& comparison, const std::string& folder) {
+  const records::CaseGrowth& growth = comparison.growths.front();
   std::string text = fmt::format("  most in: {}, {}\n", growth.law, case_text(growth));
   for (const std::string& line : growth_lines(growth)) text += fmt::format("    {}\n", line);
   Gate gate;
@@ -41,13 +39,13 @@ std::string growth_text(const Comparison& comparison, const std::string& folder)
 }
 
 /// The entries that are worse, the stages that made it, and the case that grew most.
-std::string worse_text(const Comparison& comparison, const std::string& folder) {
+std::string comparison_lines(const records::Comparison& comparison, const std::string& folder) {
   const std::uint64_t worse = refused(comparison);
   if (worse == 0) return "";
-  std::string text = fmt::format("  {}: {}\n", comparison.backend, reports::worse_text(worse));
-  std::vector<EntryChange> entries;
-  for (const EntryChange& entry : comparison.entries) {
-    if (entry.change == Change::worse) entries.push_back(entry);
+  std::string text = fmt::format("  {}: {}\n", comparison.backend, worse_text(worse));
+  std::vector<records::EntryChange> entries;
+  for (const records::EntryChange& entry : comparison.entries) {
+    if (entry.change == records::Change::worse) entries.push_back(entry);
   }
   const std::vector<std::string> lines = change_lines(entries);
   for (std::size_t i = 0; i < std::min(lines.size(), kMostLines); ++i) {
@@ -62,15 +60,15 @@ std::string worse_text(const Comparison& comparison, const std::string& folder) 
   return text;
 }
 
-std::string worse_text(const BisectOutcome& outcome) {
+std::string first_lines(const records::BisectOutcome& outcome) {
   std::string text;
-  for (const Comparison& comparison : outcome.of_first) {
-    text += worse_text(comparison, outcome.comparison);
+  for (const records::Comparison& comparison : outcome.of_first) {
+    text += comparison_lines(comparison, outcome.comparison);
   }
   return text;
 }
 
-nlohmann::ordered_json to_json(const CommitTitle& commit) {
+nlohmann::ordered_json to_json(const records::CommitTitle& commit) {
   return {{"commit", commit.hash},
           {"date", commit.date},
           {"author", commit.author},
@@ -88,15 +86,15 @@ nlohmann::ordered_json to_json(const std::optional<records::WorstError>& worst) 
           {"sample", worst->sample}};
 }
 
-nlohmann::ordered_json to_json(const Comparison& comparison) {
+nlohmann::ordered_json to_json(const records::Comparison& comparison) {
   nlohmann::ordered_json entries = nlohmann::ordered_json::array();
-  for (const EntryChange& entry : comparison.entries) {
-    if (entry.change == Change::worse) entries.push_back(to_string(entry.key));
+  for (const records::EntryChange& entry : comparison.entries) {
+    if (entry.change == records::Change::worse) entries.push_back(to_string(entry.key));
   }
   nlohmann::ordered_json json{
       {"backend", comparison.backend}, {"worse", entries}, {"case", nullptr}};
   if (comparison.growths.empty()) return json;
-  const CaseGrowth& growth = comparison.growths.front();
+  const records::CaseGrowth& growth = comparison.growths.front();
   json["case"] = {{"law", growth.law},
                   {"origin", records::to_string(growth.origin)},
                   {"index", growth.index},
@@ -116,7 +114,7 @@ nlohmann::ordered_json to_json(const std::vector<Element>& all) {
 }
 
 /// "5 of 9 commits were judged, 1 more could not be."
-std::string count_text(const BisectOutcome& outcome) {
+std::string count_text(const records::BisectOutcome& outcome) {
   return fmt::format("Judged {} of {}{}.\n", outcome.tried,
                      counted(outcome.commits + 1, "commit", "commits"),
                      outcome.skipped == 0 ? "" : fmt::format(", skipped {}", outcome.skipped));
@@ -124,18 +122,23 @@ std::string count_text(const BisectOutcome& outcome) {
 
 }  // namespace
 
-std::string bisect_text(const BisectOutcome& outcome) {
+std::string worse_text(std::uint64_t entries) {
+  return counted(entries, "entry is", "entries are") + " worse";
+}
+
+std::string bisect_text(const records::BisectOutcome& outcome) {
   if (outcome.first.empty()) {
     return fmt::format("Not worse: {}\n     than: {}\n", title_text(outcome.bad),
                        title_text(outcome.good));
   }
   if (outcome.first.size() > 1) {
     std::string text = "First worse is one of these; those between could not be judged:\n";
-    for (const CommitTitle& commit : outcome.first) text += "  " + title_text(commit) + "\n";
+    for (const records::CommitTitle& commit : outcome.first)
+      text += "  " + title_text(commit) + "\n";
     return text + count_text(outcome);
   }
-  const CommitTitle& first = outcome.first.front();
-  std::string text = "First worse: " + title_text(first) + "\n" + worse_text(outcome);
+  const records::CommitTitle& first = outcome.first.front();
+  std::string text = "First worse: " + title_text(first) + "\n" + first_lines(outcome);
   const std::uint64_t here = refused(outcome.of_first);
   const std::uint64_t later = refused(outcome.of_bad);
   if (here < later) {
@@ -147,7 +150,7 @@ std::string bisect_text(const BisectOutcome& outcome) {
          fmt::format("See: git show {}\n", first.hash.substr(0, kShownHash));
 }
 
-std::string bisect_json(const BisectOutcome& outcome) {
+std::string bisect_json(const records::BisectOutcome& outcome) {
   const nlohmann::ordered_json json{{"good", to_json(outcome.good)},
                                     {"bad", to_json(outcome.bad)},
                                     {"first", to_json(outcome.first)},

@@ -39,7 +39,7 @@ Result<CompareFormat> find_compare_format(std::string_view name) {
       fmt::format("no form of comparisons of that name; there are: {}", fmt::join(names, ", "))});
 }
 
-std::string file_of(const Comparison& comparison, const CaseGrowth& growth) {
+std::string file_of(const records::Comparison& comparison, const records::CaseGrowth& growth) {
   return fmt::format("grown/{}-{}-{}-{}.json", records::file_word(growth.law),
                      records::file_word(comparison.key.backend), to_string(growth.origin),
                      growth.index);

@@ -11,16 +11,15 @@
 
 #include "cases/error.h"
 #include "records/closer_look.h"
+#include "records/comparison.h"
 #include "records/run.h"
-#include "reports/compare.h"
-#include "reports/policy.h"
 
 namespace rastercheck::reports {
 
 /// All that reports of a gate are made from.
 struct Gate {
-  std::vector<Comparison> comparisons;  ///< one for each backend
-  PolicyReview policy;
+  std::vector<records::Comparison> comparisons;  ///< one for each backend
+  records::PolicyReview policy;
   std::string baseline_file;  ///< as the user named it
   std::string current_file;   ///< likewise
   /// Folder of the comparison's files that the listed cases are saved in, each as file_of(growth);
@@ -30,7 +29,7 @@ struct Gate {
   const records::Run* before_run = nullptr;
   const records::Run* after_run = nullptr;
   /// The baseline, for what else it keeps of its run; may be nullptr.
-  const Baseline* baseline = nullptr;
+  const records::Baseline* baseline = nullptr;
   /// Cases drawn again and looked at, of all comparisons: of each those of its current backend.
   std::vector<records::CloserLook> looks = {};
 };
@@ -53,7 +52,7 @@ struct CompareFormatRegistration {
 
 /// The file that a grown case is saved as, within the folder: "grown/LAW-random-12.json", with what
 /// is neither letter nor digit made '-'.
-std::string file_of(const Comparison& comparison, const CaseGrowth& growth);
+std::string file_of(const records::Comparison& comparison, const records::CaseGrowth& growth);
 
 /// Writes all forms into the folder, which is made where it is missing, each file whole or not at
 /// all.

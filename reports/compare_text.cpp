@@ -22,10 +22,10 @@ std::string more_text(std::uint64_t all, std::uint64_t shown, const Gate& gate) 
                      gate.folder.empty() ? "" : ", in " + gate.folder + "/compare.json");
 }
 
-std::vector<const EntryChange*> entries_with(const Comparison& comparison, Change change,
-                                             bool is_allowed) {
-  std::vector<const EntryChange*> entries;
-  for (const EntryChange& entry : comparison.entries) {
+std::vector<const records::EntryChange*> entries_with(const records::Comparison& comparison,
+                                                      records::Change change, bool is_allowed) {
+  std::vector<const records::EntryChange*> entries;
+  for (const records::EntryChange& entry : comparison.entries) {
     if (entry.change == change && entry.allowed_because.has_value() == is_allowed) {
       entries.push_back(&entry);
     }
@@ -33,13 +33,13 @@ std::vector<const EntryChange*> entries_with(const Comparison& comparison, Chang
   return entries;
 }
 
-std::string entries_text(const Gate& gate, const std::vector<const EntryChange*>& entries,
+std::string entries_text(const Gate& gate, const std::vector<const records::EntryChange*>& entries,
                          std::string_view title) {
   if (entries.empty()) return "";
   std::string text = fmt::format("\n{}\n", title);
   for (std::size_t i = 0; i < std::min(entries.size(), kMostEntries); ++i) {
     text += fmt::format("  {}\n", cases::one_line(to_string(entries[i]->key)));
-    for (const FigureChange& change : entries[i]->figures) {
+    for (const records::FigureChange& change : entries[i]->figures) {
       text += fmt::format("    {}\n", figure_sentence(change));
     }
     if (entries[i]->allowed_because) {
@@ -49,12 +49,12 @@ std::string entries_text(const Gate& gate, const std::vector<const EntryChange*>
   return text + more_text(entries.size(), kMostEntries, gate);
 }
 
-std::string growths_text(const Gate& gate, const Comparison& comparison) {
+std::string growths_text(const Gate& gate, const records::Comparison& comparison) {
   if (comparison.growths.empty()) return "";
   std::string text = "\nCases whose errors grew most:\n";
   const std::size_t shown = std::min(comparison.growths.size(), kMostGrowths);
   for (std::size_t i = 0; i < shown; ++i) {
-    const CaseGrowth& growth = comparison.growths[i];
+    const records::CaseGrowth& growth = comparison.growths[i];
     text += fmt::format("  {}:\n    {}\n", cases::one_line(growth.law), case_text(growth));
     for (const std::string& line : growth_lines(growth)) text += fmt::format("    {}\n", line);
     if (const auto part = part_to_look_at(gate, comparison, growth)) {
@@ -70,7 +70,7 @@ std::string growths_text(const Gate& gate, const Comparison& comparison) {
   return text;
 }
 
-std::string stages_text(const Comparison& comparison) {
+std::string stages_text(const records::Comparison& comparison) {
   const std::vector<std::string> lines = stage_lines(comparison, kMostStages);
   if (lines.empty()) return "";
   std::string text = "\nStages whose part of the errors grew most:\n";
@@ -78,7 +78,7 @@ std::string stages_text(const Comparison& comparison) {
   return text;
 }
 
-std::string laws_text(const Comparison& comparison) {
+std::string laws_text(const records::Comparison& comparison) {
   std::string text;
   for (const std::string& law : comparison.new_laws) {
     text += fmt::format("New, and held against nothing: {}\n", cases::one_line(law));
@@ -89,7 +89,7 @@ std::string laws_text(const Comparison& comparison) {
   return text.empty() ? "" : "\n" + text;
 }
 
-std::string policy_text(const PolicyReview& review) {
+std::string policy_text(const records::PolicyReview& review) {
   std::string text;
   for (const std::string& line : review.expired) {
     text += fmt::format("Expired: {}\n", cases::one_line(line));
@@ -100,28 +100,31 @@ std::string policy_text(const PolicyReview& review) {
   return text.empty() ? "" : "\n" + text;
 }
 
-std::string text_of(const Gate& gate, const Comparison& comparison, bool quiet) {
+std::string text_of(const Gate& gate, const records::Comparison& comparison, bool quiet) {
   std::string text = cases::one_line(verdict_sentence(comparison)) + "\n";
   if (!quiet) text += bits_sentence(comparison) + "\n";
-  text += entries_text(gate, entries_with(comparison, Change::worse, false), "Worse:");
+  text += entries_text(gate, entries_with(comparison, records::Change::worse, false), "Worse:");
   if (quiet) return text;
-  text += entries_text(gate, entries_with(comparison, Change::worse, true), "Worse, and allowed:");
-  if (count_of(comparison, Change::worse) > 0) {
+  text += entries_text(gate, entries_with(comparison, records::Change::worse, true),
+                       "Worse, and allowed:");
+  if (count_of(comparison, records::Change::worse) > 0) {
     text += growths_text(gate, comparison) + stages_text(comparison);
   }
-  text += entries_text(gate, entries_with(comparison, Change::better, false), "Better:");
+  text += entries_text(gate, entries_with(comparison, records::Change::better, false), "Better:");
   return text + laws_text(comparison);
 }
 
 /// What to do about it, of all that changed.
 std::string advice_text(const Gate& gate) {
-  const auto some = [&gate](Change change) {
-    return std::any_of(
-        gate.comparisons.begin(), gate.comparisons.end(),
-        [change](const Comparison& comparison) { return count_of(comparison, change) > 0; });
+  const auto some = [&gate](records::Change change) {
+    return std::any_of(gate.comparisons.begin(), gate.comparisons.end(),
+                       [change](const records::Comparison& comparison) {
+                         return count_of(comparison, change) > 0;
+                       });
   };
-  const bool is_worse = some(Change::worse);
-  if (!is_worse && !some(Change::better) && !some(Change::appeared) && !some(Change::gone)) {
+  const bool is_worse = some(records::Change::worse);
+  if (!is_worse && !some(records::Change::better) && !some(records::Change::appeared) &&
+      !some(records::Change::gone)) {
     return "";
   }
   return fmt::format("\n{}:\n  {}\n",
@@ -134,20 +137,20 @@ std::string advice_text(const Gate& gate) {
 
 std::string comparison_text(const Gate& gate, bool quiet) {
   std::string text;
-  for (const Comparison& comparison : gate.comparisons) {
+  for (const records::Comparison& comparison : gate.comparisons) {
     text += (text.empty() ? "" : "\n") + text_of(gate, comparison, quiet);
   }
   text += policy_text(gate.policy);
   return quiet ? text : text + advice_text(gate);
 }
 
-std::vector<std::string> change_lines(const std::vector<EntryChange>& entries) {
+std::vector<std::string> change_lines(const std::vector<records::EntryChange>& entries) {
   std::vector<std::string> lines;
-  for (const EntryChange& entry : entries) {
-    if (entry.change == Change::appeared || entry.change == Change::gone) {
+  for (const records::EntryChange& entry : entries) {
+    if (entry.change == records::Change::appeared || entry.change == records::Change::gone) {
       lines.push_back(fmt::format("{}: {}", to_string(entry.key), to_string(entry.change)));
     }
-    for (const FigureChange& change : entry.figures) {
+    for (const records::FigureChange& change : entry.figures) {
       lines.push_back(fmt::format("{}: {}", to_string(entry.key), figure_sentence(change)));
     }
   }

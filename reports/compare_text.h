@@ -15,6 +15,6 @@ namespace rastercheck::reports {
 std::string comparison_text(const Gate& gate, bool quiet);
 
 /// What changed, one line each: "LAW: smooth, sliver: worst 0.5 → 0.731 ULP".
-std::vector<std::string> change_lines(const std::vector<EntryChange>& entries);
+std::vector<std::string> change_lines(const std::vector<records::EntryChange>& entries);
 
 }  // namespace rastercheck::reports

@@ -14,16 +14,16 @@
 #include "cli/command.h"
 #include "cli/commit.h"
 #include "cli/gate.h"
-#include "reports/approve.h"
-#include "reports/baseline_json.h"
-#include "reports/compare.h"
+#include "gate/approve.h"
+#include "gate/compare.h"
+#include "records/baseline_json.h"
 
 namespace rastercheck::cli::baseline_command {
 namespace {
 
 struct SaveOptions {
   std::string run;
-  std::string output = reports::kBaselineFile;
+  std::string output = records::kBaselineFile;
   std::string as;
   std::string commit;
   bool of_instruction_set = false;
@@ -38,38 +38,38 @@ struct ApproveOptions {
   std::string backend;
   std::string as;
   std::string commit;
-  reports::EntryPattern pattern;
+  gate::EntryPattern pattern;
   bool json = false;
   bool quiet = false;
 };
 
 /// A side under its other name and of its commit.
-Result<GateSide> read_named(const std::string& file, const std::string& as,
-                            const std::string& commit) {
-  Result<GateSide> side = read_side(file);
+Result<gate::Side> read_named(const std::string& file, const std::string& as,
+                              const std::string& commit) {
+  Result<gate::Side> side = gate::read_side(file);
   if (!side) return side;
-  if (const auto renamed = rename_backend(*side, as); !renamed) {
+  if (const auto renamed = gate::rename_backend(*side, as); !renamed) {
     return tl::unexpected(renamed.error());
   }
-  if (side->run || !commit.empty()) set_commit(*side, commit_of(commit));
+  if (side->run || !commit.empty()) gate::set_commit(*side, commit_of(commit));
   return side;
 }
 
 bool is_standard_output(const std::string& file) { return file == "-"; }
 
 /// What is in the file so far; nothing where there is none.
-Result<reports::Baseline> read_existing(const std::string& file) {
+Result<records::Baseline> read_existing(const std::string& file) {
   std::error_code why;
-  if (is_standard_output(file)) return reports::Baseline();
-  if (!std::filesystem::exists(file, why) && !why) return reports::Baseline();
-  return reports::read_baseline(file);
+  if (is_standard_output(file)) return records::Baseline();
+  if (!std::filesystem::exists(file, why) && !why) return records::Baseline();
+  return records::read_baseline(file);
 }
 
 /// Puts a section into the baseline, with the approvals of the one that was there; says what became
 /// of it.
-std::string add(reports::Baseline& baseline, reports::BaselineSection section) {
+std::string add(records::Baseline& baseline, records::BaselineSection section) {
   std::string became = "new";
-  for (const reports::BaselineSection& old : baseline.sections) {
+  for (const records::BaselineSection& old : baseline.sections) {
     if (old.key != section.key) continue;
     section.approvals = old.approvals;
     became = old == section ? "as it was" : "replaced";
@@ -79,22 +79,22 @@ std::string add(reports::Baseline& baseline, reports::BaselineSection section) {
   std::string text = fmt::format("{}: {} entries of {} laws, {} cases; {}\n",
                                  cases::one_line(to_string(section.key)), section.entries.size(),
                                  section.laws.size(), cases, became);
-  reports::put(baseline, std::move(section));
+  records::put(baseline, std::move(section));
   return text;
 }
 
 ExitCode save(const SaveOptions& options) {
-  Result<GateSide> side = read_named(options.run, options.as, options.commit);
+  Result<gate::Side> side = read_named(options.run, options.as, options.commit);
   if (!side) return fail(side.error());
-  Result<reports::Baseline> baseline = read_existing(options.output);
+  Result<records::Baseline> baseline = read_existing(options.output);
   if (!baseline) return fail(baseline.error());
   std::string text;
-  for (reports::BaselineSection& section : side->sections.sections) {
+  for (records::BaselineSection& section : side->sections.sections) {
     if (options.of_instruction_set) section.key.instruction_set = section.taken.instruction_set;
     if (options.of_compiler) section.key.compiler = section.taken.compiler;
     text += add(*baseline, std::move(section));
   }
-  const std::string json = reports::to_json(*baseline);
+  const std::string json = records::to_json(*baseline);
   if (is_standard_output(options.output)) {
     fmt::print("{}", json);
     return ExitCode::ok;
@@ -127,21 +127,20 @@ std::string violations_text(const Approved& approved) {
 }
 
 /// Takes over from the section of `current` what it is held against.
-Result<Approved> approve(reports::Baseline& baseline, const reports::BaselineSection& current,
+Result<Approved> approve(records::Baseline& baseline, const records::BaselineSection& current,
                          const ApproveOptions& options) {
-  const auto found = reports::section_for(baseline, current, options.baseline);
+  const auto found = gate::section_for(baseline, current, options.baseline);
   if (!found) return tl::unexpected(found.error());
-  const auto comparison = reports::compare(**found, current);
+  const auto comparison = gate::compare(**found, current);
   if (!comparison) {
     return tl::unexpected(
         Error{options.baseline, comparison.error().place, comparison.error().reason});
   }
-  reports::BaselineSection section = **found;
+  records::BaselineSection section = **found;
   Approved approved{to_string(section.key), {}, {}};
-  approved.changes =
-      reports::approve(section, current, *comparison, options.pattern, options.reason);
-  approved.violations = reports::violations_taken(*comparison, options.pattern);
-  reports::put(baseline, std::move(section));
+  approved.changes = gate::approve(section, current, *comparison, options.pattern, options.reason);
+  approved.violations = gate::violations_taken(*comparison, options.pattern);
+  records::put(baseline, std::move(section));
   return approved;
 }
 
@@ -176,14 +175,14 @@ ExitCode approve(const ApproveOptions& options) {
   if (options.baseline == "-") {
     return fail({"-", "", "the baseline is written again, and has to be a file"});
   }
-  Result<reports::Baseline> baseline = reports::read_baseline(options.baseline);
+  Result<records::Baseline> baseline = records::read_baseline(options.baseline);
   if (!baseline) return fail(baseline.error());
-  const Result<GateSide> current = read_named(options.current, options.as, options.commit);
+  const Result<gate::Side> current = read_named(options.current, options.as, options.commit);
   if (!current) return fail(current.error());
   std::vector<Approved> all;
   bool is_changed = false;
-  for (const reports::BaselineSection& section : current->sections.sections) {
-    if (!options.backend.empty() && section.key.backend != reports::section_name(options.backend)) {
+  for (const records::BaselineSection& section : current->sections.sections) {
+    if (!options.backend.empty() && section.key.backend != records::section_name(options.backend)) {
       continue;
     }
     Result<Approved> approved = approve(*baseline, section, options);
@@ -195,7 +194,7 @@ ExitCode approve(const ApproveOptions& options) {
     return fail({options.current, "--backend", "has no section of " + options.backend});
   }
   if (is_changed) {
-    const auto written = cases::write_file(options.baseline, reports::to_json(*baseline));
+    const auto written = cases::write_file(options.baseline, records::to_json(*baseline));
     if (!written) return fail(written.error());
   }
   print(all, options);

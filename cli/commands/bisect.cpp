@@ -1,6 +1,6 @@
 // `rastercheck bisect GOOD BAD -- BUILD…`: the first commit of the user's repository that is worse.
 
-#include "reports/bisect.h"
+#include "gate/bisect.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -13,21 +13,19 @@
 #include "cli/command.h"
 #include "cli/contract_option.h"
 #include "cli/corpus_folder.h"
-#include "cli/grown_cases.h"
 #include "cli/interrupt.h"
 #include "cli/isolation.h"
 #include "cli/known_option.h"
 #include "cli/output.h"
 #include "cli/own_program.h"
 #include "cli/whole_number.h"
-#include "reports/compare_format.h"
-#include "reports/run_reader.h"
+#include "reports/bisect_text.h"
 
 namespace rastercheck::cli::bisect_command {
 namespace {
 
 struct Options {
-  reports::BisectPlan plan;
+  gate::BisectPlan plan;
   std::string repository = ".";
   std::string program;
   std::vector<std::string> backends{"cpu"};
@@ -70,28 +68,10 @@ std::vector<std::string> run_words(const Options& options) {
   return words;
 }
 
-/// Saves what the first commit is worse in, with the cases that grew.
-Result<void> save_comparison(const reports::BisectPlan& plan, reports::BisectOutcome& outcome) {
-  const Result<records::Run> good = reports::read_run(outcome.good_run);
-  if (!good) return tl::unexpected(good.error());
-  const Result<records::Run> first = reports::read_run(outcome.first_run);
-  if (!first) return tl::unexpected(first.error());
-  outcome.comparison = plan.folder + "/comparison";
-  reports::Gate gate;
-  gate.comparisons = outcome.of_first;
-  gate.baseline_file = plan.good;
-  gate.current_file = outcome.first.front().hash;
-  gate.folder = outcome.comparison;
-  gate.before_run = &*good;
-  gate.after_run = &*first;
-  return save_grown_cases(gate).and_then(
-      [&] { return reports::write_comparison(gate, gate.folder); });
-}
-
 ExitCode run(Options options) {
-  const Result<std::string> top = reports::work_tree_of(options.repository);
+  const Result<std::string> top = gate::work_tree_of(options.repository);
   if (!top) return fail(top.error());
-  reports::BisectPlan& plan = options.plan;
+  gate::BisectPlan& plan = options.plan;
   plan.run = run_words(options);
   plan.step = {program_of_others(), "bisect-step"};
   if (!plan.folder.empty()) plan.folder = std::filesystem::absolute(plan.folder).string();
@@ -103,11 +83,11 @@ ExitCode run(Options options) {
   const auto report = [&options](const std::string& line) {
     if (!options.quiet) print_problem(line + "\n");
   };
-  Result<reports::BisectOutcome> outcome = reports::bisect(plan, {&is_interrupted, report});
+  Result<records::BisectOutcome> outcome = gate::bisect(plan, {&is_interrupted, report});
   if (!outcome) return fail(outcome.error());
   if (outcome->is_interrupted) return ExitCode::interrupted;
   if (!plan.folder.empty() && outcome->first.size() == 1) {
-    if (const Result<void> saved = save_comparison(plan, *outcome); !saved) {
+    if (const Result<void> saved = gate::save_comparison(plan, *outcome, corpus_folder()); !saved) {
       return fail(saved.error());
     }
   }

@@ -22,13 +22,14 @@ struct Options {
 };
 
 /// As it was read, under its other name and with its commit.
-Result<GateSide> read_current(const Options& options) {
-  Result<GateSide> current = read_side(options.current);
+Result<gate::Side> read_current(const Options& options) {
+  Result<gate::Side> current = gate::read_side(options.current);
   if (!current) return current;
-  if (const auto renamed = rename_backend(*current, options.as); !renamed) {
+  if (const auto renamed = gate::rename_backend(*current, options.as); !renamed) {
     return tl::unexpected(renamed.error());
   }
-  if (current->run || !options.commit.empty()) set_commit(*current, commit_of(options.commit));
+  if (current->run || !options.commit.empty())
+    gate::set_commit(*current, commit_of(options.commit));
   return current;
 }
 
@@ -36,12 +37,12 @@ ExitCode run(Options options) {
   if (options.baseline == "-" && options.current == "-") {
     return fail({"-", "", "only one of the two can be standard input"});
   }
-  Result<reports::Policy> policy = read_policy(options.policy);
+  Result<gate::Policy> policy = read_policy(options.policy);
   if (!policy) return fail(policy.error());
   options.gate.policy = *std::move(policy);
-  const Result<GateSide> baseline = read_side(options.baseline);
+  const Result<gate::Side> baseline = gate::read_side(options.baseline);
   if (!baseline) return fail(baseline.error());
-  const Result<GateSide> current = read_current(options);
+  const Result<gate::Side> current = read_current(options);
   if (!current) return fail(current.error());
   const auto inputs = std::to_array<std::string>({baseline->file, current->file, options.policy});
   if (const auto checked = check_comparison_files(options.gate.output, inputs); !checked) {

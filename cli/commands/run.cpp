@@ -238,15 +238,15 @@ records::Run planned(const properties::RunPlan& plan, const properties::KnownByB
 
 /// What the run will be held against.
 struct RunGate {
-  GateSide baseline;
-  reports::Policy policy;
+  gate::Side baseline;
+  gate::Policy policy;
 };
 
 /// Reads it, where there is one, and what the run has to be for it: of one that goes on, that is
 /// settled.
 Result<std::optional<RunGate>> prepare_gate(const CLI::App& app, RunOptions& options) {
   if (options.baseline.empty()) return std::nullopt;
-  Result<GateSide> baseline = read_side(options.baseline);
+  Result<gate::Side> baseline = gate::read_side(options.baseline);
   if (!baseline) return tl::unexpected(baseline.error());
   const auto inputs = std::to_array<std::string>({baseline->file, options.policy});
   const Result<void> checked =
@@ -256,11 +256,11 @@ Result<std::optional<RunGate>> prepare_gate(const CLI::App& app, RunOptions& opt
   if (!checked) return tl::unexpected(checked.error());
   if (!options.resume) {
     const auto taken =
-        case_set_for(*baseline, options.backends, environment(options.jobs, 0))
-            .and_then([&](const CaseSet& set) { return take_case_set(app, set, options); });
+        gate::case_set_for(*baseline, options.backends, environment(options.jobs, 0))
+            .and_then([&](const gate::CaseSet& set) { return take_case_set(app, set, options); });
     if (!taken) return tl::unexpected(taken.error());
   }
-  return read_policy(options.policy).map([&baseline](reports::Policy policy) {
+  return read_policy(options.policy).map([&baseline](gate::Policy policy) {
     return std::optional(RunGate{*std::move(baseline), std::move(policy)});
   });
 }
@@ -269,8 +269,8 @@ Result<std::optional<RunGate>> prepare_gate(const CLI::App& app, RunOptions& opt
 /// before the work rather than after it.
 Result<void> check_contract(const std::optional<RunGate>& gate, const properties::RunPlan& plan) {
   if (!gate || plan.contract_file.empty()) return {};
-  const Result<CaseSet> set =
-      case_set_for(gate->baseline, plan.campaign.backends, environment(1, 0));
+  const Result<gate::CaseSet> set =
+      gate::case_set_for(gate->baseline, plan.campaign.backends, environment(1, 0));
   if (!set) return tl::unexpected(set.error());
   const std::uint64_t digest = cases::digest_of(plan.terms);
   if (set->contract_digest.value_or(digest) == digest) return {};
@@ -286,9 +286,9 @@ ExitCode hold_run(const RunOptions& options, const std::optional<RunGate>& gate,
                   const records::Run& run) {
   if (!gate) return ExitCode::ok;
   if (run.cases_left > 0) return ExitCode::interrupted;
-  Result<GateSide> current = side_of(run, options.output);
+  Result<gate::Side> current = gate::side_of(run, options.output);
   if (!current) return fail(current.error());
-  set_commit(*current, commit_of(""));
+  gate::set_commit(*current, commit_of(""));
   if (!options.json) fmt::print("\n");
   return hold_against(gate->baseline, *current,
                       {gate->policy, options.output, false, options.quiet, !options.json});

@@ -38,7 +38,7 @@ std::string write(const Gate& gate) {
       kPolicy, html(headline), kReportStyle, kViewerStyle, kCompareStyle, picture_style(),
       refused(gate.comparisons) > 0 ? "violated" : "held", html(headline));
   for (std::size_t i = 0; i < gate.comparisons.size(); ++i) {
-    const Comparison& comparison = gate.comparisons[i];
+    const records::Comparison& comparison = gate.comparisons[i];
     text += compare_front(gate, i) + growth_sections(gate, i) + entry_sections(comparison, i) +
             other_entries(comparison);
   }

@@ -43,39 +43,40 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json json_of(const FigureValue& value) {
+ordered_json json_of(const records::FigureValue& value) {
   if (value.size) return records::enclosure_to_json(*value.size);
   if (value.of > 0) return {{"count", value.count}, {"of", value.of}};
   return value.count;
 }
 
-ordered_json json_of(const FigureChange& figure) {
+ordered_json json_of(const records::FigureChange& figure) {
   return {{"figure", figure_name(figure)},
           {"change", to_string(figure.change)},
           {"before", json_of(figure.before)},
           {"after", json_of(figure.after)}};
 }
 
-ordered_json json_of(const EntryKey& key) {
+ordered_json json_of(const records::EntryKey& key) {
   ordered_json object{{"law", key.law}, {"kind", to_string(key.kind)}};
   if (key.stratum) object["stratum"] = to_string(*key.stratum);
   return object;
 }
 
-ordered_json json_of(const EntryChange& entry) {
+ordered_json json_of(const records::EntryChange& entry) {
   ordered_json object = json_of(entry.key);
   object["change"] = to_string(entry.change);
   if (entry.allowed_because) object["allowed_because"] = *entry.allowed_because;
   object["figures"] = ordered_json::array();
-  for (const FigureChange& figure : entry.figures) object["figures"].push_back(json_of(figure));
+  for (const records::FigureChange& figure : entry.figures)
+    object["figures"].push_back(json_of(figure));
   return object;
 }
 
-ordered_json stages_of(const EntryChange& entry) {
+ordered_json stages_of(const records::EntryChange& entry) {
   ordered_json object = json_of(entry.key);
   object["grown"] = to_string(*entry.grown_stage);
   object["stages"] = ordered_json::array();
-  for (const StageChange& stage : entry.stages) {
+  for (const records::StageChange& stage : entry.stages) {
     ordered_json one{{"stage", to_string(stage.stage)}};
     if (stage.mean_before) one["mean_before"] = records::enclosure_to_json(*stage.mean_before);
     if (stage.mean_after) one["mean_after"] = records::enclosure_to_json(*stage.mean_after);
@@ -86,7 +87,8 @@ ordered_json stages_of(const EntryChange& entry) {
   return object;
 }
 
-ordered_json json_of(const Gate& gate, const Comparison& comparison, const CaseGrowth& growth) {
+ordered_json json_of(const Gate& gate, const records::Comparison& comparison,
+                     const records::CaseGrowth& growth) {
   ordered_json object{
       {"law", growth.law}, {"origin", to_string(growth.origin)}, {"index", growth.index}};
   if (!growth.name.empty()) object["name"] = growth.name;
@@ -109,7 +111,7 @@ ordered_json json_of(const Gate& gate, const Comparison& comparison, const CaseG
   return object;
 }
 
-ordered_json json_of(const Taken& taken) {
+ordered_json json_of(const records::Taken& taken) {
   return {{"backend", taken.backend},
           {"version", taken.version},
           {"commit", taken.commit},
@@ -117,25 +119,25 @@ ordered_json json_of(const Taken& taken) {
           {"compiler", taken.compiler}};
 }
 
-ordered_json counts_of(const Comparison& comparison) {
+ordered_json counts_of(const records::Comparison& comparison) {
   ordered_json counts = ordered_json::object();
-  for (std::size_t i = 0; i < names_of(Change{}).size(); ++i) {
-    const auto change = static_cast<Change>(i);
+  for (std::size_t i = 0; i < names_of(records::Change{}).size(); ++i) {
+    const auto change = static_cast<records::Change>(i);
     counts[std::string(to_string(change))] = count_of(comparison, change);
   }
   counts["refused"] = refused(comparison);
   return counts;
 }
 
-ordered_json json_of(const Gate& gate, const Comparison& comparison) {
+ordered_json json_of(const Gate& gate, const records::Comparison& comparison) {
   ordered_json changed = ordered_json::array();
   ordered_json stages = ordered_json::array();
-  for (const EntryChange& entry : comparison.entries) {
-    if (entry.change != Change::same) changed.push_back(json_of(entry));
+  for (const records::EntryChange& entry : comparison.entries) {
+    if (entry.change != records::Change::same) changed.push_back(json_of(entry));
     if (entry.grown_stage) stages.push_back(stages_of(entry));
   }
   ordered_json growths = ordered_json::array();
-  for (const CaseGrowth& growth : comparison.growths) {
+  for (const records::CaseGrowth& growth : comparison.growths) {
     growths.push_back(json_of(gate, comparison, growth));
   }
   return {{"backend", comparison.key.backend},
@@ -160,7 +162,7 @@ ordered_json json_of(const Gate& gate, const Comparison& comparison) {
 
 std::string write(const Gate& gate) {
   ordered_json comparisons = ordered_json::array();
-  for (const Comparison& comparison : gate.comparisons) {
+  for (const records::Comparison& comparison : gate.comparisons) {
     comparisons.push_back(json_of(gate, comparison));
   }
   const ordered_json all{{"format", "rastercheck-comparison"},

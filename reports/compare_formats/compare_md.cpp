@@ -14,17 +14,17 @@ constexpr std::size_t kMostEntries = 50;
 constexpr std::size_t kMostStages = 5;
 
 /// A row for each figure that changed, of entries that changed so.
-std::string table_of(const Comparison& comparison, Change change) {
+std::string table_of(const records::Comparison& comparison, records::Change change) {
   if (count_of(comparison, change) == 0) return "";
   std::string text = fmt::format(
       "\n## {}\n\n| law | kind | stratum | figure | baseline | now | allowed |\n"
       "|---|---|---|---|--:|--:|---|\n",
-      change == Change::worse ? "Worse" : "Better");
+      change == records::Change::worse ? "Worse" : "Better");
   std::size_t entries = 0;
-  for (const EntryChange& entry : comparison.entries) {
+  for (const records::EntryChange& entry : comparison.entries) {
     if (entry.change != change) continue;
     if (++entries > kMostEntries) continue;
-    for (const FigureChange& figure : entry.figures) {
+    for (const records::FigureChange& figure : entry.figures) {
       const OldAndNew texts = figure_texts(figure);
       text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", markdown(entry.key.law),
                           to_string(entry.key.kind),
@@ -37,11 +37,11 @@ std::string table_of(const Comparison& comparison, Change change) {
   return text;
 }
 
-std::string growths_of(const Gate& gate, const Comparison& comparison) {
+std::string growths_of(const Gate& gate, const records::Comparison& comparison) {
   if (comparison.growths.empty()) return "";
   std::string text = fmt::format("\n## Cases whose errors grew most\n\n{} of {}.\n",
                                  comparison.growths.size(), comparison.grown_cases);
-  for (const CaseGrowth& growth : comparison.growths) {
+  for (const records::CaseGrowth& growth : comparison.growths) {
     text += fmt::format("\n- {}: {}\n", markdown(growth.law), markdown(case_text(growth)));
     for (const std::string& line : growth_lines(growth)) {
       text += fmt::format("  - {}\n", markdown(line));
@@ -53,7 +53,7 @@ std::string growths_of(const Gate& gate, const Comparison& comparison) {
   return text;
 }
 
-std::string stages_of(const Comparison& comparison) {
+std::string stages_of(const records::Comparison& comparison) {
   const std::vector<std::string> lines = stage_lines(comparison, kMostStages);
   if (lines.empty()) return "";
   std::string text = "\n## Stages whose part of the errors grew most\n\n";
@@ -61,7 +61,7 @@ std::string stages_of(const Comparison& comparison) {
   return text;
 }
 
-std::string laws_of(const Comparison& comparison) {
+std::string laws_of(const records::Comparison& comparison) {
   std::string text;
   for (const std::string& law : comparison.new_laws) {
     text += fmt::format("- new, and held against nothing: {}\n", markdown(law));
@@ -72,7 +72,7 @@ std::string laws_of(const Comparison& comparison) {
   return text.empty() ? "" : "\n## Laws\n\n" + text;
 }
 
-std::string policy_of(const PolicyReview& review) {
+std::string policy_of(const records::PolicyReview& review) {
   std::string text;
   for (const std::string& line : review.expired) {
     text += fmt::format("- expired: {}\n", markdown(line));
@@ -83,20 +83,21 @@ std::string policy_of(const PolicyReview& review) {
   return text.empty() ? "" : "\n## Policy\n\n" + text;
 }
 
-std::string taken_text(const Taken& taken) {
+std::string taken_text(const records::Taken& taken) {
   return fmt::format("{} {}, {}, {}{}", taken.backend, taken.version, taken.compiler,
                      taken.instruction_set, taken.commit.empty() ? "" : ", commit " + taken.commit);
 }
 
 std::string write(const Gate& gate) {
   std::string text = "# RasterCheck: held against the baseline\n";
-  for (const Comparison& comparison : gate.comparisons) {
+  for (const records::Comparison& comparison : gate.comparisons) {
     text += fmt::format("\n**{}**\n\n{}\n\n", markdown(verdict_sentence(comparison)),
                         markdown(bits_sentence(comparison)));
     text += fmt::format("- baseline: {}\n- now: {}\n", markdown(taken_text(comparison.before)),
                         markdown(taken_text(comparison.after)));
-    text += table_of(comparison, Change::worse) + growths_of(gate, comparison) +
-            stages_of(comparison) + table_of(comparison, Change::better) + laws_of(comparison);
+    text += table_of(comparison, records::Change::worse) + growths_of(gate, comparison) +
+            stages_of(comparison) + table_of(comparison, records::Change::better) +
+            laws_of(comparison);
   }
   text += policy_of(gate.policy);
   return text + "\n## To take the new figures over\n\n" + command_block(approve_command(gate));

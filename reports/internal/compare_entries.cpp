@@ -31,23 +31,23 @@ struct Growth {
   double worst = 0;
 };
 
-Growth growth_of(const EntryChange& entry) {
+Growth growth_of(const records::EntryChange& entry) {
   Growth growth;
   growth.is_refused = !entry.allowed_because;
-  for (const FigureChange& change : entry.figures) {
-    if (change.change != Change::worse) continue;
-    const bool is_wrong =
-        change.figure == Figure::violations || change.figure == Figure::mismatches;
+  for (const records::FigureChange& change : entry.figures) {
+    if (change.change != records::Change::worse) continue;
+    const bool is_wrong = change.figure == records::Figure::violations ||
+                          change.figure == records::Figure::mismatches;
     if (is_wrong) growth.wrong += change.after.count - change.before.count;
-    if (change.figure == Figure::worst && change.before.size && change.after.size) {
+    if (change.figure == records::Figure::worst && change.before.size && change.after.size) {
       growth.worst = change.after.size->hi - change.before.size->hi;
     }
   }
   return growth;
 }
 
-bool comes_before(const EntryChange* a, const EntryChange* b) {
-  const auto rank = [](const EntryChange* entry) {
+bool comes_before(const records::EntryChange* a, const records::EntryChange* b) {
+  const auto rank = [](const records::EntryChange* entry) {
     const Growth growth = growth_of(*entry);
     return std::tuple(growth.is_refused, growth.wrong, growth.worst);
   };
@@ -55,16 +55,16 @@ bool comes_before(const EntryChange* a, const EntryChange* b) {
 }
 
 /// Those of its figures that changed so, a sentence each.
-std::string figures_that(Change change, const EntryChange& entry) {
+std::string figures_that(records::Change change, const records::EntryChange& entry) {
   std::string text;
-  for (const FigureChange& figure : entry.figures) {
+  for (const records::FigureChange& figure : entry.figures) {
     if (figure.change != change) continue;
     text += (text.empty() ? "" : "<br>") + html(figure_sentence(figure));
   }
   return text;
 }
 
-std::string allowed_text(const EntryChange& entry) {
+std::string allowed_text(const records::EntryChange& entry) {
   return entry.allowed_because ? "<span class=\"held\">✓ allowed</span><br><small>" +
                                      html(*entry.allowed_because) + "</small>"
                                : std::string("<span class=\"violated\">✗ worse</span>");
@@ -77,10 +77,10 @@ constexpr std::string_view kWorseStart =
     "<th>other figures</th><th>policy</th></tr></thead>\n<tbody>\n";
 
 /// "0.5 → 2.3"; a dash of a figure that is the same.
-std::string change_text(const EntryChange& entry, Figure figure) {
-  for (const FigureChange& change : entry.figures) {
+std::string change_text(const records::EntryChange& entry, records::Figure figure) {
+  for (const records::FigureChange& change : entry.figures) {
     if (change.figure != figure) continue;
-    if (figure != Figure::misrounded) {
+    if (figure != records::Figure::misrounded) {
       const OldAndNew texts = figure_texts(change);
       return html(texts.before) + " → " + html(texts.after);
     }
@@ -91,21 +91,22 @@ std::string change_text(const EntryChange& entry, Figure figure) {
 }
 
 /// Counts that grew: of what was violated or drawn wrongly.
-std::string wrong_text(const EntryChange& entry) {
+std::string wrong_text(const records::EntryChange& entry) {
   std::string text;
-  for (const FigureChange& change : entry.figures) {
-    const bool is_count = !change.before.size && change.figure != Figure::misrounded;
-    if (!is_count || change.change != Change::worse) continue;
+  for (const records::FigureChange& change : entry.figures) {
+    const bool is_count = !change.before.size && change.figure != records::Figure::misrounded;
+    if (!is_count || change.change != records::Change::worse) continue;
     text += (text.empty() ? "" : "<br>") + html(figure_sentence(change));
   }
   return text.empty() ? std::string(kNothing) : text;
 }
 
 /// `name` is HTML.
-std::string worse_row(const EntryChange& entry, const std::string& name) {
-  return "<tr>" + cell(name) + number_cell("worst, ULP", change_text(entry, Figure::worst)) +
-         number_cell("p99, ULP", change_text(entry, Figure::p99)) +
-         number_cell("misrounded", change_text(entry, Figure::misrounded)) +
+std::string worse_row(const records::EntryChange& entry, const std::string& name) {
+  return "<tr>" + cell(name) +
+         number_cell("worst, ULP", change_text(entry, records::Figure::worst)) +
+         number_cell("p99, ULP", change_text(entry, records::Figure::p99)) +
+         number_cell("misrounded", change_text(entry, records::Figure::misrounded)) +
          named_cell("other figures", wrong_text(entry)) +
          named_cell("policy", allowed_text(entry)) + "</tr>\n";
 }
@@ -116,13 +117,13 @@ std::string more_line(std::size_t all, std::size_t shown) {
                      grouped(all - shown));
 }
 
-std::string figure_table(const EntryChange& entry) {
+std::string figure_table(const records::EntryChange& entry) {
   std::string text =
       "<table class=\"figures-of\">\n<thead><tr><th>figure</th><th class=\"number\">baseline</th>"
       "<th class=\"number\">now</th><th>change</th></tr></thead>\n<tbody>\n";
-  for (const FigureChange& change : entry.figures) {
+  for (const records::FigureChange& change : entry.figures) {
     const OldAndNew texts = figure_texts(change);
-    const bool is_worse = change.change == Change::worse;
+    const bool is_worse = change.change == records::Change::worse;
     text += "<tr>" + cell(html(figure_name(change))) + number_cell("baseline", html(texts.before)) +
             number_cell("now", html(texts.after)) +
             named_cell("change", is_worse ? "<span class=\"violated\">✗ worse</span>"
@@ -137,7 +138,7 @@ std::string share_cell(std::string_view name, const std::optional<double>& share
 }
 
 /// What each stage made of the errors, and which one's part grew.
-std::string stages_of(const EntryChange& entry) {
+std::string stages_of(const records::EntryChange& entry) {
   if (entry.stages.empty()) return "";
   std::string text =
       "<h4>Errors by stage</h4>\n<table class=\"stages-of\">\n<thead><tr><th>stage</th>"
@@ -145,7 +146,7 @@ std::string stages_of(const EntryChange& entry) {
       "<th class=\"number\">now<br><small>scale ULP</small></th>"
       "<th class=\"number\">share, baseline</th><th class=\"number\">now</th></tr></thead>\n"
       "<tbody>\n";
-  for (const StageChange& stage : entry.stages) {
+  for (const records::StageChange& stage : entry.stages) {
     const bool has_grown = stage.stage == entry.grown_stage;
     text += fmt::format("<tr{}>", has_grown ? " class=\"largest\"" : "") +
             cell(fmt::format("<span class=\"key stage-{}\"></span>{}{}",
@@ -159,7 +160,7 @@ std::string stages_of(const EntryChange& entry) {
   return text + "</tbody>\n</table>\n";
 }
 
-std::string distribution_of(const EntryChange& entry) {
+std::string distribution_of(const records::EntryChange& entry) {
   const std::string title =
       fmt::format("Magnitudes of errors, {}: {} in the baseline and {} now, at most {} and {}",
                   to_string(entry.key), counted(entry.before.histogram.count(), "value", "values"),
@@ -174,8 +175,8 @@ std::string distribution_of(const EntryChange& entry) {
          overlay_table(entry.before.histogram, entry.after.histogram) + "</details></figure>\n";
 }
 
-std::string section_of(const Comparison& comparison, std::size_t number, const EntryChange& entry,
-                       bool is_open) {
+std::string section_of(const records::Comparison& comparison, std::size_t number,
+                       const records::EntryChange& entry, bool is_open) {
   std::string text = fmt::format(
       "<details class=\"finding\" id=\"{}\"{}>\n<summary>{} <span "
       "class=\"title\">{}</span></summary>"
@@ -198,28 +199,29 @@ std::string names_of_laws(const std::vector<std::string>& laws) {
 
 }  // namespace
 
-std::vector<const EntryChange*> worse_entries(const Comparison& comparison) {
-  std::vector<const EntryChange*> worse;
-  for (const EntryChange& entry : comparison.entries) {
-    if (entry.change == Change::worse) worse.push_back(&entry);
+std::vector<const records::EntryChange*> worse_entries(const records::Comparison& comparison) {
+  std::vector<const records::EntryChange*> worse;
+  for (const records::EntryChange& entry : comparison.entries) {
+    if (entry.change == records::Change::worse) worse.push_back(&entry);
   }
   std::stable_sort(worse.begin(), worse.end(), &comes_before);
   return worse;
 }
 
-std::string entry_id(const Comparison& comparison, std::size_t number, const EntryChange& entry) {
+std::string entry_id(const records::Comparison& comparison, std::size_t number,
+                     const records::EntryChange& entry) {
   return fmt::format("entry-{}-{}", number, &entry - comparison.entries.data());
 }
 
-std::string worse_table(const Comparison& comparison, std::size_t number) {
-  const std::vector<const EntryChange*> worse = worse_entries(comparison);
+std::string worse_table(const records::Comparison& comparison, std::size_t number) {
+  const std::vector<const records::EntryChange*> worse = worse_entries(comparison);
   if (worse.empty()) return "";
   const std::size_t shown = std::min(worse.size(), kMostRows);
   const std::size_t first = std::min(shown, kFirstRows);
   const auto rows = [&](std::size_t from, std::size_t to) {
     std::string text(kWorseStart);
     for (std::size_t i = from; i < to; ++i) {
-      const EntryChange& entry = *worse[i];
+      const records::EntryChange& entry = *worse[i];
       const std::string name = html(to_string(entry.key));
       const std::string id = entry_id(comparison, number, entry);
       text += worse_row(entry,
@@ -235,8 +237,8 @@ std::string worse_table(const Comparison& comparison, std::size_t number) {
   return text + more_line(worse.size(), kMostRows);
 }
 
-std::string entry_sections(const Comparison& comparison, std::size_t number) {
-  const std::vector<const EntryChange*> worse = worse_entries(comparison);
+std::string entry_sections(const records::Comparison& comparison, std::size_t number) {
+  const std::vector<const records::EntryChange*> worse = worse_entries(comparison);
   if (worse.empty()) return "";
   std::string text = "<section>\n<h2>What is worse</h2>\n";
   for (std::size_t i = 0; i < std::min(worse.size(), kMostSections); ++i) {
@@ -245,15 +247,15 @@ std::string entry_sections(const Comparison& comparison, std::size_t number) {
   return text + more_line(worse.size(), kMostSections) + "</section>\n";
 }
 
-std::string other_entries(const Comparison& comparison) {
+std::string other_entries(const records::Comparison& comparison) {
   std::string rows;
   std::size_t all = 0;
-  for (const EntryChange& entry : comparison.entries) {
-    if (entry.change == Change::same || entry.change == Change::worse) continue;
+  for (const records::EntryChange& entry : comparison.entries) {
+    if (entry.change == records::Change::same || entry.change == records::Change::worse) continue;
     if (++all > kMostRows) continue;
     rows += "<tr>" + cell(html(to_string(entry.key))) +
             named_cell("change", std::string(to_string(entry.change))) +
-            named_cell("figures", figures_that(Change::better, entry)) + "</tr>\n";
+            named_cell("figures", figures_that(records::Change::better, entry)) + "</tr>\n";
   }
   if (all == 0 && comparison.gone_laws.empty() && comparison.new_laws.empty()) return "";
   std::string text = "<section>\n<h2>Better, new and gone</h2>\n";

@@ -20,25 +20,25 @@ std::string counted_figure(std::string_view term, std::uint64_t number, std::str
                     fmt::format("<strong>{}</strong> <small>{}</small>", grouped(number), of));
 }
 
-std::string front_figures(const Comparison& comparison) {
-  const std::uint64_t worse = count_of(comparison, Change::worse);
+std::string front_figures(const records::Comparison& comparison) {
+  const std::uint64_t worse = count_of(comparison, records::Change::worse);
   return "<dl class=\"figures\">\n" +
          counted_figure("worse", worse,
                         worse > 0 ? fmt::format("{} not allowed", grouped(refused(comparison)))
                                   : std::string("entries")) +
-         counted_figure("better", count_of(comparison, Change::better), "entries") +
-         counted_figure("the same", count_of(comparison, Change::same), "entries") +
-         counted_figure("new", count_of(comparison, Change::appeared), "entries") +
-         counted_figure("gone", count_of(comparison, Change::gone), "entries") +
+         counted_figure("better", count_of(comparison, records::Change::better), "entries") +
+         counted_figure("the same", count_of(comparison, records::Change::same), "entries") +
+         counted_figure("new", count_of(comparison, records::Change::appeared), "entries") +
+         counted_figure("gone", count_of(comparison, records::Change::gone), "entries") +
          counted_figure("cases that grew", comparison.grown_cases,
                         fmt::format("of {}", grouped(comparison.compared_cases))) +
          "</dl>\n";
 }
 
 std::string largest_growth(const Gate& gate, std::size_t number) {
-  const Comparison& comparison = gate.comparisons[number];
+  const records::Comparison& comparison = gate.comparisons[number];
   if (comparison.growths.empty()) return "";
-  const CaseGrowth& growth = comparison.growths.front();
+  const records::CaseGrowth& growth = comparison.growths.front();
   std::string text = fmt::format("<p class=\"finding\">Largest growth: <a href=\"#{}\">{}, {}</a>",
                                  growth_id(number, 0), html(growth.law), html(case_text(growth)));
   const auto part = part_to_look_at(gate, comparison, growth);
@@ -67,7 +67,7 @@ std::string largest_growth(const Gate& gate, std::size_t number) {
   return text;
 }
 
-std::string taken_text(const Taken& taken) {
+std::string taken_text(const records::Taken& taken) {
   std::string text = html(taken.version.empty() ? "–" : taken.version);
   // As git shortens it; compare.json has the whole.
   constexpr std::size_t kShort = 12;
@@ -78,7 +78,7 @@ std::string taken_text(const Taken& taken) {
   return text;
 }
 
-std::string gate_facts(const Gate& gate, const Comparison& comparison) {
+std::string gate_facts(const Gate& gate, const records::Comparison& comparison) {
   std::string options;
   for (const std::string& option : comparison.options) options += " " + option;
   return "<dl class=\"facts\">\n" + definition("baseline", html(to_string(comparison.key))) +
@@ -98,14 +98,14 @@ std::string compare_headline(const Gate& gate) {
   if (gate.comparisons.size() == 1) return verdict_sentence(gate.comparisons.front());
   const auto worse = static_cast<std::uint64_t>(
       std::count_if(gate.comparisons.begin(), gate.comparisons.end(),
-                    [](const Comparison& comparison) { return refused(comparison) > 0; }));
+                    [](const records::Comparison& comparison) { return refused(comparison) > 0; }));
   const std::string all = counted(gate.comparisons.size(), "backend", "backends");
   return worse > 0 ? fmt::format("Regression on {} of {}.", worse, all)
                    : fmt::format("No regression on {}.", all);
 }
 
 std::string compare_front(const Gate& gate, std::size_t number) {
-  const Comparison& comparison = gate.comparisons[number];
+  const records::Comparison& comparison = gate.comparisons[number];
   std::string text;
   if (gate.comparisons.size() > 1) {
     text += fmt::format("<h2 id=\"backend-{}\" class=\"{}\">{}</h2>\n", number,
@@ -122,7 +122,7 @@ std::string compare_front(const Gate& gate, std::size_t number) {
          "</code></p>\n</aside>\n</div>\n";
 }
 
-std::string policy_section(const PolicyReview& review) {
+std::string policy_section(const records::PolicyReview& review) {
   if (review.expired.empty() && review.unused.empty()) return "";
   std::string text = "<section>\n<h2>The policy</h2>\n<ul class=\"gaps\">\n";
   for (const std::string& line : review.expired) {

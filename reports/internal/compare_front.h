@@ -16,6 +16,6 @@ std::string compare_headline(const Gate& gate);
 std::string compare_front(const Gate& gate, std::size_t number);
 
 /// What the policy allows no more, or need not allow; empty where there is nothing to say.
-std::string policy_section(const PolicyReview& review);
+std::string policy_section(const records::PolicyReview& review);
 
 }  // namespace rastercheck::reports

@@ -55,7 +55,7 @@ std::string grown_value_name(const records::Inspection& inspection) {
 }
 
 /// The largest error of the case, then and now.
-std::string errors_of(const CaseGrowth& growth) {
+std::string errors_of(const records::CaseGrowth& growth) {
   std::string text =
       "<table class=\"worst-of\">\n<thead><tr><th>largest error</th><th>where</th><th>exact</th>"
       "<th>actual</th><th class=\"number\">error<br><small>scale ULP</small></th></tr></thead>\n"
@@ -94,7 +94,8 @@ std::string split_of(const CloserLook& look) {
   return "";
 }
 
-std::string commands_of(const Gate& gate, const Comparison& comparison, const CaseGrowth& growth) {
+std::string commands_of(const Gate& gate, const records::Comparison& comparison,
+                        const records::CaseGrowth& growth) {
   std::string text;
   for (const std::string& command : growth_commands(gate, comparison, growth)) {
     text += "<p><code>" + html(command) + "</code></p>\n";
@@ -104,7 +105,7 @@ std::string commands_of(const Gate& gate, const Comparison& comparison, const Ca
 
 /// Largest errors of the case in the baseline, of the kind and stratum that is shown; nothing where
 /// none is known, as perhaps none was judged.
-std::optional<records::Enclosure> reach_of(const CaseGrowth& growth) {
+std::optional<records::Enclosure> reach_of(const records::CaseGrowth& growth) {
   if (!growth.after || !growth.before) return std::nullopt;
   return growth.before->error;
 }
@@ -115,12 +116,14 @@ std::string start_of(const std::string& id, const std::string& title, bool is_op
 }
 
 /// The section of the entry that the growth is of.
-std::string entry_link(const Comparison& comparison, std::size_t number, const CaseGrowth& growth) {
-  const auto entry = std::find_if(
-      comparison.entries.begin(), comparison.entries.end(), [&growth](const EntryChange& one) {
-        return one.change == Change::worse && one.key.law == growth.law &&
-               one.key.kind == growth.kind && one.key.stratum == growth.stratum;
-      });
+std::string entry_link(const records::Comparison& comparison, std::size_t number,
+                       const records::CaseGrowth& growth) {
+  const auto entry =
+      std::find_if(comparison.entries.begin(), comparison.entries.end(),
+                   [&growth](const records::EntryChange& one) {
+                     return one.change == records::Change::worse && one.key.law == growth.law &&
+                            one.key.kind == growth.kind && one.key.stratum == growth.stratum;
+                   });
   if (entry == comparison.entries.end()) return "";
   return fmt::format("<p>Of the entry <a href=\"#{}\">{}</a>.</p>\n",
                      fmt::format("entry-{}-{}", number, entry - comparison.entries.begin()),
@@ -128,8 +131,8 @@ std::string entry_link(const Comparison& comparison, std::size_t number, const C
 }
 
 std::string growth_section(const Gate& gate, std::size_t number, std::size_t i) {
-  const Comparison& comparison = gate.comparisons[number];
-  const CaseGrowth& growth = comparison.growths[i];
+  const records::Comparison& comparison = gate.comparisons[number];
+  const records::CaseGrowth& growth = comparison.growths[i];
   std::string title =
       fmt::format("<span class=\"title\">{}, {}</span>", html(growth.law), html(case_text(growth)));
   if (growth.after) {
@@ -161,7 +164,7 @@ std::string growth_section(const Gate& gate, std::size_t number, std::size_t i) 
 
 /// Parts that the baseline kept and that are other pixels now.
 std::string kept_sections(const Gate& gate, std::size_t number) {
-  const Comparison& comparison = gate.comparisons[number];
+  const records::Comparison& comparison = gate.comparisons[number];
   std::string text;
   std::size_t shown = 0;
   for (const CloserLook& look : gate.looks) {
@@ -192,7 +195,7 @@ std::string growth_id(std::size_t number, std::size_t growth) {
 }
 
 std::string growth_sections(const Gate& gate, std::size_t number) {
-  const Comparison& comparison = gate.comparisons[number];
+  const records::Comparison& comparison = gate.comparisons[number];
   std::string text;
   for (std::size_t i = 0; i < comparison.growths.size(); ++i)
     text += growth_section(gate, number, i);

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "reports/compare.h"
+#include "records/comparison.h"
 #include "reports/compare_format.h"
 
 namespace rastercheck::reports {

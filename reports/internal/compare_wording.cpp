@@ -33,23 +33,23 @@ OldAndNew sizes_text(const Enclosure& before, const Enclosure& after) {
 
 /// "none" where no error but 0 is known of before: laws that draw twice judge values only where the
 /// two differ, so that it need not have been 0.
-OldAndNew old_and_new_errors(const CaseGrowth& growth, const records::WorstError& after) {
+OldAndNew old_and_new_errors(const records::CaseGrowth& growth, const records::WorstError& after) {
   const Enclosure is = records::magnitude(after.error);
   if (!growth.before) return {"none", records::to_decimal(is, kErrorDigits)};
   return sizes_text(records::magnitude(growth.before->error), is);
 }
 
-OldAndNew shares_text(const FigureValue& before, const FigureValue& after) {
-  const auto text = [](const FigureValue& value) {
+OldAndNew shares_text(const records::FigureValue& before, const records::FigureValue& after) {
+  const auto text = [](const records::FigureValue& value) {
     return fmt::format("{} ({} of {})", records::share_text(value.count, value.of),
                        grouped(value.count), grouped(value.of));
   };
   return {text(before), text(after)};
 }
 
-bool is_size(Figure figure) {
-  return figure == Figure::worst || figure == Figure::p50 || figure == Figure::p99 ||
-         figure == Figure::p999;
+bool is_size(records::Figure figure) {
+  return figure == records::Figure::worst || figure == records::Figure::p50 ||
+         figure == records::Figure::p99 || figure == records::Figure::p999;
 }
 
 std::string actual_value_text(const records::WorstError& worst) {
@@ -62,7 +62,7 @@ bool is_same_place(const records::WorstError& a, const records::WorstError& b) {
 }
 
 /// A run as commands want it, of the current side.
-records::Run as_run(const Comparison& comparison) {
+records::Run as_run(const records::Comparison& comparison) {
   records::Run run;
   run.backends = {comparison.backend};
   run.seed = comparison.seed;
@@ -76,8 +76,8 @@ std::string counted_entries(std::uint64_t number) { return counted(number, "entr
 
 }  // namespace
 
-std::string verdict_sentence(const Comparison& comparison) {
-  const std::uint64_t worse = count_of(comparison, Change::worse);
+std::string verdict_sentence(const records::Comparison& comparison) {
+  const std::uint64_t worse = count_of(comparison, records::Change::worse);
   const std::uint64_t refused_ones = refused(comparison);
   std::string text =
       refused_ones > 0
@@ -91,14 +91,14 @@ std::string verdict_sentence(const Comparison& comparison) {
     rest += fmt::format("{}{} {}", rest.empty() ? "" : ", ", grouped(number), what);
   };
   add(worse - refused_ones, "worse, but allowed");
-  add(count_of(comparison, Change::better), "better");
-  add(count_of(comparison, Change::appeared), "new");
-  add(count_of(comparison, Change::gone), "gone");
-  add(count_of(comparison, Change::same), "the same");
+  add(count_of(comparison, records::Change::better), "better");
+  add(count_of(comparison, records::Change::appeared), "new");
+  add(count_of(comparison, records::Change::gone), "gone");
+  add(count_of(comparison, records::Change::same), "the same");
   return text + (rest.empty() ? "." : "; " + rest + ".");
 }
 
-std::string bits_sentence(const Comparison& comparison) {
+std::string bits_sentence(const records::Comparison& comparison) {
   if (comparison.changed_cases == 0) {
     return fmt::format("All {} gave the same, to the bit.",
                        counted(comparison.compared_cases, "case", "cases"));
@@ -106,36 +106,37 @@ std::string bits_sentence(const Comparison& comparison) {
   std::string text = fmt::format(
       "{} of {} did not give the same bits; errors grew in {}.", grouped(comparison.changed_cases),
       counted(comparison.compared_cases, "case", "cases"), grouped(comparison.grown_cases));
-  if (count_of(comparison, Change::worse) == 0 && count_of(comparison, Change::better) == 0) {
+  if (count_of(comparison, records::Change::worse) == 0 &&
+      count_of(comparison, records::Change::better) == 0) {
     text += " No figure changed: that is no regression.";
   }
   return text;
 }
 
-OldAndNew figure_texts(const FigureChange& change) {
+OldAndNew figure_texts(const records::FigureChange& change) {
   const auto& [figure, fragment_class, how, before, after] = change;
-  if (figure == Figure::misrounded) return shares_text(before, after);
+  if (figure == records::Figure::misrounded) return shares_text(before, after);
   if (!is_size(figure)) return {grouped(before.count), grouped(after.count)};
   const Enclosure was = before.size.value_or(Enclosure());
   const Enclosure is = after.size.value_or(Enclosure());
-  if (figure == Figure::worst) return sizes_text(was, is);
+  if (figure == records::Figure::worst) return sizes_text(was, is);
   return {at_most_text(was), at_most_text(is)};
 }
 
-std::string figure_sentence(const FigureChange& change) {
+std::string figure_sentence(const records::FigureChange& change) {
   const OldAndNew texts = figure_texts(change);
   return fmt::format("{} {} → {}{}", figure_name(change), texts.before, texts.after,
                      is_size(change.figure) ? " ULP" : "");
 }
 
-std::string case_text(const CaseGrowth& growth) {
+std::string case_text(const records::CaseGrowth& growth) {
   if (growth.origin == records::Origin::random) return fmt::format("random case {}", growth.index);
   constexpr std::size_t kLongestName = 50;
   return fmt::format("case {} of the corpus, “{}”", growth.index,
                      cases::printable(elided(growth.name, kLongestName)));
 }
 
-std::string place_text(const CaseGrowth& growth, const records::WorstError& at) {
+std::string place_text(const records::CaseGrowth& growth, const records::WorstError& at) {
   std::string text;
   if (growth.kind) text += fmt::format("{}, ", to_string(*growth.kind));
   if (growth.stratum) text += fmt::format("{}, ", to_string(*growth.stratum));
@@ -144,7 +145,7 @@ std::string place_text(const CaseGrowth& growth, const records::WorstError& at) 
   return text;
 }
 
-std::vector<std::string> growth_lines(const CaseGrowth& growth) {
+std::vector<std::string> growth_lines(const records::CaseGrowth& growth) {
   constexpr std::size_t kLongestFraction = 40;
   std::vector<std::string> lines;
   if (growth.after) {
@@ -175,8 +176,8 @@ std::vector<std::string> growth_lines(const CaseGrowth& growth) {
   return lines;
 }
 
-const records::CloserLook* find_look(const Gate& gate, const Comparison& comparison,
-                                     const CaseGrowth& growth) {
+const records::CloserLook* find_look(const Gate& gate, const records::Comparison& comparison,
+                                     const records::CaseGrowth& growth) {
   const records::CaseKey key{growth.law, comparison.backend, growth.origin, growth.index};
   const auto look =
       std::find_if(gate.looks.begin(), gate.looks.end(), [&](const records::CloserLook& one) {
@@ -186,8 +187,9 @@ const records::CloserLook* find_look(const Gate& gate, const Comparison& compari
   return look == gate.looks.end() ? nullptr : &*look;
 }
 
-std::optional<records::StagePart> part_to_look_at(const Gate& gate, const Comparison& comparison,
-                                                  const CaseGrowth& growth) {
+std::optional<records::StagePart> part_to_look_at(const Gate& gate,
+                                                  const records::Comparison& comparison,
+                                                  const records::CaseGrowth& growth) {
   const auto size = [](const records::StagePart& part) {
     return part.stage == records::Stage::rounding ? 0 : records::magnitude_bound(part.error);
   };
@@ -203,14 +205,14 @@ std::optional<records::StagePart> part_to_look_at(const Gate& gate, const Compar
   return largest;
 }
 
-std::vector<std::string> stage_lines(const Comparison& comparison, std::size_t most) {
+std::vector<std::string> stage_lines(const records::Comparison& comparison, std::size_t most) {
   struct Line {
     double growth;
     std::string text;
   };
   std::vector<Line> lines;
-  for (const EntryChange& entry : comparison.entries) {
-    for (const StageChange& stage : entry.stages) {
+  for (const records::EntryChange& entry : comparison.entries) {
+    for (const records::StageChange& stage : entry.stages) {
       if (stage.stage != entry.grown_stage || !stage.mean_after) continue;
       const Enclosure before = stage.mean_before.value_or(Enclosure());
       const auto percent = [](const std::optional<double>& share) {
@@ -234,8 +236,8 @@ std::vector<std::string> stage_lines(const Comparison& comparison, std::size_t m
   return texts;
 }
 
-std::vector<std::string> growth_commands(const Gate& gate, const Comparison& comparison,
-                                         const CaseGrowth& growth) {
+std::vector<std::string> growth_commands(const Gate& gate, const records::Comparison& comparison,
+                                         const records::CaseGrowth& growth) {
   if (gate.folder.empty()) return {};
   const std::string file =
       (std::filesystem::path(gate.folder) / file_of(comparison, growth)).string();
@@ -248,8 +250,8 @@ std::vector<std::string> growth_commands(const Gate& gate, const Comparison& com
 std::string approve_command(const Gate& gate) {
   std::vector<std::string> words{"rastercheck", "baseline",         "approve",        "--reason",
                                  "…",           gate.baseline_file, gate.current_file};
-  for (const Comparison& comparison : gate.comparisons) {
-    if (comparison.key.backend == section_name(comparison.backend)) continue;
+  for (const records::Comparison& comparison : gate.comparisons) {
+    if (comparison.key.backend == records::section_name(comparison.backend)) continue;
     words.insert(words.end(), {"--as", comparison.key.backend});
   }
   return command_line(words);

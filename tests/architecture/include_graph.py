@@ -22,9 +22,10 @@ ALLOWED = {
     "properties/probing": {"cases", "records", "oracle", "backends", "properties", "properties/campaign"},
     "properties/inspect": {"cases", "records", "oracle", "backends", "properties", "properties/campaign"},
     "reports": {"cases", "records"},
+    "gate": {"cases", "records", "properties/campaign", "properties/inspect", "reports"},
     "cli/gallery": {"cases", "records", "rasterizer", "oracle", "backends", "properties", "reports"},
     "cli": {"cases", "records", "rasterizer", "oracle", "backends", "properties", "properties/campaign",
-            "properties/probing", "properties/inspect", "reports", "cli/gallery"},
+            "properties/probing", "properties/inspect", "reports", "gate", "cli/gallery"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*(<([^>]+)>|"([^"]+)")', re.MULTILINE)
 

@@ -19,7 +19,7 @@
 #include <string>
 
 #include "cases/child_process.h"
-#include "reports/baseline_json.h"
+#include "records/baseline_json.h"
 #include "reports/format.h"
 #include "reports/run_reader.h"
 #include "tests/temporary_folder.h"
@@ -82,11 +82,11 @@ void report(benchmark::State& bench) {
 
 /// A section as large as that of a run of every law with 100 random cases each. Every eighth case
 /// has an error, which is `error`.
-reports::BaselineSection large_section(double error) {
+records::BaselineSection large_section(double error) {
   constexpr std::uint64_t kLaws = 46;
   constexpr std::uint64_t kCases = 435;
   constexpr std::uint64_t kEvery = 8;
-  reports::BaselineSection section;
+  records::BaselineSection section;
   section.key = {"cpu", "x86_64", "", ""};
   section.taken.backend = "cpu";
   records::WorstError worst;
@@ -103,11 +103,11 @@ reports::BaselineSection large_section(double error) {
         figures.histogram.add_to_bucket(bucket, bucket);
       }
     }
-    reports::LawCases& cases = section.laws[law];
+    records::LawCases& cases = section.laws[law];
     cases.count = kCases;
     for (std::uint64_t k = 0; k < kCases; ++k) {
       worst.case_index = k;
-      reports::CaseFigures& figures = cases.cases[{records::Origin::random, k}];
+      records::CaseFigures& figures = cases.cases[{records::Origin::random, k}];
       figures.found_digest = static_cast<std::uint64_t>(error * 1024) + k;
       if (k % kEvery == 0) {
         figures.worst[records::AttributeKind::smooth][records::Stratum::sliver] = worst;
@@ -121,8 +121,8 @@ reports::BaselineSection large_section(double error) {
 void compare(benchmark::State& bench) {
   constexpr int kRegression = 3;
   const TemporaryFolder folder;
-  const std::string before = folder.put("before.json", reports::to_json({{large_section(0.5)}}));
-  const std::string after = folder.put("after.json", reports::to_json({{large_section(0.75)}}));
+  const std::string before = folder.put("before.json", records::to_json({{large_section(0.5)}}));
+  const std::string after = folder.put("after.json", records::to_json({{large_section(0.75)}}));
   double most_memory = 0;
   for (auto _ : bench) {
     const auto outcome =

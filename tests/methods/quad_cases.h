@@ -10,8 +10,8 @@
 #include <random>
 #include <tl/expected.hpp>
 
-#include "oracle/four_point_map.h"
 #include "rasterizer/methods/quad.h"
+#include "tests/oracle/four_point_map.h"
 
 namespace rastercheck {
 

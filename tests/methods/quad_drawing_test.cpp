@@ -11,10 +11,10 @@
 #include <span>
 #include <vector>
 
-#include "oracle/four_point_map.h"
 #include "rasterizer/methods/object_projective.h"
 #include "rasterizer/methods/quad.h"
 #include "tests/methods/quad_cases.h"
+#include "tests/oracle/four_point_map.h"
 
 namespace rastercheck::quad_drawing_test {
 namespace {

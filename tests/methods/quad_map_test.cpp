@@ -9,9 +9,9 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "oracle/four_point_map.h"
 #include "rasterizer/methods/quad.h"
 #include "tests/methods/quad_cases.h"
+#include "tests/oracle/four_point_map.h"
 
 namespace rastercheck::quad_map_test {
 namespace {

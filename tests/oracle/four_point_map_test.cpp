@@ -1,4 +1,4 @@
-#include "oracle/four_point_map.h"
+#include "tests/oracle/four_point_map.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -43,9 +43,9 @@ TEST(CompareFormats, AreWrittenIntoOneFolder) {
 
 // Kills: a name that leaves the folder.
 TEST(FileOf, IsAName) {
-  Comparison comparison;
+  records::Comparison comparison;
   comparison.key.backend = "plugin:../x.so";
-  CaseGrowth growth;
+  records::CaseGrowth growth;
   growth.law = "1/w is";
   growth.index = 7;
   EXPECT_EQ(file_of(comparison, growth), "grown/1-w-is-plugin----x-so-random-7.json");

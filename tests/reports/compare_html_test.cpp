@@ -7,8 +7,8 @@
 #include "reports/compare_format.h"
 #include "reports/internal/viewer.h"
 #include "tests/approved_file.h"
+#include "tests/records/sample_look.h"
 #include "tests/reports/sample_gate.h"
-#include "tests/reports/sample_look.h"
 
 namespace rastercheck::reports::compare_html_test {
 namespace {
@@ -21,8 +21,8 @@ std::string page(const Gate& gate) { return find_compare_format("html")->write(g
 /// The sample with a look at what grew, and the pixels that the baseline kept of it.
 Gate gate_with_pixels() {
   Gate gate = sample_gate();
-  gate.looks = {sample_look()};
-  gate.looks[0].before = sample_specimen();
+  gate.looks = {records::sample_look()};
+  gate.looks[0].before = records::sample_specimen();
   return gate;
 }
 
@@ -75,7 +75,7 @@ TEST(CompareHtml, ShowsOldNewAndDifference) {
 // that is exact now need not have changed.
 TEST(CompareHtml, SaysWhatIsCertainWithoutOldPixels) {
   Gate gate = sample_gate();
-  gate.looks = {sample_look()};
+  gate.looks = {records::sample_look()};
   const std::string text = page(gate);
   EXPECT_EQ(count_of(text, "<svg class=\"crop\""), 2U);
   EXPECT_THAT(text, HasSubstr("the baseline kept no pixels of this triangle"));
@@ -87,10 +87,10 @@ TEST(CompareHtml, SaysWhatIsCertainWithoutOldPixels) {
 
 // Kills: values that were not judged then taken for exact ones.
 TEST(CompareHtml, ClaimsNothingOfErrorsThatNobodyKnows) {
-  BaselineSection before = sample_section();
-  before.laws[kSampleLaw].cases[kSampleCase].worst.clear();
+  records::BaselineSection before = records::sample_section();
+  before.laws[records::kSampleLaw].cases[records::kSampleCase].worst.clear();
   Gate gate = gate_of(before, sample_grown_section());
-  gate.looks = {sample_look()};
+  gate.looks = {records::sample_look()};
   const std::string text = page(gate);
   EXPECT_EQ(count_of(text, "<svg class=\"crop\""), 1U);
   EXPECT_THAT(text, HasSubstr("attribute 0: <strong>none → 0.75 scale ULP</strong>"));
@@ -107,7 +107,7 @@ TEST(CompareHtml, SaysWhereNothingCouldBeDrawn) {
 // OpenGL's window y points up: the upper one of two rows is that of the greater y.
 TEST(CompareHtml, TurnsPicturesAsTheWindowIs) {
   Gate gate = sample_gate();
-  gate.looks = {sample_look()};
+  gate.looks = {records::sample_look()};
   records::Inspection& inspection = gate.looks[0].inspection;
   inspection.height = 2;
   inspection.source.rules = cases::Rules::opengl;
@@ -129,8 +129,8 @@ TEST(CompareHtml, ShowsPartsThatChangedThoughNoErrorGrew) {
 
 TEST(CompareHtml, SaysWhatThePolicyAllows) {
   Gate gate = sample_gate();
-  for (EntryChange& entry : gate.comparisons[0].entries) {
-    if (entry.change == Change::worse) entry.allowed_because = "until <the> fix";
+  for (records::EntryChange& entry : gate.comparisons[0].entries) {
+    if (entry.change == records::Change::worse) entry.allowed_because = "until <the> fix";
   }
   gate.policy.expired = {"an <old> one"};
   const std::string text = page(gate);
@@ -140,7 +140,7 @@ TEST(CompareHtml, SaysWhatThePolicyAllows) {
 }
 
 TEST(CompareHtml, IsShortWhereNothingChanged) {
-  const std::string text = page(gate_of(sample_section(), sample_section()));
+  const std::string text = page(gate_of(records::sample_section(), records::sample_section()));
   EXPECT_THAT(text, HasSubstr("No entry is worse than the baseline."));
   EXPECT_THAT(text, Not(HasSubstr("<h2>What is worse</h2>")));
   EXPECT_THAT(text, Not(HasSubstr("<h2>Cases that grew most</h2>")));
@@ -148,7 +148,8 @@ TEST(CompareHtml, IsShortWhereNothingChanged) {
 
 TEST(CompareHtml, HoldsSeveralBackends) {
   Gate gate = sample_gate();
-  gate.comparisons.push_back(gate_of(sample_section(), sample_section()).comparisons[0]);
+  gate.comparisons.push_back(
+      gate_of(records::sample_section(), records::sample_section()).comparisons[0]);
   const std::string text = page(gate);
   EXPECT_THAT(text, HasSubstr("Regression on 1 of 2 backends."));
   EXPECT_THAT(text, HasSubstr("<h2 id=\"backend-1\" class=\"held\">"));
@@ -158,14 +159,14 @@ TEST(CompareHtml, HoldsSeveralBackends) {
 TEST(CompareHtml, IsNoPageOfWhatNamesSay) {
   const std::string hostile = "\"><script>alert(1)</script><img src=//x>";
   Gate gate = gate_with_pixels();
-  Comparison& comparison = gate.comparisons[0];
+  records::Comparison& comparison = gate.comparisons[0];
   comparison.key.backend = comparison.key.compiler = hostile;
   comparison.before.version = comparison.before.commit = comparison.after.compiler = hostile;
   comparison.options = {"--property", hostile};
   comparison.new_laws = comparison.gone_laws = {hostile};
   comparison.growths[0].law = comparison.growths[0].name = hostile;
   comparison.growths[0].after->exact = hostile;
-  for (EntryChange& entry : comparison.entries) entry.key.law = hostile;
+  for (records::EntryChange& entry : comparison.entries) entry.key.law = hostile;
   gate.baseline_file = gate.current_file = gate.folder = hostile;
   gate.policy.unused = {hostile};
   gate.looks.push_back(gate.looks[0]);

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "reports/annotations.h"
+#include "tests/records/sample_look.h"
 #include "tests/reports/sample_gate.h"
-#include "tests/reports/sample_look.h"
 
 namespace rastercheck::reports::compare_text_test {
 namespace {
@@ -46,10 +46,11 @@ TEST(ComparisonText, NamesWhatIsWorseWhereAndInWhichStage) {
 }
 
 TEST(ComparisonText, SaysWhatBecameOfACase) {
-  BaselineSection after = sample_section();
-  after.laws[kSampleLaw].cases[kSampleCase].outcome = records::CaseOutcome::violated;
-  after.entries[kSampleCoverage].cases.violations = 1;
-  EXPECT_THAT(comparison_text(gate_of(sample_section(), after), false),
+  records::BaselineSection after = records::sample_section();
+  after.laws[records::kSampleLaw].cases[records::kSampleCase].outcome =
+      records::CaseOutcome::violated;
+  after.entries[records::kSampleCoverage].cases.violations = 1;
+  EXPECT_THAT(comparison_text(gate_of(records::sample_section(), after), false),
               AllOf(HasSubstr("coverage\n    violations 0 → 1\n    cases that grew 0 → 1\n"),
                     HasSubstr("\n    random case 12\n    outcome: held → violated\n")));
 }
@@ -67,14 +68,14 @@ TEST(ComparisonText, IsShortWhereQuiet) {
 }
 
 TEST(ComparisonText, OfTheSameSaysSoAndNothingElse) {
-  EXPECT_EQ(comparison_text(gate_of(sample_section(), sample_section()), false),
+  EXPECT_EQ(comparison_text(gate_of(records::sample_section(), records::sample_section()), false),
             "No regression: 3 entries held against the baseline of cpu on x86_64; 3 the same.\n"
             "All 23 cases gave the same, to the bit.\n");
 }
 
 TEST(ComparisonText, AsksToTightenTheBaseline) {
   const std::string text =
-      comparison_text(gate_of(sample_grown_section(), sample_section()), false);
+      comparison_text(gate_of(sample_grown_section(), records::sample_section()), false);
   EXPECT_THAT(text, AllOf(HasSubstr("No regression: 3 entries held"), HasSubstr("; 1 better, 2"),
                           HasSubstr("\nBetter:\n  values are <within> bounds: smooth, sliver\n"
                                     "    worst 0.75 → 0.625 ULP\n"),
@@ -99,12 +100,12 @@ TEST(ComparisonText, SaysWhatAPolicyAllows) {
 TEST(ComparisonText, SaysWhichStageMadeMostOfAGrownError) {
   Gate gate = sample_gate();
   EXPECT_THAT(comparison_text(gate, false), Not(HasSubstr("stage to look at")));
-  gate.looks = {sample_look()};
+  gate.looks = {records::sample_look()};
   EXPECT_THAT(comparison_text(gate, false),
               HasSubstr("    then  0.25 (0x1p-2)\n    stage to look at: set-up, 2.5 ULP of it\n"));
   gate.looks[0].inspection.splits[0].parts.erase(gate.looks[0].inspection.splits[0].parts.begin());
   EXPECT_THAT(comparison_text(gate, false), Not(HasSubstr("stage to look at")));
-  gate.looks = {sample_look()};
+  gate.looks = {records::sample_look()};
   gate.looks[0].key.index = 13;
   EXPECT_THAT(comparison_text(gate, false), Not(HasSubstr("stage to look at")));
 }
@@ -112,16 +113,16 @@ TEST(ComparisonText, SaysWhichStageMadeMostOfAGrownError) {
 // Kills: parts that are no stages, "left open" for one, as what to look at.
 TEST(ComparisonText, NamesNoStageOfABackendThatTellsNone) {
   using records::Stage;
-  BaselineSection before = sample_section();
-  BaselineSection after = sample_grown_section();
-  before.entries[kSampleSliver].stages = {{Stage::transform, sample_sum(1, 4)},
-                                          {Stage::left_open, sample_sum(1, 4)},
-                                          {Stage::excess, sample_sum(1, 4)}};
-  after.entries[kSampleSliver].stages = {{Stage::transform, sample_sum(4, 4)},
-                                         {Stage::left_open, sample_sum(8, 4)},
-                                         {Stage::excess, sample_sum(16, 4)}};
+  records::BaselineSection before = records::sample_section();
+  records::BaselineSection after = sample_grown_section();
+  before.entries[records::kSampleSliver].stages = {{Stage::transform, records::sample_sum(1, 4)},
+                                                   {Stage::left_open, records::sample_sum(1, 4)},
+                                                   {Stage::excess, records::sample_sum(1, 4)}};
+  after.entries[records::kSampleSliver].stages = {{Stage::transform, records::sample_sum(4, 4)},
+                                                  {Stage::left_open, records::sample_sum(8, 4)},
+                                                  {Stage::excess, records::sample_sum(16, 4)}};
   Gate gate = gate_of(before, after);
-  records::ErrorSplit& split = gate.looks.emplace_back(sample_look()).inspection.splits[0];
+  records::ErrorSplit& split = gate.looks.emplace_back(records::sample_look()).inspection.splits[0];
   split.is_traced = false;
   for (const Stage stage : {Stage::transform, Stage::left_open, Stage::excess}) {
     split.parts = {{stage, {3, 3}}};
@@ -139,8 +140,8 @@ TEST(ComparisonText, NamesNoStageOfABackendThatTellsNone) {
 
 // Kills: 0 for the error of values that were perhaps not judged.
 TEST(ComparisonText, SaysWhereNoErrorIsKnownOfBefore) {
-  BaselineSection before = sample_section();
-  before.laws[kSampleLaw].cases[kSampleCase].worst.clear();
+  records::BaselineSection before = records::sample_section();
+  before.laws[records::kSampleLaw].cases[records::kSampleCase].worst.clear();
   const Gate gate = gate_of(before, sample_grown_section());
   EXPECT_THAT(comparison_text(gate, false),
               AllOf(HasSubstr("Regression: 2 of 3 entries"),
@@ -149,16 +150,16 @@ TEST(ComparisonText, SaysWhereNoErrorIsKnownOfBefore) {
 
 // Kills: two numbers that differ and look the same.
 TEST(ComparisonText, ShowsAsManyDigitsAsDiffer) {
-  BaselineSection after = sample_section();
-  after.entries[kSampleSliver].worst = {0x1.4000000000001p-1, 0x1.4000000000001p-1};
-  EXPECT_THAT(comparison_text(gate_of(sample_section(), after), true),
+  records::BaselineSection after = records::sample_section();
+  after.entries[records::kSampleSliver].worst = {0x1.4000000000001p-1, 0x1.4000000000001p-1};
+  EXPECT_THAT(comparison_text(gate_of(records::sample_section(), after), true),
               HasSubstr("worst 0.625 → 0.6250000000000001 ULP"));
 }
 
 TEST(ComparisonText, SaysThatOtherBitsAreNoRegression) {
-  BaselineSection after = sample_section();
-  after.laws[kSampleLaw].cases[kSampleCase].found_digest = 1000;
-  EXPECT_THAT(comparison_text(gate_of(sample_section(), after), false),
+  records::BaselineSection after = records::sample_section();
+  after.laws[records::kSampleLaw].cases[records::kSampleCase].found_digest = 1000;
+  EXPECT_THAT(comparison_text(gate_of(records::sample_section(), after), false),
               HasSubstr("\n1 of 23 cases did not give the same bits; errors grew in 0. No figure "
                         "changed: that is no regression.\n"));
 }

@@ -11,8 +11,8 @@
 #include "reports/format.h"
 #include "tests/records/random_inspection.h"
 #include "tests/records/random_record.h"
+#include "tests/records/sample_look.h"
 #include "tests/records/sample_shard.h"
-#include "tests/reports/sample_look.h"
 #include "tests/reports/sample_run.h"
 
 namespace rastercheck::reports::run_reader_test {
@@ -48,7 +48,7 @@ TEST(ParseRun, ReadsAShard) {
 
 TEST(ParseRun, ReadsWhatWasDrawn) {
   records::Run run = sample_run();
-  run.specimens = {sample_specimen(), sample_specimen()};
+  run.specimens = {records::sample_specimen(), records::sample_specimen()};
   const std::string text = written(run);
   EXPECT_THAT(text, HasSubstr("\"rows\":[\"3e800000:3efffffc -\"]"));
   EXPECT_EQ(parse_run(text, "run.json").value(), run);

@@ -18,8 +18,6 @@
 #include "backends/vulkan/shaders/fragment_5.h"
 #include "backends/vulkan/shaders/fragment_6.h"
 #include "backends/vulkan/shaders/fragment_7.h"
-#include "backends/vulkan/shaders/frame_fragment.h"
-#include "backends/vulkan/shaders/frame_vertex.h"
 #include "backends/vulkan/shaders/samples.h"
 #include "backends/vulkan/shaders/vertex_0.h"
 #include "backends/vulkan/shaders/vertex_1.h"
@@ -49,7 +47,5 @@ Words fragment_shader(std::size_t slots, bool has_centers) {
   return has_centers ? kCenters[slots] : kFragment[slots];
 }
 Words samples_shader() { return spirv_samples; }
-Words frame_vertex_shader() { return spirv_frame_vertex; }
-Words frame_fragment_shader() { return spirv_frame_fragment; }
 
 }  // namespace rastercheck::backends::vulkan

@@ -14,7 +14,5 @@ std::size_t shader_clip_distances(std::size_t of_case);
 std::span<const std::uint32_t> vertex_shader(std::size_t clip_distances);
 std::span<const std::uint32_t> fragment_shader(std::size_t slots, bool has_centers);
 std::span<const std::uint32_t> samples_shader();
-std::span<const std::uint32_t> frame_vertex_shader();
-std::span<const std::uint32_t> frame_fragment_shader();
 
 }  // namespace rastercheck::backends::vulkan

@@ -94,7 +94,7 @@ struct RoundedWindowPoint {
   double y;
 };
 
-RoundedWindowPoint window_point(const Case& c, const ClipVertex& v) {
+RoundedWindowPoint rounded_window_point(const Case& c, const ClipVertex& v) {
   const cases::Viewport& viewport = c.viewport;
   const double half_width = double{viewport.width} / 2;
   const double half_height = double{viewport.height} / 2;
@@ -107,7 +107,7 @@ double largest_coordinate(const Question& of) {
   double largest = 0;
   for (const ClipVertex& v : of.vertices()) {
     if (v.w == 0) return std::numeric_limits<double>::infinity();
-    const RoundedWindowPoint p = window_point(*of.clip, v);
+    const RoundedWindowPoint p = rounded_window_point(*of.clip, v);
     largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   }
   return largest;
@@ -130,7 +130,7 @@ std::optional<double> height(const Question& of) {
   const auto all = of.vertices();
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!(all[i].w > 0)) return std::nullopt;
-    p[i] = window_point(*of.clip, all[i]);
+    p[i] = rounded_window_point(*of.clip, all[i]);
   }
   double longest = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {

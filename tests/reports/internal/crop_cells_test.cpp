@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "tests/reports/sample_look.h"
+#include "tests/records/sample_look.h"
 
 namespace rastercheck::reports::crop_cells_test {
 namespace {
@@ -18,14 +18,14 @@ using testing::SizeIs;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 TEST(CropCells, HoldOldAgainstNewAndExact) {
-  records::CloserLook look = sample_look();
-  look.before = sample_specimen();
+  records::CloserLook look = records::sample_look();
+  look.before = records::sample_specimen();
   const std::vector<CropCell> cells = crop_cells(look);
   ASSERT_THAT(cells, SizeIs(2));
   EXPECT_EQ(cells[0].x, 3U);
   EXPECT_EQ(cells[0].y, 5U);
   EXPECT_EQ(cells[0].exact, 0.5);
-  EXPECT_EQ(cells[0].before, 0.5F - kSampleUlp);
+  EXPECT_EQ(cells[0].before, 0.5F - records::kSampleUlp);
   EXPECT_EQ(cells[0].error_before, 1);
   EXPECT_EQ(cells[0].error_after, 3);
   EXPECT_EQ(cells[0].change, 4);
@@ -36,15 +36,15 @@ TEST(CropCells, HoldOldAgainstNewAndExact) {
 
 // Kills: a change where nothing is known of before.
 TEST(CropCells, SayNothingOfWhatWasNotKept) {
-  const std::vector<CropCell> cells = crop_cells(sample_look());
+  const std::vector<CropCell> cells = crop_cells(records::sample_look());
   ASSERT_THAT(cells, SizeIs(2));
   EXPECT_FALSE(cells[0].before || cells[0].error_before || cells[0].change);
   EXPECT_EQ(cells[0].error_after, 3);
 }
 
 TEST(CropCells, TellTheSameBitsFromTheSameNumber) {
-  records::CloserLook look = sample_look();
-  look.before = sample_specimen();
+  records::CloserLook look = records::sample_look();
+  look.before = records::sample_specimen();
   look.inspection.samples[0].values[1].actual = 0.0F;
   look.before->bits[1] = 0;
   EXPECT_EQ(crop_cells(look)[0].change, 0);
@@ -57,10 +57,10 @@ TEST(CropCells, TellTheSameBitsFromTheSameNumber) {
 
 // Of depth, whose scale is that of the depth range, 0 to 1.
 TEST(CropCells, AreOfTheValueThatIsLookedAt) {
-  records::CloserLook look = sample_look();
-  look.before = sample_specimen();
+  records::CloserLook look = records::sample_look();
+  look.before = records::sample_specimen();
   look.inspection.attribute.reset();
-  look.before->bits[0] = std::bit_cast<std::uint32_t>(0.25F + 2 * kSampleUlp);
+  look.before->bits[0] = std::bit_cast<std::uint32_t>(0.25F + 2 * records::kSampleUlp);
   const std::vector<CropCell> cells = crop_cells(look);
   EXPECT_EQ(cells[0].after, 0.25F);
   EXPECT_EQ(cells[0].error_before, 2);
@@ -69,14 +69,14 @@ TEST(CropCells, AreOfTheValueThatIsLookedAt) {
 
 // Kills: a pixel shown by a sample that did not change, or by the last one.
 TEST(CropCells, ShowOfEachPixelTheSampleThatChangedMost) {
-  records::CloserLook look = sample_look();
+  records::CloserLook look = records::sample_look();
   look.inspection.samples[1].x = 3;
   look.inspection.samples[1].sample = 1;
   look.inspection.pattern.push_back({0.25, 0.25});
   std::vector<CropCell> cells = crop_cells(look);
   ASSERT_THAT(cells, SizeIs(1));
   EXPECT_EQ(cells[0].sample, 0U) << "that which is farther off, where nothing was kept";
-  look.before = sample_specimen();
+  look.before = records::sample_specimen();
   look.before->width = 1;
   look.before->samples = 2;
   cells = crop_cells(look);

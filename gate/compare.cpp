@@ -1,0 +1,354 @@
+#include "gate/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "gate/internal/compare_cases.h"
+#include "records/summary.h"
+
+namespace rastercheck::gate {
+namespace {
+
+using records::Enclosure;
+
+// --- What cannot be compared ---------------------------------------------------------------------
+
+std::string option_words(const std::vector<std::string>& all) {
+  return all.empty() ? "none" : fmt::format("{}", fmt::join(all, " "));
+}
+
+/// Whether digests tell what both contracts say, so that it does not matter where they lie.
+bool are_contracts_known(const records::BaselineSection& before,
+                         const records::BaselineSection& after) {
+  return before.contract_digest && after.contract_digest;
+}
+
+/// Without the corpus's folder: which cases it has, digests tell.
+std::vector<std::string> judged_by(const records::BaselineSection& section, bool with_contract) {
+  std::vector<std::string> options;
+  for (std::size_t i = 0; i < section.options.size(); ++i) {
+    const std::string& word = section.options[i];
+    const bool has_value = word != "--no-known" && i + 1 < section.options.size();
+    if (has_value) ++i;
+    if (word == "--corpus" || (word == "--contract" && !with_contract)) continue;
+    options.push_back(word);
+    if (has_value) options.push_back(section.options[i]);
+  }
+  return options;
+}
+
+/// How the two are held to other terms, or to others as far as is known; empty where not.
+std::string other_options(const records::BaselineSection& before,
+                          const records::BaselineSection& after) {
+  const bool are_known = are_contracts_known(before, after);
+  const std::vector<std::string> was = judged_by(before, !are_known);
+  const std::vector<std::string> is = judged_by(after, !are_known);
+  if (was != is) {
+    return fmt::format("the options are {} in the baseline and {} now", option_words(was),
+                       option_words(is));
+  }
+  if (!are_known || before.contract_digest == after.contract_digest) return "";
+  const auto file = [](const records::BaselineSection& section) {
+    return records::option_of(section.options, "--contract").value_or("none");
+  };
+  return fmt::format(
+      "the contract is {} in the baseline and {} now, and its terms differ: their digest was "
+      "{:016x} and is {:016x}",
+      file(before), file(after), *before.contract_digest, *after.contract_digest);
+}
+
+/// How the cases of a law that both have are other cases; empty where they are the same.
+std::string other_cases(const std::string& law, const records::LawCases& before,
+                        const records::LawCases& after) {
+  if (before.count != after.count) {
+    return fmt::format("the law '{}' has {} cases in the baseline and {} now", law, before.count,
+                       after.count);
+  }
+  if (before.digest == after.digest) return "";
+  return fmt::format(
+      "the law '{}' has other cases than in the baseline: their digest was {:016x} and is {:016x}",
+      law, before.digest, after.digest);
+}
+
+/// "the seed is 1 in the baseline and 2 now".
+std::string numbers(std::string_view what, std::uint64_t was, std::uint64_t is) {
+  return fmt::format("{} {} in the baseline and {} now", what, was, is);
+}
+
+std::string other_versions(const records::BaselineSection& before,
+                           const records::BaselineSection& after) {
+  if (before.records_version != after.records_version) {
+    return numbers("the version of records is", before.records_version, after.records_version);
+  }
+  if (before.rules_version != after.rules_version) {
+    return numbers("the version of the rules is", before.rules_version, after.rules_version);
+  }
+  return "";
+}
+
+/// Why figures of the two say nothing of each other; empty where they do.
+std::string difference(const records::BaselineSection& before,
+                       const records::BaselineSection& after) {
+  if (std::string other = other_versions(before, after); !other.empty()) return other;
+  if (before.seed != after.seed) return numbers("the seed is", before.seed, after.seed);
+  if (before.cases_per_law != after.cases_per_law) {
+    return numbers("the number of cases per law is", before.cases_per_law, after.cases_per_law);
+  }
+  if (std::string other = other_options(before, after); !other.empty()) return other;
+  for (const auto& [law, cases] : before.laws) {
+    const auto now = after.laws.find(law);
+    if (now == after.laws.end()) continue;
+    if (std::string other = other_cases(law, cases, now->second); !other.empty()) return other;
+  }
+  return "";
+}
+
+// --- Figures -------------------------------------------------------------------------------------
+
+/// Collects the figures of an entry that are not the same.
+class FigureComparer {
+ public:
+  explicit FigureComparer(std::vector<records::FigureChange>& changes) : changes_(changes) {}
+
+  void count(records::Figure figure, std::uint64_t before, std::uint64_t after,
+             records::FragmentClass of = records::FragmentClass::correct) {
+    if (before == after) return;
+    const bool is_more_worse = figure != records::Figure::checked;
+    add(figure, (after > before) == is_more_worse, {std::nullopt, before, 0},
+        {std::nullopt, after, 0}, of);
+  }
+  /// Exactly, as whole numbers. A share of nothing says nothing.
+  void share(records::Figure figure, std::uint64_t before, std::uint64_t of_before,
+             std::uint64_t after, std::uint64_t of_after) {
+    __extension__ using Wide = unsigned __int128;
+    if (of_before == 0 || of_after == 0) return;
+    const Wide was = static_cast<Wide>(before) * of_after;
+    const Wide is = static_cast<Wide>(after) * of_before;
+    if (was == is) return;
+    add(figure, is > was, {std::nullopt, before, of_before}, {std::nullopt, after, of_after});
+  }
+  void size(records::Figure figure, const std::optional<Enclosure>& before,
+            const std::optional<Enclosure>& after) {
+    if (!before || !after || *before == *after) return;
+    add(figure, is_larger(*after, *before), {before, 0, 0}, {after, 0, 0});
+  }
+
+ private:
+  void add(records::Figure figure, bool is_worse, const records::FigureValue& before,
+           const records::FigureValue& after,
+           records::FragmentClass of = records::FragmentClass::correct) {
+    changes_.push_back(
+        {figure, of, is_worse ? records::Change::worse : records::Change::better, before, after});
+  }
+
+  std::vector<records::FigureChange>& changes_;
+};
+
+std::vector<records::FigureChange> figure_changes(const records::EntryFigures& before,
+                                                  const records::EntryFigures& after) {
+  std::vector<records::FigureChange> changes;
+  FigureComparer compare(changes);
+  compare.count(records::Figure::violations, before.cases.violations, after.cases.violations);
+  compare.count(records::Figure::known, before.cases.known, after.cases.known);
+  compare.count(records::Figure::checked, before.cases.checked, after.cases.checked);
+  for (std::size_t i = 0; i < before.classes.counts.size(); ++i) {
+    const auto fragment_class = static_cast<records::FragmentClass>(i);
+    if (fragment_class == records::FragmentClass::correct) continue;
+    compare.count(records::Figure::mismatches, before.classes[fragment_class],
+                  after.classes[fragment_class], fragment_class);
+  }
+  const records::Histogram& was = before.histogram;
+  const records::Histogram& is = after.histogram;
+  const std::uint64_t values_before = was.count() + was.non_finite();
+  const std::uint64_t values_after = is.count() + is.non_finite();
+  if (values_before == 0 || values_after == 0) return changes;
+  compare.size(records::Figure::worst, before.worst, after.worst);
+  compare.share(records::Figure::misrounded, was.count_above(records::kRoundingError),
+                values_before, is.count_above(records::kRoundingError), values_after);
+  compare.size(records::Figure::p999, was.quantile(records::kFarTail),
+               is.quantile(records::kFarTail));
+  compare.size(records::Figure::p99, was.quantile(records::kTail), is.quantile(records::kTail));
+  compare.size(records::Figure::p50, was.quantile(records::kMedian), is.quantile(records::kMedian));
+  return changes;
+}
+
+records::Change change_of(const std::vector<records::FigureChange>& figures) {
+  const auto some = [&figures](records::Change change) {
+    return std::any_of(figures.begin(), figures.end(),
+                       [change](const records::FigureChange& one) { return one.change == change; });
+  };
+  if (some(records::Change::worse)) return records::Change::worse;
+  return some(records::Change::better) ? records::Change::better : records::Change::same;
+}
+
+// --- Stages --------------------------------------------------------------------------------------
+
+using Means = std::map<records::Stage, std::optional<Enclosure>>;
+
+Means means_of(const records::EntryFigures& figures) {
+  Means means;
+  for (const auto& [stage, sum] : figures.stages) means[stage] = sum.mean();
+  return means;
+}
+
+/// Numbers to show: the exact shares lie within a few last places of them.
+std::optional<double> share_of(const Means& means, records::Stage stage) {
+  double all = 0;
+  for (const auto& [each, mean] : means) all += mean ? mean->hi : 0;
+  const auto found = means.find(stage);
+  if (found == means.end() || !found->second || !(all > 0)) return std::nullopt;
+  return found->second->hi / all;
+}
+
+/// Whether it is a stage at all, that somebody can look at: not how far off one is that tells of
+/// none.
+bool is_work(records::Stage stage) {
+  return stage != records::Stage::left_open && stage != records::Stage::excess;
+}
+
+/// Whether some stage was told of. Of other backends there are only what the contract leaves open,
+/// what is beyond that, and `transform`, which is what they were handed.
+bool has_work(const Means& means) {
+  return std::any_of(means.begin(), means.end(), [](const auto& of) {
+    return of.first != records::Stage::transform && is_work(of.first);
+  });
+}
+
+void compare_stages(records::EntryChange& entry) {
+  const Means before = means_of(entry.before);
+  const Means after = means_of(entry.after);
+  if (before.empty() || after.empty()) return;
+  const auto mean_in = [](const Means& means, records::Stage stage) {
+    const auto found = means.find(stage);
+    return found == means.end() ? std::optional<Enclosure>() : found->second;
+  };
+  const bool is_told = has_work(before) || has_work(after);
+  double most = 1;
+  for (std::size_t i = 0; i < names_of(records::Stage{}).size(); ++i) {
+    const auto stage = static_cast<records::Stage>(i);
+    if (!before.contains(stage) && !after.contains(stage)) continue;
+    records::StageChange change{stage, mean_in(before, stage), mean_in(after, stage),
+                                share_of(before, stage), share_of(after, stage)};
+    const double growth = growth_of(change);
+    if (is_told && is_work(stage) && growth > most) {
+      most = growth;
+      entry.grown_stage = stage;
+    }
+    entry.stages.push_back(change);
+  }
+}
+
+// --- Entries -------------------------------------------------------------------------------------
+
+std::vector<records::EntryChange> entry_changes(const records::BaselineSection& before,
+                                                const records::BaselineSection& after) {
+  std::map<records::EntryKey, records::EntryChange> entries;
+  const std::map<records::EntryKey, std::uint64_t> grown = grown_cases(before, after);
+  for (const auto& [key, figures] : before.entries) {
+    records::EntryChange& entry = entries[key];
+    entry.key = key;
+    entry.change = records::Change::gone;
+    entry.before = figures;
+  }
+  for (const auto& [key, figures] : after.entries) {
+    records::EntryChange& entry = entries[key];
+    entry.after = figures;
+    if (!before.entries.contains(key)) {
+      entry.key = key;
+      entry.change = records::Change::appeared;
+      continue;
+    }
+    entry.figures = figure_changes(entry.before, entry.after);
+    if (const auto cases = grown.find(key); cases != grown.end()) {
+      FigureComparer(entry.figures).count(records::Figure::grown_cases, 0, cases->second);
+    }
+    entry.change = change_of(entry.figures);
+    compare_stages(entry);
+  }
+  std::vector<records::EntryChange> all;
+  all.reserve(entries.size());
+  for (auto& [key, entry] : entries) all.push_back(std::move(entry));
+  return all;
+}
+
+std::vector<std::string> laws_without(const records::BaselineSection& of,
+                                      const records::BaselineSection& without) {
+  std::vector<std::string> laws;
+  for (const auto& [law, cases] : of.laws) {
+    if (!without.laws.contains(law)) laws.push_back(law);
+  }
+  return laws;
+}
+
+}  // namespace
+
+Result<records::Comparison> compare(const records::BaselineSection& before,
+                                    const records::BaselineSection& after,
+                                    const CompareOptions& options) {
+  if (const std::string other = difference(before, after); !other.empty()) {
+    return tl::unexpected(Error{"", to_string(before.key), other});
+  }
+  records::Comparison comparison;
+  comparison.key = before.key;
+  comparison.backend = after.taken.backend;
+  comparison.before = before.taken;
+  comparison.after = after.taken;
+  comparison.seed = after.seed;
+  comparison.cases_per_law = after.cases_per_law;
+  comparison.options = after.options;
+  comparison.entries = entry_changes(before, after);
+  comparison.gone_laws = laws_without(before, after);
+  comparison.new_laws = laws_without(after, before);
+  compare_cases(before, after, options, comparison);
+  return comparison;
+}
+
+Result<const records::BaselineSection*> section_for(const records::Baseline& baseline,
+                                                    const records::BaselineSection& current,
+                                                    const std::string& file) {
+  if (const records::BaselineSection* found = find_section(baseline, current)) return found;
+  std::vector<std::string> there;
+  there.reserve(baseline.sections.size());
+  for (const records::BaselineSection& each : baseline.sections)
+    there.push_back(to_string(each.key));
+  const records::BaselineKey asked{current.key.backend, current.key.architecture,
+                                   current.taken.instruction_set, current.taken.compiler};
+  return tl::unexpected(Error{
+      file, "",
+      fmt::format("has no section for {}; there {}", to_string(asked),
+                  there.empty() ? "is none" : fmt::format("are: {}", fmt::join(there, "; ")))});
+}
+
+Result<void> check_versions(const records::BaselineSection& before,
+                            const records::BaselineSection& after) {
+  const std::string other = other_versions(before, after);
+  if (other.empty()) return {};
+  return tl::unexpected(Error{"", to_string(before.key), other});
+}
+
+Result<std::vector<records::Comparison>> compare(const records::Baseline& baseline,
+                                                 const records::Baseline& current,
+                                                 const CompareFiles& files,
+                                                 const CompareOptions& options) {
+  std::vector<records::Comparison> comparisons;
+  for (const records::BaselineSection& now : current.sections) {
+    const Result<const records::BaselineSection*> then = section_for(baseline, now, files.baseline);
+    if (!then) return tl::unexpected(then.error());
+    Result<records::Comparison> comparison = compare(**then, now, options);
+    if (!comparison) {
+      return tl::unexpected(
+          Error{files.baseline, comparison.error().place, comparison.error().reason});
+    }
+    comparisons.push_back(*std::move(comparison));
+  }
+  // Nothing that is worse is not the same as nothing that was looked at.
+  if (comparisons.empty()) {
+    return tl::unexpected(Error{files.current, "", "has no sections: there is nothing to compare"});
+  }
+  return comparisons;
+}
+
+}  // namespace rastercheck::gate

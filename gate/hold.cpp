@@ -1,0 +1,64 @@
+#include "gate/hold.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "gate/closer_looks.h"
+#include "gate/compare.h"
+#include "gate/grown_cases.h"
+#include "properties/campaign/corpus.h"
+
+namespace rastercheck::gate {
+namespace {
+
+Day today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))); }
+
+/// Of cases that gave other bits, what is seen of them by drawing them again.
+std::vector<records::CloserLook> looks_of(const reports::Gate& gate, const Side& baseline,
+                                          const Side& current, const std::string& corpus_folder) {
+  std::vector<records::CloserLook> looks;
+  for (const records::Comparison& comparison : gate.comparisons) {
+    if (comparison.changed_cases == 0) continue;
+    // Pictures are no reason to fail: without the corpus its cases have none.
+    const std::vector<cases::Case> corpus =
+        properties::read_corpus(corpus_of(comparison, corpus_folder))
+            .value_or(std::vector<cases::Case>());
+    std::vector<records::CloserLook> found =
+        look_closer(comparison, baseline.sections, current.sections, corpus);
+    std::move(found.begin(), found.end(), std::back_inserter(looks));
+  }
+  return looks;
+}
+
+}  // namespace
+
+Result<reports::Gate> hold(const Side& baseline, const Side& current, const HoldOptions& options) {
+  Result<std::vector<records::Comparison>> comparisons =
+      compare(baseline.sections, current.sections, {baseline.file, current.file});
+  if (!comparisons) return tl::unexpected(comparisons.error());
+  reports::Gate gate;
+  gate.comparisons = *std::move(comparisons);
+  gate.policy = apply(options.policy, today(), gate.comparisons);
+  gate.baseline_file = baseline.file;
+  gate.current_file = current.file;
+  gate.folder = options.folder;
+  gate.before_run = baseline.run ? &*baseline.run : nullptr;
+  gate.after_run = current.run ? &*current.run : nullptr;
+  gate.baseline = &baseline.sections;
+  if (!options.folder.empty()) gate.looks = looks_of(gate, baseline, current, options.corpus);
+  return gate;
+}
+
+Result<void> write_files(const reports::Gate& gate, const std::string& corpus) {
+  return save_grown_cases(gate, corpus).and_then([&] {
+    return reports::write_comparison(gate, gate.folder);
+  });
+}
+
+}  // namespace rastercheck::gate

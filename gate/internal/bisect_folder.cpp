@@ -1,0 +1,100 @@
+#include "gate/internal/bisect_folder.h"
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace rastercheck::gate {
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<Error> folder_failure(const std::string& file, const std::string& what,
+                                     const std::error_code& why) {
+  return tl::unexpected(Error{file, "", what + ": " + why.message()});
+}
+
+/// Whether a path that is there lies below a folder, links followed.
+bool is_below(const fs::path& path, const fs::path& folder) {
+  std::error_code ignored;
+  const fs::path real = fs::weakly_canonical(path, ignored);
+  const fs::path top = fs::weakly_canonical(folder, ignored);
+  return std::mismatch(top.begin(), top.end(), real.begin(), real.end()).first == top.end();
+}
+
+/// The folders on the way to a path, and it itself, that are not there; the innermost first.
+std::vector<fs::path> missing(fs::path path) {
+  std::error_code why;
+  std::vector<fs::path> all;
+  while (!path.empty() && path != path.root_path() && !fs::exists(path, why) && !why) {
+    all.push_back(path);
+    path = path.parent_path();
+  }
+  return all;
+}
+
+}  // namespace
+
+BisectFolder::BisectFolder(fs::path path, std::vector<fs::path> made, bool is_temporary)
+    : path_(std::move(path)), made_(std::move(made)), is_temporary_(is_temporary) {}
+
+BisectFolder::BisectFolder(BisectFolder&& other) noexcept
+    : path_(std::move(other.path_)),
+      made_(std::move(other.made_)),
+      is_temporary_(std::exchange(other.is_temporary_, false)) {}
+
+BisectFolder::~BisectFolder() {
+  std::error_code ignored;
+  if (is_temporary_) fs::remove_all(path_, ignored);
+}
+
+void BisectFolder::discard() const {
+  std::error_code ignored;
+  std::error_code end;
+  for (fs::directory_iterator entry(path_, end); !end && entry != fs::directory_iterator();
+       entry.increment(end)) {
+    fs::remove_all(entry->path(), ignored);
+  }
+  // One that another has put something into stays.
+  for (const fs::path& folder : made_) fs::remove(folder, ignored);
+}
+
+Result<BisectFolder> BisectFolder::make(const std::string& output) {
+  std::error_code why;
+  if (output.empty()) {
+    std::string name = (fs::temp_directory_path(why) / "rastercheck-bisect-XXXXXX").string();
+    if (!why && ::mkdtemp(name.data()) != nullptr) return BisectFolder(name, {}, true);
+    return tl::unexpected(Error{name, "", "a temporary folder cannot be made"});
+  }
+  fs::path path = fs::absolute(output, why);
+  if (!path.has_filename()) path = path.parent_path();  // without a '/' at its end
+  std::vector<fs::path> made = missing(path);
+  if (!why) fs::create_directories(path, why);
+  if (why) return folder_failure(output, "cannot be made", why);
+  const bool is_empty = fs::is_empty(path, why);
+  if (why) return folder_failure(output, "cannot be read", why);
+  if (!is_empty) return tl::unexpected(Error{output, "", "is not empty; it has to be new"});
+  return BisectFolder(path, std::move(made), false);
+}
+
+Result<std::vector<std::string>> BisectFolder::with_copies(std::vector<std::string> words,
+                                                           const std::vector<std::string>& options,
+                                                           const std::string& work_tree) const {
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    if (std::find(options.begin(), options.end(), words[i]) == options.end()) continue;
+    std::string& value = words[++i];
+    if (!is_below(value, work_tree)) continue;
+    const fs::path copy = path_ / "given" / std::to_string(i);
+    std::error_code why;
+    fs::create_directories(copy.parent_path(), why);
+    if (!why) fs::copy(value, copy, fs::copy_options::recursive, why);
+    if (why) return folder_failure(value, "cannot be copied", why);
+    value = copy.string();
+  }
+  return words;
+}
+
+}  // namespace rastercheck::gate

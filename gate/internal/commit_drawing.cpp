@@ -1,0 +1,182 @@
+#include "gate/internal/commit_drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "cases/files.h"
+#include "cases/json.h"
+#include "cases/json_node.h"
+#include "reports/run_reader.h"
+#include "reports/write.h"
+
+namespace rastercheck::gate {
+namespace {
+
+constexpr const char* kPlanFile = "/plan.json";
+constexpr const char* kJudgedFile = "/judged.jsonl";
+constexpr std::size_t kShortHash = 10;
+
+/// How `rastercheck run` ends that has judged: all held, a law was violated, nothing was checked.
+bool has_judged(const cases::ProcessEnd& end) {
+  constexpr int kViolated = 1;
+  constexpr int kNothingChecked = 5;
+  return end.signal == 0 &&
+         (end.exit_code == 0 || end.exit_code == kViolated || end.exit_code == kNothingChecked);
+}
+
+/// "cc -shared …" and how it ended, with what it said of that.
+Error ended(const std::string& what, const cases::ProcessEnd& end, const std::string& log) {
+  const std::string said = telling_line(cases::read_text(log).value_or(""));
+  return {what, "", to_string(end) + (said.empty() ? "" : "; it said: " + said)};
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
+  return cases::printable(line);
+}
+
+template <typename Map>
+void keep_laws(Map& map, const std::set<std::string>& laws) {
+  std::erase_if(map, [&](const auto& entry) { return !laws.contains(entry.first.law); });
+}
+
+}  // namespace
+
+Result<records::Run> draw_commit(const BisectPlan& plan, const std::string& name, OutsideRun how) {
+  const std::string folder = plan.folder + "/" + name;
+  std::error_code why;
+  std::filesystem::create_directories(folder, why);
+  if (why) return tl::unexpected(Error{folder, "", "cannot be made: " + why.message()});
+  how.log = folder + "/build.log";
+  const Result<cases::ProcessEnd> built = run_outside(plan.build, how);
+  if (!built) return tl::unexpected(built.error());
+  if (built->signal != 0 || built->exit_code != 0) {
+    return tl::unexpected(ended(joined(plan.build), *built, how.log));
+  }
+  std::vector<std::string> command = plan.run;
+  command.insert(command.end(), {"--property", plan.laws, "--output", folder, "--format", "json",
+                                 "--keep-cases", "--shrink-tries", "0", "--quiet"});
+  how.log = folder + "/run.log";
+  const Result<cases::ProcessEnd> drawn = run_outside(command, how);
+  if (!drawn) return tl::unexpected(drawn.error());
+  if (!has_judged(*drawn)) return tl::unexpected(ended("rastercheck run", *drawn, how.log));
+  return read_drawing(plan.folder, name);
+}
+
+std::string run_file(const std::string& folder, const std::string& name) {
+  return folder + "/" + name + "/run.json";
+}
+
+Result<records::Run> read_drawing(const std::string& folder, const std::string& name) {
+  return reports::read_run(run_file(folder, name));
+}
+
+records::Run only_laws(records::Run run, const std::set<std::string>& laws) {
+  keep_laws(run.records, laws);
+  if (run.cases) keep_laws(*run.cases, laws);
+  std::erase_if(run.laws, [&](const std::string& law) { return !laws.contains(law); });
+  std::erase_if(run.sentences, [&](const auto& one) { return !laws.contains(one.first); });
+  run.counterexamples.clear();
+  run.inspections.clear();
+  run.unreached.clear();
+  run.unexpected.clear();
+  return run;
+}
+
+std::string pattern_of(const std::set<std::string>& laws) {
+  std::string all;
+  for (const std::string& law : laws) {
+    if (!all.empty()) all += '|';
+    for (const char c : law) {
+      // As a set of one: a backslash before them does not part '|' and brackets from a list.
+      const bool is_special = std::string_view("*?[]\\(|)").find(c) != std::string_view::npos;
+      all += !is_special ? std::string(1, c) : c == '\\' ? R"([\\])" : fmt::format("[{}]", c);
+    }
+  }
+  return laws.size() == 1 ? all : "@(" + all + ")";
+}
+
+Result<std::vector<records::Comparison>> against_good(const records::Run& good,
+                                                      records::Run current) {
+  current.options = good.options;  // which differ in the laws alone
+  const Result<records::Baseline> before = baseline_of(good);
+  if (!before) return tl::unexpected(before.error());
+  const Result<records::Baseline> after = baseline_of(current);
+  if (!after) return tl::unexpected(after.error());
+  return compare(*before, *after, {"the good commit", "this commit"});
+}
+
+std::set<std::string> worse_laws(const std::vector<records::Comparison>& comparisons) {
+  std::set<std::string> laws;
+  for (const records::Comparison& comparison : comparisons) {
+    for (const records::EntryChange& entry : comparison.entries) {
+      if (entry.change == records::Change::worse) laws.insert(entry.key.law);
+    }
+  }
+  return laws;
+}
+
+std::string judged_text(const JudgedCommit& commit) {
+  return fmt::format("{} {}{}", commit.hash.substr(0, kShortHash), to_string(commit.verdict),
+                     commit.reason.empty() ? "" : ": " + cases::one_line(commit.reason));
+}
+
+Result<void> write_plan(const BisectPlan& plan) {
+  const nlohmann::ordered_json json{{"build", plan.build}, {"run", plan.run}, {"laws", plan.laws}};
+  return cases::write_file(plan.folder + kPlanFile,
+                           json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+Result<BisectPlan> read_plan(const std::string& folder) {
+  const std::string file = folder + kPlanFile;
+  const Result<std::string> text = cases::read_text(file);
+  if (!text) return tl::unexpected(text.error());
+  return cases::read_json(*text, file, [&](const cases::JsonNode& root) {
+    const auto words = [&](std::string_view key) {
+      std::vector<std::string> all;
+      for (const cases::JsonNode& word : root[key].elements()) all.push_back(word.text());
+      return all;
+    };
+    root.expect_object({"build", "run", "laws"});
+    BisectPlan plan;
+    plan.build = words("build");
+    plan.run = words("run");
+    plan.laws = root["laws"].text();
+    plan.folder = folder;
+    return plan;
+  });
+}
+
+Result<void> note(const std::string& folder, const JudgedCommit& commit) {
+  const nlohmann::ordered_json line{
+      {"commit", commit.hash}, {"verdict", to_string(commit.verdict)}, {"reason", commit.reason}};
+  std::ofstream stream(folder + kJudgedFile, std::ios::app);
+  stream << line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  stream.close();
+  if (stream) return {};
+  return tl::unexpected(Error{folder + kJudgedFile, "", "cannot be written"});
+}
+
+std::vector<JudgedCommit> read_judged(const std::string& folder) {
+  std::vector<JudgedCommit> all;
+  const std::string file = folder + kJudgedFile;
+  std::istringstream lines(cases::read_text(file).value_or(""));
+  for (std::string line; std::getline(lines, line);) {
+    const auto commit = cases::read_json(line, file, [](const cases::JsonNode& root) {
+      return JudgedCommit{root["commit"].text(), root["verdict"].enumerator<CommitVerdict>(),
+                          root["reason"].text()};
+    });
+    if (commit) all.push_back(*commit);  // else: a line that is being written
+  }
+  return all;
+}
+
+}  // namespace rastercheck::gate

@@ -1,0 +1,164 @@
+#include "gate/policy.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+
+#include "cases/files.h"
+#include "cases/json_node.h"
+
+namespace rastercheck::gate {
+namespace {
+
+using cases::JsonNode;
+
+/// Digits from `first` to before `last` as a number; nothing of what has others.
+std::optional<int> number_in(std::string_view text, std::size_t first, std::size_t last) {
+  int number = 0;
+  const char* const end = text.data() + last;
+  const auto [stop, error] = std::from_chars(text.data() + first, end, number);
+  const bool is_signed = text[first] == '-';
+  return error == std::errc() && stop == end && !is_signed ? std::optional(number) : std::nullopt;
+}
+
+/// Whether it is "2026-12-31", a day that there is.
+bool is_day(std::string_view text) {
+  constexpr std::string_view kShape = "yyyy-mm-dd";
+  if (text.size() != kShape.size() || text[4] != '-' || text[7] != '-') return false;
+  const auto year = number_in(text, 0, 4);
+  const auto month = number_in(text, 5, 7);
+  const auto day = number_in(text, 8, 10);
+  return year && month && day &&
+         std::chrono::year_month_day(std::chrono::year(*year),
+                                     std::chrono::month(static_cast<unsigned>(*month)),
+                                     std::chrono::day(static_cast<unsigned>(*day)))
+             .ok();
+}
+
+Allowance read_allowance(const JsonNode& node) {
+  node.expect_object({"reason", "until"}, {"law", "backend", "kind", "stratum", "worst"});
+  Allowance allowance;
+  const auto pattern = [&node](std::string_view key, std::string& into) {
+    if (node.has(key)) into = node[key].text();
+  };
+  pattern("law", allowance.law);
+  pattern("backend", allowance.backend);
+  pattern("kind", allowance.kind);
+  pattern("stratum", allowance.stratum);
+  allowance.reason = node["reason"].text();
+  if (allowance.reason.find_first_not_of(" \t\r\n") == std::string::npos) {
+    node["reason"].refuse("must not be empty");
+  }
+  allowance.until = node["until"].text();
+  if (!is_day(allowance.until)) node["until"].refuse("must be a day, as \"2026-12-31\"");
+  if (node.has("worst")) {
+    allowance.worst = node["worst"].float64();
+    if (!(*allowance.worst >= 0)) node["worst"].refuse("must not be below 0");
+  }
+  return allowance;
+}
+
+Policy read_policy_document(const JsonNode& root) {
+  // These first: of a later version, its unknown keys are not what is wrong.
+  root.expect_format("rastercheck-policy");
+  if (root.has("version") && root["version"].count() != kPolicyVersion) {
+    root["version"].refuse(fmt::format("version must be {}", kPolicyVersion));
+  }
+  root.expect_object({"format", "version", "allow"});
+  Policy policy;
+  for (const JsonNode& node : root["allow"].elements()) {
+    policy.allow.push_back(read_allowance(node));
+  }
+  return policy;
+}
+
+bool matches(const std::string& pattern, std::string_view text) {
+  return ::fnmatch(pattern.c_str(), std::string(text).c_str(), 0) == 0;
+}
+
+bool matches(const Allowance& allowance, const records::Comparison& comparison) {
+  return matches(records::section_name(allowance.backend), comparison.key.backend);
+}
+
+/// Whether the entry is worse by how large errors are, up to that, and by nothing else: not by what
+/// came out wrong, nor by numbers that are none.
+bool is_within(double worst, const records::EntryChange& entry) {
+  const bool is_size = std::all_of(
+      entry.figures.begin(), entry.figures.end(), [](const records::FigureChange& change) {
+        return change.change != records::Change::worse || change.figure >= records::Figure::worst;
+      });
+  return is_size && entry.key.kind != records::AttributeKind::coverage &&
+         entry.after.worst.hi <= worst &&
+         entry.after.histogram.non_finite() <= entry.before.histogram.non_finite();
+}
+
+bool allows(const Allowance& allowance, const records::Comparison& comparison,
+            const records::EntryChange& entry) {
+  const std::string_view stratum = entry.key.stratum ? to_string(*entry.key.stratum) : "all";
+  return matches(allowance, comparison) && matches(allowance.law, entry.key.law) &&
+         matches(allowance.kind, to_string(entry.key.kind)) &&
+         matches(allowance.stratum, stratum) &&
+         (!allowance.worst || is_within(*allowance.worst, entry));
+}
+
+std::string described(const Policy& policy, std::size_t index) {
+  const Allowance& allowance = policy.allow[index];
+  return fmt::format("{}: /allow/{} (law '{}', backend '{}', {}, {}: {})", policy.file, index,
+                     allowance.law, allowance.backend, allowance.kind, allowance.stratum,
+                     allowance.reason);
+}
+
+/// Notes what it allows; whether that is anything.
+bool apply(const Allowance& allowance, std::vector<records::Comparison>& comparisons) {
+  bool is_used = false;
+  for (records::Comparison& comparison : comparisons) {
+    for (records::EntryChange& entry : comparison.entries) {
+      if (entry.change != records::Change::worse || !allows(allowance, comparison, entry)) continue;
+      is_used = true;
+      if (!entry.allowed_because) {
+        entry.allowed_because = fmt::format("{} (until {})", allowance.reason, allowance.until);
+      }
+    }
+  }
+  return is_used;
+}
+
+}  // namespace
+
+records::PolicyReview apply(const Policy& policy, const Day& today,
+                            std::vector<records::Comparison>& comparisons) {
+  records::PolicyReview review;
+  for (std::size_t i = 0; i < policy.allow.size(); ++i) {
+    const Allowance& allowance = policy.allow[i];
+    // What is of other backends says nothing here.
+    const bool is_asked = std::any_of(
+        comparisons.begin(), comparisons.end(),
+        [&](const records::Comparison& comparison) { return matches(allowance, comparison); });
+    if (!is_asked) continue;
+    if (allowance.until < today) {
+      review.expired.push_back(
+          fmt::format("{} allowed until {}", described(policy, i), allowance.until));
+    } else if (!apply(allowance, comparisons)) {
+      review.unused.push_back(described(policy, i));
+    }
+  }
+  return review;
+}
+
+Result<Policy> parse_policy(std::string_view text, const std::string& file) {
+  return cases::read_json(text, file, &read_policy_document).map([&file](Policy policy) {
+    policy.file = file;
+    return policy;
+  });
+}
+
+Result<Policy> read_policy(const std::string& file) {
+  return cases::read_text(file).and_then(
+      [&file](const std::string& text) { return parse_policy(text, file); });
+}
+
+}  // namespace rastercheck::gate

@@ -1,0 +1,183 @@
+#include "gate/sections.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iterator>
+#include <span>
+#include <string_view>
+#include <tuple>
+
+#include "cases/digest.h"
+
+namespace rastercheck::gate {
+namespace {
+
+using records::AttributeKind;
+
+std::string in_environment(const records::Run& run, const std::string& name) {
+  const auto found = run.environment.find(name);
+  return found == run.environment.end() ? std::string() : found->second;
+}
+
+records::Enclosure largest_in(const records::Extremes& extremes) {
+  const records::WorstError* worst = records::worst_of(extremes);
+  return worst == nullptr ? records::Enclosure() : records::magnitude(worst->error);
+}
+
+records::EntryFigures figures_of(const records::ErrorSizes& sizes) {
+  records::EntryFigures figures;
+  figures.histogram = sizes.histogram;
+  figures.worst = largest_in(sizes.extremes);
+  return figures;
+}
+
+bool is_empty(const records::EntryFigures& figures) { return figures == records::EntryFigures(); }
+
+/// The entries of one law and kind.
+void add_entries(std::map<records::EntryKey, records::EntryFigures>& entries,
+                 const std::string& law, AttributeKind kind, const records::Record& record) {
+  records::EntryFigures all = figures_of(record.errors.ideal);
+  all.classes = record.errors.classes;
+  if (kind == AttributeKind::coverage) all.cases = record.cases;
+  std::map<records::Stratum, records::EntryFigures> strata;
+  for (const auto& [stratum, sizes] : record.errors.strata) strata[stratum] = figures_of(sizes);
+  for (const auto& [stratum, stages] : record.errors.stages) {
+    strata[stratum].stages = stages;
+    for (const auto& [stage, sum] : stages) all.stages[stage].merge(sum);
+  }
+  // That no case of a law is looked at any more is to be seen: its coverage always has an entry.
+  if (kind == AttributeKind::coverage || !is_empty(all)) {
+    entries[{law, kind, std::nullopt}] = std::move(all);
+  }
+  for (auto& [stratum, figures] : strata) {
+    if (!is_empty(figures)) entries[{law, kind, stratum}] = std::move(figures);
+  }
+}
+
+std::map<records::EntryKey, records::EntryFigures> entries_of(const records::Run& run,
+                                                              const std::string& backend) {
+  // Strata of the generators are merged, as tables do (records/summary.cpp).
+  std::map<std::pair<std::string, AttributeKind>, records::Record> by_kind;
+  for (const std::string& law : run.laws) by_kind[{law, AttributeKind::coverage}];
+  for (const auto& [key, record] : run.records) {
+    if (key.backend != backend || !records::is_frozen(key)) continue;
+    records::merge(by_kind[{key.law, key.attribute_kind}], record);
+  }
+  std::map<records::EntryKey, records::EntryFigures> entries;
+  for (const auto& [key, record] : by_kind) add_entries(entries, key.first, key.second, record);
+  return entries;
+}
+
+void add_cases(records::BaselineSection& section, const records::CaseRecordSet& all,
+               const std::string& backend) {
+  std::map<std::string, std::string> numbered;  // by law: what its digest is of
+  for (const auto& [key, record] : all) {
+    if (key.backend != backend) continue;
+    records::LawCases& law = section.laws[key.law];
+    ++law.count;
+    numbered[key.law] +=
+        fmt::format("{} {} {:016x}\n", to_string(key.origin), key.index, record.source_digest);
+    if (key.origin == records::Origin::corpus) section.corpus[key.index] = record.name;
+    if (record.outcome == records::CaseOutcome::not_applicable) continue;
+    law.cases[{key.origin, key.index}] = {record.found_digest, record.mismatches, record.worst,
+                                          record.outcome};
+  }
+  for (const auto& [law, text] : numbered) section.laws[law].digest = cases::fnv1a(text);
+}
+
+Error refusal(const std::string& reason) { return {"", "", reason}; }
+
+}  // namespace
+
+std::vector<std::string> frozen_options(const std::vector<std::string>& options) {
+  constexpr auto kWithValue =
+      std::to_array<std::string_view>({"--property", "--contract", "--corpus", "--known"});
+  std::vector<std::string> frozen;
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    const bool has_value =
+        std::find(kWithValue.begin(), kWithValue.end(), options[i]) != kWithValue.end();
+    if (has_value && i + 1 < options.size()) {
+      frozen.insert(frozen.end(), {options[i], options[i + 1]});
+      ++i;
+    } else if (options[i] == "--no-known") {
+      frozen.push_back(options[i]);
+    }
+  }
+  return frozen;
+}
+
+Result<records::BaselineSection> section_of(const records::Run& run, const std::string& backend) {
+  if (std::find(run.backends.begin(), run.backends.end(), backend) == run.backends.end()) {
+    return tl::unexpected(refusal(fmt::format("the run is not of the backend '{}'", backend)));
+  }
+  if (!run.cases) {
+    return tl::unexpected(
+        refusal("the run did not keep its cases: it has to be made with --keep-cases"));
+  }
+  if (run.cases_left > 0) {
+    return tl::unexpected(refusal("the run was interrupted: `rastercheck run --resume` ends it"));
+  }
+  if (run.shard) {
+    return tl::unexpected(refusal(
+        fmt::format("the run is shard {} only: `rastercheck merge` makes the whole run of all {}",
+                    records::to_string(run.shard->number), run.shard->number.count)));
+  }
+  records::BaselineSection section;
+  section.key = {records::section_name(backend), in_environment(run, "architecture"), "", ""};
+  section.rules_version = run.rules_version;
+  section.seed = run.seed;
+  section.cases_per_law = run.cases_per_law;
+  section.options = frozen_options(run.options);
+  section.contract_digest = run.contract_digest;
+  section.taken = {backend, in_environment(run, "version"), "",
+                   in_environment(run, "instruction_set"), in_environment(run, "compiler")};
+  section.entries = entries_of(run, backend);
+  for (const std::string& law : run.laws) section.laws[law];
+  add_cases(section, *run.cases, backend);
+  std::copy_if(run.specimens.begin(), run.specimens.end(), std::back_inserter(section.specimens),
+               [&backend](const records::Specimen& one) { return one.key.backend == backend; });
+  return section;
+}
+
+Result<records::Baseline> baseline_of(const records::Run& run) {
+  records::Baseline baseline;
+  for (const std::string& backend : run.backends) {
+    Result<records::BaselineSection> section = section_of(run, backend);
+    if (!section) return tl::unexpected(section.error());
+    const auto& all = baseline.sections;
+    const auto same = std::find_if(all.begin(), all.end(),
+                                   [&section](const auto& one) { return one.key == section->key; });
+    if (same != all.end()) {
+      return tl::unexpected(refusal(fmt::format("the backends '{}' and '{}' are one in a baseline",
+                                                same->taken.backend, backend)));
+    }
+    put(baseline, *std::move(section));
+  }
+  return baseline;
+}
+
+const records::BaselineSection* find_section(const records::Baseline& baseline,
+                                             const records::BaselineSection& current) {
+  const auto matches = [](const std::string& asked, const std::string& is) {
+    return asked.empty() || asked == is;
+  };
+  const records::BaselineSection* found = nullptr;
+  const auto specificity = [](const records::BaselineKey& key) {
+    return std::pair(!key.instruction_set.empty(), !key.compiler.empty());
+  };
+  for (const records::BaselineSection& section : baseline.sections) {
+    const records::BaselineKey& key = section.key;
+    if (key.backend != current.key.backend || key.architecture != current.key.architecture ||
+        !matches(key.instruction_set, current.taken.instruction_set) ||
+        !matches(key.compiler, current.taken.compiler)) {
+      continue;
+    }
+    if (found == nullptr || specificity(key) > specificity(found->key)) found = &section;
+  }
+  return found;
+}
+
+}  // namespace rastercheck::gate

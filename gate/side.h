@@ -1,0 +1,52 @@
+#pragma once
+
+// What is compared: a baseline file, or a run that kept its cases.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/error.h"
+#include "records/baseline.h"
+#include "records/run.h"
+
+namespace rastercheck::gate {
+
+/// One side of a comparison.
+struct Side {
+  std::string file;                                ///< as the user named it
+  std::optional<records::Run> run = std::nullopt;  ///< nothing of a baseline file
+  records::Baseline sections = {};
+};
+
+/// Reads a baseline file, a run.json that kept its cases, the folder of such a run, or standard
+/// input for "-".
+Result<Side> read_side(const std::string& file);
+/// The same of a run that is at hand.
+Result<Side> side_of(records::Run run, const std::string& file);
+
+/// Gives the backend of the side another name in its sections; an empty one changes nothing.
+/// Refuses sides of several backends.
+Result<void> rename_backend(Side& side, const std::string& name);
+
+/// Notes the commit that the side's sections are of.
+void set_commit(Side& side, const std::string& commit);
+
+/// What a run has to be, to be held against a baseline.
+struct CaseSet {
+  std::string section;  ///< its key, for messages
+  std::uint64_t seed = 0;
+  std::uint64_t cases_per_law = 0;
+  std::vector<std::string> options;                             ///< frozen_options()
+  std::optional<std::uint64_t> contract_digest = std::nullopt;  ///< as of sections
+};
+
+/// The case set of the sections for the backends, on a machine and by a program of that environment
+/// (records::Run::environment). Fails where one has no section, where they are of several case
+/// sets, or where their records are of another version than this program's.
+Result<CaseSet> case_set_for(const Side& baseline, const std::vector<std::string>& backends,
+                             const std::map<std::string, std::string>& environment);
+
+}  // namespace rastercheck::gate

@@ -1,0 +1,20 @@
+#pragma once
+
+// What a bisection found, for people and for programs.
+
+#include <cstdint>
+#include <string>
+
+#include "records/bisection.h"
+
+namespace rastercheck::reports {
+
+/// "12 entries are worse".
+std::string worse_text(std::uint64_t entries);
+
+/// The first commit that is worse, the case whose error grew most, and how it was found.
+std::string bisect_text(const records::BisectOutcome& outcome);
+/// The same as JSON, on one line.
+std::string bisect_json(const records::BisectOutcome& outcome);
+
+}  // namespace rastercheck::reports
