@@ -66,7 +66,7 @@ class Backend {
   /// set up at all. Fails where the backend does not trace, cannot draw the case, or the case has
   /// no such triangle.
   virtual Result<std::optional<records::SampleTrace>> trace(const cases::Case& /*c*/,
-                                                            const records::SampleAddress& /*at*/) {
+                                                            const cases::SamplePlace& /*at*/) {
     return tl::unexpected(Error{"", "", "this backend does not trace"});
   }
 

@@ -22,7 +22,7 @@ class HeldBackend : public Backend {
   Result<cases::Framebuffer> draw(const cases::Case& c) override { return held_->draw(c); }
   bool traces() const override { return held_->traces(); }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
-                                                    const records::SampleAddress& at) override {
+                                                    const cases::SamplePlace& at) override {
     return held_->trace(c, at);
   }
   bool draws_pictures() const override { return held_->draws_pictures(); }

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "cases/sample_place.h"
+
 namespace rastercheck::cases {
 
 /// What a backend drew, raw: its fragments as a structure of arrays, ordered by triangle, y, x,
@@ -23,6 +25,9 @@ struct Framebuffer {
   std::vector<float> derivatives;
 
   std::size_t size() const { return triangle.size(); }
+  SamplePlace place_of(std::size_t fragment) const {
+    return {triangle[fragment], y[fragment], x[fragment], sample[fragment]};
+  }
   std::span<const float> attributes_of(std::size_t fragment) const {
     return std::span(attributes).subspan(fragment * attribute_count, attribute_count);
   }

@@ -46,15 +46,15 @@ LookRequest request_of(const records::CaseGrowth& growth, const std::string& bac
   LookRequest request;
   request.key = {growth.law, backend, growth.origin, growth.index};
   request.case_name = growth.name;
-  request.at = {at.triangle, at.x, at.y, at.sample};
+  request.at = at.place;
   request.attribute = at.attribute;
   request.kind = growth.kind;
   request.stratum = growth.stratum;
   request.actual = at.actual;
   const auto around = std::find_if(kept.begin(), kept.end(), [&](const Specimen& one) {
     return one.key.law == growth.law && one.key.origin == growth.origin &&
-           one.key.index == growth.index && one.triangle == at.triangle &&
-           one.index_of(at.x, at.y, at.sample).has_value();
+           one.key.index == growth.index && one.triangle == at.place.triangle &&
+           one.index_of(at.place.x, at.place.y, at.place.sample).has_value();
   });
   if (around != kept.end()) request.before = *around;
   return request;

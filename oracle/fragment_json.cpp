@@ -34,8 +34,9 @@ std::string members(const Fragment& f) {
   return fmt::format(
       R"("triangle": {}, "x": {}, "y": {}, "sample": {}, "verdict": "{}", "reason": "{}", )"
       R"("depth": {}, "attributes": [{}])",
-      f.triangle, f.x, f.y, f.sample, records::to_string(f.decision.verdict),
-      records::to_string(f.decision.reason), oracle::to_json(f.depth), fmt::join(attributes, ", "));
+      f.place.triangle, f.place.x, f.place.y, f.place.sample,
+      records::to_string(f.decision.verdict), records::to_string(f.decision.reason),
+      oracle::to_json(f.depth), fmt::join(attributes, ", "));
 }
 
 }  // namespace
@@ -49,20 +50,22 @@ std::string to_json(const std::optional<ValueRange>& value) {
 std::string to_json(const Fragment& fragment) { return fmt::format("{{{}}}", members(fragment)); }
 
 std::string to_detailed_json(const Fragment& f, const TriangleTruth& truth) {
+  const auto x = static_cast<int>(f.place.x);
+  const auto y = static_cast<int>(f.place.y);
+  const auto sample = static_cast<int>(f.place.sample);
   std::vector<std::string> derivatives;
   std::vector<std::string> kappa;
   std::vector<std::string> kappa_d;
   for (std::size_t a = 0; a < f.attributes.size(); ++a) {
-    derivatives.push_back(to_json(truth.derivatives(a, f.x, f.y, f.sample)));
-    const Conditioning known =
-        truth.conditioning(a, f.x, f.y, f.sample).value_or(Conditioning{{}, {}});
+    derivatives.push_back(to_json(truth.derivatives(a, x, y, sample)));
+    const Conditioning known = truth.conditioning(a, x, y, sample).value_or(Conditioning{{}, {}});
     kappa.push_back(to_json(known.kappa));
     kappa_d.push_back(to_json(known.kappa_d));
   }
   return fmt::format(
       R"({{{}, "distance": {}, "derivatives": [{}], "kappa": [{}], "kappa_d": [{}]}})", members(f),
-      to_json(truth.distance(f.x, f.y, f.sample)), fmt::join(derivatives, ", "),
-      fmt::join(kappa, ", "), fmt::join(kappa_d, ", "));
+      to_json(truth.distance(x, y, sample)), fmt::join(derivatives, ", "), fmt::join(kappa, ", "),
+      fmt::join(kappa_d, ", "));
 }
 
 }  // namespace rastercheck::oracle

@@ -29,7 +29,7 @@ void for_each_alone(const SceneTruth& scene, const FragmentSink& sink) {
 bool surely_nearer(const Fragment& a, const Fragment& b) {
   if (!a.depth || !b.depth) return false;
   const auto order = a.depth->hi <=> b.depth->lo;
-  return order < 0 || (order == 0 && a.triangle < b.triangle);
+  return order < 0 || (order == 0 && a.place.triangle < b.place.triangle);
 }
 
 /// Drops the fragments of one sample that cannot be the nearest, and marks those that may not be.
@@ -58,7 +58,10 @@ void resolve(std::vector<Fragment*>& fragments, std::vector<const Fragment*>& dr
 
 Fragment fragment_at(const SceneTruth& scene, const TriangleTruth& truth, std::size_t triangle,
                      int x, int y, int sample, const records::SampleVerdict& decision) {
-  Fragment fragment{triangle, x, y, sample, decision, truth.depth(x, y, sample), {}};
+  const cases::SamplePlace place{static_cast<std::uint32_t>(triangle),
+                                 static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(x),
+                                 static_cast<std::uint32_t>(sample)};
+  Fragment fragment{place, decision, truth.depth(x, y, sample), {}};
   const std::size_t count = scene.source().attributes.size();
   fragment.attributes.reserve(count);
   for (std::size_t a = 0; a < count; ++a) {
@@ -76,7 +79,7 @@ void for_each_fragment(const SceneTruth& scene, const FragmentSink& sink) {
     return true;
   });
   std::map<std::tuple<int, int, int>, std::vector<Fragment*>> by_sample;
-  for (Fragment& f : all) by_sample[{f.y, f.x, f.sample}].push_back(&f);
+  for (Fragment& f : all) by_sample[{f.place.y, f.place.x, f.place.sample}].push_back(&f);
   std::vector<const Fragment*> dropped;
   for (auto& [place, fragments] : by_sample) resolve(fragments, dropped);
   std::sort(dropped.begin(), dropped.end());
@@ -85,9 +88,9 @@ void for_each_fragment(const SceneTruth& scene, const FragmentSink& sink) {
   std::optional<std::size_t> prepared;
   for (const Fragment& fragment : all) {
     if (std::binary_search(dropped.begin(), dropped.end(), &fragment)) continue;
-    if (prepared != fragment.triangle) {
-      truth.emplace(scene, fragment.triangle);
-      prepared = fragment.triangle;
+    if (prepared != fragment.place.triangle) {
+      truth.emplace(scene, fragment.place.triangle);
+      prepared = fragment.place.triangle;
     }
     if (!sink(fragment, *truth)) return;
   }

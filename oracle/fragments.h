@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "cases/sample_place.h"
 #include "oracle/rational.h"
 #include "oracle/triangle_truth.h"
 #include "records/verdict.h"
@@ -15,10 +16,7 @@ namespace rastercheck::oracle {
 
 /// One sample of one triangle that has to be drawn, or may be.
 struct Fragment {
-  std::size_t triangle = 0;
-  int x = 0;
-  int y = 0;
-  int sample = 0;
+  cases::SamplePlace place = {};
   records::SampleVerdict decision;
   std::optional<ValueRange> depth;                    ///< nothing where undefined
   std::vector<std::optional<ValueRange>> attributes;  ///< [attribute]; nothing where undefined

@@ -32,6 +32,7 @@
 #include <vector>
 
 #include "cases/framebuffer.h"
+#include "cases/sample_place.h"
 #include "oracle/level.h"
 #include "oracle/triangle_truth.h"
 #include "records/judgement.h"
@@ -53,10 +54,7 @@ struct JudgedValue {
 
 /// How one sample of one triangle came out, of those that were drawn or are missing.
 struct JudgedSample {
-  std::uint32_t triangle = 0;
-  std::uint32_t x = 0;
-  std::uint32_t y = 0;
-  std::uint32_t sample = 0;
+  cases::SamplePlace place = {};
   records::SampleVerdict decision;
   /// correct, missing, extra or wrong_triangle
   records::FragmentClass fragment_class = records::FragmentClass::correct;

@@ -189,7 +189,10 @@ std::optional<RefereeFragment> Referee::at(int x, int y, int sample) const {
   const Field v = Field(y) + Field(at.y, 16);
   if (!is_inside_viewport(c, u, v) || !is_covered(c, indices, *plane_, u, v)) return std::nullopt;
 
-  RefereeFragment fragment{triangle_, x, y, sample, to_rational(depth_at(c, *plane_, u, v)), {}};
+  const cases::SamplePlace place{static_cast<std::uint32_t>(triangle_),
+                                 static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(x),
+                                 static_cast<std::uint32_t>(sample)};
+  RefereeFragment fragment{place, to_rational(depth_at(c, *plane_, u, v)), {}};
   for (std::size_t a = 0; a < c.attributes.size(); ++a) {
     const cases::Attribute& attribute = c.attributes[a];
     std::array<Field, 3> r;

@@ -20,15 +20,13 @@
 
 #include "cases/case.h"
 #include "cases/contract.h"
+#include "cases/sample_place.h"
 #include "oracle/rational.h"
 
 namespace rastercheck::oracle {
 
 struct RefereeFragment {
-  std::size_t triangle = 0;
-  int x = 0;
-  int y = 0;
-  int sample = 0;
+  cases::SamplePlace place = {};
   Rational depth;
   /// [attribute]; nothing where undefined, or where the location is centroid and the rules name no
   /// point.

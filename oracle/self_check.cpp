@@ -22,11 +22,15 @@ std::optional<std::string> self_check(const SceneTruth& scene, const Fragment& f
                                fragment.decision.verdict == records::Verdict::required;
   if (!referee_applies) return std::nullopt;
 
-  const auto differs = [&fragment](const std::string& what) {
-    return difference(fragment.triangle, fragment.x, fragment.y, fragment.sample, what);
+  const std::size_t triangle = fragment.place.triangle;
+  const auto x = static_cast<int>(fragment.place.x);
+  const auto y = static_cast<int>(fragment.place.y);
+  const auto sample = static_cast<int>(fragment.place.sample);
+  const auto differs = [=](const std::string& what) {
+    return difference(triangle, x, y, sample, what);
   };
-  const std::optional<RefereeFragment> second = referee(
-      scene.source(), fragment.triangle, fragment.x, fragment.y, fragment.sample, contract.claims);
+  const std::optional<RefereeFragment> second =
+      referee(scene.source(), triangle, x, y, sample, contract.claims);
   if (!second) return differs("covered or not");
   if (!fragment.depth || fragment.depth->lo != second->depth) return differs("depth");
   for (std::size_t a = 0; a < fragment.attributes.size(); ++a) {

@@ -25,8 +25,8 @@ using records::Verdict;
 
 bool is_sample_of(const cases::Case& c, const JudgedSample& sample) {
   const cases::FramebufferSize& size = c.framebuffer;
-  return std::cmp_less(sample.x, size.width) && std::cmp_less(sample.y, size.height) &&
-         std::cmp_less(sample.sample, size.samples);
+  return std::cmp_less(sample.place.x, size.width) && std::cmp_less(sample.place.y, size.height) &&
+         std::cmp_less(sample.place.sample, size.samples);
 }
 
 std::string decision_text(const records::SampleVerdict& decision) {
@@ -43,9 +43,9 @@ void describe_coverage(const JudgedSample& sample, const TriangleTruth* truth,
     violation.exact = "forbidden: no such triangle, pixel or sample";
     return;
   }
-  const auto x = static_cast<int>(sample.x);
-  const auto y = static_cast<int>(sample.y);
-  const auto s = static_cast<int>(sample.sample);
+  const auto x = static_cast<int>(sample.place.x);
+  const auto y = static_cast<int>(sample.place.y);
+  const auto s = static_cast<int>(sample.place.sample);
   // The judge does not ask why of samples far from the triangle, or drawn once too often.
   const records::SampleVerdict decision = truth->judge(x, y, s);
   violation.exact = decision_text(decision);
@@ -59,9 +59,9 @@ void describe_coverage(const JudgedSample& sample, const TriangleTruth* truth,
 
 void describe_value(const JudgedSample& sample, const JudgedValue& value,
                     const TriangleTruth& truth, records::Violation& violation) {
-  const auto x = static_cast<int>(sample.x);
-  const auto y = static_cast<int>(sample.y);
-  const auto s = static_cast<int>(sample.sample);
+  const auto x = static_cast<int>(sample.place.x);
+  const auto y = static_cast<int>(sample.place.y);
+  const auto s = static_cast<int>(sample.place.sample);
   violation.kind = value.kind;
   violation.fragment_class = value.fragment_class;
   violation.attribute = value.attribute;
@@ -95,12 +95,12 @@ class CentreQuestion {
 
   bool is_extrapolated(const JudgedSample& sample) {
     if (!scene_) return false;
-    if (!truth_ || triangle_ != sample.triangle) {
-      truth_ = std::make_unique<TriangleTruth>(*scene_, sample.triangle);
-      triangle_ = sample.triangle;
+    if (!truth_ || triangle_ != sample.place.triangle) {
+      truth_ = std::make_unique<TriangleTruth>(*scene_, sample.place.triangle);
+      triangle_ = sample.place.triangle;
     }
     const records::SampleVerdict decision =
-        truth_->judge(static_cast<int>(sample.x), static_cast<int>(sample.y), 0);
+        truth_->judge(static_cast<int>(sample.place.x), static_cast<int>(sample.place.y), 0);
     return decision.verdict == Verdict::forbidden;
   }
 
@@ -183,10 +183,10 @@ std::string value_text(float value) {
 records::Violation to_violation(const JudgedSample& sample, const JudgedValue* value,
                                 const TriangleTruth* truth, const SceneTruth& scene) {
   records::Violation violation;
-  violation.triangle = sample.triangle;
-  violation.x = sample.x;
-  violation.y = sample.y;
-  violation.sample = sample.sample;
+  violation.place.triangle = sample.place.triangle;
+  violation.place.x = sample.place.x;
+  violation.place.y = sample.place.y;
+  violation.place.sample = sample.place.sample;
   if (value == nullptr || truth == nullptr) {
     describe_coverage(sample, truth, scene, violation);
   } else {

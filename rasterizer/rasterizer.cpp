@@ -52,7 +52,7 @@ DrawResult draw_fragments(const State& state, const Mesh& mesh, const TargetSize
 }
 
 TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize& size,
-                         const SampleAddress& address) {
+                         const SamplePlace& address) {
   return trace_checked(&trace_mesh, state, mesh, size, address);
 }
 

@@ -15,7 +15,7 @@
 namespace rastercheck::rasterizer {
 
 /// A sample of a triangle.
-struct SampleAddress {
+struct SamplePlace {
   std::uint32_t triangle = 0;
   int x = 0;
   int y = 0;
@@ -126,6 +126,6 @@ struct TraceResult {
 /// Draws one triangle as draw_fragments does and says how a sample of it came about, or that it is
 /// not drawn. A triangle that the mesh does not have is Error::index.
 TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize& size,
-                         const SampleAddress& address);
+                         const SamplePlace& address);
 
 }  // namespace rastercheck::rasterizer

@@ -11,6 +11,7 @@
 
 #include "cases/case.h"
 #include "cases/names.h"
+#include "cases/sample_place.h"
 #include "records/enclosure.h"
 #include "records/judgement.h"
 
@@ -20,10 +21,7 @@ namespace rastercheck::records {
 struct Violation {
   FragmentClass fragment_class = FragmentClass::correct;
   AttributeKind kind = AttributeKind::coverage;
-  std::uint32_t triangle = 0;              ///< index into the case's triangles
-  std::uint32_t x = 0;                     ///< pixels
-  std::uint32_t y = 0;                     ///< pixels
-  std::uint32_t sample = 0;                ///< index into the sample pattern
+  cases::SamplePlace place = {};
   std::optional<std::uint32_t> attribute;  ///< index into the case's attributes
   /// What is exactly true there: of coverage the verdict and its reason, of a value a fraction, or
   /// "[fraction, fraction]" where the contract leaves a range.

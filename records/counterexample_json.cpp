@@ -21,10 +21,10 @@ Violation read_violation(const JsonNode& node) {
   Violation violation;
   violation.fragment_class = node["class"].enumerator<FragmentClass>();
   violation.kind = node["kind"].enumerator<AttributeKind>();
-  violation.triangle = node["triangle"].count<std::uint32_t>();
-  violation.x = node["x"].count<std::uint32_t>();
-  violation.y = node["y"].count<std::uint32_t>();
-  violation.sample = node["sample"].count<std::uint32_t>();
+  violation.place.triangle = node["triangle"].count<std::uint32_t>();
+  violation.place.x = node["x"].count<std::uint32_t>();
+  violation.place.y = node["y"].count<std::uint32_t>();
+  violation.place.sample = node["sample"].count<std::uint32_t>();
   violation.exact = node["exact"].text();
   violation.actual = node["actual"].text();
   violation.note = node["note"].text();
@@ -40,10 +40,10 @@ Violation read_violation(const JsonNode& node) {
 json violation_to_json(const Violation& violation) {
   json object{{"class", to_string(violation.fragment_class)},
               {"kind", to_string(violation.kind)},
-              {"triangle", violation.triangle},
-              {"x", violation.x},
-              {"y", violation.y},
-              {"sample", violation.sample},
+              {"triangle", violation.place.triangle},
+              {"x", violation.place.x},
+              {"y", violation.place.y},
+              {"sample", violation.place.sample},
               {"exact", violation.exact},
               {"actual", violation.actual},
               {"note", violation.note}};

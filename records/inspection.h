@@ -42,9 +42,7 @@ struct InspectedValue {
 };
 
 struct InspectedSample {
-  std::uint32_t x = 0;       ///< pixels
-  std::uint32_t y = 0;       ///< pixels
-  std::uint32_t sample = 0;  ///< index into the sample pattern
+  cases::SamplePlace place = {};
   Verdict verdict = Verdict::forbidden;
   Reason reason = Reason::outside;
   bool is_drawn = false;
@@ -78,10 +76,7 @@ struct Inspection {
   std::vector<WindowPoint> pattern;  ///< [sample], from the pixel's corner of smallest x and y
   /// What was looked for: the first violation's sample, or the worst error's. `attribute` is
   /// nothing for depth and where a sample was missing or extra.
-  std::uint32_t triangle = 0;
-  std::uint32_t x = 0;
-  std::uint32_t y = 0;
-  std::uint32_t sample = 0;
+  cases::SamplePlace place = {};
   std::optional<std::uint32_t> attribute;
   /// Rows of the triangle's Q (RULES §1): fractions, long ones elided; nothing where det M = 0.
   std::optional<std::array<std::array<std::string, 3>, 3>> q_matrix;
@@ -92,7 +87,7 @@ struct Inspection {
   std::uint32_t top = 0;
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  /// All of its samples, of `triangle` only, ordered by y, x, sample.
+  /// All of its samples, of `place.triangle` only, ordered by y, x, sample.
   std::vector<InspectedSample> samples;
   /// Of the sample that was looked for: of each value that it has.
   std::vector<ErrorSplit> splits;

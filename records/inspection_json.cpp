@@ -99,9 +99,9 @@ InspectedValue read_value(const JsonNode& node) {
 }
 
 json sample_to_json(const InspectedSample& sample) {
-  json object{{"x", sample.x},
-              {"y", sample.y},
-              {"sample", sample.sample},
+  json object{{"x", sample.place.x},
+              {"y", sample.place.y},
+              {"sample", sample.place.sample},
               {"verdict", to_string(sample.verdict)},
               {"reason", to_string(sample.reason)},
               {"is_drawn", sample.is_drawn}};
@@ -119,9 +119,9 @@ InspectedSample read_sample(const JsonNode& node) {
   node.expect_object({"x", "y", "sample", "verdict", "reason", "is_drawn"},
                      {"distance", "edges", "values"});
   InspectedSample sample;
-  sample.x = node["x"].count<std::uint32_t>();
-  sample.y = node["y"].count<std::uint32_t>();
-  sample.sample = node["sample"].count<std::uint32_t>();
+  sample.place.x = node["x"].count<std::uint32_t>();
+  sample.place.y = node["y"].count<std::uint32_t>();
+  sample.place.sample = node["sample"].count<std::uint32_t>();
   sample.verdict = node["verdict"].enumerator<Verdict>();
   sample.reason = node["reason"].enumerator<Reason>();
   sample.is_drawn = node["is_drawn"].boolean();
@@ -183,20 +183,22 @@ void read_subject(const JsonNode& node, Inspection& inspection) {
   if (node.has("stratum")) inspection.stratum = node["stratum"].enumerator<Stratum>();
   inspection.source = cases::read_case(node["case"]);
   inspection.pattern = read_points(node["pattern"]);
-  inspection.triangle = node["triangle"].count<std::uint32_t>();
-  inspection.x = node["x"].count<std::uint32_t>();
-  inspection.y = node["y"].count<std::uint32_t>();
-  inspection.sample = node["sample"].count<std::uint32_t>();
+  inspection.place.triangle = node["triangle"].count<std::uint32_t>();
+  inspection.place.x = node["x"].count<std::uint32_t>();
+  inspection.place.y = node["y"].count<std::uint32_t>();
+  inspection.place.sample = node["sample"].count<std::uint32_t>();
   inspection.attribute = read_count(node, "attribute");
 }
 
 /// Of a sample or value outside of it a report would have no picture.
 void check_place(const JsonNode& node, const InspectedSample& sample, const Inspection& whole) {
   if (node.failed()) return;
-  const bool is_within = sample.x >= whole.left && sample.x - whole.left < whole.width &&
-                         sample.y >= whole.top && sample.y - whole.top < whole.height;
+  const bool is_within = sample.place.x >= whole.left &&
+                         sample.place.x - whole.left < whole.width && sample.place.y >= whole.top &&
+                         sample.place.y - whole.top < whole.height;
   if (!is_within) node.refuse("not within the inspected part");
-  if (sample.sample >= whole.pattern.size()) node["sample"].refuse("not in the sample pattern");
+  if (sample.place.sample >= whole.pattern.size())
+    node["sample"].refuse("not in the sample pattern");
 }
 
 void read_part(const JsonNode& node, Inspection& inspection) {
@@ -229,10 +231,10 @@ json inspection_to_json(const Inspection& inspection) {
               {"counterexample", inspection.counterexample},
               {"case", source.value_or(json())},
               {"pattern", points_to_json(inspection.pattern)},
-              {"triangle", inspection.triangle},
-              {"x", inspection.x},
-              {"y", inspection.y},
-              {"sample", inspection.sample},
+              {"triangle", inspection.place.triangle},
+              {"x", inspection.place.x},
+              {"y", inspection.place.y},
+              {"sample", inspection.place.sample},
               {"outlines", std::move(outlines)},
               {"left", inspection.left},
               {"top", inspection.top},

@@ -12,6 +12,7 @@
 
 #include "cases/case.h"
 #include "cases/names.h"
+#include "cases/sample_place.h"
 #include "records/enclosure.h"
 #include "records/histogram.h"
 #include "records/signed_sum.h"
@@ -101,10 +102,7 @@ struct WorstError {
   float actual = 0;
   std::uint64_t case_index = 0;  ///< of its law and seed
   std::string case_name;         ///< empty where the case has none
-  std::uint32_t triangle = 0;    ///< index into the case's triangles
-  std::uint32_t x = 0;           ///< pixels
-  std::uint32_t y = 0;           ///< pixels
-  std::uint32_t sample = 0;      ///< index into the sample pattern
+  cases::SamplePlace place = {};
   /// Index into the case's attributes; nothing for depth.
   std::optional<std::uint32_t> attribute;
   bool operator==(const WorstError&) const = default;

@@ -27,8 +27,7 @@ Extent extent_of(const Enclosure& error, Side side) {
 }
 
 auto place_of(const WorstError& error) {
-  return std::tie(error.case_index, error.case_name, error.triangle, error.y, error.x, error.sample,
-                  error.attribute, error.exact);
+  return std::tie(error.case_index, error.case_name, error.place, error.attribute, error.exact);
 }
 
 /// Whether `a` is to be kept rather than `b`. A strict total order: neither of two is only where

@@ -170,10 +170,10 @@ WorstError read_error(const JsonNode& node) {
   worst.error = enclosure_from_json(node["error"]);
   worst.exact = node["exact"].text();
   worst.actual = node["actual"].hex_float32();
-  worst.triangle = node["triangle"].count<std::uint32_t>();
-  worst.x = node["x"].count<std::uint32_t>();
-  worst.y = node["y"].count<std::uint32_t>();
-  worst.sample = node["sample"].count<std::uint32_t>();
+  worst.place.triangle = node["triangle"].count<std::uint32_t>();
+  worst.place.x = node["x"].count<std::uint32_t>();
+  worst.place.y = node["y"].count<std::uint32_t>();
+  worst.place.sample = node["sample"].count<std::uint32_t>();
   if (node.has("attribute")) worst.attribute = node["attribute"].count<std::uint32_t>();
   return worst;
 }
@@ -324,10 +324,10 @@ json error_without_case_to_json(const WorstError& worst) {
   json object{{"error", enclosure_to_json(worst.error)},
               {"exact", worst.exact},
               {"actual", cases::to_hex(worst.actual)},
-              {"triangle", worst.triangle},
-              {"x", worst.x},
-              {"y", worst.y},
-              {"sample", worst.sample}};
+              {"triangle", worst.place.triangle},
+              {"x", worst.place.x},
+              {"y", worst.place.y},
+              {"sample", worst.place.sample}};
   if (worst.attribute) object["attribute"] = *worst.attribute;
   return object;
 }

@@ -12,15 +12,6 @@
 
 namespace rastercheck::records {
 
-/// A sample of a triangle.
-struct SampleAddress {
-  std::uint32_t triangle = 0;  ///< index into the case's triangles
-  std::uint32_t x = 0;         ///< pixels
-  std::uint32_t y = 0;         ///< pixels
-  std::uint32_t sample = 0;    ///< index into the sample pattern
-  bool operator==(const SampleAddress&) const = default;
-};
-
 /// A corner of what is drawn of a triangle: a vertex, or one that clipping made.
 struct TracedCorner {
   double x = 0;  ///< window position, pixels; where `is_homogeneous` times w

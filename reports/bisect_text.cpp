@@ -80,10 +80,10 @@ nlohmann::ordered_json to_json(const std::optional<records::WorstError>& worst) 
   return {{"error", records::enclosure_to_json(worst->error)},
           {"exact", worst->exact},
           {"actual", cases::to_hex(worst->actual)},
-          {"triangle", worst->triangle},
-          {"x", worst->x},
-          {"y", worst->y},
-          {"sample", worst->sample}};
+          {"triangle", worst->place.triangle},
+          {"x", worst->place.x},
+          {"y", worst->place.y},
+          {"sample", worst->place.sample}};
 }
 
 nlohmann::ordered_json to_json(const records::Comparison& comparison) {

@@ -49,9 +49,9 @@ std::string replay_command(const records::Run& run, const std::string& file) {
 
 std::string explain_command(const records::Run& run, const std::string& file,
                             const records::WorstError& place) {
-  std::string command =
-      fmt::format("rastercheck explain {} --pixel {},{} --sample {} --triangle {}",
-                  shell_word(file), place.x, place.y, place.sample, place.triangle);
+  std::string command = fmt::format(
+      "rastercheck explain {} --pixel {},{} --sample {} --triangle {}", shell_word(file),
+      place.place.x, place.place.y, place.place.sample, place.place.triangle);
   if (!run.contract_file.empty()) command += " --contract " + shell_word(run.contract_file);
   return command;
 }

@@ -42,8 +42,8 @@ std::string attribute_name(const cases::Case& c, std::uint32_t attribute) {
 std::string printed_violation(const Violation& v, const cases::Case& c) {
   const std::string note = cases::printable(v.note);
   if (!v.has_place()) return fmt::format("  {}\n", note);
-  std::string text =
-      fmt::format("  pixel ({}, {}), sample {} of triangle {}: ", v.x, v.y, v.sample, v.triangle);
+  std::string text = fmt::format("  pixel ({}, {}), sample {} of triangle {}: ", v.place.x,
+                                 v.place.y, v.place.sample, v.place.triangle);
   if (v.kind == records::AttributeKind::coverage) {
     text += fmt::format("{}; exactly: {}", cases::printable(v.actual), exact_text(v.exact));
   } else {
@@ -167,9 +167,10 @@ std::string violations_text(std::span<const Violation> violations, std::uint64_t
     const std::string of = v.attribute ? fmt::format("{} [{}]", to_string(v.kind), *v.attribute)
                                        : std::string(to_string(v.kind));
     rows.push_back({fmt::format("  {}", to_string(v.fragment_class)), of,
-                    std::to_string(v.triangle), std::to_string(v.x), std::to_string(v.y),
-                    std::to_string(v.sample), v.exact, v.actual, enclosure_text(v.error),
-                    enclosure_text(v.bound), enclosure_text(v.distance), cases::printable(v.note)});
+                    std::to_string(v.place.triangle), std::to_string(v.place.x),
+                    std::to_string(v.place.y), std::to_string(v.place.sample), v.exact, v.actual,
+                    enclosure_text(v.error), enclosure_text(v.bound), enclosure_text(v.distance),
+                    cases::printable(v.note)});
   }
   std::string text = text_table(rows, columns);
   if (all > violations.size()) text += fmt::format("  … {} in all\n", all);

@@ -58,7 +58,7 @@ std::string number(const Enclosure& enclosure) { return records::to_decimal(encl
 
 std::string triangle_text(const Inspection& inspection) {
   const cases::Case& c = inspection.source;
-  const cases::Triangle& triangle = c.triangles[inspection.triangle];
+  const cases::Triangle& triangle = c.triangles[inspection.place.triangle];
   std::string text = wrapped("", 2, state_text(c).substr(2, state_text(c).size() - 3));
   const char* unit = c.coverage ? "grid" : "window";
   std::vector<std::vector<std::string>> rows{
@@ -96,12 +96,12 @@ std::string coverage_words(const InspectedSample& sample) {
 }
 
 std::string coverage_text(const Inspection& inspection, const InspectedSample& sample) {
-  const records::WindowPoint in_pixel = sample.sample < inspection.pattern.size()
-                                            ? inspection.pattern[sample.sample]
+  const records::WindowPoint in_pixel = sample.place.sample < inspection.pattern.size()
+                                            ? inspection.pattern[sample.place.sample]
                                             : records::WindowPoint{};
-  std::string text =
-      fmt::format("sample at ({}, {}): {} ({}, {})\n", sample.x + in_pixel.x, sample.y + in_pixel.y,
-                  coverage_words(sample), to_string(sample.verdict), to_string(sample.reason));
+  std::string text = fmt::format("sample at ({}, {}): {} ({}, {})\n", sample.place.x + in_pixel.x,
+                                 sample.place.y + in_pixel.y, coverage_words(sample),
+                                 to_string(sample.verdict), to_string(sample.reason));
   if (sample.distance) {
     text += wrapped("", 2,
                     fmt::format("{} from the boundary that decides, in pixels, positive inside",
@@ -251,7 +251,7 @@ std::string value_name(const Inspection& inspection, std::optional<std::uint32_t
   if (declared.location != cases::Location::sample) {
     text += fmt::format(" at the {}", cases::name_of(declared.location));
   }
-  const cases::Triangle& triangle = inspection.source.triangles[inspection.triangle];
+  const cases::Triangle& triangle = inspection.source.triangles[inspection.place.triangle];
   std::string values;
   for (const std::uint32_t vertex : triangle) {
     values += fmt::format("{}{:.9g}", values.empty() ? "" : ", ",
@@ -314,11 +314,12 @@ constexpr std::string_view kLegend =
 std::string inspection_text(const Inspection& inspection, std::optional<std::size_t> value) {
   const cases::Case& c = inspection.source;
   const InspectedSample* sample = records::inspected_sample(inspection);
-  if (sample == nullptr || inspection.triangle >= c.triangles.size()) return "";
+  if (sample == nullptr || inspection.place.triangle >= c.triangles.size()) return "";
   std::string text;
   if (!c.name.empty()) text += wrapped("", 0, cases::printable(c.name));
-  text += fmt::format("triangle {} of {}, pixel ({}, {}), sample {}, on {}\n", inspection.triangle,
-                      c.triangles.size(), inspection.x, inspection.y, inspection.sample,
+  text += fmt::format("triangle {} of {}, pixel ({}, {}), sample {}, on {}\n",
+                      inspection.place.triangle, c.triangles.size(), inspection.place.x,
+                      inspection.place.y, inspection.place.sample,
                       cases::printable(inspection.backend));
   text += triangle_text(inspection) + "\n";
   text += coverage_text(inspection, *sample) + "\n" + map_text(inspection, *sample);

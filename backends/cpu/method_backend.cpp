@@ -187,7 +187,7 @@ class MethodBackend : public Backend {
   }
   bool traces() const override { return true; }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
-                                                    const records::SampleAddress& at) override {
+                                                    const cases::SamplePlace& at) override {
     const CaseMesh memory(c);
     const ras::TraceResult traced = ras::trace_sample_by(method_->name, state_of(c), memory.mesh(),
                                                          target_size(c), sample_address(at));

@@ -130,7 +130,7 @@ class RasterizerBackend : public Backend {
   std::vector<std::string> same_as() const override { return variants(options_); }
   bool traces() const override { return true; }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
-                                                    const records::SampleAddress& at) override {
+                                                    const cases::SamplePlace& at) override {
     ras::State state = state_of(c);
     state.precision = options_.precision;
     const CaseMesh memory(c);

@@ -98,7 +98,7 @@ records::SampleTrace sample_trace(const ras::Trace& trace) {
 
 }  // namespace
 
-ras::SampleAddress sample_address(const records::SampleAddress& at) {
+ras::SamplePlace sample_place(const cases::SamplePlace& at) {
   return {at.triangle, static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.sample)};
 }
 

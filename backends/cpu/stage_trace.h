@@ -5,12 +5,13 @@
 #include <optional>
 
 #include "cases/error.h"
+#include "cases/sample_place.h"
 #include "rasterizer/trace.h"
 #include "records/stage_trace.h"
 
 namespace rastercheck::backends {
 
-rasterizer::SampleAddress sample_address(const records::SampleAddress& at);
+rasterizer::SamplePlace sample_place(const cases::SamplePlace& at);
 
 /// Fails where the rasterizer refused to draw.
 Result<std::optional<records::SampleTrace>> traced_sample(const rasterizer::TraceResult& traced);

@@ -114,13 +114,6 @@ struct Arrays {
   GuardedArray message{"output->message"};
 };
 
-/// A place of the framebuffer that a draw covered.
-struct Place {
-  std::uint32_t x = 0;
-  std::uint32_t y = 0;
-  std::uint32_t sample = 0;
-};
-
 /// Pixels [min_x, max_x) × [min_y, max_y).
 struct Rectangle {
   std::uint32_t min_x = 0;
@@ -159,12 +152,14 @@ class PluginBackend : public Backend {
   std::size_t sample_count() const {
     return std::size_t{draw_.width} * draw_.height * draw_.samples;
   }
-  std::size_t index_of(const Place& at) const {
+  std::size_t index_of(const cases::SamplePlace& at) const {
     return (std::size_t{at.y} * draw_.width + at.x) * draw_.samples + at.sample;
   }
+  /// In triangle 0.
   template <typename Visit>
   void each_place(const Rectangle& part, const Visit& visit) const {
-    for (Place at{0, part.min_y, 0}; at.y < part.max_y; ++at.y) {
+    cases::SamplePlace at;
+    for (at.y = part.min_y; at.y < part.max_y; ++at.y) {
       for (at.x = part.min_x; at.x < part.max_x; ++at.x) {
         for (at.sample = 0; at.sample < draw_.samples; ++at.sample) visit(at);
       }
@@ -265,7 +260,7 @@ void PluginBackend::clear(const Rectangle& part) {
   constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
   const std::size_t row = std::size_t{part.max_x - part.min_x} * draw_.samples;
   for (std::uint32_t y = part.min_y; y < part.max_y; ++y) {
-    const std::size_t begin = index_of({part.min_x, y, 0});
+    const std::size_t begin = index_of({0, y, part.min_x, 0});
     std::fill_n(arrays_.coverage.as<std::uint8_t>() + begin, row, std::uint8_t{0});
     std::fill_n(arrays_.triangle.as<std::uint32_t>() + begin, row, 0U);
     std::fill_n(arrays_.depth.as<float>() + begin, row, kNothing);
@@ -344,7 +339,7 @@ Result<void> PluginBackend::check_output(std::uint32_t triangles) const {
                     part.min_x, part.max_x, part.min_y, part.max_y, draw_.width, draw_.height));
   }
   std::string fault;
-  each_place(is_searched_whole() ? whole() : part, [&](const Place& at) {
+  each_place(is_searched_whole() ? whole() : part, [&](const cases::SamplePlace& at) {
     const unsigned coverage = arrays_.coverage.as<const std::uint8_t>()[index_of(at)];
     if (coverage == 0 || !fault.empty()) return;
     const std::uint32_t triangle = arrays_.triangle.as<const std::uint32_t>()[index_of(at)];
@@ -367,18 +362,17 @@ Result<void> PluginBackend::check_output(std::uint32_t triangles) const {
 
 /// Appends what was covered, in the order of a Framebuffer.
 void PluginBackend::collect(std::uint32_t first, cases::Framebuffer& drawn) const {
-  std::vector<Place> places;
-  each_place(touched(), [&](const Place& at) {
-    if (arrays_.coverage.as<const std::uint8_t>()[index_of(at)] != 0) places.push_back(at);
+  std::vector<cases::SamplePlace> places;
+  each_place(touched(), [&](cases::SamplePlace at) {
+    if (arrays_.coverage.as<const std::uint8_t>()[index_of(at)] == 0) return;
+    at.triangle = arrays_.triangle.as<const std::uint32_t>()[index_of(at)];
+    places.push_back(at);
   });
-  const auto triangle_at = [this](const Place& at) {
-    return arrays_.triangle.as<const std::uint32_t>()[index_of(at)];
-  };
   std::stable_sort(places.begin(), places.end(),
-                   [&](const Place& a, const Place& b) { return triangle_at(a) < triangle_at(b); });
-  for (const Place& at : places) {
+                   [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
+  for (const cases::SamplePlace& at : places) {
     const std::size_t index = index_of(at);
-    drawn.triangle.push_back(first + triangle_at(at));
+    drawn.triangle.push_back(first + at.triangle);
     drawn.x.push_back(static_cast<std::uint16_t>(at.x));
     drawn.y.push_back(static_cast<std::uint16_t>(at.y));
     drawn.sample.push_back(static_cast<std::uint8_t>(at.sample));

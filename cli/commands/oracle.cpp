@@ -115,10 +115,11 @@ Result<void> print_table(const oracle::SceneTruth& scene, const Options& options
   std::size_t permitted = 0;
   auto checked = for_each_checked(scene, [&](const Fragment& f, const TriangleTruth& truth) {
     ++(f.decision.verdict == records::Verdict::required ? required : permitted);
-    const auto distance = truth.distance(f.x, f.y, f.sample);
+    const auto distance = truth.distance(static_cast<int>(f.place.x), static_cast<int>(f.place.y),
+                                         static_cast<int>(f.place.sample));
     std::string row =
-        fmt::format(kRow, f.triangle, f.x, f.y, f.sample, to_string(f.decision.verdict),
-                    to_string(f.decision.reason),
+        fmt::format(kRow, f.place.triangle, f.place.x, f.place.y, f.place.sample,
+                    to_string(f.decision.verdict), to_string(f.decision.reason),
                     distance ? records::to_decimal(*distance, 5) : "-", readable(f.depth));
     for (const auto& value : f.attributes) row += fmt::format(" {:<28}", readable(value));
     row.erase(row.find_last_not_of(' ') + 1);

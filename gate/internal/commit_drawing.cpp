@@ -13,6 +13,8 @@
 #include "cases/files.h"
 #include "cases/json.h"
 #include "cases/json_node.h"
+#include "gate/compare.h"
+#include "gate/sections.h"
 #include "reports/run_reader.h"
 #include "reports/write.h"
 

@@ -78,7 +78,8 @@ class NearestJudge::Band {
   void let_out(const JudgeSink& sink) {
     const auto key = [](const auto& seen) {
       const JudgedSample& s = seen.first;
-      return std::tuple(s.y, s.x, s.sample, s.triangle, s.fragment_class != FragmentClass::correct);
+      return std::tuple(s.place.y, s.place.x, s.place.sample, s.place.triangle,
+                        s.fragment_class != FragmentClass::correct);
     };
     std::stable_sort(seen_.begin(), seen_.end(),
                      [&key](const auto& a, const auto& b) { return key(a) < key(b); });
@@ -152,7 +153,7 @@ class NearestJudge::Band {
 
   /// Takes the next fragment, which no triangle of the case answers for at its sample.
   void take_unasked(FragmentClass fragment_class) {
-    const SamplePlace place = place_of(*context_->drawn, take_next());
+    const cases::SamplePlace place = context_->drawn->place_of(take_next());
     const bool is_of_the_case = place.triangle < context_->scene->source().triangles.size();
     samples_.take(place, {}, fragment_class,
                   is_of_the_case ? triangles_.of(place.triangle).truth : nullptr);

@@ -13,7 +13,7 @@ using records::FragmentClass;
 using records::Verdict;
 
 /// Spreads places evenly, the same on all machines (the first half of SplitMix64's finaliser).
-std::uint64_t scatter(const SamplePlace& place, std::uint64_t seed) {
+std::uint64_t scatter(const cases::SamplePlace& place, std::uint64_t seed) {
   // 31 bits of triangle, 14 of each coordinate and 4 of sample stand side by side.
   std::uint64_t h = (std::uint64_t{place.triangle} << 33) ^ (std::uint64_t{place.y} << 18) ^
                     (std::uint64_t{place.x} << 4) ^ place.sample;
@@ -37,7 +37,7 @@ cases::Contract exact_contract(const cases::Case& source) {
 
 }  // namespace
 
-std::optional<std::string> JudgeContext::self_check(const SamplePlace& place) const {
+std::optional<std::string> JudgeContext::self_check(const cases::SamplePlace& place) const {
   const cases::Case& source = scene->source();
   const bool is_of_the_case = place.triangle < source.triangles.size() &&
                               place.sample < static_cast<std::uint32_t>(source.framebuffer.samples);
@@ -78,19 +78,19 @@ void SampleJudge::flush() {
   findings_.statistics.of(AttributeKind::coverage).classes[FragmentClass::correct] += pending_;
   see_triangle(triangle_);
   for (const std::size_t fragment : fragments) {
-    const SamplePlace place = place_of(*context_->drawn, fragment);
+    const cases::SamplePlace place = context_->drawn->place_of(fragment);
     if (scatter(place, self_check_seed_) < self_check_below_) check_oracle(place);
   }
   for (std::size_t k = 0; emit_ && k < pending_; ++k) {
     const bool is_right = judged == nullptr || judged->is_right(k);
     if (is_right && !shows(decisions_[k])) continue;
-    show(place_of(*context_->drawn, fragments_[k]), decisions_[k], FragmentClass::correct,
+    show(context_->drawn->place_of(fragments_[k]), decisions_[k], FragmentClass::correct,
          judged == nullptr ? std::vector<JudgedValue>{} : judged->values_of(k), truth_);
   }
   pending_ = 0;
 }
 
-void SampleJudge::take(const SamplePlace& place, const records::SampleVerdict& decision,
+void SampleJudge::take(const cases::SamplePlace& place, const records::SampleVerdict& decision,
                        FragmentClass fragment_class,
                        const std::shared_ptr<const TriangleTruth>& truth) {
   flush();  // in their order, and in the same batches whether or not someone watches
@@ -106,12 +106,10 @@ bool SampleJudge::shows(const records::SampleVerdict& decision) const {
   return emit_ && (context_->options->shows_ordinary || !is_ordinary);
 }
 
-void SampleJudge::show(const SamplePlace& place, const records::SampleVerdict& decision,
+void SampleJudge::show(const cases::SamplePlace& place, const records::SampleVerdict& decision,
                        FragmentClass fragment_class, std::vector<JudgedValue> values,
                        const std::shared_ptr<const TriangleTruth>& truth) const {
-  emit_(
-      {place.triangle, place.x, place.y, place.sample, decision, fragment_class, std::move(values)},
-      truth);
+  emit_({place, decision, fragment_class, std::move(values)}, truth);
 }
 
 void SampleJudge::see_triangle(std::uint32_t triangle) {
@@ -119,7 +117,7 @@ void SampleJudge::see_triangle(std::uint32_t triangle) {
   if (seen.empty() || seen.back() != triangle) seen.push_back(triangle);
 }
 
-void SampleJudge::check_oracle(const SamplePlace& place) {
+void SampleJudge::check_oracle(const cases::SamplePlace& place) {
   if (!findings_.fault) findings_.fault = context_->self_check(place);
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/internal/sample_place.h"
+#include "cases/sample_place.h"
 #include "oracle/internal/value_cascade.h"
 #include "oracle/internal/value_statistics.h"
 #include "oracle/judge.h"
@@ -29,7 +29,7 @@ class JudgeContext {
   const JudgeOptions* options;
 
   /// Holds the exact triangle's answer at a sample against the referee; one line where they differ.
-  std::optional<std::string> self_check(const SamplePlace& place) const;
+  std::optional<std::string> self_check(const cases::SamplePlace& place) const;
   void settle(SingleErrors& errors) const;
 
  private:
@@ -59,7 +59,7 @@ class SampleJudge {
   }
   /// Any other: missing, or drawn where it should not be. `truth` is nullptr where the place names
   /// no triangle of the case.
-  void take(const SamplePlace& place, const records::SampleVerdict& decision,
+  void take(const cases::SamplePlace& place, const records::SampleVerdict& decision,
             records::FragmentClass fragment_class,
             const std::shared_ptr<const TriangleTruth>& truth);
   void flush();
@@ -81,8 +81,8 @@ class SampleJudge {
   Findings finish();
 
  private:
-  void check_oracle(const SamplePlace& place);
-  void show(const SamplePlace& place, const records::SampleVerdict& decision,
+  void check_oracle(const cases::SamplePlace& place);
+  void show(const cases::SamplePlace& place, const records::SampleVerdict& decision,
             records::FragmentClass fragment_class, std::vector<JudgedValue> values,
             const std::shared_ptr<const TriangleTruth>& truth) const;
   void see_triangle(std::uint32_t triangle);

@@ -18,7 +18,7 @@ constexpr SampleVerdict kInside{Verdict::required, Reason::inside};
 
 FragmentOrder::FragmentOrder(const cases::Framebuffer& drawn) : drawn_(&drawn) {
   const auto goes_before = [&drawn](std::size_t a, std::size_t b) {
-    return place_of(drawn, a) < place_of(drawn, b);
+    return drawn.place_of(a) < drawn.place_of(b);
   };
   // Of places as many bits as a number holds: all but the sample's.
   const auto key = [&drawn](std::size_t i) {
@@ -37,7 +37,7 @@ FragmentOrder::FragmentOrder(const cases::Framebuffer& drawn) : drawn_(&drawn) {
   std::stable_sort(order_.begin(), order_.end(), goes_before);
 }
 
-std::size_t FragmentOrder::lower_bound(const SamplePlace& place) const {
+std::size_t FragmentOrder::lower_bound(const cases::SamplePlace& place) const {
   std::size_t first = 0;
   std::size_t count = size();
   while (count > 0) {
@@ -114,8 +114,8 @@ void TriangleJudge::walk_row(int y, std::size_t first, std::size_t last) {
   auto special = row_.special().begin();
   for (int x = box.x0; x < box.x1; ++x) {
     for (int s = 0; s < samples; ++s) {
-      const SamplePlace place{triangle_, static_cast<std::uint32_t>(y),
-                              static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(s)};
+      const cases::SamplePlace place{triangle_, static_cast<std::uint32_t>(y),
+                                     static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(s)};
       while (next < last && order_->place(next) < place) take_extra(next++, {});
       const bool is_special =
           special != row_.special().end() && special->x == x && special->sample == s;

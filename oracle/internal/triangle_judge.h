@@ -19,9 +19,9 @@ class FragmentOrder {
   explicit FragmentOrder(const cases::Framebuffer& drawn);
   std::size_t size() const { return drawn_->size(); }
   std::size_t operator[](std::size_t i) const { return order_.empty() ? i : order_[i]; }
-  SamplePlace place(std::size_t i) const { return place_of(*drawn_, (*this)[i]); }
+  cases::SamplePlace place(std::size_t i) const { return drawn_->place_of((*this)[i]); }
   /// The first position whose place is not before this one.
-  std::size_t lower_bound(const SamplePlace& place) const;
+  std::size_t lower_bound(const cases::SamplePlace& place) const;
 
  private:
   const cases::Framebuffer* drawn_;

@@ -20,11 +20,11 @@ double least_magnitude(const Enclosure& e) {
 
 ExtremeLimit limit_of(const std::optional<records::WorstError>& extreme) {
   if (!extreme) return {};
-  return {std::min(std::abs(extreme->error.lo), std::abs(extreme->error.hi)), place_of(*extreme)};
+  return {std::min(std::abs(extreme->error.lo), std::abs(extreme->error.hi)), extreme->place};
 }
 
 bool may_be_extreme(const records::Extremes& seen, const Enclosure& error,
-                    const SamplePlace& place) {
+                    const cases::SamplePlace& place) {
   return limit_of(seen.most_positive).lets(error.hi, place) ||
          limit_of(seen.most_negative).lets(-error.lo, place);
 }
@@ -183,7 +183,7 @@ bool ValueCascade::take(const PreparedValue& prepared, float actual, const Enclo
                          is_certain(prepared, actual, error);
   if (!is_within) return false;
   if (error.hi >= limits.most || error.lo <= limits.least) {
-    const SamplePlace place = place_of(*drawn_, fragment);
+    const cases::SamplePlace place = drawn_->place_of(fragment);
     if (!prepared.is_single) {
       if (may_be_extreme(*prepared.ideal_extremes, error, place) ||
           may_be_extreme(*prepared.excess_extremes, error, place)) {

@@ -88,10 +88,10 @@ void keep(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& s
   worst.actual = value.actual;
   worst.case_index = case_index;
   worst.case_name = scene.source().name;
-  worst.triangle = value.place.triangle;
-  worst.x = value.place.x;
-  worst.y = value.place.y;
-  worst.sample = value.place.sample;
+  worst.place.triangle = value.place.triangle;
+  worst.place.x = value.place.x;
+  worst.place.y = value.place.y;
+  worst.place.sample = value.place.sample;
   worst.attribute = value.attribute;
   records::keep(sizes.extremes, worst);
 }
@@ -129,7 +129,7 @@ std::optional<ValueRange> range_of(const TriangleTruth& truth, const ComputedVal
 
 ComputedValue computed_value(const cases::Framebuffer& drawn, std::size_t fragment,
                              std::optional<std::uint32_t> attribute) {
-  return {place_of(drawn, fragment), attribute,
+  return {drawn.place_of(fragment), attribute,
           attribute ? drawn.attributes_of(fragment)[*attribute] : drawn.depth[fragment]};
 }
 

@@ -7,7 +7,7 @@
 
 #include "cases/contract.h"
 #include "cases/framebuffer.h"
-#include "oracle/internal/sample_place.h"
+#include "cases/sample_place.h"
 #include "oracle/internal/value_statistics.h"
 #include "oracle/judge.h"
 #include "oracle/triangle_truth.h"
@@ -16,7 +16,7 @@ namespace rastercheck::oracle {
 
 /// What is judged: one value of one drawn sample.
 struct ComputedValue {
-  SamplePlace place;
+  cases::SamplePlace place;
   std::optional<std::uint32_t> attribute;  ///< nothing for the depth
   float actual = 0;
 };

@@ -9,7 +9,7 @@ namespace rastercheck::oracle {
 using records::AttributeKind;
 using records::Stratum;
 
-void ExtremeLimit::take(double error_size, const SamplePlace& error_place) {
+void ExtremeLimit::take(double error_size, const cases::SamplePlace& error_place) {
   if (!lets(error_size, error_place)) return;
   size = error_size;
   place = error_place;
@@ -34,8 +34,8 @@ void SingleErrors::prune() {
 void SingleErrors::settled() {
   candidates_.clear();
   const records::Extremes& seen = sizes.extremes;
-  if (seen.most_positive) most_.take(seen.most_positive->error.lo, place_of(*seen.most_positive));
-  if (seen.most_negative) least_.take(-seen.most_negative->error.hi, place_of(*seen.most_negative));
+  if (seen.most_positive) most_.take(seen.most_positive->error.lo, seen.most_positive->place);
+  if (seen.most_negative) least_.take(-seen.most_negative->error.hi, seen.most_negative->place);
 }
 
 void SingleErrors::merge(SingleErrors&& other) {

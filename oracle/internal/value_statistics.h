@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "oracle/internal/sample_place.h"
+#include "cases/sample_place.h"
 #include "records/judgement.h"
 
 namespace rastercheck::oracle {
@@ -21,7 +21,7 @@ namespace rastercheck::oracle {
 /// An error that may turn out to be an extreme.
 struct ExtremeCandidate {
   records::Enclosure error;
-  SamplePlace place;
+  cases::SamplePlace place;
   std::size_t fragment = 0;                ///< index into the framebuffer
   std::optional<std::uint32_t> attribute;  ///< nothing for the depth
 };
@@ -29,15 +29,15 @@ struct ExtremeCandidate {
 /// An error that extremes have to exceed. Of equal ones that of the first place is the extreme, in
 /// whatever order they are seen.
 struct ExtremeLimit {
-  double size = 0;    ///< some error is at least this far from 0
-  SamplePlace place;  ///< of the first that is known to be, if size > 0
+  double size = 0;           ///< some error is at least this far from 0
+  cases::SamplePlace place;  ///< of the first that is known to be, if size > 0
 
   /// Whether an error, at most this far from 0, may be an extreme.
-  bool lets(double error_size, const SamplePlace& error_place) const {
+  bool lets(double error_size, const cases::SamplePlace& error_place) const {
     return error_size > size || (error_size == size && size > 0 && error_place < place);
   }
   /// Takes an error into account that is at least this far from 0.
-  void take(double error_size, const SamplePlace& error_place);
+  void take(double error_size, const cases::SamplePlace& error_place);
 };
 
 /// Errors that are both excess and ideal, of one kind and stratum.
@@ -48,7 +48,7 @@ class SingleErrors {
   /// Errors strictly between these cannot be an extreme; at most and at least 0.
   double least() const { return -least_.size; }
   double most() const { return most_.size; }
-  bool may_be_extreme(const records::Enclosure& error, const SamplePlace& place) const {
+  bool may_be_extreme(const records::Enclosure& error, const cases::SamplePlace& place) const {
     return most_.lets(error.hi, place) || least_.lets(-error.lo, place);
   }
   /// Notes an error that may be an extreme.

@@ -99,7 +99,7 @@ void keep_counterexample(const Law& law, const std::string& specification,
   Counterexample found{numbered.source, check.violation_count, check.violations, numbered.origin};
   // Of a scene with many triangles, not the whole is handed around until it is shrunk.
   if (numbered.source.triangles.size() > 1 && !check.violations.empty()) {
-    const std::size_t triangle = check.violations.front().triangle;
+    const std::size_t triangle = check.violations.front().place.triangle;
     if (triangle < numbered.source.triangles.size()) {
       cases::Case one = with_triangles(numbered.source, {{triangle}});
       const Check alone = check_or_note(law, one, backend, {numbered.index, known});

@@ -85,13 +85,13 @@ std::string legend_of(const Signs& signs, bool has_empty) {
 std::vector<std::string> close_up(const cases::Case& c, backends::Backend& backend,
                                   const records::Violation& violation) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip || violation.triangle >= clip->triangles.size()) return {};
+  if (!clip || violation.place.triangle >= clip->triangles.size()) return {};
   const cases::Contract contract = backend.contract(*clip);
   const Result<cases::Framebuffer> drawn = draw(*clip, backend);
   if (!drawn) return {};
 
-  const auto x = static_cast<int>(violation.x);
-  const auto y = static_cast<int>(violation.y);
+  const auto x = static_cast<int>(violation.place.x);
+  const auto y = static_cast<int>(violation.place.y);
   const int x0 = std::max(x - kAcross, 0);
   const int y0 = std::max(y - kUpAndDown, 0);
   const int x1 = std::min(x + kAcross + 1, clip->framebuffer.width);
@@ -99,9 +99,10 @@ std::vector<std::string> close_up(const cases::Case& c, backends::Backend& backe
   Signs signs;
   const oracle::SceneTruth scene(*clip, contract);
   oracle::judge(scene, *drawn, {}, [&](const oracle::JudgedSample& sample, const auto* /*truth*/) {
-    const auto at = std::pair(static_cast<int>(sample.y), static_cast<int>(sample.x));
+    const auto at = std::pair(static_cast<int>(sample.place.y), static_cast<int>(sample.place.x));
     const bool is_shown = at.second >= x0 && at.second < x1 && at.first >= y0 && at.first < y1;
-    if (!is_shown || sample.sample != violation.sample || sample.triangle != violation.triangle)
+    if (!is_shown || sample.place.sample != violation.place.sample ||
+        sample.place.triangle != violation.place.triangle)
       return;
     signs[at] = std::max(signs[at], sign_of(sample));
   });

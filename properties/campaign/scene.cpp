@@ -35,8 +35,9 @@ class SceneReader {
 
   void see(const JudgedSample& sample, const oracle::TriangleTruth* truth) {
     const bool is_in_map =
-        std::cmp_less(sample.x, map_.width) && std::cmp_less(sample.y, map_.height);
-    const std::size_t pixel = sample.y * static_cast<std::size_t>(map_.width) + sample.x;
+        std::cmp_less(sample.place.x, map_.width) && std::cmp_less(sample.place.y, map_.height);
+    const std::size_t pixel =
+        sample.place.y * static_cast<std::size_t>(map_.width) + sample.place.x;
     bool is_violated = sample.fragment_class != FragmentClass::correct;
     if (is_violated) note_violation(found_.coverage, sample, nullptr, truth);
     for (const JudgedValue& value : sample.values) {
@@ -121,7 +122,7 @@ void keep_violations(const Law& law, const std::string& specification, backends:
                      const std::vector<records::Violation>& violations, Findings& findings,
                      const KnownDefects* known) {
   for (const records::Violation& violation : violations) {
-    numbered.index = violation.triangle;
+    numbered.index = violation.place.triangle;
     Check check;
     check.violation_count = 1;
     check.violations = {violation};

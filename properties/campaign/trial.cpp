@@ -54,8 +54,8 @@ std::string file_name(const std::string& name, std::string_view law) {
 }
 
 std::string place_text(const Violation& v, const cases::Case& c) {
-  std::string text =
-      fmt::format("pixel ({}, {}), sample {} of triangle {}", v.x, v.y, v.sample, v.triangle);
+  std::string text = fmt::format("pixel ({}, {}), sample {} of triangle {}", v.place.x, v.place.y,
+                                 v.place.sample, v.place.triangle);
   if (!v.attribute) return fmt::format("{}, {}", text, to_string(v.kind));
   text += fmt::format(", attribute {}", *v.attribute);
   if (*v.attribute < c.attributes.size() && !c.attributes[*v.attribute].name.empty()) {

@@ -16,7 +16,7 @@ constexpr std::uint32_t kMostValues = records::kMostSpecimenValues;
 
 /// What was kept, if it has the sample.
 std::optional<Specimen> kept_around(const LookRequest& request) {
-  const auto& [triangle, x, y, sample] = request.at;
+  const auto& [triangle, y, x, sample] = request.at;
   const bool has_it = request.before && request.before->triangle == triangle &&
                       request.before->index_of(x, y, sample).has_value();
   return has_it ? request.before : std::nullopt;
@@ -85,8 +85,8 @@ std::vector<LookRequest> changed_parts(std::span<const Specimen> kept,
     LookRequest request;
     request.key = after->key;
     request.case_name = before.case_name;
-    request.at = {before.triangle, before.left + pixel % before.width,
-                  before.top + pixel / before.width, at % before.samples};
+    request.at = {before.triangle, before.top + pixel / before.width,
+                  before.left + pixel % before.width, at % before.samples};
     request.attribute = change->attribute;
     request.before = before;
     changed.push_back({change->size, std::move(request)});

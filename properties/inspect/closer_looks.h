@@ -19,9 +19,9 @@ namespace rastercheck::properties {
 
 /// What is to be looked at.
 struct LookRequest {
-  records::CaseKey key;         ///< the backend draws it, whoever drew it before
-  std::string case_name = {};   ///< empty where the case has none
-  records::SampleAddress at{};  ///< its triangle is an index into the case's triangles
+  records::CaseKey key;        ///< the backend draws it, whoever drew it before
+  std::string case_name = {};  ///< empty where the case has none
+  cases::SamplePlace at{};     ///< its triangle is an index into the case's triangles
   std::optional<std::uint32_t> attribute = std::nullopt;  ///< nothing for depth
   /// Of the error that grew, if that is why.
   std::optional<records::AttributeKind> kind = std::nullopt;

@@ -33,8 +33,8 @@ PixelBox hull(const PixelBox& a, const PixelBox& b) {
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
 }
 
-PixelBox crop_around(const cases::Case& c, const PixelBox& touched,
-                     const records::SampleAddress& at, std::uint32_t most_values) {
+PixelBox crop_around(const cases::Case& c, const PixelBox& touched, const cases::SamplePlace& at,
+                     std::uint32_t most_values) {
   const cases::FramebufferSize& size = c.framebuffer;
   const PixelBox shown = intersection(
       {touched.x0 - kMargin, touched.y0 - kMargin, touched.x1 + kMargin, touched.y1 + kMargin},

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "cases/case.h"
+#include "cases/sample_place.h"
 #include "oracle/pixel_box.h"
 #include "records/stage_trace.h"
 
@@ -17,6 +18,6 @@ oracle::PixelBox hull(const oracle::PixelBox& a, const oracle::PixelBox& b);
 /// values, depths among them, a square part, with the sample as near to its middle as may be. At
 /// least a pixel, at most records::kMostInspected along either side.
 oracle::PixelBox crop_around(const cases::Case& c, const oracle::PixelBox& touched,
-                             const records::SampleAddress& at, std::uint32_t most_values);
+                             const cases::SamplePlace& at, std::uint32_t most_values);
 
 }  // namespace rastercheck::properties

@@ -33,7 +33,7 @@ class Search {
 
   Focus found() const {
     if (focus_) return *focus_;
-    return {{request_->triangle.value_or(0), request_->x.value_or(0), request_->y.value_or(0),
+    return {{request_->triangle.value_or(0), request_->y.value_or(0), request_->x.value_or(0),
              request_->sample.value_or(0)},
             request_->attribute};
   }
@@ -43,8 +43,8 @@ class Search {
     const auto is_it = [](const std::optional<std::uint32_t>& asked, std::uint32_t here) {
       return !asked || *asked == here;
     };
-    return is_it(request_->triangle, sample.triangle) && is_it(request_->x, sample.x) &&
-           is_it(request_->y, sample.y) && is_it(request_->sample, sample.sample);
+    return is_it(request_->triangle, sample.place.triangle) && is_it(request_->x, sample.place.x) &&
+           is_it(request_->y, sample.place.y) && is_it(request_->sample, sample.place.sample);
   }
 
   void see_value(const JudgedSample& sample, const JudgedValue& value) {
@@ -61,7 +61,7 @@ class Search {
   }
 
   void take(const JudgedSample& sample, std::optional<std::uint32_t> attribute, double error) {
-    focus_ = {{sample.triangle, sample.x, sample.y, sample.sample}, attribute};
+    focus_ = {sample.place, attribute};
     largest_ = error;
   }
 

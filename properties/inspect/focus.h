@@ -14,7 +14,7 @@ namespace rastercheck::properties {
 
 /// What is looked for: a sample, and of its values the one that matters.
 struct Focus {
-  records::SampleAddress at;
+  cases::SamplePlace at;
   std::optional<std::uint32_t> attribute = std::nullopt;  ///< nothing: its coverage, or its depth
   bool operator==(const Focus&) const = default;
 };

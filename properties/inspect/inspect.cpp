@@ -112,17 +112,17 @@ void add_errors(const InspectedDrawing& subject, const std::optional<ValueRange>
   const bool is_free = value.attribute && subject.promised->is_value_free(*value.attribute);
   if (at.verdict == Verdict::forbidden || is_free) return;
   const std::optional<ValueRange> promised =
-      value_at(*subject.promised, value.attribute, static_cast<int>(at.x), static_cast<int>(at.y),
-               static_cast<int>(at.sample));
+      value_at(*subject.promised, value.attribute, static_cast<int>(at.place.x),
+               static_cast<int>(at.place.y), static_cast<int>(at.place.sample));
   if (promised) value.excess = scale_error(*value.actual, *promised, magnitude);
 }
 
 InspectedValue inspect_value(const InspectedDrawing& subject,
                              std::optional<std::uint32_t> attribute, const InspectedSample& at,
                              std::optional<std::size_t> fragment) {
-  const auto x = static_cast<int>(at.x);
-  const auto y = static_cast<int>(at.y);
-  const auto sample = static_cast<int>(at.sample);
+  const auto x = static_cast<int>(at.place.x);
+  const auto y = static_cast<int>(at.place.y);
+  const auto sample = static_cast<int>(at.place.sample);
   InspectedValue value;
   value.attribute = attribute;
   if (fragment) {
@@ -151,9 +151,9 @@ InspectedSample inspect_sample(const InspectedDrawing& subject, std::uint32_t x,
   const auto number = static_cast<int>(sample);
   const records::SampleVerdict decision = subject.promised->judge(column, row, number);
   InspectedSample found;
-  found.x = x;
-  found.y = y;
-  found.sample = sample;
+  found.place.x = x;
+  found.place.y = y;
+  found.place.sample = sample;
   found.verdict = decision.verdict;
   found.reason = decision.reason;
   found.distance = subject.promised->distance(column, row, number);
@@ -173,7 +173,7 @@ InspectedSample inspect_sample(const InspectedDrawing& subject, std::uint32_t x,
 // --- The part that is shown ----------------------------------------------------------------------
 
 /// The pixels that are shown.
-PixelBox crop_of(const InspectedDrawing& subject, const records::SampleAddress& at,
+PixelBox crop_of(const InspectedDrawing& subject, const cases::SamplePlace& at,
                  const InspectOptions& options) {
   const auto x = static_cast<int>(at.x);
   const auto y = static_cast<int>(at.y);
@@ -211,10 +211,10 @@ Inspection begin_inspection(const SceneTruth& scene, const Focus& focus,
   for (const cases::SamplePosition& p : cases::standard_pattern(c.framebuffer.samples)) {
     inspection.pattern.push_back({p.x / 16.0, p.y / 16.0});
   }
-  inspection.triangle = focus.at.triangle;
-  inspection.x = focus.at.x;
-  inspection.y = focus.at.y;
-  inspection.sample = focus.at.sample;
+  inspection.place.triangle = focus.at.triangle;
+  inspection.place.x = focus.at.x;
+  inspection.place.y = focus.at.y;
+  inspection.place.sample = focus.at.sample;
   inspection.attribute = focus.attribute;
   if (const std::optional<oracle::QMatrix> q = exact.q_matrix()) {
     inspection.q_matrix.emplace();
@@ -234,14 +234,13 @@ Inspection begin_inspection(const SceneTruth& scene, const Focus& focus,
 /// value that was drawn, as far as can be seen of any backend.
 void add_splits(const cases::Case& given, const cases::Contract& contract,
                 backends::Backend& backend, Inspection& inspection) {
-  const auto [triangle, x, y, number] =
-      records::SampleAddress{inspection.triangle, inspection.x, inspection.y, inspection.sample};
+  const auto& [triangle, y, x, number] = inspection.place;
   const InspectedSample* sample = inspected_sample(inspection);
   if (sample == nullptr) return;
   std::optional<records::SampleTrace> trace;
   bool is_told = backend.traces();
   if (is_told) {
-    const auto told = backend.trace(inspection.source, {triangle, x, y, number});
+    const auto told = backend.trace(inspection.source, inspection.place);
     is_told = told.has_value();
     if (is_told) trace = *told;
   }
@@ -270,7 +269,7 @@ Result<void> check_focus(const cases::Case& c, const Focus& focus, const Inspect
   const auto refuse = [](std::string reason) {
     return tl::unexpected(Error{"", "", std::move(reason)});
   };
-  const auto& [triangle, x, y, sample] = focus.at;
+  const auto& [triangle, y, x, sample] = focus.at;
   const cases::FramebufferSize& size = c.framebuffer;
   if (triangle >= c.triangles.size()) {
     return refuse(fmt::format("there is no triangle {}; it has {}", triangle, c.triangles.size()));

@@ -37,10 +37,11 @@ std::optional<Focus> focus_of(const records::Counterexample& found, backends::Ba
   if (found.violations.empty() || !found.violations.front().has_place()) return std::nullopt;
   const records::Violation& v = found.violations.front();
   const cases::FramebufferSize& size = c.framebuffer;
-  const bool is_there = v.triangle < c.triangles.size() && std::cmp_less(v.x, size.width) &&
-                        std::cmp_less(v.y, size.height) && std::cmp_less(v.sample, size.samples) &&
-                        (!v.attribute || *v.attribute < c.attributes.size());
-  if (is_there) return Focus{{v.triangle, v.x, v.y, v.sample}, v.attribute};
+  const bool is_there =
+      v.place.triangle < c.triangles.size() && std::cmp_less(v.place.x, size.width) &&
+      std::cmp_less(v.place.y, size.height) && std::cmp_less(v.place.sample, size.samples) &&
+      (!v.attribute || *v.attribute < c.attributes.size());
+  if (is_there) return Focus{v.place, v.attribute};
   const Result<Focus> worst = find_focus(c, backend, {});
   return worst ? std::optional(*worst) : std::nullopt;
 }
@@ -138,7 +139,7 @@ std::optional<Inspection> inspect_candidate(const Candidate& candidate, std::uin
   std::optional<cases::Case> c = case_of(candidate, seed, sources);
   if (!c) return std::nullopt;
   const WorstError& worst = *candidate.worst;
-  const Focus focus{{worst.triangle, worst.x, worst.y, worst.sample}, worst.attribute};
+  const Focus focus{worst.place, worst.attribute};
   std::optional<Inspection> inspection =
       inspect_part(*std::move(c), candidate.key->backend, focus, made, kOfRuns);
   if (!inspection || !shows(*inspection, worst.attribute, worst.actual)) return std::nullopt;

@@ -21,11 +21,11 @@
 namespace rastercheck::properties {
 namespace {
 
+using cases::SamplePlace;
 using oracle::PixelBox;
 using records::AttributeKind;
 using records::CaseKey;
 using records::CaseRecord;
-using records::SampleAddress;
 using records::Specimen;
 using records::Stratum;
 using records::WorstError;
@@ -66,7 +66,7 @@ int place_between(int from, int to, int i) {
 
 /// A pixel that the exact triangle covers, near its middle; nothing where none of those that are
 /// tried is.
-std::optional<SampleAddress> covered_place(const CasePart& part, std::uint32_t triangle) {
+std::optional<cases::SamplePlace> covered_place(const CasePart& part, std::uint32_t triangle) {
   const oracle::SceneTruth scene(part.source,
                                  cases::exact_contract(cases::contract_of(part.source)));
   const oracle::TriangleTruth truth(scene, part.triangle);
@@ -79,13 +79,14 @@ std::optional<SampleAddress> covered_place(const CasePart& part, std::uint32_t t
     const int x = std::clamp(place_between(box.x0, box.x1, i % kPlaces), box.x0, box.x1 - 1);
     const int y = std::clamp(place_between(box.y0, box.y1, i / kPlaces), box.y0, box.y1 - 1);
     if (truth.judge(x, y, 0).verdict != records::Verdict::required) continue;
-    return SampleAddress{triangle, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0};
+    return cases::SamplePlace{triangle, static_cast<std::uint32_t>(y),
+                              static_cast<std::uint32_t>(x), 0};
   }
   return std::nullopt;
 }
 
 /// The same of the first triangle that has one.
-std::optional<SampleAddress> covered_place(const cases::Case& c) {
+std::optional<cases::SamplePlace> covered_place(const cases::Case& c) {
   for (std::size_t i = 0; i < std::min(c.triangles.size(), kMostSpecimenTriangles); ++i) {
     const auto triangle = static_cast<std::uint32_t>(i);
     const std::optional<CasePart> part = drawn_part(c, triangle);
@@ -134,7 +135,7 @@ std::optional<Specimen> drawn(Specimen specimen, const CasePart& part, backends:
 struct SpecimenSubject {
   CaseKey key;
   std::string name;
-  SampleAddress at;
+  cases::SamplePlace at;
 };
 
 /// What is drawn around the sample.
@@ -196,7 +197,7 @@ class Choice {
   std::optional<cases::Case> case_of(const CaseKey& key) const {
     return frozen_case(key, run_->seed, sources_->corpus);
   }
-  bool has(const CaseKey& key, const SampleAddress& at) const;
+  bool has(const CaseKey& key, const cases::SamplePlace& at) const;
   bool add_first(const CaseKey& key, const CaseRecord& record);
   bool add(const Candidate& candidate);
   void keep(Specimen specimen) {
@@ -211,7 +212,7 @@ class Choice {
 };
 
 /// Whether that sample is kept already.
-bool Choice::has(const CaseKey& key, const SampleAddress& at) const {
+bool Choice::has(const CaseKey& key, const cases::SamplePlace& at) const {
   return std::any_of(kept_.begin(), kept_.end(), [&](const Specimen& one) {
     return one.key == key && one.triangle == at.triangle &&
            one.index_of(at.x, at.y, at.sample).has_value();
@@ -221,7 +222,7 @@ bool Choice::has(const CaseKey& key, const SampleAddress& at) const {
 /// False where nothing of the case can be shown.
 bool Choice::add_first(const CaseKey& key, const CaseRecord& record) {
   const std::optional<cases::Case> c = case_of(key);
-  const std::optional<SampleAddress> place = c ? covered_place(*c) : std::nullopt;
+  const std::optional<cases::SamplePlace> place = c ? covered_place(*c) : std::nullopt;
   if (!place) return false;
   // A backend that draws nothing of it does not bring in another case.
   if (std::optional<Specimen> one = specimen_of({key, record.name, *place}, *c, *made_)) {
@@ -243,7 +244,7 @@ void Choice::add_firsts() {
 /// False where the case has no such value: of a drawing that a law made of it.
 bool Choice::add(const Candidate& candidate) {
   const WorstError& worst = *candidate.worst;
-  const SampleAddress at{worst.triangle, worst.x, worst.y, worst.sample};
+  const cases::SamplePlace& at = worst.place;
   if (has(*candidate.key, at)) return true;
   const std::optional<cases::Case> c = case_of(*candidate.key);
   if (!c) return false;

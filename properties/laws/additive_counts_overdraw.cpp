@@ -123,7 +123,7 @@ class OverdrawCheck {
 
   void report(std::size_t at, FragmentClass found, float sum) {
     const Overdraw& overdraw = overdraw_[at];
-    FragmentPlace place = place_at(*picture_, at);
+    cases::SamplePlace place = place_at(*picture_, at);
     place.triangle = overdraw.last;
     records::Violation violation = violation_at(
         place, found,

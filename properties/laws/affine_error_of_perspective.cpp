@@ -70,7 +70,7 @@ class AffineErrorCheck {
 
   Check run() {
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
-      const FragmentPlace place = place_of(*drawn_, i);
+      const cases::SamplePlace place = drawn_->place_of(i);
       if (!is_of_case(*case_, place)) continue;
       const cases::Triangle& triangle = case_->triangles[place.triangle];
       if (!all_in_front(*case_, triangle)) continue;
@@ -89,7 +89,8 @@ class AffineErrorCheck {
            (attribute.location != Location::center || case_->framebuffer.samples == 1);
   }
 
-  void check_value(const FragmentPlace& place, std::uint32_t attribute, double most, float actual) {
+  void check_value(const cases::SamplePlace& place, std::uint32_t attribute, double most,
+                   float actual) {
     const std::optional<Promise> promise = findings_.promise_of(place, attribute);
     const auto exact = perspective_.truth(place.triangle)
                            .attribute(attribute, static_cast<int>(place.x),

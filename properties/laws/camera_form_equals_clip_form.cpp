@@ -181,7 +181,7 @@ class RayCheck {
     if (!drawn.triangle.empty()) tally_.label("drawn");
     if (contract_.coverage) tally_.label("snapped");
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      const FragmentPlace place = place_of(drawn, i);
+      const cases::SamplePlace place = drawn.place_of(i);
       if (!is_of_case(forms_->clip, place)) continue;  // a matter of coverage
       tally_.pass_required(place.triangle);
       if (has_promise(place.triangle)) see(place, drawn, i);
@@ -248,7 +248,8 @@ class RayCheck {
     return off;
   }
 
-  std::optional<Seen> seen_of(const FragmentPlace& place, std::span<const float> values) const {
+  std::optional<Seen> seen_of(const cases::SamplePlace& place,
+                              std::span<const float> values) const {
     Seen seen;
     for (std::size_t j = 0; j < 3; ++j) {
       const auto allowance =
@@ -263,7 +264,7 @@ class RayCheck {
     return seen;
   }
 
-  void see(const FragmentPlace& place, const cases::Framebuffer& drawn, std::size_t i) {
+  void see(const cases::SamplePlace& place, const cases::Framebuffer& drawn, std::size_t i) {
     const auto seen = seen_of(place, drawn.attributes_of(i));
     if (!seen) return;
     const cases::Case& c = forms_->clip;
@@ -291,7 +292,7 @@ class RayCheck {
          depth.units * ulp_of(depth.magnitude) * seen->w, "depth");
   }
 
-  void hold(const FragmentPlace& place, const Row& row, const Seen& seen, double besides,
+  void hold(const cases::SamplePlace& place, const Row& row, const Seen& seen, double besides,
             const char* what) {
     const Sum sum = times(row, seen);
     const double most = off_by(row, seen) + besides + 0x1p-48 * sum.size;

@@ -74,12 +74,14 @@ class Drawing {
     return Drawing(c, backend.contract(c), *drawn);
   }
 
-  const std::vector<FragmentPlace>& places() const { return places_; }
-  bool has(const FragmentPlace& place) const {
+  const std::vector<cases::SamplePlace>& places() const { return places_; }
+  bool has(const cases::SamplePlace& place) const {
     return std::binary_search(places_.begin(), places_.end(), place);
   }
 
-  SampleVerdict judge(const FragmentPlace& place) { return verdicts_.judge(place.triangle, place); }
+  SampleVerdict judge(const cases::SamplePlace& place) {
+    return verdicts_.judge(place.triangle, place);
+  }
   const oracle::TriangleTruth& truth(std::uint32_t triangle) { return verdicts_.truth(triangle); }
 
  private:
@@ -87,14 +89,14 @@ class Drawing {
       : verdicts_(c, contract) {
     // What is not of the case, or comes twice, is a matter of coverage.
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      if (is_of_case(c, place_of(drawn, i))) places_.push_back(place_of(drawn, i));
+      if (is_of_case(c, drawn.place_of(i))) places_.push_back(drawn.place_of(i));
     }
     std::sort(places_.begin(), places_.end());
     places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
   }
 
   Verdicts verdicts_;
-  std::vector<FragmentPlace> places_;  ///< ascending
+  std::vector<cases::SamplePlace> places_;  ///< ascending
 };
 
 class SharingCheck {
@@ -103,13 +105,13 @@ class SharingCheck {
 
   void run(std::size_t distance, Drawing& whole, Drawing& kept, Drawing& rest) {
     distance_ = distance;
-    std::vector<FragmentPlace> parts;
+    std::vector<cases::SamplePlace> parts;
     std::set_union(kept.places().begin(), kept.places().end(), rest.places().begin(),
                    rest.places().end(), std::back_inserter(parts));
-    std::vector<FragmentPlace> all;
+    std::vector<cases::SamplePlace> all;
     std::set_union(parts.begin(), parts.end(), whole.places().begin(), whole.places().end(),
                    std::back_inserter(all));
-    for (const FragmentPlace& place : all) see(place, whole, kept, rest);
+    for (const cases::SamplePlace& place : all) see(place, whole, kept, rest);
     // A plane between a triangle's samples: both parts drew something of it.
     std::vector<std::uint32_t> shared;
     std::set_intersection(of_kept_.begin(), of_kept_.end(), of_rest_.begin(), of_rest_.end(),
@@ -122,7 +124,7 @@ class SharingCheck {
   Check finish() { return tally_.finish(); }
 
  private:
-  void see(const FragmentPlace& place, Drawing& whole, Drawing& kept, Drawing& rest) {
+  void see(const cases::SamplePlace& place, Drawing& whole, Drawing& kept, Drawing& rest) {
     const SampleVerdict of_whole = whole.judge(place);
     const SampleVerdict of_kept = kept.judge(place);
     const SampleVerdict of_rest = rest.judge(place);
@@ -163,8 +165,8 @@ class SharingCheck {
     }
   }
 
-  void report(const FragmentPlace& place, FragmentClass fragment_class, const std::string& exact,
-              const std::string& what, Drawing& nearest) {
+  void report(const cases::SamplePlace& place, FragmentClass fragment_class,
+              const std::string& exact, const std::string& what, Drawing& nearest) {
     records::Violation violation = violation_at(
         place, fragment_class, exact, "clip distance " + std::to_string(distance_) + ": " + what);
     violation.distance = nearest.truth(place.triangle)

@@ -198,7 +198,7 @@ Clipping clipping_of(const cases::Case& c) {
 }
 
 /// Whether L is 0 at a sample that the whole draws.
-bool is_on_plane(Verdicts& with_l, const FragmentPlace& place) {
+bool is_on_plane(Verdicts& with_l, const cases::SamplePlace& place) {
   const auto verdict = with_l.judge(place.triangle, place).verdict;
   if (verdict == records::Verdict::forbidden) return false;
   const auto l = with_l.truth(place.triangle)
@@ -216,7 +216,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   exact.tie_rule = cases::TieRule::unspecified;  // ties of either kind are not forbidden
   Verdicts with_l(clipping.with_l, exact);
   bool has_zero = false;
-  clipping.parted.is_exempt = [&](const FragmentPlace& place) {
+  clipping.parted.is_exempt = [&](const cases::SamplePlace& place) {
     const bool is_zero = is_on_plane(with_l, place);
     has_zero = has_zero || is_zero;
     return is_zero;

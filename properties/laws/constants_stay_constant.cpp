@@ -88,7 +88,7 @@ class ConstantsCheck {
 
  private:
   void check_fragment(std::size_t i) {
-    const FragmentPlace place = place_of(*drawn_, i);
+    const cases::SamplePlace place = drawn_->place_of(i);
     if (!is_of_case(*case_, place) || constants_[place.triangle].empty()) return;
     const records::SampleVerdict decision = verdicts_.judge(place.triangle, place);
     if (decision.verdict != records::Verdict::required) return;
@@ -101,7 +101,7 @@ class ConstantsCheck {
     }
   }
 
-  void check_attribute(const FragmentPlace& place, std::uint32_t attribute, float actual) {
+  void check_attribute(const cases::SamplePlace& place, std::uint32_t attribute, float actual) {
     const oracle::TriangleTruth& truth = verdicts_.truth(place.triangle);
     if (truth.is_value_free(attribute)) return;
     const cases::Attribute& declared = case_->attributes[attribute];

@@ -68,7 +68,7 @@ void find_shared(const cases::Framebuffer& of_fronts, const cases::Framebuffer& 
   const std::set<std::uint32_t> fronts(of_fronts.triangle.begin(), of_fronts.triangle.end());
   std::set<std::uint32_t> reported;
   for (std::size_t i = 0; i < of_backs.size(); ++i) {
-    const FragmentPlace place = place_of(of_backs, i);
+    const cases::SamplePlace place = of_backs.place_of(i);
     if (!fronts.contains(place.triangle) || !reported.insert(place.triangle).second) continue;
     report(check, violation_at(place, FragmentClass::extra,
                                "forbidden: culling back faces leaves some of this triangle too",

@@ -241,7 +241,7 @@ class DegenerateCheck {
       const std::uint32_t triangle = drawn.triangle[i];
       const bool is_known = triangle < mixed_->original.size();
       if (is_known && !mixed_->original[triangle]) {
-        see(place_of(drawn, i));
+        see(drawn.place_of(i));
         continue;
       }
       result.triangle.push_back(is_known ? *mixed_->original[triangle] : nowhere);
@@ -261,7 +261,7 @@ class DegenerateCheck {
   const Check& found() const { return found_; }
 
  private:
-  void see(const FragmentPlace& place) {
+  void see(const cases::SamplePlace& place) {
     const bool is_forbidden =
         is_exact_ || !is_of_case(mixed_->source, place) ||
         verdicts_.judge(place.triangle, place).verdict == records::Verdict::forbidden;

@@ -46,7 +46,7 @@ class DerivativesCheck {
 
  private:
   void check_fragment(std::size_t i) {
-    const FragmentPlace place = place_of(*drawn_, i);
+    const cases::SamplePlace place = drawn_->place_of(i);
     if (!is_of_case(*case_, place)) return;
     const records::SampleVerdict decision = verdicts_.judge(place.triangle, place);
     if (decision.verdict != records::Verdict::required) return;
@@ -57,7 +57,7 @@ class DerivativesCheck {
     for (std::uint32_t a = 0; a < case_->attributes.size(); ++a) check_attribute(i, place, a);
   }
 
-  void check_attribute(std::size_t i, const FragmentPlace& place, std::uint32_t attribute) {
+  void check_attribute(std::size_t i, const cases::SamplePlace& place, std::uint32_t attribute) {
     const oracle::TriangleTruth& truth = verdicts_.truth(place.triangle);
     if (truth.is_value_free(attribute)) return;
     const auto x = static_cast<int>(place.x);

@@ -80,18 +80,18 @@ class DifferencesCheck {
   }
 
  private:
-  FragmentPlace neighbor(const FragmentPlace& place) const {
-    FragmentPlace other = place;
+  cases::SamplePlace neighbor(const cases::SamplePlace& place) const {
+    cases::SamplePlace other = place;
     (axis_ == WindowAxis::x ? other.x : other.y) ^= 1U;
     return other;
   }
 
-  bool is_in_framebuffer(const FragmentPlace& place) const {
+  bool is_in_framebuffer(const cases::SamplePlace& place) const {
     return std::cmp_less(place.x, picture_->size.width) &&
            std::cmp_less(place.y, picture_->size.height);
   }
 
-  bool is_drawn(const FragmentPlace& place) const {
+  bool is_drawn(const cases::SamplePlace& place) const {
     return is_in_framebuffer(place) && picture_->depth[index_at(*picture_, place)] != kNotDrawn;
   }
 
@@ -106,8 +106,8 @@ class DifferencesCheck {
     }
   }
 
-  void add_place_labels(const FragmentPlace& place) {
-    const FragmentPlace other = neighbor(place);
+  void add_place_labels(const cases::SamplePlace& place) {
+    const cases::SamplePlace other = neighbor(place);
     if (!is_in_framebuffer(other)) {
       tally_.label("beyond the framebuffer");
     } else if (seen_.truth(place.triangle)
@@ -118,7 +118,7 @@ class DifferencesCheck {
     }
   }
 
-  void check_difference(const FragmentPlace& place, std::uint32_t attribute, float computed) {
+  void check_difference(const cases::SamplePlace& place, std::uint32_t attribute, float computed) {
     const oracle::TriangleTruth& truth = seen_.truth(place.triangle);
     const auto difference =
         truth.is_value_free(attribute)

@@ -88,7 +88,7 @@ class DiscardCheck {
   FragmentsAt some_samples() const {
     FragmentsAt all;
     for (std::size_t i = 0; i < fragments_->size(); ++i) {
-      const FragmentPlace place = place_of(*fragments_, i);
+      const cases::SamplePlace place = fragments_->place_of(i);
       if (is_of_case(*case_, place)) all[index_at(*picture_, place)].push_back(i);
     }
     if (all.size() <= kMostSamples) return all;
@@ -106,7 +106,7 @@ class DiscardCheck {
   bool keep(const std::vector<std::size_t>& fragments) {
     std::vector<TextureTruth::Color> colors;
     for (const std::size_t i : fragments) {
-      const FragmentPlace place = place_of(*fragments_, i);
+      const cases::SamplePlace place = fragments_->place_of(i);
       const oracle::TriangleTruth& truth = seen_.truth(place.triangle);
       const bool is_required = truth
                                    .judge(static_cast<int>(place.x), static_cast<int>(place.y),

@@ -79,7 +79,7 @@ class EqualDepthCheck {
     std::optional<std::uint32_t> triangle;
     std::vector<std::size_t>* fragments = nullptr;
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
-      const FragmentPlace place = place_of(*drawn_, i);
+      const cases::SamplePlace place = drawn_->place_of(i);
       if (!is_of_case(*case_, place)) continue;
       if (triangle != place.triangle) {
         triangle = place.triangle;
@@ -124,7 +124,7 @@ class EqualDepthCheck {
   void name_others(const std::vector<std::size_t>& fragments) {
     std::optional<float> expected;
     for (const std::size_t i : fragments) {
-      const FragmentPlace place = place_of(*drawn_, i);
+      const cases::SamplePlace place = drawn_->place_of(i);
       if (!findings_.is_required(place)) continue;
       const float actual = drawn_->depth[i];
       if (!expected) expected = actual;

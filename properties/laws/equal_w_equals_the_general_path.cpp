@@ -175,11 +175,11 @@ class PathsCheck {
     constexpr const char* kNote = "drawn with vertices scaled each by another power of two";
     Closeness closeness;
     closeness.note = kNote;
-    closeness.is_open = [this](const FragmentPlace& place) { return is_open(place); };
+    closeness.is_open = [this](const cases::SamplePlace& place) { return is_open(place); };
     closeness.allowed = [this](std::uint32_t triangle, std::optional<std::uint32_t> attribute) {
       return allowed(triangle, attribute);
     };
-    closeness.is_undefined = [this](const FragmentPlace& place,
+    closeness.is_undefined = [this](const cases::SamplePlace& place,
                                     std::optional<std::uint32_t> attribute) {
       return verdicts_.is_undefined(place, attribute);
     };
@@ -199,7 +199,7 @@ class PathsCheck {
     return verdicts_.truth(triangle).has_certain_orientation();
   }
 
-  bool is_open(const FragmentPlace& place) {
+  bool is_open(const cases::SamplePlace& place) {
     return verdicts_.judge(place.triangle, place).verdict == records::Verdict::permitted ||
            verdicts_of_general_.judge(place.triangle, place).verdict == records::Verdict::permitted;
   }
@@ -222,7 +222,7 @@ class PathsCheck {
                      Check& check) {
     const FragmentMap places = fragments_by_place(equal);
     for (std::size_t i = 0; i < general.size(); ++i) {
-      const FragmentPlace place = place_of(general, i);
+      const cases::SamplePlace place = general.place_of(i);
       const auto before = places.find(place);
       if (before == places.end() || !is_of_case(pair_->equal, place)) continue;
       see_quotient(place, equal.attributes_of(before->second)[*pair_->quotient_of],
@@ -256,7 +256,7 @@ class PathsCheck {
     return bounds_;
   }
 
-  void see_quotient(const FragmentPlace& place, float r, std::span<const float> values,
+  void see_quotient(const cases::SamplePlace& place, float r, std::span<const float> values,
                     Check& check) {
     const std::optional<Bounds> bounds = bounds_of(place.triangle);
     if (!bounds) return;

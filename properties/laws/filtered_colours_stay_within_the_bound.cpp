@@ -99,7 +99,7 @@ class FilterCheck {
 
   std::optional<TextureTruth::Filtered> filter(const Coordinates& at,
                                                const oracle::TriangleTruth& truth,
-                                               const FragmentPlace& place) {
+                                               const cases::SamplePlace& place) {
     if (texturing_->filter == Filter::bilinear) {
       return truth_.bilinear(at.s, at.t, greatest_, bounds_);
     }
@@ -126,7 +126,7 @@ class FilterCheck {
     }
   }
 
-  void compare(const FragmentPlace& place, std::uint32_t channel,
+  void compare(const cases::SamplePlace& place, std::uint32_t channel,
                const oracle::FilteredChannel& filtered, float actual, const Coordinates& at) {
     const AttributeKind kind = records::kind_of(case_->attributes[channel % 2].interpolation);
     if (is_within(filtered.allowed, actual)) return tally_.pass(kind);

@@ -34,7 +34,7 @@ class FlatCheck {
 
   Check run() {
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
-      const FragmentPlace place = place_of(*drawn_, i);
+      const cases::SamplePlace place = drawn_->place_of(i);
       if (!is_of_case(*case_, place)) continue;
       for (std::uint32_t a = 0; a < case_->attributes.size(); ++a) {
         if (case_->attributes[a].interpolation != Interpolation::flat) continue;
@@ -45,7 +45,7 @@ class FlatCheck {
   }
 
  private:
-  void check_value(const FragmentPlace& place, std::uint32_t attribute, float actual) {
+  void check_value(const cases::SamplePlace& place, std::uint32_t attribute, float actual) {
     const bool is_last = case_->rules == cases::Rules::opengl;
     const std::uint32_t vertex = case_->triangles[place.triangle][is_last ? 2 : 0];
     const float expected = case_->attributes_of(vertex)[attribute];

@@ -50,9 +50,9 @@ class NearestCheck {
   }
 
   Check run(const cases::Framebuffer& tested) {
-    std::set<SamplePlace> seen;
+    std::set<cases::SamplePlace> seen;
     for (std::size_t i = 0; i < tested.size(); ++i) {
-      const FragmentPlace place = place_of(tested, i);
+      const cases::SamplePlace place = tested.place_of(i);
       const auto found = candidates_.find(sample_of(place));
       if (!seen.insert(sample_of(place)).second) {
         tally_.report(
@@ -66,7 +66,7 @@ class NearestCheck {
     }
     for (const auto& [sample, candidates] : candidates_) {
       if (seen.contains(sample) || candidates.has_nan) continue;
-      tally_.report(violation_at(place_of(*all_, candidates.nearest), FragmentClass::missing,
+      tally_.report(violation_at(all_->place_of(candidates.nearest), FragmentClass::missing,
                                  "required: it is the nearest there", "nothing is left there"));
     }
     tally_.counts().required = candidates_.size();
@@ -78,7 +78,7 @@ class NearestCheck {
   void add(std::size_t i) {
     const float depth = all_->depth[i];
     const auto [entry, is_first] =
-        candidates_.try_emplace(sample_of(place_of(*all_, i)), Candidates{i, i});
+        candidates_.try_emplace(sample_of(all_->place_of(i)), Candidates{i, i});
     Candidates& there = entry->second;
     ++there.count;
     there.has_nan = there.has_nan || std::isnan(depth);
@@ -89,8 +89,8 @@ class NearestCheck {
   }
 
   void compare(const Candidates& there, const cases::Framebuffer& tested, std::size_t i) {
-    const FragmentPlace place = place_of(tested, i);
-    const FragmentPlace nearest = place_of(*all_, there.nearest);
+    const cases::SamplePlace place = tested.place_of(i);
+    const cases::SamplePlace nearest = all_->place_of(there.nearest);
     if (place.triangle != nearest.triangle) {
       const std::string why = there.is_tied ? " is as near, and drawn first" : " is nearer";
       return tally_.report(violation_at(
@@ -108,7 +108,7 @@ class NearestCheck {
 
   void add_labels() {
     for (const auto& [sample, there] : candidates_) {
-      const FragmentPlace nearest = place_of(*all_, there.nearest);
+      const cases::SamplePlace nearest = all_->place_of(there.nearest);
       if (is_of_case(*case_, nearest)) tally_.see(nearest.triangle);
       if (there.count > 1) tally_.label("overdraw");
       if (there.count > 2) tally_.label("three and more");
@@ -119,7 +119,7 @@ class NearestCheck {
 
   const cases::Case* case_;
   const cases::Framebuffer* all_;
-  std::map<SamplePlace, Candidates> candidates_;
+  std::map<cases::SamplePlace, Candidates> candidates_;
   Tally tally_;
 };
 

@@ -111,7 +111,7 @@ class OutsideCheck {
   void see(const cases::Framebuffer& drawn) {
     bool is_any_inside = false;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      const FragmentPlace place = place_of(drawn, i);
+      const cases::SamplePlace place = drawn.place_of(i);
       // Of no pixel or sample at all: outside of everything.
       const std::string_view what =
           is_of_case(*case_, place) ? window_.outside_of(place.x, place.y, place.sample) : "target";
@@ -130,7 +130,7 @@ class OutsideCheck {
 
   void see(const cases::Picture& picture, float clear_depth) {
     for (std::size_t at = 0; at < picture.depth.size(); ++at) {
-      const FragmentPlace place = place_at(picture, at);
+      const cases::SamplePlace place = place_at(picture, at);
       const std::string_view what = window_.outside_of(place.x, place.y, place.sample);
       if (what.empty()) continue;
       const std::string note =

@@ -40,12 +40,12 @@ class OrderCheck {
 
   /// `all`: what there was to choose from.
   Check run(const cases::Framebuffer& all) {
-    const std::map<SamplePlace, std::size_t> first = fragments_by_sample(*forward_);
-    const std::map<SamplePlace, std::size_t> second = fragments_by_sample(*backward_);
+    const std::map<cases::SamplePlace, std::size_t> first = fragments_by_sample(*forward_);
+    const std::map<cases::SamplePlace, std::size_t> second = fragments_by_sample(*backward_);
     for (const auto& [sample, i] : first) {
       const auto other = second.find(sample);
       if (other == second.end()) {
-        tally_.report(violation_at(place_of(*forward_, i), FragmentClass::missing,
+        tally_.report(violation_at(forward_->place_of(i), FragmentClass::missing,
                                    "required: something is left there in submission order",
                                    "nothing is left there in the reverse order"));
       } else {
@@ -54,7 +54,7 @@ class OrderCheck {
     }
     for (const auto& [sample, i] : second) {
       if (first.contains(sample)) continue;
-      tally_.report(violation_at(place_of(*backward_, i), FragmentClass::extra,
+      tally_.report(violation_at(backward_->place_of(i), FragmentClass::extra,
                                  "forbidden: nothing is left there in submission order",
                                  "left in the reverse order"));
     }
@@ -64,11 +64,11 @@ class OrderCheck {
 
  private:
   void add_labels(const cases::Framebuffer& all) {
-    std::map<SamplePlace, std::pair<float, int>> depths;  // the least, and how many
+    std::map<cases::SamplePlace, std::pair<float, int>> depths;  // the least, and how many
     for (std::size_t i = 0; i < all.size(); ++i) {
       const float depth = all.depth[i];
       const auto [at, is_first] =
-          depths.try_emplace(sample_of(place_of(all, i)), std::pair{depth, 1});
+          depths.try_emplace(sample_of(all.place_of(i)), std::pair{depth, 1});
       if (is_first) continue;
       tally_.label(depth == at->second.first ? "equal depths" : "distinct depths");
       at->second.first = std::min(at->second.first, depth);
@@ -77,8 +77,8 @@ class OrderCheck {
   }
 
   void compare(std::size_t i, std::size_t j) {
-    const FragmentPlace place = place_of(*forward_, i);
-    const FragmentPlace other = place_of(*backward_, j);
+    const cases::SamplePlace place = forward_->place_of(i);
+    const cases::SamplePlace other = backward_->place_of(j);
     const float depth = forward_->depth[i];
     const float other_depth = backward_->depth[j];
     ++tally_.counts().required;
@@ -95,10 +95,10 @@ class OrderCheck {
   }
 
   /// Of the two that were left, the farther one is wrong.
-  static records::Violation wrong_triangle(const FragmentPlace& place, float depth,
-                                           const FragmentPlace& other, float other_depth) {
+  static records::Violation wrong_triangle(const cases::SamplePlace& place, float depth,
+                                           const cases::SamplePlace& other, float other_depth) {
     const bool is_first_wrong = other_depth < depth;
-    const FragmentPlace& nearer = is_first_wrong ? other : place;
+    const cases::SamplePlace& nearer = is_first_wrong ? other : place;
     records::Violation violation = violation_at(
         is_first_wrong ? place : other, FragmentClass::wrong_triangle,
         "forbidden: triangle " + std::to_string(nearer.triangle) + " is nearer", "drawn in ");

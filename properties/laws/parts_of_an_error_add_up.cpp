@@ -85,7 +85,7 @@ class SplitCheck {
   std::vector<std::size_t> fragments() const {
     std::map<std::uint32_t, std::vector<std::size_t>> by_triangle;
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
-      if (is_of_case(*case_, place_of(*drawn_, i))) by_triangle[drawn_->triangle[i]].push_back(i);
+      if (is_of_case(*case_, drawn_->place_of(i))) by_triangle[drawn_->triangle[i]].push_back(i);
     }
     std::vector<std::size_t> all;
     for (const auto& [triangle, of_triangle] : by_triangle) {
@@ -96,12 +96,11 @@ class SplitCheck {
   }
 
   void check_fragment(std::size_t i) {
-    const FragmentPlace place = place_of(*drawn_, i);
+    const cases::SamplePlace place = drawn_->place_of(i);
     if (verdicts_.judge(place.triangle, place).verdict == records::Verdict::forbidden) return;
     std::optional<SampleTrace> trace;
     if (backend_->traces()) {
-      Result<std::optional<SampleTrace>> told =
-          backend_->trace(*case_, {place.triangle, place.x, place.y, place.sample});
+      Result<std::optional<SampleTrace>> told = backend_->trace(*case_, place);
       if (!told) {
         error_ = told.error();
         return;
@@ -121,8 +120,8 @@ class SplitCheck {
     }
   }
 
-  void check_value(const FragmentPlace& place, std::optional<std::uint32_t> attribute, float actual,
-                   const std::optional<SampleTrace>& trace) {
+  void check_value(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute,
+                   float actual, const std::optional<SampleTrace>& trace) {
     const auto& [triangle, y, x, sample] = place;
     const auto seen = split_->untraced(attribute, x, y, sample, actual);
     if (!seen) return;  // no finite number, or undefined
@@ -150,7 +149,8 @@ class SplitCheck {
   }
 
   /// What a split should be and is not; empty where it is right.
-  std::string fault_of(const oracle::ExactSplit& split, const FragmentPlace& place, float actual) {
+  std::string fault_of(const oracle::ExactSplit& split, const cases::SamplePlace& place,
+                       float actual) {
     if (!adds_up(split, actual)) return "parts that add up to the error";
     // A centroid's place may be open, and what only snapping covers is undefined.
     const std::optional<std::uint32_t> attribute = split.attribute;
@@ -171,7 +171,7 @@ class SplitCheck {
     return "";
   }
 
-  void report(const FragmentPlace& place, std::optional<std::uint32_t> attribute, float actual,
+  void report(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute, float actual,
               const std::string& expected) {
     tally_.report(violation_at(place, FragmentClass::beyond_bound, expected,
                                "the error is not what its parts are",

@@ -55,7 +55,7 @@ class PictureCheck {
         triangles_(expected_.depth.size()),
         tally_(c) {
     for (std::size_t i = 0; i < fragments.size(); ++i) {
-      const FragmentPlace place = place_of(fragments, i);
+      const cases::SamplePlace place = fragments.place_of(i);
       if (!is_of_case(c, place)) continue;
       triangles_[index_at(expected_, place)].push_back(place.triangle);
     }
@@ -83,7 +83,7 @@ class PictureCheck {
     records::Violation violation = picture_violation(
         *case_, *picture_, at, channel, expected,
         fmt::format("{} fragments there; {}", triangles.size(), text_of(*pipeline_)));
-    violation.triangle = triangles.empty() ? 0 : triangles.back();
+    violation.place.triangle = triangles.empty() ? 0 : triangles.back();
     tally_.report(violation);
   }
 

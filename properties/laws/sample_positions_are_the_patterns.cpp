@@ -102,7 +102,7 @@ class PatternCheck {
     std::vector<Coordinate> coordinates;
     std::optional<std::uint32_t> triangle;
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
-      const FragmentPlace place = place_of(*drawn_, i);
+      const cases::SamplePlace place = drawn_->place_of(i);
       if (!is_of_case(*case_, place)) continue;
       if (triangle != place.triangle) {
         triangle = place.triangle;
@@ -116,7 +116,7 @@ class PatternCheck {
 
  private:
   /// Where an attribute is evaluated along an axis.
-  Range expected(const FragmentPlace& place, const Coordinate& coordinate) const {
+  Range expected(const cases::SamplePlace& place, const Coordinate& coordinate) const {
     const bool is_x = coordinate.axis == Axis::x;
     const double pixel = is_x ? place.x : place.y;
     const cases::SamplePosition& offset = pattern_[place.sample];
@@ -135,7 +135,7 @@ class PatternCheck {
     return {pixel, pixel + 1};
   }
 
-  void check_value(std::size_t i, const FragmentPlace& place, const Coordinate& coordinate) {
+  void check_value(std::size_t i, const cases::SamplePlace& place, const Coordinate& coordinate) {
     findings_.see(place, coordinate.attribute);
     add_labels(coordinate.attribute);
     const float actual = drawn_->attributes_of(i)[coordinate.attribute];

@@ -143,10 +143,10 @@ class AffinityCheck {
         tally_(c) {}
 
   Check run() {
-    std::set<FragmentPlace> seen;
+    std::set<cases::SamplePlace> seen;
     std::vector<std::size_t> same;
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
-      const FragmentPlace place = place_of(*drawn_, i);
+      const cases::SamplePlace place = drawn_->place_of(i);
       if (!places_.contains(place) || !seen.insert(place).second) {
         tally_.report(
             violation_at(place, FragmentClass::extra, "forbidden: it was not drawn", kNote));
@@ -168,12 +168,12 @@ class AffinityCheck {
  private:
   static constexpr const char* kNote = "with other attribute values";
 
-  const cases::Triangle& triangle_at(const FragmentPlace& place) const {
+  const cases::Triangle& triangle_at(const cases::SamplePlace& place) const {
     return case_->triangles[place.triangle];
   }
 
   /// max |r_i| of the triangle, moved or not.
-  double magnitude(const FragmentPlace& place, std::size_t a, const Affine& map) const {
+  double magnitude(const cases::SamplePlace& place, std::size_t a, const Affine& map) const {
     double most = 0;
     for (const std::uint32_t v : triangle_at(place)) {
       const double r = case_->attributes_of(v)[a];
@@ -182,12 +182,12 @@ class AffinityCheck {
     return most;
   }
 
-  bool is_free(const FragmentPlace& place, std::size_t a) const {
+  bool is_free(const cases::SamplePlace& place, std::size_t a) const {
     return contract_.is_affine(case_->attributes[a].interpolation) &&
            !all_in_front(*case_, triangle_at(place));
   }
 
-  bool has_bits(const FragmentPlace& place, std::size_t a) const {
+  bool has_bits(const cases::SamplePlace& place, std::size_t a) const {
     return std::all_of(triangle_at(place).begin(), triangle_at(place).end(), [&](std::uint32_t v) {
       const double r = std::abs(double{case_->attributes_of(v)[a]});
       return r == 0 || (r >= kLeastOfBits && r <= kMostOfBits);
@@ -210,7 +210,7 @@ class AffinityCheck {
 
   /// All that needs no oracle.
   void compare(std::size_t i) {
-    const FragmentPlace place = place_of(*drawn_, i);
+    const cases::SamplePlace place = drawn_->place_of(i);
     const std::size_t was = places_.at(place);
     bool is_right = true;
     if (!is_same(before_->depth[was], drawn_->depth[i])) {
@@ -245,7 +245,7 @@ class AffinityCheck {
 
   /// What the oracle has to say.
   void ask(std::size_t i) {
-    const FragmentPlace place = place_of(*drawn_, i);
+    const cases::SamplePlace place = drawn_->place_of(i);
     for (std::uint32_t a = 0; a < maps_.size(); ++a) {
       const bool is_flat = case_->attributes[a].interpolation == cases::Interpolation::flat;
       const float f = before_->attributes_of(places_.at(place))[a];
@@ -274,7 +274,7 @@ class AffinityCheck {
     }
   }
 
-  bool expect_same(const FragmentPlace& place, std::uint32_t a, float expected, float actual,
+  bool expect_same(const cases::SamplePlace& place, std::uint32_t a, float expected, float actual,
                    const char* label) {
     tally_.label(label);
     if (is_same(expected, actual)) return true;
@@ -284,7 +284,7 @@ class AffinityCheck {
   }
 
   /// |f' − (α f + β)| <= b U' + |α| (b U + hi − lo).
-  bool expect_within(const FragmentPlace& place, std::uint32_t a, float f, float actual,
+  bool expect_within(const cases::SamplePlace& place, std::uint32_t a, float f, float actual,
                      const Allowed& allowed, const Greatest& greatest) {
     const Affine& map = maps_[a];
     const double alpha = std::abs(map.alpha);
@@ -314,8 +314,9 @@ class AffinityCheck {
     return fmt::format("{} r + {}, of the value r as it was", map.alpha, map.beta);
   }
 
-  void report_value(const FragmentPlace& place, AttributeKind kind, float expected, float actual,
-                    const std::string& note, std::optional<std::uint32_t> attribute = {}) {
+  void report_value(const cases::SamplePlace& place, AttributeKind kind, float expected,
+                    float actual, const std::string& note,
+                    std::optional<std::uint32_t> attribute = {}) {
     tally_.report(violation_at(place, class_of(actual, expected), value_text(expected), note,
                                {kind, attribute, actual}));
   }

@@ -36,7 +36,7 @@ int cut_of(const PixelSpan& span, std::uint64_t number) {
   return span.first + 1 + static_cast<int>(number % static_cast<std::uint64_t>(size - 1));
 }
 
-bool is_within(const cases::Scissor& scissor, const FragmentPlace& place) {
+bool is_within(const cases::Scissor& scissor, const cases::SamplePlace& place) {
   return std::cmp_greater_equal(place.x, scissor.x) &&
          std::cmp_less(place.x, scissor.x + scissor.width) &&
          std::cmp_greater_equal(place.y, scissor.y) &&
@@ -85,7 +85,7 @@ class PartingCheck {
 
   void see(const cases::Scissor& part, const cases::Framebuffer& drawn) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      const FragmentPlace place = place_of(drawn, i);
+      const cases::SamplePlace place = drawn.place_of(i);
       const auto expected = expected_.find(place);
       if (!is_within(part, place)) {
         tally_.report(violation_at(place, FragmentClass::extra, "forbidden: outside the scissor",
@@ -128,7 +128,7 @@ class PartingCheck {
   const Parting* parting_;
   const cases::Framebuffer* whole_;
   FragmentMap expected_;
-  std::set<FragmentPlace> seen_;
+  std::set<cases::SamplePlace> seen_;
   int parts_drawn_ = 0;
   Tally tally_;
 };

@@ -149,10 +149,10 @@ std::string note_of(const cases::Case& expanded, const Indexed& indexed,
                     const records::Violation& violation) {
   std::string text = fmt::format("a {} of vertices {} (R: restart) instead of the case's triangles",
                                  word(indexed.topology), index_text(indexed.indices));
-  if (violation.triangle >= expanded.triangles.size()) return text;
-  const auto& [a, b, c] = expanded.triangles[violation.triangle];
+  if (violation.place.triangle >= expanded.triangles.size()) return text;
+  const auto& [a, b, c] = expanded.triangles[violation.place.triangle];
   return text +
-         fmt::format(", its triangle {} of vertices {}, {}, {}", violation.triangle, a, b, c);
+         fmt::format(", its triangle {} of vertices {}, {}, {}", violation.place.triangle, a, b, c);
 }
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {

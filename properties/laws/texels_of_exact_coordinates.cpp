@@ -102,7 +102,7 @@ class TexelCheck {
     tally_.label(kWrapWords[static_cast<std::size_t>(wrap)]);
   }
 
-  void compare(std::size_t at, const FragmentPlace& place, const Coordinates& exact) {
+  void compare(std::size_t at, const cases::SamplePlace& place, const Coordinates& exact) {
     const TextureTruth::Color color = truth_.nearest(exact.s, exact.t);
     for (std::uint32_t channel = 0; channel < color.size(); ++channel) {
       const float actual = picture_->color[at * color.size() + channel];
@@ -113,8 +113,8 @@ class TexelCheck {
     }
   }
 
-  void report(const FragmentPlace& place, std::uint32_t channel, const TextureTruth::Color& color,
-              const Coordinates& exact, float actual) {
+  void report(const cases::SamplePlace& place, std::uint32_t channel,
+              const TextureTruth::Color& color, const Coordinates& exact, float actual) {
     records::Violation violation =
         violation_at(place, class_of_wrong(actual, FragmentClass::beyond_bound), text_of(color),
                      fmt::format("channel {} of a {}×{} texture, {} and {}, at s = {}, t = {}",

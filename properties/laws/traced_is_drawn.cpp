@@ -28,9 +28,9 @@
 namespace rastercheck::properties::traced_is_drawn_law {
 namespace {
 
+using cases::SamplePlace;
 using records::AttributeKind;
 using records::FragmentClass;
-using records::SampleAddress;
 using records::SampleTrace;
 using records::TracedValue;
 
@@ -117,53 +117,38 @@ class TraceCheck {
   }
 
  private:
-  using Place = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // y, x, sample
-
-  SampleAddress address_of(std::size_t i) const {
-    return {drawn_->triangle[i], drawn_->x[i], drawn_->y[i], drawn_->sample[i]};
-  }
+  using Places = std::set<cases::SamplePlace>;
 
   void check_triangle(std::uint32_t triangle, const std::vector<std::size_t>& fragments) {
-    std::set<Place> drawn;
-    for (const std::size_t i : fragments) {
-      drawn.emplace(drawn_->y[i], drawn_->x[i], drawn_->sample[i]);
-    }
+    Places drawn;
+    for (const std::size_t i : fragments) drawn.insert(drawn_->place_of(i));
     const std::size_t count = std::min(fragments.size(), kMostTraced);
-    std::set<Place> beside;
+    Places beside;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t i = fragments[k * fragments.size() / count];
       check_drawn(i);
-      add_neighbours(address_of(i), drawn, beside);
+      add_neighbours(drawn_->place_of(i), drawn, beside);
     }
-    if (fragments.empty()) beside.emplace(case_->framebuffer.height / 2, 0, 0);
-    for (const auto& [y, x, sample] : beside) check_not_drawn({triangle, x, y, sample});
+    if (fragments.empty()) {
+      cases::SamplePlace middle;
+      middle.triangle = triangle;
+      middle.y = static_cast<std::uint32_t>(case_->framebuffer.height / 2);
+      beside.insert(middle);
+    }
+    for (const cases::SamplePlace& at : beside) check_not_drawn(at);
   }
 
   /// The first samples to the right, below, and behind in the pattern that were not drawn.
-  void add_neighbours(const SampleAddress& at, const std::set<Place>& drawn,
-                      std::set<Place>& beside) const {
-    const cases::FramebufferSize& size = case_->framebuffer;
-    const auto walk = [&](std::uint32_t dx, std::uint32_t dy, std::uint32_t ds) {
-      std::uint32_t x = at.x;
-      std::uint32_t y = at.y;
-      std::uint32_t s = at.sample;
-      while (std::cmp_less(x, size.width) && std::cmp_less(y, size.height) &&
-             std::cmp_less(s, size.samples)) {
-        if (!drawn.contains({y, x, s})) {
-          beside.emplace(y, x, s);
-          return;
-        }
-        x += dx;
-        y += dy;
-        s += ds;
-      }
-    };
-    walk(1, 0, 0);
-    walk(0, 1, 0);
-    walk(0, 0, 1);
+  void add_neighbours(const cases::SamplePlace& at, const Places& drawn, Places& beside) const {
+    for (std::uint32_t cases::SamplePlace::*const towards :
+         {&cases::SamplePlace::x, &cases::SamplePlace::y, &cases::SamplePlace::sample}) {
+      cases::SamplePlace next = at;
+      while (is_of_case(*case_, next) && drawn.contains(next)) ++(next.*towards);
+      if (is_of_case(*case_, next)) beside.insert(next);
+    }
   }
 
-  std::optional<SampleTrace> trace_of(const SampleAddress& at) {
+  std::optional<SampleTrace> trace_of(const cases::SamplePlace& at) {
     if (error_) return std::nullopt;
     Result<std::optional<SampleTrace>> trace = backend_->trace(*case_, at);
     if (trace) return *std::move(trace);
@@ -172,7 +157,7 @@ class TraceCheck {
   }
 
   void check_drawn(std::size_t i) {
-    const SampleAddress at = address_of(i);
+    const cases::SamplePlace at = drawn_->place_of(i);
     const std::optional<SampleTrace> trace = trace_of(at);
     if (error_) return;
     ++tally_.counts().required;
@@ -193,7 +178,7 @@ class TraceCheck {
     }
   }
 
-  void check_not_drawn(const SampleAddress& at) {
+  void check_not_drawn(const cases::SamplePlace& at) {
     const std::optional<SampleTrace> trace = trace_of(at);
     if (error_) return;
     ++tally_.counts().forbidden;
@@ -203,32 +188,28 @@ class TraceCheck {
     note_fault(at, fault_of_weights(*trace));
   }
 
-  void check_value(const SampleAddress& at, AttributeKind kind,
+  void check_value(const cases::SamplePlace& at, AttributeKind kind,
                    std::optional<std::uint32_t> attribute, float drawn, const SampleTrace& trace,
                    const TracedValue& traced) {
     if (traced.is_exact) tally_.label("exact value");
     if (traced.u != trace.u || traced.v != trace.v) tally_.label("located elsewhere");
     if (!is_same_float(drawn, traced.value)) {
-      return tally_.report(violation_at(
-          place_of(at), FragmentClass::beyond_bound, value_text(drawn),
-          "the trace has another value than the drawing", {kind, attribute, traced.value}));
+      return tally_.report(violation_at(at, FragmentClass::beyond_bound, value_text(drawn),
+                                        "the trace has another value than the drawing",
+                                        {kind, attribute, traced.value}));
     }
     tally_.pass(kind);
     note_fault(at, fault_of_value(trace, traced));
   }
 
-  void note_fault(const SampleAddress& at, const std::string& fault) {
+  void note_fault(const cases::SamplePlace& at, const std::string& fault) {
     if (fault.empty()) return;
     report(at, FragmentClass::beyond_bound, "a trace that holds together", "a trace", fault);
   }
 
-  static FragmentPlace place_of(const SampleAddress& at) {
-    return {at.triangle, at.y, at.x, at.sample};
-  }
-
-  void report(const SampleAddress& at, FragmentClass found, const char* exact, const char* actual,
-              const std::string& note = "") {
-    records::Violation violation = violation_at(place_of(at), found, exact, note);
+  void report(const cases::SamplePlace& at, FragmentClass found, const char* exact,
+              const char* actual, const std::string& note = "") {
+    records::Violation violation = violation_at(at, found, exact, note);
     violation.actual = actual;
     tally_.report(violation);
   }

@@ -261,7 +261,7 @@ class CoveredOnce {
     std::vector<std::uint8_t> times(static_cast<std::size_t>(size.width) *
                                     static_cast<std::size_t>(size.height) * samples);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      const FragmentPlace place = place_of(drawn, i);
+      const cases::SamplePlace place = drawn.place_of(i);
       if (!is_of_case(*case_, place)) {
         report(place, FragmentClass::extra, "forbidden: no such triangle, pixel or sample");
         continue;
@@ -274,8 +274,9 @@ class CoveredOnce {
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) {
         for (int s = 0; s < size.samples; ++s) {
-          const FragmentPlace place{0, static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(x),
-                                    static_cast<std::uint32_t>(s)};
+          const cases::SamplePlace place{0, static_cast<std::uint32_t>(y),
+                                         static_cast<std::uint32_t>(x),
+                                         static_cast<std::uint32_t>(s)};
           if (times[index_of(place)] < 2) see(place, times[index_of(place)]);
         }
       }
@@ -284,13 +285,13 @@ class CoveredOnce {
   }
 
  private:
-  std::size_t index_of(const FragmentPlace& place) const {
+  std::size_t index_of(const cases::SamplePlace& place) const {
     const auto width = static_cast<std::size_t>(case_->framebuffer.width);
     const auto samples = static_cast<std::size_t>(case_->framebuffer.samples);
     return (place.y * width + place.x) * samples + place.sample;
   }
 
-  void see(const FragmentPlace& place, int drawn) {
+  void see(const cases::SamplePlace& place, int drawn) {
     const Times wanted = screen_->times(static_cast<int>(place.x), static_cast<int>(place.y),
                                         static_cast<int>(place.sample));
     if (wanted == Times::any) return;
@@ -317,7 +318,7 @@ class CoveredOnce {
   }
 
   /// Whether the contract lets each of three triangles decide by itself.
-  bool is_open(const FragmentPlace& place, Times wanted) {
+  bool is_open(const cases::SamplePlace& place, Times wanted) {
     const bool is_strict =
         contract_.tie_rule != cases::TieRule::unspecified && contract_.is_on_grid;
     if (is_strict) return false;
@@ -330,7 +331,7 @@ class CoveredOnce {
   }
 
   /// The place with a triangle that may cover it.
-  FragmentPlace first_covering(FragmentPlace place) {
+  cases::SamplePlace first_covering(cases::SamplePlace place) {
     for (std::uint32_t t = 0; t < case_->triangles.size(); ++t) {
       place.triangle = t;
       if (verdicts_->judge(t, place).verdict != Verdict::forbidden) return place;
@@ -339,7 +340,8 @@ class CoveredOnce {
     return place;
   }
 
-  void report(const FragmentPlace& place, FragmentClass fragment_class, const std::string& exact) {
+  void report(const cases::SamplePlace& place, FragmentClass fragment_class,
+              const std::string& exact) {
     tally_.report(violation_at(place, fragment_class, exact, "in a triangulation of the screen"));
   }
 

@@ -99,7 +99,7 @@ class RangeCheck {
     Subject subject;
     std::optional<std::uint32_t> triangle;
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
-      const FragmentPlace place = place_of(*drawn_, i);
+      const cases::SamplePlace place = drawn_->place_of(i);
       if (!is_of_case(*case_, place)) continue;
       if (triangle != place.triangle) {
         triangle = place.triangle;
@@ -116,7 +116,7 @@ class RangeCheck {
   }
 
  private:
-  void check_value(const FragmentPlace& place, std::optional<std::uint32_t> attribute,
+  void check_value(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute,
                    const Range& range, float actual) {
     findings_.see(place, attribute);
     if (attribute) add_labels(*attribute, range, actual);

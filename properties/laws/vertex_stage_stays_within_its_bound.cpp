@@ -67,7 +67,7 @@ Check judge(const cases::Case& c, const std::vector<cases::ClipVertex>& computed
       if (one.fragment_class == FragmentClass::correct) continue;
       records::Violation violation;
       violation.fragment_class = one.fragment_class;
-      violation.triangle = triangle_with(c, vertex);
+      violation.place.triangle = triangle_with(c, vertex);
       violation.exact = one.exact.to_string();
       violation.actual = value_text(coordinates_of(computed[vertex])[k]);
       violation.error = one.error;

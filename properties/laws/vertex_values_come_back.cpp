@@ -84,7 +84,7 @@ class VertexCheck {
 
  private:
   /// The vertex, 0 to 2, that lies exactly at a sample; nothing where none does.
-  std::optional<std::size_t> vertex_at(const FragmentPlace& place) const {
+  std::optional<std::size_t> vertex_at(const cases::SamplePlace& place) const {
     const cases::SamplePosition offset = pattern_[place.sample];
     const WindowPoint p{place.x + offset.x / 16.0, place.y + offset.y / 16.0};
     const cases::Triangle& triangle = case_->triangles[place.triangle];
@@ -96,7 +96,7 @@ class VertexCheck {
   }
 
   void check_fragment(std::size_t i) {
-    const FragmentPlace place = place_of(*drawn_, i);
+    const cases::SamplePlace place = drawn_->place_of(i);
     if (!is_of_case(*case_, place) || !stays_in_place(contract_, pattern_[place.sample])) return;
     const auto vertex = vertex_at(place);
     if (!vertex) return;
@@ -115,7 +115,7 @@ class VertexCheck {
     }
   }
 
-  void check_attribute(const FragmentPlace& place, std::size_t vertex, std::uint32_t attribute,
+  void check_attribute(const cases::SamplePlace& place, std::size_t vertex, std::uint32_t attribute,
                        float actual) {
     const cases::Triangle& triangle = case_->triangles[place.triangle];
     const float expected = case_->attributes_of(triangle[vertex])[attribute];

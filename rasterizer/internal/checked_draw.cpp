@@ -90,7 +90,7 @@ DrawResult draw_checked(const DrawCall& draw, const State& state, const Mesh& me
 }
 
 TraceResult trace_checked(const TraceCall& trace, const State& state, const Mesh& mesh,
-                          const TargetSize& size, const SampleAddress& address) {
+                          const TargetSize& size, const SamplePlace& address) {
   std::optional<Error> error = check_draw(state, mesh, size);
   if (!error && (address.triangle >= mesh.triangles.size())) error = Error::index;
   if (error) return {error, std::nullopt};

@@ -30,10 +30,10 @@ DrawResult draw_checked(const DrawCall& draw, const State& state, const Mesh& me
 
 /// What traces a sample of a triangle of the mesh.
 using TraceCall = std::function<std::optional<Trace>(
-    const State& state, const Mesh& mesh, const TargetSize& size, const SampleAddress& address)>;
+    const State& state, const Mesh& mesh, const TargetSize& size, const SamplePlace& address)>;
 
 /// Checks the arguments, then traces; nothing where the sample is not of the target.
 TraceResult trace_checked(const TraceCall& trace, const State& state, const Mesh& mesh,
-                          const TargetSize& size, const SampleAddress& address);
+                          const TargetSize& size, const SamplePlace& address);
 
 }  // namespace rastercheck::rasterizer

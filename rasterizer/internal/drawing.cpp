@@ -388,7 +388,7 @@ DrawCounts draw_mesh(const State& state, const Mesh& mesh, const TargetSize& siz
 }
 
 std::optional<Trace> trace_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
-                                const SampleAddress& address) {
+                                const SamplePlace& address) {
   Mesh alone = mesh;
   alone.triangles = mesh.triangles.subspan(address.triangle, 1);
   RecordingTap tap({0, address.x, address.y, address.sample});

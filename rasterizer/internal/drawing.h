@@ -32,7 +32,7 @@ DrawCounts draw_mesh(const State& state, const Mesh& mesh, const TargetSize& siz
 /// The trace of a sample, its triangle drawn alone; nothing where that is not set up. The arguments
 /// were checked.
 std::optional<Trace> trace_mesh(const State& state, const Mesh& mesh, const TargetSize& size,
-                                const SampleAddress& address);
+                                const SamplePlace& address);
 
 /// Draws into tiles of a framebuffer; each thread has its own.
 class TileDrawing {

@@ -66,7 +66,7 @@ struct NoTap {
 
 class RecordingTap {
  public:
-  explicit RecordingTap(const SampleAddress& address) : address_(address) {}
+  explicit RecordingTap(const SamplePlace& address) : address_(address) {}
 
   /// A triangle and the parts that it is drawn in.
   template <typename Coverage>
@@ -125,7 +125,7 @@ class RecordingTap {
   TracedValue value_of(const PartPoint& at) const;
   TracedValue value_of(const WeighedBlock& block) const;
 
-  SampleAddress address_;
+  SamplePlace address_;
   std::optional<Trace> trace_;
   // Of the triangle, while it is drawn.
   const GridPolygon* polygon_ = nullptr;

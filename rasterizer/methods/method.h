@@ -108,7 +108,7 @@ DrawResult draw_fragments_by(std::string_view method, const State& state, const 
 /// trace_sample of a textbook method: what those of a kind have in common, and of a smooth value
 /// what its formula made before that was rounded.
 TraceResult trace_sample_by(std::string_view method, const State& state, const Mesh& mesh,
-                            const TargetSize& size, const SampleAddress& address);
+                            const TargetSize& size, const SamplePlace& address);
 
 struct MethodRegistration {
   explicit MethodRegistration(const Method& method);

@@ -43,11 +43,11 @@ DrawResult draw_fragments_by(std::string_view method, const State& state, const 
 }
 
 TraceResult trace_sample_by(std::string_view method, const State& state, const Mesh& mesh,
-                            const TargetSize& size, const SampleAddress& address) {
+                            const TargetSize& size, const SamplePlace& address) {
   const Method* found = find_method(method);
   if (found == nullptr) return {Error::unknown_method, std::nullopt};
   const auto trace = [found](const State& s, const Mesh& m, const TargetSize& t,
-                             const SampleAddress& a) {
+                             const SamplePlace& a) {
     // All of the mesh, as what a method does of one triangle may depend on what it promises of all.
     MethodTap tap(a);
     Fragments fragments;

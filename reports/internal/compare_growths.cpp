@@ -31,8 +31,8 @@ std::string actual_text(float actual) {
 }
 
 std::string place_of_error(const WorstError& at) {
-  std::string text =
-      fmt::format("triangle {}, pixel ({}, {}), sample {}", at.triangle, at.x, at.y, at.sample);
+  std::string text = fmt::format("triangle {}, pixel ({}, {}), sample {}", at.place.triangle,
+                                 at.place.x, at.place.y, at.place.sample);
   return text +
          (at.attribute ? fmt::format(", attribute {}", *at.attribute) : std::string(", depth"));
 }
@@ -73,9 +73,9 @@ std::string errors_of(const records::CaseGrowth& growth) {
 /// Which pixel and value of a part is looked at, and what came of it there.
 std::string subject_of(const CloserLook& look) {
   const records::Inspection& inspection = look.inspection;
-  std::string text =
-      fmt::format("<p>Pixel ({}, {}), sample {}, of triangle {}: {}", inspection.x, inspection.y,
-                  inspection.sample, look.triangle, grown_value_name(inspection));
+  std::string text = fmt::format("<p>Pixel ({}, {}), sample {}, of triangle {}: {}",
+                                 inspection.place.x, inspection.place.y, inspection.place.sample,
+                                 look.triangle, grown_value_name(inspection));
   const records::InspectedSample* const sample = records::inspected_sample(inspection);
   if (sample != nullptr) {
     text += fmt::format("; the sample is {} ({}) and {} now", to_string(sample->verdict),

@@ -100,15 +100,15 @@ class Frame {
 std::string marks_of(const Frame& frame) {
   const Inspection& inspection = frame.inspection();
   std::string text;
-  if (inspection.triangle < inspection.outlines.size()) {
+  if (inspection.place.triangle < inspection.outlines.size()) {
     std::string points;
-    for (const records::WindowPoint& point : inspection.outlines[inspection.triangle]) {
+    for (const records::WindowPoint& point : inspection.outlines[inspection.place.triangle]) {
       points += fmt::format("{:.3f},{:.3f} ", frame.across(point.x), frame.down(point.y));
     }
     if (!points.empty()) text += fmt::format("<polygon points=\"{}\"/>", points);
   }
   return text + fmt::format("<path class=\"focus\" d=\"M{} {}h1v1h-1z\"/>",
-                            frame.column(inspection.x), frame.row(inspection.y));
+                            frame.column(inspection.place.x), frame.row(inspection.place.y));
 }
 
 template <typename Show>
@@ -121,10 +121,10 @@ std::string picture(const Frame& frame, const std::vector<CropCell>& cells,
   for (const CropCell& cell : cells) {
     const ShownPixel shown = show(cell);
     if (shown.style.empty()) continue;
-    const int column = frame.column(cell.x);
-    const int row = frame.row(cell.y);
+    const int column = frame.column(cell.place.x);
+    const int row = frame.row(cell.place.y);
     svg += fmt::format("<path class=\"{}\" d=\"M{} {}h1v1h-1z\"><title>({}, {}): {}</title></path>",
-                       shown.style, column, row, cell.x, cell.y, shown.text);
+                       shown.style, column, row, cell.place.x, cell.place.y, shown.text);
     if (shown.has_cross) {
       svg += fmt::format("<path class=\"cross\" d=\"M{}.2 {}.2l.6 .6m0-.6l-.6 .6\"/>", column, row);
     }
@@ -235,8 +235,9 @@ std::string cell_table(const std::vector<CropCell>& cells, bool has_before, bool
       has_before ? "changed most" : "farthest off");
   for (const CropCell* one : listed) {
     text += "<tr>" +
-            cell(has_samples ? fmt::format("({}, {}), sample {}", one->x, one->y, one->sample)
-                             : fmt::format("({}, {})", one->x, one->y)) +
+            cell(has_samples ? fmt::format("({}, {}), sample {}", one->place.x, one->place.y,
+                                           one->place.sample)
+                             : fmt::format("({}, {})", one->place.x, one->place.y)) +
             named_cell("exact", one->exact ? fmt::format("{:.12g}", *one->exact) : "none") +
             named_cell("old", has_before ? cell_value_text(one->before) : "not kept") +
             named_cell("new", cell_value_text(one->after)) +

@@ -57,8 +57,8 @@ std::string actual_value_text(const records::WorstError& worst) {
 }
 
 bool is_same_place(const records::WorstError& a, const records::WorstError& b) {
-  return a.triangle == b.triangle && a.x == b.x && a.y == b.y && a.sample == b.sample &&
-         a.attribute == b.attribute;
+  return a.place.triangle == b.place.triangle && a.place.x == b.place.x && a.place.y == b.place.y &&
+         a.place.sample == b.place.sample && a.attribute == b.attribute;
 }
 
 /// A run as commands want it, of the current side.
@@ -140,7 +140,8 @@ std::string place_text(const records::CaseGrowth& growth, const records::WorstEr
   std::string text;
   if (growth.kind) text += fmt::format("{}, ", to_string(*growth.kind));
   if (growth.stratum) text += fmt::format("{}, ", to_string(*growth.stratum));
-  text += fmt::format("triangle {}, pixel ({}, {}), sample {}", at.triangle, at.x, at.y, at.sample);
+  text += fmt::format("triangle {}, pixel ({}, {}), sample {}", at.place.triangle, at.place.x,
+                      at.place.y, at.place.sample);
   if (at.attribute) text += fmt::format(", attribute {}", *at.attribute);
   return text;
 }
@@ -160,8 +161,9 @@ std::vector<std::string> growth_lines(const records::CaseGrowth& growth) {
   if (growth.after && growth.before) {
     std::string was = "then  " + actual_value_text(*growth.before);
     if (!is_same_place(*growth.before, *growth.after)) {
-      was += fmt::format(", at triangle {}, pixel ({}, {}), sample {}", growth.before->triangle,
-                         growth.before->x, growth.before->y, growth.before->sample);
+      was +=
+          fmt::format(", at triangle {}, pixel ({}, {}), sample {}", growth.before->place.triangle,
+                      growth.before->place.x, growth.before->place.y, growth.before->place.sample);
     }
     lines.push_back(was);
   }

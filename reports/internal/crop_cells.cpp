@@ -23,8 +23,8 @@ float magnitude_of(const Inspection& inspection) {
     return std::max(std::abs(c.viewport.min_depth), std::abs(c.viewport.max_depth));
   }
   float largest = 0;
-  if (inspection.triangle >= c.triangles.size()) return largest;
-  for (const std::uint32_t vertex : c.triangles[inspection.triangle]) {
+  if (inspection.place.triangle >= c.triangles.size()) return largest;
+  for (const std::uint32_t vertex : c.triangles[inspection.place.triangle]) {
     const std::size_t at = std::size_t{vertex} * c.attributes.size() + *inspection.attribute;
     if (at < c.attribute_values.size()) {
       largest = std::max(largest, std::abs(c.attribute_values[at]));
@@ -69,11 +69,12 @@ const InspectedValue* value_of(const InspectedSample& sample,
 CropCell cell_of(const records::CloserLook& look, const InspectedSample& sample, float magnitude) {
   const std::optional<std::uint32_t> attribute = look.inspection.attribute;
   CropCell cell;
-  cell.x = sample.x;
-  cell.y = sample.y;
-  cell.sample = sample.sample;
+  cell.place.x = sample.place.x;
+  cell.place.y = sample.place.y;
+  cell.place.sample = sample.place.sample;
   if (look.before) {
-    cell.before = look.before->value_at(sample.x, sample.y, sample.sample, attribute);
+    cell.before =
+        look.before->value_at(sample.place.x, sample.place.y, sample.place.sample, attribute);
   }
   double spacing = spacing_at(magnitude);
   if (const InspectedValue* const value = value_of(sample, attribute)) {
@@ -106,8 +107,8 @@ std::vector<CropCell> crop_cells(const records::CloserLook& look) {
   std::vector<CropCell> cells;
   for (const InspectedSample& sample : look.inspection.samples) {
     CropCell cell = cell_of(look, sample, magnitude);
-    const bool is_same_pixel =
-        !cells.empty() && cells.back().x == cell.x && cells.back().y == cell.y;
+    const bool is_same_pixel = !cells.empty() && cells.back().place.x == cell.place.x &&
+                               cells.back().place.y == cell.place.y;
     if (!is_same_pixel) {
       cells.push_back(cell);
     } else if (is_farther(cell, cells.back())) {

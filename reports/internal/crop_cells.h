@@ -13,9 +13,7 @@ namespace rastercheck::reports {
 /// One value of one sample, then and now. Sizes are magnitudes in scale ULP, to be shown: their
 /// relative error is below 2^-20.
 struct CropCell {
-  std::uint32_t x = 0;          ///< pixels
-  std::uint32_t y = 0;          ///< pixels
-  std::uint32_t sample = 0;     ///< index into the sample pattern
+  cases::SamplePlace place = {};
   std::optional<double> exact;  ///< the nearest double; nothing where it has no value
   std::optional<float> before;  ///< nothing: not drawn, or not kept; may be no number
   std::optional<float> after;   ///< nothing: not drawn; may be no number

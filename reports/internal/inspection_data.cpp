@@ -83,9 +83,10 @@ json value_data(const InspectedValue& value, std::size_t most_digits) {
 }
 
 json sample_data(const InspectedSample& sample, const Inspection& of, std::size_t most_digits) {
-  const bool is_looked_for = sample.x == of.x && sample.y == of.y && sample.sample == of.sample;
+  const bool is_looked_for = sample.place.x == of.place.x && sample.place.y == of.place.y &&
+                             sample.place.sample == of.place.sample;
   if (is_looked_for) most_digits = kAllDigits;
-  json data{sample.x - of.left,        sample.y - of.top,        sample.sample,
+  json data{sample.place.x - of.left,  sample.place.y - of.top,  sample.place.sample,
             to_string(sample.verdict), to_string(sample.reason), sample.is_drawn ? 1 : 0,
             certain(sample.distance)};
   json edges;
@@ -128,10 +129,10 @@ json inspection_json(const Inspection& inspection, std::size_t most_digits) {
   return {{"rules", cases::name_of(inspection.source.rules)},
           {"attributes", std::move(attributes)},
           {"pattern", points(inspection.pattern)},
-          {"triangle", inspection.triangle},
-          {"x", inspection.x},
-          {"y", inspection.y},
-          {"sample", inspection.sample},
+          {"triangle", inspection.place.triangle},
+          {"x", inspection.place.x},
+          {"y", inspection.place.y},
+          {"sample", inspection.place.sample},
           {"value", std::move(value)},
           {"q", inspection.q_matrix ? json(*inspection.q_matrix) : json()},
           {"outlines", std::move(outlines)},
@@ -155,11 +156,11 @@ std::pair<std::uint32_t, std::uint32_t> around(std::uint32_t first, std::uint32_
 /// The part of an inspection that is close to what was looked for.
 Inspection within(const Inspection& whole, std::uint32_t reach) {
   Inspection part = whole;
-  std::tie(part.left, part.width) = around(whole.left, whole.width, whole.x, reach);
-  std::tie(part.top, part.height) = around(whole.top, whole.height, whole.y, reach);
+  std::tie(part.left, part.width) = around(whole.left, whole.width, whole.place.x, reach);
+  std::tie(part.top, part.height) = around(whole.top, whole.height, whole.place.y, reach);
   std::erase_if(part.samples, [&part](const InspectedSample& sample) {
-    return sample.x < part.left || sample.x - part.left >= part.width || sample.y < part.top ||
-           sample.y - part.top >= part.height;
+    return sample.place.x < part.left || sample.place.x - part.left >= part.width ||
+           sample.place.y < part.top || sample.place.y - part.top >= part.height;
   });
   return part;
 }

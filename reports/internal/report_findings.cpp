@@ -44,10 +44,11 @@ std::string name_of(const Inspection& inspection, const std::optional<std::uint3
 
 /// The place that was looked for, for a sentence.
 std::string place_of(const Inspection& inspection) {
-  return fmt::format("Pixel ({}, {}){} of triangle {}", inspection.x, inspection.y,
-                     inspection.pattern.size() > 1 ? fmt::format(", sample {},", inspection.sample)
-                                                   : std::string(),
-                     inspection.triangle);
+  return fmt::format("Pixel ({}, {}){} of triangle {}", inspection.place.x, inspection.place.y,
+                     inspection.pattern.size() > 1
+                         ? fmt::format(", sample {},", inspection.place.sample)
+                         : std::string(),
+                     inspection.place.triangle);
 }
 
 std::string coverage_sentence(const Inspection& inspection, const InspectedSample& sample) {

@@ -40,9 +40,9 @@ std::string worst_text(const records::SizeSummary& sizes) {
       "<p>Worst error {}: case {}{}, triangle {}, pixel ({}, {}), sample {}, {}; exact "
       "<span class=\"value\">{}</span>, actual <span class=\"value\">{}</span>.</p>\n",
       html(records::to_decimal(worst.error, 6)), worst.case_index,
-      worst.case_name.empty() ? "" : " “" + html(worst.case_name) + "”", worst.triangle, worst.x,
-      worst.y, worst.sample, of, html(elided(worst.exact, kLongestWorstValue)),
-      fmt::format("{}", worst.actual));
+      worst.case_name.empty() ? "" : " “" + html(worst.case_name) + "”", worst.place.triangle,
+      worst.place.x, worst.place.y, worst.place.sample, of,
+      html(elided(worst.exact, kLongestWorstValue)), fmt::format("{}", worst.actual));
 }
 
 std::string precision_of(const LawSummary& row) {

@@ -167,8 +167,8 @@ std::string verdict_text(const LawSummary& row) {
 
 std::string place_text(const records::Violation& violation, const cases::Case& source) {
   if (!violation.has_place()) return "–";
-  std::string text = fmt::format("triangle {}, pixel ({}, {}), sample {}", violation.triangle,
-                                 violation.x, violation.y, violation.sample);
+  std::string text = fmt::format("triangle {}, pixel ({}, {}), sample {}", violation.place.triangle,
+                                 violation.place.x, violation.place.y, violation.place.sample);
   if (violation.attribute) {
     const std::size_t attribute = *violation.attribute;
     text += attribute < source.attributes.size()

@@ -56,10 +56,11 @@ TEST(Cpu, ObeysItsContractInCoverage) {
     EXPECT_EQ(left.size(), drawn.size()) << c.name << ": a sample drawn twice";
     const oracle::SceneTruth scene(c, backend->contract(c));
     oracle::for_each_fragment(scene, [&](const Fragment& f, const TriangleTruth&) {
-      const bool is_drawn = left.erase({f.triangle, f.x, f.y, f.sample}) > 0;
+      const bool is_drawn =
+          left.erase({f.place.triangle, f.place.x, f.place.y, f.place.sample}) > 0;
       if (f.decision.verdict == records::Verdict::required) {
         ++required;
-        EXPECT_TRUE(is_drawn) << c.name << ": missing " << f.x << "," << f.y;
+        EXPECT_TRUE(is_drawn) << c.name << ": missing " << f.place.x << "," << f.place.y;
       }
       return true;
     });
@@ -86,7 +87,7 @@ TEST(Cpu, KeepsTheNearestFragmentUnderADepthTest) {
   const std::map<Place, std::size_t> places = by_place(drawn);
   std::size_t count = 0;
   oracle::for_each_fragment(scene, [&](const Fragment& f, const TriangleTruth&) {
-    EXPECT_TRUE(places.contains({f.triangle, f.x, f.y, f.sample}));
+    EXPECT_TRUE(places.contains({f.place.triangle, f.place.x, f.place.y, f.place.sample}));
     ++count;
     return true;
   });
@@ -100,7 +101,7 @@ TEST(Cpu, TracesWhatItDraws) {
   ASSERT_TRUE(backend->traces());
   const cases::Framebuffer drawn = backend->draw(c).value();
   ASSERT_GT(drawn.size(), 0U);
-  const records::SampleAddress at{drawn.triangle[0], drawn.x[0], drawn.y[0], drawn.sample[0]};
+  const cases::SamplePlace at = drawn.place_of(0);
   const auto trace = backend->trace(c, at).value();
   ASSERT_TRUE(trace.has_value());
   EXPECT_TRUE(trace->is_drawn);
@@ -127,8 +128,8 @@ TEST(Cpu, HasNoTraceOfWhatIsNotThere) {
   const auto triangles = static_cast<std::uint32_t>(c.triangles.size());
   EXPECT_FALSE(backend->trace(c, {triangles, 0, 0, 0}).has_value());
   const auto width = static_cast<std::uint32_t>(c.framebuffer.width);
-  for (const records::SampleAddress& at :
-       {records::SampleAddress{0, width, 0, 0}, {0, 0, 0xffffffff, 0}, {0, 0, 0, 16}}) {
+  for (const cases::SamplePlace& at :
+       {cases::SamplePlace{0, 0, width, 0}, {0, 0xffffffff, 0, 0}, {0, 0, 0, 16}}) {
     const auto trace = backend->trace(c, at);
     ASSERT_TRUE(trace.has_value());
     EXPECT_FALSE(trace->has_value());
@@ -142,7 +143,7 @@ TEST(Method, TracesWhatItDraws) {
     const auto backend = make_backend(specification).value();
     ASSERT_TRUE(backend->traces());
     const cases::Framebuffer drawn = backend->draw(c).value();
-    const records::SampleAddress at{drawn.triangle[0], drawn.x[0], drawn.y[0], drawn.sample[0]};
+    const cases::SamplePlace at = drawn.place_of(0);
     const auto trace = backend->trace(c, at).value();
     ASSERT_TRUE(trace.has_value());
     EXPECT_TRUE(trace->is_drawn);

@@ -23,7 +23,7 @@ class Talkative : public Backend {
   Result<cases::Framebuffer> draw(const cases::Case& /*c*/) override { return fail("draw"); }
   bool traces() const override { return true; }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& /*c*/,
-                                                    const records::SampleAddress& /*at*/) override {
+                                                    const cases::SamplePlace& /*at*/) override {
     return fail("trace");
   }
   bool draws_pictures() const override { return true; }

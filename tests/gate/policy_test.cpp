@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "gate/compare.h"
 #include "tests/records/sample_sections.h"
 
 namespace rastercheck::gate::policy_test {

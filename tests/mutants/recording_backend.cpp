@@ -178,8 +178,8 @@ bool RecordingBackend::traces() const {
   return asked([](const Backend& backend) { return backend.traces(); });
 }
 
-Result<std::optional<records::SampleTrace>> RecordingBackend::trace(
-    const cases::Case& c, const records::SampleAddress& at) {
+Result<std::optional<records::SampleTrace>> RecordingBackend::trace(const cases::Case& c,
+                                                                    const cases::SamplePlace& at) {
   return asked([c, at](Backend& backend) { return backend.trace(c, at); });
 }
 

@@ -30,7 +30,7 @@ class RecordingBackend : public backends::Backend {
   Result<cases::Framebuffer> draw(const cases::Case& c) override;
   bool traces() const override;
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
-                                                    const records::SampleAddress& at) override;
+                                                    const cases::SamplePlace& at) override;
   bool draws_pictures() const override;
   Result<cases::Picture> draw_picture(const cases::Case& c,
                                       const cases::Pipeline& pipeline) override;

@@ -66,7 +66,9 @@ std::string difference(const JudgedValue& a, const JudgedValue& b) {
   return overlap(a.ideal, b.ideal) ? "" : "ideal error of a value";
 }
 
-auto place_of(const JudgedSample& s) { return std::tie(s.triangle, s.y, s.x, s.sample); }
+auto place_of(const JudgedSample& s) {
+  return std::tie(s.place.triangle, s.place.y, s.place.x, s.place.sample);
+}
 
 std::string difference(const JudgedSample& a, const JudgedSample& b) {
   if (place_of(a) != place_of(b)) return "place";
@@ -208,15 +210,15 @@ std::string wrong_verdict(const SceneTruth& scene) {
     options.first_level = level;
     std::string wrong;
     const auto see = [&](const JudgedSample& s, const TriangleTruth* truth) {
-      const int x = static_cast<int>(s.x);
-      const int y = static_cast<int>(s.y);
-      const records::SampleVerdict right = truth->judge(x, y, static_cast<int>(s.sample));
+      const int x = static_cast<int>(s.place.x);
+      const int y = static_cast<int>(s.place.y);
+      const records::SampleVerdict right = truth->judge(x, y, static_cast<int>(s.place.sample));
       const bool is_right =
           s.decision.verdict == right.verdict &&
           (right.verdict == records::Verdict::forbidden || s.decision.reason == right.reason);
       if (!is_right && wrong.empty()) {
-        wrong = at_level(
-            level, std::to_string(x) + "," + std::to_string(y) + "/" + std::to_string(s.sample));
+        wrong = at_level(level, std::to_string(x) + "," + std::to_string(y) + "/" +
+                                    std::to_string(s.place.sample));
       }
     };
     const Judged judged = judge(scene, all, options, see);

@@ -254,7 +254,7 @@ TEST(CascadeExtremes, AnExcessIsKeptBesideLargerIdealErrors) {
   const records::ErrorStatistics errors =
       judge(scene, drawn).judgement.errors.at(records::AttributeKind::smooth);
   ASSERT_TRUE(errors.excess.extremes.most_negative);
-  EXPECT_EQ(errors.excess.extremes.most_negative->triangle, 1U);
+  EXPECT_EQ(errors.excess.extremes.most_negative->place.triangle, 1U);
   EXPECT_LT(errors.ideal.extremes.most_negative->error.hi,
             10 * errors.excess.extremes.most_negative->error.lo);
 }
@@ -343,8 +343,9 @@ std::map<AttributeKind, Tally> tally_of(const SceneTruth& scene, const cases::Fr
 bool is_extreme(const std::optional<records::WorstError>& extreme, const Enclosure& error,
                 const cases::Framebuffer& drawn, std::size_t i) {
   if (!extreme) return error == Enclosure{0, 0};
-  return extreme->error == error && extreme->triangle == drawn.triangle[i] &&
-         extreme->y == drawn.y[i] && extreme->x == drawn.x[i] && extreme->sample == drawn.sample[i];
+  return extreme->error == error && extreme->place.triangle == drawn.triangle[i] &&
+         extreme->place.y == drawn.y[i] && extreme->place.x == drawn.x[i] &&
+         extreme->place.sample == drawn.sample[i];
 }
 
 /// Where a judgement differs from the definition; empty where it does not.

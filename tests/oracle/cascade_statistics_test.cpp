@@ -53,8 +53,8 @@ std::string extremes_of(const records::Judgement& judgement) {
   const records::Extremes& extremes = judgement.errors.at(AttributeKind::smooth).excess.extremes;
   for (const auto& e : {extremes.most_negative, extremes.most_positive}) {
     places += !e ? "- "
-                 : std::to_string(e->triangle) + ":" + std::to_string(e->x) + "," +
-                       std::to_string(e->y) + "/" + std::to_string(e->sample) + " a" +
+                 : std::to_string(e->place.triangle) + ":" + std::to_string(e->place.x) + "," +
+                       std::to_string(e->place.y) + "/" + std::to_string(e->place.sample) + " a" +
                        std::to_string(e->attribute.value()) + " ";
   }
   return places;
@@ -200,7 +200,8 @@ void expect_layers(int width, int height, std::uint32_t layers, std::uint32_t wo
     std::array<std::uint32_t, 4> before{};
     const Judged judged =
         judge(scene, drawn, from(Level::filter, jobs), [&](const JudgedSample& s, const auto*) {
-          const std::array<std::uint32_t, 4> place{s.triangle, s.y, s.x, s.sample};
+          const std::array<std::uint32_t, 4> place{s.place.triangle, s.place.y, s.place.x,
+                                                   s.place.sample};
           if (place < before) ++unordered;
           before = place;
           ++seen;
@@ -219,7 +220,7 @@ void expect_layers(int width, int height, std::uint32_t layers, std::uint32_t wo
     EXPECT_EQ(errors.excess.histogram.count_in(Histogram::bucket_of(1)), layers);
     EXPECT_EQ(errors.excess.histogram.count_in(Histogram::bucket_of(2)), is_moved_worst ? 0U : 1U);
     const auto& most = errors.excess.extremes.most_positive;
-    EXPECT_EQ(most->triangle, is_moved_worst ? 0U : worst);
+    EXPECT_EQ(most->place.triangle, is_moved_worst ? 0U : worst);
     EXPECT_EQ(most->error.hi, is_moved_worst ? 1 : 2);
   }
 }

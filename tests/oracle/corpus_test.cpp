@@ -37,10 +37,10 @@ std::string picture(const cases::Case& c) {
                                 std::string(width, '.'));
   const SceneTruth scene(c, cases::contract_of(c));
   for_each_fragment(scene, [&rows](const Fragment& f, const TriangleTruth&) {
-    if (f.sample != 0) return true;
-    char& at = rows[static_cast<std::size_t>(f.y)][static_cast<std::size_t>(f.x)];
+    if (f.place.sample != 0) return true;
+    char& at = rows[static_cast<std::size_t>(f.place.y)][static_cast<std::size_t>(f.place.x)];
     const bool is_required = f.decision.verdict == records::Verdict::required;
-    const char drawn = is_required ? static_cast<char>('0' + f.triangle) : 'o';
+    const char drawn = is_required ? static_cast<char>('0' + f.place.triangle) : 'o';
     at = at == '.' ? drawn : '*';
     return true;
   });

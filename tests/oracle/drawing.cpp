@@ -83,8 +83,9 @@ cases::Framebuffer perfect(const SceneTruth& scene) {
     for (const auto& value : f.attributes) {
       attributes.push_back(value ? value->lo.nearest_float() : kNan);
     }
-    push(drawn, static_cast<std::uint32_t>(f.triangle), f.x, f.y, f.sample,
-         f.depth ? f.depth->lo.nearest_float() : kNan, attributes);
+    push(drawn, f.place.triangle, static_cast<int>(f.place.x), static_cast<int>(f.place.y),
+         static_cast<int>(f.place.sample), f.depth ? f.depth->lo.nearest_float() : kNan,
+         attributes);
     return true;
   });
   return drawn;

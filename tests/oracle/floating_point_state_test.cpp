@@ -37,12 +37,15 @@ void use_everything() {
     c.coverage = coverage;
     const SceneTruth scene(c, cases::contract_of(c));
     for_each_fragment(scene, [&texture](const Fragment& f, const TriangleTruth& truth) {
-      truth.distance(f.x, f.y, f.sample);
-      truth.derivatives(0, f.x, f.y, f.sample);
-      if (const auto slopes = truth.scaled_derivatives(0, f.x, f.y, f.sample)) {
+      const auto x = static_cast<int>(f.place.x);
+      const auto y = static_cast<int>(f.place.y);
+      const auto sample = static_cast<int>(f.place.sample);
+      truth.distance(x, y, sample);
+      truth.derivatives(0, x, y, sample);
+      if (const auto slopes = truth.scaled_derivatives(0, x, y, sample)) {
         texture.level_of_detail(*slopes, *slopes, {});
       }
-      truth.conditioning(0, f.x, f.y, f.sample);
+      truth.conditioning(0, x, y, sample);
       if (f.depth) local_ulp_error(0.5F, f.depth->lo);
       return true;
     });

@@ -26,8 +26,9 @@ std::vector<std::string> list(const cases::Case& c) {
   std::vector<std::string> fragments;
   const SceneTruth scene(c, cases::contract_of(c));
   for_each_fragment(scene, [&fragments](const Fragment& f, const TriangleTruth&) {
-    fragments.push_back(std::to_string(f.triangle) + ":" + std::to_string(f.x) +
-                        std::to_string(f.y) + " " + std::string(to_string(f.decision.verdict)));
+    fragments.push_back(std::to_string(f.place.triangle) + ":" + std::to_string(f.place.x) +
+                        std::to_string(f.place.y) + " " +
+                        std::string(to_string(f.decision.verdict)));
     return true;
   });
   return fragments;

@@ -185,8 +185,9 @@ TEST_F(JudgeOf, TheSinkSeesEveryDrawnOrMissingSample) {
   push(drawn_, 9, 0, 0, 0, 0.5F, {0, 0});
   std::string seen;
   judge(scene_, drawn_, {}, [&seen](const JudgedSample& s, const TriangleTruth* truth) {
-    seen += std::to_string(s.triangle) + ":" + std::to_string(s.x) + std::to_string(s.y) +
-            (truth == nullptr ? "? " : " ") + std::string(to_string(s.fragment_class)) + "; ";
+    seen += std::to_string(s.place.triangle) + ":" + std::to_string(s.place.x) +
+            std::to_string(s.place.y) + (truth == nullptr ? "? " : " ") +
+            std::string(to_string(s.fragment_class)) + "; ";
   });
   EXPECT_EQ(seen,
             "0:00 missing; 0:10 missing; 0:20 missing; 0:01 missing; 0:11 missing; 0:02 missing; "
@@ -222,7 +223,8 @@ TEST(JudgedBounds, GrowTowardsTheHorizon) {
   for (float& value : drawn.attributes) value = std::nextafter(value, 2.0F);
   std::string beyond;
   judge(scene, drawn, {}, [&beyond](const JudgedSample& s, const TriangleTruth*) {
-    if (s.values[1].fragment_class == FragmentClass::beyond_bound) beyond += std::to_string(s.x);
+    if (s.values[1].fragment_class == FragmentClass::beyond_bound)
+      beyond += std::to_string(s.place.x);
   });
   EXPECT_EQ(beyond, "01010101");
 }

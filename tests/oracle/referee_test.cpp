@@ -51,8 +51,8 @@ template <typename Fragments>
 std::string transcript(const Fragments& fragments) {
   std::string all;
   for (const auto& f : fragments) {
-    all += std::to_string(f.triangle) + " " + std::to_string(f.x) + "," + std::to_string(f.y) +
-           "/" + std::to_string(f.sample) + ": ";
+    all += std::to_string(f.place.triangle) + " " + std::to_string(f.place.x) + "," +
+           std::to_string(f.place.y) + "/" + std::to_string(f.place.sample) + ": ";
     if constexpr (std::is_same_v<std::decay_t<decltype(f)>, Fragment>) {
       all += text(f.depth);
     } else {

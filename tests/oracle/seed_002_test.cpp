@@ -256,10 +256,10 @@ TEST(Seed002, HandClippedPolygonHasTheFragmentsOfTheUnclippedTriangle) {
       EXPECT_EQ(f.decision.verdict, records::Verdict::required);
       const bool is_new =
           found
-              .insert({{f.x, f.y},
+              .insert({{f.place.x, f.place.y},
                        {f.attributes[0].value().lo.to_string(), f.depth.value().lo.to_string()}})
               .second;
-      EXPECT_TRUE(is_new) << f.x << ' ' << f.y;
+      EXPECT_TRUE(is_new) << f.place.x << ' ' << f.place.y;
       return true;
     });
     return found;

@@ -58,8 +58,8 @@ TEST_F(SelfCheckOf, AWrongAttributeNamesIt) {
 }
 
 TEST_F(SelfCheckOf, ASampleThatIsNotCoveredSaysSo) {
-  first_.x = 3;
-  first_.y = 3;
+  first_.place.x = 3;
+  first_.place.y = 3;
   EXPECT_EQ(self_check(scene_, first_).value(),
             "oracle and referee differ at triangle 0, pixel (3, 3), sample 0: covered or not");
 }

@@ -33,7 +33,7 @@ using OverDamage = std::function<void(const cases::Case&, Result<void>& drawn, c
 using PipelineDamage = std::function<void(cases::Pipeline&)>;
 using PictureDamage = std::function<void(const cases::Pipeline& asked_for, cases::Picture&)>;
 using TraceDamage =
-    std::function<void(const records::SampleAddress&, std::optional<records::SampleTrace>&)>;
+    std::function<void(const cases::SamplePlace&, std::optional<records::SampleTrace>&)>;
 
 class DamagedBackend : public backends::Backend {
  public:
@@ -55,7 +55,7 @@ class DamagedBackend : public backends::Backend {
 
   bool traces() const override { return inner_->traces(); }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
-                                                    const records::SampleAddress& at) override {
+                                                    const cases::SamplePlace& at) override {
     auto traced = inner_->trace(c, at);
     if (traced && trace_damage) trace_damage(at, *traced);
     return traced;

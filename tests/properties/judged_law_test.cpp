@@ -22,12 +22,12 @@ TEST(Note, CountsAllAndKeepsTheFirst) {
   Check check;
   for (std::uint32_t i = 0; i < 20; ++i) {
     records::Violation violation;
-    violation.x = i;
+    violation.place.x = i;
     note(check, violation);
   }
   EXPECT_EQ(check.violation_count, 20U);
   ASSERT_EQ(check.violations.size(), records::kMostViolations);
-  EXPECT_EQ(check.violations.back().x, records::kMostViolations - 1);
+  EXPECT_EQ(check.violations.back().place.x, records::kMostViolations - 1);
 }
 
 // Kills: a new defect behind eight violations that are known.
@@ -36,7 +36,7 @@ TEST(Note, KeepsTheFirstOfEachSort) {
   const auto note_of = [&check](records::AttributeKind kind, std::uint32_t x) {
     records::Violation violation;
     violation.kind = kind;
-    violation.x = x;
+    violation.place.x = x;
     note(check, violation);
   };
   for (std::uint32_t x = 0; x < 20; ++x) note_of(records::AttributeKind::depth, x);
@@ -44,7 +44,7 @@ TEST(Note, KeepsTheFirstOfEachSort) {
   note_of(records::AttributeKind::smooth, 21);
   note_of(records::AttributeKind::flat, 22);
   std::vector<std::uint32_t> kept;
-  for (const records::Violation& violation : check.violations) kept.push_back(violation.x);
+  for (const records::Violation& violation : check.violations) kept.push_back(violation.place.x);
   EXPECT_THAT(kept, testing::ElementsAre(0, 1, 2, 3, 4, 5, 20, 22));
   EXPECT_EQ(check.violation_count, 23U);
 }

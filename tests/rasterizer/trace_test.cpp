@@ -29,7 +29,7 @@ SmallMesh corner(State& state) {
 }
 
 std::optional<Trace> trace_of(const State& state, const SmallMesh& mesh, const TargetSize& size,
-                              const SampleAddress& address) {
+                              const SamplePlace& address) {
   const TraceResult result = trace_sample(state, mesh.mesh(), size, address);
   EXPECT_EQ(result.error, std::nullopt);
   return result.trace;

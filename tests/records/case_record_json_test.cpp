@@ -29,10 +29,10 @@ CaseRecordSet two_cases() {
   worst.actual = 16.5F;
   worst.case_index = 3;
   worst.case_name = "a sliver";
-  worst.triangle = 1;
-  worst.x = 2;
-  worst.y = 7;
-  worst.sample = 5;
+  worst.place.triangle = 1;
+  worst.place.x = 2;
+  worst.place.y = 7;
+  worst.place.sample = 5;
   worst.attribute = 4;
   of_corpus.worst[AttributeKind::smooth][Stratum::sliver] = worst;
   worst.attribute.reset();

@@ -31,10 +31,10 @@ Counterexample small_counterexample() {
   Violation full = bare;
   full.fragment_class = FragmentClass::wrong_sign_of_zero;
   full.kind = AttributeKind::flat;
-  full.triangle = 1;
-  full.x = 2;
-  full.y = 3;
-  full.sample = 4;
+  full.place.triangle = 1;
+  full.place.x = 2;
+  full.place.y = 3;
+  full.place.sample = 4;
   full.attribute = 5;
   full.error = {0.1, std::numeric_limits<double>::infinity()};
   full.bound = {0.5, 0.5};

@@ -32,9 +32,9 @@ Inspection small_inspection() {
   inspection.source.positions = {{-0.0F, 0, 0, 1}};
   inspection.source.triangles = {{0, 0, 0}};
   inspection.pattern = {{0.5, 0.25}};
-  inspection.triangle = 1;
-  inspection.x = 3;
-  inspection.y = 2;
+  inspection.place.triangle = 1;
+  inspection.place.x = 3;
+  inspection.place.y = 2;
   inspection.attribute = 4;
   inspection.q_matrix = {{{"1", "0", "-1/2"}, {"0", "1", "0"}, {"2", "3", "4"}}};
   inspection.outlines = {{{0.5, 1}, {8, -1}}, {}};
@@ -43,8 +43,8 @@ Inspection small_inspection() {
   inspection.width = 2;
   inspection.height = 3;
   InspectedSample sample;
-  sample.x = 3;
-  sample.y = 2;
+  sample.place.x = 3;
+  sample.place.y = 2;
   sample.verdict = Verdict::permitted;
   sample.reason = Reason::nonpositive_w;
   sample.is_drawn = true;
@@ -64,8 +64,8 @@ Inspection small_inspection() {
   value.kappa_d = {3, 4};
   sample.values = {depth, value};
   InspectedSample outside;
-  outside.x = 2;
-  outside.y = 1;
+  outside.place.x = 2;
+  outside.place.y = 1;
   inspection.samples = {sample, outside};
   inspection.splits = {{std::nullopt, {}, {0, 0}, true},
                        {4, {{Stage::set_up, {0.5, 0.5}}, {Stage::left_open, {-1, 0}}}, {0, 1}}};

@@ -8,19 +8,19 @@ namespace {
 // Kills: a neighbour, another sample of the pixel.
 TEST(InspectedSampleOf, IsTheOneThatWasLookedFor) {
   Inspection inspection;
-  inspection.x = 2;
-  inspection.y = 3;
-  inspection.sample = 1;
+  inspection.place.x = 2;
+  inspection.place.y = 3;
+  inspection.place.sample = 1;
   EXPECT_EQ(inspected_sample(inspection), nullptr);
   inspection.samples.resize(4);
   for (InspectedSample& sample : inspection.samples) {
-    sample.x = 2;
-    sample.y = 3;
-    sample.sample = 1;
+    sample.place.x = 2;
+    sample.place.y = 3;
+    sample.place.sample = 1;
   }
-  inspection.samples[0].x = 3;
-  inspection.samples[1].y = 2;
-  inspection.samples[2].sample = 0;
+  inspection.samples[0].place.x = 3;
+  inspection.samples[1].place.y = 2;
+  inspection.samples[2].place.sample = 0;
   EXPECT_EQ(inspected_sample(inspection), &inspection.samples[3]);
 }
 

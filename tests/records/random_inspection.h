@@ -58,9 +58,9 @@ inline InspectedValue random_value() {
 /// One within the part of `of`, whose pattern has two.
 inline InspectedSample random_sample(const Inspection& of) {
   InspectedSample sample;
-  sample.x = of.left + *rc::gen::inRange<std::uint32_t>(0, of.width);
-  sample.y = of.top + *rc::gen::inRange<std::uint32_t>(0, of.height);
-  sample.sample = *rc::gen::inRange<std::uint32_t>(0, 2);
+  sample.place.x = of.left + *rc::gen::inRange<std::uint32_t>(0, of.width);
+  sample.place.y = of.top + *rc::gen::inRange<std::uint32_t>(0, of.height);
+  sample.place.sample = *rc::gen::inRange<std::uint32_t>(0, 2);
   sample.verdict = random_enumerator<Verdict>();
   sample.reason = random_enumerator<Reason>();
   sample.is_drawn = *rc::gen::arbitrary<bool>();
@@ -109,10 +109,10 @@ inline void draw_subject(Inspection& inspection) {
   inspection.source.positions = {{any_finite_float(), 0, 0, 1}};
   inspection.source.triangles = {{0, 0, 0}};
   inspection.pattern = {{0.5, 0.5}, {0.25, 0.75}};
-  inspection.triangle = *rc::gen::arbitrary<std::uint32_t>();
-  inspection.x = *rc::gen::arbitrary<std::uint32_t>();
-  inspection.y = *rc::gen::arbitrary<std::uint32_t>();
-  inspection.sample = *rc::gen::arbitrary<std::uint32_t>();
+  inspection.place.triangle = *rc::gen::arbitrary<std::uint32_t>();
+  inspection.place.x = *rc::gen::arbitrary<std::uint32_t>();
+  inspection.place.y = *rc::gen::arbitrary<std::uint32_t>();
+  inspection.place.sample = *rc::gen::arbitrary<std::uint32_t>();
   inspection.attribute = maybe_index();
 }
 

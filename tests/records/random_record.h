@@ -54,10 +54,10 @@ inline WorstError random_worst() {
   worst.actual = one_of<float>({0.0F, -0.0F, 1.5F});
   worst.case_index = *rc::gen::inRange<std::uint64_t>(0, 3);
   worst.case_name = one_of<std::string>({"", "sliver"});
-  worst.triangle = *rc::gen::inRange<std::uint32_t>(0, 2);
-  worst.x = *rc::gen::inRange<std::uint32_t>(0, 2);
-  worst.y = *rc::gen::inRange<std::uint32_t>(0, 2);
-  worst.sample = *rc::gen::inRange<std::uint32_t>(0, 2);
+  worst.place.triangle = *rc::gen::inRange<std::uint32_t>(0, 2);
+  worst.place.x = *rc::gen::inRange<std::uint32_t>(0, 2);
+  worst.place.y = *rc::gen::inRange<std::uint32_t>(0, 2);
+  worst.place.sample = *rc::gen::inRange<std::uint32_t>(0, 2);
   if (*rc::gen::arbitrary<bool>()) worst.attribute = *rc::gen::inRange<std::uint32_t>(0, 2);
   return worst;
 }

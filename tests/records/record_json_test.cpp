@@ -34,10 +34,10 @@ WorstError small_worst() {
   worst.actual = 0x1.8p-2F;
   worst.case_index = std::numeric_limits<std::uint64_t>::max();
   worst.case_name = "one vertex \"behind\" the eye";
-  worst.triangle = 1;
-  worst.x = 2;
-  worst.y = 3;
-  worst.sample = 4;
+  worst.place.triangle = 1;
+  worst.place.x = 2;
+  worst.place.y = 3;
+  worst.place.sample = 4;
   return worst;
 }
 
@@ -170,7 +170,7 @@ RC_GTEST_PROP(RecordsFromJson, GivesBackAnyRecords, ()) {
     const double b = any_finite_double();
     worst.error = {std::min(a, b), std::max(a, b)};
     worst.actual = any_finite_float();
-    worst.x = *rc::gen::arbitrary<std::uint32_t>();
+    worst.place.x = *rc::gen::arbitrary<std::uint32_t>();
     keep(record.errors.excess.extremes, worst);
     record.errors.excess.sum = random_sum();
     record.errors.strata[random_stratum()].sum = random_sum();

@@ -25,7 +25,7 @@ WorstError error_of(Enclosure error) {
   worst.actual = 5;
   worst.case_index = 5;
   worst.case_name = "name";
-  worst.triangle = worst.x = worst.y = worst.sample = 5;
+  worst.place.triangle = worst.place.x = worst.place.y = worst.place.sample = 5;
   worst.attribute = 5;
   return worst;
 }
@@ -109,10 +109,10 @@ TEST(Extremes, OfEqualErrorsTheFirstPlaceWins) {
   const std::vector<std::pair<Change, Change>> members{
       {[](WorstError& e) { e.case_index = 4; }, [](WorstError& e) { e.case_index = 6; }},
       {[](WorstError& e) { e.case_name = "a"; }, [](WorstError& e) { e.case_name = "z"; }},
-      {[](WorstError& e) { e.triangle = 4; }, [](WorstError& e) { e.triangle = 6; }},
-      {[](WorstError& e) { e.y = 4; }, [](WorstError& e) { e.y = 6; }},
-      {[](WorstError& e) { e.x = 4; }, [](WorstError& e) { e.x = 6; }},
-      {[](WorstError& e) { e.sample = 4; }, [](WorstError& e) { e.sample = 6; }},
+      {[](WorstError& e) { e.place.triangle = 4; }, [](WorstError& e) { e.place.triangle = 6; }},
+      {[](WorstError& e) { e.place.y = 4; }, [](WorstError& e) { e.place.y = 6; }},
+      {[](WorstError& e) { e.place.x = 4; }, [](WorstError& e) { e.place.x = 6; }},
+      {[](WorstError& e) { e.place.sample = 4; }, [](WorstError& e) { e.place.sample = 6; }},
       {[](WorstError& e) { e.attribute = std::nullopt; }, [](WorstError& e) { e.attribute = 6; }},
       {[](WorstError& e) { e.exact = "4"; }, [](WorstError& e) { e.exact = "6"; }},
       {[](WorstError& e) { e.actual = 4; }, [](WorstError& e) { e.actual = 6; }},

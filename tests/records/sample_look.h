@@ -34,8 +34,8 @@ inline InspectedSample sample_of(std::uint32_t x, const InspectedValue& value) {
   depth.actual = 0.25F;
   depth.scale_error = {0, 0};
   InspectedSample sample;
-  sample.x = x;
-  sample.y = 5;
+  sample.place.x = x;
+  sample.place.y = 5;
   sample.verdict = Verdict::required;
   sample.reason = Reason::inside;
   sample.is_drawn = true;
@@ -60,8 +60,8 @@ inline CloserLook sample_look() {
   inspection.source.triangles = {{0, 1, 2}};
   inspection.pattern = {{0.5, 0.5}};
   inspection.outlines = {{{1, 1}, {7, 2}, {2, 7}}};
-  inspection.x = 3;
-  inspection.y = 5;
+  inspection.place.x = 3;
+  inspection.place.y = 5;
   inspection.attribute = 0;
   inspection.left = 3;
   inspection.top = 5;

@@ -22,8 +22,8 @@ inline WorstError sample_error(double error, float actual = 0.25F) {
   worst.exact = "1/3";
   worst.actual = actual;
   worst.case_index = 12;
-  worst.x = 3;
-  worst.y = 5;
+  worst.place.x = 3;
+  worst.place.y = 5;
   worst.attribute = 0;
   return worst;
 }

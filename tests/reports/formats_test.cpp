@@ -135,8 +135,8 @@ TEST(HtmlFormat, SaysWhatIsWrongWithoutScripts) {
 TEST(HtmlFormat, SaysWhichStageASampleIsMissingFrom) {
   records::Run run = sample_run();
   records::Inspection& inspection = run.inspections[0];
-  inspection.x = 2;
-  inspection.y = 5;
+  inspection.place.x = 2;
+  inspection.place.y = 5;
   inspection.attribute.reset();
   inspection.splits.clear();
   inspection.coverage_stage = records::Stage::snap;

@@ -32,11 +32,11 @@ Inspection small_inspection() {
   one.source.attribute_values = {0, 1, 0};
   one.source.triangles = {{0, 1, 2}};
   one.pattern = {{0.5, 0.5}};
-  one.x = 1;
+  one.place.x = 1;
   one.attribute = 0;
   one.q_matrix = {{{"-1/4", "-1/4", "1"}, {"1/4", "0", "0"}, {"0", "1/4", "0"}}};
   records::InspectedSample sample;
-  sample.x = 1;
+  sample.place.x = 1;
   sample.verdict = records::Verdict::required;
   sample.reason = records::Reason::inside;
   sample.is_drawn = true;

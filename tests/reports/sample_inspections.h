@@ -92,9 +92,9 @@ class SampleInspection {
   void add_pixel(int x, int y) {
     for (std::size_t i = 0; i < pattern_.size(); ++i) {
       records::InspectedSample sample;
-      sample.x = static_cast<std::uint32_t>(x);
-      sample.y = static_cast<std::uint32_t>(y);
-      sample.sample = static_cast<std::uint32_t>(i);
+      sample.place.x = static_cast<std::uint32_t>(x);
+      sample.place.y = static_cast<std::uint32_t>(y);
+      sample.place.sample = static_cast<std::uint32_t>(i);
       fill(sample, x * 16 + pattern_[i][0], y * 16 + pattern_[i][1]);
       inspection_.samples.push_back(sample);
     }
@@ -156,8 +156,8 @@ inline records::Inspection sample_counterexample_inspection() {
   SampleInspection made({1, 1, 1}, {{8, 8}});
   Inspection& inspection = made.inspection();
   inspection.counterexample = 0;
-  inspection.x = 3;
-  inspection.y = 4;
+  inspection.place.x = 3;
+  inspection.place.y = 4;
   inspection.attribute = 0;
   SampleInspection::err(made.at(3, 4).values[1], 5.25);
   SampleInspection::err(made.at(2, 4).values[1], -2);
@@ -200,9 +200,9 @@ inline records::Inspection sample_worst_inspection() {
   inspection.kind = AttributeKind::smooth;
   inspection.stratum = Stratum::near_horizon;
   inspection.q_matrix.reset();
-  inspection.x = 4;
-  inspection.y = 3;
-  inspection.sample = 1;
+  inspection.place.x = 4;
+  inspection.place.y = 3;
+  inspection.place.sample = 1;
   inspection.attribute = 0;
   SampleInspection::err(made.at(4, 3, 1).values[1], 0.5);
   inspection.splits = {

@@ -31,9 +31,9 @@ inline records::Counterexample sample_counterexample(std::uint64_t index) {
   Violation value;
   value.fragment_class = FragmentClass::beyond_bound;
   value.kind = AttributeKind::smooth;
-  value.x = 3;
-  value.y = 5;
-  value.sample = 2;
+  value.place.x = 3;
+  value.place.y = 5;
+  value.place.sample = 2;
   value.attribute = 0;
   value.exact = "84/5";
   value.actual = "16.8000011 (0x1.0cccdp+4)";
@@ -41,7 +41,7 @@ inline records::Counterexample sample_counterexample(std::uint64_t index) {
   value.bound = {0.5, 0.5};
   Violation missing;
   missing.fragment_class = FragmentClass::missing;
-  missing.x = 63;
+  missing.place.x = 63;
   missing.exact = "required, inside";
   missing.actual = "not drawn";
   missing.distance = {0.125, 0.125};
@@ -61,8 +61,8 @@ inline records::WorstError sample_worst(double error) {
   worst.actual = 0.25F;
   worst.case_index = 17;
   worst.case_name = "slivers & <needles>";
-  worst.x = 3;
-  worst.y = 5;
+  worst.place.x = 3;
+  worst.place.y = 5;
   worst.attribute = 0;
   return worst;
 }

@@ -47,9 +47,9 @@ class Seen {
   }
 
   bool shows(const oracle::JudgedSample& judged) const {
-    if (!has(judged.x, judged.y, judged.sample)) return false;
-    const Sample& sample = samples_[index(judged.x, judged.y, judged.sample)];
-    return sample.color && sample.triangle == judged.triangle;
+    if (!has(judged.place.x, judged.place.y, judged.place.sample)) return false;
+    const Sample& sample = samples_[index(judged.place.x, judged.place.y, judged.place.sample)];
+    return sample.color && sample.triangle == judged.place.triangle;
   }
 
   Image picture() const {
@@ -121,7 +121,7 @@ class Reader {
   void see_coverage(const oracle::JudgedSample& sample) {
     if (sample.fragment_class == records::FragmentClass::correct) return;
     ++violations_;
-    if (seen_->has(sample.x, sample.y, sample.sample)) {
+    if (seen_->has(sample.place.x, sample.place.y, sample.place.sample)) {
       map_.states[pixel_of(sample)] = PixelState::violated;
     }
   }
@@ -148,7 +148,7 @@ class Reader {
 
  private:
   std::size_t pixel_of(const oracle::JudgedSample& sample) const {
-    return sample.y * static_cast<std::size_t>(map_.width) + sample.x;
+    return sample.place.y * static_cast<std::size_t>(map_.width) + sample.place.x;
   }
 
   /// Of the attributes, in the unit of the picture.
@@ -157,9 +157,10 @@ class Reader {
     for (const oracle::JudgedValue& value : sample.values) {
       if (!value.attribute || !value.ideal) continue;
       const double ulps = records::magnitude_bound(*value.ideal);
-      const double unit = unit_.per_one == 0
-                              ? 1
-                              : unit_.per_one * ulp_of(*scene_, sample.triangle, *value.attribute);
+      const double unit =
+          unit_.per_one == 0
+              ? 1
+              : unit_.per_one * ulp_of(*scene_, sample.place.triangle, *value.attribute);
       largest = std::max(largest, ulps * unit);
     }
     return largest;

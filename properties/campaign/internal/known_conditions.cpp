@@ -230,8 +230,8 @@ bool meets(const records::KnownConditions& when, const Case& clip,
   const auto meets_of = [&](const cases::Triangle& triangle) {
     return meets_of_triangle(when, {&clip, &violation, &triangle});
   };
-  if (violation.has_place() && violation.triangle < clip.triangles.size()) {
-    return meets_of(clip.triangles[violation.triangle]);
+  if (violation.has_place() && violation.place.triangle < clip.triangles.size()) {
+    return meets_of(clip.triangles[violation.place.triangle]);
   }
   return std::any_of(clip.triangles.begin(), clip.triangles.end(), meets_of);
 }

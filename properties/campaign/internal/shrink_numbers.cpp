@@ -110,9 +110,9 @@ void level_columns(ShrinkSearch& search) {
 
 /// Fewer columns or rows of the framebuffer at its end: at best those up to what has failed.
 void crop_end(ShrinkSearch& search, int cases::FramebufferSize::*side,
-              std::uint32_t records::Violation::*at) {
+              std::uint32_t cases::SamplePlace::*at) {
   if (search.check().violations.empty()) return;
-  const auto least = static_cast<int>(search.check().violations.front().*at) + 1;
+  const auto least = static_cast<int>(search.check().violations.front().place.*at) + 1;
   const auto offer = [&](int size) {
     return size < search.current().framebuffer.*side &&
            search.offer_changed([=](Case& c) { c.framebuffer.*side = size; });
@@ -131,9 +131,9 @@ constexpr std::uint32_t kFar = 8;
 
 void crop_start(ShrinkSearch& search, int cases::FramebufferSize::*side,
                 float cases::Viewport::*start, int cases::Scissor::*scissor,
-                std::uint32_t records::Violation::*at) {
+                std::uint32_t cases::SamplePlace::*at) {
   if (search.check().violations.empty()) return;
-  const std::uint32_t place = search.check().violations.front().*at;
+  const std::uint32_t place = search.check().violations.front().place.*at;
   if (place < kFar) return;
   const auto gone = static_cast<int>(place - place % kFar);
   search.offer_changed([=](Case& c) {
@@ -261,12 +261,12 @@ void shrink_viewport(ShrinkSearch& search) {
   }
   search.offer_changed(
       [](Case& c) { whole_framebuffer(c, c.framebuffer.width, c.framebuffer.height); });
-  crop_end(search, &cases::FramebufferSize::width, &records::Violation::x);
-  crop_end(search, &cases::FramebufferSize::height, &records::Violation::y);
+  crop_end(search, &cases::FramebufferSize::width, &cases::SamplePlace::x);
+  crop_end(search, &cases::FramebufferSize::height, &cases::SamplePlace::y);
   crop_start(search, &cases::FramebufferSize::width, &cases::Viewport::x, &cases::Scissor::x,
-             &records::Violation::x);
+             &cases::SamplePlace::x);
   crop_start(search, &cases::FramebufferSize::height, &cases::Viewport::y, &cases::Scissor::y,
-             &records::Violation::y);
+             &cases::SamplePlace::y);
   for (float cases::Viewport::*const number : {&cases::Viewport::x, &cases::Viewport::y}) {
     search.offer_changed([number](Case& c) { c.viewport.*number = 0; });
     search.offer_changed(

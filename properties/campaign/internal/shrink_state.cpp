@@ -108,7 +108,7 @@ void drop_triangles(ShrinkSearch& search) {
   };
   // Triangles are drawn as if alone, so that mostly the one that fails suffices.
   if (!search.check().violations.empty()) {
-    const std::size_t guilty = search.check().violations.front().triangle;
+    const std::size_t guilty = search.check().violations.front().place.triangle;
     const std::size_t count = search.current().triangles.size();
     if (count > 1 && guilty < count && offer_alone(search, guilty)) return;
   }

@@ -52,10 +52,10 @@ struct Difference {
 Difference difference_of(const cases::Case& c, const cases::Framebuffer& before,
                          const cases::Framebuffer& drawn) {
   const FragmentMap places = fragments_by_place(before);
-  std::set<FragmentPlace> seen;
+  std::set<cases::SamplePlace> seen;
   Difference difference;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const FragmentPlace place = place_of(drawn, i);
+    const cases::SamplePlace place = drawn.place_of(i);
     if (is_of_case(c, place)) difference.triangles.insert(place.triangle);
     const auto same = places.find(place);
     if (same == places.end() || !seen.insert(place).second) {

@@ -33,9 +33,9 @@ class CloseCheck {
 
   Check run() {
     const FragmentMap places = fragments_by_place(*expected_);
-    std::set<FragmentPlace> seen;
+    std::set<cases::SamplePlace> seen;
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
-      const FragmentPlace place = place_of(*drawn_, i);
+      const cases::SamplePlace place = drawn_->place_of(i);
       const auto before = places.find(place);
       if (!seen.insert(place).second) {
         see_difference(place, FragmentClass::extra, "forbidden: more than once");
@@ -58,7 +58,8 @@ class CloseCheck {
 
  private:
   /// A sample that not both have once.
-  void see_difference(const FragmentPlace& place, FragmentClass fragment_class, const char* exact) {
+  void see_difference(const cases::SamplePlace& place, FragmentClass fragment_class,
+                      const char* exact) {
     if (is_of_case(*case_, place) && closeness_->is_open(place)) {
       ++check_.judgement.counts.permitted;
       labels_.emplace("permitted");
@@ -67,7 +68,7 @@ class CloseCheck {
     report(check_, violation_at(place, fragment_class, exact, closeness_->note));
   }
 
-  void see_both(const FragmentPlace& place, std::size_t before, std::size_t now) {
+  void see_both(const cases::SamplePlace& place, std::size_t before, std::size_t now) {
     ++check_.judgement.counts.required;
     ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
     if (!is_of_case(*case_, place)) return;
@@ -84,8 +85,8 @@ class CloseCheck {
     return found->second;
   }
 
-  void see_value(const FragmentPlace& place, std::optional<std::uint32_t> attribute, float before,
-                 float now) {
+  void see_value(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute,
+                 float before, float now) {
     if (is_same(before, now) && !std::isnan(now)) return;
     const std::optional<Allowance> both = allowed(place.triangle, attribute);
     if (!both) return;

@@ -50,11 +50,11 @@ struct Closeness {
       allowed;
   /// Whether a value that should not be as it is, a depth or an attribute's, is undefined there.
   /// Asked of these alone.
-  std::function<bool(const FragmentPlace& place, std::optional<std::uint32_t> attribute)>
+  std::function<bool(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute)>
       is_undefined;
   /// Whether a sample that one of the two draws less often than the other, or the second draws
   /// twice, may be drawn so. Asked of these alone.
-  std::function<bool(const FragmentPlace& place)> is_open;
+  std::function<bool(const cases::SamplePlace& place)> is_open;
   /// How the second drawing came about.
   std::string note;
 };

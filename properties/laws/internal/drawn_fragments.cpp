@@ -34,27 +34,23 @@ class Hash {
 
 }  // namespace
 
-FragmentPlace place_of(const cases::Framebuffer& drawn, std::size_t fragment) {
-  return {drawn.triangle[fragment], drawn.y[fragment], drawn.x[fragment], drawn.sample[fragment]};
-}
-
-FragmentPlace place_at(const cases::Picture& picture, std::size_t at) {
+cases::SamplePlace place_at(const cases::Picture& picture, std::size_t at) {
   const auto samples = static_cast<std::size_t>(picture.size.samples);
   const auto width = static_cast<std::size_t>(picture.size.width);
-  FragmentPlace place;
+  cases::SamplePlace place;
   place.x = static_cast<std::uint32_t>(at / samples % width);
   place.y = static_cast<std::uint32_t>(at / samples / width);
   place.sample = static_cast<std::uint32_t>(at % samples);
   return place;
 }
 
-std::size_t index_at(const cases::Picture& picture, const FragmentPlace& place) {
+std::size_t index_at(const cases::Picture& picture, const cases::SamplePlace& place) {
   const auto samples = static_cast<std::size_t>(picture.size.samples);
   const auto width = static_cast<std::size_t>(picture.size.width);
   return (place.y * width + place.x) * samples + (samples > 1 ? place.sample : 0);
 }
 
-bool is_of_case(const cases::Case& c, const FragmentPlace& place) {
+bool is_of_case(const cases::Case& c, const cases::SamplePlace& place) {
   return place.triangle < c.triangles.size() && std::cmp_less(place.x, c.framebuffer.width) &&
          std::cmp_less(place.y, c.framebuffer.height) &&
          std::cmp_less(place.sample, c.framebuffer.samples);
@@ -62,7 +58,7 @@ bool is_of_case(const cases::Case& c, const FragmentPlace& place) {
 
 FragmentMap fragments_by_place(const cases::Framebuffer& drawn) {
   FragmentMap by_place;
-  for (std::size_t i = 0; i < drawn.size(); ++i) by_place.try_emplace(place_of(drawn, i), i);
+  for (std::size_t i = 0; i < drawn.size(); ++i) by_place.try_emplace(drawn.place_of(i), i);
   return by_place;
 }
 
@@ -82,22 +78,22 @@ FragmentClass class_of(float actual, float expected) {
       actual, actual == expected ? FragmentClass::wrong_sign_of_zero : FragmentClass::beyond_bound);
 }
 
-Violation violation_at(const FragmentPlace& place, FragmentClass fragment_class,
+Violation violation_at(const cases::SamplePlace& place, FragmentClass fragment_class,
                        const std::string& exact, const std::string& note) {
   Violation violation;
   violation.fragment_class = fragment_class;
   violation.kind = AttributeKind::coverage;
-  violation.triangle = place.triangle;
-  violation.x = place.x;
-  violation.y = place.y;
-  violation.sample = place.sample;
+  violation.place.triangle = place.triangle;
+  violation.place.x = place.x;
+  violation.place.y = place.y;
+  violation.place.sample = place.sample;
   violation.exact = exact;
   violation.actual = fragment_class == FragmentClass::missing ? "not drawn" : "drawn";
   violation.note = note;
   return violation;
 }
 
-Violation violation_at(const FragmentPlace& place, FragmentClass fragment_class,
+Violation violation_at(const cases::SamplePlace& place, FragmentClass fragment_class,
                        const std::string& exact, const std::string& note, const WrongValue& value) {
   Violation violation = violation_at(place, fragment_class, exact, note);
   violation.kind = value.kind;
@@ -117,7 +113,7 @@ std::optional<Violation> find_difference(const cases::Case& c, const cases::Fram
                                          const std::string& note) {
   const auto differs = [&](std::optional<std::uint32_t> attribute, float before, float now,
                            const std::string& why) {
-    return violation_at(place_of(drawn, fragment), class_of(now, before), value_text(before), why,
+    return violation_at(drawn.place_of(fragment), class_of(now, before), value_text(before), why,
                         {kind_of(c, attribute), attribute, now});
   };
   const float depth = expected.depth[expected_fragment];

@@ -17,32 +17,22 @@
 
 namespace rastercheck::properties {
 
-/// One sample of one triangle.
-struct FragmentPlace {
-  std::uint32_t triangle = 0;
-  std::uint32_t y = 0;
-  std::uint32_t x = 0;
-  std::uint32_t sample = 0;
-  auto operator<=>(const FragmentPlace&) const = default;
-};
-
-FragmentPlace place_of(const cases::Framebuffer& drawn, std::size_t fragment);
-
 /// Pixel and sample of an index into a picture; triangle 0.
-FragmentPlace place_at(const cases::Picture& picture, std::size_t at);
+cases::SamplePlace place_at(const cases::Picture& picture, std::size_t at);
 /// The index of a place: of its pixel where the samples have been resolved.
-std::size_t index_at(const cases::Picture& picture, const FragmentPlace& place);
+std::size_t index_at(const cases::Picture& picture, const cases::SamplePlace& place);
 
 /// Whether the case has such a triangle, pixel and sample.
-bool is_of_case(const cases::Case& c, const FragmentPlace& place);
+bool is_of_case(const cases::Case& c, const cases::SamplePlace& place);
 
 /// Where each fragment is found; of those in one place, the first.
-using FragmentMap = std::map<FragmentPlace, std::size_t>;
+using FragmentMap = std::map<cases::SamplePlace, std::size_t>;
 FragmentMap fragments_by_place(const cases::Framebuffer& drawn);
 
 /// A violation of coverage at a place: `exact` is what the law expects, `actual` is by the class.
-records::Violation violation_at(const FragmentPlace& place, records::FragmentClass fragment_class,
-                                const std::string& exact, const std::string& note);
+records::Violation violation_at(const cases::SamplePlace& place,
+                                records::FragmentClass fragment_class, const std::string& exact,
+                                const std::string& note);
 
 /// A value that was drawn and should not have been.
 struct WrongValue {
@@ -52,9 +42,9 @@ struct WrongValue {
 };
 
 /// A violation of a value at a place.
-records::Violation violation_at(const FragmentPlace& place, records::FragmentClass fragment_class,
-                                const std::string& exact, const std::string& note,
-                                const WrongValue& value);
+records::Violation violation_at(const cases::SamplePlace& place,
+                                records::FragmentClass fragment_class, const std::string& exact,
+                                const std::string& note, const WrongValue& value);
 
 /// What an attribute is, or, of none, the depth.
 records::AttributeKind kind_of(const cases::Case& c, std::optional<std::uint32_t> attribute);

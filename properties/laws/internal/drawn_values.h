@@ -27,7 +27,7 @@ class DrawnValues {
   /// Both must outlive it.
   DrawnValues(const cases::Case& c, const cases::Framebuffer& drawn) : case_(&c), drawn_(&drawn) {}
 
-  FragmentPlace place(std::size_t fragment) const { return place_of(*drawn_, fragment); }
+  cases::SamplePlace place(std::size_t fragment) const { return drawn_->place_of(fragment); }
   std::uint32_t triangle(std::size_t fragment) const { return drawn_->triangle[fragment]; }
   const cases::Triangle& corners(std::size_t fragment) const {
     return case_->triangles[triangle(fragment)];

@@ -53,7 +53,7 @@ void for_each_line(const cases::Case& c, const cases::Framebuffer& drawn, LineDi
   std::vector<Keyed> all;
   all.reserve(drawn.size());
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const FragmentPlace place = place_of(drawn, i);
+    const cases::SamplePlace place = drawn.place_of(i);
     if (!is_of_case(c, place)) continue;
     const auto x = static_cast<int>(place.x);
     const auto y = static_cast<int>(place.y);

@@ -68,7 +68,7 @@ class OpenSamples {
     margin_ = 3 * std::max(placement_reach(*of_parts.coverage), tolerance * unit);
   }
 
-  bool holds(const FragmentPlace& place) {
+  bool holds(const cases::SamplePlace& place) {
     if (parted_->is_exempt && parted_->is_exempt(place)) return true;
     if (whole_.judge(place.triangle, place).verdict == Verdict::permitted) return true;
     if (contract_.coverage && is_near(place)) return true;
@@ -85,7 +85,7 @@ class OpenSamples {
   Verdicts& whole() { return whole_; }
 
  private:
-  bool is_near(const FragmentPlace& place) {
+  bool is_near(const cases::SamplePlace& place) {
     const auto distance = whole_.truth(place.triangle)
                               .distance(static_cast<int>(place.x), static_cast<int>(place.y),
                                         static_cast<int>(place.sample));
@@ -170,8 +170,8 @@ Result<Check> check_parted(const Parted& parted, backends::Backend& backend) {
   OpenSamples open(parted, of_whole, of_parts);
   Closeness closeness;
   closeness.note = parted.note;
-  closeness.is_open = [&open](const FragmentPlace& place) { return open.holds(place); };
-  closeness.is_undefined = [&open](const FragmentPlace& place,
+  closeness.is_open = [&open](const cases::SamplePlace& place) { return open.holds(place); };
+  closeness.is_undefined = [&open](const cases::SamplePlace& place,
                                    std::optional<std::uint32_t> attribute) {
     return open.whole().is_undefined(place, attribute);
   };

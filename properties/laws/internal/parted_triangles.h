@@ -39,7 +39,7 @@ struct Parted {
   std::string note;                        ///< for violations: how the parts came about
   /// Samples whose being drawn by the parts or by the whole need not say the same, besides those
   /// that the contract leaves open. May be empty.
-  std::function<bool(const FragmentPlace& place)> is_exempt;
+  std::function<bool(const cases::SamplePlace& place)> is_exempt;
 };
 
 /// Draws both. What the parts draw together is what the whole draws, each sample once, and of the

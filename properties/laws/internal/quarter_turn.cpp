@@ -91,8 +91,8 @@ std::optional<cases::Contract> turned_back(const cases::Case& c, const cases::Co
 
 std::string turned_note(const cases::Case& c, const records::Violation& violation) {
   return "drawn turned by a quarter, at pixel (" +
-         std::to_string(c.framebuffer.height - 1 - static_cast<int>(violation.y)) + ", " +
-         std::to_string(violation.x) + ")";
+         std::to_string(c.framebuffer.height - 1 - static_cast<int>(violation.place.y)) + ", " +
+         std::to_string(violation.place.x) + ")";
 }
 
 }  // namespace rastercheck::properties

@@ -28,7 +28,7 @@ bool are_alike(const Framebuffer& a, const Framebuffer& b) {
   const bool has_derivatives = !a.derivatives.empty() && !b.derivatives.empty();
   if (has_derivatives && !are_same(a.derivatives, b.derivatives)) return false;
   for (std::size_t i = 1; i < a.size(); ++i) {
-    if (!(place_of(a, i - 1) < place_of(a, i))) return false;
+    if (!(a.place_of(i - 1) < a.place_of(i))) return false;
   }
   return true;
 }
@@ -49,7 +49,7 @@ Check alike(const cases::Case& c, const Framebuffer& drawn) {
   std::set<std::uint32_t> triangles;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const bool is_next = i == 0 || drawn.triangle[i] != drawn.triangle[i - 1];
-    if (is_next && is_of_case(c, place_of(drawn, i))) triangles.insert(drawn.triangle[i]);
+    if (is_next && is_of_case(c, drawn.place_of(i))) triangles.insert(drawn.triangle[i]);
   }
   check.labels = labels_of(c, triangles);
   return check;
@@ -63,11 +63,11 @@ Check compare_drawings(const cases::Case& c, const cases::Framebuffer& expected,
   Check check;
   check.judgement.errors[AttributeKind::coverage];
   const FragmentMap places = fragments_by_place(expected);
-  std::set<FragmentPlace> seen;
+  std::set<cases::SamplePlace> seen;
   std::set<std::uint32_t> triangles;
   std::uint64_t correct = 0;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const FragmentPlace place = place_of(drawn, i);
+    const cases::SamplePlace place = drawn.place_of(i);
     const auto before = places.find(place);
     if (before == places.end()) {
       report(check, violation_at(place, FragmentClass::extra, "forbidden: it was not drawn", note));

@@ -11,7 +11,8 @@ using records::Verdict;
 
 /// The exact value of an attribute of a fragment, where the rules leave no other.
 std::optional<oracle::Rational> exact_value(const oracle::TriangleTruth& truth,
-                                            std::size_t attribute, const FragmentPlace& place) {
+                                            std::size_t attribute,
+                                            const cases::SamplePlace& place) {
   if (truth.is_value_free(attribute)) return std::nullopt;
   const auto range = truth.attribute(attribute, static_cast<int>(place.x),
                                      static_cast<int>(place.y), static_cast<int>(place.sample));
@@ -30,8 +31,9 @@ const oracle::TriangleTruth& SeenTriangles::truth(std::uint32_t triangle) {
   return *truth;
 }
 
-std::optional<FragmentPlace> SeenTriangles::find(const cases::Picture& picture, std::size_t at) {
-  FragmentPlace place = place_at(picture, at);
+std::optional<cases::SamplePlace> SeenTriangles::find(const cases::Picture& picture,
+                                                      std::size_t at) {
+  cases::SamplePlace place = place_at(picture, at);
   for (place.triangle = static_cast<std::uint32_t>(truths_.size()); place.triangle-- > 0;) {
     const Verdict verdict = truth(place.triangle)
                                 .judge(static_cast<int>(place.x), static_cast<int>(place.y),
@@ -44,7 +46,7 @@ std::optional<FragmentPlace> SeenTriangles::find(const cases::Picture& picture, 
 }
 
 std::optional<Coordinates> exact_coordinates(const oracle::TriangleTruth& truth,
-                                             const FragmentPlace& place) {
+                                             const cases::SamplePlace& place) {
   const auto s = exact_value(truth, 0, place);
   const auto t = exact_value(truth, 1, place);
   return s && t ? std::optional(Coordinates{*s, *t}) : std::nullopt;

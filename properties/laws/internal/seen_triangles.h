@@ -22,7 +22,7 @@ class SeenTriangles {
 
   /// What is seen at a sample of the picture, by its index; nothing where no triangle is required,
   /// or one after it is permitted.
-  std::optional<FragmentPlace> find(const cases::Picture& picture, std::size_t at);
+  std::optional<cases::SamplePlace> find(const cases::Picture& picture, std::size_t at);
   const oracle::TriangleTruth& truth(std::uint32_t triangle);
   const oracle::SceneTruth& scene() const { return scene_; }
 
@@ -39,7 +39,7 @@ struct Coordinates {
 
 /// The exact ones of a fragment, where the rules leave no others.
 std::optional<Coordinates> exact_coordinates(const oracle::TriangleTruth& truth,
-                                             const FragmentPlace& place);
+                                             const cases::SamplePlace& place);
 
 /// At most `most` of the samples of a picture that have been drawn, evenly spread: all channels of
 /// those that have not are 0. Indices count as cases::Picture does.

@@ -42,11 +42,11 @@ bool ValueFindings::is_one_plane(std::uint32_t triangle) {
   return !contract_->coverage || verdicts_.truth(triangle).has_certain_orientation();
 }
 
-bool ValueFindings::is_required(const FragmentPlace& place) {
+bool ValueFindings::is_required(const cases::SamplePlace& place) {
   return verdicts_.judge(place.triangle, place).verdict == records::Verdict::required;
 }
 
-std::optional<Promise> ValueFindings::promise_of(const FragmentPlace& place,
+std::optional<Promise> ValueFindings::promise_of(const cases::SamplePlace& place,
                                                  std::optional<std::uint32_t> attribute) {
   if (!is_required(place)) return std::nullopt;
   const oracle::TriangleTruth& truth = verdicts_.truth(place.triangle);
@@ -72,7 +72,7 @@ std::optional<Promise> ValueFindings::promise_of(const FragmentPlace& place,
   return promise;
 }
 
-void ValueFindings::see(const FragmentPlace& place, std::optional<std::uint32_t> attribute) {
+void ValueFindings::see(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute) {
   ++check_.judgement.errors[kind_of(*case_, attribute)].classes[FragmentClass::correct];
   if (last_ == place) return;
   last_ = place;
@@ -81,7 +81,7 @@ void ValueFindings::see(const FragmentPlace& place, std::optional<std::uint32_t>
   ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
 }
 
-void ValueFindings::report(const FragmentPlace& place, std::optional<std::uint32_t> attribute,
+void ValueFindings::report(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute,
                            float actual, const std::string& exact, const std::string& text) {
   const records::Violation violation =
       violation_at(place, class_of_wrong(actual, FragmentClass::beyond_bound), exact, text,

@@ -53,16 +53,16 @@ class ValueFindings {
   /// ones that are clipped as well are several.
   bool is_one_plane(std::uint32_t triangle);
   /// Whether a sample has to be drawn: what is not is a matter of coverage.
-  bool is_required(const FragmentPlace& place);
+  bool is_required(const cases::SamplePlace& place);
   /// Nothing where the sample is not required, or the value undefined or not bounded.
-  std::optional<Promise> promise_of(const FragmentPlace& place,
+  std::optional<Promise> promise_of(const cases::SamplePlace& place,
                                     std::optional<std::uint32_t> attribute);
 
   void label(const std::string& text) { labels_.insert(text); }
   /// Values that the law has looked at, right or wrong.
-  void see(const FragmentPlace& place, std::optional<std::uint32_t> attribute);
+  void see(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute);
   /// A wrong one among them. `exact` is what the law expects.
-  void report(const FragmentPlace& place, std::optional<std::uint32_t> attribute, float actual,
+  void report(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute, float actual,
               const std::string& exact, const std::string& note);
 
   /// Says nothing of the case where nothing was seen.
@@ -74,7 +74,7 @@ class ValueFindings {
   Verdicts verdicts_;
   std::set<std::string> labels_;
   std::set<std::uint32_t> triangles_;
-  std::optional<FragmentPlace> last_;
+  std::optional<cases::SamplePlace> last_;
   Check check_;
 };
 

@@ -28,14 +28,14 @@ class Verdicts {
   }
 
   /// Of a place of the case, asked of this triangle.
-  records::SampleVerdict judge(std::uint32_t triangle, const FragmentPlace& place) {
+  records::SampleVerdict judge(std::uint32_t triangle, const cases::SamplePlace& place) {
     return truth(triangle).judge(static_cast<int>(place.x), static_cast<int>(place.y),
                                  static_cast<int>(place.sample));
   }
 
   /// Whether it has no value there: depth, or an attribute's. So it is where values come from the
   /// exact positions and a snapped triangle covers what has 1/w <= 0, or has no area but for that.
-  bool is_undefined(const FragmentPlace& place, std::optional<std::uint32_t> attribute) {
+  bool is_undefined(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute) {
     const auto x = static_cast<int>(place.x);
     const auto y = static_cast<int>(place.y);
     const auto s = static_cast<int>(place.sample);

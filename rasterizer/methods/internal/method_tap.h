@@ -14,9 +14,9 @@ namespace rastercheck::rasterizer {
 
 class MethodTap {
  public:
-  explicit MethodTap(const SampleAddress& address) : address_(address) {}
+  explicit MethodTap(const SamplePlace& address) : address_(address) {}
 
-  const SampleAddress& address() const { return address_; }
+  const SamplePlace& address() const { return address_; }
 
   bool is_at(std::uint32_t triangle, int x, int y, std::size_t sample) const {
     return triangle == address_.triangle && x == address_.x && y == address_.y &&
@@ -29,7 +29,7 @@ class MethodTap {
   std::vector<TracedValue> attributes;
 
  private:
-  SampleAddress address_;
+  SamplePlace address_;
 };
 
 }  // namespace rastercheck::rasterizer

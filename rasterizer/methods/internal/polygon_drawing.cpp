@@ -505,7 +505,7 @@ void Drawing::append(int x, int y, std::size_t sample, const PlaceValues& at,
 /// clipped, as a corner that clipping makes has lost where it comes from.
 void Drawing::show_vertices() const {
   Trace& trace = tap_->trace.emplace();
-  const SampleAddress& address = tap_->address();
+  const SamplePlace& address = tap_->address();
   const SampleOffset& offset = pattern_[static_cast<std::size_t>(address.sample)];
   trace.u = address.x + offset.x;
   trace.v = address.y + offset.y;

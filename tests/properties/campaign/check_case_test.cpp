@@ -101,8 +101,8 @@ TEST(CheckCase, KeepsTheOneTriangleThatSuffices) {
   EXPECT_THAT(found.source.attribute_values, ElementsAre(0, 1, 0, 8, 1, 0, 8, 1, 0));
   EXPECT_THAT(found.source.clip_distances, ElementsAre(12, 11, 13));
   ASSERT_THAT(found.violations, SizeIs(1));
-  EXPECT_EQ(found.violations[0].triangle, 0U);
-  EXPECT_EQ(found.violations[0].x, 7U);
+  EXPECT_EQ(found.violations[0].place.triangle, 0U);
+  EXPECT_EQ(found.violations[0].place.x, 7U);
 }
 
 // Kills: a counterexample that holds when it is replayed.
@@ -113,7 +113,7 @@ TEST(CheckCase, KeepsTheWholeCaseWhereNoTriangleSuffices) {
   const Findings findings = check_square(backend);
   ASSERT_THAT(findings.counterexamples, SizeIs(1));
   EXPECT_THAT(findings.counterexamples[0].source.triangles, SizeIs(2));
-  EXPECT_EQ(findings.counterexamples[0].violations[0].triangle, 1U);
+  EXPECT_EQ(findings.counterexamples[0].violations[0].place.triangle, 1U);
 }
 
 TEST(CheckCase, KeepsTheLowestIndex) {

@@ -16,9 +16,9 @@ using testing::Not;
 
 records::Violation at(std::uint32_t triangle, std::uint32_t x, std::uint32_t y) {
   records::Violation violation;
-  violation.triangle = triangle;
-  violation.x = x;
-  violation.y = y;
+  violation.place.triangle = triangle;
+  violation.place.x = x;
+  violation.place.y = y;
   violation.fragment_class = records::FragmentClass::missing;
   return violation;
 }

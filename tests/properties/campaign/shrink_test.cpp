@@ -26,9 +26,9 @@ FailsAlike where(const std::function<bool(const cases::Case&)>& is_bad, std::uin
     Check check;
     check.violation_count = 1;
     check.violations.resize(1);
-    check.violations[0].triangle = triangle;
-    check.violations[0].x = x;
-    check.violations[0].y = y;
+    check.violations[0].place.triangle = triangle;
+    check.violations[0].place.x = x;
+    check.violations[0].place.y = y;
     return check;
   };
 }

@@ -26,7 +26,7 @@ Focus focus_of(const FocusRequest& request, const Damage& damage) {
 
 Focus at(std::uint32_t triangle, std::uint32_t x, std::uint32_t y,
          std::optional<std::uint32_t> attribute) {
-  return {{triangle, x, y, 0}, attribute};
+  return {{triangle, y, x, 0}, attribute};
 }
 
 FocusRequest request_at(std::uint32_t x, std::uint32_t y) {
@@ -90,7 +90,7 @@ TEST(Focus, DrawsEachTriangleAlone) {
   c.triangles = {{0, 1, 2}, {0, 1, 2}};
   DamagedBackend backend(
       [](const cases::Case& /*c*/, cases::Framebuffer& d) { value(d, 1, 2, 1, 0) = 100; }, "cpu");
-  EXPECT_EQ(find_focus(c, backend, {})->at, (records::SampleAddress{1, 2, 1, 0}));
+  EXPECT_EQ(find_focus(c, backend, {})->at, (cases::SamplePlace{1, 1, 2, 0}));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ Enclosure exactly(double value) { return {value, value}; }
 /// One of an inspection that there is.
 InspectedSample sample_of(const Inspection& inspection, std::uint32_t x, std::uint32_t y) {
   for (const InspectedSample& one : inspection.samples) {
-    if (one.x == x && one.y == y) return one;
+    if (one.place.x == x && one.place.y == y) return one;
   }
   ADD_FAILURE() << "no pixel (" << x << ", " << y << ")";
   return {};
@@ -49,7 +49,7 @@ Inspection inspection_of(const Focus& focus, const Damage& damage, const cases::
 // ulp(8) = 2^-20 is the scale ULP of x, ulp(5/2) = 2^-22 its local one.
 TEST(Inspect, SaysWhatIsExactAndWhatWasDrawn) {
   const Inspection found = inspection_of(
-      {{0, 2, 1, 0}, 0},
+      {{0, 1, 2, 0}, 0},
       [](const cases::Case&, cases::Framebuffer& d) { value(d, 0, 2, 1, 0) += 0x1p-21F; });
   EXPECT_THAT(found.q_matrix.value(),
               ElementsAre(ElementsAre("-1/8", "-1/8", "1"), ElementsAre("1/8", "0", "0"),
@@ -94,7 +94,7 @@ TEST(Inspect, TellsErrorFromExcess) {
   c.coverage = open.coverage;
   c.basis = open.basis;
   for (cases::ClipVertex& p : c.positions) p.x -= 0.125F;  // half a pixel: between grid points
-  const Inspection found = inspect(c, backend, {{0, 2, 1, 0}, 0}).value();
+  const Inspection found = inspect(c, backend, {{0, 1, 2, 0}, 0}).value();
   const InspectedValue x = sample_of(found, 2, 1).values.at(1);
   EXPECT_EQ(x.exact, "3");
   EXPECT_EQ(x.scale_error, exactly(0x1p18));
@@ -104,7 +104,7 @@ TEST(Inspect, TellsErrorFromExcess) {
 // (13/2, 11/2) lies outside A, whose x goes on there.
 TEST(Inspect, ShowsValuesWhereDrawnOrNotForbidden) {
   const Inspection found =
-      inspection_of({{0, 2, 1, 0}}, [](const cases::Case&, cases::Framebuffer& d) {
+      inspection_of({{0, 1, 2, 0}}, [](const cases::Case&, cases::Framebuffer& d) {
         drop(d, 0, 2, 1);
         add(d, 0, 6, 5);
       });
@@ -125,7 +125,7 @@ TEST(Inspect, ShowsValuesWhereDrawnOrNotForbidden) {
 
 TEST(Inspect, GivesWhatIsNoNumberNoError) {
   const Inspection found =
-      inspection_of({{0, 2, 1, 0}, 0}, [](const cases::Case&, cases::Framebuffer& d) {
+      inspection_of({{0, 1, 2, 0}, 0}, [](const cases::Case&, cases::Framebuffer& d) {
         value(d, 0, 2, 1, 0) = std::numeric_limits<float>::quiet_NaN();
         value(d, 0, 2, 1, 1) = std::numeric_limits<float>::infinity();
       });
@@ -145,16 +145,16 @@ cases::Case larger_square(int size, int samples) {
 
 // Kills: a crop beyond the framebuffer, more than 1,024 samples, a sample that is not in it.
 TEST(Inspect, ShowsPartOfALargeFramebuffer) {
-  const Inspection middle = inspection_of({{0, 40, 50, 0}}, {}, larger_square(100, 1));
+  const Inspection middle = inspection_of({{0, 50, 40, 0}}, {}, larger_square(100, 1));
   EXPECT_THAT(crop_of(middle), ElementsAre(24, 34, 32, 32));
   ASSERT_THAT(middle.samples, SizeIs(1024));
-  EXPECT_EQ(middle.samples[33].x, 25U);
-  EXPECT_EQ(middle.samples[33].y, 35U);
-  const Inspection corner = inspection_of({{0, 0, 99, 3}}, {}, larger_square(100, 4));
+  EXPECT_EQ(middle.samples[33].place.x, 25U);
+  EXPECT_EQ(middle.samples[33].place.y, 35U);
+  const Inspection corner = inspection_of({{0, 99, 0, 3}}, {}, larger_square(100, 4));
   EXPECT_THAT(crop_of(corner), ElementsAre(0, 84, 16, 16));
   ASSERT_THAT(corner.samples, SizeIs(1024));
-  EXPECT_EQ(corner.samples[5].x, 1U);
-  EXPECT_EQ(corner.samples[5].sample, 1U);
+  EXPECT_EQ(corner.samples[5].place.x, 1U);
+  EXPECT_EQ(corner.samples[5].place.sample, 1U);
   EXPECT_THAT(corner.pattern, ElementsAre(WindowPoint{0.375, 0.125}, WindowPoint{0.875, 0.375},
                                           WindowPoint{0.125, 0.625}, WindowPoint{0.625, 0.875}));
 }
@@ -162,8 +162,8 @@ TEST(Inspect, ShowsPartOfALargeFramebuffer) {
 // Of four values each, 100 are 25 pixels; 0 are one.
 TEST(Inspect, ShowsNoMoreValuesThanAskedFor) {
   const cases::Case c = larger_square(100, 1);
-  EXPECT_THAT(crop_of(inspection_of({{0, 40, 50, 0}}, {}, c, {100})), ElementsAre(38, 48, 5, 5));
-  EXPECT_THAT(crop_of(inspection_of({{0, 40, 50, 0}}, {}, c, {0})), ElementsAre(40, 50, 1, 1));
+  EXPECT_THAT(crop_of(inspection_of({{0, 50, 40, 0}}, {}, c, {100})), ElementsAre(38, 48, 5, 5));
+  EXPECT_THAT(crop_of(inspection_of({{0, 50, 40, 0}}, {}, c, {0})), ElementsAre(40, 50, 1, 1));
 }
 
 // The triangle covers pixels 4…7 of 128 in both directions; the oracle may not know better than
@@ -173,7 +173,7 @@ TEST(Inspect, ShowsLittleAroundASmallTriangle) {
   for (cases::ClipVertex& p : c.positions) {
     p = {(p.x + 1) / 32 - 0.9375F, (p.y + 1) / 32 - 0.9375F, 0.25F, 1};
   }
-  const Inspection found = inspection_of({{0, 5, 4, 0}}, {}, c);
+  const Inspection found = inspection_of({{0, 4, 5, 0}}, {}, c);
   EXPECT_THAT((std::array{found.left, found.top}), testing::Each(testing::AnyOf(1, 2)));
   EXPECT_THAT((std::array{found.left + found.width, found.top + found.height}),
               testing::Each(testing::AnyOf(10, 11)));
@@ -188,7 +188,7 @@ TEST(Inspect, IsOfTheTriangleAloneAsItWasDrawn) {
   c.depth_test = cases::DepthTest::less;
   c.triangles = {{0, 1, 2}, {0, 1, 2}};
   c.camera.emplace();
-  const Inspection found = inspection_of({{1, 2, 1, 0}}, {}, c);
+  const Inspection found = inspection_of({{1, 1, 2, 0}}, {}, c);
   EXPECT_EQ(found.source.camera, std::nullopt);
   EXPECT_EQ(found.source.depth_test, cases::DepthTest::none);
   EXPECT_TRUE(sample_of(found, 2, 1).is_drawn);
@@ -197,7 +197,7 @@ TEST(Inspect, IsOfTheTriangleAloneAsItWasDrawn) {
 TEST(Inspect, HasNoMapOfATriangleSeenEdgeOn) {
   cases::Case c = square();
   c.triangles = {{0, 1, 1}};
-  const Inspection found = inspection_of({{0, 2, 1, 0}}, {}, c);
+  const Inspection found = inspection_of({{0, 1, 2, 0}}, {}, c);
   EXPECT_FALSE(found.q_matrix);
   EXPECT_FALSE(sample_of(found, 2, 1).edges);
   EXPECT_EQ(sample_of(found, 2, 1).reason, records::Reason::degenerate);
@@ -209,8 +209,8 @@ TEST(Inspect, RefusesWhatIsNotThere) {
     return inspect(square(), backend, focus).error().reason;
   };
   EXPECT_EQ(reason({{2, 0, 0, 0}}), "there is no triangle 2; it has 2");
-  EXPECT_EQ(reason({{0, 8, 0, 0}}), "pixel (8, 0) lies outside the framebuffer of 8 × 8 pixels");
-  EXPECT_THAT(reason({{0, 0, 8, 0}}), HasSubstr("pixel (0, 8) lies outside"));
+  EXPECT_EQ(reason({{0, 0, 8, 0}}), "pixel (8, 0) lies outside the framebuffer of 8 × 8 pixels");
+  EXPECT_THAT(reason({{0, 8, 0, 0}}), HasSubstr("pixel (0, 8) lies outside"));
   EXPECT_EQ(reason({{0, 0, 0, 1}}), "there is no sample 1; a pixel has 1");
   EXPECT_EQ(reason({{0, 0, 0, 0}, 3}), "there is no attribute 3; it has 3");
 }

@@ -114,7 +114,7 @@ records::Counterexample violated_at(std::uint32_t x, records::FragmentClass frag
   one.source.found = {"a law", backend, "missing", 1, 0};
   records::Violation violation;
   violation.fragment_class = fragment_class;
-  violation.x = x;
+  violation.place.x = x;
   one.violations = {violation};
   return one;
 }
@@ -125,9 +125,9 @@ TEST(InspectRun, LooksAtTheCaseWhereAViolationIsOfAnotherDrawing) {
   run.counterexamples = {violated_at(8, records::FragmentClass::missing)};
   const std::vector<Inspection> all = inspections_of(run);
   ASSERT_THAT(all, SizeIs(1));
-  EXPECT_EQ(all[0].triangle, 1U);
-  EXPECT_EQ(all[0].x, 7U);
-  EXPECT_EQ(all[0].y, 7U);
+  EXPECT_EQ(all[0].place.triangle, 1U);
+  EXPECT_EQ(all[0].place.x, 7U);
+  EXPECT_EQ(all[0].place.y, 7U);
 }
 
 // Kills: a report that fails for a backend that does.
@@ -165,13 +165,13 @@ TEST(InspectRun, ShowsNotMoreThanForty) {
 TEST(InspectRun, TakesATriangleOutOfALargeCase) {
   records::Run run;
   run.counterexamples = {violated_at(6, records::FragmentClass::missing)};
-  run.counterexamples[0].violations[0].y = 6;
-  run.counterexamples[0].violations[0].triangle = 20;
+  run.counterexamples[0].violations[0].place.y = 6;
+  run.counterexamples[0].violations[0].place.triangle = 20;
   run.counterexamples[0].source.triangles.assign(20, {0, 1, 2});
   run.counterexamples[0].source.triangles.push_back({2, 1, 3});
   const std::vector<Inspection> all = inspections_of(run);
   ASSERT_THAT(all, SizeIs(1));
-  EXPECT_EQ(all[0].triangle, 0U);
+  EXPECT_EQ(all[0].place.triangle, 0U);
   EXPECT_THAT(all[0].source.triangles, SizeIs(1));
   EXPECT_EQ(records::inspected_sample(all[0])->reason, records::Reason::inside);
 }

@@ -110,9 +110,9 @@ TEST(MakeSpecimens, HaveTheLargestErrorOfEachKindAndStratumOfFragments) {
   for (const auto& [of, worst] : largest) {
     SCOPED_TRACE(std::string(to_string(std::get<1>(of))));
     EXPECT_TRUE(std::any_of(kept.begin(), kept.end(), [&worst = worst](const Specimen& one) {
-      const auto value =
-          one.value_at(worst.error.x, worst.error.y, worst.error.sample, worst.error.attribute);
-      return one.key == worst.key && one.triangle == worst.error.triangle && value &&
+      const auto value = one.value_at(worst.error.place.x, worst.error.place.y,
+                                      worst.error.place.sample, worst.error.attribute);
+      return one.key == worst.key && one.triangle == worst.error.place.triangle && value &&
              std::bit_cast<std::uint32_t>(*value) ==
                  std::bit_cast<std::uint32_t>(worst.error.actual);
     }));
@@ -192,7 +192,7 @@ TEST(ChangedParts, PointAtThePixelThatChangedMost) {
   const std::vector<LookRequest> parts = lost_pixel();
   ASSERT_THAT(parts, SizeIs(1));
   EXPECT_EQ(parts[0].key.backend, "damaged");
-  EXPECT_EQ(parts[0].at, (records::SampleAddress{1, 7, 7, 0}));
+  EXPECT_EQ(parts[0].at, (cases::SamplePlace{1, 7, 7, 0}));
   EXPECT_EQ(parts[0].attribute, std::nullopt);
   const std::vector<Specimen> kept = specimens_of(run_of({"cpu"}, 0));
   EXPECT_THAT(changed_parts(kept, again(kept, "cpu"), 4), IsEmpty());
@@ -216,7 +216,7 @@ TEST(CloserLooks, ShowThePartThatWasKept) {
 TEST(CloserLooks, LeaveOutWhatIsNotWhatWasAskedFor) {
   LookRequest request;
   request.key = {std::string(kValuesLaw), "cpu", records::Origin::corpus, 0};
-  request.at = {0, 2, 1, 0};
+  request.at = {0, 1, 2, 0};
   request.attribute = 0;
   request.actual = 2.5F;
   request.before = specimens_of(run_of({"cpu"}, 0)).at(0);

@@ -55,13 +55,13 @@ TEST(Overdraw, FindsWhatIsLostAndWhatIsDrawnTwice) {
   ASSERT_EQ(check.violation_count, 3U);
   const records::Violation& lost = check.violations[0];
   EXPECT_EQ(lost.fragment_class, FragmentClass::missing);
-  EXPECT_EQ(lost.x, 1U);
-  EXPECT_EQ(lost.y, 1U);
+  EXPECT_EQ(lost.place.x, 1U);
+  EXPECT_EQ(lost.place.y, 1U);
   EXPECT_EQ(lost.exact, "1 required, 0 permitted");
   EXPECT_EQ(lost.actual, "0 (0x0p+0)");
   EXPECT_EQ(check.violations[1].fragment_class, FragmentClass::extra);
-  EXPECT_EQ(check.violations[1].x, 5U);
-  EXPECT_EQ(check.violations[1].triangle, 1U);
+  EXPECT_EQ(check.violations[1].place.x, 5U);
+  EXPECT_EQ(check.violations[1].place.triangle, 1U);
   EXPECT_EQ(check.violations[2].fragment_class, FragmentClass::missing);
 }
 

@@ -50,8 +50,8 @@ TEST(AffineError, IsFoundBeyondIt) {
     const Check check = checked_with(wrong);
     ASSERT_EQ(check.violation_count, 1U) << wrong;
     EXPECT_EQ(check.violations.front().fragment_class, records::FragmentClass::beyond_bound);
-    EXPECT_EQ(check.violations.front().x, 2U);
-    EXPECT_EQ(check.violations.front().y, 3U);
+    EXPECT_EQ(check.violations.front().place.x, 2U);
+    EXPECT_EQ(check.violations.front().place.y, 3U);
     EXPECT_EQ(check.violations.front().attribute, 0U);
   }
 }

@@ -57,8 +57,8 @@ TEST(Affine, FindsAQuotientThatIsNone) {
   EXPECT_EQ(violation.kind, AttributeKind::smooth);
   EXPECT_EQ(violation.fragment_class, FragmentClass::beyond_bound);
   EXPECT_EQ(violation.attribute, 0U);
-  EXPECT_EQ(violation.x, 2U);
-  EXPECT_EQ(violation.y, 2U);
+  EXPECT_EQ(violation.place.x, 2U);
+  EXPECT_EQ(violation.place.y, 2U);
   EXPECT_THAT(violation.note, testing::HasSubstr("and 1/w"));
 }
 

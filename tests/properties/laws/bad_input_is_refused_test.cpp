@@ -64,8 +64,8 @@ TEST(BadInput, LeavesTheTargetAlone) {
   const Check check = check_of(kLaw, square(), backend);
   ASSERT_EQ(check.violation_count, 1U);
   const records::Violation& violation = check.violations.front();
-  EXPECT_EQ(violation.x, 5U);
-  EXPECT_EQ(violation.y, 2U);
+  EXPECT_EQ(violation.place.x, 5U);
+  EXPECT_EQ(violation.place.y, 2U);
   EXPECT_EQ(violation.attribute, 1U);
   EXPECT_THAT(violation.note, HasSubstr("the target was written, by a case with "));
   backend.over_damage = [](const Case&, Result<void>&, cases::Picture& picture) {

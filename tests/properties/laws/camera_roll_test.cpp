@@ -96,8 +96,8 @@ TEST(CameraRoll, FindsWhatIsMissingInThePlaceOfTheCameraAsItWas) {
   const Check check = checked(seen(), backend);
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::missing);
-  EXPECT_EQ(check.violations.front().x, 1U);
-  EXPECT_EQ(check.violations.front().y, 3U);
+  EXPECT_EQ(check.violations.front().place.x, 1U);
+  EXPECT_EQ(check.violations.front().place.y, 3U);
   EXPECT_THAT(check.violations.front().note, HasSubstr("turned by a quarter, at pixel (4, 1)"));
 }
 

@@ -49,9 +49,9 @@ TEST(ClipDistances, FindAZeroThatBothDraw) {
   ASSERT_EQ(check.violation_count, 1U);
   const records::Violation& violation = check.violations.front();
   EXPECT_EQ(violation.fragment_class, FragmentClass::extra);
-  EXPECT_EQ(violation.triangle, 0U);
-  EXPECT_EQ(violation.x, 3U);
-  EXPECT_EQ(violation.y, 1U);
+  EXPECT_EQ(violation.place.triangle, 0U);
+  EXPECT_EQ(violation.place.x, 3U);
+  EXPECT_EQ(violation.place.y, 1U);
   EXPECT_EQ(violation.note, "clip distance 0: drawn with the distance and with its opposite");
   ASSERT_TRUE(violation.distance.has_value());
   EXPECT_TRUE(records::contains(*violation.distance, 0));

@@ -94,7 +94,7 @@ TEST(Culling, FindsATriangleInBoth) {
   ASSERT_GT(check.violation_count, 0U);
   const records::Violation& violation = check.violations.front();
   EXPECT_EQ(violation.exact, "forbidden: culling back faces leaves some of this triangle too");
-  EXPECT_EQ(violation.triangle, 0U);
+  EXPECT_EQ(violation.place.triangle, 0U);
 }
 
 TEST(Culling, FindsWhatNeitherDraws) {
@@ -103,7 +103,7 @@ TEST(Culling, FindsWhatNeitherDraws) {
   });
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::missing);
-  EXPECT_EQ(check.violations.front().triangle, 1U);
+  EXPECT_EQ(check.violations.front().place.triangle, 1U);
 }
 
 TEST(Culling, FindsValuesThatDependOnIt) {

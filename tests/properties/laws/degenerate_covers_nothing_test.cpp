@@ -80,8 +80,8 @@ TEST(Degenerate, TriangleThatDrawsIsFound) {
   ASSERT_EQ(check.violation_count, 1U);
   const records::Violation& violation = check.violations.front();
   EXPECT_EQ(violation.fragment_class, FragmentClass::extra);
-  EXPECT_EQ(violation.x, 3U);
-  EXPECT_EQ(violation.y, 4U);
+  EXPECT_EQ(violation.place.x, 3U);
+  EXPECT_EQ(violation.place.y, 4U);
   EXPECT_THAT(violation.note, HasSubstr("a triangle that was added: "));
 }
 

@@ -53,8 +53,8 @@ TEST(QuadDifferences, OfTheSquareAreOneOrZero) {
   EXPECT_EQ(last.fragment_class, FragmentClass::not_a_number);
   EXPECT_EQ(last.kind, AttributeKind::smooth);
   EXPECT_EQ(last.attribute, 1U);
-  EXPECT_EQ(last.x, 2U);
-  EXPECT_EQ(last.y, 1U);
+  EXPECT_EQ(last.place.x, 2U);
+  EXPECT_EQ(last.place.y, 1U);
   EXPECT_EQ(last.exact, "0");
 }
 

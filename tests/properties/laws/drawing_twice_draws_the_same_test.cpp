@@ -46,7 +46,7 @@ TEST(DrawingTwice, FindsWhatTheFirstLeavesBehind) {
   });
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations.front().attribute, 1U);
-  EXPECT_EQ(check.violations.front().x, 1U);
+  EXPECT_EQ(check.violations.front().place.x, 1U);
   EXPECT_THAT(check.violations.front().note, HasSubstr("drawn the first time"));
 }
 

@@ -55,8 +55,8 @@ TEST(EqualDepth, FindsTheNextFloat) {
   const records::Violation& violation = check.violations.front();
   EXPECT_EQ(violation.fragment_class, FragmentClass::beyond_bound);
   EXPECT_EQ(violation.kind, AttributeKind::depth);
-  EXPECT_EQ(violation.x, 2U);
-  EXPECT_EQ(violation.y, 3U);
+  EXPECT_EQ(violation.place.x, 2U);
+  EXPECT_EQ(violation.place.y, 3U);
   EXPECT_EQ(violation.note,
             "z/w is the same at all vertices, and the plane's first depth was 0.25 (0x1p-2)");
   EXPECT_EQ(check.violations.back().fragment_class, FragmentClass::not_a_number);
@@ -70,7 +70,7 @@ TEST(EqualDepth, FindsTwoTrianglesThatDiffer) {
     }
   });
   EXPECT_EQ(check.violation_count, 36U);
-  EXPECT_EQ(check.violations.front().triangle, 1U);
+  EXPECT_EQ(check.violations.front().place.triangle, 1U);
 }
 
 TEST(EqualDepth, KnowsPlanesApart) {

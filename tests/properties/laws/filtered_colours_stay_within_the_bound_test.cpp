@@ -82,8 +82,8 @@ TEST(FilteredColours, AreJudgedByTheBound) {
   EXPECT_EQ(found_of(0).violation_count, 0U);
   const Check check = found_of(0x1p-12F);
   ASSERT_EQ(check.violation_count, 1U);
-  EXPECT_EQ(check.violations[0].x, 1U);
-  EXPECT_EQ(check.violations[0].y, 1U);
+  EXPECT_EQ(check.violations[0].place.x, 1U);
+  EXPECT_EQ(check.violations[0].place.y, 1U);
   EXPECT_THAT(check.violations[0].note, HasSubstr("at s = 3, t = 1; allowed is "));
 }
 

@@ -52,8 +52,8 @@ TEST(FlatValues, FindsTheOtherZero) {
   EXPECT_EQ(violation.kind, AttributeKind::flat);
   EXPECT_EQ(violation.fragment_class, FragmentClass::beyond_bound);
   EXPECT_EQ(violation.attribute, 2U);
-  EXPECT_EQ(violation.x, 2U);
-  EXPECT_EQ(violation.y, 3U);
+  EXPECT_EQ(violation.place.x, 2U);
+  EXPECT_EQ(violation.place.y, 3U);
   EXPECT_EQ(violation.note, "the provoking vertex is 0");
 }
 

@@ -115,8 +115,8 @@ TEST(Mirror, FindsWhatIsMissingInThePlaceOfTheCaseAsItWas) {
     });
     ASSERT_EQ(check.violation_count, 1U) << way.label;
     EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::missing);
-    EXPECT_EQ(check.violations.front().x, 1U);
-    EXPECT_EQ(check.violations.front().y, 3U);
+    EXPECT_EQ(check.violations.front().place.x, 1U);
+    EXPECT_EQ(check.violations.front().place.y, 3U);
     EXPECT_THAT(check.violations.front().note, HasSubstr("drawn with " + way.label));
   }
 }

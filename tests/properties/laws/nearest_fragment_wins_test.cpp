@@ -61,9 +61,9 @@ TEST(NearestFragment, IsNotTheLastOne) {
   ASSERT_EQ(check.violation_count, 1U);
   const records::Violation& violation = check.violations.front();
   EXPECT_EQ(violation.fragment_class, FragmentClass::wrong_triangle);
-  EXPECT_EQ(violation.triangle, 2U);
-  EXPECT_EQ(violation.x, 1U);
-  EXPECT_EQ(violation.y, 1U);
+  EXPECT_EQ(violation.place.triangle, 2U);
+  EXPECT_EQ(violation.place.x, 1U);
+  EXPECT_EQ(violation.place.y, 1U);
   EXPECT_EQ(violation.exact, "forbidden: triangle 1 is nearer");
   EXPECT_THAT(violation.note, HasSubstr("the nearest of 3 at 0.25"));
 }
@@ -96,7 +96,7 @@ TEST(NearestFragment, HasItsOwnValuesToTheBit) {
   ASSERT_EQ(check.violation_count, 2U);
   EXPECT_EQ(check.violations[0].kind, records::AttributeKind::depth);
   EXPECT_EQ(check.violations[1].attribute, 0U);
-  EXPECT_EQ(check.violations[1].y, 3U);
+  EXPECT_EQ(check.violations[1].place.y, 3U);
 }
 
 TEST(NearestFragment, IsThereAndAlone) {
@@ -111,7 +111,7 @@ TEST(NearestFragment, IsThereAndAlone) {
   EXPECT_EQ(check.violations[0].exact, "forbidden: more than one is left");
   EXPECT_EQ(check.violations[1].exact, "forbidden: nothing is drawn there without a depth test");
   EXPECT_EQ(check.violations[2].fragment_class, FragmentClass::missing);
-  EXPECT_EQ(check.violations[2].triangle, 1U);
+  EXPECT_EQ(check.violations[2].place.triangle, 1U);
 }
 
 TEST(NearestFragment, LeavesDepthsThatAreNoNumberAlone) {

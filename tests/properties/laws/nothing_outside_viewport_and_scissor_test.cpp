@@ -49,8 +49,8 @@ TEST(Outside, FindsFragmentsBeyondEachSideOfTheViewport) {
     const records::Violation& violation = check.violations.front();
     EXPECT_EQ(violation.fragment_class, FragmentClass::extra);
     EXPECT_EQ(violation.exact, "forbidden: outside the viewport");
-    EXPECT_EQ(violation.x, static_cast<std::uint32_t>(x));
-    EXPECT_EQ(violation.y, static_cast<std::uint32_t>(y));
+    EXPECT_EQ(violation.place.x, static_cast<std::uint32_t>(x));
+    EXPECT_EQ(violation.place.y, static_cast<std::uint32_t>(y));
   }
 }
 
@@ -120,8 +120,8 @@ TEST(Outside, FindsWhatAPictureHasThere) {
   ASSERT_EQ(check.violation_count, 2U);
   EXPECT_EQ(check.violations[0].fragment_class, FragmentClass::extra);
   EXPECT_EQ(check.violations[0].kind, records::AttributeKind::depth);
-  EXPECT_EQ(check.violations[0].x, 7U);
-  EXPECT_EQ(check.violations[1].y, 1U);
+  EXPECT_EQ(check.violations[0].place.x, 7U);
+  EXPECT_EQ(check.violations[1].place.y, 1U);
   EXPECT_THAT(check.violations[1].note, HasSubstr("outside the viewport"));
 }
 

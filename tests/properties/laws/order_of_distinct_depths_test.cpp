@@ -50,9 +50,9 @@ TEST(DistinctDepths, FindTheTriangleThatOneOrderLeavesWrongly) {
   ASSERT_EQ(check.violation_count, 1U);
   const records::Violation& violation = check.violations.front();
   EXPECT_EQ(violation.fragment_class, FragmentClass::wrong_triangle);
-  EXPECT_EQ(violation.triangle, 1U);
-  EXPECT_EQ(violation.x, 1U);
-  EXPECT_EQ(violation.y, 1U);
+  EXPECT_EQ(violation.place.triangle, 1U);
+  EXPECT_EQ(violation.place.x, 1U);
+  EXPECT_EQ(violation.place.y, 1U);
   EXPECT_EQ(violation.exact, "forbidden: triangle 0 is nearer");
   EXPECT_THAT(violation.note, HasSubstr("drawn in submission order, at depth 0.5"));
 }
@@ -68,9 +68,9 @@ TEST(DistinctDepths, FindWhatOneOrderLosesOrAdds) {
   });
   ASSERT_EQ(check.violation_count, 2U);
   EXPECT_EQ(check.violations[0].fragment_class, FragmentClass::missing);
-  EXPECT_EQ(check.violations[0].x, 1U);
+  EXPECT_EQ(check.violations[0].place.x, 1U);
   EXPECT_EQ(check.violations[1].fragment_class, FragmentClass::extra);
-  EXPECT_EQ(check.violations[1].x, 2U);
+  EXPECT_EQ(check.violations[1].place.x, 2U);
 }
 
 TEST(DistinctDepths, FindValuesThatDependOnTheOrder) {
@@ -79,7 +79,7 @@ TEST(DistinctDepths, FindValuesThatDependOnTheOrder) {
     value(drawn, 1, 2, 3, 1) = std::nextafter(1.0F, 2.0F);
   });
   ASSERT_EQ(check.violation_count, 1U);
-  EXPECT_EQ(check.violations.front().triangle, 0U);
+  EXPECT_EQ(check.violations.front().place.triangle, 0U);
   EXPECT_EQ(check.violations.front().attribute, 1U);
 }
 

@@ -15,8 +15,8 @@
 namespace rastercheck::properties::parts_of_an_error_add_up_test {
 namespace {
 
+using cases::SamplePlace;
 using records::AttributeKind;
-using records::SampleAddress;
 using records::SampleTrace;
 using records::Stage;
 using records::Stratum;
@@ -26,7 +26,7 @@ constexpr std::string_view kLaw = "the-parts-of-an-error-add-up-to-the-whole";
 /// What the law finds where the traces of the square are changed so.
 Check with_traces(const std::function<void(SampleTrace&)>& change) {
   DamagedBackend backend({}, "cpu");
-  backend.trace_damage = [&change](const SampleAddress&, std::optional<SampleTrace>& trace) {
+  backend.trace_damage = [&change](const cases::SamplePlace&, std::optional<SampleTrace>& trace) {
     if (trace) change(*trace);
   };
   return check_of(kLaw, square(), backend);
@@ -107,7 +107,8 @@ TEST(PartsAddUp, PassesOnATraceThatFails) {
   class Fails : public DamagedBackend {
    public:
     Fails() : DamagedBackend({}, "cpu") {}
-    Result<std::optional<SampleTrace>> trace(const cases::Case&, const SampleAddress&) override {
+    Result<std::optional<SampleTrace>> trace(const cases::Case&,
+                                             const cases::SamplePlace&) override {
       return tl::unexpected(Error{"", "", "no traces today"});
     }
   };

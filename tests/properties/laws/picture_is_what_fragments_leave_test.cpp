@@ -58,13 +58,13 @@ TEST(APicture, IsCheckedToTheBit) {
   const records::Violation& depth = check.violations[0];
   EXPECT_EQ(depth.kind, AttributeKind::depth);
   EXPECT_EQ(depth.fragment_class, FragmentClass::beyond_bound);
-  EXPECT_EQ(depth.triangle, 0U);
-  EXPECT_EQ(depth.x, 1U);
-  EXPECT_EQ(depth.y, 1U);
+  EXPECT_EQ(depth.place.triangle, 0U);
+  EXPECT_EQ(depth.place.x, 1U);
+  EXPECT_EQ(depth.place.y, 1U);
   EXPECT_THAT(depth.note, HasSubstr("1 fragments there; vertex colours, depth "));
   EXPECT_EQ(check.violations[1].fragment_class, FragmentClass::not_a_number);
   EXPECT_EQ(check.violations[1].attribute, 1U);
-  EXPECT_EQ(check.violations[1].x, 2U);
+  EXPECT_EQ(check.violations[1].place.x, 2U);
 }
 
 TEST(APicture, ShowsEveryPartOfThePipeline) {

@@ -107,7 +107,7 @@ TEST(PowerOfTwo, FindsALastBit) {
   });
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::beyond_bound);
-  EXPECT_EQ(check.violations.front().x, 5U);
+  EXPECT_EQ(check.violations.front().place.x, 5U);
 }
 
 TEST(PowerOfTwo, SaysNothingWhereNoFactorKeepsAllDigits) {

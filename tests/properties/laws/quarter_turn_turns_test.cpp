@@ -77,8 +77,8 @@ TEST(QuarterTurn, FindsWhatIsMissingInThePlaceOfTheCaseAsItWas) {
   ASSERT_EQ(check.violation_count, 1U);
   const records::Violation& violation = check.violations.front();
   EXPECT_EQ(violation.fragment_class, FragmentClass::missing);
-  EXPECT_EQ(violation.x, 1U);
-  EXPECT_EQ(violation.y, 3U);
+  EXPECT_EQ(violation.place.x, 1U);
+  EXPECT_EQ(violation.place.y, 3U);
   EXPECT_EQ(violation.note, "drawn turned by a quarter, at pixel (4, 1)");
 }
 

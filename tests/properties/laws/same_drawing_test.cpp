@@ -56,7 +56,7 @@ TEST(SameDrawing, LacksNoFragment) {
   const Check check = compared(drawn);
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations[0].fragment_class, FragmentClass::missing);
-  EXPECT_EQ(check.violations[0].x, 1U);
+  EXPECT_EQ(check.violations[0].place.x, 1U);
   EXPECT_EQ(check.violations[0].note, "a note");
 }
 

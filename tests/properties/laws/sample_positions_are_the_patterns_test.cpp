@@ -62,8 +62,8 @@ TEST(SamplePositions, FindsOneFloatAndNamesIt) {
   EXPECT_EQ(violation.fragment_class, FragmentClass::beyond_bound);
   EXPECT_EQ(violation.kind, AttributeKind::noperspective);
   EXPECT_EQ(violation.attribute, 1U);
-  EXPECT_EQ(violation.x, 2U);
-  EXPECT_EQ(violation.y, 3U);
+  EXPECT_EQ(violation.place.x, 2U);
+  EXPECT_EQ(violation.place.y, 3U);
   EXPECT_EQ(violation.exact, "3.5 (0x1.cp+1)");
   EXPECT_EQ(violation.note, "not the window y where it is evaluated");
 }

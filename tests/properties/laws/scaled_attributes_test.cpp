@@ -107,7 +107,7 @@ TEST(ScaledAttributes, FindALastBitWhereNothingIsAdded) {
     attribute = std::nextafter(attribute, 0.0F);
   });
   ASSERT_EQ(check.violation_count, 1U);
-  EXPECT_EQ(check.violations.front().x, 5U);
+  EXPECT_EQ(check.violations.front().place.x, 5U);
   EXPECT_EQ(check.violations.front().attribute, 0U);
   EXPECT_THAT(check.labels, Contains("scaled"));
 }

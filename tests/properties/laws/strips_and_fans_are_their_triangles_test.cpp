@@ -152,7 +152,7 @@ TEST(StripsAndFans, FindAMissingFragmentAndNameItsTriangle) {
   ASSERT_TRUE(is_plain_strip);
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations[0].fragment_class, FragmentClass::missing);
-  EXPECT_EQ(check.violations[0].x, 6U);
+  EXPECT_EQ(check.violations[0].place.x, 6U);
   EXPECT_EQ(
       check.violations[0].note,
       "a strip of vertices 0 1 2 3 (R: restart) instead of the case's triangles, its triangle 1 of "

@@ -60,9 +60,9 @@ TEST(Texels, AreNamedWhereTheyAreWrong) {
   EXPECT_EQ(green.fragment_class, FragmentClass::beyond_bound);
   EXPECT_EQ(green.kind, AttributeKind::smooth);
   EXPECT_EQ(green.attribute, 1U);
-  EXPECT_EQ(green.triangle, 0U);
-  EXPECT_EQ(green.x, 1U);
-  EXPECT_EQ(green.y, 1U);
+  EXPECT_EQ(green.place.triangle, 0U);
+  EXPECT_EQ(green.place.x, 1U);
+  EXPECT_EQ(green.place.y, 1U);
   EXPECT_THAT(green.exact, HasSubstr("texel ("));
   EXPECT_THAT(green.note, HasSubstr("at s = 3/2, t = 1"));
   EXPECT_EQ(check.violations[1].fragment_class, FragmentClass::not_a_number);

@@ -13,9 +13,9 @@
 namespace rastercheck::properties::traced_is_drawn_test {
 namespace {
 
+using cases::SamplePlace;
 using records::AttributeKind;
 using records::FragmentClass;
-using records::SampleAddress;
 using records::SampleTrace;
 using records::TracedValue;
 using testing::HasSubstr;
@@ -23,7 +23,7 @@ using testing::HasSubstr;
 constexpr std::string_view kLaw = "the-traced-value-is-the-drawn-value";
 
 /// The first fragment of triangle 0, which the law asks about.
-bool is_first(const SampleAddress& at) { return at == SampleAddress{}; }
+bool is_first(const cases::SamplePlace& at) { return at == cases::SamplePlace{}; }
 
 Check checked(const cases::Case& c, TraceDamage damage) {
   DamagedBackend backend({}, "cpu");
@@ -34,7 +34,7 @@ Check checked(const cases::Case& c, TraceDamage damage) {
 /// What the law finds where the trace of the square's first fragment is changed so.
 records::Violation only_of_first(const std::function<void(SampleTrace&)>& change) {
   const Check check =
-      checked(square(), [&change](const SampleAddress& at, std::optional<SampleTrace>& trace) {
+      checked(square(), [&change](const cases::SamplePlace& at, std::optional<SampleTrace>& trace) {
         if (is_first(at)) change(*trace);
       });
   EXPECT_EQ(check.violation_count, 1U);
@@ -108,7 +108,7 @@ TEST(TracedIsDrawn, FindsWeightsOfAValueThatAreNotThoseOfTheLines) {
     };
   };
   EXPECT_THAT(note_of_first(at({0, 0, 1})), HasSubstr("weight 2 is "));
-  const Check good = checked(square(), [&](const SampleAddress& address, auto& trace) {
+  const Check good = checked(square(), [&](const cases::SamplePlace& address, auto& trace) {
     if (is_first(address)) at({0, 0, 0})(*trace);
   });
   EXPECT_EQ(good.violation_count, 0U);
@@ -116,7 +116,7 @@ TEST(TracedIsDrawn, FindsWeightsOfAValueThatAreNotThoseOfTheLines) {
 
 TEST(TracedIsDrawn, FindsNoTraceOfWhatWasDrawn) {
   const Check check =
-      checked(square(), [](const SampleAddress& at, std::optional<SampleTrace>& trace) {
+      checked(square(), [](const cases::SamplePlace& at, std::optional<SampleTrace>& trace) {
         if (is_first(at)) trace.reset();
       });
   ASSERT_EQ(check.violation_count, 1U);
@@ -125,12 +125,12 @@ TEST(TracedIsDrawn, FindsNoTraceOfWhatWasDrawn) {
 
 TEST(TracedIsDrawn, FindsATraceOfWhatWasNotDrawn) {
   const Check check =
-      checked(square(), [](const SampleAddress& at, std::optional<SampleTrace>& trace) {
+      checked(square(), [](const cases::SamplePlace& at, std::optional<SampleTrace>& trace) {
         if (trace && at.triangle == 0) trace->is_drawn = true;
       });
   ASSERT_GT(check.violation_count, 0U);
   EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::extra);
-  EXPECT_EQ(check.violations.front().triangle, 0U);
+  EXPECT_EQ(check.violations.front().place.triangle, 0U);
 }
 
 TEST(TracedIsDrawn, FindsADrawnSampleWhoseTraceSaysThatItIsNot) {
@@ -141,7 +141,7 @@ TEST(TracedIsDrawn, FindsADrawnSampleWhoseTraceSaysThatItIsNot) {
 
 TEST(TracedIsDrawn, FindsWeightsOfAnotherPlaceWhereNothingWasDrawn) {
   const Check check =
-      checked(square(), [](const SampleAddress&, std::optional<SampleTrace>& trace) {
+      checked(square(), [](const cases::SamplePlace&, std::optional<SampleTrace>& trace) {
         if (trace && !trace->is_drawn) (*trace->edges)[0] += 1;
       });
   EXPECT_GT(check.violation_count, 0U);
@@ -161,7 +161,8 @@ TEST(TracedIsDrawn, PassesOnATraceThatFails) {
   class Fails : public DamagedBackend {
    public:
     Fails() : DamagedBackend({}, "cpu") {}
-    Result<std::optional<SampleTrace>> trace(const cases::Case&, const SampleAddress&) override {
+    Result<std::optional<SampleTrace>> trace(const cases::Case&,
+                                             const cases::SamplePlace&) override {
       return tl::unexpected(Error{"", "", "no traces today"});
     }
   };

@@ -81,8 +81,8 @@ TEST(Triangulation, FindsWhatTwoDrawAndWhatNoneDraws) {
   for (const records::Violation& violation : check.violations) {
     ++classes[violation.fragment_class];
     if (violation.fragment_class != FragmentClass::missing) continue;
-    EXPECT_EQ(violation.x, 4U);
-    EXPECT_EQ(violation.y, 4U);
+    EXPECT_EQ(violation.place.x, 4U);
+    EXPECT_EQ(violation.place.y, 4U);
     EXPECT_EQ(violation.exact, "required: of one triangle");
   }
   EXPECT_EQ(classes[FragmentClass::missing], 1);

@@ -40,8 +40,8 @@ TEST(RangeOfVertices, FindsOneFloatBeyond) {
   EXPECT_EQ(violation.fragment_class, FragmentClass::beyond_bound);
   EXPECT_EQ(violation.kind, AttributeKind::smooth);
   EXPECT_EQ(violation.attribute, 1U);
-  EXPECT_EQ(violation.x, 2U);
-  EXPECT_EQ(violation.y, 3U);
+  EXPECT_EQ(violation.place.x, 2U);
+  EXPECT_EQ(violation.place.y, 3U);
   EXPECT_EQ(violation.note, "beyond the values of all three vertices");
   EXPECT_EQ(check.violations.back().fragment_class, FragmentClass::infinite);
 }

@@ -54,7 +54,7 @@ TEST(VertexStageBound, FindsOneUlpAndNamesVertexAndTriangle) {
   };
   const records::Violation violation = only_of(checked(seen_square(), damage));
   EXPECT_EQ(violation.fragment_class, FragmentClass::beyond_bound);
-  EXPECT_EQ(violation.triangle, 1U);
+  EXPECT_EQ(violation.place.triangle, 1U);
   EXPECT_EQ(violation.exact, "1/4");
   EXPECT_EQ(violation.error, (records::Enclosure{1, 1}));
   ASSERT_TRUE(violation.bound.has_value());

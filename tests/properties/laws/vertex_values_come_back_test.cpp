@@ -61,9 +61,9 @@ TEST(VertexValues, FindsOneUlpOfTheirOwn) {
   const records::Violation& violation = check.violations.front();
   EXPECT_EQ(violation.fragment_class, FragmentClass::beyond_bound);
   EXPECT_EQ(violation.kind, AttributeKind::noperspective);
-  EXPECT_EQ(violation.triangle, 0U);
-  EXPECT_EQ(violation.x, 1U);
-  EXPECT_EQ(violation.y, 1U);
+  EXPECT_EQ(violation.place.triangle, 0U);
+  EXPECT_EQ(violation.place.x, 1U);
+  EXPECT_EQ(violation.place.y, 1U);
   EXPECT_EQ(violation.attribute, 1U);
   EXPECT_THAT(violation.note, HasSubstr("vertex 0 lies exactly there and has 9.99999997e-07"));
   ASSERT_TRUE(violation.error.has_value());

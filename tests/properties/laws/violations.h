@@ -22,10 +22,10 @@ inline void expect_at(const records::Violation& violation, records::FragmentClas
                       std::uint32_t y) {
   EXPECT_EQ(violation.fragment_class, fragment_class);
   EXPECT_EQ(violation.kind, kind);
-  EXPECT_EQ(violation.triangle, triangle);
-  EXPECT_EQ(violation.x, x);
-  EXPECT_EQ(violation.y, y);
-  EXPECT_EQ(violation.sample, 0U);
+  EXPECT_EQ(violation.place.triangle, triangle);
+  EXPECT_EQ(violation.place.x, x);
+  EXPECT_EQ(violation.place.y, y);
+  EXPECT_EQ(violation.place.sample, 0U);
 }
 
 }  // namespace rastercheck::properties

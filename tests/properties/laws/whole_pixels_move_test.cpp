@@ -87,8 +87,8 @@ TEST(WholePixels, FindWhatIsMissingInThePlaceOfTheCaseAsItWas) {
   ASSERT_EQ(check.violation_count, 1U);
   const records::Violation& violation = check.violations.front();
   EXPECT_EQ(violation.fragment_class, FragmentClass::missing);
-  EXPECT_EQ(violation.x, 7U);
-  EXPECT_EQ(violation.y, 6U);
+  EXPECT_EQ(violation.place.x, 7U);
+  EXPECT_EQ(violation.place.y, 6U);
   EXPECT_EQ(violation.note,
             "drawn " + std::to_string(du) + " columns and " + std::to_string(dv) + " rows farther");
 }

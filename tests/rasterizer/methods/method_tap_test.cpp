@@ -33,7 +33,7 @@ SmallMesh two_triangles(State& state) {
 }
 
 std::optional<Trace> trace_by(std::string_view method, const State& state, const SmallMesh& mesh,
-                              const TargetSize& size, const SampleAddress& address) {
+                              const TargetSize& size, const SamplePlace& address) {
   const TraceResult result = trace_sample_by(method, state, mesh.mesh(), size, address);
   EXPECT_EQ(result.error, std::nullopt) << method;
   return result.trace;
@@ -52,7 +52,7 @@ void expect_values_of(const Trace& trace, const Fragments& fragments, std::size_
 }
 
 /// The place of a fragment, or how many there are.
-std::size_t find(const Fragments& fragments, const SampleAddress& at) {
+std::size_t find(const Fragments& fragments, const SamplePlace& at) {
   std::size_t i = 0;
   while (i < fragments.size() && (fragments.triangle[i] != at.triangle || fragments.x[i] != at.x ||
                                   fragments.y[i] != at.y || fragments.sample[i] != at.sample)) {
@@ -71,7 +71,7 @@ TEST(MethodTap, IsShownWhatEachMethodDraws) {
     const Fragments fragments = drawn_by(method.name, state, mesh, size);
     ASSERT_GT(fragments.size(), 0U);
     for (int i = 0; i < 8 * 8 * 4; ++i) {
-      const SampleAddress address{static_cast<std::uint32_t>(i % 2), i / 32, i / 4 % 8, i % 4};
+      const SamplePlace address{static_cast<std::uint32_t>(i % 2), i / 32, i / 4 % 8, i % 4};
       const std::optional<Trace> trace = trace_by(method.name, state, mesh, size, address);
       ASSERT_TRUE(trace.has_value());
       const std::size_t at = find(fragments, address);
@@ -174,7 +174,7 @@ TEST(MethodTap, IsShownTheTriangleAmongTheOthers) {
   mesh.positions[3].z = -1;
   const TargetSize size{8, 8, 4};
   const Fragments fragments = drawn_by("scanline-linear", state, mesh, size);
-  const SampleAddress address{1, 3, 3, 0};
+  const SamplePlace address{1, 3, 3, 0};
   const auto trace = trace_by("scanline-linear", state, mesh, size, address);
   ASSERT_TRUE(trace && trace->is_drawn);
   expect_values_of(*trace, fragments, find(fragments, address));
@@ -183,7 +183,7 @@ TEST(MethodTap, IsShownTheTriangleAmongTheOthers) {
 TEST(MethodTap, OfABadAddressOrMethodIsRefusedOrNothing) {
   State state = small_state(8, 8);
   const SmallMesh mesh = two_triangles(state);
-  const auto error_of = [&](std::string_view method, const SampleAddress& address) {
+  const auto error_of = [&](std::string_view method, const SamplePlace& address) {
     return trace_sample_by(method, state, mesh.mesh(), {8, 8, 1}, address).error;
   };
   EXPECT_EQ(error_of("no-method", {}), Error::unknown_method);

@@ -22,14 +22,14 @@ TEST(CropCells, HoldOldAgainstNewAndExact) {
   look.before = records::sample_specimen();
   const std::vector<CropCell> cells = crop_cells(look);
   ASSERT_THAT(cells, SizeIs(2));
-  EXPECT_EQ(cells[0].x, 3U);
-  EXPECT_EQ(cells[0].y, 5U);
+  EXPECT_EQ(cells[0].place.x, 3U);
+  EXPECT_EQ(cells[0].place.y, 5U);
   EXPECT_EQ(cells[0].exact, 0.5);
   EXPECT_EQ(cells[0].before, 0.5F - records::kSampleUlp);
   EXPECT_EQ(cells[0].error_before, 1);
   EXPECT_EQ(cells[0].error_after, 3);
   EXPECT_EQ(cells[0].change, 4);
-  EXPECT_EQ(cells[1].x, 4U);
+  EXPECT_EQ(cells[1].place.x, 4U);
   EXPECT_FALSE(cells[1].before || cells[1].error_before);
   EXPECT_EQ(cells[1].change, kInfinite) << "drawn now only";
 }
@@ -70,18 +70,18 @@ TEST(CropCells, AreOfTheValueThatIsLookedAt) {
 // Kills: a pixel shown by a sample that did not change, or by the last one.
 TEST(CropCells, ShowOfEachPixelTheSampleThatChangedMost) {
   records::CloserLook look = records::sample_look();
-  look.inspection.samples[1].x = 3;
-  look.inspection.samples[1].sample = 1;
+  look.inspection.samples[1].place.x = 3;
+  look.inspection.samples[1].place.sample = 1;
   look.inspection.pattern.push_back({0.25, 0.25});
   std::vector<CropCell> cells = crop_cells(look);
   ASSERT_THAT(cells, SizeIs(1));
-  EXPECT_EQ(cells[0].sample, 0U) << "that which is farther off, where nothing was kept";
+  EXPECT_EQ(cells[0].place.sample, 0U) << "that which is farther off, where nothing was kept";
   look.before = records::sample_specimen();
   look.before->width = 1;
   look.before->samples = 2;
   cells = crop_cells(look);
   ASSERT_THAT(cells, SizeIs(1));
-  EXPECT_EQ(cells[0].sample, 1U);
+  EXPECT_EQ(cells[0].place.sample, 1U);
 }
 
 }  // namespace

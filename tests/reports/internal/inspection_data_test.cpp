@@ -62,8 +62,8 @@ TEST(InspectionData, IsCountedFromThePart) {
   inspection.left = 100;
   inspection.top = 200;
   for (records::InspectedSample& sample : inspection.samples) {
-    sample.x += 100;
-    sample.y += 200;
+    sample.place.x += 100;
+    sample.place.y += 200;
   }
   const json data = data_of(inspection);
   ASSERT_EQ(data["samples"].size(), 64U);
@@ -113,15 +113,15 @@ TEST(InspectionData, LeavesOutDigitsWhereAllAreTooMany) {
 TEST(InspectionData, LeavesOutWhatIsFarNext) {
   records::Inspection inspection = sample_counterexample_inspection();
   inspection.width = 32;
-  inspection.x = 20;
-  inspection.y = 3;
+  inspection.place.x = 20;
+  inspection.place.y = 3;
   const records::InspectedSample sample = inspection.samples[4 * 8 + 3];
   inspection.samples.clear();
   for (std::uint32_t y = 0; y < 8; ++y) {
     for (std::uint32_t x = 0; x < 32; ++x) {
       inspection.samples.push_back(sample);
-      inspection.samples.back().x = x;
-      inspection.samples.back().y = y;
+      inspection.samples.back().place.x = x;
+      inspection.samples.back().place.y = y;
     }
   }
   const std::string whole = inspection_data({inspection}, kEnough)[0];

@@ -52,8 +52,8 @@ TEST(Findings, WithoutInspectionsThereIsNoViewer) {
 TEST(Findings, SayWhatWasNotDrawn) {
   records::Run run = sample_run();
   records::Inspection& inspection = run.inspections[0];
-  inspection.x = 2;
-  inspection.y = 5;
+  inspection.place.x = 2;
+  inspection.place.y = 5;
   EXPECT_THAT(findings_of(run), HasSubstr("and was not drawn"));
   inspection.samples.clear();
   EXPECT_THAT(findings_of(run), Not(HasSubstr("and was not drawn")));

@@ -160,8 +160,8 @@ TEST(PlaceText, NamesTheAttribute) {
   cases::Case c;
   c.attributes = {{"u"}};
   records::Violation violation;
-  violation.x = 3;
-  violation.y = 5;
+  violation.place.x = 3;
+  violation.place.y = 5;
   EXPECT_EQ(place_text(violation, c), "triangle 0, pixel (3, 5), sample 0");
   violation.attribute = 0;
   EXPECT_EQ(place_text(violation, c), "triangle 0, pixel (3, 5), sample 0, attribute u");
