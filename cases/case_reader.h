@@ -20,5 +20,7 @@ Result<Case> read_case(const std::string& file);
 
 /// The same of a value within another document, whose node keeps the error.
 Case read_case(const JsonNode& node);
+/// For records that have cases (json_members.h).
+inline void read_value(const JsonNode& node, Case& c) { c = read_case(node); }
 
 }  // namespace rastercheck::cases

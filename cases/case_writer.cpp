@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "cases/float_text.h"
@@ -117,6 +118,10 @@ std::string to_json(const Case& c) {
                              json_string(c.found->verdict), c.found->seed, c.found->index));
   }
   return fmt::format("{{\n{}\n}}\n", fmt::join(members, ",\n"));
+}
+
+void write_value(nlohmann::json& to, const Case& c) {
+  to = parse_json(to_json(c), "case").value_or(nlohmann::json());
 }
 
 }  // namespace rastercheck::cases

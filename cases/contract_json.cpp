@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "cases/digest.h"
@@ -257,6 +258,13 @@ ContractTerms read_contract_terms(const JsonNode& root) {
   read_term(root, "numbers", terms.numbers, &read_numbers);
   return terms;
 }
+
+void write_value(nlohmann::json& to, const ContractTerms& terms) {
+  // What the writer of files makes of them, so that the two cannot drift apart.
+  to = parse_json(to_json(terms), "contract").value_or(nlohmann::json());
+}
+
+void read_value(const JsonNode& node, ContractTerms& terms) { terms = read_contract_terms(node); }
 
 Result<ContractTerms> parse_contract(std::string_view text, const std::string& file) {
   return read_json(text, file, [](const JsonNode& root) { return read_contract_terms(root); });

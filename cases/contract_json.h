@@ -21,6 +21,9 @@ std::uint64_t digest_of(ContractTerms terms);
 
 /// Refuses unknown keys, and what no contract has.
 ContractTerms read_contract_terms(const JsonNode& root);
+/// For records that have such terms (json_members.h).
+void write_value(nlohmann::json& to, const ContractTerms& terms);
+void read_value(const JsonNode& node, ContractTerms& terms);
 Result<ContractTerms> parse_contract(std::string_view text, const std::string& file);
 /// "-" is standard input.
 Result<ContractTerms> read_contract(const std::string& file);

@@ -30,4 +30,13 @@ std::string known_folder() {
   return data_folder(RASTERCHECK_INSTALLED_KNOWN, RASTERCHECK_SOURCE_KNOWN);
 }
 
+std::string corpus_folder_of(const records::Plan& plan) {
+  return plan.corpus.empty() ? corpus_folder() : plan.corpus;
+}
+
+std::string known_folder_of(const records::Plan& plan) {
+  if (plan.ignores_known) return "";
+  return plan.known.empty() ? known_folder() : plan.known;
+}
+
 }  // namespace rastercheck::cli

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "cli/command.h"
+#include "records/plan.h"
 
 namespace rastercheck::cli {
 
@@ -17,5 +18,7 @@ struct KnownOption {
 
 /// Adds --known and --no-known to a command.
 void add_known(CLI::App& app, KnownOption& option);
+/// The same of what a run is asked to do.
+void add_known(CLI::App& app, records::Plan& plan);
 
 }  // namespace rastercheck::cli

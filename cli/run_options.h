@@ -10,32 +10,20 @@
 
 #include "cases/error.h"
 #include "cli/gate.h"
-#include "cli/isolation.h"
-#include "cli/known_option.h"
 #include "cli/shard_option.h"
-#include "properties/campaign/checkpoint.h"
+#include "records/plan.h"
 #include "reports/format.h"
 
 namespace rastercheck::cli {
 
-/// What the command line of `rastercheck run` says.
+/// What the command line of `rastercheck run` says: what is to be done, and how.
 struct RunOptions {
-  std::vector<std::string> backends{"cpu"};
-  std::vector<std::string> properties{"*"};
-  std::uint64_t cases = 1000;
-  std::optional<std::uint64_t> seed;
+  records::Plan plan;                 ///< but for what is settled by make_plan()
+  std::optional<std::uint64_t> seed;  ///< nothing: a random one
   ShardOption shard;
-  std::string scene;
-  int scene_size = 512;
-  std::string contract;
-  std::string corpus;
-  KnownOption known;
+  std::string contract;  ///< file
   std::string output = "rastercheck-out";
   std::vector<std::string> formats = reports::default_format_names();
-  std::uint64_t shrink_tries = properties::ShrinkBudget().tries;
-  std::optional<double> shrink_seconds;
-  double timeout = kDefaultTimeout;
-  bool keeps_cases = false;
   std::string baseline;
   std::string policy;
   bool resume = false;
@@ -47,8 +35,9 @@ struct RunOptions {
   bool quiet = false;
 };
 
-/// What the options ask for.
-Result<properties::RunPlan> plan_of(const RunOptions& options);
+/// What the options ask for: with the laws that the patterns choose, a seed, the shard's number and
+/// the contract, which is read.
+Result<records::Plan> make_plan(const RunOptions& options);
 
 /// Takes seed, cases and all that decides what is found from the baseline; refuses another value
 /// that was given. Of a corpus or contract that lies elsewhere now, digests tell whether it is the

@@ -47,12 +47,12 @@ Result<properties::Findings> judge_scene_of(records::Run& run, const cases::Case
                                             unsigned jobs,
                                             const properties::KnownByBackend& known) {
   properties::Findings all;
-  for (const std::string& specification : run.backends) {
+  for (const std::string& specification : run.plan.backends) {
     auto backend = backends::make_backend(specification);
     if (!backend) return tl::unexpected(backend.error());
     const auto defects = known.find(specification);
     Result<properties::SceneFindings> found =
-        properties::judge_scene(scene, specification, **backend, run.seed, run.laws, jobs,
+        properties::judge_scene(scene, specification, **backend, run.plan.seed, run.plan.laws, jobs,
                                 defects == known.end() ? nullptr : &defects->second);
     if (!found) return tl::unexpected(found.error());
     const std::string stem =

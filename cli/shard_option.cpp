@@ -42,10 +42,10 @@ Result<std::optional<records::ShardNumber>> parse_shard(const ShardOption& optio
   return records::ShardNumber{index, count};
 }
 
-Result<void> check_shard(const properties::RunPlan& plan, const ShardOption& option) {
+Result<void> check_shard(const records::Plan& plan, const ShardOption& option) {
   const auto asked_for = parse_shard(option);
   if (!asked_for) return tl::unexpected(asked_for.error());
-  const auto& shard = plan.campaign.shard;
+  const auto& shard = plan.shard;
   if (!option || *asked_for == shard) return {};
   return tl::unexpected(refusal(*option, "what was interrupted is " + name_of(shard)));
 }
@@ -53,15 +53,12 @@ Result<void> check_shard(const properties::RunPlan& plan, const ShardOption& opt
 std::optional<records::Shard> shard_of(const properties::Checkpoint& start,
                                        const std::vector<records::BackendPromises>& promises,
                                        const std::optional<cases::Case>& scene) {
-  const properties::RunPlan& plan = start.plan;
-  if (!plan.campaign.shard) return std::nullopt;
+  if (!start.plan.shard) return std::nullopt;
   records::Shard shard;
-  shard.number = *plan.campaign.shard;
-  shard.corpus_digest = plan.corpus_digest;
-  shard.known_digest = plan.known_digest;
+  shard.corpus_digest = start.corpus_digest;
+  shard.known_digest = start.known_digest;
   if (scene) shard.scene_digest = properties::digest_of({*scene});
   shard.promises = promises;
-  if (!plan.contract_file.empty()) shard.contract = plan.terms;
   shard.saved = start.saved;
   return shard;
 }

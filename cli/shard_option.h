@@ -6,6 +6,7 @@
 
 #include "cases/error.h"
 #include "properties/campaign/checkpoint.h"
+#include "records/plan.h"
 #include "records/shard.h"
 
 namespace rastercheck::cli {
@@ -19,7 +20,7 @@ CLI::Option* add_shard(CLI::App& app, ShardOption& shard);
 Result<std::optional<records::ShardNumber>> parse_shard(const ShardOption& option);
 
 /// Whether the run that goes on is of that shard, where one is asked for.
-Result<void> check_shard(const properties::RunPlan& plan, const ShardOption& option);
+Result<void> check_shard(const records::Plan& plan, const ShardOption& option);
 
 /// What a run's shard says of it beside what it found. `scene` is the one that it drew, if any.
 std::optional<records::Shard> shard_of(const properties::Checkpoint& start,

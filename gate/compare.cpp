@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "cases/contract_json.h"
 #include "gate/internal/compare_cases.h"
 #include "records/summary.h"
 
@@ -16,48 +17,40 @@ using records::Enclosure;
 
 // --- What cannot be compared ---------------------------------------------------------------------
 
-std::string option_words(const std::vector<std::string>& all) {
-  return all.empty() ? "none" : fmt::format("{}", fmt::join(all, " "));
+std::string words_of(const records::Plan& plan) {
+  const std::vector<std::string> words = records::option_words(plan);
+  return words.empty() ? "none" : fmt::format("{}", fmt::join(words, " "));
 }
 
-/// Whether digests tell what both contracts say, so that it does not matter where they lie.
-bool are_contracts_known(const records::BaselineSection& before,
-                         const records::BaselineSection& after) {
-  return before.contract_digest && after.contract_digest;
+/// What cases are held to but for a contract. Without the corpus's folder: which cases it has,
+/// digests tell.
+records::Plan judged_by(records::Plan plan) {
+  plan.seed = 0;
+  plan.cases_per_law = 0;
+  plan.contract.reset();
+  plan.corpus.clear();
+  return plan;
 }
 
-/// Without the corpus's folder: which cases it has, digests tell.
-std::vector<std::string> judged_by(const records::BaselineSection& section, bool with_contract) {
-  std::vector<std::string> options;
-  for (std::size_t i = 0; i < section.options.size(); ++i) {
-    const std::string& word = section.options[i];
-    const bool has_value = word != "--no-known" && i + 1 < section.options.size();
-    if (has_value) ++i;
-    if (word == "--corpus" || (word == "--contract" && !with_contract)) continue;
-    options.push_back(word);
-    if (has_value) options.push_back(section.options[i]);
-  }
-  return options;
-}
-
-/// How the two are held to other terms, or to others as far as is known; empty where not.
-std::string other_options(const records::BaselineSection& before,
-                          const records::BaselineSection& after) {
-  const bool are_known = are_contracts_known(before, after);
-  const std::vector<std::string> was = judged_by(before, !are_known);
-  const std::vector<std::string> is = judged_by(after, !are_known);
+/// How the two are held to other terms; empty where not. Where a contract lies does not matter.
+std::string other_options(const records::Plan& before, const records::Plan& after) {
+  const records::Plan was = judged_by(before);
+  const records::Plan is = judged_by(after);
   if (was != is) {
-    return fmt::format("the options are {} in the baseline and {} now", option_words(was),
-                       option_words(is));
+    return fmt::format("the options are {} in the baseline and {} now", words_of(was),
+                       words_of(is));
   }
-  if (!are_known || before.contract_digest == after.contract_digest) return "";
-  const auto file = [](const records::BaselineSection& section) {
-    return records::option_of(section.options, "--contract").value_or("none");
+  const auto digest = [](const records::Plan& plan) {
+    return plan.contract ? fmt::format("{:016x}", cases::digest_of(plan.contract->terms)) : "none";
   };
+  const auto file = [](const records::Plan& plan) {
+    return plan.contract ? plan.contract->file : "none";
+  };
+  if (digest(before) == digest(after)) return "";
   return fmt::format(
-      "the contract is {} in the baseline and {} now, and its terms differ: their digest was "
-      "{:016x} and is {:016x}",
-      file(before), file(after), *before.contract_digest, *after.contract_digest);
+      "the contract is {} in the baseline and {} now, and its terms differ: their digest was {} "
+      "and is {}",
+      file(before), file(after), digest(before), digest(after));
 }
 
 /// How the cases of a law that both have are other cases; empty where they are the same.
@@ -93,11 +86,13 @@ std::string other_versions(const records::BaselineSection& before,
 std::string difference(const records::BaselineSection& before,
                        const records::BaselineSection& after) {
   if (std::string other = other_versions(before, after); !other.empty()) return other;
-  if (before.seed != after.seed) return numbers("the seed is", before.seed, after.seed);
-  if (before.cases_per_law != after.cases_per_law) {
-    return numbers("the number of cases per law is", before.cases_per_law, after.cases_per_law);
+  const records::Plan& was = before.plan;
+  const records::Plan& is = after.plan;
+  if (was.seed != is.seed) return numbers("the seed is", was.seed, is.seed);
+  if (was.cases_per_law != is.cases_per_law) {
+    return numbers("the number of cases per law is", was.cases_per_law, is.cases_per_law);
   }
-  if (std::string other = other_options(before, after); !other.empty()) return other;
+  if (std::string other = other_options(was, is); !other.empty()) return other;
   for (const auto& [law, cases] : before.laws) {
     const auto now = after.laws.find(law);
     if (now == after.laws.end()) continue;
@@ -296,9 +291,7 @@ Result<records::Comparison> compare(const records::BaselineSection& before,
   comparison.backend = after.taken.backend;
   comparison.before = before.taken;
   comparison.after = after.taken;
-  comparison.seed = after.seed;
-  comparison.cases_per_law = after.cases_per_law;
-  comparison.options = after.options;
+  comparison.plan = after.plan;
   comparison.entries = entry_changes(before, after);
   comparison.gone_laws = laws_without(before, after);
   comparison.new_laws = laws_without(after, before);

@@ -25,7 +25,7 @@ std::optional<cases::Case> case_of(const records::Comparison& comparison,
     corpus = *std::move(read);
   }
   std::optional<cases::Case> found = properties::frozen_case(
-      {growth.law, comparison.backend, growth.origin, growth.index}, comparison.seed, corpus);
+      {growth.law, comparison.backend, growth.origin, growth.index}, comparison.plan.seed, corpus);
   const bool is_other =
       found && growth.origin == records::Origin::corpus && found->name != growth.name;
   return is_other ? std::nullopt : found;
@@ -36,8 +36,8 @@ Result<void> save(const reports::Gate& gate, const records::Comparison& comparis
   std::optional<cases::Case> source = case_of(comparison, growth, corpus_folder);
   if (!source) return {};
   cases::Case& c = *source;
-  c.found = cases::Found{growth.law, comparison.backend, "worse than the baseline", comparison.seed,
-                         growth.index};
+  c.found = cases::Found{growth.law, comparison.backend, "worse than the baseline",
+                         comparison.plan.seed, growth.index};
   const std::filesystem::path file =
       std::filesystem::path(gate.folder) / reports::file_of(comparison, growth);
   std::error_code why;
@@ -52,7 +52,7 @@ Result<void> save(const reports::Gate& gate, const records::Comparison& comparis
 }  // namespace
 
 std::string corpus_of(const records::Comparison& comparison, const std::string& without_option) {
-  return records::option_of(comparison.options, "--corpus").value_or(without_option);
+  return comparison.plan.corpus.empty() ? without_option : comparison.plan.corpus;
 }
 
 Result<void> save_grown_cases(const reports::Gate& gate, const std::string& corpus) {

@@ -61,7 +61,7 @@ std::map<records::EntryKey, records::EntryFigures> entries_of(const records::Run
                                                               const std::string& backend) {
   // Strata of the generators are merged, as tables do (records/summary.cpp).
   std::map<std::pair<std::string, AttributeKind>, records::Record> by_kind;
-  for (const std::string& law : run.laws) by_kind[{law, AttributeKind::coverage}];
+  for (const std::string& law : run.plan.laws) by_kind[{law, AttributeKind::coverage}];
   for (const auto& [key, record] : run.records) {
     if (key.backend != backend || !records::is_frozen(key)) continue;
     records::merge(by_kind[{key.law, key.attribute_kind}], record);
@@ -92,25 +92,9 @@ Error refusal(const std::string& reason) { return {"", "", reason}; }
 
 }  // namespace
 
-std::vector<std::string> frozen_options(const std::vector<std::string>& options) {
-  constexpr auto kWithValue =
-      std::to_array<std::string_view>({"--property", "--contract", "--corpus", "--known"});
-  std::vector<std::string> frozen;
-  for (std::size_t i = 0; i < options.size(); ++i) {
-    const bool has_value =
-        std::find(kWithValue.begin(), kWithValue.end(), options[i]) != kWithValue.end();
-    if (has_value && i + 1 < options.size()) {
-      frozen.insert(frozen.end(), {options[i], options[i + 1]});
-      ++i;
-    } else if (options[i] == "--no-known") {
-      frozen.push_back(options[i]);
-    }
-  }
-  return frozen;
-}
-
 Result<records::BaselineSection> section_of(const records::Run& run, const std::string& backend) {
-  if (std::find(run.backends.begin(), run.backends.end(), backend) == run.backends.end()) {
+  if (std::find(run.plan.backends.begin(), run.plan.backends.end(), backend) ==
+      run.plan.backends.end()) {
     return tl::unexpected(refusal(fmt::format("the run is not of the backend '{}'", backend)));
   }
   if (!run.cases) {
@@ -123,19 +107,16 @@ Result<records::BaselineSection> section_of(const records::Run& run, const std::
   if (run.shard) {
     return tl::unexpected(refusal(
         fmt::format("the run is shard {} only: `rastercheck merge` makes the whole run of all {}",
-                    records::to_string(run.shard->number), run.shard->number.count)));
+                    records::to_string(*run.plan.shard), run.plan.shard->count)));
   }
   records::BaselineSection section;
   section.key = {records::section_name(backend), in_environment(run, "architecture"), "", ""};
   section.rules_version = run.rules_version;
-  section.seed = run.seed;
-  section.cases_per_law = run.cases_per_law;
-  section.options = frozen_options(run.options);
-  section.contract_digest = run.contract_digest;
+  section.plan = records::frozen(run.plan);
   section.taken = {backend, in_environment(run, "version"), "",
                    in_environment(run, "instruction_set"), in_environment(run, "compiler")};
   section.entries = entries_of(run, backend);
-  for (const std::string& law : run.laws) section.laws[law];
+  for (const std::string& law : run.plan.laws) section.laws[law];
   add_cases(section, *run.cases, backend);
   std::copy_if(run.specimens.begin(), run.specimens.end(), std::back_inserter(section.specimens),
                [&backend](const records::Specimen& one) { return one.key.backend == backend; });
@@ -144,7 +125,7 @@ Result<records::BaselineSection> section_of(const records::Run& run, const std::
 
 Result<records::Baseline> baseline_of(const records::Run& run) {
   records::Baseline baseline;
-  for (const std::string& backend : run.backends) {
+  for (const std::string& backend : run.plan.backends) {
     Result<records::BaselineSection> section = section_of(run, backend);
     if (!section) return tl::unexpected(section.error());
     const auto& all = baseline.sections;

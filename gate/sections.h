@@ -11,10 +11,6 @@
 
 namespace rastercheck::gate {
 
-/// Those of a run's options that say which cases are frozen and what they are held to, in pairs of
-/// name and value: "--property", "--contract", "--corpus", "--known"; "--no-known" stands alone.
-std::vector<std::string> frozen_options(const std::vector<std::string>& options);
-
 /// The section of one of a run's backends, under its own name, of any instruction set and compiler.
 /// Fails where the run did not keep its cases, was interrupted, or is not of that backend. No
 /// commit is known of it.

@@ -84,15 +84,11 @@ Result<CaseSet> case_set_for(const Side& baseline, const std::vector<std::string
     const Result<const records::BaselineSection*> section =
         section_for(baseline.sections, current, baseline.file);
     if (!section) return tl::unexpected(section.error());
-    const CaseSet of_section{to_string((*section)->key), (*section)->seed,
-                             (*section)->cases_per_law, (*section)->options,
-                             (*section)->contract_digest};
+    const CaseSet of_section{to_string((*section)->key), (*section)->plan};
     if (const auto same = check_versions(**section, current); !same) {
       return tl::unexpected(Error{baseline.file, same.error().place, same.error().reason});
     }
-    if (set && (set->seed != of_section.seed || set->cases_per_law != of_section.cases_per_law ||
-                set->options != of_section.options ||
-                set->contract_digest != of_section.contract_digest)) {
+    if (set && set->plan != of_section.plan) {
       return tl::unexpected(Error{baseline.file, "",
                                   fmt::format("the sections {} and {} are of other cases: run one "
                                               "backend at a time",

@@ -37,10 +37,7 @@ void set_commit(Side& side, const std::string& commit);
 /// What a run has to be, to be held against a baseline.
 struct CaseSet {
   std::string section;  ///< its key, for messages
-  std::uint64_t seed = 0;
-  std::uint64_t cases_per_law = 0;
-  std::vector<std::string> options;                             ///< frozen_options()
-  std::optional<std::uint64_t> contract_digest = std::nullopt;  ///< as of sections
+  records::Plan plan;   ///< frozen()
 };
 
 /// The case set of the sections for the backends, on a machine and by a program of that environment

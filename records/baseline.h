@@ -26,7 +26,7 @@
 namespace rastercheck::records {
 
 /// The version of the baseline file.
-inline constexpr std::uint64_t kBaselineVersion = 1;
+inline constexpr std::uint64_t kBaselineVersion = 2;
 inline constexpr const char* kBaselineFile = "rastercheck-baseline.json";
 
 /// What a section is of.
@@ -101,14 +101,7 @@ struct BaselineSection {
   BaselineKey key;
   std::uint64_t records_version = kRecordsVersion;
   std::uint64_t rules_version = kRulesVersion;
-  std::uint64_t seed = 0;
-  std::uint64_t cases_per_law = 0;
-  /// What else of the command decides which cases are frozen and how they are judged
-  /// (frozen_options).
-  std::vector<std::string> options;
-  /// Of what the contract file among the options says (cases::digest_of); nothing without one, and
-  /// in files from before it was kept.
-  std::optional<std::uint64_t> contract_digest = std::nullopt;
+  Plan plan;  ///< what of it decides which cases are frozen and how they are judged (frozen)
   Taken taken;
   std::vector<Approval> approvals;  ///< in the order in which they were given
   std::map<EntryKey, EntryFigures> entries;

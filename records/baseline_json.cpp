@@ -12,6 +12,7 @@
 #include "cases/json_node.h"
 #include "records/case_record_json.h"
 #include "records/enclosure_json.h"
+#include "records/plan_json.h"
 #include "records/record_json.h"
 #include "records/specimen_json.h"
 
@@ -116,12 +117,7 @@ std::string json_text(const BaselineSection& section) {
   if (!key.compiler.empty()) add("compiler", cases::json_string(key.compiler));
   add("records_version", std::to_string(section.records_version));
   add("rules_version", std::to_string(section.rules_version));
-  add("seed", std::to_string(section.seed));
-  add("cases_per_law", std::to_string(section.cases_per_law));
-  add("options", json_text(ordered_json(section.options)));
-  if (section.contract_digest) {
-    add("contract_digest", cases::json_string(digest_text(*section.contract_digest)));
-  }
+  add("plan", json_text(plan_to_json(section.plan)));
   add("taken", line_of(section.taken));
   Lines approvals('[');
   for (const Approval& approval : section.approvals) approvals.add(line_of(approval));
@@ -286,10 +282,9 @@ void read_laws(const JsonNode& node, BaselineSection& section) {
 }
 
 BaselineSection read_section(const JsonNode& node) {
-  node.expect_object(
-      {"backend", "architecture", "records_version", "rules_version", "seed", "cases_per_law",
-       "options", "taken", "approvals", "entries", "laws", "corpus", "cases"},
-      {"instruction_set", "compiler", "contract_digest", "specimens"});
+  node.expect_object({"backend", "architecture", "records_version", "rules_version", "plan",
+                      "taken", "approvals", "entries", "laws", "corpus", "cases"},
+                     {"instruction_set", "compiler", "specimens"});
   BaselineSection section;
   if (node.failed()) return section;
   // Of files from before names were so, too.
@@ -299,12 +294,7 @@ BaselineSection read_section(const JsonNode& node) {
   if (node.has("compiler")) section.key.compiler = node["compiler"].text();
   section.records_version = node["records_version"].count();
   section.rules_version = node["rules_version"].count();
-  section.seed = node["seed"].count();
-  section.cases_per_law = node["cases_per_law"].count();
-  section.options = read_text_list(node["options"]);
-  if (node.has("contract_digest")) {
-    section.contract_digest = digest_from_json(node["contract_digest"]);
-  }
+  section.plan = plan_from_json(node["plan"]);
   section.taken = read_taken(node["taken"]);
   for (const JsonNode& one : node["approvals"].elements()) {
     section.approvals.push_back(read_approval(one));

@@ -4,13 +4,12 @@
 //
 //   {
 //     "format": "rastercheck-baseline",
-//     "version": 1,
+//     "version": 2,
 //     "sections": [{
 //       "backend": "cpu", "architecture": "x86_64",
 //       "instruction_set": "avx2", "compiler": "GNU 12.2.0",   only of a section so specific
-//       "records_version": 2, "rules_version": 1, "seed": 1, "cases_per_law": 100,
-//       "options": ["--property", "*edge*"],
-//       "contract_digest": "0123456789abcdef",                 only of a section with --contract
+//       "records_version": 3, "rules_version": 1,
+//       "plan": {"seed": 1, "cases_per_law": 100, "properties": ["*edge*"]},   plan_json.h
 //       "taken": {"backend": "cpu", "version": "0.1.0", "commit": "…", "instruction_set": "avx512",
 //                 "compiler": "GNU 12.2.0"},
 //       "approvals": [{"reason": "…", "version": "…", "commit": "…", "changes": ["…"]}],

@@ -122,9 +122,7 @@ struct Comparison {
   std::string backend;  ///< of the current one: as the run names it
   Taken before;
   Taken after;
-  std::uint64_t seed = 0;  ///< the same of both, as are:
-  std::uint64_t cases_per_law = 0;
-  std::vector<std::string> options;  ///< those of the current one
+  Plan plan;                         ///< the current section's; what was frozen is the same of both
   std::vector<EntryChange> entries;  ///< in the order of their keys
   /// By how much grew, the most first: outcomes before mismatches before errors, and of these such
   /// as there were before.

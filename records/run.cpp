@@ -15,12 +15,9 @@ bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-/// Options without a value; that of all others may look like an option.
-bool is_flag(std::string_view word) { return word == "--no-known" || word == "--keep-cases"; }
-
 /// Of a shard: what is not in it.
 std::string shard_sentence(const Run& run) {
-  const ShardNumber& number = run.shard->number;
+  const ShardNumber& number = *run.plan.shard;
   const std::string rest =
       run.records.empty() && run.cases_left == 0
           ? "nothing of the campaign fell to it"
@@ -53,19 +50,19 @@ std::string unexpected_sentence(const UnexpectedPass& pass) {
 std::vector<std::string> caveats(const Run& run) {
   std::vector<std::string> all;
   if (run.shard) all.push_back(shard_sentence(run));
-  if (!run.contract_file.empty()) {
+  if (run.plan.contract) {
     all.push_back(fmt::format("Held to the contract of {}, not to what the backends promise.",
-                              run.contract_file));
+                              run.plan.contract->file));
   }
   if (run.cases_left > 0) {
     all.push_back(
         fmt::format("The run ended early: {} of its cases were not checked.", run.cases_left));
   }
-  if (run.shrink_seconds) {
+  if (run.plan.shrinking.seconds) {
     all.push_back(
         fmt::format("Shrinking was limited to {} s a counterexample: how small they are "
                     "depends on the machine.",
-                    *run.shrink_seconds));
+                    *run.plan.shrinking.seconds));
   }
   for (const KnownOfBackend& known : run.known) {
     if (known.version == known.list.version) continue;
@@ -84,38 +81,6 @@ std::vector<std::string> caveats(const Run& run) {
         backend, cases));
   }
   return all;
-}
-
-std::vector<std::string> values_of(const std::vector<std::string>& options, std::string_view name) {
-  std::vector<std::string> values;
-  for (std::size_t i = 0; i + 1 < options.size(); ++i) {
-    if (is_flag(options[i])) continue;
-    if (options[i] == name) values.push_back(options[i + 1]);
-    ++i;
-  }
-  return values;
-}
-
-std::optional<std::string> option_of(const std::vector<std::string>& options,
-                                     std::string_view name) {
-  const std::vector<std::string> values = values_of(options, name);
-  return values.empty() ? std::nullopt : std::optional(values.front());
-}
-
-std::vector<std::string> replay_options(const Run& run) {
-  std::vector<std::string> options;
-  for (std::size_t i = 0; i < run.options.size(); ++i) {
-    const std::string& word = run.options[i];
-    if (is_flag(word)) {
-      if (word == "--no-known") options.push_back(word);
-      continue;
-    }
-    const bool is_taken = word == "--contract" || word == "--known" || word == "--timeout";
-    if (++i < run.options.size() && is_taken) {
-      options.insert(options.end(), {word, run.options[i]});
-    }
-  }
-  return options;
 }
 
 std::string file_word(std::string_view text) {

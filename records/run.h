@@ -13,6 +13,7 @@
 #include "records/counterexample.h"
 #include "records/inspection.h"
 #include "records/known.h"
+#include "records/plan.h"
 #include "records/record.h"
 #include "records/shard.h"
 #include "records/specimen.h"
@@ -45,29 +46,17 @@ struct UnreachedLabel {
 /// drawing may be judged otherwise. Figures of two versions are not compared.
 inline constexpr std::uint64_t kRulesVersion = 1;
 /// The version of the form in which records are kept.
-inline constexpr std::uint64_t kRecordsVersion = 2;
+inline constexpr std::uint64_t kRecordsVersion = 3;
 
 struct Run {
   std::uint64_t rules_version = kRulesVersion;
-  std::uint64_t seed = 0;
-  std::uint64_t cases_per_law = 0;
-  std::vector<std::string> backends;  ///< as asked for
-  std::vector<std::string> laws;      ///< ids of those that were run, in the order of tables
-  /// What they state, by id.
+  Plan plan;
+  /// What the plan's laws state, by id.
   std::map<std::string, std::string> sentences = {};
-  std::string scene;  ///< its name; empty where there was none
-  /// The contract file that the backends were held to; empty: each to its own contract.
-  std::string contract_file;
-  /// Of what that file says (cases::digest_of); nothing without one.
-  std::optional<std::uint64_t> contract_digest = std::nullopt;
-  /// What else of the command decides what is found, as its words: "--property", "*edge*".
-  std::vector<std::string> options = {};
-  /// Nothing: the whole campaign. Of a shard nobody says which labels it had to reach.
+  /// Of a run that is one part of its campaign (Plan::shard). Nobody says of it which labels it had
+  /// to reach.
   std::optional<Shard> shard = std::nullopt;
   std::uint64_t cases_left = 0;  ///< not checked, as the run was interrupted
-  /// Seconds that shrinking one counterexample might take, where that was limited: how small they
-  /// are depends on the machine then.
-  std::optional<double> shrink_seconds;
   RecordSet records;
   /// What each case gave; nothing where that was not kept.
   std::optional<CaseRecordSet> cases = std::nullopt;
@@ -107,17 +96,6 @@ inline constexpr std::string_view kGivenUp = "not drawn, as the backend was give
 /// What else a reader has to know of a run: that it is a shard, that it was interrupted, that
 /// shrinking was cut short, that a list of known defects is of another version of the driver.
 std::vector<std::string> caveats(const Run& run);
-
-/// The value of an option among a run's options (Run::options); nothing where it was not given.
-std::optional<std::string> option_of(const std::vector<std::string>& options,
-                                     std::string_view name);
-
-/// All values of one that may be given several times.
-std::vector<std::string> values_of(const std::vector<std::string>& options, std::string_view name);
-
-/// Those of the options that replaying one of its cases takes as well: what drawings are held to,
-/// and what is known of them.
-std::vector<std::string> replay_options(const Run& run);
 
 /// A text as part of a file's name: what is neither letter nor digit made '-'.
 std::string file_word(std::string_view text);

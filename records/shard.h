@@ -4,12 +4,10 @@
 // to agree on before they are put together.
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "cases/case.h"
-#include "cases/contract_terms.h"
 
 namespace rastercheck::records {
 
@@ -36,14 +34,13 @@ struct BackendPromises {
   bool operator==(const BackendPromises&) const = default;
 };
 
+/// What a part of a campaign says beside what it was to do (Plan::shard is which part) and found.
 struct Shard {
-  ShardNumber number;
   bool is_whole = true;       ///< else it was interrupted, be it while shrinking
   std::string corpus_digest;  ///< of the corpus' cases
   std::string known_digest;   ///< of what is known of the backends; empty: nothing
   std::string scene_digest;   ///< of the scene as it was drawn; empty: of another shard, or none
-  std::vector<BackendPromises> promises;         ///< of the run's backends, in their order
-  std::optional<cases::ContractTerms> contract;  ///< what Run::contract_file says
+  std::vector<BackendPromises> promises;  ///< of the run's backends, in their order
   /// Counterexamples of earlier runs that were checked again.
   std::vector<cases::Case> saved;
   bool operator==(const Shard&) const = default;

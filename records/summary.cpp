@@ -141,8 +141,9 @@ std::string_view to_string(LawVerdict verdict) {
 
 std::vector<LawSummary> summarize(const Run& run) {
   std::vector<LawSummary> rows;
-  for (const std::string& law : run.laws) {
-    for (const std::string& backend : run.backends) rows.push_back(summarize(run, law, backend));
+  for (const std::string& law : run.plan.laws) {
+    for (const std::string& backend : run.plan.backends)
+      rows.push_back(summarize(run, law, backend));
   }
   return rows;
 }

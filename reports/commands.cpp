@@ -35,16 +35,17 @@ std::string words(const std::vector<std::string>& all) {
 
 std::string run_command(const records::Run& run) {
   std::string command = "rastercheck run";
-  for (const std::string& backend : run.backends) command += " --backend " + shell_word(backend);
-  command += fmt::format(" --cases {} --seed {}", run.cases_per_law, run.seed);
-  if (!run.scene.empty()) command += " --scene " + shell_word(run.scene);
-  command += words(run.options);
-  if (!run.shard) return command;
-  return command + fmt::format(" --shard {}/{}", run.shard->number.index, run.shard->number.count);
+  const records::Plan& plan = run.plan;
+  for (const std::string& backend : plan.backends) command += " --backend " + shell_word(backend);
+  command += fmt::format(" --cases {} --seed {}", plan.cases_per_law, plan.seed);
+  if (!plan.scene.empty()) command += " --scene " + shell_word(plan.scene);
+  command += words(records::option_words(plan));
+  if (!plan.shard) return command;
+  return command + fmt::format(" --shard {}/{}", plan.shard->index, plan.shard->count);
 }
 
 std::string replay_command(const records::Run& run, const std::string& file) {
-  return "rastercheck replay " + shell_word(file) + words(records::replay_options(run));
+  return "rastercheck replay " + shell_word(file) + words(records::replay_words(run.plan));
 }
 
 std::string explain_command(const records::Run& run, const std::string& file,
@@ -52,7 +53,7 @@ std::string explain_command(const records::Run& run, const std::string& file,
   std::string command = fmt::format(
       "rastercheck explain {} --pixel {},{} --sample {} --triangle {}", shell_word(file),
       place.place.x, place.place.y, place.place.sample, place.place.triangle);
-  if (!run.contract_file.empty()) command += " --contract " + shell_word(run.contract_file);
+  if (run.plan.contract) command += " --contract " + shell_word(run.plan.contract->file);
   return command;
 }
 

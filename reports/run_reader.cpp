@@ -12,6 +12,7 @@
 #include "records/counterexample_json.h"
 #include "records/inspection_json.h"
 #include "records/known_json.h"
+#include "records/plan_json.h"
 #include "records/record_json.h"
 #include "records/shard_json.h"
 #include "records/specimen_json.h"
@@ -28,17 +29,10 @@ void check_header(const JsonNode& root) {
   if (root.has("version") && root["version"].count() != records::kRecordsVersion) {
     root["version"].refuse(fmt::format("version must be {}", records::kRecordsVersion));
   }
-  root.expect_object({"format", "version", "seed", "cases_per_law", "backends", "laws", "scene",
-                      "records", "counterexamples", "unreached", "pictures", "environment"},
-                     {"rules_version", "cases", "specimens", "contract_file", "contract_digest",
-                      "options", "shard", "cases_left", "shrink_seconds", "inspections", "known",
-                      "unexpected_passes", "sentences"});
-}
-
-std::vector<std::string> read_texts(const JsonNode& node) {
-  std::vector<std::string> texts;
-  for (const JsonNode& element : node.elements()) texts.push_back(element.text());
-  return texts;
+  root.expect_object({"format", "version", "plan", "records", "counterexamples", "unreached",
+                      "pictures", "environment"},
+                     {"rules_version", "cases", "specimens", "shard", "cases_left", "inspections",
+                      "known", "unexpected_passes", "sentences"});
 }
 
 std::map<std::string, std::string> read_text_by_key(const JsonNode& node) {
@@ -79,20 +73,13 @@ records::Run read_document(const JsonNode& root) {
   if (root.failed()) return run;
   // Files from before it was written are of the first.
   run.rules_version = root.has("rules_version") ? root["rules_version"].count() : 1;
-  run.seed = root["seed"].count();
-  run.cases_per_law = root["cases_per_law"].count();
-  run.backends = read_texts(root["backends"]);
-  run.laws = read_texts(root["laws"]);
+  run.plan = records::plan_from_json(root["plan"]);
   if (root.has("sentences")) run.sentences = read_text_by_key(root["sentences"]);
-  run.scene = root["scene"].text();
-  if (root.has("contract_file")) run.contract_file = root["contract_file"].text();
-  if (root.has("contract_digest")) {
-    run.contract_digest = records::digest_from_json(root["contract_digest"]);
+  if (root.has("shard") != run.plan.shard.has_value()) {
+    root.refuse("'shard' belongs to a plan with 'shard', and the other way round");
   }
-  if (root.has("options")) run.options = read_texts(root["options"]);
   if (root.has("shard")) run.shard = records::shard_from_json(root["shard"]);
   if (root.has("cases_left")) run.cases_left = root["cases_left"].count();
-  if (root.has("shrink_seconds")) run.shrink_seconds = root["shrink_seconds"].float64();
   for (const JsonNode& node : root["counterexamples"].elements()) {
     if (root.failed()) return run;
     run.counterexamples.push_back(records::counterexample_from_json(node));

@@ -111,7 +111,7 @@ std::string not_checked_text(const std::vector<records::LawSummary>& rows) {
 }
 
 std::string summary_json(const records::Run& run, const std::vector<records::LawSummary>& rows) {
-  nlohmann::ordered_json json{{"seed", run.seed}, {"laws", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json{{"seed", run.plan.seed}, {"laws", nlohmann::ordered_json::array()}};
   for (const records::LawSummary& row : rows) {
     nlohmann::ordered_json unreached = nlohmann::ordered_json::array();
     for (const records::UnreachedLabel& label : row.unreached) unreached.push_back(label.label);

@@ -50,8 +50,8 @@ bool may_fail_still(const records::Run& run, const cases::Found& found) {
   const auto has = [](const std::vector<std::string>& all, const std::string& one) {
     return std::find(all.begin(), all.end(), one) != all.end();
   };
-  const bool is_part = run.cases_left > 0 || (run.shard && run.shard->number.index != 1);
-  return is_part && has(run.laws, found.law) && has(run.backends, found.backend);
+  const bool is_part = run.cases_left > 0 || (run.plan.shard && run.plan.shard->index != 1);
+  return is_part && has(run.plan.laws, found.law) && has(run.plan.backends, found.backend);
 }
 
 /// Puts aside the counterexamples of earlier runs that are not among `current`: the run checked

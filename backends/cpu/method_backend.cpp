@@ -190,7 +190,7 @@ class MethodBackend : public Backend {
                                                     const cases::SamplePlace& at) override {
     const CaseMesh memory(c);
     const ras::TraceResult traced = ras::trace_sample_by(method_->name, state_of(c), memory.mesh(),
-                                                         target_size(c), sample_address(at));
+                                                         target_size(c), sample_place(at));
     return traced_sample(traced);
   }
 

@@ -134,8 +134,7 @@ class RasterizerBackend : public Backend {
     ras::State state = state_of(c);
     state.precision = options_.precision;
     const CaseMesh memory(c);
-    return traced_sample(
-        ras::trace_sample(state, memory.mesh(), target_size(c), sample_address(at)));
+    return traced_sample(ras::trace_sample(state, memory.mesh(), target_size(c), sample_place(at)));
   }
   bool assembles() const override { return true; }
   Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,

@@ -70,7 +70,7 @@ ExitCode merge(const Options& options) {
     print_results(run, rows, options.output, options.quiet);
     if (!options.quiet) {
       const auto seconds = run.environment.find("seconds");
-      fmt::print("Seed {}, {} shards, {} s.{}", run.seed, merged->looked_at.size(),
+      fmt::print("Seed {}, {} shards, {} s.{}", run.plan.seed, merged->looked_at.size(),
                  seconds == run.environment.end() ? "–" : seconds->second,
                  written ? " " + where_reports_are(options.output, options.formats) : "\n");
     }

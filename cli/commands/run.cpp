@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <future>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "backends/held_backend.h"
@@ -20,6 +21,7 @@
 #include "cli/command.h"
 #include "cli/commit.h"
 #include "cli/contract_option.h"
+#include "cli/corpus_folder.h"
 #include "cli/environment.h"
 #include "cli/format_option.h"
 #include "cli/gate.h"
@@ -39,6 +41,7 @@
 #include "properties/campaign/corpus.h"
 #include "properties/inspect/run_inspections.h"
 #include "properties/inspect/specimens.h"
+#include "records/plan_json.h"
 #include "records/share.h"
 #include "records/summary.h"
 #include "reports/format.h"
@@ -57,25 +60,19 @@ constexpr unsigned kGraceSeconds = 2;
 /// How tasks are run: in this process, or in several.
 class Executor {
  public:
-  Executor(const properties::RunPlan& plan, std::vector<cases::Case> corpus,
-           const RunOptions& options)
-      : runner_(plan.campaign.seed, std::move(corpus), plan.campaign.shrinking, plan.known,
-                plan.campaign.keeps_cases),
-        command_{kOwnProgram,      "task-worker",
-                 "--seed",         std::to_string(plan.campaign.seed),
-                 "--corpus",       plan.corpus,
-                 "--shrink-tries", std::to_string(plan.campaign.shrinking.tries),
-                 "--timeout",      fmt::format("{}", options.timeout)},
-        jobs_(options.jobs) {
-    if (!plan.contract_file.empty()) {
-      command_.insert(command_.end(), {"--contract", cases::to_json(plan.terms)});
-    }
-    if (!plan.known.empty()) command_.insert(command_.end(), {"--known", plan.known});
-    if (plan.campaign.keeps_cases) command_.emplace_back("--keep-cases");
-    if (const auto& seconds = plan.campaign.shrinking.seconds) {
-      command_.insert(command_.end(), {"--shrink-seconds", fmt::format("{}", *seconds)});
-    }
-  }
+  Executor(const records::Plan& plan, std::vector<cases::Case> corpus, int jobs)
+      : runner_(plan.seed, std::move(corpus), plan.shrinking, known_folder_of(plan),
+                plan.keeps_cases),
+        command_{kOwnProgram,
+                 "task-worker",
+                 "--plan",
+                 records::plan_to_json(plan).dump(-1, ' ', false,
+                                                  nlohmann::json::error_handler_t::replace),
+                 "--corpus",
+                 corpus_folder_of(plan),
+                 "--known",
+                 known_folder_of(plan)},
+        jobs_(jobs) {}
 
   Result<void> operator()(const std::vector<properties::Task>& tasks,
                           const properties::TaskDone& done, const properties::IsToEnd& is_to_end) {
@@ -87,8 +84,8 @@ class Executor {
     return runner_.known_of(backends);
   }
 
-  std::vector<records::BackendPromises> promises(const properties::CampaignOptions& options) {
-    return runner_.promises(options);
+  std::vector<records::BackendPromises> promises(const records::Plan& plan) {
+    return runner_.promises(plan);
   }
 
  private:
@@ -175,24 +172,31 @@ Result<Work> prepare(const RunOptions& options) {
   Result<properties::Checkpoint> start =
       options.resume
           ? properties::resume_run(options.output, RASTERCHECK_VERSION)
-          : plan_of(options).and_then([&](const properties::RunPlan& plan) {
+          : make_plan(options).and_then([&](const records::Plan& plan) {
               return properties::begin_run(plan, options.output, warn, options.rerun_failed);
             });
   if (!start) return tl::unexpected(start.error());
+  // Of how long a drawing may take nothing that was found depends but what hung.
+  if (options.resume && options.plan.timeout != records::Plan().timeout) {
+    start->plan.timeout = options.plan.timeout;
+  }
   const Result<void> same_shard = check_shard(start->plan, options.shard);
   if (!same_shard) return tl::unexpected(same_shard.error());
-  if (!options.baseline.empty() && start->plan.campaign.shard) {
+  if (!options.baseline.empty() && start->plan.shard) {
     return tl::unexpected(
         Error{"--baseline", "", "not of a shard: compare the run that the shards are merged to"});
   }
   Work work{*std::move(start), {}, std::nullopt};
-  properties::RunPlan& plan = work.start.plan;
-  Result<std::vector<cases::Case>> corpus = properties::read_corpus(plan.corpus);
+  const records::Plan& plan = work.start.plan;
+  Result<std::vector<cases::Case>> corpus = properties::read_corpus(corpus_folder_of(plan));
   if (!corpus) return tl::unexpected(corpus.error());
   work.corpus = *std::move(corpus);
-  if (!options.resume) plan.corpus_digest = properties::digest_of(work.corpus);
+  if (!options.resume) {
+    work.start.corpus_digest = properties::digest_of(work.corpus);
+    work.start.program = RASTERCHECK_VERSION;
+  }
   // The first shard draws it.
-  if (!plan.scene.empty() && plan.campaign.shard.value_or(records::ShardNumber()).index == 1) {
+  if (!plan.scene.empty() && plan.shard.value_or(records::ShardNumber()).index == 1) {
     Result<cases::Case> scene = read_scene(plan.scene, plan.scene_size);
     if (!scene) return tl::unexpected(scene.error());
     work.scene = *std::move(scene);
@@ -204,11 +208,10 @@ Result<Work> prepare(const RunOptions& options) {
 /// has the corpus.
 Result<properties::KnownByBackend> read_known(Executor& executor, const RunOptions& options,
                                               Work& work) {
-  properties::RunPlan& plan = work.start.plan;
-  Result<properties::KnownByBackend> known = executor.known_of(plan.campaign.backends);
+  Result<properties::KnownByBackend> known = executor.known_of(work.start.plan.backends);
   if (!known) return known;
   if (!options.resume) {
-    plan.known_digest = properties::digest_of_known(*known);
+    work.start.known_digest = properties::digest_of_known(*known);
   } else if (const auto same = properties::check_same(work.start, work.corpus, *known); !same) {
     return tl::unexpected(same.error());
   }
@@ -216,20 +219,12 @@ Result<properties::KnownByBackend> read_known(Executor& executor, const RunOptio
 }
 
 /// What there is of a run before it begins.
-records::Run planned(const properties::RunPlan& plan, const properties::KnownByBackend& known) {
+records::Run planned(const records::Plan& plan, const properties::KnownByBackend& known) {
   records::Run run;
-  run.seed = plan.campaign.seed;
-  run.cases_per_law = plan.campaign.cases_per_law;
-  run.backends = plan.campaign.backends;
-  run.laws = plan.campaign.laws;
-  for (const std::string& id : run.laws) {
+  run.plan = plan;
+  for (const std::string& id : plan.laws) {
     if (const properties::Law* law = properties::find_law(id)) run.sentences[id] = law->sentence;
   }
-  run.scene = plan.scene;
-  run.contract_file = plan.contract_file;
-  if (!plan.contract_file.empty()) run.contract_digest = cases::digest_of(plan.terms);
-  run.options = plan.options;
-  run.shrink_seconds = plan.campaign.shrinking.seconds;
   for (const auto& [backend, defects] : known) {
     run.known.push_back({backend, defects.driver.version, defects.list});
   }
@@ -256,7 +251,7 @@ Result<std::optional<RunGate>> prepare_gate(const CLI::App& app, RunOptions& opt
   if (!checked) return tl::unexpected(checked.error());
   if (!options.resume) {
     const auto taken =
-        gate::case_set_for(*baseline, options.backends, environment(options.jobs, 0))
+        gate::case_set_for(*baseline, options.plan.backends, environment(options.jobs, 0))
             .and_then([&](const gate::CaseSet& set) { return take_case_set(app, set, options); });
     if (!taken) return tl::unexpected(taken.error());
   }
@@ -267,18 +262,20 @@ Result<std::optional<RunGate>> prepare_gate(const CLI::App& app, RunOptions& opt
 
 /// Whether the run's contract says what that of the baseline says, as far as that is known: asked
 /// before the work rather than after it.
-Result<void> check_contract(const std::optional<RunGate>& gate, const properties::RunPlan& plan) {
-  if (!gate || plan.contract_file.empty()) return {};
+Result<void> check_contract(const std::optional<RunGate>& gate, const records::Plan& plan) {
+  if (!gate || !plan.contract) return {};
   const Result<gate::CaseSet> set =
-      gate::case_set_for(gate->baseline, plan.campaign.backends, environment(1, 0));
+      gate::case_set_for(gate->baseline, plan.backends, environment(1, 0));
   if (!set) return tl::unexpected(set.error());
-  const std::uint64_t digest = cases::digest_of(plan.terms);
-  if (set->contract_digest.value_or(digest) == digest) return {};
+  if (!set->plan.contract) return {};
+  const std::uint64_t digest = cases::digest_of(plan.contract->terms);
+  const std::uint64_t then = cases::digest_of(set->plan.contract->terms);
+  if (then == digest) return {};
   return tl::unexpected(
-      Error{plan.contract_file, "",
+      Error{plan.contract->file, "",
             fmt::format("is another contract than that of the baseline's section {}: the digest "
                         "of its terms was {:016x} and is {:016x}",
-                        set->section, *set->contract_digest, digest)});
+                        set->section, then, digest)});
 }
 
 /// Holds the run against the baseline, where there is one.
@@ -314,7 +311,7 @@ ExitCode tell(const RunOptions& options, const records::Run& run,
   } else {
     print_results(run, rows, options.output, options.quiet);
     if (!options.quiet) {
-      fmt::print("Seed {}, {:.1f} s.{}", run.seed, seconds,
+      fmt::print("Seed {}, {:.1f} s.{}", run.plan.seed, seconds,
                  written ? " " + where_reports_are(options.output, options.formats) : "\n");
     }
   }
@@ -330,7 +327,6 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   if (!options.rerun_failed.empty()) {
     if (const Result<void> taken = take_failed(options); !taken) return fail(taken.error());
   }
-  isolate_foreign_backends(options.timeout);
   const Result<std::optional<RunGate>> gate = prepare_gate(app, options);
   if (!gate) return fail(gate.error());
   Result<Work> work = prepare(options);
@@ -338,23 +334,20 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   if (const auto same = check_contract(*gate, work->start.plan); !same) {
     return fail(same.error());
   }
-  const bool keeps_cases = work->start.plan.campaign.keeps_cases;
-  if (const auto can_write = check_output(options, keeps_cases); !can_write) {
+  const records::Plan& plan = work->start.plan;
+  if (const auto can_write = check_output(options, plan.keeps_cases); !can_write) {
     return fail(can_write.error());
   }
-  if (!work->start.plan.contract_file.empty()) {
-    backends::hold_backends_to(work->start.plan.terms);
-  }
+  isolate_foreign_backends(plan.timeout);
+  if (plan.contract) backends::hold_backends_to(plan.contract->terms);
   // Last: input that cannot be read goes before backends that cannot run.
-  if (const ExitCode code = check_backends(work->start.plan.campaign.backends);
-      code != ExitCode::ok) {
+  if (const ExitCode code = check_backends(plan.backends); code != ExitCode::ok) {
     return code;
   }
-  Executor executor(work->start.plan, work->corpus, options);
+  Executor executor(plan, work->corpus, options.jobs);
   const auto known = read_known(executor, options, *work);
   if (!known) return fail(known.error());
-  const properties::RunPlan plan = work->start.plan;
-  const std::vector<records::BackendPromises> promises = executor.promises(plan.campaign);
+  const std::vector<records::BackendPromises> promises = executor.promises(plan);
 
   records::Run run = planned(plan, *known);
   run.shard = shard_of(work->start, promises, work->scene);
@@ -383,7 +376,7 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   if (run.shard) {
     run.shard->is_whole = is_whole;
   } else {
-    run.unreached = properties::unreached_labels(run.laws, promises, run.records);
+    run.unreached = properties::unreached_labels(plan.laws, promises, run.records);
   }
   // Cases are drawn once more for these, however long that takes. Who goes on gets them later.
   if (is_whole || !is_interrupted()) {
@@ -414,16 +407,16 @@ void add_early_ends(CLI::App& app, RunOptions& options) {
 
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<RunOptions>();
-  app.add_option("--backend", options->backends,
+  records::Plan& plan = options->plan;
+  app.add_option("--backend", plan.backends,
                  "What is checked (see rastercheck list backends); may be given several times")
       ->type_name(kBackend)
       ->capture_default_str();
-  app.add_option("--property", options->properties,
+  app.add_option("--property", plan.properties,
                  "Only properties whose id matches, as '*edge*' (see rastercheck list "
                  "properties); may be given several times")
-      ->type_name(kProperty)
-      ->capture_default_str();
-  app.add_option("--cases", options->cases,
+      ->type_name(kProperty);
+  app.add_option("--cases", plan.cases_per_law,
                  "Random cases of each property, beside those of the corpus")
       ->transform(whole_number())
       ->type_name("N")
@@ -433,34 +426,33 @@ Action set_up(CLI::App& app) {
       ->transform(whole_number())
       ->type_name("N");
   add_shard(app, options->shard);
-  app.add_option("--scene", options->scene, "Mesh or case file that is drawn and judged whole, too")
+  app.add_option("--scene", plan.scene, "Mesh or case file that is drawn and judged whole, too")
       ->type_name(kFile);
-  app.add_option("--scene-size", options->scene_size,
-                 "Width and height of a mesh's picture, in pixels")
+  app.add_option("--scene-size", plan.scene_size, "Width and height of a mesh's picture, in pixels")
       ->check(CLI::Range(1, cases::kMaxSize))
       ->type_name("N")
       ->capture_default_str();
   add_contract(app, options->contract);
-  app.add_option("--corpus", options->corpus,
+  app.add_option("--corpus", plan.corpus,
                  "Folder of case files that every property is checked on first; without it the "
                  "one that comes with the program")
       ->type_name(kFolder);
-  add_known(app, options->known);
+  add_known(app, plan);
   app.add_option("--output", options->output, "Folder for the results")
       ->type_name(kFolder)
       ->capture_default_str();
   add_formats(app, options->formats);
-  app.add_option("--shrink-tries", options->shrink_tries,
+  app.add_option("--shrink-tries", plan.shrinking.tries,
                  "Smaller cases that are tried of each counterexample; 0 leaves it as it is found")
       ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
-  app.add_option("--shrink-seconds", options->shrink_seconds,
+  app.add_option("--shrink-seconds", plan.shrinking.seconds,
                  "Seconds for making each counterexample smaller; no limit without it")
       ->check(CLI::Range(kLeastSeconds, kMostSeconds))
       ->type_name("SECONDS");
-  add_timeout(app, options->timeout);
-  app.add_flag("--keep-cases", options->keeps_cases,
+  add_timeout(app, plan.timeout);
+  app.add_flag("--keep-cases", plan.keeps_cases,
                "Keeps what each case gave in run.json, for a baseline and for --format cases");
   add_early_ends(app, *options);
   CLI::Option* rerun =

@@ -84,7 +84,7 @@ Result<records::Run> read_drawing(const std::string& folder, const std::string& 
 records::Run only_laws(records::Run run, const std::set<std::string>& laws) {
   keep_laws(run.records, laws);
   if (run.cases) keep_laws(*run.cases, laws);
-  std::erase_if(run.laws, [&](const std::string& law) { return !laws.contains(law); });
+  std::erase_if(run.plan.laws, [&](const std::string& law) { return !laws.contains(law); });
   std::erase_if(run.sentences, [&](const auto& one) { return !laws.contains(one.first); });
   run.counterexamples.clear();
   run.inspections.clear();
@@ -108,7 +108,7 @@ std::string pattern_of(const std::set<std::string>& laws) {
 
 Result<std::vector<records::Comparison>> against_good(const records::Run& good,
                                                       records::Run current) {
-  current.options = good.options;  // which differ in the laws alone
+  current.plan.properties = good.plan.properties;  // which differ in the laws alone
   const Result<records::Baseline> before = baseline_of(good);
   if (!before) return tl::unexpected(before.error());
   const Result<records::Baseline> after = baseline_of(current);

@@ -70,13 +70,13 @@ std::pair<std::uint64_t, std::map<std::string, std::uint64_t>> random_labels(
 
 }  // namespace
 
-std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_size,
+std::vector<Task> tasks_of(const records::Plan& plan, std::size_t corpus_size,
                            std::span<const cases::Case> saved, const KnownByBackend& known) {
   std::vector<Task> tasks;
-  Deal deal(options.shard.value_or(records::ShardNumber()));
+  Deal deal(plan.shard.value_or(records::ShardNumber()));
   const auto add = [&](TaskKind kind, std::uint64_t count) {
-    for (const std::string& backend : options.backends) {
-      for (const std::string& law : options.laws) {
+    for (const std::string& backend : plan.backends) {
+      for (const std::string& law : plan.laws) {
         std::uint64_t dealt = 0;
         for (std::uint64_t first = 0, last = 0; first < count; first = last, ++dealt) {
           last = first + std::min(deal.task_size(first, count), count - first);
@@ -94,13 +94,13 @@ std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_si
     tasks.push_back({c.found->backend, c.found->law, TaskKind::saved, 0, 1, subject});
   }
   for (const auto& [backend, defects] : known) {
-    for (const std::size_t entry : entries_to_check(defects, options.laws)) {
+    for (const std::size_t entry : entries_to_check(defects, plan.laws)) {
       if (!deal.is_next_ours()) continue;
       tasks.push_back(
           {backend, defects.cases[entry].found->law, TaskKind::known, entry, entry + 1});
     }
   }
-  add(TaskKind::random, options.cases_per_law);
+  add(TaskKind::random, plan.cases_per_law);
   return tasks;
 }
 
@@ -153,8 +153,8 @@ std::vector<records::UnreachedLabel> unreached_labels(
   return unreached;
 }
 
-ShrinkLimits shrink_limits(const ShrinkBudget& budget, const Counterexample& counterexample,
-                           const IsToEnd& is_to_end) {
+ShrinkLimits shrink_limits(const records::ShrinkBudget& budget,
+                           const Counterexample& counterexample, const IsToEnd& is_to_end) {
   const auto start = std::chrono::steady_clock::now();
   const bool is_hang =
       counterexample.source.found->verdict == records::to_string(records::FragmentClass::hang);
@@ -166,8 +166,8 @@ ShrinkLimits shrink_limits(const ShrinkBudget& budget, const Counterexample& cou
   return {budget.tries, is_late};
 }
 
-TaskRunner::TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus, ShrinkBudget shrinking,
-                       std::string known, bool keeps_cases)
+TaskRunner::TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus,
+                       records::ShrinkBudget shrinking, std::string known, bool keeps_cases)
     : seed_(seed),
       corpus_(std::move(corpus)),
       shrinking_(shrinking),
@@ -230,12 +230,12 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   return findings;
 }
 
-std::vector<records::BackendPromises> TaskRunner::promises(const CampaignOptions& options) {
+std::vector<records::BackendPromises> TaskRunner::promises(const records::Plan& plan) {
   std::vector<records::BackendPromises> all;
-  for (const std::string& specification : options.backends) {
+  for (const std::string& specification : plan.backends) {
     const Result<const Made*> drawing = made(specification);
     all.push_back(
-        promises_of(specification, drawing ? (*drawing)->backend.get() : nullptr, options.laws));
+        promises_of(specification, drawing ? (*drawing)->backend.get() : nullptr, plan.laws));
   }
   return all;
 }

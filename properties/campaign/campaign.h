@@ -24,9 +24,9 @@
 #include "properties/campaign/known_defects.h"
 #include "properties/law.h"
 #include "records/counterexample.h"
+#include "records/plan.h"
 #include "records/record.h"
 #include "records/run.h"
-#include "records/shard.h"
 
 namespace rastercheck::properties {
 
@@ -54,30 +54,11 @@ struct Task {
   std::uint64_t cases() const { return kind == TaskKind::shrink ? 0 : last - first; }
 };
 
-/// How long one counterexample may be made smaller.
-struct ShrinkBudget {
-  std::uint64_t tries = 1000;     ///< cases checked; 0: it stays as it was found
-  std::optional<double> seconds;  ///< what comes of it depends on the machine then
-  bool operator==(const ShrinkBudget&) const = default;
-};
-
 /// The limits of making a counterexample smaller, which begins now; `is_to_end` ends it, too. Where
 /// the budget gives no seconds they are a minute if the backend hangs at the case.
-ShrinkLimits shrink_limits(const ShrinkBudget& budget,
+ShrinkLimits shrink_limits(const records::ShrinkBudget& budget,
                            const records::Counterexample& counterexample,
                            const IsToEnd& is_to_end = {});
-
-struct CampaignOptions {
-  std::uint64_t seed = 0;
-  std::uint64_t cases_per_law = 1000;
-  std::vector<std::string> backends{"cpu"};
-  std::vector<std::string> laws;  ///< names
-  ShrinkBudget shrinking = {};
-  bool keeps_cases = false;  ///< whether what each case gave is kept (records::CaseRecord)
-  /// The part of the work that is done; nothing: all of it.
-  std::optional<records::ShardNumber> shard = std::nullopt;
-  bool operator==(const CampaignOptions&) const = default;
-};
 
 /// The campaign's work but for shrinking: the corpus, saved counterexamples of its laws and
 /// backends, the cases of what is known of these, random cases. Short tasks, so that processes end
@@ -86,7 +67,7 @@ struct CampaignOptions {
 /// Of a shard those that fall to it: each is in one of all `count` shards, but for saved
 /// counterexamples, which only those have that were given any. A law's cases are dealt out like
 /// cards, so that shards take about equally long.
-std::vector<Task> tasks_of(const CampaignOptions& options, std::size_t corpus_size,
+std::vector<Task> tasks_of(const records::Plan& plan, std::size_t corpus_size,
                            std::span<const cases::Case> saved = {},
                            const KnownByBackend& known = {});
 
@@ -109,8 +90,9 @@ std::vector<records::UnreachedLabel> unreached_labels(
 class TaskRunner {
  public:
   /// `known`: the folder of what is known of drivers (read_known_defects); empty: nothing is.
-  TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus, ShrinkBudget shrinking = {},
-             std::string known = "", bool keeps_cases = false);
+  TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus,
+             records::ShrinkBudget shrinking = {}, std::string known = "",
+             bool keeps_cases = false);
 
   const std::vector<cases::Case>& corpus() const { return corpus_; }
 
@@ -124,7 +106,7 @@ class TaskRunner {
 
   /// What is promised by each backend of a campaign, whoever runs it. Of one that cannot be made
   /// any more nobody knows what it promises or draws, and what is asked of all is asked.
-  std::vector<records::BackendPromises> promises(const CampaignOptions& options);
+  std::vector<records::BackendPromises> promises(const records::Plan& plan);
 
  private:
   struct Made {
@@ -138,7 +120,7 @@ class TaskRunner {
 
   std::uint64_t seed_;
   std::vector<cases::Case> corpus_;
-  ShrinkBudget shrinking_;
+  records::ShrinkBudget shrinking_;
   std::string known_;
   bool keeps_cases_;
   std::map<std::string, Made> made_;

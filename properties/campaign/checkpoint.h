@@ -13,30 +13,17 @@
 #include <vector>
 
 #include "cases/case.h"
-#include "cases/contract_terms.h"
 #include "cases/error.h"
 #include "properties/campaign/campaign.h"
+#include "records/plan.h"
 
 namespace rastercheck::properties {
 
-/// What a run was asked for, and what it depends on besides.
-struct RunPlan {
-  CampaignOptions campaign;
-  std::string corpus;                ///< folder
-  std::string corpus_digest;         ///< of its cases (digest_of)
-  std::string known;                 ///< folder of what is known of drivers; empty: none
-  std::string known_digest;          ///< what of it is of the backends, in a word; empty: none
-  std::string scene;                 ///< file; empty: none
-  int scene_size = 512;              ///< pixels
-  std::string contract_file;         ///< empty: backends are held to their own contracts
-  cases::ContractTerms terms;        ///< what it says
-  std::vector<std::string> options;  ///< records::Run::options
-  std::string program;               ///< version
-  bool operator==(const RunPlan&) const = default;
-};
-
 struct Checkpoint {
-  RunPlan plan;
+  records::Plan plan;
+  std::string corpus_digest;       ///< of the corpus' cases (digest_of)
+  std::string known_digest;        ///< what of it is of the backends, in a word; empty: nothing
+  std::string program;             ///< version
   std::vector<cases::Case> saved;  ///< counterexamples of earlier runs that are checked again
   /// Of tasks_of() the plan, the corpus and `saved`: whether it is done.
   std::vector<bool> is_done;

@@ -47,16 +47,16 @@ Result<void> save_unfinished(const std::string& directory, const Warn& warn) {
 
 }  // namespace
 
-Result<Checkpoint> begin_run(const RunPlan& plan, const std::string& directory, const Warn& warn,
-                             const std::string& saved_in) {
+Result<Checkpoint> begin_run(const records::Plan& plan, const std::string& directory,
+                             const Warn& warn, const std::string& saved_in) {
   const Result<void> kept = save_unfinished(directory, warn);
   if (!kept) return tl::unexpected(kept.error());
   Checkpoint start;
   start.plan = plan;
-  if (plan.campaign.shard && plan.campaign.shard->index != 1) return start;
+  if (plan.shard && plan.shard->index != 1) return start;
   const fs::path origin = saved_in.empty() ? directory : saved_in;
   const std::string folder = (origin / "counterexamples").string();
-  SavedCases saved = read_saved(folder, plan.campaign.laws, plan.campaign.backends);
+  SavedCases saved = read_saved(folder, plan.laws, plan.backends);
   for (const Error& error : saved.unreadable) warn(error);
   start.saved = std::move(saved.cases);
   return start;
@@ -70,13 +70,13 @@ Result<Checkpoint> resume_run(const std::string& directory, const std::string& p
   }
   Result<Checkpoint> read = read_checkpoint_file(file);
   if (!read) return read;
-  const RunPlan& plan = read->plan;
+  const records::Plan& plan = read->plan;
   const auto refuse = [&file](const char* place, const std::string& reason) {
     return tl::unexpected(Error{file, place, reason});
   };
-  if (plan.program != program) return refuse("/plan/program", "was begun by another version");
+  if (read->program != program) return refuse("/program", "was begun by another version");
   if (plan.scene == "-") return refuse("/plan/scene", "was read from standard input");
-  for (const std::string& law : plan.campaign.laws) {
+  for (const std::string& law : plan.laws) {
     if (find_law(law) == nullptr) {
       return refuse("/plan/laws", "there is no law '" + cases::printable(law) + "'");
     }
@@ -86,14 +86,16 @@ Result<Checkpoint> resume_run(const std::string& directory, const std::string& p
 
 Result<void> check_same(const Checkpoint& checkpoint, const std::vector<cases::Case>& corpus,
                         const KnownByBackend& known) {
-  const RunPlan& plan = checkpoint.plan;
-  if (digest_of_known(known) != plan.known_digest) {
+  const records::Plan& plan = checkpoint.plan;
+  if (digest_of_known(known) != checkpoint.known_digest) {
     return tl::unexpected(Error{plan.known.empty() ? "what is known of drivers" : plan.known, "",
                                 "is not as it was when the run was begun, or a driver is another"});
   }
   const std::size_t tasks = tasks_of(checkpoint, corpus.size(), known).size();
-  if (digest_of(corpus) == plan.corpus_digest && tasks == checkpoint.is_done.size()) return {};
-  return tl::unexpected(Error{plan.corpus, "", "is not as it was when the run was begun"});
+  if (digest_of(corpus) == checkpoint.corpus_digest && tasks == checkpoint.is_done.size())
+    return {};
+  return tl::unexpected(Error{plan.corpus.empty() ? "the corpus" : plan.corpus, "",
+                              "is not as it was when the run was begun"});
 }
 
 }  // namespace rastercheck::properties

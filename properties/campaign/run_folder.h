@@ -20,8 +20,8 @@ using Warn = std::function<void(const Error&)>;
 /// place. Of several shards only the first gets them, so that they are counted once. Warns of an
 /// unfinished run, and of counterexamples that cannot be read. With `saved_in` those of that folder
 /// are checked again instead.
-Result<Checkpoint> begin_run(const RunPlan& plan, const std::string& directory, const Warn& warn,
-                             const std::string& saved_in = "");
+Result<Checkpoint> begin_run(const records::Plan& plan, const std::string& directory,
+                             const Warn& warn, const std::string& saved_in = "");
 
 /// Where the folder's unfinished run had come to. Fails where there is none, or where `program`, a
 /// version, is not the one that began it, or a law that it checks is gone.

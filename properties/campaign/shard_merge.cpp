@@ -102,16 +102,16 @@ Result<void> check_same_campaign(const Run& here, const Run& there, const std::s
   difference.compare("architecture", value_of(here.environment, "architecture"),
                      value_of(there.environment, "architecture"));
   difference.compare("rules version", here.rules_version, there.rules_version);
-  difference.compare("number of shards", here.shard->number.count, there.shard->number.count);
-  difference.compare("seed", here.seed, there.seed);
-  difference.compare("number of cases of each law", here.cases_per_law, there.cases_per_law);
-  difference.compare("backends", here.backends, there.backends);
-  difference.compare("laws", here.laws, there.laws);
-  difference.compare("options", here.options, there.options);
-  difference.compare("scene", "'" + here.scene + "'", "'" + there.scene + "'");
-  difference.compare("contract file", "'" + here.contract_file + "'",
-                     "'" + there.contract_file + "'");
-  difference.expect(here.shard->contract == there.shard->contract,
+  difference.compare("number of shards", here.plan.shard->count, there.plan.shard->count);
+  difference.compare("seed", here.plan.seed, there.plan.seed);
+  difference.compare("number of cases of each law", here.plan.cases_per_law,
+                     there.plan.cases_per_law);
+  difference.compare("backends", here.plan.backends, there.plan.backends);
+  difference.compare("laws", here.plan.laws, there.plan.laws);
+  difference.compare("options", records::option_words(here.plan),
+                     records::option_words(there.plan));
+  difference.compare("scene", "'" + here.plan.scene + "'", "'" + there.plan.scene + "'");
+  difference.expect(here.plan.contract == there.plan.contract,
                     "its contract file says something else");
   difference.compare("corpus' digest", here.shard->corpus_digest, there.shard->corpus_digest);
   difference.compare("known drivers", drivers_of(here), drivers_of(there));
@@ -198,8 +198,8 @@ Result<void> ShardMerge::check(const Run& run, const std::string& file) const {
   const auto refuse = [&file](const std::string& reason) {
     return tl::unexpected(Error{file, "", reason});
   };
-  if (!run.shard) return refuse("is no shard: the run was not cut by --shard");
-  const std::string name = "shard " + to_string(run.shard->number);
+  if (!run.shard || !run.plan.shard) return refuse("is no shard: the run was not cut by --shard");
+  const std::string name = "shard " + to_string(*run.plan.shard);
   if (!added_.empty()) {
     Result<void> same = check_same_campaign(run, first_, file, added_.begin()->second.file);
     if (!same) return same;
@@ -211,7 +211,7 @@ Result<void> ShardMerge::check(const Run& run, const std::string& file) const {
     return refuse(name + " was interrupted, " + what +
                   "; `rastercheck run --resume` goes on with it");
   }
-  const auto other = added_.find(run.shard->number.index);
+  const auto other = added_.find(run.plan.shard->index);
   if (other != added_.end()) return refuse(name + " is there twice, also as " + other->second.file);
   for (const records::Counterexample& one : run.counterexamples) {
     if (!one.source.found) return refuse("a counterexample does not say how it was found");
@@ -222,7 +222,7 @@ Result<void> ShardMerge::check(const Run& run, const std::string& file) const {
 Result<void> ShardMerge::add(Run run, const std::string& file) {
   Result<void> checked = check(run, file);
   if (!checked) return checked;
-  Added& added = added_[run.shard->number.index];
+  Added& added = added_[run.plan.shard->index];
   added = {file, run.environment, {run.counterexamples, std::move(run.inspections)}};
   if (!run.shard->scene_digest.empty()) scene_digest_ = run.shard->scene_digest;
   std::move(run.pictures.begin(), run.pictures.end(), std::back_inserter(pictures_));
@@ -243,7 +243,7 @@ Result<void> ShardMerge::add(Run run, const std::string& file) {
 
 Result<MergedRun> ShardMerge::finish() && {
   if (added_.empty()) return tl::unexpected(Error{"merge", "", "there are no shards"});
-  const std::uint64_t count = first_.shard->number.count;
+  const std::uint64_t count = first_.plan.shard->count;
   std::vector<std::uint64_t> missing;
   for (std::uint64_t index = 1; index <= count; ++index) {
     if (!added_.contains(index)) missing.push_back(index);
@@ -260,16 +260,16 @@ Result<MergedRun> ShardMerge::finish() && {
   merged.run = std::move(first_);
   Run& run = merged.run;
   merged.common = *std::move(run.shard);
-  merged.common.number = {};
   merged.common.scene_digest = scene_digest_;
   merged.common.saved = std::move(saved_);
   run.shard.reset();
+  run.plan.shard.reset();
   run.records = std::move(all_.records);
   run.cases = std::move(all_.cases);
   run.counterexamples = std::move(all_.counterexamples);
   run.unexpected = std::move(all_.unexpected);
   run.pictures = std::move(pictures_);
-  run.unreached = unreached_labels(run.laws, merged.common.promises, run.records);
+  run.unreached = unreached_labels(run.plan.laws, merged.common.promises, run.records);
   run.environment = merged_environment(environments);
   return merged;
 }

@@ -20,10 +20,10 @@ using MakeBackend = std::function<std::unique_ptr<backends::Backend>()>;
 
 struct TrialOptions {
   std::uint64_t seed = 1;
-  std::uint64_t cases = 100;    ///< random ones
-  std::string corpus;           ///< folder of case files, which come first; empty: none
-  std::string output;           ///< folder for counterexamples, made where missing; empty: none
-  ShrinkBudget shrinking = {};  ///< of the counterexample
+  std::uint64_t cases = 100;  ///< random ones
+  std::string corpus;         ///< folder of case files, which come first; empty: none
+  std::string output;         ///< folder for counterexamples, made where missing; empty: none
+  records::ShrinkBudget shrinking = {};  ///< of the counterexample
 };
 
 /// The options of the environment: RASTERCHECK_SEED, RASTERCHECK_CASES, RASTERCHECK_CORPUS and

@@ -165,7 +165,8 @@ void inspect_worst(const records::Run& run, const CaseSources& sources, MadeBack
     if (worst.size() == room) break;
     const std::vector<Candidate>& errors = group->second;
     for (std::size_t i = 0; i < std::min(errors.size(), kMostTries); ++i) {
-      std::optional<Inspection> inspection = inspect_candidate(errors[i], run.seed, sources, made);
+      std::optional<Inspection> inspection =
+          inspect_candidate(errors[i], run.plan.seed, sources, made);
       if (!inspection) continue;
       inspection->stratum = std::get<Stratum>(group->first);
       worst.push_back(*std::move(inspection));

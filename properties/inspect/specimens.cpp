@@ -195,7 +195,7 @@ class Choice {
     return key.backend == backend_ && draws_cases_as_they_stand(key.law);
   }
   std::optional<cases::Case> case_of(const CaseKey& key) const {
-    return frozen_case(key, run_->seed, sources_->corpus);
+    return frozen_case(key, run_->plan.seed, sources_->corpus);
   }
   bool has(const CaseKey& key, const cases::SamplePlace& at) const;
   bool add_first(const CaseKey& key, const CaseRecord& record);
@@ -284,7 +284,7 @@ std::vector<Specimen> make_specimens(const records::Run& run, const CaseSources&
   std::vector<Specimen> all;
   if (!run.cases) return all;
   MadeBackends made;
-  for (const std::string& backend : run.backends) {
+  for (const std::string& backend : run.plan.backends) {
     Choice choice(run, sources, backend, made);
     choice.add_firsts();
     choice.add_worst();

@@ -4,7 +4,7 @@
 //    "regression": true, "expired": ["…"], "unused": ["…"],
 //    "comparisons": [{
 //      "backend": "cpu", "architecture": "x86_64", "instruction_set": "", "compiler": "",
-//      "seed": 1, "cases_per_law": 100, "options": [],
+//      "plan": {"seed": 1, "cases_per_law": 100},   records/plan_json.h
 //      "before": {"backend": "cpu", "version": "0.1.0", "commit": "…", "instruction_set": "avx2",
 //                 "compiler": "…"},
 //      "after": {…},
@@ -34,6 +34,7 @@
 #include <nlohmann/json.hpp>
 
 #include "records/enclosure_json.h"
+#include "records/plan_json.h"
 #include "records/record_json.h"
 #include "reports/compare_format.h"
 #include "reports/internal/compare_wording.h"
@@ -144,9 +145,7 @@ ordered_json json_of(const Gate& gate, const records::Comparison& comparison) {
           {"architecture", comparison.key.architecture},
           {"instruction_set", comparison.key.instruction_set},
           {"compiler", comparison.key.compiler},
-          {"seed", comparison.seed},
-          {"cases_per_law", comparison.cases_per_law},
-          {"options", comparison.options},
+          {"plan", records::plan_to_json(comparison.plan)},
           {"before", json_of(comparison.before)},
           {"after", json_of(comparison.after)},
           {"entries", counts_of(comparison)},

@@ -115,7 +115,7 @@ std::string write(const Run& run) {
   const std::vector<LawSummary> rows = records::summarize(run);
   Outcomes of_all;
   std::string suites;
-  for (const std::string& backend : run.backends) {
+  for (const std::string& backend : run.plan.backends) {
     Outcomes outcomes;
     std::string tests;
     for (const LawSummary& row : rows) {

@@ -27,7 +27,7 @@ using records::Run;
 std::string pictures_of(const Run& run) {
   if (run.pictures.empty()) return "";
   std::string text = fmt::format("<section id=\"{}\">\n<h2>Pictures</h2>\n", kPicturesLink);
-  if (!run.scene.empty()) text += "<p>Scene: " + html(run.scene) + "</p>\n";
+  if (!run.plan.scene.empty()) text += "<p>Scene: " + html(run.plan.scene) + "</p>\n";
   text += "<div class=\"pictures\">\n";
   for (const records::Picture& picture : run.pictures) text += picture_figure(picture);
   return text + "</div>\n</section>\n";

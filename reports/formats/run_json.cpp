@@ -5,18 +5,10 @@
 //     "format": "rastercheck-run",
 //     "version": 2,             records::kRecordsVersion
 //     "rules_version": 1,       records::kRulesVersion
-//     "seed": 1,
-//     "cases_per_law": 1000,
-//     "backends": ["cpu"],
-//     "laws": ["ID"],
+//     "plan": {…},              records/plan_json.h
 //     "sentences": {"ID": "…"},
-//     "scene": "bunny",
-//     "contract_file": "…",     only where backends were held to one, as is:
-//     "contract_digest": "0123456789abcdef",
-//     "options": ["--property", "*edge*"],   only where there were any
 //     "shard": {…},             records/shard_json.h; only of a shard
 //     "cases_left": 120,        only of a run that was interrupted
-//     "shrink_seconds": 5,      only where shrinking was limited by time
 //     "records": […],           records/record_json.h
 //     "cases": […],             records/case_record_json.h; only where they are kept
 //     "specimens": […],         records/specimen_json.h; only where there are any
@@ -44,6 +36,7 @@
 #include "records/counterexample_json.h"
 #include "records/inspection_json.h"
 #include "records/known_json.h"
+#include "records/plan_json.h"
 #include "records/record_json.h"
 #include "records/shard_json.h"
 #include "records/specimen_json.h"
@@ -128,22 +121,10 @@ std::string write(const records::Run& run) {
   add("format", "\"rastercheck-run\"");
   add("version", std::to_string(records::kRecordsVersion));
   add("rules_version", std::to_string(run.rules_version));
-  add("seed", std::to_string(run.seed));
-  add("cases_per_law", std::to_string(run.cases_per_law));
-  add("backends", text_of(run.backends));
-  add("laws", text_of(run.laws));
+  add("plan", text_of(records::plan_to_json(run.plan)));
   if (!run.sentences.empty()) add("sentences", text_of(run.sentences));
-  add("scene", text_of(run.scene));
-  if (!run.contract_file.empty()) add("contract_file", text_of(run.contract_file));
-  if (run.contract_digest) {
-    add("contract_digest", text_of(records::digest_text(*run.contract_digest)));
-  }
-  if (!run.options.empty()) add("options", text_of(run.options));
   if (run.shard) add("shard", text_of(records::shard_to_json(*run.shard)));
   if (run.cases_left > 0) add("cases_left", std::to_string(run.cases_left));
-  if (run.shrink_seconds) {
-    add("shrink_seconds", text_of(cases::float64_to_json(*run.shrink_seconds)));
-  }
   add("records", lines_of(records::records_to_json(run.records)));
   if (run.cases) add("cases", lines_of(*run.cases));
   if (!run.specimens.empty()) add("specimens", lines_of(specimens));

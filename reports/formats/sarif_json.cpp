@@ -18,7 +18,7 @@ using records::Run;
 
 json rules_of(const Run& run) {
   json rules = json::array();
-  for (const std::string& law : run.laws) {
+  for (const std::string& law : run.plan.laws) {
     rules.push_back({{"id", law},
                      {"shortDescription", {{"text", records::sentence_of(run, law)}}},
                      {"defaultConfiguration", {{"level", "error"}}}});
@@ -44,8 +44,8 @@ json result_of(const Run& run, const records::Counterexample& counterexample) {
       {"locations", json::array({location})},
       {"partialFingerprints",
        {{"lawBackendVerdict/v1", found.law + "/" + found.backend + "/" + found.verdict}}}};
-  const auto law = std::find(run.laws.begin(), run.laws.end(), found.law);
-  if (law != run.laws.end()) result["ruleIndex"] = law - run.laws.begin();
+  const auto law = std::find(run.plan.laws.begin(), run.plan.laws.end(), found.law);
+  if (law != run.plan.laws.end()) result["ruleIndex"] = law - run.plan.laws.begin();
   return result;
 }
 

@@ -80,15 +80,15 @@ std::string taken_text(const records::Taken& taken) {
 
 std::string gate_facts(const Gate& gate, const records::Comparison& comparison) {
   std::string options;
-  for (const std::string& option : comparison.options) options += " " + option;
+  for (const std::string& word : records::option_words(comparison.plan)) options += " " + word;
   return "<dl class=\"facts\">\n" + definition("baseline", html(to_string(comparison.key))) +
          definition("of the file", "<code>" + html(gate.baseline_file) + "</code>") +
          definition("taken with", taken_text(comparison.before)) +
          definition("now", html(comparison.backend)) +
          definition("of the file", "<code>" + html(gate.current_file) + "</code>") +
          definition("drawn with", taken_text(comparison.after)) +
-         definition("seed", std::to_string(comparison.seed)) +
-         definition("cases per law", grouped(comparison.cases_per_law)) +
+         definition("seed", std::to_string(comparison.plan.seed)) +
+         definition("cases per law", grouped(comparison.plan.cases_per_law)) +
          (options.empty() ? "" : definition("options", html(options.substr(1)))) + "</dl>\n";
 }
 

@@ -64,11 +64,8 @@ bool is_same_place(const records::WorstError& a, const records::WorstError& b) {
 /// A run as commands want it, of the current side.
 records::Run as_run(const records::Comparison& comparison) {
   records::Run run;
-  run.backends = {comparison.backend};
-  run.seed = comparison.seed;
-  run.cases_per_law = comparison.cases_per_law;
-  run.options = comparison.options;
-  run.contract_file = records::option_of(run.options, "--contract").value_or("");
+  run.plan = comparison.plan;
+  run.plan.backends = {comparison.backend};
   return run;
 }
 

@@ -53,7 +53,7 @@ std::vector<LawSummary> by_urgency(std::vector<LawSummary> rows) {
 std::string table_of(const Run& run, const std::vector<LawSummary>& rows) {
   // One backend is in the heading.
   std::string text = fmt::format("<table class=\"verdicts sortable{}\">\n",
-                                 run.backends.size() == 1 ? " of-one" : "");
+                                 run.plan.backends.size() == 1 ? " of-one" : "");
   text +=
       "<thead><tr><th>law</th><th>backend</th>"
       "<th>verdict</th><th class=\"number\">worst<br><small>scale ULP</small></th>"
@@ -103,7 +103,7 @@ void keep_greater(std::optional<Enclosure>& kept, const std::optional<Enclosure>
 
 std::vector<BackendFigures> by_backend(const Run& run, const std::vector<LawSummary>& rows) {
   std::vector<BackendFigures> all;
-  for (const std::string& backend : run.backends) {
+  for (const std::string& backend : run.plan.backends) {
     BackendFigures figures;
     figures.backend = backend;
     for (const LawSummary& row : rows) {
@@ -204,7 +204,7 @@ std::string gaps_of(const Run& run, const std::vector<LawSummary>& rows) {
 
 /// What was drawn of the scene, for a first look; nothing where there was none.
 std::string scene_of(const Run& run) {
-  if (run.scene.empty() || run.pictures.empty()) return "";
+  if (run.plan.scene.empty() || run.pictures.empty()) return "";
   return fmt::format(
       "<section>\n<h2>The scene</h2>\n<div class=\"pictures\">\n{}</div>\n"
       "<p><a href=\"#{}\">All pictures, also of the errors</a></p>\n</section>\n",
@@ -215,7 +215,7 @@ std::string scene_of(const Run& run) {
 std::string again(const Run& run) {
   std::string text = fmt::format(
       "<section>\n<h2>To do it again</h2>\n<p><code>{}</code></p>\n<dl class=\"facts\">\n{}",
-      html(run_command(run)), definition("seed", std::to_string(run.seed)));
+      html(run_command(run)), definition("seed", std::to_string(run.plan.seed)));
   for (const auto& [name, value] : run.environment) text += definition(html(name), html(value));
   return text + "</dl>\n</section>\n";
 }
@@ -231,7 +231,8 @@ std::string front_of(const Run& run, const std::vector<LawSummary>& rows) {
          run_figures(run, rows, total) +
          fmt::format("<p class=\"unit\">{}</p>\n", html(kUnitSentence)) +
          "<div class=\"front\">\n<section>\n<h2>Every law on " +
-         (run.backends.size() == 1 ? html(run.backends[0]) : std::string("every backend")) +
+         (run.plan.backends.size() == 1 ? html(run.plan.backends[0])
+                                        : std::string("every backend")) +
          "</h2>\n" + table_of(run, rows) +
          fmt::format("<p class=\"unit\">{}</p>\n", html(kExcessSentence)) + facts_of(total) +
          "</section>\n<aside>\n" + scene_of(run) + again(run) + gaps_of(run, rows) +

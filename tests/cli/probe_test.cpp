@@ -117,7 +117,7 @@ TEST(RunWithContract, HoldsBackendsToIt) {
   EXPECT_EQ(together.code, 1) << together;
   const std::string found = folder.content("alone/run.json");
   EXPECT_EQ(without_environment(found), without_environment(folder.content("together/run.json")));
-  EXPECT_EQ(json::parse(found).at("contract_file"), folder.path("strict.json"));
+  EXPECT_EQ(json::parse(found).at("plan").at("contract").at("file"), folder.path("strict.json"));
   EXPECT_THAT(folder.content("alone/summary.md"), HasSubstr("strict.json"));
 
   const std::vector<std::string> files = folder.files("alone/counterexamples");

@@ -76,7 +76,7 @@ TEST(ReportCommand, NamesARunThatCannotBeRead) {
                           ": cannot be read: No such file or directory\n");
   folder.put("run.json", R"({"format": "rastercheck-run", "version": 1})");
   EXPECT_THAT(run_program({"report", folder.path()}).err,
-              HasSubstr("run.json: /version: version must be 2"));
+              HasSubstr("run.json: /version: version must be 3"));
   folder.put("run.json", "{");
   EXPECT_TRUE(is_failure(run_program({"report", folder.path()}), 2));
   // Nothing is made of what cannot be read.

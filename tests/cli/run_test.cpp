@@ -229,7 +229,7 @@ TEST_F(Run, OfASmallCampaignGivesTheApprovedRecords) {
 
 TEST_F(Run, WithoutASeedNamesTheOneItTook) {
   const Outcome first = run({"--cases", "2"});
-  const json seed = run_json().at("seed");
+  const json seed = run_json().at("plan").at("seed");
   EXPECT_THAT(first.out, HasSubstr("\nSeed " + seed.dump() + ", "));
   const std::string records = without_environment(folder_.content("out/run.json"));
   run({"--cases", "2", "--seed", seed.dump()});
@@ -240,9 +240,9 @@ TEST_F(Run, TakesABackendOnceHoweverOftenItIsNamed) {
   const Outcome outcome = run_damaged({"--backend", "damaged", "--backend", "cpu", "--backend",
                                        "damaged", "--cases", "3", "--property", kCoverage});
   EXPECT_EQ(outcome.code, 1) << outcome;
-  EXPECT_EQ(run_json().at("backends"), (json{"damaged", "cpu"}));
+  EXPECT_EQ(run_json().at("plan").at("backends"), (json{"damaged", "cpu"}));
   run_damaged({"--backend", "damaged", "--cases", "3", "--json", "--property", kCoverage});
-  EXPECT_EQ(run_json().at("backends"), json{"damaged"});
+  EXPECT_EQ(run_json().at("plan").at("backends"), json{"damaged"});
   // The corpus' case, once.
   EXPECT_EQ(run_json().at("records").at(0).at("cases").at("checked"), 1);
 }
@@ -251,7 +251,7 @@ TEST_F(Run, TakesSeveralPropertiesAndRefusesOneThatIsNone) {
   const Outcome outcome = run(
       {"--cases", "3", "--property", kCoverage, "--property", "whole*", "--property", "coverage*"});
   EXPECT_EQ(outcome.code, 0) << outcome;
-  EXPECT_EQ(run_json().at("laws"), (json{kCoverage, "whole-pixels-move-the-picture"}));
+  EXPECT_EQ(run_json().at("plan").at("laws"), (json{kCoverage, "whole-pixels-move-the-picture"}));
   const Outcome refused = run({"--property", kCoverage, "--property", "none"});
   EXPECT_TRUE(is_failure(refused, 2)) << refused;
   EXPECT_THAT(refused.err, HasSubstr("--property: none: "));
@@ -309,10 +309,10 @@ TEST_F(Run, ChecksWhatFailedOnceMore) {
       {"run", "--rerun-failed", folder_.path("out"), "--output", folder_.path("again")});
   EXPECT_EQ(again.code, 1) << again;
   const json after = json::parse(folder_.content("again/run.json"));
-  EXPECT_EQ(after.at("backends"), json{"damaged"});
-  EXPECT_EQ(after.at("laws"), json{kCoverage});
-  EXPECT_EQ(after.at("seed"), 7);
-  EXPECT_EQ(after.at("cases_per_law"), 6);
+  EXPECT_EQ(after.at("plan").at("backends"), json{"damaged"});
+  EXPECT_EQ(after.at("plan").at("laws"), json{kCoverage});
+  EXPECT_EQ(after.at("plan").at("seed"), 7);
+  EXPECT_EQ(after.at("plan").at("cases_per_law"), 6);
   EXPECT_EQ(after.at("counterexamples"), before.at("counterexamples"));
   EXPECT_EQ(run({"--cases", "3", "--seed", "1"}).code, 0);
   const Outcome nothing = run_program({"run", "--rerun-failed", folder_.path("out")});
@@ -370,7 +370,7 @@ TEST_F(Run, PrintsTheTableAsJson) {
   EXPECT_EQ(outcome.err, "");
   const json document = json::parse(outcome.out);
   EXPECT_EQ(document.at("seed"), 9);
-  EXPECT_EQ(document.at("laws").size(), run_json().at("laws").size());
+  EXPECT_EQ(document.at("laws").size(), run_json().at("plan").at("laws").size());
   const auto row =
       std::find_if(document.at("laws").begin(), document.at("laws").end(),
                    [](const json& candidate) { return candidate.at("law") == kCoverage; });
@@ -408,14 +408,14 @@ TEST_F(Run, QuietlyPrintsRowsOnly) {
   const Outcome outcome = run_damaged({"--backend", "damaged", "--cases", "1", "--quiet"});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'),
-            static_cast<std::ptrdiff_t>(run_json().at("laws").size()));
+            static_cast<std::ptrdiff_t>(run_json().at("plan").at("laws").size()));
   EXPECT_THAT(outcome.out, Not(HasSubstr("Seed")));
 }
 
 TEST_F(Run, ChecksThePropertiesThatMatch) {
   const Outcome outcome = run({"--cases", "2", "--property", "*contract*"});
   EXPECT_EQ(outcome.code, 0) << outcome;
-  EXPECT_EQ(run_json().at("laws"), json{kCoverage});
+  EXPECT_EQ(run_json().at("plan").at("laws"), json{kCoverage});
   json expected = json::array();
   const json listed = json::parse(run_program({"list", "properties", "--json"}).out);
   for (const json& row : listed.at("properties")) {
@@ -423,9 +423,9 @@ TEST_F(Run, ChecksThePropertiesThatMatch) {
   }
   ASSERT_GT(expected.size(), 1U);
   run({"--cases", "2", "--property", "co*"});
-  EXPECT_EQ(run_json().at("laws"), expected);
+  EXPECT_EQ(run_json().at("plan").at("laws"), expected);
   run({"--cases", "2", "--property", kCoverage});
-  EXPECT_EQ(run_json().at("laws"), json{kCoverage});
+  EXPECT_EQ(run_json().at("plan").at("laws"), json{kCoverage});
 }
 
 TEST_F(Run, WritesTheFormatsAskedFor) {
@@ -443,7 +443,7 @@ TEST_F(Run, JudgesAScene) {
       run({"--cases", "0", "--scene", mesh, "--scene-size", "16", "--property", "cover*"});
   EXPECT_EQ(outcome.code, 0) << outcome;
   const json run = run_json();
-  EXPECT_EQ(run.at("scene"), mesh);
+  EXPECT_EQ(run.at("plan").at("scene"), mesh);
   EXPECT_EQ(run.at("records").at(0).at("stratum"), "corpus");
   EXPECT_EQ(run.at("records").at(1).at("stratum"), "scene roof.obj");
   ASSERT_THAT(run.at("pictures"), SizeIs(2));
@@ -561,10 +561,12 @@ TEST_F(Run, RefusesASceneBeyondFloat32) {
 }
 
 TEST(WorkerCommand, RefusesWhatIsNoTask) {
-  const Outcome outcome = run_program({"task-worker", "--seed", "1"}, "rubbish\n");
+  const std::string plan = R"({"seed": 1, "cases_per_law": 1})";
+  const Outcome outcome = run_program({"task-worker", "--plan", plan}, "rubbish\n");
   EXPECT_TRUE(is_failure(outcome, 70)) << outcome;
-  EXPECT_EQ(run_program({"task-worker", "--seed", "1"}).code, 0);
-  EXPECT_TRUE(is_failure(run_program({"task-worker", "--seed", "1", "--corpus", "no/such"}), 2));
+  EXPECT_EQ(run_program({"task-worker", "--plan", plan}).code, 0);
+  EXPECT_TRUE(is_failure(run_program({"task-worker", "--plan", plan, "--corpus", "no/such"}), 2));
+  EXPECT_TRUE(is_failure(run_program({"task-worker", "--plan", "{}"}), 2));
 }
 
 }  // namespace

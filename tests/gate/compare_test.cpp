@@ -478,14 +478,14 @@ TEST(CompareRefuses, AnythingElseThanTheSameCasesAndRules) {
     return refusal(before, after);
   };
   EXPECT_EQ(with([](records::BaselineSection& s) { s.records_version = 1; }),
-            "the version of records is 2 in the baseline and 1 now");
+            "the version of records is 3 in the baseline and 1 now");
   EXPECT_EQ(with([](records::BaselineSection& s) { s.rules_version = 7; }),
             "the version of the rules is 1 in the baseline and 7 now");
-  EXPECT_EQ(with([](records::BaselineSection& s) { s.seed = 2; }),
+  EXPECT_EQ(with([](records::BaselineSection& s) { s.plan.seed = 2; }),
             "the seed is 1 in the baseline and 2 now");
-  EXPECT_EQ(with([](records::BaselineSection& s) { s.cases_per_law = 21; }),
+  EXPECT_EQ(with([](records::BaselineSection& s) { s.plan.cases_per_law = 21; }),
             "the number of cases per law is 20 in the baseline and 21 now");
-  EXPECT_EQ(with([](records::BaselineSection& s) { s.options = {}; }),
+  EXPECT_EQ(with([](records::BaselineSection& s) { s.plan.properties = {}; }),
             "the options are --property *values* in the baseline and none now");
   EXPECT_EQ(with([](records::BaselineSection& s) { s.laws[records::kSampleLaw].count = 24; }),
             "the law 'values are <within> bounds' has 23 cases in the baseline and 24 now");
@@ -495,26 +495,28 @@ TEST(CompareRefuses, AnythingElseThanTheSameCasesAndRules) {
 
 // Kills: a contract known by its path, so that another one in its place is compared.
 TEST(CompareRefuses, WhatIsHeldToAnotherContract) {
-  const auto with = [](const std::string& file, std::optional<std::uint64_t> digest) {
+  const auto with = [](const std::string& file, bool keeps_constants) {
     records::BaselineSection section = records::sample_section();
-    section.options = {"--property", "--contract", "--contract", file, "--no-known"};
-    section.contract_digest = digest;
+    section.plan.contract.emplace().file = file;
+    section.plan.contract->terms.keeps_constants = keeps_constants;
     return section;
   };
-  EXPECT_EQ(refusal(with("lax.json", 1), with("lax.json", 0xa)),
-            "the contract is lax.json in the baseline and lax.json now, and its terms differ: "
-            "their digest was 0000000000000001 and is 000000000000000a");
-  EXPECT_EQ(refusal(with("lax.json", 1), with("elsewhere/lax.json", 1)), "");
-  records::BaselineSection none = with("lax.json", std::nullopt);
-  none.options = {"--property", "--contract", "--no-known"};
-  EXPECT_EQ(refusal(with("lax.json", 1), none),
-            "the options are --property --contract --contract lax.json --no-known in the baseline "
-            "and --property --contract --no-known now");
-  // In files from before there were digests, paths are all there is.
-  EXPECT_EQ(refusal(with("lax.json", std::nullopt), with("lax.json", 1)), "");
-  EXPECT_EQ(refusal(with("lax.json", std::nullopt), with("b.json", 1)),
-            "the options are --property --contract --contract lax.json --no-known in the baseline "
-            "and --property --contract --contract b.json --no-known now");
+  EXPECT_THAT(
+      refusal(with("lax.json", true), with("lax.json", false)),
+      testing::MatchesRegex("the contract is lax.json in the baseline and lax.json now, and "
+                            "its terms differ: their digest was [0-9a-f]{16} and is "
+                            "[0-9a-f]{16}"));
+  EXPECT_EQ(refusal(with("lax.json", true), with("elsewhere/lax.json", true)), "");
+  EXPECT_THAT(refusal(with("lax.json", true), records::sample_section()),
+              HasSubstr("the contract is lax.json in the baseline and none now"));
+}
+
+TEST(CompareRefuses, WhatIsKnownOtherwise) {
+  records::BaselineSection after = records::sample_section();
+  after.plan.ignores_known = true;
+  EXPECT_EQ(refusal(records::sample_section(), after),
+            "the options are --property *values* in the baseline and --property *values* "
+            "--no-known now");
 }
 
 // Kills: a version of the program, a commit or a corpus's folder that is compared.
@@ -522,7 +524,7 @@ TEST(CompareRefuses, NothingThatIsOnlyRecorded) {
   const records::BaselineSection before = records::sample_section();
   records::BaselineSection after = before;
   after.taken = {"plugin:x.so", "9.9", "other", "sse4", "Clang"};
-  after.options.insert(after.options.end(), {"--corpus", "elsewhere"});
+  after.plan.corpus = "elsewhere";
   after.approvals.push_back({"why", "1", "2", {"3"}});
   EXPECT_EQ(refusal(before, after), "");
 }

@@ -52,7 +52,7 @@ TEST(SectionOf, HasTheFiguresOfAllFrozenCases) {
   ASSERT_TRUE(section) << to_string(section.error());
   EXPECT_EQ(section->key, (records::BaselineKey{"cpu", "x86_64", "", ""}));
   EXPECT_EQ(section->taken, (records::Taken{"cpu", "0.1.0", "", "avx2", "g++ <12> & more"}));
-  EXPECT_THAT(section->options, ElementsAre("--property", "*<values>*"));
+  EXPECT_THAT(section->plan.properties, ElementsAre("*<values>*"));
   // Two strata of the generator, 600 and 400 cases; none of the 100 saved ones.
   const records::EntryFigures coverage =
       section->entries.at({kValues, AttributeKind::coverage, std::nullopt});
@@ -72,15 +72,17 @@ TEST(SectionOf, HasTheFiguresOfAllFrozenCases) {
       {"a law <that> says | nothing", AttributeKind::coverage, std::nullopt}));
 }
 
-// Kills: a contract whose path alone is kept.
-TEST(SectionOf, HasWhatItsContractSays) {
+// Kills: a contract whose path alone is kept; what does not decide which cases are frozen.
+TEST(SectionOf, HasWhatIsFrozenOfThePlan) {
   records::Run run = run_with_cases();
-  EXPECT_EQ(section_of(run, "cpu")->contract_digest, std::nullopt);
-  run.options = {"--contract", "lax.json"};
-  run.contract_digest = 17;
+  run.plan.contract.emplace().file = "lax.json";
+  run.plan.contract->terms.keeps_constants = false;
+  run.plan.timeout = 5;
+  run.plan.shrinking.tries = 3;
   const Result<records::BaselineSection> section = section_of(run, "cpu");
-  EXPECT_THAT(section->options, ElementsAre("--contract", "lax.json"));
-  EXPECT_EQ(section->contract_digest, 17U);
+  EXPECT_EQ(section->plan.contract, run.plan.contract);
+  EXPECT_EQ(section->plan, records::frozen(run.plan));
+  EXPECT_EQ(section->plan.timeout, records::Plan().timeout);
 }
 
 // Kills: a worst error below the exact value that counts as none.
@@ -130,21 +132,13 @@ TEST(SectionOf, HasADigestOfAllThatIsFrozen) {
 TEST(SectionOf, RefusesRunsThatCannotBeCompared) {
   records::Run run = run_with_cases();
   EXPECT_THAT(section_of(run, "gl").error().reason, HasSubstr("not of the backend 'gl'"));
-  run.shard.emplace().number = {2, 7};
+  run.shard.emplace();
+  run.plan.shard = {2, 7};
   EXPECT_THAT(section_of(run, "cpu").error().reason, HasSubstr("is shard 2"));
   run.cases_left = 1;
   EXPECT_THAT(section_of(run, "cpu").error().reason, HasSubstr("was interrupted"));
   run.cases.reset();
   EXPECT_THAT(section_of(run, "cpu").error().reason, HasSubstr("--keep-cases"));
-}
-
-TEST(FrozenOptions, AreThoseThatDecideWhatIsFound) {
-  EXPECT_THAT(frozen_options({"--property", "--no-known", "--scene-size", "9", "--contract", "c",
-                              "--no-known", "--shrink-tries", "5", "--keep-cases", "--timeout", "1",
-                              "--corpus", "x", "--known", "k"}),
-              ElementsAre("--property", "--no-known", "--contract", "c", "--no-known", "--corpus",
-                          "x", "--known", "k"));
-  EXPECT_THAT(frozen_options({"--keep-cases"}), IsEmpty());
 }
 
 // --- Sections of a file --------------------------------------------------------------------------
@@ -192,11 +186,11 @@ TEST(Put, KeepsOneSectionOfAKey) {
   put(baseline, with_key("avx2", ""));
   put(baseline, with_key("", ""));
   records::BaselineSection again = with_key("avx2", "");
-  again.seed = 5;
+  again.plan.seed = 5;
   put(baseline, again);
   ASSERT_EQ(baseline.sections.size(), 2U);
   EXPECT_EQ(baseline.sections[0].key.instruction_set, "");
-  EXPECT_EQ(baseline.sections[1].seed, 5U);
+  EXPECT_EQ(baseline.sections[1].plan.seed, 5U);
 }
 
 // Kills: a plugin that a baseline has no section for, as its path is written in another way.
@@ -207,10 +201,10 @@ TEST(SectionName, IsTheSameForTheSamePath) {
   EXPECT_EQ(records::section_name("plugin:../p.so"), "plugin:../p.so");
   EXPECT_EQ(records::section_name("method:./a"), "method:./a");
   records::Run run = run_with_cases();
-  run.backends = {"plugin:./p.so"};
+  run.plan.backends = {"plugin:./p.so"};
   EXPECT_EQ(section_of(run, "plugin:./p.so")->key.backend, "plugin:p.so");
   EXPECT_EQ(section_of(run, "plugin:./p.so")->taken.backend, "plugin:./p.so");
-  run.backends.emplace_back("plugin:p.so");
+  run.plan.backends.emplace_back("plugin:p.so");
   EXPECT_EQ(baseline_of(run).error().reason,
             "the backends 'plugin:./p.so' and 'plugin:p.so' are one in a baseline");
 }

@@ -95,7 +95,7 @@ void expect_shrinks(const properties::Law& law, const Header& header, backends::
   properties::check_case(law, "mutant", mutant, kSeed, {kill.source, "", kill.index}, found);
   ASSERT_EQ(found.counterexamples.size(), 1U);
   properties::Findings shrunk;
-  const properties::ShrinkLimits limits{properties::ShrinkBudget().tries, {}};
+  const properties::ShrinkLimits limits{records::ShrinkBudget().tries, {}};
   properties::shrink_counterexample(law, mutant, found.counterexamples[0], limits, shrunk);
   ASSERT_EQ(shrunk.fault, std::nullopt);
   ASSERT_EQ(shrunk.counterexamples.size(), 1U);

@@ -16,7 +16,8 @@ Baseline sample_baseline() {
   specific.specimens = {sample_specimen()};
   specific.key.instruction_set = "avx2";
   specific.key.compiler = "GNU 12.2.0";
-  specific.contract_digest = 0xfedcba9876543210;
+  specific.plan.contract.emplace().file = "lax.json";
+  specific.plan.contract->terms.keeps_constants = false;
   specific.approvals = {{"because \"so\"", "0.1.0", "c0ffee", {"a: worst 0.5 → 0.6 ULP", "b"}}};
   specific.entries[kSampleCoverage].cases = {20, 3, 2, 1};
   specific.entries[kSampleCoverage].classes[FragmentClass::missing] = 2;
@@ -58,7 +59,7 @@ TEST(BaselineJson, HasAnEntryALine) {
                               "\"classes\":{\"correct\":4}},\n"));
   EXPECT_THAT(text, HasSubstr("\n{\"corpus\":0,\"found\":\"0000000000000009\"},\n{\"random\":12,"));
   EXPECT_LT(text.find("\"entries\": ["), text.find("\"cases\": ["));
-  EXPECT_TRUE(text.starts_with("{\n\"format\": \"rastercheck-baseline\",\n\"version\": 1,\n"));
+  EXPECT_TRUE(text.starts_with("{\n\"format\": \"rastercheck-baseline\",\n\"version\": 2,\n"));
 }
 
 TEST(BaselineJson, NamesAPluginByItsPathHoweverWritten) {
@@ -77,10 +78,10 @@ TEST(BaselineJson, OfNothingIsRead) {
 }
 
 TEST(BaselineJson, RefusesWhatItCannotMean) {
-  EXPECT_EQ(refusal("\"version\": 1", "\"version\": 2"), "b.json: /version: version must be 1");
+  EXPECT_EQ(refusal("\"version\": 2", "\"version\": 1"), "b.json: /version: version must be 2");
   EXPECT_THAT(refusal("rastercheck-baseline", "rastercheck-run"),
               HasSubstr("/format: must be \"rastercheck-baseline\""));
-  EXPECT_THAT(refusal("\"seed\": 1", "\"sead\": 1"), HasSubstr("b.json: /sections/0"));
+  EXPECT_THAT(refusal("\"seed\":1", "\"sead\":1"), HasSubstr("b.json: /sections/0"));
   EXPECT_THAT(refusal("\"instruction_set\": \"avx2\",\n\"compiler\": \"GNU 12.2.0\",\n", ""),
               HasSubstr("a second section of the same key"));
   EXPECT_THAT(refusal("\"stratum\":\"sliver\",", ""),
@@ -97,8 +98,8 @@ TEST(BaselineJson, RefusesWhatItCannotMean) {
               HasSubstr("16 hexadecimal digits"));
   EXPECT_THAT(refusal("\"outcome\":\"violated\"", "\"outcome\":\"not applicable\""),
               HasSubstr("/outcome: must be that of a case that the law says something of"));
-  EXPECT_THAT(refusal("\"contract_digest\": \"fedcba", "\"contract_digest\": \"FEDCBA"),
-              HasSubstr("/contract_digest: must be 16 hexadecimal digits"));
+  EXPECT_THAT(refusal("\"file\":\"lax.json\"", "\"file\":\"\""),
+              HasSubstr("/plan/contract/file: must be a file"));
 }
 
 }  // namespace

@@ -47,8 +47,8 @@ TEST(Caveats, SayWhatIsMissing) {
   records::Run run;
   EXPECT_THAT(caveats(run), IsEmpty());
   run.cases_left = 120;
-  run.shrink_seconds = 2.5;
-  run.contract_file = "lax.json";
+  run.plan.shrinking.seconds = 2.5;
+  run.plan.contract.emplace().file = "lax.json";
   EXPECT_THAT(caveats(run),
               ElementsAre("Held to the contract of lax.json, not to what the backends promise.",
                           "The run ended early: 120 of its cases were not checked.",
@@ -59,33 +59,14 @@ TEST(Caveats, SayWhatIsMissing) {
 // Kills: a part that looks like the whole.
 TEST(Caveats, SayThatItIsAShard) {
   records::Run run;
-  run.shard.emplace().number = {2, 7};
+  run.shard.emplace();
+  run.plan.shard = {2, 7};
   EXPECT_THAT(caveats(run), ElementsAre("Shard 2 of 7: nothing of the campaign fell to it; "
                                         "`rastercheck merge` puts all 7 together."));
   run.records[{"a", "cpu", AttributeKind::coverage, "1"}];
   EXPECT_THAT(caveats(run),
               ElementsAre("Shard 2 of 7: a part of the campaign, of which it cannot say whether "
                           "labels were reached; `rastercheck merge` puts all 7 together."));
-}
-
-// Kills: a flag that swallows the option after it; a value taken for an option.
-TEST(OptionOf, IsTheValueOfAnOption) {
-  records::Run run;
-  run.options = {"--property", "--known",  "--no-known", "--keep-cases",
-                 "--corpus",   "a folder", "--timeout",  "5"};
-  EXPECT_EQ(option_of(run.options, "--property"), "--known");
-  EXPECT_EQ(option_of(run.options, "--known"), std::nullopt);
-  EXPECT_EQ(option_of(run.options, "--corpus"), "a folder");
-  EXPECT_EQ(option_of(run.options, "--timeout"), "5");
-  EXPECT_EQ(option_of(run.options, "5"), std::nullopt);
-  EXPECT_EQ(option_of({}, "--timeout"), std::nullopt);
-}
-
-TEST(ValuesOf, AreAllThatAnOptionWasGiven) {
-  const std::vector<std::string> options{"--property", "a", "--no-known", "--property",
-                                         "--property"};
-  EXPECT_THAT(values_of(options, "--property"), ElementsAre("a", "--property"));
-  EXPECT_THAT(values_of(options, "--corpus"), testing::IsEmpty());
 }
 
 // Kills: violations that nobody saw, and that look like any others.
@@ -99,13 +80,6 @@ TEST(Caveats, SayWhatWasNotDrawn) {
   EXPECT_THAT(caveats(run),
               ElementsAre("plugin:x crashed or hung so often that it was given up: 7 cases of it "
                           "were not drawn, and count as violations."));
-}
-
-// Kills: a flag taken for an option with a value, which hides the option after it.
-TEST(ReplayOptions, AreThoseOfDrawingAndKnowing) {
-  records::Run run;
-  run.options = {"--property", "--timeout", "--keep-cases", "--timeout", "2.5", "--no-known"};
-  EXPECT_EQ(replay_options(run), (std::vector<std::string>{"--timeout", "2.5", "--no-known"}));
 }
 
 }  // namespace

@@ -39,9 +39,10 @@ inline BaselineSection sample_section() {
   using namespace records;
   BaselineSection section;
   section.key = {"cpu", "x86_64", "", ""};
-  section.seed = 1;
-  section.cases_per_law = 20;
-  section.options = {"--property", "*values*"};
+  section.plan.seed = 1;
+  section.plan.cases_per_law = 20;
+  section.plan.backends = {};
+  section.plan.properties = {"*values*"};
   section.taken = {"cpu", "0.1.0", "c0ffee", "avx2", "GNU 12.2.0"};
   EntryFigures& coverage = section.entries[kSampleCoverage];
   coverage.cases = {20, 3, 0, 0};

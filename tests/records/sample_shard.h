@@ -8,13 +8,11 @@ namespace rastercheck::records {
 
 inline Shard sample_shard() {
   Shard shard;
-  shard.number = {2, 7};
   shard.is_whole = false;
   shard.corpus_digest = "0123456789abcdef";
   shard.known_digest = "fedcba9876543210";
   shard.scene_digest = "00000000000000ff";
   shard.promises = {{"cpu", false, true, {}}, {"plugin:\"x\"", true, false, {"a law", "b"}}};
-  shard.contract.emplace().keeps_constants = false;
   cases::Case& saved = shard.saved.emplace_back();
   saved.framebuffer = {8, 8, 1};
   saved.viewport = {0, 0, 8, 8, 0, 1};

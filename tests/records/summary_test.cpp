@@ -30,15 +30,15 @@ Record with_ideal(const std::vector<Enclosure>& errors) {
 
 Run small_run() {
   Run run;
-  run.laws = {"b", "a"};
-  run.backends = {"gl", "cpu"};
+  run.plan.laws = {"b", "a"};
+  run.plan.backends = {"gl", "cpu"};
   return run;
 }
 
 LawSummary summary_of(const RecordSet& records) {
   Run run;
-  run.laws = {"law"};
-  run.backends = {"cpu"};
+  run.plan.laws = {"law"};
+  run.plan.backends = {"cpu"};
   run.records = records;
   return summarize(run).front();
 }
@@ -246,8 +246,8 @@ TEST(Summarize, VerdictsAreThreeValued) {
 TEST(Summarize, TakesUnreachedLabelsForNotChecked) {
   const auto verdict_with = [](std::uint64_t violations, const std::string& backend) {
     records::Run run;
-    run.laws = {"law"};
-    run.backends = {"cpu"};
+    run.plan.laws = {"law"};
+    run.plan.backends = {"cpu"};
     Record record;
     record.cases = {9, 0, violations};
     record.errors.classes[FragmentClass::correct] = 5;

@@ -162,7 +162,7 @@ TEST(CompareHtml, IsNoPageOfWhatNamesSay) {
   records::Comparison& comparison = gate.comparisons[0];
   comparison.key.backend = comparison.key.compiler = hostile;
   comparison.before.version = comparison.before.commit = comparison.after.compiler = hostile;
-  comparison.options = {"--property", hostile};
+  comparison.plan.properties = {hostile};
   comparison.new_laws = comparison.gone_laws = {hostile};
   comparison.growths[0].law = comparison.growths[0].name = hostile;
   comparison.growths[0].after->exact = hostile;

@@ -66,9 +66,9 @@ TEST(HtmlFormat, EscapesEveryText) {
   records::Run run = sample_run();
   add_known_defects(run);
   const std::string attack = "<script>'\"&";
-  run.laws.push_back(attack);
-  run.backends = {attack};
-  run.scene = attack;
+  run.plan.laws.push_back(attack);
+  run.plan.backends = {attack};
+  run.plan.scene = attack;
   add_sample_records(run.records, attack, attack, 1);
   for (auto& [key, record] : run.records) {
     record.labels[attack] = 1;

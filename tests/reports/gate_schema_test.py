@@ -21,6 +21,7 @@ import jsonschema
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "cases"))
 from schema_test import TIMEOUT_SECONDS, check_schema, children, mutations, run_all  # noqa: E402
+from run_schema_test import validator_of  # noqa: E402
 
 KINDS = ("coverage", "depth", "smooth", "noperspective", "flat")
 STRATA = ("clipped", "near horizon", "sliver", "multisampled", "ordinary")
@@ -40,12 +41,15 @@ WORST = {
 SUM = {"lo": "-12", "hi": "34", "count": 5, "beyond": 6}
 BASELINE = {
     "format": "rastercheck-baseline",
-    "version": 1,
+    "version": 2,
     "sections": [
         {
             "backend": "cpu", "architecture": "x86_64", "instruction_set": "avx2",
-            "compiler": "GNU 12.2.0", "records_version": 2, "rules_version": 1, "seed": 1,
-            "cases_per_law": 100, "options": ["--property", "*"], "contract_digest": DIGEST,
+            "compiler": "GNU 12.2.0", "records_version": 3, "rules_version": 1,
+            "plan": {
+                "seed": 1, "cases_per_law": 100, "properties": ["*"], "corpus": "c", "known": "k",
+                "ignores_known": True,
+            },
             "taken": {
                 "backend": "cpu", "version": "0.1.0", "commit": "", "instruction_set": "avx2",
                 "compiler": "GNU 12.2.0",
@@ -111,7 +115,7 @@ POLICY = {
         {"reason": "why", "until": "2026-02-28"},
     ],
 }
-EMPTY = {"format": "rastercheck-baseline", "version": 1, "sections": []}
+EMPTY = {"format": "rastercheck-baseline", "version": 2, "sections": []}
 
 
 def number(value):
@@ -257,7 +261,7 @@ def main(arguments):
         ):
             schema = json.loads(pathlib.Path(file).read_text(encoding="utf-8"))
             of_schema, keys = check_schema(schema)
-            validator = jsonschema.Draft202012Validator(schema)
+            validator = validator_of(pathlib.Path(file), schema)
             if not validator.is_valid(base):
                 of_schema.append(f"{file}: refuses the file of this test")
             found, count, reached = check(binary, validator, base, key, str(empty), pool)

@@ -43,6 +43,7 @@ TEST(ParseRun, ReadsWhatIsKnownOfDrivers) {
 TEST(ParseRun, ReadsAShard) {
   records::Run run = sample_run();
   run.shard = records::sample_shard();
+  run.plan.shard = {2, 7};
   EXPECT_EQ(parse_run(written(run), "run.json").value(), run);
 }
 
@@ -61,14 +62,14 @@ TEST(ParseRun, ReadsAnEmptyRun) {
 // Kills: a member of the run left out.
 RC_GTEST_PROP(ParseRun, GivesBackAnyRun, ()) {
   records::Run run;
-  run.seed = *rc::gen::arbitrary<std::uint64_t>();
-  run.cases_per_law = *rc::gen::arbitrary<std::uint64_t>();
+  run.plan.seed = *rc::gen::arbitrary<std::uint64_t>();
+  run.plan.cases_per_law = *rc::gen::arbitrary<std::uint64_t>();
   run.records = records::records_of(records::random_observations());
-  run.scene = records::one_of<std::string>({"", "bunny", "\"\n\\"});
-  run.laws = {run.scene, "b"};
-  if (*rc::gen::arbitrary<bool>()) run.sentences = {{run.scene, "a \"b\""}, {"b", ""}};
-  run.backends = {"cpu", run.scene};
-  run.environment[run.scene] = "x";
+  run.plan.scene = records::one_of<std::string>({"", "bunny", "\"\n\\"});
+  run.plan.laws = {run.plan.scene, "b"};
+  if (*rc::gen::arbitrary<bool>()) run.sentences = {{run.plan.scene, "a \"b\""}, {"b", ""}};
+  run.plan.backends = {"cpu", run.plan.scene};
+  run.environment[run.plan.scene] = "x";
   for (auto left = *rc::gen::inRange(0, 3); left > 0; --left) {
     records::Counterexample counterexample =
         sample_counterexample(*rc::gen::arbitrary<std::uint64_t>());
@@ -89,16 +90,17 @@ RC_GTEST_PROP(ParseRun, GivesBackAnyRun, ()) {
     run.counterexamples.push_back(counterexample);
     run.inspections.push_back(records::random_inspection());
     records::Picture picture;
-    picture.name = run.scene;
+    picture.name = run.plan.scene;
     picture.width = *rc::gen::inRange(0, 20000);
     picture.height = *rc::gen::inRange(0, 20000);
     picture.png = *rc::gen::arbitrary<std::string>();
     run.pictures.push_back(picture);
   }
   run.cases_left = *rc::gen::element<std::uint64_t>(0, 1, 1000);
-  run.contract_file = *rc::gen::element<std::string>("", "a \"b\".json");
-  if (*rc::gen::arbitrary<bool>()) run.contract_digest = *rc::gen::arbitrary<std::uint64_t>();
-  if (*rc::gen::arbitrary<bool>()) run.shrink_seconds = *rc::gen::element(0.25, 1e-9, 3600.0);
+  if (*rc::gen::arbitrary<bool>()) run.plan.contract.emplace().file = "a \"b\".json";
+  if (*rc::gen::arbitrary<bool>()) {
+    run.plan.shrinking.seconds = *rc::gen::element(0.25, 1e-9, 3600.0);
+  }
   const std::string text = written(run);
   const Result<records::Run> again = parse_run(text, "run.json");
   RC_ASSERT(again.has_value());
@@ -154,15 +156,15 @@ const Fault kFaults[] = {
     {"/format", R"("rastercheck-case")", "/format",
      "must be \"rastercheck-run\", not \"rastercheck-case\""},
     {"/format", "", "/", "missing key 'format'"},
-    {"/version", "1", "/version", "version must be 2"},
+    {"/version", "1", "/version", "version must be 3"},
     {"/more", "1", "/more", "unknown key 'more'"},
-    {"/seed", "-1", "/seed", "must be an integer from 0"},
-    {"/seed", "1.0", "/seed", "must be an integer from 0"},
-    {"/cases_per_law", "", "/", "missing key 'cases_per_law'"},
-    {"/backends", R"("cpu")", "/backends", "must be an array"},
-    {"/backends/1", "7", "/backends/1", "must be a string"},
-    {"/laws/0", "null", "/laws/0", "must be a string"},
-    {"/scene", "null", "/scene", "must be a string"},
+    {"/plan/seed", "-1", "/plan/seed", "must be an integer from 0"},
+    {"/plan/seed", "1.0", "/plan/seed", "must be an integer from 0"},
+    {"/plan/cases_per_law", "", "/plan", "missing key 'cases_per_law'"},
+    {"/plan/backends", R"("cpu")", "/plan/backends", "must be an array"},
+    {"/plan/backends/1", "7", "/plan/backends/1", "must be a string"},
+    {"/plan/laws/0", "null", "/plan/laws/0", "must be a string"},
+    {"/plan/scene", "null", "/plan/scene", "must be a string"},
     {"/records", "{}", "/records", "must be an array"},
     {"/records/0/law", "", "/records/0", "missing key 'law'"},
     {"/counterexamples/0/more", "1", "/counterexamples/0/more", "unknown key"},

@@ -122,18 +122,18 @@ inline void add_known_defects(records::Run& run) {
     entry.reason = "Depth <is> wrong.";
     entry.rule = "14.6.1";
     entry.finding = entry.id;
-    entry.laws = {run.laws[0]};
+    entry.laws = {run.plan.laws[0]};
     entry.verdicts = {records::FragmentClass::missing};
     entry.when.facts[records::KnownFact::clipped] = true;
     entry.case_file = "known/" + entry.id + ".json";
   }
   run.known = {{"cpu", "Mesa 23", list}};
-  run.unexpected = {{"cpu", "driver-2", run.laws[0], false}};
+  run.unexpected = {{"cpu", "driver-2", run.plan.laws[0], false}};
   using records::AttributeKind;
-  records::Record& seen = run.records[{run.laws[0], "cpu", AttributeKind::coverage, "grid"}];
+  records::Record& seen = run.records[{run.plan.laws[0], "cpu", AttributeKind::coverage, "grid"}];
   seen.cases.known = 3;
   seen.known["driver-1"] = 3;
-  records::Record& none = run.records[{run.laws[2], "cpu", AttributeKind::coverage, "grid"}];
+  records::Record& none = run.records[{run.plan.laws[2], "cpu", AttributeKind::coverage, "grid"}];
   none.cases.not_applicable = 9;
   none.not_applicable_because["the backend <draws> no pictures"] = 9;
 }
@@ -163,19 +163,20 @@ inline records::CaseRecordSet sample_cases(const std::string& law, const std::st
 
 inline records::Run sample_run() {
   records::Run run;
-  run.seed = std::numeric_limits<std::uint64_t>::max();
-  run.cases_per_law = 1000;
-  run.backends = {"cpu", "method:float32"};
-  run.laws = {"coverage is exact", "values are within bounds", "a law <that> says | nothing"};
+  run.plan.seed = std::numeric_limits<std::uint64_t>::max();
+  run.plan.cases_per_law = 1000;
+  run.plan.backends = {"cpu", "method:float32"};
+  run.plan.laws = {"coverage is exact", "values are within bounds", "a law <that> says | nothing"};
   run.sentences = {{"coverage is exact", "coverage is <that> of the contract"}};
-  run.scene = "it's a bunny";
-  run.options = {"--property", "*<values>*", "--timeout", "2.5"};
-  for (const std::string& backend : run.backends) {
-    add_sample_records(run.records, run.laws[0], backend, 0);
-    add_sample_records(run.records, run.laws[1], backend, backend == "cpu" ? 0 : 2);
+  run.plan.scene = "it's a bunny";
+  run.plan.properties = {"*<values>*"};
+  run.plan.timeout = 2.5;
+  for (const std::string& backend : run.plan.backends) {
+    add_sample_records(run.records, run.plan.laws[0], backend, 0);
+    add_sample_records(run.records, run.plan.laws[1], backend, backend == "cpu" ? 0 : 2);
   }
-  run.cases = sample_cases(run.laws[1], run.backends[1]);
-  run.unreached = {{run.laws[0], "cpu", "<clipped>", 57, 412, 1000}};
+  run.cases = sample_cases(run.plan.laws[1], run.plan.backends[1]);
+  run.unreached = {{run.plan.laws[0], "cpu", "<clipped>", 57, 412, 1000}};
   run.counterexamples = {sample_counterexample(3), sample_counterexample(41)};
   run.inspections = {sample_counterexample_inspection(), sample_worst_inspection()};
   run.pictures = {{"bunny-cpu", "What cpu draws <of it>.", 64, 48, std::string("\x89PNG\0\xff", 6)},

@@ -78,7 +78,7 @@ TEST(SummaryJson, HasTheEndsOfEnclosures) {
 TEST(SummaryJson, HasPrecisionByKindAndStratum) {
   const records::Run run = sample_run();
   const json document = json::parse(summary_json(run, records::summarize(run)));
-  EXPECT_EQ(document.at("seed"), run.seed);
+  EXPECT_EQ(document.at("seed"), run.plan.seed);
   const json precision = document.at("laws").at(0).at("precision");
   ASSERT_EQ(precision.size(), 3U);
   EXPECT_EQ(precision.at(0).at("stratum"), nullptr);

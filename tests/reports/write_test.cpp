@@ -71,15 +71,15 @@ TEST_F(WriteReports, AMisspeltFormatStopsItBeforeAnythingIsWritten) {
 TEST_F(WriteReports, PutsTheCounterexamplesOfEarlierRunsAside) {
   ASSERT_TRUE(write_reports(sample_run(), directory(), default_format_names()).has_value());
   records::Run later = sample_run();
-  later.laws = {"values are within bounds"};
-  later.backends = {"method:float32"};
+  later.plan.laws = {"values are within bounds"};
+  later.plan.backends = {"method:float32"};
   later.counterexamples.erase(later.counterexamples.begin());
   records::Run interrupted = later;
   interrupted.cases_left = 1;  // perhaps these
   ASSERT_TRUE(write_reports(interrupted, directory(), {}).has_value());
   EXPECT_EQ(files(), with_reports({kThird, kOther}));
   records::Run shard = later;
-  shard.shard.emplace().number = {2, 7};  // the first one checks them
+  shard.plan.shard = {2, 7};  // the first one checks them
   ASSERT_TRUE(write_reports(shard, directory(), {}).has_value());
   EXPECT_EQ(files(), with_reports({kThird, kOther}));
   ASSERT_TRUE(write_reports(later, directory(), default_format_names()).has_value());
@@ -90,8 +90,8 @@ TEST_F(WriteReports, PutsTheCounterexamplesOfEarlierRunsAside) {
 TEST_F(WriteReports, PutsThoseOfOtherLawsAndBackendsAside) {
   ASSERT_TRUE(write_reports(sample_run(), directory(), {}).has_value());
   records::Run other;
-  other.laws = {"values are within bounds"};
-  other.backends = {"cpu"};
+  other.plan.laws = {"values are within bounds"};
+  other.plan.backends = {"cpu"};
   ASSERT_TRUE(write_reports(other, directory(), {}).has_value());
   EXPECT_THAT(files(), ElementsAre(kEarlierThird, kEarlierOther));
 }
@@ -108,8 +108,8 @@ TEST_F(WriteReports, LeavesWhatItDidNotWrite) {
   put("law-cpu-missing.json", cases::to_json(sample_case("law", "cpu", 4)));
   put("counterexamples/law-cpu-missing.json", cases::to_json(sample_case("law", "cpu", 5)));
   records::Run run;
-  run.laws = {"law"};
-  run.backends = {"cpu"};
+  run.plan.laws = {"law"};
+  run.plan.backends = {"cpu"};
   ASSERT_TRUE(write_reports(run, directory(), {}).has_value());
   EXPECT_THAT(files(),
               ElementsAre("counterexamples/--.json", "counterexamples/earlier/law-cpu-missing.json",

@@ -30,16 +30,16 @@ TEST(CommitDrawing, PatternMatchesTheseLawsAndNoOthers) {
 
 TEST(CommitDrawing, OnlyLawsKeepsWhatFrozenCasesGave) {
   records::Run run;
-  run.laws = {"one", "two", "three"};
+  run.plan.laws = {"one", "two", "three"};
   run.sentences = {{"one", "the first"}, {"two", "the second"}};
   run.cases.emplace();
-  for (const std::string& law : run.laws) {
+  for (const std::string& law : run.plan.laws) {
     run.records[{law, "cpu", records::AttributeKind::coverage, ""}];
     (*run.cases)[{law, "cpu", records::Origin::random, 0}];
   }
   run.counterexamples = {reports::sample_counterexample(3)};
   const records::Run only = only_laws(run, {"one", "three", "four"});
-  EXPECT_EQ(only.laws, (std::vector<std::string>{"one", "three"}));
+  EXPECT_EQ(only.plan.laws, (std::vector<std::string>{"one", "three"}));
   EXPECT_EQ(only.sentences.size(), 1U);
   EXPECT_EQ(only.records.size(), 2U);
   EXPECT_FALSE(only.records.contains({"two", "cpu", records::AttributeKind::coverage, ""}));

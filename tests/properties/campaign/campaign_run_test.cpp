@@ -23,8 +23,8 @@ constexpr const char* kCoverage = "coverage-obeys-the-contract";
 class CampaignRunTest : public testing::Test {
  protected:
   CampaignRunTest() {
-    start_.plan.campaign = {7, 25, {"damaged"}, {kCoverage}};
-    start_.plan.program = "1";
+    start_.plan = {7, 25, {"damaged"}, {kCoverage}};
+    start_.program = "1";
   }
 
   CampaignRun run(const Checkpoint& start) {

@@ -46,7 +46,7 @@ const LawRegistration kRegistration({.id = kFaultyLaw,
 // --- Tasks ---------------------------------------------------------------------------------------
 
 TEST(TasksOf, HoldsEveryCaseOnceCorpusFirst) {
-  const CampaignOptions options{1, 25, {"cpu", "damaged"}, {"one law", "another"}};
+  const records::Plan options{1, 25, {"cpu", "damaged"}, {"one law", "another"}};
   std::map<std::tuple<std::string, std::string, TaskKind, std::uint64_t>, int> times;
   std::vector<cases::Case> saved(3, square());
   for (std::size_t i = 0; i < saved.size(); ++i) {
@@ -87,7 +87,7 @@ TEST(TasksOf, TakesAnyNumberOfCases) {
 
 /// Which shard has each case, by backend, law, kind and index.
 using Place = std::tuple<std::string, std::string, TaskKind, std::uint64_t>;
-std::map<Place, std::uint64_t> dealt_out(CampaignOptions options, std::size_t corpus_size,
+std::map<Place, std::uint64_t> dealt_out(records::Plan options, std::size_t corpus_size,
                                          std::uint64_t count) {
   std::map<Place, std::uint64_t> shards;
   for (std::uint64_t index = 1; index <= count; ++index) {
@@ -104,7 +104,7 @@ std::map<Place, std::uint64_t> dealt_out(CampaignOptions options, std::size_t co
 
 // Kills: a case in two shards or in none; blocks of laws.
 TEST(TasksOf, ShardsHaveEachCaseOnceAndOfEachLawAsMany) {
-  const CampaignOptions options{1, 100, {"cpu", "damaged"}, {"one law", "another", "a third"}};
+  const records::Plan options{1, 100, {"cpu", "damaged"}, {"one law", "another", "a third"}};
   for (const std::uint64_t count : std::array<std::uint64_t, 7>{1, 2, 7, 50, 64, 100, 700}) {
     const auto shards = dealt_out(options, 21, count);
     ASSERT_THAT(shards, SizeIs(2 * 3 * (100 + 21)));
@@ -131,7 +131,7 @@ TEST(TasksOf, ShardsHaveEachCaseOnceAndOfEachLawAsMany) {
 
 // Kills: a shard that has the smallest cases of all laws, and another that has the largest.
 TEST(TasksOf, ShardsBeginEachLawElsewhere) {
-  const CampaignOptions options{1, 10, {"cpu"}, {"one law", "another", "a third"}};
+  const records::Plan options{1, 10, {"cpu"}, {"one law", "another", "a third"}};
   const auto shards = dealt_out(options, 0, 10);
   const std::uint64_t of_one = shards.at({"cpu", "one law", TaskKind::random, 0});
   EXPECT_NE(of_one, shards.at({"cpu", "another", TaskKind::random, 0}));
@@ -144,7 +144,7 @@ TEST(TasksOf, AShardMayHaveNothingToDo) {
 
 // Kills: an index that overflows, and a list that fills the memory, of shards.
 TEST(TasksOf, ShardsTakeAnyNumberOfCases) {
-  CampaignOptions options{1, std::numeric_limits<std::uint64_t>::max(), {"cpu"}, {"law"}};
+  records::Plan options{1, std::numeric_limits<std::uint64_t>::max(), {"cpu"}, {"law"}};
   for (const std::uint64_t count : {std::uint64_t{2}, records::kMostShards}) {
     options.shard = {count, count};
     const std::vector<Task> tasks = tasks_of(options, 0);
@@ -186,7 +186,7 @@ TEST(RunTasks, StopsWhereNoMoreAreWanted) {
 TEST(RunTasks, TellsOfEveryTask) {
   TaskRunner runner(1, {square()});
   std::vector<std::size_t> told;
-  const CampaignOptions options{1, 12, {"cpu"}, {kCoverage}};
+  const records::Plan options{1, 12, {"cpu"}, {kCoverage}};
   ASSERT_TRUE(run_tasks(runner, tasks_of(options, 1), [&](std::size_t task, const Findings&) {
     told.push_back(task);
     return true;
@@ -207,7 +207,7 @@ TEST(RunTasks, EndsWhenAsked) {
 // --- Merging -------------------------------------------------------------------------------------
 
 /// A campaign that finds something: more counterexamples than are kept, of some laws none.
-const CampaignOptions kSmall{7, 12, {"cpu", "damaged"}, {kCoverage, kValues}};
+const records::Plan kSmall{7, 12, {"cpu", "damaged"}, {kCoverage, kValues}};
 
 std::vector<cases::Case> small_corpus() {
   std::vector<cases::Case> corpus;
@@ -289,7 +289,7 @@ records::RecordSet ties(const std::string& law, const std::string& stratum, std:
 // and does not; one asked of a backend that leaves open what it says.
 TEST(UnreachedLabels, AreThoseOfRandomCases) {
   const std::string law = "coverage-obeys-the-contract";
-  CampaignOptions options;
+  records::Plan options;
   options.laws = {law};
   TaskRunner runner(1, {});
   const auto unreached_in = [&](const records::RecordSet& records) {
@@ -348,7 +348,7 @@ cases::Case found_by(const std::string& law, const std::string& backend) {
 // Kills: a saved counterexample that says it was found today, or is not counted.
 TEST(TaskRunner, ChecksASavedCounterexampleAgain) {
   TaskRunner runner(99, {});
-  CampaignOptions options{99, 0, {"damaged"}, {kCoverage}};
+  records::Plan options{99, 0, {"damaged"}, {kCoverage}};
   const std::vector<Task> tasks = tasks_of(options, 0, {{found_by(kCoverage, "damaged")}});
   ASSERT_THAT(tasks, SizeIs(1));
   const Findings findings = runner.run(tasks[0]).value();
@@ -393,7 +393,8 @@ TEST(TaskRunner, ShrinksNoLongerThanItMay) {
   DamagedBackend backend(&lose_last_corner);
   check_case(*find_law(kCoverage), "damaged", backend, 1, {square(), "here", 5}, found);
   const Task task = shrink_tasks(found).at(0);
-  const auto tries = [&task](const ShrinkBudget& budget, const std::function<bool()>& is_to_end) {
+  const auto tries = [&task](const records::ShrinkBudget& budget,
+                             const std::function<bool()>& is_to_end) {
     TaskRunner runner(1, {}, budget);
     const Findings shrunk = runner.run(task, is_to_end).value();
     EXPECT_FALSE(shrunk.counterexamples.at(0).shrinking->is_least);

@@ -167,7 +167,7 @@ TEST(KnownDefects, ThatAreGoneAreViolationsUnderTheirVersionOnly) {
 
 TEST(KnownDefects, AreTasksOfTheLawsThatAreRun) {
   const KnownByBackend known{{"damaged:driver", known_defects(*driver())}};
-  const CampaignOptions options{1, 0, {"damaged:driver"}, {kCoverage}};
+  const records::Plan options{1, 0, {"damaged:driver"}, {kCoverage}};
   EXPECT_THAT(tasks_of(options, 0, {}, known),
               ElementsAre(Task{"damaged:driver", kCoverage, TaskKind::known, 0, 1}));
   EXPECT_THAT(tasks_of({1, 0, {"damaged:driver"}, {"another law"}}, 0, {}, known), IsEmpty());

@@ -18,12 +18,9 @@ using testing::SizeIs;
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
 constexpr const char* kFile = "counterexamples/coverage-obeys-the-contract-damaged-missing.json";
 
-RunPlan plan() {
-  RunPlan plan;
-  plan.campaign = {7, 25, {"damaged"}, {kCoverage}};
+records::Plan plan() {
+  records::Plan plan{7, 25, {"damaged"}, {kCoverage}};
   plan.corpus = "corpus";
-  plan.corpus_digest = digest_of({square()});
-  plan.program = "1";
   return plan;
 }
 
@@ -31,7 +28,9 @@ RunPlan plan() {
 Checkpoint unfinished() {
   Checkpoint checkpoint;
   checkpoint.plan = plan();
-  checkpoint.is_done.resize(tasks_of(checkpoint.plan.campaign, 1).size());
+  checkpoint.corpus_digest = digest_of({square()});
+  checkpoint.program = "1";
+  checkpoint.is_done.resize(tasks_of(checkpoint.plan, 1).size());
   records::Counterexample one;
   one.source = square();
   one.source.found = cases::Found{kCoverage, "damaged", "missing", 7, 4};
@@ -91,12 +90,12 @@ TEST_F(RunFolder, GoesOnOnlyAsItWasBegun) {
               HasSubstr("nothing was interrupted"));
   EXPECT_EQ(resume_error(unfinished()), "");
   EXPECT_EQ(resume_run(folder_.path(), "1").value(), unfinished());
-  EXPECT_THAT(to_string(resume_run(folder_.path(), "2").error()), HasSubstr("/plan/program: "));
+  EXPECT_THAT(to_string(resume_run(folder_.path(), "2").error()), HasSubstr("/program: "));
   Checkpoint other = unfinished();
   other.plan.scene = "-";
   EXPECT_THAT(resume_error(other), HasSubstr("/plan/scene: was read from standard input"));
   other = unfinished();
-  other.plan.campaign.laws.emplace_back("no law");
+  other.plan.laws.emplace_back("no law");
   EXPECT_THAT(resume_error(other), HasSubstr("/plan/laws: there is no law 'no law'"));
 }
 

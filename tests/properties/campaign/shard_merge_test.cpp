@@ -31,13 +31,13 @@ records::Counterexample found_at(std::uint64_t index) {
 /// counterexample, the third the first.
 records::Run shard(std::uint64_t index) {
   records::Run run;
-  run.seed = 1;
-  run.cases_per_law = 3000;
-  run.backends = {"cpu"};
-  run.laws = {kLaw};
-  run.options = {"--keep-cases"};
+  run.plan.seed = 1;
+  run.plan.cases_per_law = 3000;
+  run.plan.backends = {"cpu"};
+  run.plan.laws = {kLaw};
+  run.plan.keeps_cases = true;
+  run.plan.shard = {index, 3};
   records::Shard& of_run = run.shard.emplace();
-  of_run.number = {index, 3};
   of_run.corpus_digest = "0123456789abcdef";
   of_run.promises = {{"cpu", false, true, {}}};
   records::Record& record =
@@ -74,9 +74,10 @@ TEST(ShardMerge, AddsUpWhatWasFound) {
   const MergedRun all = merged({shard(1), shard(2), shard(3)}).value();
   const records::Run& run = all.run;
   EXPECT_EQ(run.shard, std::nullopt);
-  EXPECT_EQ(run.seed, 1U);
-  EXPECT_EQ(run.cases_per_law, 3000U);
-  EXPECT_EQ(run.options, std::vector<std::string>{"--keep-cases"});
+  EXPECT_EQ(run.plan.seed, 1U);
+  EXPECT_EQ(run.plan.cases_per_law, 3000U);
+  EXPECT_TRUE(run.plan.keeps_cases);
+  EXPECT_EQ(run.plan.shard, std::nullopt);
   ASSERT_THAT(run.records, SizeIs(1));
   EXPECT_EQ(run.records.begin()->second.cases.checked, 3000U);
   EXPECT_EQ(run.records.begin()->second.labels.at("tie"), 6U);
@@ -134,7 +135,7 @@ TEST(ShardMerge, NamesWhatIsMissing) {
   EXPECT_EQ(error_of({shard(2)}), "merge: shards 1 and 3 of 3 are missing");
   EXPECT_EQ(error_of({shard(3)}), "merge: shards 1 and 2 of 3 are missing");
   records::Run of_seven = shard(2);
-  of_seven.shard->number.count = 7;
+  of_seven.plan.shard->count = 7;
   EXPECT_EQ(error_of({of_seven}), "merge: shards 1 and 3 to 7 of 7 are missing");
 }
 
@@ -174,25 +175,35 @@ TEST(ShardMerge, NamesTheDifferenceOfAnotherCampaign) {
             start + "its architecture is aarch64, and  there");
   EXPECT_EQ(error([](records::Run& run) { run.rules_version = 9; }),
             start + "its rules version is 9, and 1 there");
-  EXPECT_EQ(error([](records::Run& run) { run.shard->number.count = 2; }),
+  EXPECT_EQ(error([](records::Run& run) { run.plan.shard->count = 2; }),
             start + "its number of shards is 2, and 3 there");
-  EXPECT_EQ(error([](records::Run& run) { run.seed = 2; }), start + "its seed is 2, and 1 there");
-  EXPECT_EQ(error([](records::Run& run) { run.cases_per_law = 2; }),
+  EXPECT_EQ(error([](records::Run& run) { run.plan.seed = 2; }),
+            start + "its seed is 2, and 1 there");
+  EXPECT_EQ(error([](records::Run& run) { run.plan.cases_per_law = 2; }),
             start + "its number of cases of each law is 2, and 3000 there");
   EXPECT_EQ(error([](records::Run& run) {
-              run.backends = {"cpu", "gl"};
+              run.plan.backends = {"cpu", "gl"};
             }),
             start + "its backends have 'gl', which is not among those there");
-  EXPECT_EQ(error([](records::Run& run) { run.laws = {}; }),
+  EXPECT_EQ(error([](records::Run& run) { run.plan.laws = {}; }),
             start + "its laws lack '" + kLaw + "', which is among those there");
-  EXPECT_EQ(error([](records::Run& run) { run.options.insert(run.options.end(), "--keep-cases"); }),
-            start + "its options are '--keep-cases --keep-cases', and '--keep-cases' there");
-  EXPECT_EQ(error([](records::Run& run) { run.scene = "bunny"; }),
+  EXPECT_EQ(error([](records::Run& run) { run.plan.ignores_known = true; }),
+            start + "its options have '--no-known', which is not among those there");
+  EXPECT_EQ(error([](records::Run& run) { run.plan.keeps_cases = false; }),
+            start + "its options lack '--keep-cases', which is among those there");
+  EXPECT_EQ(error([](records::Run& run) { run.plan.scene = "bunny"; }),
             start + "its scene is 'bunny', and '' there");
-  EXPECT_EQ(error([](records::Run& run) { run.contract_file = "lax.json"; }),
-            start + "its contract file is 'lax.json', and '' there");
-  EXPECT_EQ(error([](records::Run& run) { run.shard->contract.emplace(); }),
-            start + "its contract file says something else");
+  EXPECT_EQ(error([](records::Run& run) {
+              run.plan.contract = {"lax.json", {}};
+            }),
+            start + "its options have '--contract', which is not among those there");
+  const auto held = [](bool keeps) {
+    records::Run run = shard(keeps ? 1 : 2);
+    run.plan.contract.emplace().file = "lax.json";
+    run.plan.contract->terms.keeps_constants = keeps;
+    return run;
+  };
+  EXPECT_EQ(error_of({held(true), held(false)}), start + "its contract file says something else");
   EXPECT_EQ(error([](records::Run& run) { run.shard->corpus_digest = "x\n"; }),
             start + "its corpus' digest is x\\n, and 0123456789abcdef there");
   EXPECT_EQ(error([](records::Run& run) {

@@ -24,7 +24,10 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
-const CampaignOptions kSmall{7, 25, {"cpu", "damaged"}, {kCoverage, "constants-stay-constant"}};
+const records::Plan kSmall{7, 25, {"cpu", "damaged"}, {kCoverage, "constants-stay-constant"}};
+
+/// The same as a worker is told it.
+constexpr const char* kPlan = R"({"seed": 7, "cases_per_law": 25})";
 
 /// Whether every process is gone, and none left a zombie.
 bool has_no_children() { return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
@@ -54,7 +57,7 @@ TEST_P(Workers, FindWhatOneProcessFinds) {
   EXPECT_FALSE(expected.counterexamples.empty());
 
   const std::vector<std::string> command{
-      RASTERCHECK_DAMAGED_PROGRAM, "task-worker", "--seed", "7", "--corpus", corpus.path()};
+      RASTERCHECK_DAMAGED_PROGRAM, "task-worker", "--plan", kPlan, "--corpus", corpus.path()};
   std::vector<int> told(tasks.size());
   const Result<Findings> found = gathered([&](const TaskDone& done) {
     return run_tasks_in_processes(command, GetParam(), tasks, [&](std::size_t task, Findings more) {
@@ -125,7 +128,7 @@ TEST(WorkerProcesses, ThatCannotBeStartedAreNamed) {
 TEST(WorkerProcesses, PassOnWhatIsWrongWithATask) {
   const std::vector<Task> tasks{{"cpu", "no law", TaskKind::random, 0, 1}};
   const Result<void> found = run_tasks_in_processes(
-      {RASTERCHECK_DAMAGED_PROGRAM, "task-worker", "--seed", "7"}, 1, tasks, {});
+      {RASTERCHECK_DAMAGED_PROGRAM, "task-worker", "--plan", kPlan}, 1, tasks, {});
   ASSERT_FALSE(found);
   EXPECT_EQ(to_string(found.error()), "no law: no law has this id");
   EXPECT_TRUE(has_no_children());

@@ -16,10 +16,10 @@ using testing::IsEmpty;
 
 records::Run run_of(const std::optional<records::ShardNumber>& shard) {
   records::Run run;
-  run.seed = 1;
-  TaskRunner runner(run.seed, {square()}, {0, std::nullopt});
+  run.plan.seed = 1;
+  TaskRunner runner(run.plan.seed, {square()}, {0, std::nullopt});
   Findings all;
-  CampaignOptions options;
+  records::Plan options;
   options.cases_per_law = 30;
   options.backends = {"cpu", "damaged"};
   options.laws = {std::string(kCoverageLaw), std::string(kValuesLaw)};

@@ -23,10 +23,10 @@ using testing::SizeIs;
 /// What both laws find of random cases and of a corpus of the square.
 records::Run run_of(const std::vector<std::string>& backends, std::uint64_t cases) {
   records::Run run;
-  run.seed = 1;
-  TaskRunner runner(run.seed, {square()}, {0, std::nullopt});
+  run.plan.seed = 1;
+  TaskRunner runner(run.plan.seed, {square()}, {0, std::nullopt});
   Findings all;
-  CampaignOptions options;
+  records::Plan options;
   options.cases_per_law = cases;
   options.backends = backends;
   options.laws = {std::string(kCoverageLaw), std::string(kValuesLaw)};

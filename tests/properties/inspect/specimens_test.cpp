@@ -25,16 +25,16 @@ using testing::SizeIs;
 /// What the laws of coverage and values find of random cases and of a corpus of the square.
 records::Run run_of(const std::vector<std::string>& backends, std::uint64_t cases) {
   records::Run run;
-  run.seed = 1;
-  TaskRunner runner(run.seed, {square()}, {0, std::nullopt}, "", true);
+  run.plan.seed = 1;
+  TaskRunner runner(run.plan.seed, {square()}, {0, std::nullopt}, "", true);
   Findings all;
-  CampaignOptions options;
+  records::Plan options;
   options.cases_per_law = cases;
   options.backends = backends;
   options.laws = {std::string(kCoverageLaw), std::string(kValuesLaw)};
   options.keeps_cases = true;
   for (const Task& task : tasks_of(options, 1)) merge(all, runner.run(task).value());
-  run.backends = backends;
+  run.plan.backends = backends;
   run.records = all.records;
   run.cases = all.cases;
   return run;

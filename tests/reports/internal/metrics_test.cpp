@@ -14,8 +14,8 @@ namespace {
 
 records::Run run_of(const records::ErrorSizes& sizes) {
   records::Run run;
-  run.laws = {"a law"};
-  run.backends = {"cpu"};
+  run.plan.laws = {"a law"};
+  run.plan.backends = {"cpu"};
   records::Record record;
   record.errors.ideal = sizes;
   run.records[{"a law", "cpu", records::AttributeKind::smooth, "any"}] = record;

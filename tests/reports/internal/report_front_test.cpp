@@ -37,7 +37,7 @@ TEST(Front, TellsBackendsApart) {
                         "checks; 1 not checked.</span></td><td class=\"number\" "
                         "data-name=\"worst error\">0.7</td>"));
   records::Run one = sample_run();
-  one.backends = {"cpu"};
+  one.plan.backends = {"cpu"};
   EXPECT_THAT(front(one), HasSubstr("<dt>worst error</dt><dd><strong>0.5</strong> <small>scale ULP"
                                     "</small>"));
   EXPECT_THAT(front(one), Not(HasSubstr("class=\"backends\"")));
@@ -56,14 +56,14 @@ TEST(Front, SaysWhatWasNotChecked) {
 
 TEST(Front, SaysOfSeveralLawsOnce) {
   records::Run run = sample_run();
-  run.laws.emplace_back("another law");
+  run.plan.laws.emplace_back("another law");
   EXPECT_THAT(front(run), HasSubstr("<li>2 laws on cpu: no case says anything of it</li>"));
 }
 
 TEST(Front, SaysThatNothingWasLeftOut) {
   records::Run run;
-  run.laws = {"a law"};
-  run.backends = {"cpu"};
+  run.plan.laws = {"a law"};
+  run.plan.backends = {"cpu"};
   records::Record& record = run.records[{"a law", "cpu", records::AttributeKind::coverage, ""}];
   record.cases.checked = 1;
   record.errors.classes[records::FragmentClass::correct] = 1;
@@ -79,7 +79,7 @@ TEST(Front, ShowsTheScene) {
   EXPECT_THAT(page, HasSubstr("<a href=\"#pictures\">"));
   EXPECT_THAT(page, Not(HasSubstr("bunny-error")));
   records::Run run = sample_run();
-  run.scene.clear();
+  run.plan.scene.clear();
   EXPECT_THAT(front(run), Not(HasSubstr("<figure>")));
   run = sample_run();
   run.pictures.clear();

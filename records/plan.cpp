@@ -1,0 +1,78 @@
+#include "records/plan.h"
+
+#include <fmt/format.h>
+
+namespace rastercheck::records {
+namespace {
+
+/// Words of a command line, of all that is not as usual.
+class Words {
+ public:
+  void flag(bool is_given, const char* name) {
+    if (is_given) all_.emplace_back(name);
+  }
+  void value(bool is_given, const char* name, const std::string& text) {
+    if (is_given) all_.insert(all_.end(), {name, text});
+  }
+  std::vector<std::string> take() && { return std::move(all_); }
+
+ private:
+  std::vector<std::string> all_;
+};
+
+void add_contract(Words& words, const Plan& plan) {
+  if (plan.contract) words.value(true, "--contract", plan.contract->file);
+}
+
+void add_known(Words& words, const Plan& plan) {
+  words.flag(plan.ignores_known, "--no-known");
+  words.value(!plan.known.empty(), "--known", plan.known);
+}
+
+void add_timeout(Words& words, const Plan& plan) {
+  words.value(plan.timeout != Plan().timeout, "--timeout", fmt::format("{}", plan.timeout));
+}
+
+}  // namespace
+
+Plan frozen(const Plan& plan) {
+  Plan frozen;
+  frozen.seed = plan.seed;
+  frozen.cases_per_law = plan.cases_per_law;
+  frozen.backends = {};
+  frozen.properties = plan.properties;
+  frozen.contract = plan.contract;
+  frozen.corpus = plan.corpus;
+  frozen.known = plan.known;
+  frozen.ignores_known = plan.ignores_known;
+  return frozen;
+}
+
+std::vector<std::string> option_words(const Plan& plan) {
+  const Plan usual;
+  Words words;
+  for (const std::string& pattern : plan.properties) words.value(true, "--property", pattern);
+  words.value(!plan.scene.empty() && plan.scene_size != usual.scene_size, "--scene-size",
+              std::to_string(plan.scene_size));
+  add_contract(words, plan);
+  words.value(!plan.corpus.empty(), "--corpus", plan.corpus);
+  add_known(words, plan);
+  words.value(plan.shrinking.tries != usual.shrinking.tries, "--shrink-tries",
+              std::to_string(plan.shrinking.tries));
+  if (plan.shrinking.seconds) {
+    words.value(true, "--shrink-seconds", fmt::format("{}", *plan.shrinking.seconds));
+  }
+  words.flag(plan.keeps_cases, "--keep-cases");
+  add_timeout(words, plan);
+  return std::move(words).take();
+}
+
+std::vector<std::string> replay_words(const Plan& plan) {
+  Words words;
+  add_contract(words, plan);
+  add_known(words, plan);
+  add_timeout(words, plan);
+  return std::move(words).take();
+}
+
+}  // namespace rastercheck::records

@@ -1,0 +1,62 @@
+#pragma once
+
+// What a run is asked to do: typed, once, for the command line, worker processes, checkpoints,
+// shards, run.json, baselines and comparisons.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/contract_terms.h"
+#include "records/shard.h"
+
+namespace rastercheck::records {
+
+/// How long one counterexample may be made smaller.
+struct ShrinkBudget {
+  std::uint64_t tries = 1000;     ///< cases checked; 0: it stays as it was found
+  std::optional<double> seconds;  ///< what comes of it depends on the machine then
+  bool operator==(const ShrinkBudget&) const = default;
+};
+
+/// A file that backends are held to, instead of what they promise themselves.
+struct ContractFile {
+  std::string file;  ///< as the user named it
+  cases::ContractTerms terms;
+  bool operator==(const ContractFile&) const = default;
+};
+
+struct Plan {
+  std::uint64_t seed = 0;
+  std::uint64_t cases_per_law = 1000;        ///< random ones
+  std::vector<std::string> backends{"cpu"};  ///< as asked for
+  std::vector<std::string> laws = {};        ///< ids, in the order of tables
+  /// The patterns that chose the laws; none: all laws were to be run.
+  std::vector<std::string> properties = {};
+  std::string scene =
+      {};                ///< file of a mesh or a case, which is drawn and judged, too; empty: none
+  int scene_size = 512;  ///< width and height of a mesh's picture, pixels
+  std::optional<ContractFile> contract = std::nullopt;
+  std::string corpus = {};     ///< folder of case files; empty: that which comes with the program
+  std::string known = {};      ///< folder of lists of known defects; empty: likewise
+  bool ignores_known = false;  ///< what is known of drivers counts as any other violation
+  ShrinkBudget shrinking = {};
+  bool keeps_cases = false;  ///< whether what each case gave is kept (CaseRecord)
+  double timeout = 10;       ///< seconds that a foreign backend has for one drawing
+  /// The part of the work that is done; nothing: all of it.
+  std::optional<ShardNumber> shard = std::nullopt;
+  bool operator==(const Plan&) const = default;
+};
+
+/// What of a plan decides which cases are frozen and what they are held to: seed, cases, patterns,
+/// contract, corpus and known defects. All else is as of a plan that says nothing.
+Plan frozen(const Plan& plan);
+
+/// How somebody else asks for the same with `rastercheck run`, but for backends, cases, seed, scene
+/// and shard: words of a command line, to be read by people.
+std::vector<std::string> option_words(const Plan& plan);
+/// Those that replaying one of its cases takes as well.
+std::vector<std::string> replay_words(const Plan& plan);
+
+}  // namespace rastercheck::records

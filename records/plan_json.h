@@ -1,0 +1,24 @@
+#pragma once
+
+// A plan as JSON:
+//
+//   {"seed": 1, "cases_per_law": 1000, "backends": ["cpu"], "laws": ["…"], "properties":
+//   ["*edge*"],
+//    "scene": "bunny.obj", "scene_size": 512, "contract": {"file": "…", "terms": {a contract
+//    file}}, "corpus": "…", "known": "…", "ignores_known": true, "shrink_tries": 1000,
+//    "shrink_seconds": 5, "keeps_cases": true, "timeout": 10, "shard": {"index": 2, "count": 7}}
+//
+// All but seed and cases are absent where they are what they usually are (plan.h).
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "cases/json_node.h"
+#include "records/plan.h"
+
+namespace rastercheck::records {
+
+nlohmann::json plan_to_json(const Plan& plan);
+/// Refuses unknown and missing keys, and what no plan has.
+Plan plan_from_json(const cases::JsonNode& node);
+
+}  // namespace rastercheck::records

@@ -1,0 +1,75 @@
+#include "records/plan_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace rastercheck::records::plan_json_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// A plan in which nothing is as usual.
+Plan sample() {
+  Plan plan{~std::uint64_t{0}, 12, {"cpu", "plugin:\"x\""}, {"a-law"}, {"*edge*"},
+            "bunny.obj",       640};
+  plan.contract.emplace().file = "lax.json";
+  plan.contract->terms.keeps_constants = false;
+  plan.corpus = "a folder";
+  plan.known = "lists";
+  plan.ignores_known = true;
+  plan.shrinking = {0, 2.5};
+  plan.keeps_cases = true;
+  plan.timeout = 0.5;
+  plan.shard = {2, 7};
+  return plan;
+}
+
+Result<Plan> read(const json& document) {
+  return cases::read_json(document.dump(), "file", &plan_from_json);
+}
+
+TEST(PlanJson, ComesBackAsItWas) {
+  EXPECT_EQ(read(plan_to_json(sample())).value(), sample());
+  EXPECT_EQ(read(plan_to_json({})).value(), Plan());
+  Plan none;
+  none.backends = {};
+  EXPECT_EQ(read(plan_to_json(none)).value(), none);
+}
+
+// Kills: keys that are there for nothing.
+TEST(PlanJson, LeavesOutWhatIsAsUsual) {
+  EXPECT_EQ(plan_to_json({}),
+            json::parse(R"({"seed": 0, "cases_per_law": 1000, "backends": ["cpu"]})"));
+  EXPECT_EQ(plan_to_json(sample()).size(), 16U);
+}
+
+TEST(PlanJson, IsRefusedWithItsPlace) {
+  const auto error = [](const char* pointer, const char* value) {
+    json document = plan_to_json(sample());
+    document[json::json_pointer(pointer)] = json::parse(value);
+    const Result<Plan> plan = read(document);
+    return plan ? "was read" : to_string(plan.error());
+  };
+  EXPECT_THAT(error("/seed", "-1"), HasSubstr("file: /seed: must be an integer from 0"));
+  EXPECT_THAT(error("/more", "1"), HasSubstr("unknown key 'more'"));
+  EXPECT_THAT(error("/backends/1", "1"), HasSubstr("file: /backends/1: must be a string"));
+  EXPECT_THAT(error("/scene_size", "0"), HasSubstr("file: /scene_size: must be from 1 to 16384"));
+  EXPECT_THAT(error("/scene_size", "1e10"), HasSubstr("file: /scene_size: "));
+  EXPECT_THAT(error("/contract", "{}"), HasSubstr("file: /contract: missing key 'file'"));
+  EXPECT_THAT(error("/contract/file", "\"\""), HasSubstr("file: /contract/file: "));
+  EXPECT_THAT(error("/contract/terms/version", "9"), HasSubstr("/contract/terms/version: "));
+  EXPECT_THAT(error("/shard/index", "0"), HasSubstr("file: /shard/index: must be from 1 to 7"));
+  EXPECT_THAT(error("/shard/index", "8"), HasSubstr("file: /shard/index: must be from 1 to 7"));
+  EXPECT_THAT(error("/shard/count", "0"), HasSubstr("file: /shard/index: "));
+  EXPECT_THAT(error("/shard/count", "4097"), HasSubstr("file: /shard/count: must be at most 4096"));
+  EXPECT_THAT(error("/keeps_cases", "1"), HasSubstr("file: /keeps_cases: must be"));
+  json document = plan_to_json(sample());
+  document.erase("seed");
+  EXPECT_THAT(to_string(read(document).error()), HasSubstr("missing key 'seed'"));
+}
+
+}  // namespace
+}  // namespace rastercheck::records::plan_json_test
