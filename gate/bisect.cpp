@@ -191,7 +191,7 @@ Result<void> Bisection::judge_ends() {
 
 Result<void> Bisection::narrow(records::Run good) {
   const std::set<std::string> laws = worse_laws(outcome_.of_bad);
-  plan_.laws = pattern_of(laws);
+  plan_.plan.properties = {pattern_of(laws)};
   if (const Result<void> kept = write_plan(plan_); !kept) return kept;
   return reports::write_reports(only_laws(std::move(good), laws), plan_.folder + "/" + kGoodFolder,
                                 std::vector<std::string>{"json"});
@@ -282,10 +282,9 @@ Result<JudgedCommit> judged(const BisectPlan& plan, const std::string& hash) {
 Result<History> prepare(const Git& git, const BisectFolder& folder, BisectPlan& plan) {
   Result<History> history = check_history(git, plan);
   if (!history) return history;
-  Result<std::vector<std::string>> run =
-      folder.with_copies(plan.run, {"--corpus", "--contract", "--known"}, ".");
-  if (!run) return tl::unexpected(run.error());
-  plan.run = *std::move(run);
+  Result<records::Plan> copied = folder.with_copies(plan.plan, ".");
+  if (!copied) return tl::unexpected(copied.error());
+  plan.plan = *std::move(copied);
   return history;
 }
 

@@ -17,6 +17,7 @@
 
 #include "cases/error.h"
 #include "records/bisection.h"
+#include "records/plan.h"
 
 namespace rastercheck::gate {
 
@@ -24,10 +25,12 @@ struct BisectPlan {
   std::string good;                ///< what names the commit to hold others against
   std::string bad;                 ///< what names a later one that is worse
   std::vector<std::string> build;  ///< the command that makes what is judged
-  /// `rastercheck run` with its options, but for laws, output and what is kept. Files that they
-  /// name are taken as they are now, whatever is checked out.
-  std::vector<std::string> run;
-  std::string laws = "*";  ///< --property of that
+  /// The rastercheck that draws and judges, which may be what is built.
+  std::string program;
+  /// What it is asked to do. Files and folders that are named are taken as they are now, whatever
+  /// is checked out; corpus and known defects are named, unless the latter are ignored.
+  records::Plan plan;
+  int jobs = 1;
   /// This program with its hidden command, which is given a folder and calls judge_commit().
   std::vector<std::string> step;
   /// The folder for all that is drawn and said, which is to be empty or not there, and stays so

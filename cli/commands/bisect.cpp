@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "cases/contract_json.h"
 #include "cli/command.h"
 #include "cli/contract_option.h"
 #include "cli/corpus_folder.h"
@@ -25,17 +26,9 @@ namespace rastercheck::cli::bisect_command {
 namespace {
 
 struct Options {
-  gate::BisectPlan plan;
+  gate::BisectPlan bisection;
   std::string repository = ".";
-  std::string program;
-  std::vector<std::string> backends{"cpu"};
-  std::uint64_t cases = 100;
-  std::uint64_t seed = 1;
-  std::string contract;
-  std::string corpus;
-  KnownOption known;
-  double timeout = kDefaultTimeout;
-  int jobs = 1;
+  std::string contract;  ///< file
   bool json = false;
   bool quiet = false;
 };
@@ -43,38 +36,30 @@ struct Options {
 /// This program for other processes, as long as this one lives: its file may be built anew.
 std::string program_of_others() { return fmt::format("/proc/{}/exe", ::getpid()); }
 
-/// `rastercheck run`, as the options have it.
-std::vector<std::string> run_words(const Options& options) {
-  std::vector<std::string> words{options.program.empty() ? program_of_others() : options.program,
-                                 "run"};
-  const auto add = [&words](const char* name, const std::string& value) {
-    words.insert(words.end(), {name, value});
+/// Settles what files the options mean, of the folder that is the current one now.
+Result<void> settle_files(Options& options) {
+  records::Plan& plan = options.bisection.plan;
+  const auto absolute = [](const std::string& file) {
+    return std::filesystem::absolute(file).string();
   };
-  const auto add_file = [&add](const char* name, const std::string& file) {
-    add(name, std::filesystem::absolute(file).string());
-  };
-  for (const std::string& backend : options.backends) add("--backend", backend);
-  add("--cases", std::to_string(options.cases));
-  add("--seed", std::to_string(options.seed));
-  if (!options.contract.empty()) add_file("--contract", options.contract);
-  add_file("--corpus", options.corpus.empty() ? corpus_folder() : options.corpus);
-  if (options.known.is_none) {
-    words.emplace_back("--no-known");
-  } else {
-    add_file("--known", options.known.folder());
+  plan.corpus = absolute(corpus_folder_of(plan));
+  if (!plan.ignores_known) plan.known = absolute(known_folder_of(plan));
+  if (!options.bisection.folder.empty()) {
+    options.bisection.folder = absolute(options.bisection.folder);
   }
-  add("--timeout", fmt::format("{}", options.timeout));
-  add("--jobs", std::to_string(options.jobs));
-  return words;
+  if (options.bisection.program.empty()) options.bisection.program = program_of_others();
+  if (options.contract.empty()) return {};
+  return cases::read_contract(options.contract).map([&](const cases::ContractTerms& terms) {
+    plan.contract = {options.contract, terms};
+  });
 }
 
 ExitCode run(Options options) {
   const Result<std::string> top = gate::work_tree_of(options.repository);
   if (!top) return fail(top.error());
-  gate::BisectPlan& plan = options.plan;
-  plan.run = run_words(options);
+  if (const Result<void> settled = settle_files(options); !settled) return fail(settled.error());
+  gate::BisectPlan& plan = options.bisection;
   plan.step = {program_of_others(), "bisect-step"};
-  if (!plan.folder.empty()) plan.folder = std::filesystem::absolute(plan.folder).string();
   std::filesystem::current_path(*top);
   // Not the results of a step of CI: each of the runs would add its own to them.
   ::unsetenv("GITHUB_STEP_SUMMARY");
@@ -98,47 +83,51 @@ ExitCode run(Options options) {
 
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("GOOD", options->plan.good, "A commit that others are held against")->required();
-  app.add_option("BAD", options->plan.bad, "A later one that is worse")->required();
-  app.add_option("BUILD", options->plan.build,
+  gate::BisectPlan& bisection = options->bisection;
+  records::Plan& plan = bisection.plan;
+  plan.cases_per_law = 100;
+  plan.seed = 1;
+  app.add_option("GOOD", bisection.good, "A commit that others are held against")->required();
+  app.add_option("BAD", bisection.bad, "A later one that is worse")->required();
+  app.add_option("BUILD", bisection.build,
                  "After --: the command that builds what is judged, at the top of the repository")
       ->required();
   app.add_option("--repository", options->repository, "A folder of the repository")
       ->type_name(kFolder)
       ->capture_default_str();
-  app.add_option("--program", options->program,
+  app.add_option("--program", bisection.program,
                  "The rastercheck that BUILD makes, where that is what is judged; without it this "
                  "one runs")
       ->type_name(kFile);
-  app.add_option("--backend", options->backends,
+  app.add_option("--backend", plan.backends,
                  "What is checked, paths from the top of the repository; may be given several "
                  "times")
       ->type_name(kBackend)
       ->capture_default_str()
       ->allow_extra_args(false);
-  app.add_option("--property", options->plan.laws, "Only properties whose id matches, as '*edge*'")
+  app.add_option("--property", plan.properties, "Only properties whose id matches, as '*edge*'")
       ->type_name(kProperty)
-      ->capture_default_str();
-  app.add_option("--cases", options->cases, "Random cases of each property")
+      ->allow_extra_args(false);
+  app.add_option("--cases", plan.cases_per_law, "Random cases of each property")
       ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
-  app.add_option("--seed", options->seed, "Seed of the random cases")
+  app.add_option("--seed", plan.seed, "Seed of the random cases")
       ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
   add_contract(app, options->contract);
-  app.add_option("--corpus", options->corpus,
+  app.add_option("--corpus", plan.corpus,
                  "Folder of case files that every property is checked on first; without it the "
                  "one that comes with the program")
       ->type_name(kFolder);
-  add_known(app, options->known);
-  app.add_option("--output", options->plan.folder,
+  add_known(app, plan);
+  app.add_option("--output", bisection.folder,
                  "Folder, not there yet, that keeps what was drawn and said, and the cases whose "
                  "errors grew")
       ->type_name(kFolder);
-  add_timeout(app, options->timeout);
-  app.add_option("--jobs", options->jobs, "Processes that work side by side")
+  add_timeout(app, plan.timeout);
+  app.add_option("--jobs", bisection.jobs, "Processes that work side by side")
       ->check(CLI::Range(1, 1024))
       ->type_name("N")
       ->capture_default_str();

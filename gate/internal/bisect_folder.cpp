@@ -7,6 +7,9 @@
 #include <system_error>
 #include <utility>
 
+#include "cases/contract_json.h"
+#include "cases/files.h"
+
 namespace rastercheck::gate {
 namespace {
 
@@ -80,21 +83,33 @@ Result<BisectFolder> BisectFolder::make(const std::string& output) {
   return BisectFolder(path, std::move(made), false);
 }
 
-Result<std::vector<std::string>> BisectFolder::with_copies(std::vector<std::string> words,
-                                                           const std::vector<std::string>& options,
-                                                           const std::string& work_tree) const {
-  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-    if (std::find(options.begin(), options.end(), words[i]) == options.end()) continue;
-    std::string& value = words[++i];
-    if (!is_below(value, work_tree)) continue;
-    const fs::path copy = path_ / "given" / std::to_string(i);
-    std::error_code why;
-    fs::create_directories(copy.parent_path(), why);
-    if (!why) fs::copy(value, copy, fs::copy_options::recursive, why);
-    if (why) return folder_failure(value, "cannot be copied", why);
-    value = copy.string();
-  }
-  return words;
+Result<void> BisectFolder::copy(std::string& folder, const std::string& name,
+                                const std::string& work_tree) const {
+  if (folder.empty() || !is_below(folder, work_tree)) return {};
+  const fs::path copy = path_ / "given" / name;
+  std::error_code why;
+  fs::create_directories(copy.parent_path(), why);
+  if (!why) fs::copy(folder, copy, fs::copy_options::recursive, why);
+  if (why) return folder_failure(folder, "cannot be copied", why);
+  folder = copy.string();
+  return {};
+}
+
+Result<records::Plan> BisectFolder::with_copies(records::Plan plan,
+                                                const std::string& work_tree) const {
+  const Result<void> copied = copy(plan.corpus, "corpus", work_tree).and_then([&] {
+    return copy(plan.known, "known", work_tree);
+  });
+  if (!copied) return tl::unexpected(copied.error());
+  if (!plan.contract) return plan;
+  const fs::path file = path_ / "given" / "contract.json";
+  std::error_code why;
+  fs::create_directories(file.parent_path(), why);
+  if (why) return folder_failure(file.string(), "cannot be made", why);
+  plan.contract->file = file.string();
+  return cases::write_file(file.string(), cases::to_json(plan.contract->terms)).map([&plan] {
+    return plan;
+  });
 }
 
 }  // namespace rastercheck::gate

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/error.h"
+#include "records/plan.h"
 
 namespace rastercheck::gate {
 
@@ -27,16 +28,17 @@ class BisectFolder {
 
   const std::string& path() const { return path_.native(); }  ///< absolute
 
-  /// Words of a command in which files and folders that lie below `work_tree` are copies of them as
-  /// they are now: other commits may have others there, or none. Only those that `options` name:
-  /// their values.
-  Result<std::vector<std::string>> with_copies(std::vector<std::string> words,
-                                               const std::vector<std::string>& options,
-                                               const std::string& work_tree) const;
+  /// A plan whose folders, where they lie below `work_tree`, are copies of them as they are now:
+  /// other commits may have others there, or none. The contract's file is one in this folder.
+  Result<records::Plan> with_copies(records::Plan plan, const std::string& work_tree) const;
 
  private:
   BisectFolder(std::filesystem::path path, std::vector<std::filesystem::path> made,
                bool is_temporary);
+
+  /// Puts a copy in the place of a folder below the work tree.
+  Result<void> copy(std::string& folder, const std::string& name,
+                    const std::string& work_tree) const;
 
   std::filesystem::path path_;
   std::vector<std::filesystem::path> made_;  ///< that make() made, the innermost first

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
@@ -15,6 +16,7 @@
 #include "cases/json_node.h"
 #include "gate/compare.h"
 #include "gate/sections.h"
+#include "records/plan_json.h"
 #include "reports/run_reader.h"
 #include "reports/write.h"
 
@@ -45,6 +47,23 @@ std::string joined(const std::vector<std::string>& words) {
   return cases::printable(line);
 }
 
+/// `rastercheck run`, as the plan has it, into a folder.
+std::vector<std::string> run_words(const BisectPlan& plan, const std::string& folder) {
+  std::vector<std::string> words{plan.program, "run"};
+  for (const std::string& backend : plan.plan.backends) {
+    words.insert(words.end(), {"--backend", backend});
+  }
+  words.insert(words.end(), {"--cases", std::to_string(plan.plan.cases_per_law), "--seed",
+                             std::to_string(plan.plan.seed), "--jobs", std::to_string(plan.jobs),
+                             "--output", folder, "--format", "json", "--quiet"});
+  records::Plan others = plan.plan;
+  others.keeps_cases = true;
+  others.shrinking.tries = 0;
+  const std::vector<std::string> options = records::option_words(others);
+  words.insert(words.end(), options.begin(), options.end());
+  return words;
+}
+
 template <typename Map>
 void keep_laws(Map& map, const std::set<std::string>& laws) {
   std::erase_if(map, [&](const auto& entry) { return !laws.contains(entry.first.law); });
@@ -63,9 +82,7 @@ Result<records::Run> draw_commit(const BisectPlan& plan, const std::string& name
   if (built->signal != 0 || built->exit_code != 0) {
     return tl::unexpected(ended(joined(plan.build), *built, how.log));
   }
-  std::vector<std::string> command = plan.run;
-  command.insert(command.end(), {"--property", plan.laws, "--output", folder, "--format", "json",
-                                 "--keep-cases", "--shrink-tries", "0", "--quiet"});
+  const std::vector<std::string> command = run_words(plan, folder);
   how.log = folder + "/run.log";
   const Result<cases::ProcessEnd> drawn = run_outside(command, how);
   if (!drawn) return tl::unexpected(drawn.error());
@@ -132,7 +149,10 @@ std::string judged_text(const JudgedCommit& commit) {
 }
 
 Result<void> write_plan(const BisectPlan& plan) {
-  const nlohmann::ordered_json json{{"build", plan.build}, {"run", plan.run}, {"laws", plan.laws}};
+  const nlohmann::ordered_json json{{"build", plan.build},
+                                    {"program", plan.program},
+                                    {"plan", records::plan_to_json(plan.plan)},
+                                    {"jobs", plan.jobs}};
   return cases::write_file(plan.folder + kPlanFile,
                            json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
@@ -142,16 +162,12 @@ Result<BisectPlan> read_plan(const std::string& folder) {
   const Result<std::string> text = cases::read_text(file);
   if (!text) return tl::unexpected(text.error());
   return cases::read_json(*text, file, [&](const cases::JsonNode& root) {
-    const auto words = [&](std::string_view key) {
-      std::vector<std::string> all;
-      for (const cases::JsonNode& word : root[key].elements()) all.push_back(word.text());
-      return all;
-    };
-    root.expect_object({"build", "run", "laws"});
+    root.expect_object({"build", "program", "plan", "jobs"});
     BisectPlan plan;
-    plan.build = words("build");
-    plan.run = words("run");
-    plan.laws = root["laws"].text();
+    for (const cases::JsonNode& word : root["build"].elements()) plan.build.push_back(word.text());
+    plan.program = root["program"].text();
+    plan.plan = records::plan_from_json(root["plan"]);
+    plan.jobs = static_cast<int>(root["jobs"].integer(1, std::numeric_limits<int>::max()));
     plan.folder = folder;
     return plan;
   });

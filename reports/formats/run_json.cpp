@@ -3,7 +3,7 @@
 //
 //   {
 //     "format": "rastercheck-run",
-//     "version": 2,             records::kRecordsVersion
+//     "version": 3,             records::kRecordsVersion
 //     "rules_version": 1,       records::kRulesVersion
 //     "plan": {…},              records/plan_json.h
 //     "sentences": {"ID": "…"},

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "cases/contract_json.h"
 #include "tests/temporary_folder.h"
 
 namespace rastercheck::gate::bisect_folder_test {
@@ -46,8 +47,9 @@ TEST(BisectFolder, IsAsItWasOnceItIsDiscarded) {
     const auto folder = BisectFolder::make(temporary.path(name));
     ASSERT_TRUE(folder);
     temporary.put("tree/file", "");
-    EXPECT_TRUE(folder->with_copies({"--contract", temporary.path("tree/file")}, {"--contract"},
-                                    temporary.path("tree")));
+    records::Plan plan;
+    plan.corpus = temporary.path("tree");
+    EXPECT_TRUE(folder->with_copies(plan, temporary.path("tree")));
     EXPECT_FALSE(fs::is_empty(folder->path()));
     folder->discard();
   }
@@ -63,27 +65,30 @@ TEST(BisectFolder, IsAsItWasOnceItIsDiscarded) {
 }
 
 // Kills: cases of another commit; copies of what no commit changes.
-TEST(BisectFolder, CopiesWhatOptionsNameOfTheWorkTree) {
+TEST(BisectFolder, CopiesWhatThePlanNamesOfTheWorkTree) {
   const TemporaryFolder temporary;
-  const std::string inside = temporary.path("tree/corpus");
   temporary.put("tree/corpus/deep/case.json", "{}");
-  temporary.put("tree/contract.json", "a contract");
-  temporary.put("treeless/corpus/case.json", "{}");
+  temporary.put("treeless/known/case.json", "{}");
   const auto folder = BisectFolder::make(temporary.path("output"));
   ASSERT_TRUE(folder);
-  const std::vector<std::string> words{"--corpus",   temporary.path("treeless/corpus"),
-                                       "--corpus",   inside,
-                                       "--contract", temporary.path("tree/contract.json"),
-                                       "--backend",  temporary.path("tree/contract.json")};
-  const auto copied =
-      folder->with_copies(words, {"--corpus", "--contract"}, temporary.path("tree"));
+  records::Plan plan;
+  plan.corpus = temporary.path("tree/corpus");
+  plan.known = temporary.path("treeless/known");
+  plan.contract.emplace().file = temporary.path("tree/contract.json");
+  plan.contract->terms.keeps_constants = false;
+  const auto copied = folder->with_copies(plan, temporary.path("tree"));
   ASSERT_TRUE(copied);
   fs::remove_all(temporary.path("tree"));
-  EXPECT_EQ(copied->at(1), words.at(1));
-  EXPECT_TRUE(fs::exists(fs::path(copied->at(3)) / "deep/case.json"));
-  EXPECT_EQ(temporary.content(fs::relative(copied->at(5), temporary.path()).string()),
-            "a contract");
-  EXPECT_EQ(copied->at(7), words.at(7));
+  EXPECT_TRUE(fs::exists(fs::path(copied->corpus) / "deep/case.json"));
+  EXPECT_EQ(copied->known, plan.known);
+  EXPECT_EQ(cases::read_contract(copied->contract->file), plan.contract->terms);
+}
+
+TEST(BisectFolder, LeavesAPlanWithoutFilesAsItIs) {
+  const TemporaryFolder temporary;
+  const auto folder = BisectFolder::make(temporary.path("output"));
+  EXPECT_EQ(folder->with_copies({}, temporary.path()).value(), records::Plan());
+  EXPECT_TRUE(fs::is_empty(folder->path()));
 }
 
 }  // namespace

@@ -4,12 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "tests/reports/sample_run.h"
 #include "tests/temporary_folder.h"
 
 namespace rastercheck::gate::commit_drawing_test {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 bool matches(const std::string& pattern, const std::string& law) {
@@ -53,11 +56,14 @@ class DrawCommit : public testing::Test {
  protected:
   DrawCommit() {
     plan_.folder = folder_.path();
-    plan_.laws = "a law";
+    plan_.plan = {7, 12, {"cpu", "plugin:./p.so"}, {}, {"a law"}};
   }
+  /// `run` is a script in the place of the program.
   std::string failure(const std::string& build, const std::string& run) {
+    folder_.put("program", "#!/bin/sh\n" + run + "\n");
+    fs::permissions(folder_.path("program"), fs::perms::owner_all);
     plan_.build = {"sh", "-c", build};
-    plan_.run = {"sh", "-c", run, "run"};
+    plan_.program = folder_.path("program");
     const auto drawn = draw_commit(plan_, "abc", {});
     return drawn ? "" : to_string(drawn.error());
   }
@@ -79,9 +85,10 @@ TEST_F(DrawCommit, SaysWhatFailed) {
 
 TEST_F(DrawCommit, AsksForTheLawsAndKeepsCases) {
   failure("true", "echo \"$@\"");
-  EXPECT_EQ(folder_.content("abc/run.log"), "--property a law --output " + folder_.path("abc") +
-                                                " --format json --keep-cases --shrink-tries 0 "
-                                                "--quiet\n");
+  EXPECT_EQ(folder_.content("abc/run.log"),
+            "run --backend cpu --backend plugin:./p.so --cases 12 --seed 7 --jobs 1 --output " +
+                folder_.path("abc") +
+                " --format json --quiet --property a law --shrink-tries 0 --keep-cases\n");
 }
 
 TEST(CommitDrawing, PlanReadsAsItWasWritten) {
@@ -89,14 +96,16 @@ TEST(CommitDrawing, PlanReadsAsItWasWritten) {
   BisectPlan plan;
   plan.folder = folder.path();
   plan.build = {"make", "with spaces and \"quotes\""};
-  plan.run = {"rastercheck", "run"};
-  plan.laws = "@(a|b)";
+  plan.program = "/proc/7/exe";
+  plan.plan.properties = {"@(a|b)"};
+  plan.jobs = 3;
   ASSERT_TRUE(write_plan(plan));
   const auto read = read_plan(folder.path());
   ASSERT_TRUE(read);
   EXPECT_EQ(read->build, plan.build);
-  EXPECT_EQ(read->run, plan.run);
-  EXPECT_EQ(read->laws, plan.laws);
+  EXPECT_EQ(read->program, plan.program);
+  EXPECT_EQ(read->plan, plan.plan);
+  EXPECT_EQ(read->jobs, plan.jobs);
   EXPECT_EQ(read->folder, plan.folder);
   folder.put("plan.json", "{}");
   EXPECT_FALSE(read_plan(folder.path()));
