@@ -18,7 +18,7 @@
 #include "cases/case.h"
 #include "cases/contract.h"
 #include "cases/error.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "cases/picture.h"
 #include "records/stage_trace.h"
 
@@ -56,7 +56,7 @@ class Backend {
 
   /// Draws a case without a camera (oracle/transform.h rounds one away). The error names what of
   /// the case cannot be drawn.
-  virtual Result<cases::Framebuffer> draw(const cases::Case& c) = 0;
+  virtual Result<cases::Fragments> draw(const cases::Case& c) = 0;
 
   /// Whether it can tell how what it draws comes about.
   virtual bool traces() const { return false; }
@@ -101,9 +101,9 @@ class Backend {
   /// The fragments of a list, strip or fan of a case's vertices, in place of its triangles: as
   /// draw() has them, triangles numbered in the order of the indices. cases::kRestart among these
   /// begins anew.
-  virtual Result<cases::Framebuffer> draw_assembled(const cases::Case& /*c*/,
-                                                    cases::Topology /*topology*/,
-                                                    std::span<const std::uint32_t> /*indices*/) {
+  virtual Result<cases::Fragments> draw_assembled(const cases::Case& /*c*/,
+                                                  cases::Topology /*topology*/,
+                                                  std::span<const std::uint32_t> /*indices*/) {
     return tl::unexpected(Error{"", "", "this backend does not assemble strips and fans"});
   }
 

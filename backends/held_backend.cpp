@@ -19,7 +19,7 @@ class HeldBackend : public Backend {
   std::optional<Driver> driver() const override { return held_->driver(); }
   bool has_limits() const override { return held_->has_limits(); }
   std::optional<Error> is_lost() const override { return held_->is_lost(); }
-  Result<cases::Framebuffer> draw(const cases::Case& c) override { return held_->draw(c); }
+  Result<cases::Fragments> draw(const cases::Case& c) override { return held_->draw(c); }
   bool traces() const override { return held_->traces(); }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                     const cases::SamplePlace& at) override {
@@ -37,8 +37,8 @@ class HeldBackend : public Backend {
   }
   std::vector<std::string> same_as() const override { return held_->same_as(); }
   bool assembles() const override { return held_->assembles(); }
-  Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
-                                            std::span<const std::uint32_t> indices) override {
+  Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                          std::span<const std::uint32_t> indices) override {
     return held_->draw_assembled(c, topology, indices);
   }
   bool transforms() const override { return held_->transforms(); }

@@ -45,7 +45,7 @@ class IsolatedBackend : public Backend {
     return said;
   }
 
-  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+  Result<cases::Fragments> draw(const cases::Case& c) override {
     if (const auto withheld = std::exchange(withheld_, std::nullopt);
         withheld && withheld->first == c) {
       return tl::unexpected(withheld->second);

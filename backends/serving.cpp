@@ -75,9 +75,9 @@ class Drawer {
   Drawer(Backend& backend, double seconds)
       : backend_(&backend), longest_(seconds / kShareOfTime), longest_together_(seconds / 2) {}
 
-  Result<cases::Framebuffer> draw(const cases::Case& c) {
+  Result<cases::Fragments> draw(const cases::Case& c) {
     const auto start = std::chrono::steady_clock::now();
-    Result<cases::Framebuffer> drawn = backend_->draw(c);
+    Result<cases::Fragments> drawn = backend_->draw(c);
     if (!drawn || !std::has_single_bit(++drawings_)) return drawn;
     if (std::chrono::steady_clock::now() - start > longest_) return drawn;
     if (const Result<void> kept = check_memory(c); !kept) return tl::unexpected(kept.error());
@@ -127,7 +127,7 @@ class Drawer {
 
 std::string answer_to(const Request& request, const Backend& backend, Drawer& drawer) {
   if (request.question == Question::contract) return pack(backend.contract(request.source));
-  Result<cases::Framebuffer> drawn = drawer.draw(request.source);
+  Result<cases::Fragments> drawn = drawer.draw(request.source);
   if (!drawn) return pack(Drawing{{}, drawn.error()});
   return pack(Drawing{*std::move(drawn), std::nullopt});
 }

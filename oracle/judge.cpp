@@ -151,7 +151,7 @@ std::uint64_t forbidden_samples(const cases::Case& source, const records::Counts
 
 }  // namespace
 
-Judged judge(const SceneTruth& scene, const cases::Framebuffer& drawn, const JudgeOptions& options,
+Judged judge(const SceneTruth& scene, const cases::Fragments& drawn, const JudgeOptions& options,
              const JudgeSink& sink) {
   const JudgeContext context(scene, drawn, options);
   Judged judged = scene.source().depth_test == cases::DepthTest::none

@@ -31,7 +31,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "cases/sample_place.h"
 #include "oracle/level.h"
 #include "oracle/triangle_truth.h"
@@ -92,7 +92,7 @@ struct Judged {
 /// Judges by the scene's contract. The framebuffer may hold anything: fragments that name no
 /// triangle, pixel or sample of the case, or that come twice, are `extra`; their order does not
 /// matter.
-Judged judge(const SceneTruth& scene, const cases::Framebuffer& drawn,
+Judged judge(const SceneTruth& scene, const cases::Fragments& drawn,
              const JudgeOptions& options = {}, const JudgeSink& sink = {});
 
 }  // namespace rastercheck::oracle

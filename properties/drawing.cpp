@@ -7,7 +7,7 @@ namespace rastercheck::properties {
 namespace {
 
 /// Whether the arrays are as long as each other and have the case's attributes.
-bool is_well_formed(const cases::Framebuffer& drawn, const cases::Case& c) {
+bool is_well_formed(const cases::Fragments& drawn, const cases::Case& c) {
   const std::size_t size = drawn.size();
   return drawn.attribute_count == c.attributes.size() && drawn.x.size() == size &&
          drawn.y.size() == size && drawn.sample.size() == size && drawn.depth.size() == size &&
@@ -43,14 +43,14 @@ Error no_promise() {
 
 /// What `call(clip)` draws of the case without its camera, watched.
 template <typename Call>
-Result<cases::Framebuffer> drawn_by(const cases::Case& c, const backends::Backend& backend,
-                                    const Call& call) {
+Result<cases::Fragments> drawn_by(const cases::Case& c, const backends::Backend& backend,
+                                  const Call& call) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   if (!cases::makes_promises_of(backend.contract(*clip), *clip))
     return tl::unexpected(no_promise());
   const backends::FloatingPointModes modes;
-  Result<cases::Framebuffer> drawn = call(*clip);
+  Result<cases::Fragments> drawn = call(*clip);
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
   if (drawn && !is_well_formed(*drawn, *clip)) {
     return tl::unexpected(Error{"", "",
@@ -62,13 +62,13 @@ Result<cases::Framebuffer> drawn_by(const cases::Case& c, const backends::Backen
 
 }  // namespace
 
-Result<cases::Framebuffer> draw(const cases::Case& c, backends::Backend& backend) {
+Result<cases::Fragments> draw(const cases::Case& c, backends::Backend& backend) {
   return drawn_by(c, backend, [&backend](const cases::Case& clip) { return backend.draw(clip); });
 }
 
-Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
-                                          std::span<const std::uint32_t> indices,
-                                          backends::Backend& backend) {
+Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                        std::span<const std::uint32_t> indices,
+                                        backends::Backend& backend) {
   return drawn_by(c, backend, [&](const cases::Case& clip) {
     return backend.draw_assembled(clip, topology, indices);
   });

@@ -17,12 +17,12 @@ namespace rastercheck::properties {
 /// Draws the case: its clip positions handed over rounded once (oracle/transform.h). A backend
 /// fails that returns with another rounding mode or, on x86, with another FTZ or DAZ than it was
 /// called with (they are put back), or with arrays that do not fit the case or each other.
-Result<cases::Framebuffer> draw(const cases::Case& c, backends::Backend& backend);
+Result<cases::Fragments> draw(const cases::Case& c, backends::Backend& backend);
 
 /// The same of what a list, strip or fan of the case's vertices draws.
-Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
-                                          std::span<const std::uint32_t> indices,
-                                          backends::Backend& backend);
+Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                        std::span<const std::uint32_t> indices,
+                                        backends::Backend& backend);
 
 /// The clip positions that a backend makes of a case with a camera, watched in the same way.
 Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends::Backend& backend);

@@ -252,7 +252,7 @@ void merge(Check& into, const Check& from) {
 }
 
 Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
-                  const cases::Framebuffer& drawn, const JudgeRequest& request,
+                  const cases::Fragments& drawn, const JudgeRequest& request,
                   const CheckOptions& options) {
   const SceneTruth scene(truth_of, contract);
   Check check;
@@ -286,18 +286,18 @@ Result<Check> check_drawn(const cases::Case& c, backends::Backend& backend,
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   const cases::Contract contract = backend.contract(*clip);
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  const Result<cases::Fragments> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   return find(*clip, contract, *drawn);
 }
 
 Result<Check> check_judged(const cases::Case& c, backends::Backend& backend,
                            const JudgeRequest& request, const CheckOptions& options) {
-  return check_drawn(c, backend,
-                     [&](const cases::Case& clip, const cases::Contract& contract,
-                         const cases::Framebuffer& drawn) {
-                       return judge_drawn(clip, contract, drawn, request, options);
-                     });
+  return check_drawn(
+      c, backend,
+      [&](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
+        return judge_drawn(clip, contract, drawn, request, options);
+      });
 }
 
 }  // namespace rastercheck::properties

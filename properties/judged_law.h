@@ -24,7 +24,7 @@ struct JudgeRequest {
 /// Judges what was drawn of `truth_of`, a case without a camera, or of another case with the same
 /// triangles, by the contract.
 Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
-                  const cases::Framebuffer& drawn, const JudgeRequest& request,
+                  const cases::Fragments& drawn, const JudgeRequest& request,
                   const CheckOptions& options);
 
 /// Draws the case and judges that. Fails where the backend cannot draw it.
@@ -33,7 +33,7 @@ Result<Check> check_judged(const cases::Case& c, backends::Backend& backend,
 
 /// Takes a case without a camera, what the backend promises of it, and what it drew.
 using DrawnCheck =
-    std::function<Check(const cases::Case&, const cases::Contract&, const cases::Framebuffer&)>;
+    std::function<Check(const cases::Case&, const cases::Contract&, const cases::Fragments&)>;
 
 /// Draws the case, and says what is found of that. Fails where the backend cannot draw it.
 Result<Check> check_drawn(const cases::Case& c, backends::Backend& backend, const DrawnCheck& find);

@@ -56,7 +56,7 @@ TraceResult trace_sample(const State& state, const Mesh& mesh, const TargetSize&
   return trace_checked(&trace_mesh, state, mesh, size, address);
 }
 
-std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,
+std::optional<Error> clear(Picture& framebuffer, const TargetSize& size,
                            std::size_t attribute_count, float depth) {
   if (const std::optional<Error> error = resize(framebuffer, size, attribute_count)) return error;
   std::fill(framebuffer.depth.begin(), framebuffer.depth.end(), depth);
@@ -65,12 +65,12 @@ std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,
   return std::nullopt;
 }
 
-DrawResult draw(const State& state, const Mesh& mesh, Framebuffer& framebuffer, unsigned threads) {
+DrawResult draw(const State& state, const Mesh& mesh, Picture& framebuffer, unsigned threads) {
   return draw_checked_frame(nullptr, state, mesh, framebuffer, threads);
 }
 
 DrawResult clear_and_draw(const State& state, const Mesh& mesh, const TargetSize& size, float depth,
-                          Framebuffer& framebuffer, unsigned threads) {
+                          Picture& framebuffer, unsigned threads) {
   return clear_and_draw_checked_frame(nullptr, state, mesh, size, depth, framebuffer, threads);
 }
 

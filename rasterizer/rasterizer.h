@@ -238,7 +238,7 @@ struct CacheLineAllocator {
 };
 
 /// What is drawn into: depth, and attributes, or the channels of a colour.
-struct Framebuffer {
+struct Picture {
   using Values = std::vector<float, CacheLineAllocator<float>>;
   using Bytes = std::vector<std::uint8_t, CacheLineAllocator<std::uint8_t>>;
 
@@ -263,23 +263,22 @@ DrawResult draw_fragments(const State& state, const Mesh& mesh, const TargetSize
 
 /// A framebuffer, of its own format, whose samples all have this depth and zero attributes; an
 /// error where the size is not valid or memory runs out.
-std::optional<Error> clear(Framebuffer& framebuffer, const TargetSize& size,
+std::optional<Error> clear(Picture& framebuffer, const TargetSize& size,
                            std::size_t attribute_count, float depth);
 
 /// Draws attributes into the framebuffer, triangle by triangle in submission order. On that many
 /// threads, 0: as many as the machine has; the picture is the same for any number. Where memory
 /// runs out tiles of 64 × 64 pixels hold some of what was to be drawn, or are what they were.
-DrawResult draw(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
-                unsigned threads = 1);
+DrawResult draw(const State& state, const Mesh& mesh, Picture& framebuffer, unsigned threads = 1);
 
 /// clear() and draw() in one: each tile is cleared where it is drawn, so that most often the memory
 /// of the framebuffer is written once. Where memory runs out it holds some of what was to be drawn,
 /// or any numbers.
 DrawResult clear_and_draw(const State& state, const Mesh& mesh, const TargetSize& size, float depth,
-                          Framebuffer& framebuffer, unsigned threads = 1);
+                          Picture& framebuffer, unsigned threads = 1);
 
 /// The mean of each pixel's samples, rounded once; depth is that of sample 0. `from` and `into` are
 /// not the same; an error where memory runs out, or `from` is not well formed.
-std::optional<Error> resolve(const Framebuffer& from, Framebuffer& into);
+std::optional<Error> resolve(const Picture& from, Picture& into);
 
 }  // namespace rastercheck::rasterizer

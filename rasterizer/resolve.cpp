@@ -28,7 +28,7 @@ void put_means(const Values& in, std::size_t samples, std::size_t channels, cons
 
 }  // namespace
 
-std::optional<Error> resolve(const Framebuffer& from, Framebuffer& into) {
+std::optional<Error> resolve(const Picture& from, Picture& into) {
   if (const std::optional<Error> error = check_framebuffer(from)) return error;
   const ColorFormat old_format = into.format;
   into.format = from.format;

@@ -5,12 +5,12 @@
 namespace rastercheck::rasterizer {
 
 DrawResult draw_by(const ShaderView& shader, const State& state, const Mesh& mesh,
-                   Framebuffer& framebuffer, unsigned threads) {
+                   Picture& framebuffer, unsigned threads) {
   return draw_checked_frame(&shader, state, mesh, framebuffer, threads);
 }
 
 DrawResult clear_and_draw_by(const ShaderView& shader, const State& state, const Mesh& mesh,
-                             const TargetSize& size, float depth, Framebuffer& framebuffer,
+                             const TargetSize& size, float depth, Picture& framebuffer,
                              unsigned threads) {
   return clear_and_draw_checked_frame(&shader, state, mesh, size, depth, framebuffer, threads);
 }

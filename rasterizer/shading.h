@@ -122,20 +122,20 @@ ShaderView view_of(const Shader& shader) {
 
 /// draw() of what a shader makes of the attributes. The shader must outlive the call.
 DrawResult draw_by(const ShaderView& shader, const State& state, const Mesh& mesh,
-                   Framebuffer& framebuffer, unsigned threads = 1);
+                   Picture& framebuffer, unsigned threads = 1);
 DrawResult clear_and_draw_by(const ShaderView& shader, const State& state, const Mesh& mesh,
-                             const TargetSize& size, float depth, Framebuffer& framebuffer,
+                             const TargetSize& size, float depth, Picture& framebuffer,
                              unsigned threads = 1);
 
 template <FragmentShader Shader>
-DrawResult draw(const State& state, const Mesh& mesh, const Shader& shader,
-                Framebuffer& framebuffer, unsigned threads = 1) {
+DrawResult draw(const State& state, const Mesh& mesh, const Shader& shader, Picture& framebuffer,
+                unsigned threads = 1) {
   return draw_by(view_of(shader), state, mesh, framebuffer, threads);
 }
 
 template <FragmentShader Shader>
 DrawResult clear_and_draw(const State& state, const Mesh& mesh, const Shader& shader,
-                          const TargetSize& size, float depth, Framebuffer& framebuffer,
+                          const TargetSize& size, float depth, Picture& framebuffer,
                           unsigned threads = 1) {
   return clear_and_draw_by(view_of(shader), state, mesh, size, depth, framebuffer, threads);
 }

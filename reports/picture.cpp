@@ -61,7 +61,7 @@ class Pixels {
  public:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-  Pixels(const cases::Case& c, const cases::Framebuffer& drawn)
+  Pixels(const cases::Case& c, const cases::Fragments& drawn)
       : width_(c.framebuffer.width),
         height_(c.framebuffer.height),
         drawn_(&drawn),
@@ -96,11 +96,11 @@ class Pixels {
 
   int width_;
   int height_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   std::vector<std::size_t> fragments_;
 };
 
-bool is_number(const cases::Framebuffer& drawn, std::size_t fragment) {
+bool is_number(const cases::Fragments& drawn, std::size_t fragment) {
   const std::span<const float> values = drawn.attributes_of(fragment);
   return std::isfinite(drawn.depth[fragment]) &&
          std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
@@ -115,15 +115,15 @@ struct Scales {
   Range rows;
 };
 
-double first_value(const cases::Framebuffer& drawn, std::size_t fragment) {
+double first_value(const cases::Fragments& drawn, std::size_t fragment) {
   return drawn.attribute_count > 0 ? drawn.attributes_of(fragment)[0] : drawn.depth[fragment];
 }
 
-double second_value(const cases::Framebuffer& drawn, std::size_t fragment) {
+double second_value(const cases::Fragments& drawn, std::size_t fragment) {
   return drawn.attribute_count > 1 ? drawn.attributes_of(fragment)[1] : 0;
 }
 
-Scales scales_of(const Pixels& pixels, const cases::Framebuffer& drawn) {
+Scales scales_of(const Pixels& pixels, const cases::Fragments& drawn) {
   Scales scales;
   for (int row = 0; row < pixels.height(); ++row) {
     for (int column = 0; column < pixels.width(); ++column) {
@@ -155,7 +155,7 @@ double slope(std::optional<double> before, double here, std::optional<double> af
   return std::clamp(rise, -kSteepest, kSteepest);
 }
 
-double brightness(const Pixels& pixels, const cases::Framebuffer& drawn, int column, int row,
+double brightness(const Pixels& pixels, const cases::Fragments& drawn, int column, int row,
                   double scale) {
   const auto depth_at = [&](int x, int y) -> std::optional<double> {
     const std::size_t fragment = pixels.at(x, y);
@@ -187,7 +187,7 @@ Color plane_color(double u, double v, double light) {
 
 }  // namespace
 
-Image draw_picture(const cases::Case& c, const cases::Framebuffer& drawn) {
+Image draw_picture(const cases::Case& c, const cases::Fragments& drawn) {
   const Pixels pixels(c, drawn);
   const Scales scales = scales_of(pixels, drawn);
   const double scale = height_scale(scales);

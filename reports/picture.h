@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cases/case.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "reports/image.h"
 
 namespace rastercheck::reports {
@@ -13,6 +13,6 @@ namespace rastercheck::reports {
 /// are magenta. As large as the case's framebuffer; fragments outside it are ignored.
 ///
 /// The same to the bit wherever it is drawn.
-Image draw_picture(const cases::Case& c, const cases::Framebuffer& drawn);
+Image draw_picture(const cases::Case& c, const cases::Fragments& drawn);
 
 }  // namespace rastercheck::reports

@@ -30,14 +30,14 @@ std::vector<std::size_t> nearest(const ras::Fragments& fragments) {
   return kept;
 }
 
-cases::Framebuffer framebuffer(const ras::Fragments& fragments,
-                               const std::vector<std::size_t>& indices, std::size_t attributes) {
+cases::Fragments framebuffer(const ras::Fragments& fragments,
+                             const std::vector<std::size_t>& indices, std::size_t attributes) {
   const auto append = [](std::vector<float>& to, const std::vector<float>& from,
                          std::size_t fragment, std::size_t count) {
     const auto first = from.begin() + static_cast<std::ptrdiff_t>(fragment * count);
     to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(count));
   };
-  cases::Framebuffer result;
+  cases::Fragments result;
   result.attribute_count = attributes;
   for (const std::size_t i : indices) {
     result.triangle.push_back(fragments.triangle[i]);
@@ -55,8 +55,8 @@ cases::Framebuffer framebuffer(const ras::Fragments& fragments,
 
 }  // namespace
 
-Result<cases::Framebuffer> drawn_fragments(const cases::Case& c, const ras::DrawResult& drawn,
-                                           const ras::Fragments& fragments) {
+Result<cases::Fragments> drawn_fragments(const cases::Case& c, const ras::DrawResult& drawn,
+                                         const ras::Fragments& fragments) {
   if (drawn.error) return tl::unexpected(refused(*drawn.error));
   std::vector<std::size_t> indices(fragments.size());
   std::iota(indices.begin(), indices.end(), std::size_t{0});

@@ -39,7 +39,7 @@ class FramebufferDrawing {
     result_.attribute_count = c.attributes.size();
   }
 
-  Result<cases::Framebuffer> draw() {
+  Result<cases::Fragments> draw() {
     const bool is_tested = case_.depth_test == cases::DepthTest::less;
     if (is_tested && case_.triangles.size() > TriangleNumber::kMost) {
       return tl::unexpected(Error{"", "", "an index of so many triangles is no float32"});
@@ -58,7 +58,7 @@ class FramebufferDrawing {
     const ras::Mesh mesh = memory_.mesh();
     if (const auto error = draw(mesh)) return error;
     const ras::TargetSize size = target_size(case_);
-    ras::Framebuffer numbers;
+    ras::Picture numbers;
     const auto error =
         clear_and_draw(state_, mesh, TriangleNumber(), size, kFarthest, numbers, threads_).error;
     if (error) return error;
@@ -109,13 +109,13 @@ class FramebufferDrawing {
   ras::State state_;
   CaseMesh memory_;
   unsigned threads_;
-  ras::Framebuffer framebuffer_;
-  cases::Framebuffer result_;
+  ras::Picture framebuffer_;
+  cases::Fragments result_;
 };
 
 }  // namespace
 
-Result<cases::Framebuffer> draw_through_framebuffer(const cases::Case& c, unsigned threads) {
+Result<cases::Fragments> draw_through_framebuffer(const cases::Case& c, unsigned threads) {
   return FramebufferDrawing(c, threads).draw();
 }
 

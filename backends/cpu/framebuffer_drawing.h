@@ -5,11 +5,11 @@
 
 #include "cases/case.h"
 #include "cases/error.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 
 namespace rastercheck::backends {
 
 /// On that many threads. Values are those of framebuffers, in double; there are no derivatives.
-Result<cases::Framebuffer> draw_through_framebuffer(const cases::Case& c, unsigned threads);
+Result<cases::Fragments> draw_through_framebuffer(const cases::Case& c, unsigned threads);
 
 }  // namespace rastercheck::backends

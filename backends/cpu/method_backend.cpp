@@ -178,7 +178,7 @@ class MethodBackend : public Backend {
     const CaseMesh memory(c);
     return contract_of(c, method_->promise(state_of(c), memory.mesh(), target_size(c)));
   }
-  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+  Result<cases::Fragments> draw(const cases::Case& c) override {
     const CaseMesh memory(c);
     ras::Fragments fragments;
     const ras::DrawResult drawn = ras::draw_fragments_by(method_->name, state_of(c), memory.mesh(),

@@ -41,7 +41,7 @@ struct FrameDraw {
   const ras::State& state;
   const ras::Mesh& mesh;
   std::optional<float> clear_depth;
-  ras::Framebuffer& framebuffer;
+  ras::Picture& framebuffer;
   unsigned threads;
 
   template <typename... Shader>  // one or none
@@ -72,7 +72,7 @@ std::optional<ras::Error> draw_untextured(const FrameDraw& draw, cases::Shading 
 
 std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline& pipeline,
                                     std::optional<float> clear_depth, unsigned threads,
-                                    ras::Framebuffer& framebuffer) {
+                                    ras::Picture& framebuffer) {
   ras::State state = state_of(c);
   state.depth_test = depth_test(pipeline.depth_function);
   state.depth_write = pipeline.writes_depth;
@@ -95,8 +95,8 @@ std::optional<ras::Error> draw_into(const cases::Case& c, const cases::Pipeline&
 }
 
 /// A framebuffer that holds a picture.
-ras::Framebuffer framebuffer_of(const cases::Picture& picture, cases::ColorFormat color_format) {
-  ras::Framebuffer framebuffer;
+ras::Picture framebuffer_of(const cases::Picture& picture, cases::ColorFormat color_format) {
+  ras::Picture framebuffer;
   framebuffer.size = {picture.size.width, picture.size.height, picture.size.samples};
   framebuffer.attribute_count = picture.channels;
   framebuffer.format = format(color_format);
@@ -113,7 +113,7 @@ ras::Framebuffer framebuffer_of(const cases::Picture& picture, cases::ColorForma
 }
 
 /// The numbers that a framebuffer holds.
-void take(const ras::Framebuffer& framebuffer, cases::Picture& picture) {
+void take(const ras::Picture& framebuffer, cases::Picture& picture) {
   picture.depth.assign(framebuffer.depth.begin(), framebuffer.depth.end());
   picture.color.assign(framebuffer.attributes.begin(), framebuffer.attributes.end());
   for (const std::uint8_t byte : framebuffer.bytes) {
@@ -130,13 +130,13 @@ std::size_t sample_count(const cases::FramebufferSize& size) {
 
 Result<cases::Picture> draw_picture(const cases::Case& c, const cases::Pipeline& pipeline,
                                     unsigned threads) {
-  ras::Framebuffer framebuffer;
+  ras::Picture framebuffer;
   framebuffer.format = format(pipeline.format);
   if (const auto error = draw_into(c, pipeline, pipeline.clear_depth, threads, framebuffer)) {
     return tl::unexpected(refused(*error));
   }
   if (pipeline.resolves) {
-    ras::Framebuffer resolved;
+    ras::Picture resolved;
     if (const auto error = resolve(framebuffer, resolved)) return tl::unexpected(refused(*error));
     framebuffer = std::move(resolved);
   }
@@ -155,7 +155,7 @@ Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline, un
   const bool is_other =
       c.framebuffer != picture.size && sample_count(c.framebuffer) == picture.depth.size();
   if (pipeline.resolves || is_other) return tl::unexpected(refused(ras::Error::target_size));
-  ras::Framebuffer framebuffer = framebuffer_of(picture, pipeline.format);
+  ras::Picture framebuffer = framebuffer_of(picture, pipeline.format);
   framebuffer.size = target_size(c);
   const auto error = draw_into(c, pipeline, std::nullopt, threads, framebuffer);
   // Whatever was said: a draw that was refused shows whether it has left the picture alone.

@@ -98,7 +98,7 @@ class RasterizerBackend : public Backend {
     if (options_.output == Output::framebuffer) contract.derivative_bound.reset();  // it holds none
     return contract;
   }
-  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+  Result<cases::Fragments> draw(const cases::Case& c) override {
     const ras::OnSimdTarget target(options_.simd);
     if (options_.output == Output::framebuffer) {
       return draw_through_framebuffer(c, options_.threads);
@@ -137,8 +137,8 @@ class RasterizerBackend : public Backend {
     return traced_sample(ras::trace_sample(state, memory.mesh(), target_size(c), sample_place(at)));
   }
   bool assembles() const override { return true; }
-  Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
-                                            std::span<const std::uint32_t> indices) override {
+  Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                          std::span<const std::uint32_t> indices) override {
     const Result<cases::Case> triangles = assembled(c, topology, indices);
     if (!triangles) return tl::unexpected(triangles.error());
     return draw(*triangles);

@@ -57,7 +57,7 @@ std::uint32_t triangle_of(float number, std::size_t first, std::size_t count, bo
   return is_one ? static_cast<std::uint32_t>(first + static_cast<std::size_t>(number) - 1) : 0;
 }
 
-void append(const Fragments& some, const cases::Case& c, cases::Framebuffer& all) {
+void append(const Fragments& some, const cases::Case& c, cases::Fragments& all) {
   std::vector<std::size_t> sorted(some.triangle.size());
   std::iota(sorted.begin(), sorted.end(), std::size_t{0});
   std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
@@ -96,7 +96,7 @@ struct CaseDrawer::Impl {
   Result<Layers*> layers_for(const LayerShape& shape);
   Result<void> draw_pass(const Plan& plan, const Pass& pass, std::size_t first, int layer_count,
                          Layers& layers);
-  Result<void> draw_batch(const Plan& plan, std::size_t first, cases::Framebuffer& drawn);
+  Result<void> draw_batch(const Plan& plan, std::size_t first, cases::Fragments& drawn);
   Result<void> find_fragments(const Plan& plan, std::size_t first, Fragments& found) const;
   Result<void> take_values(const Plan& plan, const Pass& pass, Fragments& found) const;
 
@@ -293,7 +293,7 @@ Result<void> CaseDrawer::Impl::take_values(const Plan& plan, const Pass& pass,
 }
 
 Result<void> CaseDrawer::Impl::draw_batch(const Plan& plan, std::size_t first,
-                                          cases::Framebuffer& drawn) {
+                                          cases::Fragments& drawn) {
   const std::size_t left = (plan.c->triangles.size() - first) / plan.triangles;
   const int layer_count = static_cast<int>(std::min(left, static_cast<std::size_t>(plan.layers)));
   std::vector<Fragments> found(static_cast<std::size_t>(layer_count));
@@ -320,8 +320,8 @@ Result<void> CaseDrawer::Impl::draw_batch(const Plan& plan, std::size_t first,
   return {};
 }
 
-Result<cases::Framebuffer> CaseDrawer::draw(const cases::Case& c) {
-  cases::Framebuffer drawn;
+Result<cases::Fragments> CaseDrawer::draw(const cases::Case& c) {
+  cases::Fragments drawn;
   drawn.attribute_count = c.attributes.size();
   impl_->complaint.clear();
   const Result<Plan> plan = impl_->plan(c);

@@ -7,7 +7,7 @@
 #include "backends/gl/context.h"
 #include "cases/case.h"
 #include "cases/error.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 
 namespace rastercheck::backends::gl {
 
@@ -28,7 +28,7 @@ class CaseDrawer {
   int subpixel_bits() const;
 
   /// Failure::unsupported where the context lacks something that the case needs.
-  Result<cases::Framebuffer> draw(const cases::Case& c);
+  Result<cases::Fragments> draw(const cases::Case& c);
 
  private:
   struct Impl;

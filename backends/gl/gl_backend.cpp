@@ -32,7 +32,7 @@ class GlBackend : public Backend {
   cases::Contract contract(const cases::Case& c) const override {
     return api_promise(c, {.subpixel_bits = drawer_.subpixel_bits()});
   }
-  Result<cases::Framebuffer> draw(const cases::Case& c) override { return drawer_.draw(c); }
+  Result<cases::Fragments> draw(const cases::Case& c) override { return drawer_.draw(c); }
 
  private:
   gl::Context context_;

@@ -78,7 +78,7 @@ void members(Archive& archive, T& c) {
           c.keeps_sign_of_zero, c.is_invariant, c.keeps_vertex_values, c.derivative_bound,
           c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds);
 }
-template <typename Archive, Either<cases::Framebuffer> T>
+template <typename Archive, Either<cases::Fragments> T>
 void members(Archive& archive, T& f) {
   archive(f.attribute_count, f.triangle, f.x, f.y, f.sample, f.depth, f.attributes, f.derivatives);
 }

@@ -11,7 +11,7 @@
 #include "cases/case.h"
 #include "cases/contract.h"
 #include "cases/error.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 
 namespace rastercheck::backends {
 
@@ -33,7 +33,7 @@ struct Greeting {
 
 /// The answer to a drawing.
 struct Drawing {
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   std::optional<Error> problem;
 };
 

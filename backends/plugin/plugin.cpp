@@ -135,16 +135,16 @@ class PluginBackend : public Backend {
   cases::Contract contract(const cases::Case& c) const override {
     return contract_of(plugin_.contract, c);
   }
-  Result<cases::Framebuffer> draw(const cases::Case& c) override;
+  Result<cases::Fragments> draw(const cases::Case& c) override;
 
  private:
   Result<void> hand_over(const cases::Case& c);
-  Result<void> append(std::uint32_t first, std::uint32_t count, cases::Framebuffer& drawn);
+  Result<void> append(std::uint32_t first, std::uint32_t count, cases::Fragments& drawn);
   Result<void> call();
   Result<void> check_fronts() const;
   Result<void> check_output(std::uint32_t triangles) const;
   void clear(const Rectangle& part);
-  void collect(std::uint32_t first, cases::Framebuffer& drawn) const;
+  void collect(std::uint32_t first, cases::Fragments& drawn) const;
   Rectangle whole() const { return {0, 0, draw_.width, draw_.height}; }
   Rectangle touched() const { return {output_.min_x, output_.min_y, output_.max_x, output_.max_y}; }
   bool is_searched_whole() const { return sample_count() <= kSearchedWhole; }
@@ -184,12 +184,12 @@ class PluginBackend : public Backend {
   Rectangle dirty_;  ///< what the last draw may have left in the output
 };
 
-Result<cases::Framebuffer> PluginBackend::draw(const cases::Case& c) {
+Result<cases::Fragments> PluginBackend::draw(const cases::Case& c) {
   if (const std::string what = lacks(plugin_.contract, c); !what.empty()) {
     return fail("its contract lacks " + what, Failure::unsupported);
   }
   if (Result<void> handed = hand_over(c); !handed) return tl::unexpected(std::move(handed).error());
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   drawn.attribute_count = c.attributes.size();
   const auto triangles = static_cast<std::uint32_t>(c.triangles.size());
   const std::uint32_t together = draw_.depth_test != 0 ? triangles : 1;
@@ -244,7 +244,7 @@ Result<void> PluginBackend::hand_over(const cases::Case& c) {
 }
 
 Result<void> PluginBackend::append(std::uint32_t first, std::uint32_t count,
-                                   cases::Framebuffer& drawn) {
+                                   cases::Fragments& drawn) {
   clear(dirty_);
   draw_.triangle_count = count;
   draw_.indices = arrays_.indices.as<const std::uint32_t>() + std::size_t{first} * 3;
@@ -360,8 +360,8 @@ Result<void> PluginBackend::check_output(std::uint32_t triangles) const {
   return {};
 }
 
-/// Appends what was covered, in the order of a Framebuffer.
-void PluginBackend::collect(std::uint32_t first, cases::Framebuffer& drawn) const {
+/// Appends what was covered, in the order of Fragments.
+void PluginBackend::collect(std::uint32_t first, cases::Fragments& drawn) const {
   std::vector<cases::SamplePlace> places;
   each_place(touched(), [&](cases::SamplePlace at) {
     if (arrays_.coverage.as<const std::uint8_t>()[index_of(at)] == 0) return;

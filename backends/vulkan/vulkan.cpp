@@ -41,10 +41,10 @@ class VulkanBackend : public Backend {
     return api_promise(c, {.subpixel_bits = device_->limits().subpixel_bits});
   }
 
-  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+  Result<cases::Fragments> draw(const cases::Case& c) override {
     const std::string missing = vulkan::lacks(device_->limits(), c);
     if (!missing.empty()) return fail({"", "", "it lacks " + missing, Failure::unsupported});
-    Result<cases::Framebuffer> drawn = drawing_.draw(c);
+    Result<cases::Fragments> drawn = drawing_.draw(c);
     const std::string said = device_->take_messages();
     if (!said.empty()) return fail({"", "", "the validation layer says: " + cases::one_line(said)});
     if (!drawn) return fail(drawn.error());

@@ -38,7 +38,7 @@ struct Options {
 };
 
 /// CONTRACT, `oracle` and `render` output.
-void print_json(const std::string& backend, const cases::Framebuffer& drawn) {
+void print_json(const std::string& backend, const cases::Fragments& drawn) {
   fmt::print(R"({{"format": "rastercheck-fragments", "version": 1, "backend": {}, "fragments": [)",
              cases::json_string(backend));
   for (std::size_t i = 0; i < drawn.size() && std::ferror(stdout) == 0; ++i) {
@@ -54,7 +54,7 @@ void print_json(const std::string& backend, const cases::Framebuffer& drawn) {
   fmt::print("\n]}}\n");
 }
 
-void print_table(const cases::Case& c, const cases::Framebuffer& drawn, bool quiet) {
+void print_table(const cases::Case& c, const cases::Fragments& drawn, bool quiet) {
   constexpr std::string_view kRow = "{:>8} {:>5} {:>5} {:>3}  {:<15}";
   if (!quiet) {
     std::string header = fmt::format(kRow, "triangle", "x", "y", "s", "depth");
@@ -99,7 +99,7 @@ ExitCode run(const Options& options) {
   if (const auto few = check_sample_count(*c, options.file, options.all); !few) {
     return fail(few.error());
   }
-  const Result<cases::Framebuffer> drawn = properties::draw(*c, **backend);
+  const Result<cases::Fragments> drawn = properties::draw(*c, **backend);
   if (!drawn) return fail({options.file, "", to_string(drawn.error())});
   if (!options.png.empty()) {
     const Result<void> written =

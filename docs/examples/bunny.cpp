@@ -49,7 +49,7 @@ int main(int count, char** files) {
   state.depth_test = DepthTest::less;
   state.attributes.resize(5);
   const Mesh mesh{clip, attributes, {}, bunny->triangles};
-  Framebuffer frame, picture;
+  Picture frame, picture;
   frame.format = ColorFormat::rgba8;
   if (clear_and_draw(state, mesh, shader, {512, 512, 4}, 1, frame, 0).error) return 1;
   return resolve(frame, picture) || !write_png(files[2], 512, 512, picture.bytes) ? 1 : 0;

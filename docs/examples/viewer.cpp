@@ -45,8 +45,8 @@ struct Viewer {
   Texture texture;
   State state;
   std::vector<glm::vec4> clip;
-  Framebuffer frame;
-  Framebuffer picture;
+  Picture frame;
+  Picture picture;
   unsigned threads = 0;  ///< 0: as many as the machine has
 
   bool set_up(const char* file);

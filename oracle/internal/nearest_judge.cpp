@@ -97,7 +97,7 @@ class NearestJudge::Band {
 
   /// Where the next fragment is.
   Sample next_sample() const {
-    const cases::Framebuffer& drawn = *context_->drawn;
+    const cases::Fragments& drawn = *context_->drawn;
     const std::size_t next = fragments_.front();
     return {drawn.y[next], drawn.x[next], drawn.sample[next]};
   }

@@ -20,12 +20,12 @@ namespace rastercheck::oracle {
 /// What is the same for all of a judgement's threads.
 class JudgeContext {
  public:
-  JudgeContext(const SceneTruth& judged_scene, const cases::Framebuffer& judged_drawing,
+  JudgeContext(const SceneTruth& judged_scene, const cases::Fragments& judged_drawing,
                const JudgeOptions& judge_options)
       : scene(&judged_scene), drawn(&judged_drawing), options(&judge_options) {}
 
   const SceneTruth* scene;
-  const cases::Framebuffer* drawn;
+  const cases::Fragments* drawn;
   const JudgeOptions* options;
 
   /// Holds the exact triangle's answer at a sample against the referee; one line where they differ.

@@ -16,7 +16,7 @@ constexpr SampleVerdict kInside{Verdict::required, Reason::inside};
 
 }  // namespace
 
-FragmentOrder::FragmentOrder(const cases::Framebuffer& drawn) : drawn_(&drawn) {
+FragmentOrder::FragmentOrder(const cases::Fragments& drawn) : drawn_(&drawn) {
   const auto goes_before = [&drawn](std::size_t a, std::size_t b) {
     return drawn.place_of(a) < drawn.place_of(b);
   };
@@ -91,7 +91,7 @@ void TriangleJudge::judge_row(int y, std::size_t first, std::size_t last) {
 bool TriangleJudge::is_just_what_is_required(std::size_t first, std::size_t last) const {
   if (last - first != row_.required()) return false;
   const PixelBox& box = filter_->box();
-  const cases::Framebuffer& drawn = *context_->drawn;
+  const cases::Fragments& drawn = *context_->drawn;
   std::uint32_t previous = 0;
   for (std::size_t i = first; i < last; ++i) {
     const std::size_t fragment = (*order_)[i];

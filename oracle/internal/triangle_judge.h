@@ -16,7 +16,7 @@ namespace rastercheck::oracle {
 /// A framebuffer's fragments by place: the i-th of them, whichever order they were drawn in.
 class FragmentOrder {
  public:
-  explicit FragmentOrder(const cases::Framebuffer& drawn);
+  explicit FragmentOrder(const cases::Fragments& drawn);
   std::size_t size() const { return drawn_->size(); }
   std::size_t operator[](std::size_t i) const { return order_.empty() ? i : order_[i]; }
   cases::SamplePlace place(std::size_t i) const { return drawn_->place_of((*this)[i]); }
@@ -24,7 +24,7 @@ class FragmentOrder {
   std::size_t lower_bound(const cases::SamplePlace& place) const;
 
  private:
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   std::vector<std::size_t> order_;  ///< empty where they come by place, as they should
 };
 

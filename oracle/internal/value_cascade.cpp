@@ -48,7 +48,7 @@ std::vector<JudgedValue> JudgedBatch::values_of(std::size_t lane) const {
   return values;
 }
 
-ValueCascade::ValueCascade(const SceneTruth& scene, const cases::Framebuffer& drawn,
+ValueCascade::ValueCascade(const SceneTruth& scene, const cases::Fragments& drawn,
                            const JudgeOptions& options, ValueStatistics& statistics)
     : scene_(&scene),
       drawn_(&drawn),

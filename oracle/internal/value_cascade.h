@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "oracle/internal/filter_kernels.h"
 #include "oracle/internal/intervals.h"
 #include "oracle/internal/prepared_values.h"
@@ -55,8 +55,8 @@ class JudgedBatch {
 class ValueCascade {
  public:
   /// All must outlive it.
-  ValueCascade(const SceneTruth& scene, const cases::Framebuffer& drawn,
-               const JudgeOptions& options, ValueStatistics& statistics);
+  ValueCascade(const SceneTruth& scene, const cases::Fragments& drawn, const JudgeOptions& options,
+               ValueStatistics& statistics);
 
   /// Begins a triangle, which must outlive its batches, as must the filter of its coverage; all its
   /// samples lie in the filter's box.
@@ -88,7 +88,7 @@ class ValueCascade {
   mutable std::optional<std::array<IntervalLine, 3>> interval_edges_;
 
   const SceneTruth* scene_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   std::uint64_t case_index_;
   ValueStatistics* statistics_;
   const TriangleTruth* truth_ = nullptr;

@@ -127,7 +127,7 @@ std::optional<ValueRange> range_of(const TriangleTruth& truth, const ComputedVal
 
 }  // namespace
 
-ComputedValue computed_value(const cases::Framebuffer& drawn, std::size_t fragment,
+ComputedValue computed_value(const cases::Fragments& drawn, std::size_t fragment,
                              std::optional<std::uint32_t> attribute) {
   return {drawn.place_of(fragment), attribute,
           attribute ? drawn.attributes_of(fragment)[*attribute] : drawn.depth[fragment]};
@@ -183,7 +183,7 @@ std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTr
   return judged;
 }
 
-void settle_extremes(const SceneTruth& scene, const cases::Framebuffer& drawn,
+void settle_extremes(const SceneTruth& scene, const cases::Fragments& drawn,
                      std::uint64_t case_index, SingleErrors& errors) {
   std::optional<TriangleTruth> truth;
   std::optional<std::uint32_t> prepared;

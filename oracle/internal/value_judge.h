@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "cases/contract.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "cases/sample_place.h"
 #include "oracle/internal/value_statistics.h"
 #include "oracle/judge.h"
@@ -20,7 +20,7 @@ struct ComputedValue {
   std::optional<std::uint32_t> attribute;  ///< nothing for the depth
   float actual = 0;
 };
-ComputedValue computed_value(const cases::Framebuffer& drawn, std::size_t fragment,
+ComputedValue computed_value(const cases::Fragments& drawn, std::size_t fragment,
                              std::optional<std::uint32_t> attribute);
 
 /// The kind of the attribute, or of the depth where there is none.
@@ -35,7 +35,7 @@ std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTr
                                        ValueStatistics& statistics);
 
 /// Computes the candidates' errors exactly, and keeps those that are extremes.
-void settle_extremes(const SceneTruth& scene, const cases::Framebuffer& drawn,
+void settle_extremes(const SceneTruth& scene, const cases::Fragments& drawn,
                      std::uint64_t case_index, SingleErrors& errors);
 
 }  // namespace rastercheck::oracle

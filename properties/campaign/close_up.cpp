@@ -87,7 +87,7 @@ std::vector<std::string> close_up(const cases::Case& c, backends::Backend& backe
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip || violation.place.triangle >= clip->triangles.size()) return {};
   const cases::Contract contract = backend.contract(*clip);
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  const Result<cases::Fragments> drawn = draw(*clip, backend);
   if (!drawn) return {};
 
   const auto x = static_cast<int>(violation.place.x);

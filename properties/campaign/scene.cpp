@@ -159,7 +159,7 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
 
   const oracle::SceneTruth truth(result.source, backend.contract(result.source));
   SceneReader reader(truth, known);
-  Result<cases::Framebuffer> drawn = draw(result.source, backend);
+  Result<cases::Fragments> drawn = draw(result.source, backend);
   if (!drawn) {
     for (const Law* law : scene_laws(laws)) {
       check_case(*law, specification, backend, seed, numbered, result.findings, known);

@@ -18,7 +18,7 @@ struct SceneFindings {
   /// named like the stratum, and their index is a triangle's: the corpus may have that scene too.
   Findings findings;
   cases::Case source;  ///< of clip positions
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   records::ErrorMap map;
 };
 

@@ -38,7 +38,7 @@ using records::Verdict;
 using FragmentIndex =
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::size_t>;
 
-FragmentIndex fragments_of(const cases::Framebuffer& all, std::uint32_t triangle) {
+FragmentIndex fragments_of(const cases::Fragments& all, std::uint32_t triangle) {
   FragmentIndex drawn;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all.triangle[i] == triangle)
@@ -52,7 +52,7 @@ struct InspectedDrawing {
   const cases::Case* c;
   const TriangleTruth* exact;     ///< of the exact triangle
   const TriangleTruth* promised;  ///< as the contract has it
-  const cases::Framebuffer* framebuffer;
+  const cases::Fragments* framebuffer;
   FragmentIndex drawn;
 
   std::optional<std::size_t> fragment_at(std::uint32_t x, std::uint32_t y,
@@ -301,7 +301,7 @@ Result<Inspection> inspect(const cases::Case& c, backends::Backend& backend, con
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  const Result<cases::Fragments> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
 
   const SceneTruth exact_scene(*clip, cases::exact_contract(cases::contract_of(*clip)));

@@ -99,7 +99,7 @@ std::optional<cases::SamplePlace> covered_place(const cases::Case& c) {
 // --- Drawing -------------------------------------------------------------------------------------
 
 /// Puts what was drawn of a triangle into the specimen, whose part is settled.
-void fill(Specimen& specimen, const cases::Framebuffer& drawn, std::uint32_t triangle) {
+void fill(Specimen& specimen, const cases::Fragments& drawn, std::uint32_t triangle) {
   specimen.drawn.assign(specimen.sample_count(), false);
   specimen.bits.assign(specimen.sample_count() * specimen.values_per_sample(), 0);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -125,7 +125,7 @@ std::optional<Specimen> drawn(Specimen specimen, const CasePart& part, backends:
       std::cmp_less_equal(std::uint64_t{specimen.left} + specimen.width, size.width) &&
       std::cmp_less_equal(std::uint64_t{specimen.top} + specimen.height, size.height);
   if (!is_there) return std::nullopt;
-  const Result<cases::Framebuffer> framebuffer = draw(part.source, backend);
+  const Result<cases::Fragments> framebuffer = draw(part.source, backend);
   if (!framebuffer) return std::nullopt;
   fill(specimen, *framebuffer, part.triangle);
   return specimen;

@@ -62,7 +62,7 @@ cases::Contract in_perspective(cases::Contract contract) {
 class AffineErrorCheck {
  public:
   AffineErrorCheck(const cases::Case& c, const cases::Contract& contract,
-                   const cases::Framebuffer& drawn)
+                   const cases::Fragments& drawn)
       : case_(&c),
         drawn_(&drawn),
         findings_(c, contract),
@@ -111,19 +111,19 @@ class AffineErrorCheck {
   static constexpr double kNear = 0.9;
 
   const cases::Case* case_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   ValueFindings findings_;
   Verdicts perspective_;
 };
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  return check_drawn(c, backend,
-                     [](const cases::Case& clip, const cases::Contract& contract,
-                        const cases::Framebuffer& drawn) {
-                       if (contract.claims != cases::Claim::affine) return not_applicable();
-                       return AffineErrorCheck(clip, contract, drawn).run();
-                     });
+  return check_drawn(
+      c, backend,
+      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
+        if (contract.claims != cases::Claim::affine) return not_applicable();
+        return AffineErrorCheck(clip, contract, drawn).run();
+      });
 }
 
 /// Backends that claim smooth values to be affine, be it only where nothing is clipped.

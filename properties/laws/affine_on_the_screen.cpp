@@ -70,8 +70,8 @@ bool has_quotient(const cases::Case& c, const cases::Triangle& triangle) {
 
 class AffineCheck {
  public:
-  AffineCheck(const cases::Case& c, const cases::Contract& contract,
-              const cases::Framebuffer& drawn, LineDirection direction)
+  AffineCheck(const cases::Case& c, const cases::Contract& contract, const cases::Fragments& drawn,
+              LineDirection direction)
       : case_(&c),
         drawn_(&drawn),
         values_(c, drawn),
@@ -197,7 +197,7 @@ class AffineCheck {
   static constexpr double kRounding = 0x1p-23;
 
   const cases::Case* case_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   DrawnValues values_;
   LineDirection direction_;
   ValueFindings findings_;
@@ -207,11 +207,11 @@ class AffineCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  return check_drawn(c, backend,
-                     [](const cases::Case& clip, const cases::Contract& contract,
-                        const cases::Framebuffer& drawn) {
-                       return AffineCheck(clip, contract, drawn, some_direction(clip)).run();
-                     });
+  return check_drawn(
+      c, backend,
+      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
+        return AffineCheck(clip, contract, drawn, some_direction(clip)).run();
+      });
 }
 
 // --- Its cases -----------------------------------------------------------------------------------

@@ -225,7 +225,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   fault.make(bad, choices);
   RefusalCheck refusal(*clip, fault);
   // Not by properties::draw(), which takes cases to be valid.
-  const Result<cases::Framebuffer> drawn = backend.draw(bad);
+  const Result<cases::Fragments> drawn = backend.draw(bad);
   refusal.see(!drawn, drawn ? drawn->size() : 0, "drawn as fragments");
   const Result<cases::Picture> picture = backend.draw_picture(bad, pipeline);
   refusal.see(!picture, 0, "drawn as a picture");

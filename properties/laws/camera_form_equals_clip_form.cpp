@@ -177,7 +177,7 @@ class RayCheck {
   RayCheck(const Forms& forms, const cases::Contract& contract)
       : forms_(&forms), contract_(contract), verdicts_(forms.clip, contract), tally_(forms.clip) {}
 
-  Check run(const cases::Framebuffer& drawn) {
+  Check run(const cases::Fragments& drawn) {
     if (!drawn.triangle.empty()) tally_.label("drawn");
     if (contract_.coverage) tally_.label("snapped");
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -264,7 +264,7 @@ class RayCheck {
     return seen;
   }
 
-  void see(const cases::SamplePlace& place, const cases::Framebuffer& drawn, std::size_t i) {
+  void see(const cases::SamplePlace& place, const cases::Fragments& drawn, std::size_t i) {
     const auto seen = seen_of(place, drawn.attributes_of(i));
     if (!seen) return;
     const cases::Case& c = forms_->clip;
@@ -345,7 +345,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   }
   Result<Check> check = check_forms(*forms, backend);
   if (!check || check->fault) return check;
-  const Result<cases::Framebuffer> drawn = draw(forms->clip, backend);
+  const Result<cases::Fragments> drawn = draw(forms->clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   const cases::Contract contract = backend.contract(forms->clip);
   if (contract.is_unspecified()) {

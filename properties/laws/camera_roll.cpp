@@ -100,9 +100,9 @@ Result<Check> check_picture(const cases::Case& upright, const cases::Case& rolle
                             const CheckOptions& options) {
   const auto contract = turned_back(upright, backend.contract(rolled_clip));
   if (!contract) return not_applicable("the contract does not turn with the case");
-  const Result<cases::Framebuffer> before = draw(upright, backend);
+  const Result<cases::Fragments> before = draw(upright, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<cases::Framebuffer> drawn = draw(rolled_clip, backend);
+  const Result<cases::Fragments> drawn = draw(rolled_clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check check =
       judge_changed(upright, *contract, *before, turned_back(upright, *drawn, turn), options);

@@ -69,7 +69,7 @@ class Drawing {
  public:
   /// The case must outlive it.
   static Result<Drawing> make(const cases::Case& c, backends::Backend& backend) {
-    const Result<cases::Framebuffer> drawn = draw(c, backend);
+    const Result<cases::Fragments> drawn = draw(c, backend);
     if (!drawn) return tl::unexpected(drawn.error());
     return Drawing(c, backend.contract(c), *drawn);
   }
@@ -85,7 +85,7 @@ class Drawing {
   const oracle::TriangleTruth& truth(std::uint32_t triangle) { return verdicts_.truth(triangle); }
 
  private:
-  Drawing(const cases::Case& c, const cases::Contract& contract, const cases::Framebuffer& drawn)
+  Drawing(const cases::Case& c, const cases::Contract& contract, const cases::Fragments& drawn)
       : verdicts_(c, contract) {
     // What is not of the case, or comes twice, is a matter of coverage.
     for (std::size_t i = 0; i < drawn.size(); ++i) {

@@ -67,7 +67,7 @@ std::vector<std::uint32_t> constants_of(const cases::Case& c, const cases::Contr
 class ConstantsCheck {
  public:
   ConstantsCheck(const cases::Case& c, const cases::Contract& contract,
-                 const cases::Framebuffer& drawn)
+                 const cases::Fragments& drawn)
       : case_(&c),
         keeps_constants_(contract.keeps_constants),
         drawn_(&drawn),
@@ -134,7 +134,7 @@ class ConstantsCheck {
 
   const cases::Case* case_;
   bool keeps_constants_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   std::vector<std::vector<std::uint32_t>> constants_;  ///< [triangle]: attributes
   Verdicts verdicts_;
   Tally tally_;
@@ -144,8 +144,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   return check_drawn(
       c, backend,
-      [](const cases::Case& clip, const cases::Contract& contract,
-         const cases::Framebuffer& drawn) { return ConstantsCheck(clip, contract, drawn).run(); });
+      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
+        return ConstantsCheck(clip, contract, drawn).run();
+      });
 }
 
 float random_constant(Draw& draw) {

@@ -36,7 +36,7 @@ class Drawings {
     case_.depth_test = cases::DepthTest::none;
   }
 
-  Result<cases::Framebuffer> draw_with(cases::Cull cull, bool is_turned_round) const {
+  Result<cases::Fragments> draw_with(cases::Cull cull, bool is_turned_round) const {
     cases::Case changed = case_;
     changed.cull = cull;
     if (is_turned_round) changed.front_face = turned_round(changed.front_face);
@@ -49,7 +49,7 @@ class Drawings {
   backends::Backend* backend_;
 };
 
-void append(cases::Framebuffer& to, const cases::Framebuffer& from) {
+void append(cases::Fragments& to, const cases::Fragments& from) {
   const auto add = [](auto& all, const auto& more) {
     all.insert(all.end(), more.begin(), more.end());
   };
@@ -63,7 +63,7 @@ void append(cases::Framebuffer& to, const cases::Framebuffer& from) {
 }
 
 /// Triangles that both drawings have fragments of, one violation each.
-void find_shared(const cases::Framebuffer& of_fronts, const cases::Framebuffer& of_backs,
+void find_shared(const cases::Fragments& of_fronts, const cases::Fragments& of_backs,
                  Check& check) {
   const std::set<std::uint32_t> fronts(of_fronts.triangle.begin(), of_fronts.triangle.end());
   std::set<std::uint32_t> reported;
@@ -83,13 +83,13 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (!clip) return tl::unexpected(clip.error());
   const Drawings drawings(*clip, backend);
   const cases::Case& source = drawings.source();
-  const Result<cases::Framebuffer> all = drawings.draw_with(Cull::none, false);
+  const Result<cases::Fragments> all = drawings.draw_with(Cull::none, false);
   if (!all) return tl::unexpected(all.error());
-  const Result<cases::Framebuffer> fronts = drawings.draw_with(Cull::back, false);
+  const Result<cases::Fragments> fronts = drawings.draw_with(Cull::back, false);
   if (!fronts) return tl::unexpected(fronts.error());
-  const Result<cases::Framebuffer> backs = drawings.draw_with(Cull::front, false);
+  const Result<cases::Fragments> backs = drawings.draw_with(Cull::front, false);
   if (!backs) return tl::unexpected(backs.error());
-  cases::Framebuffer both = *fronts;
+  cases::Fragments both = *fronts;
   append(both, *backs);
   Check check = compare_drawings(source, *all, both,
                                  "back faces culled and front faces culled, put together");
@@ -100,14 +100,14 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
 
   struct Turned {
     Cull cull;
-    const cases::Framebuffer* expected;
+    const cases::Fragments* expected;
     const char* note;
   };
   for (const Turned& turned :
        {Turned{Cull::none, &*all, "front faces turned round, without culling"},
         Turned{Cull::front, &*fronts, "front faces turned round and culled"},
         Turned{Cull::back, &*backs, "front faces turned round, back faces culled"}}) {
-    const Result<cases::Framebuffer> drawn = drawings.draw_with(turned.cull, true);
+    const Result<cases::Fragments> drawn = drawings.draw_with(turned.cull, true);
     if (!drawn) return tl::unexpected(drawn.error());
     merge(check, compare_drawings(source, *turned.expected, *drawn, turned.note));
   }

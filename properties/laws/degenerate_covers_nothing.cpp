@@ -232,10 +232,10 @@ class DegenerateCheck {
       : mixed_(&mixed), is_exact_(!contract.coverage), verdicts_(mixed.source, contract) {}
 
   /// Takes the degenerate triangles out of a drawing, and gives the others the numbers they had.
-  cases::Framebuffer without_degenerate(const cases::Framebuffer& drawn) {
+  cases::Fragments without_degenerate(const cases::Fragments& drawn) {
     const std::size_t count = drawn.attribute_count;
     const auto nowhere = static_cast<std::uint32_t>(mixed_->source.triangles.size());
-    cases::Framebuffer result;
+    cases::Fragments result;
     result.attribute_count = count;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       const std::uint32_t triangle = drawn.triangle[i];
@@ -287,9 +287,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (clip->triangles.empty()) return not_applicable();
   if (backend.contract(*clip).coverage) clip->depth_test = cases::DepthTest::none;
   const Mixed with = mixed(*clip);
-  const Result<cases::Framebuffer> before = draw(*clip, backend);
+  const Result<cases::Fragments> before = draw(*clip, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<cases::Framebuffer> drawn = draw(with.source, backend);
+  const Result<cases::Fragments> drawn = draw(with.source, backend);
   if (!drawn) return tl::unexpected(drawn.error());
 
   const cases::Contract contract = backend.contract(with.source);

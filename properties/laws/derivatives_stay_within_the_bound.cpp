@@ -30,7 +30,7 @@ constexpr std::size_t kMostFragments = 64;
 class DerivativesCheck {
  public:
   DerivativesCheck(const cases::Case& c, const cases::Contract& contract,
-                   const cases::Framebuffer& drawn)
+                   const cases::Fragments& drawn)
       : case_(&c),
         bound_(*contract.derivative_bound),
         drawn_(&drawn),
@@ -86,12 +86,12 @@ class DerivativesCheck {
 
   const cases::Case* case_;
   float bound_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   Verdicts verdicts_;
   Tally tally_;
 };
 
-Check find(const cases::Case& c, const cases::Contract& contract, const cases::Framebuffer& drawn) {
+Check find(const cases::Case& c, const cases::Contract& contract, const cases::Fragments& drawn) {
   const bool has_derivatives = drawn.size() == 0 || !drawn.derivatives.empty();
   if (!contract.derivative_bound || c.attributes.empty() || !has_derivatives) {
     return not_applicable();

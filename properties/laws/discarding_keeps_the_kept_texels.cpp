@@ -62,7 +62,7 @@ using FragmentsAt = std::map<std::size_t, std::vector<std::size_t>>;
 class DiscardCheck {
  public:
   DiscardCheck(const cases::Case& c, const cases::Contract& contract,
-               const cases::Pipeline& pipeline, const cases::Framebuffer& fragments,
+               const cases::Pipeline& pipeline, const cases::Fragments& fragments,
                const cases::Picture& picture)
       : case_(&c),
         seen_(c, contract),
@@ -180,9 +180,9 @@ class DiscardCheck {
   SeenTriangles seen_;
   const cases::Pipeline* pipeline_;
   TextureTruth truth_;
-  const cases::Framebuffer* fragments_;
+  const cases::Fragments* fragments_;
   const cases::Picture* picture_;
-  cases::Framebuffer kept_;
+  cases::Fragments kept_;
   Tally tally_;
 };
 
@@ -193,7 +193,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (!backend.draws_pictures() || clip->attributes.size() < 2) return not_applicable();
   clip->depth_test = cases::DepthTest::none;
   const cases::Pipeline pipeline = pipeline_of(*clip);
-  const Result<cases::Framebuffer> fragments = draw(*clip, backend);
+  const Result<cases::Fragments> fragments = draw(*clip, backend);
   if (!fragments) return tl::unexpected(fragments.error());
   const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());

@@ -85,12 +85,12 @@ cases::Case turned_case(cases::Case c) {
 
 /// What is drawn of a case at a time: fragments, and a picture where the backend draws some.
 struct Drawing {
-  cases::Framebuffer fragments;
+  cases::Fragments fragments;
   std::optional<cases::Picture> picture;
 };
 
 Result<Drawing> draw_all(const cases::Case& c, backends::Backend& backend) {
-  Result<cases::Framebuffer> fragments = draw(c, backend);
+  Result<cases::Fragments> fragments = draw(c, backend);
   if (!fragments) return tl::unexpected(fragments.error());
   Drawing drawing{*std::move(fragments), std::nullopt};
   if (!backend.draws_pictures()) return drawing;

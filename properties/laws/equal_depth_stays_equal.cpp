@@ -64,7 +64,7 @@ bool has_several_w(const cases::Case& c, const cases::Triangle& triangle) {
 class EqualDepthCheck {
  public:
   EqualDepthCheck(const cases::Case& c, const cases::Contract& contract,
-                  const cases::Framebuffer& drawn)
+                  const cases::Fragments& drawn)
       : case_(&c), drawn_(&drawn), findings_(c, contract) {}
 
   Check run() {
@@ -136,20 +136,19 @@ class EqualDepthCheck {
   }
 
   const cases::Case* case_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   ValueFindings findings_;
   std::map<PlaneDepth, std::vector<std::size_t>> planes_;
 };
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  return check_drawn(c, backend,
-                     [](const cases::Case& clip, const cases::Contract& contract,
-                        const cases::Framebuffer& drawn) {
-                       return contract.keeps_equal_depth
-                                  ? EqualDepthCheck(clip, contract, drawn).run()
-                                  : not_applicable();
-                     });
+  return check_drawn(
+      c, backend,
+      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
+        return contract.keeps_equal_depth ? EqualDepthCheck(clip, contract, drawn).run()
+                                          : not_applicable();
+      });
 }
 
 bool is_promised(const backends::Backend& backend) {

@@ -150,8 +150,8 @@ Pair pair_of(const cases::Case& c) {
 }
 
 /// The first attributes of a drawing.
-cases::Framebuffer with_attributes(const cases::Framebuffer& drawn, std::size_t count) {
-  cases::Framebuffer result = drawn;
+cases::Fragments with_attributes(const cases::Fragments& drawn, std::size_t count) {
+  cases::Fragments result = drawn;
   result.derivatives.clear();
   result.attribute_count = count;
   result.attributes.clear();
@@ -171,7 +171,7 @@ class PathsCheck {
         verdicts_(pair.equal, of_equal_),
         verdicts_of_general_(pair.general, of_general_) {}
 
-  Check run(const cases::Framebuffer& equal, const cases::Framebuffer& general) {
+  Check run(const cases::Fragments& equal, const cases::Fragments& general) {
     constexpr const char* kNote = "drawn with vertices scaled each by another power of two";
     Closeness closeness;
     closeness.note = kNote;
@@ -218,8 +218,7 @@ class PathsCheck {
     return Allowance{one->units + other->units, one->magnitude};
   }
 
-  void see_quotients(const cases::Framebuffer& equal, const cases::Framebuffer& general,
-                     Check& check) {
+  void see_quotients(const cases::Fragments& equal, const cases::Fragments& general, Check& check) {
     const FragmentMap places = fragments_by_place(equal);
     for (std::size_t i = 0; i < general.size(); ++i) {
       const cases::SamplePlace place = general.place_of(i);
@@ -291,9 +290,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   const Pair pair = pair_of(*clip);
-  const Result<cases::Framebuffer> equal = draw(pair.equal, backend);
+  const Result<cases::Fragments> equal = draw(pair.equal, backend);
   if (!equal) return tl::unexpected(equal.error());
-  const Result<cases::Framebuffer> general = draw(pair.general, backend);
+  const Result<cases::Fragments> general = draw(pair.general, backend);
   if (!general) return tl::unexpected(general.error());
   return PathsCheck(pair, backend).run(*equal, *general);
 }

@@ -29,7 +29,7 @@ bool is_copy(float actual, float of_vertex) {
 
 class FlatCheck {
  public:
-  FlatCheck(const cases::Case& c, const cases::Contract& contract, const cases::Framebuffer& drawn)
+  FlatCheck(const cases::Case& c, const cases::Contract& contract, const cases::Fragments& drawn)
       : case_(&c), drawn_(&drawn), findings_(c, contract) {}
 
   Check run() {
@@ -64,7 +64,7 @@ class FlatCheck {
   }
 
   const cases::Case* case_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   ValueFindings findings_;
 };
 
@@ -72,8 +72,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   return check_drawn(
       c, backend,
-      [](const cases::Case& clip, const cases::Contract& contract,
-         const cases::Framebuffer& drawn) { return FlatCheck(clip, contract, drawn).run(); });
+      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
+        return FlatCheck(clip, contract, drawn).run();
+      });
 }
 
 float telling_value(Draw& draw) {

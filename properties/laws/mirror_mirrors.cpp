@@ -165,13 +165,13 @@ std::optional<cases::Case> mirrored_case(const cases::Case& c, const Mirror& mir
 
 /// What was drawn of the mirrored case, in the places that it has in the case as it was. A fragment
 /// of no pixel gets one that the case does not have either.
-cases::Framebuffer mirrored_back(const cases::Case& c, const cases::Framebuffer& drawn,
-                                 const Mirror& mirror) {
+cases::Fragments mirrored_back(const cases::Case& c, const cases::Fragments& drawn,
+                               const Mirror& mirror) {
   const auto back = [](std::uint16_t at, int pixels) {
     constexpr std::uint16_t kNowhere = std::numeric_limits<std::uint16_t>::max();
     return std::cmp_less(at, pixels) ? static_cast<std::uint16_t>(pixels - 1 - at) : kNowhere;
   };
-  cases::Framebuffer result = drawn;
+  cases::Fragments result = drawn;
   result.derivatives.clear();
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     if (mirror.is_in_x) result.x[i] = back(drawn.x[i], c.framebuffer.width);
@@ -212,9 +212,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   const auto contract = mirrored_back(*clip, backend.contract(*changed), *mirror);
   if (!contract) return not_applicable("the contract is not the same in a mirror");
 
-  const Result<cases::Framebuffer> before = draw(*clip, backend);
+  const Result<cases::Fragments> before = draw(*clip, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<cases::Framebuffer> drawn = draw(*changed, backend);
+  const Result<cases::Fragments> drawn = draw(*changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check check =
       judge_changed(*clip, *contract, *before, mirrored_back(*clip, *drawn, *mirror), options);

@@ -44,12 +44,12 @@ struct Candidates {
 
 class NearestCheck {
  public:
-  NearestCheck(const cases::Case& c, const cases::Framebuffer& all)
+  NearestCheck(const cases::Case& c, const cases::Fragments& all)
       : case_(&c), all_(&all), tally_(c) {
     for (std::size_t i = 0; i < all.size(); ++i) add(i);
   }
 
-  Check run(const cases::Framebuffer& tested) {
+  Check run(const cases::Fragments& tested) {
     std::set<cases::SamplePlace> seen;
     for (std::size_t i = 0; i < tested.size(); ++i) {
       const cases::SamplePlace place = tested.place_of(i);
@@ -88,7 +88,7 @@ class NearestCheck {
     if (depth <= least) there.is_tied = depth == least;
   }
 
-  void compare(const Candidates& there, const cases::Framebuffer& tested, std::size_t i) {
+  void compare(const Candidates& there, const cases::Fragments& tested, std::size_t i) {
     const cases::SamplePlace place = tested.place_of(i);
     const cases::SamplePlace nearest = all_->place_of(there.nearest);
     if (place.triangle != nearest.triangle) {
@@ -118,7 +118,7 @@ class NearestCheck {
   }
 
   const cases::Case* case_;
-  const cases::Framebuffer* all_;
+  const cases::Fragments* all_;
   std::map<cases::SamplePlace, Candidates> candidates_;
   Tally tally_;
 };
@@ -128,10 +128,10 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
-  const Result<cases::Framebuffer> all = draw(*clip, backend);
+  const Result<cases::Fragments> all = draw(*clip, backend);
   if (!all) return tl::unexpected(all.error());
   clip->depth_test = cases::DepthTest::less;
-  const Result<cases::Framebuffer> tested = draw(*clip, backend);
+  const Result<cases::Fragments> tested = draw(*clip, backend);
   if (!tested) return tl::unexpected(tested.error());
   return NearestCheck(*clip, *all).run(*tested);
 }

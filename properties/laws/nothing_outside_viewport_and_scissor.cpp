@@ -108,7 +108,7 @@ class OutsideCheck {
  public:
   explicit OutsideCheck(const cases::Case& c) : case_(&c), window_(c), tally_(c) {}
 
-  void see(const cases::Framebuffer& drawn) {
+  void see(const cases::Fragments& drawn) {
     bool is_any_inside = false;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       const cases::SamplePlace place = drawn.place_of(i);
@@ -197,7 +197,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   OutsideCheck all(*clip);
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  const Result<cases::Fragments> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   all.see(*drawn);
   if (backend.draws_pictures()) {

@@ -34,12 +34,12 @@ using records::FragmentClass;
 
 class OrderCheck {
  public:
-  OrderCheck(const cases::Case& c, const cases::Framebuffer& forward,
-             const cases::Framebuffer& backward)
+  OrderCheck(const cases::Case& c, const cases::Fragments& forward,
+             const cases::Fragments& backward)
       : case_(&c), forward_(&forward), backward_(&backward), tally_(c) {}
 
   /// `all`: what there was to choose from.
-  Check run(const cases::Framebuffer& all) {
+  Check run(const cases::Fragments& all) {
     const std::map<cases::SamplePlace, std::size_t> first = fragments_by_sample(*forward_);
     const std::map<cases::SamplePlace, std::size_t> second = fragments_by_sample(*backward_);
     for (const auto& [sample, i] : first) {
@@ -63,7 +63,7 @@ class OrderCheck {
   }
 
  private:
-  void add_labels(const cases::Framebuffer& all) {
+  void add_labels(const cases::Fragments& all) {
     std::map<cases::SamplePlace, std::pair<float, int>> depths;  // the least, and how many
     for (std::size_t i = 0; i < all.size(); ++i) {
       const float depth = all.depth[i];
@@ -110,8 +110,8 @@ class OrderCheck {
   }
 
   const cases::Case* case_;
-  const cases::Framebuffer* forward_;
-  const cases::Framebuffer* backward_;
+  const cases::Fragments* forward_;
+  const cases::Fragments* backward_;
   Tally tally_;
 };
 
@@ -121,14 +121,14 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (!clip) return tl::unexpected(clip.error());
   if (clip->triangles.size() < 2) return not_applicable();
   clip->depth_test = cases::DepthTest::none;
-  const Result<cases::Framebuffer> all = draw(*clip, backend);
+  const Result<cases::Fragments> all = draw(*clip, backend);
   if (!all) return tl::unexpected(all.error());
   clip->depth_test = cases::DepthTest::less;
-  const Result<cases::Framebuffer> forward = draw(*clip, backend);
+  const Result<cases::Fragments> forward = draw(*clip, backend);
   if (!forward) return tl::unexpected(forward.error());
   cases::Case reversed = *clip;
   std::reverse(reversed.triangles.begin(), reversed.triangles.end());
-  Result<cases::Framebuffer> backward = draw(reversed, backend);
+  Result<cases::Fragments> backward = draw(reversed, backend);
   if (!backward) return tl::unexpected(backward.error());
   const auto count = static_cast<std::uint32_t>(clip->triangles.size());
   for (std::uint32_t& triangle : backward->triangle) {

@@ -60,7 +60,7 @@ bool is_of_other_positions(const oracle::ExactSplit& told, const oracle::ExactSp
 class SplitCheck {
  public:
   /// `given` with its camera, if it has one; `clip` as it was drawn.
-  SplitCheck(const cases::Case& given, const cases::Case& clip, const cases::Framebuffer& drawn,
+  SplitCheck(const cases::Case& given, const cases::Case& clip, const cases::Fragments& drawn,
              backends::Backend& backend)
       : given_(&given),
         case_(&clip),
@@ -180,7 +180,7 @@ class SplitCheck {
 
   const cases::Case* given_;
   const cases::Case* case_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   backends::Backend* backend_;
   cases::Contract contract_;
   Verdicts verdicts_;
@@ -198,7 +198,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  const Result<cases::Fragments> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   return SplitCheck(c, *clip, *drawn, backend).run();
 }

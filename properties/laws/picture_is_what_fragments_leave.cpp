@@ -47,7 +47,7 @@ void add_labels(const cases::Case& c, const cases::Pipeline& pipeline, Tally& ta
 class PictureCheck {
  public:
   PictureCheck(const cases::Case& c, const cases::Pipeline& pipeline,
-               const cases::Framebuffer& fragments, const cases::Picture& picture)
+               const cases::Fragments& fragments, const cases::Picture& picture)
       : case_(&c),
         pipeline_(&pipeline),
         expected_(picture_of(c, fragments, pipeline)),
@@ -103,7 +103,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (!backend.draws_pictures()) return not_applicable();
   clip->depth_test = cases::DepthTest::none;
   const cases::Pipeline pipeline = pipeline_of(*clip);
-  const Result<cases::Framebuffer> fragments = draw(*clip, backend);
+  const Result<cases::Fragments> fragments = draw(*clip, backend);
   if (!fragments) return tl::unexpected(fragments.error());
   const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());

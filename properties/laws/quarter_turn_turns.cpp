@@ -41,7 +41,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   const auto contract = turned_back(*clip, backend.contract(changed));
   if (!contract) return not_applicable("the contract does not turn with the case");
 
-  const Result<cases::Framebuffer> drawn = draw(changed, backend);
+  const Result<cases::Fragments> drawn = draw(changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check check = judge_drawn(*clip, *contract, turned_back(*clip, *drawn, *turn), {}, options);
   add_to_notes(check,

@@ -91,8 +91,7 @@ struct Range {
 
 class PatternCheck {
  public:
-  PatternCheck(const cases::Case& c, const cases::Contract& contract,
-               const cases::Framebuffer& drawn)
+  PatternCheck(const cases::Case& c, const cases::Contract& contract, const cases::Fragments& drawn)
       : case_(&c),
         drawn_(&drawn),
         pattern_(cases::standard_pattern(c.framebuffer.samples)),
@@ -183,7 +182,7 @@ class PatternCheck {
   }
 
   const cases::Case* case_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   std::span<const cases::SamplePosition> pattern_;
   ValueFindings findings_;
 };
@@ -192,8 +191,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   return check_drawn(
       c, backend,
-      [](const cases::Case& clip, const cases::Contract& contract,
-         const cases::Framebuffer& drawn) { return PatternCheck(clip, contract, drawn).run(); });
+      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
+        return PatternCheck(clip, contract, drawn).run();
+      });
 }
 
 // --- Its cases -----------------------------------------------------------------------------------

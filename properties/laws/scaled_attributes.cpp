@@ -132,7 +132,7 @@ struct Greatest {
 class AffinityCheck {
  public:
   AffinityCheck(const cases::Case& c, const cases::Contract& contract, std::vector<Affine> maps,
-                const cases::Framebuffer& before, const cases::Framebuffer& drawn)
+                const cases::Fragments& before, const cases::Fragments& drawn)
       : case_(&c),
         contract_(contract),
         maps_(std::move(maps)),
@@ -324,8 +324,8 @@ class AffinityCheck {
   const cases::Case* case_;
   cases::Contract contract_;
   std::vector<Affine> maps_;  ///< [attribute]
-  const cases::Framebuffer* before_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* before_;
+  const cases::Fragments* drawn_;
   FragmentMap places_;
   Verdicts verdicts_;
   Tally tally_;
@@ -345,9 +345,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (backend.contract(changed) != contract) {
     return not_applicable("the contract promises something else of the changed case");
   }
-  const Result<cases::Framebuffer> before = draw(*clip, backend);
+  const Result<cases::Fragments> before = draw(*clip, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<cases::Framebuffer> drawn = draw(changed, backend);
+  const Result<cases::Fragments> drawn = draw(changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   return AffinityCheck(*clip, contract, std::move(maps), *before, *drawn).run();
 }

@@ -76,14 +76,14 @@ std::string text_of(const cases::Scissor& scissor) {
 
 class PartingCheck {
  public:
-  PartingCheck(const cases::Case& c, const Parting& parting, const cases::Framebuffer& whole)
+  PartingCheck(const cases::Case& c, const Parting& parting, const cases::Fragments& whole)
       : case_(&c),
         parting_(&parting),
         whole_(&whole),
         expected_(fragments_by_place(whole)),
         tally_(c) {}
 
-  void see(const cases::Scissor& part, const cases::Framebuffer& drawn) {
+  void see(const cases::Scissor& part, const cases::Fragments& drawn) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       const cases::SamplePlace place = drawn.place_of(i);
       const auto expected = expected_.find(place);
@@ -126,7 +126,7 @@ class PartingCheck {
  private:
   const cases::Case* case_;
   const Parting* parting_;
-  const cases::Framebuffer* whole_;
+  const cases::Fragments* whole_;
   FragmentMap expected_;
   std::set<cases::SamplePlace> seen_;
   int parts_drawn_ = 0;
@@ -139,12 +139,12 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (!clip) return tl::unexpected(clip.error());
   const Parting parting = parting_of(*clip);
   clip->scissor = parting.whole;
-  const Result<cases::Framebuffer> whole = draw(*clip, backend);
+  const Result<cases::Fragments> whole = draw(*clip, backend);
   if (!whole) return tl::unexpected(whole.error());
   PartingCheck all(*clip, parting, *whole);
   for (const cases::Scissor& part : parting.parts) {
     clip->scissor = part;
-    const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+    const Result<cases::Fragments> drawn = draw(*clip, backend);
     if (!drawn) return tl::unexpected(drawn.error());
     all.see(part, *drawn);
   }

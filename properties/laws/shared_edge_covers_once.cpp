@@ -76,7 +76,7 @@ std::vector<Pair> pairs_of(const cases::Case& c) {
 /// The samples that a triangle drew, in order.
 using Samples = std::vector<std::array<std::uint32_t, 3>>;  // y, x, sample
 
-std::vector<Samples> samples_by_triangle(const cases::Case& c, const cases::Framebuffer& drawn) {
+std::vector<Samples> samples_by_triangle(const cases::Case& c, const cases::Fragments& drawn) {
   std::vector<Samples> by_triangle(c.triangles.size());
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     if (drawn.triangle[i] >= by_triangle.size()) continue;
@@ -88,7 +88,7 @@ std::vector<Samples> samples_by_triangle(const cases::Case& c, const cases::Fram
 
 class SharedEdgeCheck {
  public:
-  SharedEdgeCheck(const cases::Case& c, cases::Contract contract, const cases::Framebuffer& drawn)
+  SharedEdgeCheck(const cases::Case& c, cases::Contract contract, const cases::Fragments& drawn)
       : case_(&c),
         contract_(contract),
         samples_(samples_by_triangle(c, drawn)),
@@ -225,7 +225,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  const Result<cases::Fragments> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   return SharedEdgeCheck(*clip, backend.contract(*clip), *drawn).run();
 }

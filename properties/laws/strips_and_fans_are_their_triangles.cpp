@@ -161,7 +161,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   const Indexed indexed = indices_of(*expanded);
   expanded->triangles = triangles_of(c.rules, indexed);
   if (!backend.assembles() || expanded->triangles.empty()) return not_applicable();
-  const Result<cases::Framebuffer> drawn =
+  const Result<cases::Fragments> drawn =
       draw_assembled(*expanded, indexed.topology, indexed.indices, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check judged = judge_drawn(*expanded, backend.contract(*expanded), *drawn, {}, options);

@@ -98,7 +98,7 @@ std::string fault_of_value(const SampleTrace& trace, const TracedValue& value) {
 
 class TraceCheck {
  public:
-  TraceCheck(const cases::Case& source, backends::Backend& backend, const cases::Framebuffer& drawn)
+  TraceCheck(const cases::Case& source, backends::Backend& backend, const cases::Fragments& drawn)
       : case_(&source), backend_(&backend), drawn_(&drawn), tally_(source) {}
 
   Result<Check> run() {
@@ -216,7 +216,7 @@ class TraceCheck {
 
   const cases::Case* case_;
   backends::Backend* backend_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   Tally tally_;
   std::optional<Error> error_;
 };
@@ -227,7 +227,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (!clip) return tl::unexpected(clip.error());
   if (!backend.traces()) return not_applicable();
   clip->depth_test = cases::DepthTest::none;
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  const Result<cases::Fragments> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   return TraceCheck(*clip, backend, *drawn).run();
 }

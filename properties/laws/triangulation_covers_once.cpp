@@ -255,7 +255,7 @@ class CoveredOnce {
               Verdicts& verdicts)
       : case_(&c), contract_(contract), screen_(&screen), verdicts_(&verdicts), tally_(c) {}
 
-  Check run(const cases::Framebuffer& drawn) {
+  Check run(const cases::Fragments& drawn) {
     const cases::FramebufferSize& size = case_->framebuffer;
     const auto samples = static_cast<std::size_t>(size.samples);
     std::vector<std::uint8_t> times(static_cast<std::size_t>(size.width) *
@@ -367,7 +367,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (!screen || !is_triangulation(*clip, contract, verdicts)) {
     return not_applicable();
   }
-  const Result<cases::Framebuffer> drawn = draw(*clip, backend);
+  const Result<cases::Fragments> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check found = CoveredOnce(*clip, contract, *screen, verdicts).run(*drawn);
   if (!planes->empty()) add_label(found, "half of the screen");

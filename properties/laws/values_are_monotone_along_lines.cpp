@@ -70,7 +70,7 @@ enum class Way { up, down, either };
 class MonotoneCheck {
  public:
   MonotoneCheck(const cases::Case& c, const cases::Contract& contract,
-                const cases::Framebuffer& drawn, LineDirection direction)
+                const cases::Fragments& drawn, LineDirection direction)
       : case_(&c),
         drawn_(&drawn),
         values_(c, drawn),
@@ -185,7 +185,7 @@ class MonotoneCheck {
   static constexpr double kRounding = 0x1p-23;
 
   const cases::Case* case_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   DrawnValues values_;
   LineDirection direction_;
   ValueFindings findings_;
@@ -193,11 +193,11 @@ class MonotoneCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  return check_drawn(c, backend,
-                     [](const cases::Case& clip, const cases::Contract& contract,
-                        const cases::Framebuffer& drawn) {
-                       return MonotoneCheck(clip, contract, drawn, some_direction(clip)).run();
-                     });
+  return check_drawn(
+      c, backend,
+      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
+        return MonotoneCheck(clip, contract, drawn, some_direction(clip)).run();
+      });
 }
 
 /// A triangle about the middle of the window, so that there are lines; w up to a factor of 64

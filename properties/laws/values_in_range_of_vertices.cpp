@@ -92,7 +92,7 @@ Subject subject_of(const cases::Case& c, const cases::Triangle& triangle) {
 
 class RangeCheck {
  public:
-  RangeCheck(const cases::Case& c, const cases::Contract& contract, const cases::Framebuffer& drawn)
+  RangeCheck(const cases::Case& c, const cases::Contract& contract, const cases::Fragments& drawn)
       : case_(&c), drawn_(&drawn), findings_(c, contract) {}
 
   Check run() {
@@ -144,7 +144,7 @@ class RangeCheck {
   }
 
   const cases::Case* case_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   ValueFindings findings_;
 };
 
@@ -152,8 +152,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   return check_drawn(
       c, backend,
-      [](const cases::Case& clip, const cases::Contract& contract,
-         const cases::Framebuffer& drawn) { return RangeCheck(clip, contract, drawn).run(); });
+      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
+        return RangeCheck(clip, contract, drawn).run();
+      });
 }
 
 // --- Its cases -----------------------------------------------------------------------------------

@@ -43,7 +43,7 @@ std::vector<std::string> some_of(const std::vector<std::string>& all, const case
 }
 
 /// What a case shows of the ways in which backends part their work.
-void add_labels(const cases::Case& c, const cases::Framebuffer& drawn, Check& check) {
+void add_labels(const cases::Case& c, const cases::Fragments& drawn, Check& check) {
   // More than the tiles and blocks of most rasterizers have.
   constexpr std::uint16_t kSide = 64;
   const auto is_beyond = [](std::uint16_t at) { return at >= kSide; };
@@ -62,7 +62,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (!clip) return tl::unexpected(clip.error());
   const std::vector<std::string> all = backend.same_as();
   if (all.empty()) return not_applicable();
-  const Result<cases::Framebuffer> own = draw(*clip, backend);
+  const Result<cases::Fragments> own = draw(*clip, backend);
   if (!own) return tl::unexpected(own.error());
   const cases::Pipeline pipeline = pipeline_of(*clip);
   std::optional<cases::Picture> picture;
@@ -75,7 +75,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   for (const std::string& specification : some_of(all, *clip)) {
     const auto variant = backends::make_backend(specification);
     if (!variant) return tl::unexpected(variant.error());
-    const Result<cases::Framebuffer> drawn = draw(*clip, **variant);
+    const Result<cases::Fragments> drawn = draw(*clip, **variant);
     if (!drawn) return tl::unexpected(drawn.error());
     const std::string note = specification + " draws the other";
     merge(check, compare_drawings(*clip, *drawn, *own, note));

@@ -65,8 +65,7 @@ bool stays_in_place(const cases::Contract& contract, const cases::SamplePosition
 
 class VertexCheck {
  public:
-  VertexCheck(const cases::Case& c, const cases::Contract& contract,
-              const cases::Framebuffer& drawn)
+  VertexCheck(const cases::Case& c, const cases::Contract& contract, const cases::Fragments& drawn)
       : case_(&c),
         contract_(contract),
         drawn_(&drawn),
@@ -152,14 +151,14 @@ class VertexCheck {
 
   const cases::Case* case_;
   cases::Contract contract_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
   std::span<const cases::SamplePosition> pattern_;
   std::vector<std::uint32_t> attributes_;
   Verdicts verdicts_;
   Tally tally_;
 };
 
-Check find(const cases::Case& c, const cases::Contract& contract, const cases::Framebuffer& drawn) {
+Check find(const cases::Case& c, const cases::Contract& contract, const cases::Fragments& drawn) {
   return contract.keeps_vertex_values ? VertexCheck(c, contract, drawn).run() : not_applicable();
 }
 

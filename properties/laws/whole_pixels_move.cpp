@@ -123,9 +123,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
     return not_applicable("the contract rounds moved positions otherwise");
   }
 
-  const Result<cases::Framebuffer> before = draw(moved->before, backend);
+  const Result<cases::Fragments> before = draw(moved->before, backend);
   if (!before) return tl::unexpected(before.error());
-  Result<cases::Framebuffer> drawn = draw(moved->after, backend);
+  Result<cases::Fragments> drawn = draw(moved->after, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   for (std::uint16_t& x : drawn->x) x = moved_back(x, move.du);
   for (std::uint16_t& y : drawn->y) y = moved_back(y, move.dv);

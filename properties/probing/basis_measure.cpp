@@ -131,7 +131,7 @@ ValueShares value_shares(Subject& subject, const Grid& grid) {
   ValueShares shares;
   for (std::uint64_t i = 0; i < kCases; ++i) {
     OffGrid given = off_grid(subject, grid.bits, true, i);
-    std::optional<cases::Framebuffer> drawn = subject.draw(given.source);
+    std::optional<cases::Fragments> drawn = subject.draw(given.source);
     if (!drawn) {
       given = off_grid(subject, grid.bits, false, i);
       drawn = subject.draw(given.source);

@@ -203,7 +203,7 @@ std::optional<FineDrawing> draw_fine(Subject& subject, const std::vector<FineTri
   if (!drawn) return std::nullopt;
   FineDrawing drawing{triangles, {}, *std::move(drawn)};
   drawing.rows.resize(triangles.size());
-  const cases::Framebuffer& fragments = drawing.drawn.framebuffer;
+  const cases::Fragments& fragments = drawing.drawn.framebuffer;
   for (std::size_t i = 0; i < fragments.size(); ++i) {
     if (fragments.triangle[i] >= triangles.size() || fragments.x[i] >= kSide ||
         fragments.y[i] >= kSide) {

@@ -50,7 +50,7 @@ Result<void> Subject::choose_rules() {
     rules_ = rules;
     cases::Case c = base();
     add_triangle(c, {-1, -1, 0.5F, 1}, {1, -1, 0.5F, 1}, {0, 1, 0.5F, 1});
-    const Result<cases::Framebuffer> first = properties::draw(c, *backend_);
+    const Result<cases::Fragments> first = properties::draw(c, *backend_);
     ++result.drawings;
     if (first) return {};
     if (chosen) chosen = tl::unexpected(first.error());
@@ -75,9 +75,9 @@ void Subject::ask_of(cases::Case& c) const {
   if (asked_.fill_rule) c.fill_rule = *asked_.fill_rule;
 }
 
-std::optional<cases::Framebuffer> Subject::draw(const cases::Case& c) {
+std::optional<cases::Fragments> Subject::draw(const cases::Case& c) {
   if (backend_->is_lost()) return std::nullopt;
-  Result<cases::Framebuffer> drawn = properties::draw(c, *backend_);
+  Result<cases::Fragments> drawn = properties::draw(c, *backend_);
   if (drawn) {
     ++result.drawings;
     return *std::move(drawn);
@@ -92,7 +92,7 @@ std::optional<cases::Framebuffer> Subject::draw(const cases::Case& c) {
 }
 
 std::optional<Drawn> Subject::drawn(cases::Case c) {
-  std::optional<cases::Framebuffer> framebuffer = draw(c);
+  std::optional<cases::Fragments> framebuffer = draw(c);
   if (!framebuffer) return std::nullopt;
   return Drawn{std::move(c), *std::move(framebuffer)};
 }

@@ -11,7 +11,7 @@
 #include "backends/backend.h"
 #include "cases/case.h"
 #include "cases/contract_terms.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "properties/draw.h"
 #include "properties/probing/probe.h"
 #include "properties/window_position.h"
@@ -23,7 +23,7 @@ namespace rastercheck::properties {
 /// A case and what came of it.
 struct Drawn {
   cases::Case source;
-  cases::Framebuffer framebuffer;
+  cases::Fragments framebuffer;
 };
 
 /// How drawings came out under a contract.
@@ -57,7 +57,7 @@ class Subject {
   void ask_of(cases::Case& c) const;
 
   /// What it draws; nothing where it does not.
-  std::optional<cases::Framebuffer> draw(const cases::Case& c);
+  std::optional<cases::Fragments> draw(const cases::Case& c);
   std::optional<Drawn> drawn(cases::Case c);
 
   /// The contract that is known so far, for a case.

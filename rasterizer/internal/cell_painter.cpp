@@ -17,7 +17,7 @@ LanePlace place_of(const FragmentBatch::Cell& cell, std::size_t lane) {
 }  // namespace
 
 PaintSetting paint_setting(const ShaderView& shader, const State& state, const Mesh& mesh,
-                           const Framebuffer& framebuffer) {
+                           const Picture& framebuffer) {
   PaintSetting paint{
       shader,
       {state.depth_test, state.depth_write, state.blend, framebuffer.format == ColorFormat::rgba8},

@@ -33,7 +33,7 @@ struct PaintSetting {
 
 /// For checked arguments.
 PaintSetting paint_setting(const ShaderView& shader, const State& state, const Mesh& mesh,
-                           const Framebuffer& framebuffer);
+                           const Picture& framebuffer);
 
 class CellPainter : public ExactAttributes {
  public:

@@ -62,7 +62,7 @@ std::optional<Error> check_channels(const ShaderView* shader, const State& state
 }
 
 DrawResult draw_allocating(const ShaderView* shader, const State& state, const Mesh& mesh,
-                           Framebuffer& framebuffer, unsigned threads,
+                           Picture& framebuffer, unsigned threads,
                            std::optional<float> clear_depth) {
   DrawCounts counts;
   const auto error = try_allocating([&] {
@@ -74,7 +74,7 @@ DrawResult draw_allocating(const ShaderView* shader, const State& state, const M
 
 }  // namespace
 
-std::optional<Error> check_framebuffer(const Framebuffer& framebuffer) {
+std::optional<Error> check_framebuffer(const Picture& framebuffer) {
   if (const std::optional<Error> error = check_size(framebuffer.size)) return error;
   if (framebuffer.attribute_count > kMaxAttributes) return Error::attribute_count;
   if (framebuffer.format == ColorFormat::rgba8 && framebuffer.attribute_count != 4) {
@@ -89,7 +89,7 @@ std::optional<Error> check_framebuffer(const Framebuffer& framebuffer) {
   return std::nullopt;
 }
 
-std::optional<Error> resize(Framebuffer& framebuffer, const TargetSize& size,
+std::optional<Error> resize(Picture& framebuffer, const TargetSize& size,
                             std::size_t attribute_count) {
   if (const std::optional<Error> error = check_size(size)) return error;
   if (attribute_count > kMaxAttributes) return Error::attribute_count;
@@ -109,7 +109,7 @@ std::optional<Error> resize(Framebuffer& framebuffer, const TargetSize& size,
 }
 
 DrawResult draw_checked_frame(const ShaderView* shader, const State& state, const Mesh& mesh,
-                              Framebuffer& framebuffer, unsigned threads) {
+                              Picture& framebuffer, unsigned threads) {
   std::optional<Error> error = check_state(state);
   if (!error) error = check_framebuffer(framebuffer);
   if (!error && framebuffer.attribute_count != channel_count(shader, state)) {
@@ -123,7 +123,7 @@ DrawResult draw_checked_frame(const ShaderView* shader, const State& state, cons
 
 DrawResult clear_and_draw_checked_frame(const ShaderView* shader, const State& state,
                                         const Mesh& mesh, const TargetSize& size, float depth,
-                                        Framebuffer& framebuffer, unsigned threads) {
+                                        Picture& framebuffer, unsigned threads) {
   std::optional<Error> error = check_draw(state, mesh, size);
   if (!error) error = check_channels(shader, state, framebuffer.format);
   if (!error) error = resize(framebuffer, size, channel_count(shader, state));

@@ -24,7 +24,7 @@ constexpr std::size_t kWave = 65536;
 /// A tile of one thread, and what the kernels want of it.
 class DrawnTile {
  public:
-  DrawnTile(const Framebuffer& framebuffer, bool has_words)
+  DrawnTile(const Picture& framebuffer, bool has_words)
       : tile_(framebuffer.size.samples, framebuffer.attribute_count, has_words),
         of_samples_(static_cast<std::size_t>(framebuffer.size.samples)) {
     for (std::size_t s = 0; s < of_samples_.size(); ++s) {
@@ -79,7 +79,7 @@ class DrawnTile {
 
 class FrameDrawing {
  public:
-  FrameDrawing(const State& state, const Mesh& mesh, Framebuffer& framebuffer, std::size_t workers,
+  FrameDrawing(const State& state, const Mesh& mesh, Picture& framebuffer, std::size_t workers,
                std::optional<float> clear_depth, const ShaderView* shader)
       : setting_(state, framebuffer.size),
         mesh_(mesh),
@@ -275,7 +275,7 @@ class FrameDrawing {
 
   const DrawSetting setting_;
   const Mesh& mesh_;
-  Framebuffer& framebuffer_;
+  Picture& framebuffer_;
   std::optional<float> clear_depth_;
   std::size_t columns_;  ///< of tiles
   std::size_t tiles_;
@@ -290,7 +290,7 @@ class FrameDrawing {
 
 }  // namespace
 
-DrawCounts draw_frame(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
+DrawCounts draw_frame(const State& state, const Mesh& mesh, Picture& framebuffer,
                       std::size_t workers, std::optional<float> clear_depth,
                       const ShaderView* shader) {
   State drawn = state;

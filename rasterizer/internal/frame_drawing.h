@@ -23,7 +23,7 @@ inline constexpr std::size_t kBinMemory = std::size_t{64} << 20;
 /// Draws into the framebuffer, attributes as they are or what a shader makes of them;
 /// `clear_depth`: as if it had been cleared to that before. The arguments were checked. Throws
 /// where memory runs out; then tiles hold some of what was to be drawn, or are what they were.
-DrawCounts draw_frame(const State& state, const Mesh& mesh, Framebuffer& framebuffer,
+DrawCounts draw_frame(const State& state, const Mesh& mesh, Picture& framebuffer,
                       std::size_t workers, std::optional<float> clear_depth,
                       const ShaderView* shader = nullptr);
 

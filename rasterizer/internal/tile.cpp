@@ -22,12 +22,12 @@ Tile::Tile(int samples, std::size_t attribute_count, bool has_words)
   }
 }
 
-void Tile::move_to(const Framebuffer& framebuffer, int column, int row) {
+void Tile::move_to(const Picture& framebuffer, int column, int row) {
   columns_ = {column * kTileSize, std::min((column + 1) * kTileSize, framebuffer.size.width)};
   rows_ = {row * kTileSize, std::min((row + 1) * kTileSize, framebuffer.size.height)};
 }
 
-void Tile::clear(const Framebuffer& framebuffer, int column, int row, float depth) {
+void Tile::clear(const Picture& framebuffer, int column, int row, float depth) {
   move_to(framebuffer, column, row);
   is_cleared_ = true;
   float* const attributes = values(0, 0);
@@ -35,18 +35,18 @@ void Tile::clear(const Framebuffer& framebuffer, int column, int row, float dept
   std::fill(attributes, values_.data() + values_.size(), 0.0F);
 }
 
-std::size_t Tile::first_pixel(const Framebuffer& framebuffer) const {
+std::size_t Tile::first_pixel(const Picture& framebuffer) const {
   return static_cast<std::size_t>(rows_.begin) * static_cast<std::size_t>(framebuffer.size.width) +
          static_cast<std::size_t>(columns_.begin);
 }
 
-TileRows Tile::rows_of(std::span<float* const> arrays, const Framebuffer& framebuffer) const {
+TileRows Tile::rows_of(std::span<float* const> arrays, const Picture& framebuffer) const {
   return {arrays, static_cast<std::size_t>(columns_.end - columns_.begin),
           static_cast<std::size_t>(rows_.end - rows_.begin),
           static_cast<std::size_t>(framebuffer.size.width), false};
 }
 
-void Tile::load(const Framebuffer& framebuffer, int column, int row) {
+void Tile::load(const Picture& framebuffer, int column, int row) {
   move_to(framebuffer, column, row);
   is_cleared_ = false;
   const std::size_t first = first_pixel(framebuffer);
@@ -61,7 +61,7 @@ void Tile::load(const Framebuffer& framebuffer, int column, int row) {
   }
 }
 
-void Tile::store(Framebuffer& framebuffer) const {
+void Tile::store(Picture& framebuffer) const {
   const std::size_t first = first_pixel(framebuffer);
   const bool is_cached = framebuffer.depth.size() + framebuffer.attributes.size() <= kMostCached;
   TileRows depths = rows_of(depth_arrays_, framebuffer);

@@ -22,12 +22,12 @@ class Tile {
   Tile& operator=(const Tile&) = delete;
 
   /// The tile's pixels of the framebuffer, at tile column and row.
-  void load(const Framebuffer& framebuffer, int column, int row);
+  void load(const Picture& framebuffer, int column, int row);
   /// The same pixels, all of that depth and with attributes 0.
-  void clear(const Framebuffer& framebuffer, int column, int row, float depth);
+  void clear(const Picture& framebuffer, int column, int row, float depth);
   /// Writes them back; past the caches where clear(), not load(), put them here and caches do not
   /// hold a framebuffer of that size: they need not fetch what is overwritten.
-  void store(Framebuffer& framebuffer) const;
+  void store(Picture& framebuffer) const;
 
   const PixelRange& columns() const { return columns_; }
   const PixelRange& rows() const { return rows_; }
@@ -52,10 +52,10 @@ class Tile {
 
   /// From an attribute's samples to the next's.
   std::size_t stride() const { return samples_ * kSize + kGap; }
-  void move_to(const Framebuffer& framebuffer, int column, int row);
+  void move_to(const Picture& framebuffer, int column, int row);
   std::size_t offset(int y) const { return static_cast<std::size_t>(y - rows_.begin) * kTileSize; }
-  std::size_t first_pixel(const Framebuffer& framebuffer) const;
-  TileRows rows_of(std::span<float* const> arrays, const Framebuffer& framebuffer) const;
+  std::size_t first_pixel(const Picture& framebuffer) const;
+  TileRows rows_of(std::span<float* const> arrays, const Picture& framebuffer) const;
 
   std::size_t samples_;
   std::size_t attribute_count_;
@@ -63,7 +63,7 @@ class Tile {
   bool is_cleared_ = false;  ///< not loaded
   PixelRange columns_;
   PixelRange rows_;
-  Framebuffer::Values values_;  ///< depth and each attribute: [sample][row][column]
+  Picture::Values values_;  ///< depth and each attribute: [sample][row][column]
   // What lies side by side in framebuffers.
   std::vector<float*> depth_arrays_;      ///< [sample]
   std::vector<float*> attribute_arrays_;  ///< [sample][attribute]

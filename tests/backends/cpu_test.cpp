@@ -39,7 +39,7 @@ std::vector<cases::Case> corpus() {
   return all;
 }
 
-std::map<Place, std::size_t> by_place(const cases::Framebuffer& drawn) {
+std::map<Place, std::size_t> by_place(const cases::Fragments& drawn) {
   std::map<Place, std::size_t> places;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     places[{drawn.triangle[i], drawn.x[i], drawn.y[i], drawn.sample[i]}] = i;
@@ -51,7 +51,7 @@ TEST(Cpu, ObeysItsContractInCoverage) {
   std::size_t required = 0;
   for (const cases::Case& c : corpus()) {
     const auto backend = make_backend("cpu").value();
-    const cases::Framebuffer drawn = backend->draw(c).value();
+    const cases::Fragments drawn = backend->draw(c).value();
     std::map<Place, std::size_t> left = by_place(drawn);
     EXPECT_EQ(left.size(), drawn.size()) << c.name << ": a sample drawn twice";
     const oracle::SceneTruth scene(c, backend->contract(c));
@@ -71,7 +71,7 @@ TEST(Cpu, ObeysItsContractInCoverage) {
 
 TEST(Cpu, OrdersItsFragmentsByTriangleRowColumnSample) {
   for (const cases::Case& c : corpus()) {
-    const cases::Framebuffer drawn = make_backend("cpu").value()->draw(c).value();
+    const cases::Fragments drawn = make_backend("cpu").value()->draw(c).value();
     std::vector<std::tuple<int, int, int, int>> order;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       order.emplace_back(drawn.triangle[i], drawn.y[i], drawn.x[i], drawn.sample[i]);
@@ -82,7 +82,7 @@ TEST(Cpu, OrdersItsFragmentsByTriangleRowColumnSample) {
 
 TEST(Cpu, KeepsTheNearestFragmentUnderADepthTest) {
   cases::Case c = cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
-  const cases::Framebuffer drawn = make_backend("cpu").value()->draw(c).value();
+  const cases::Fragments drawn = make_backend("cpu").value()->draw(c).value();
   const oracle::SceneTruth scene(c, cases::contract_of(c));
   const std::map<Place, std::size_t> places = by_place(drawn);
   std::size_t count = 0;
@@ -99,7 +99,7 @@ TEST(Cpu, TracesWhatItDraws) {
       cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
   const auto backend = make_backend("cpu").value();
   ASSERT_TRUE(backend->traces());
-  const cases::Framebuffer drawn = backend->draw(c).value();
+  const cases::Fragments drawn = backend->draw(c).value();
   ASSERT_GT(drawn.size(), 0U);
   const cases::SamplePlace at = drawn.place_of(0);
   const auto trace = backend->trace(c, at).value();
@@ -142,7 +142,7 @@ TEST(Method, TracesWhatItDraws) {
   for (const char* specification : {"method:rational-linear", "method:q-matrix"}) {
     const auto backend = make_backend(specification).value();
     ASSERT_TRUE(backend->traces());
-    const cases::Framebuffer drawn = backend->draw(c).value();
+    const cases::Fragments drawn = backend->draw(c).value();
     const cases::SamplePlace at = drawn.place_of(0);
     const auto trace = backend->trace(c, at).value();
     ASSERT_TRUE(trace.has_value());
@@ -159,9 +159,7 @@ TEST(Backend, DoesNotTraceUnlessItSaysSo) {
   class DrawsNothing : public Backend {
    public:
     cases::Contract contract(const cases::Case& /*c*/) const override { return {}; }
-    Result<cases::Framebuffer> draw(const cases::Case& /*c*/) override {
-      return cases::Framebuffer{};
-    }
+    Result<cases::Fragments> draw(const cases::Case& /*c*/) override { return cases::Fragments{}; }
   };
   DrawsNothing backend;
   EXPECT_FALSE(backend.traces());
@@ -183,8 +181,8 @@ TEST(Cpu, DrawsTheSameOnSeveralThreads) {
     c.viewport.height = 200;
     for (const cases::DepthTest test : {cases::DepthTest::none, cases::DepthTest::less}) {
       c.depth_test = test;
-      const cases::Framebuffer expected = one->draw(c).value();
-      const cases::Framebuffer actual = several->draw(c).value();
+      const cases::Fragments expected = one->draw(c).value();
+      const cases::Fragments actual = several->draw(c).value();
       EXPECT_EQ(actual.triangle, expected.triangle) << c.name;
       EXPECT_EQ(actual.x, expected.x) << c.name;
       EXPECT_EQ(actual.y, expected.y) << c.name;
@@ -229,8 +227,8 @@ TEST(Cpu, DrawsTheSameOnAllVectors) {
     ++kinds;
     ASSERT_TRUE(made) << listing.specification;
     for (const cases::Case& c : corpus()) {
-      const cases::Framebuffer expected = make_backend("cpu").value()->draw(c).value();
-      const cases::Framebuffer actual = (*made)->draw(c).value();
+      const cases::Fragments expected = make_backend("cpu").value()->draw(c).value();
+      const cases::Fragments actual = (*made)->draw(c).value();
       EXPECT_EQ(actual.triangle, expected.triangle) << c.name << listing.specification;
       EXPECT_EQ(actual.x, expected.x) << c.name << listing.specification;
       EXPECT_EQ(actual.depth, expected.depth) << c.name << listing.specification;
@@ -377,9 +375,9 @@ TEST(Cpu, DrawsStripsAndFansAsTheirTriangles) {
                                     const std::vector<std::uint32_t>& indices,
                                     const Triangles& triangles) {
         c.triangles = triangles;
-        const cases::Framebuffer expected = backend->draw(c).value();
+        const cases::Fragments expected = backend->draw(c).value();
         c.triangles.clear();
-        const cases::Framebuffer drawn = backend->draw_assembled(c, topology, indices).value();
+        const cases::Fragments drawn = backend->draw_assembled(c, topology, indices).value();
         EXPECT_EQ(drawn.size(), 64U);
         EXPECT_EQ(drawn.triangle, expected.triangle) << specification;
         EXPECT_EQ(drawn.x, expected.x);

@@ -75,13 +75,13 @@ Pixels pixels_where(const std::function<bool(int, int)>& is_there) {
 
 class GlBackend : public DriverTest {
  protected:
-  cases::Framebuffer draw(const cases::Case& c) const {
-    Result<cases::Framebuffer> drawn = backend().draw(c);
+  cases::Fragments draw(const cases::Case& c) const {
+    Result<cases::Fragments> drawn = backend().draw(c);
     EXPECT_TRUE(drawn) << to_string(drawn.error());
-    return drawn.value_or(cases::Framebuffer());
+    return drawn.value_or(cases::Fragments());
   }
   /// Where fragments are; each no more than once.
-  static Pixels pixels(const cases::Framebuffer& drawn) {
+  static Pixels pixels(const cases::Fragments& drawn) {
     Pixels all;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       EXPECT_TRUE(all.insert({drawn.x[i], drawn.y[i]}).second);
@@ -115,7 +115,7 @@ TEST_P(GlBackend, DrawsWhatATriangleCovers) {
     add(c, left_of(5));
     // Above a horizontal line, as OpenGL displays it: the rows of greater y in both.
     add(c, {at(-24, 11), at(40, 11), at(8, 100)});
-    const cases::Framebuffer drawn = draw(c);
+    const cases::Fragments drawn = draw(c);
     std::array<Pixels, 3> covered;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       covered.at(drawn.triangle[i]).insert({drawn.x[i], drawn.y[i]});
@@ -146,7 +146,7 @@ TEST_P(GlBackend, NumbersManyTriangles) {
     add(c, {at(x + 0.25F, y + 0.25F), at(x + 1, y + 0.25F), at(x + 0.25F, y + 1)},
         {value, value, value});
   }
-  const cases::Framebuffer drawn = draw(c);
+  const cases::Fragments drawn = draw(c);
   ASSERT_EQ(drawn.size(), 256U);
   for (std::size_t i = 0; i < 256; ++i) {
     EXPECT_EQ(drawn.triangle[i], i);
@@ -173,7 +173,7 @@ TEST_P(GlBackend, CopiesFlatValuesToTheBit) {
       expect_unsupported(c, "flat values from the last vertex");
       continue;
     }
-    const cases::Framebuffer drawn = draw(c);
+    const cases::Fragments drawn = draw(c);
     ASSERT_EQ(drawn.size(), 256U);
     const std::vector<float>& expected = rules == cases::Rules::opengl ? last : first;
     for (std::size_t i = 0; i < drawn.attributes.size(); ++i) {
@@ -192,7 +192,7 @@ TEST_P(GlBackend, InterpolatesAsDeclared) {
   std::vector<float> values(3 * count);
   for (std::size_t a = 0; a < count; ++a) values[count + a] = 1;
   add(c, {at(0, 0), at(2 * kSide, 0, 0, 3), at(0, 2 * kSide)}, values);
-  const cases::Framebuffer drawn = draw(c);
+  const cases::Fragments drawn = draw(c);
   ASSERT_EQ(drawn.size(), 256U);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     // The second vertex, of value 1 and w 3, has this weight in the window.
@@ -215,7 +215,7 @@ TEST_P(GlBackend, HasEveryOfManyAttributes) {
   }
   for (int i = 0; i < 96; ++i) values.push_back(static_cast<float>(i % 32) / 2);
   add(c, everything(), values);
-  const cases::Framebuffer drawn = draw(c);
+  const cases::Fragments drawn = draw(c);
   ASSERT_EQ(drawn.size(), 256U);
   for (std::size_t i = 0; i < drawn.attributes.size(); ++i) {
     EXPECT_NEAR(drawn.attributes[i], static_cast<float>(i % 32) / 2, kTolerance);
@@ -242,7 +242,7 @@ TEST_P(GlBackend, ClampsDepthWhereAsked) {
   add(c, everything(1.5F));
   EXPECT_EQ(draw(c).size(), 0U);
   c.depth_clamp = true;
-  const cases::Framebuffer drawn = draw(c);
+  const cases::Fragments drawn = draw(c);
   ASSERT_EQ(drawn.size(), 256U);
   for (const float z : drawn.depth) EXPECT_EQ(z, 1);
 }
@@ -256,7 +256,7 @@ TEST_P(GlBackend, KeepsTheNearestFragment) {
   std::vector<cases::ClipVertex> left = left_of(6);
   for (cases::ClipVertex& corner : left) corner.z = 0.5F;
   add(c, left, {2, 2, 2});
-  const cases::Framebuffer drawn = draw(c);
+  const cases::Fragments drawn = draw(c);
   ASSERT_EQ(drawn.size(), 256U);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     // Ordered by triangle, then row by row.
@@ -331,7 +331,7 @@ TEST_P(GlBackend, DrawsSamples) {
   // Both values are window x along an edge at x = 8.5, to whose left samples 0 and 2 are.
   add(c, left_of(8.5F), {8.5F, 8.5F, 3, 8.5F, 8.5F, 3, -100, -100, 3});
   if (is_softpipe()) return expect_unsupported(c, "samples");
-  const cases::Framebuffer drawn = draw(c);
+  const cases::Fragments drawn = draw(c);
   ASSERT_EQ(drawn.size(), 16U * (8 * 4 + 2));
   constexpr std::array<float, 4> kPlaces = {6, 14, 2, 10};
   for (std::size_t i = 0; i < drawn.size(); ++i) {

@@ -20,7 +20,7 @@ class Talkative : public Backend {
     contract.keeps_constants = true;
     return contract;
   }
-  Result<cases::Framebuffer> draw(const cases::Case& /*c*/) override { return fail("draw"); }
+  Result<cases::Fragments> draw(const cases::Case& /*c*/) override { return fail("draw"); }
   bool traces() const override { return true; }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& /*c*/,
                                                     const cases::SamplePlace& /*at*/) override {
@@ -38,8 +38,8 @@ class Talkative : public Backend {
   }
   std::vector<std::string> same_as() const override { return {"another"}; }
   bool assembles() const override { return true; }
-  Result<cases::Framebuffer> draw_assembled(const cases::Case& /*c*/, cases::Topology /*topology*/,
-                                            std::span<const std::uint32_t> /*indices*/) override {
+  Result<cases::Fragments> draw_assembled(const cases::Case& /*c*/, cases::Topology /*topology*/,
+                                          std::span<const std::uint32_t> /*indices*/) override {
     return fail("draw_assembled");
   }
   bool transforms() const override { return true; }

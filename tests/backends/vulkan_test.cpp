@@ -66,7 +66,7 @@ void add_attribute(cases::Case& c, const cases::Attribute& attribute,
 
 using Pixel = std::pair<int, int>;
 
-std::set<Pixel> pixels_of(const cases::Framebuffer& drawn) {
+std::set<Pixel> pixels_of(const cases::Fragments& drawn) {
   std::set<Pixel> pixels;
   for (std::size_t i = 0; i < drawn.size(); ++i) pixels.emplace(drawn.x[i], drawn.y[i]);
   EXPECT_EQ(pixels.size(), drawn.size());
@@ -87,15 +87,15 @@ bool is_in_corner(int x, int y) { return x + y <= 6; }
 
 class Vulkan : public DriverTest {
  protected:
-  cases::Framebuffer draw(const cases::Case& c) const {
-    Result<cases::Framebuffer> drawn = backend().draw(c);
+  cases::Fragments draw(const cases::Case& c) const {
+    Result<cases::Fragments> drawn = backend().draw(c);
     EXPECT_TRUE(drawn) << to_string(drawn.error());
-    return drawn ? *std::move(drawn) : cases::Framebuffer();
+    return drawn ? *std::move(drawn) : cases::Fragments();
   }
   std::set<Pixel> pixels(const cases::Case& c) const { return pixels_of(draw(c)); }
   /// Why a case is not drawn; it is no fault.
   std::string refusal(const cases::Case& c) const {
-    const Result<cases::Framebuffer> drawn = backend().draw(c);
+    const Result<cases::Fragments> drawn = backend().draw(c);
     if (drawn) return "drawn";
     EXPECT_EQ(drawn.error().failure, Failure::unsupported) << to_string(drawn.error());
     return drawn.error().reason;
@@ -123,7 +123,7 @@ TEST_P(Vulkan, DrawsATriangle) {
   c.positions = {at(0, 0, 0), at(kLeg, 0, 1), at(0, kLeg, 0)};
   add_attribute(c, {"x"}, {0, kLeg, 0});
   add_attribute(c, {"y"}, {0, 0, kLeg});
-  const cases::Framebuffer drawn = draw(c);
+  const cases::Fragments drawn = draw(c);
   EXPECT_EQ(pixels_of(drawn), pixels_where(is_in_corner));
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const float x = static_cast<float>(drawn.x[i]) + 0.5F;
@@ -149,7 +149,7 @@ TEST_P(Vulkan, DividesByWUnlessAskedNotTo) {
   c.positions[1] = {4 * ndc(kLeg), -4, 1, 4};
   add_attribute(c, {"smooth"}, {0, 1, 0});
   add_attribute(c, {"linear", Interpolation::noperspective}, {0, 1, 0});
-  const cases::Framebuffer drawn = draw(c);
+  const cases::Fragments drawn = draw(c);
   EXPECT_EQ(drawn.size(), kFragments);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const float b = (static_cast<float>(drawn.x[i]) + 0.5F) / kLeg;
@@ -170,7 +170,7 @@ TEST_P(Vulkan, CopiesFlatValuesToTheBit) {
       values[provoking] = value;
       add_attribute(c, {"f", Interpolation::flat}, values);
     }
-    const cases::Framebuffer drawn = draw(c);
+    const cases::Fragments drawn = draw(c);
     EXPECT_EQ(drawn.size(), kFragments);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       for (std::size_t k = 0; k < kFirst.size(); ++k) {
@@ -192,7 +192,7 @@ TEST_P(Vulkan, DrawsThirtyTwoAttributes) {
     add_attribute(c, {"a", kKinds[k % 3], kPlaces[k / 3 % 3]},
                   std::vector(3, static_cast<float>(k + 1)));
   }
-  const cases::Framebuffer drawn = draw(c);
+  const cases::Fragments drawn = draw(c);
   EXPECT_GT(drawn.size(), 4 * kFragments - 20);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     for (std::size_t k = 0; k < cases::kMaxAttributes; ++k) {
@@ -204,7 +204,7 @@ TEST_P(Vulkan, DrawsThirtyTwoAttributes) {
 TEST_P(Vulkan, CoversSamples) {
   cases::Case c = corner();
   c.framebuffer.samples = 4;
-  const cases::Framebuffer drawn = draw(c);
+  const cases::Fragments drawn = draw(c);
   std::set<std::array<int, 3>> covered;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     covered.insert({drawn.x[i], drawn.y[i], drawn.sample[i]});
@@ -232,7 +232,7 @@ TEST_P(Vulkan, EvaluatesAttributesWhereAsked) {
   add_attribute(c, {"center", Interpolation::smooth, Location::center}, x);
   add_attribute(c, {"centroid", Interpolation::smooth, Location::centroid}, x);
   add_attribute(c, {"linear", Interpolation::noperspective, Location::sample}, x);
-  const cases::Framebuffer drawn = draw(c);
+  const cases::Fragments drawn = draw(c);
   ASSERT_EQ(drawn.size(), kSize * kSize * 4);
   const auto pattern = cases::standard_pattern(4);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -301,7 +301,7 @@ TEST_P(Vulkan, ClipsDepthUnlessItClamps) {
   EXPECT_EQ(clipped,
             pixels_where([](int x, int y) { return x > 2 && x < 5 && is_in_corner(x, y); }));
   c.depth_clamp = true;
-  const cases::Framebuffer clamped = draw(c);
+  const cases::Fragments clamped = draw(c);
   EXPECT_EQ(pixels_of(clamped), pixels_where(is_in_corner));
   for (std::size_t i = 0; i < clamped.size(); ++i) {
     const float z = -1 + 3 * (static_cast<float>(clamped.x[i]) + 0.5F) / kLeg;
@@ -358,7 +358,7 @@ TEST_P(Vulkan, KeepsTheNearestAndTheFirst) {
   std::vector<float> values;
   for (const float f : {1.0F, 2.0F, 3.0F}) values.insert(values.end(), 3, f);
   add_attribute(c, {"f", Interpolation::flat}, values);
-  cases::Framebuffer drawn = draw(c);
+  cases::Fragments drawn = draw(c);
   EXPECT_EQ(pixels_of(drawn), pixels_where(is_in_corner));
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     EXPECT_EQ(drawn.triangle[i], 1);
@@ -393,7 +393,7 @@ TEST_P(Vulkan, DrawsEachTriangleAlone) {
     c.positions.insert(c.positions.end(), {at(x, y), at(x + 1.4F, y), at(x, y + 1.4F)});
     c.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
-  const cases::Framebuffer drawn = draw(c);
+  const cases::Fragments drawn = draw(c);
   ASSERT_EQ(drawn.size(), kCount);
   for (std::uint32_t i = 0; i < kCount; ++i) {
     EXPECT_EQ(drawn.triangle[i], i);
@@ -412,7 +412,7 @@ TEST_P(Vulkan, DrawsCasesOfChangingShapes) {
         for (std::size_t k = 0; k < attributes; ++k) {
           add_attribute(c, {"a"}, std::vector(3, static_cast<float>(k)));
         }
-        const cases::Framebuffer drawn = draw(c);
+        const cases::Fragments drawn = draw(c);
         EXPECT_GE(drawn.size(), kFragments);
         EXPECT_EQ(drawn.attributes.size(), drawn.size() * attributes);
       }

@@ -61,11 +61,11 @@ cases::Contract full_contract() {
   return contract;
 }
 
-cases::Framebuffer full_framebuffer() {
+cases::Fragments full_framebuffer() {
   return {2, {7, 8}, {1, 2}, {3, 4}, {5, 6}, {0.5F, 0.25F}, {1, 2, 3, 4}, {1, 2, 3, 4, 5, 6, 7, 8}};
 }
 
-bool are_same(const cases::Framebuffer& a, const cases::Framebuffer& b) {
+bool are_same(const cases::Fragments& a, const cases::Fragments& b) {
   return a.attribute_count == b.attribute_count && a.triangle == b.triangle && a.x == b.x &&
          a.y == b.y && a.sample == b.sample && a.depth == b.depth && a.attributes == b.attributes &&
          a.derivatives == b.derivatives;

@@ -64,7 +64,7 @@ rasterizer::State state_of(const Mode& mode, const Scene& scene) {
 
 /// Whether it could be drawn.
 bool draw_frame(const rasterizer::State& state, const Scene& scene, int samples,
-                rasterizer::Framebuffer& framebuffer, unsigned threads = 1) {
+                rasterizer::Picture& framebuffer, unsigned threads = 1) {
   const rasterizer::TargetSize size{scene.size.x, scene.size.y, samples};
   return !rasterizer::clear_and_draw(state, scene.mesh(), size, 1, framebuffer, threads).error;
 }
@@ -75,7 +75,7 @@ const Result<Summary>& summary_of(const std::string& name, int samples) {
   const auto known = drawn.find({name, samples});
   if (known != drawn.end()) return known->second;
   const Scene& scene = *frame_scene(name);
-  rasterizer::Framebuffer framebuffer;
+  rasterizer::Picture framebuffer;
   Result<Summary> summary = tl::unexpected(Error{"", "", "the draw was refused"});
   if (draw_frame(state_of({}, scene), scene, samples, framebuffer)) {
     summary = summarize(framebuffer.depth, framebuffer.attributes, 2);
@@ -103,7 +103,7 @@ void draw(benchmark::State& bench, const std::string& name, const Mode& mode, un
   if (has_limit) limits = measure_machine_limits(threads);
 
   const rasterizer::State state = state_of(mode, *scene);
-  rasterizer::Framebuffer framebuffer;
+  rasterizer::Picture framebuffer;
   const auto start = std::chrono::steady_clock::now();
   for (auto _ : bench) {
     if (!draw_frame(state, *scene, mode.samples, framebuffer, threads)) {
@@ -176,7 +176,7 @@ void draw_beside(benchmark::State& bench, const std::string& name, unsigned thre
   if (!summary) return bench.SkipWithError(to_string(summary.error()).c_str());
   std::vector<Beside> all = drivers_beside(bench, name, threads, *summary);
   const rasterizer::State state = state_of({}, *scene);
-  rasterizer::Framebuffer framebuffer;
+  rasterizer::Picture framebuffer;
   std::vector<double> ours;
   for (auto _ : bench) {
     const auto start = std::chrono::steady_clock::now();

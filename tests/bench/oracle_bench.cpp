@@ -52,7 +52,7 @@ cases::Case bunny() {
 struct Drawn {
   cases::Case source;
   cases::Contract contract;
-  cases::Framebuffer framebuffer;
+  cases::Fragments framebuffer;
 };
 using MakeCase = std::function<cases::Case()>;
 
@@ -126,7 +126,7 @@ void judge_coverage(benchmark::State& bench, const MakeCase& make, oracle::Level
 /// The plain path: each triangle's q-matrix in Gmpq, each fragment's coverage, values and errors.
 void judge_by_gmpq(benchmark::State& bench, const MakeCase& make) {
   const Drawn drawn = draw(make, "cpu");
-  const cases::Framebuffer& f = drawn.framebuffer;
+  const cases::Fragments& f = drawn.framebuffer;
   const std::size_t attributes = drawn.source.attributes.size();
   const oracle::Rational one(1);
   std::vector<oracle::Rational> magnitudes;
@@ -156,7 +156,7 @@ class Float64Check {
   explicit Float64Check(const Drawn& drawn) : drawn_(&drawn) {}
 
   std::size_t failures() const {
-    const cases::Framebuffer& f = drawn_->framebuffer;
+    const cases::Fragments& f = drawn_->framebuffer;
     std::size_t failures = 0;
     for (std::size_t i = 0; i < f.size();) {
       const std::uint32_t t = f.triangle[i];
@@ -187,7 +187,7 @@ class Float64Check {
   };
 
   bool check(const Plane& p, std::size_t i) const {
-    const cases::Framebuffer& f = drawn_->framebuffer;
+    const cases::Fragments& f = drawn_->framebuffer;
     const double u = f.x[i] + 0.5;
     const double v = f.y[i] + 0.5;
     std::array<double, 3> b{};

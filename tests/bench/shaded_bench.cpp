@@ -55,8 +55,8 @@ rasterizer::State state_of(const DrawKind& kind, const Scene& scene) {
 }
 
 /// What became of a frame, in one line; empty: it was drawn.
-std::string draw_frame(const DrawKind& kind, const Scene& scene,
-                       rasterizer::Framebuffer& framebuffer, unsigned threads) {
+std::string draw_frame(const DrawKind& kind, const Scene& scene, rasterizer::Picture& framebuffer,
+                       unsigned threads) {
   const rasterizer::State state = state_of(kind, scene);
   const rasterizer::TargetSize size{scene.size.x, scene.size.y, 1};
   const auto draw_by = [&](const auto& shader) {
@@ -94,7 +94,7 @@ const Result<ExpectedProbes>& expected_probes(const DrawKind& kind, const std::s
   const std::tuple key{kind.name, name, format};
   const auto known = drawn.find(key);
   if (known != drawn.end()) return known->second;
-  rasterizer::Framebuffer framebuffer;
+  rasterizer::Picture framebuffer;
   framebuffer.format = format;
   if (const std::string problem = draw_frame(kind, scene, framebuffer, 1); !problem.empty()) {
     return drawn.emplace(key, tl::unexpected(Error{"", "", problem})).first->second;
@@ -117,7 +117,7 @@ void draw(benchmark::State& bench, const std::string& name, const DrawKind& kind
           ColorFormat format, unsigned threads) {
   const Result<Scene>& scene = shaded_scene(name, kind);
   if (!scene) return bench.SkipWithError(to_string(scene.error()).c_str());
-  rasterizer::Framebuffer framebuffer;
+  rasterizer::Picture framebuffer;
   framebuffer.format = format;
   for (auto _ : bench) {
     if (const std::string problem = draw_frame(kind, *scene, framebuffer, threads);

@@ -31,7 +31,7 @@ bool is_same(const std::vector<T>& a, const std::vector<T>& b) {
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-bool is_same(const cases::Framebuffer& a, const cases::Framebuffer& b) {
+bool is_same(const cases::Fragments& a, const cases::Fragments& b) {
   return a.attribute_count == b.attribute_count && a.triangle == b.triangle && a.x == b.x &&
          a.y == b.y && a.sample == b.sample && is_same(a.depth, b.depth) &&
          is_same(a.attributes, b.attributes) && is_same(a.derivatives, b.derivatives);
@@ -170,7 +170,7 @@ cases::Contract RecordingBackend::contract(const cases::Case& c) const {
   return asked([c](const Backend& backend) { return backend.contract(c); });
 }
 
-Result<cases::Framebuffer> RecordingBackend::draw(const cases::Case& c) {
+Result<cases::Fragments> RecordingBackend::draw(const cases::Case& c) {
   return asked([c](Backend& backend) { return backend.draw(c); });
 }
 
@@ -215,8 +215,9 @@ bool RecordingBackend::assembles() const {
   return asked([](const Backend& backend) { return backend.assembles(); });
 }
 
-Result<cases::Framebuffer> RecordingBackend::draw_assembled(
-    const cases::Case& c, cases::Topology topology, std::span<const std::uint32_t> indices) {
+Result<cases::Fragments> RecordingBackend::draw_assembled(const cases::Case& c,
+                                                          cases::Topology topology,
+                                                          std::span<const std::uint32_t> indices) {
   const std::vector<std::uint32_t> kept(indices.begin(), indices.end());
   return asked(
       [c, topology, kept](Backend& backend) { return backend.draw_assembled(c, topology, kept); });

@@ -27,7 +27,7 @@ class RecordingBackend : public backends::Backend {
   bool is_answered_alike_by(backends::Backend& other) const;
 
   cases::Contract contract(const cases::Case& c) const override;
-  Result<cases::Framebuffer> draw(const cases::Case& c) override;
+  Result<cases::Fragments> draw(const cases::Case& c) override;
   bool traces() const override;
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                     const cases::SamplePlace& at) override;
@@ -39,8 +39,8 @@ class RecordingBackend : public backends::Backend {
                          cases::Picture& picture) override;
   std::vector<std::string> same_as() const override;
   bool assembles() const override;
-  Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
-                                            std::span<const std::uint32_t> indices) override;
+  Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                          std::span<const std::uint32_t> indices) override;
   bool transforms() const override;
   Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override;
   Result<std::vector<cases::Normal>> transform_normals(

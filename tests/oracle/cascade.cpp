@@ -134,7 +134,7 @@ std::string at_level(Level level, const std::string& what) {
 
 }  // namespace
 
-Outcome outcome_of(const SceneTruth& scene, const cases::Framebuffer& drawn,
+Outcome outcome_of(const SceneTruth& scene, const cases::Fragments& drawn,
                    const JudgeOptions& options) {
   Outcome outcome;
   outcome.judged =
@@ -166,7 +166,7 @@ std::string difference_in_bits(const Outcome& a, const Outcome& b) {
   return {};
 }
 
-std::string disagreement(const SceneTruth& scene, const cases::Framebuffer& drawn) {
+std::string disagreement(const SceneTruth& scene, const cases::Fragments& drawn) {
   JudgeOptions options = from(Level::exact);
   const Outcome exact = outcome_of(scene, drawn, options);
   const records::Levels& exact_levels = exact.judged.judgement.levels;
@@ -202,7 +202,7 @@ std::string disagreement(const SceneTruth& scene, const cases::Framebuffer& draw
 }
 
 std::string wrong_verdict(const SceneTruth& scene) {
-  const cases::Framebuffer all = everything(scene);
+  const cases::Fragments all = everything(scene);
   for (const Level level : kLevels) {
     JudgeOptions options;
     options.judges_values = false;

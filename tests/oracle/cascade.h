@@ -23,7 +23,7 @@ struct Outcome {
   Judged judged;
   std::vector<JudgedSample> samples;
 };
-Outcome outcome_of(const SceneTruth& scene, const cases::Framebuffer& drawn,
+Outcome outcome_of(const SceneTruth& scene, const cases::Fragments& drawn,
                    const JudgeOptions& options);
 
 /// The first thing in which two levels' outcomes differ and should not; empty where there is none.
@@ -35,7 +35,7 @@ std::string difference_in_bits(const Outcome& a, const Outcome& b);
 /// All that is to hold of a drawing, in words where it does not: the levels agree, and answered as
 /// often as was asked; neither threads nor who watches change anything; what is ordinary can be
 /// hidden, and nothing else.
-std::string disagreement(const SceneTruth& scene, const cases::Framebuffer& drawn);
+std::string disagreement(const SceneTruth& scene, const cases::Fragments& drawn);
 
 /// Holds the verdicts of all samples, by each level, against TriangleTruth::judge, and the exact
 /// triangle's against the referee: the first difference, empty where there is none. Without a depth

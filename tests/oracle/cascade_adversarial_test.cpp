@@ -55,7 +55,7 @@ float random_offset(float most) {
 
 /// What a judgement decides of a sample, which is drawn, from that level on.
 Verdict verdict_at(const SceneTruth& scene, Level level, int x, int y, int sample) {
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   push(drawn, 0, x, y, sample, 0, std::vector<float>(scene.source().attributes.size()));
   Verdict verdict = Verdict::forbidden;
   judge(scene, drawn, from(level), [&](const JudgedSample& s, const TriangleTruth*) {
@@ -177,7 +177,7 @@ cases::Case scaled(int exponent) {
 TEST(CascadeScale, AFactorOfAllPositionsChangesNothing) {
   const cases::Case unscaled = all_kinds();
   const SceneTruth scene(unscaled, cases::contract_of(unscaled));
-  const cases::Framebuffer drawn = perfect(scene);
+  const cases::Fragments drawn = perfect(scene);
   ASSERT_GT(drawn.size(), 20U);
   const Outcome expected = outcome_of(scene, drawn, from(Level::exact));
   for (const int exponent : {-593, -570, -560, -550, -545, -540, -535, -530, -520, -510, -303,
@@ -245,7 +245,7 @@ TEST(CascadeExtremes, AnExcessIsKeptBesideLargerIdealErrors) {
   c.coverage = cases::Snapping{8, cases::Rounding::nearest_even, 0.125F};
   c.basis = cases::Basis::snapped;
   const SceneTruth scene(c, cases::contract_of(c));
-  cases::Framebuffer drawn = perfect(scene);
+  cases::Fragments drawn = perfect(scene);
   // These are the least values that are open; so those of triangle 0 are within.
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     if (drawn.triangle[i] == 0) drawn.attributes[i] = moved(drawn.attributes[i], 8);
@@ -281,7 +281,7 @@ bool is_other_zero(const cases::Case& c, std::uint32_t triangle, std::size_t att
 }
 
 /// Of drawings by an exact contract, in the order of places and each place once, of finite values.
-std::map<AttributeKind, Tally> tally_of(const SceneTruth& scene, const cases::Framebuffer& drawn) {
+std::map<AttributeKind, Tally> tally_of(const SceneTruth& scene, const cases::Fragments& drawn) {
   std::map<AttributeKind, Tally> tallies;
   const cases::Case& c = scene.source();
   std::optional<std::size_t> prepared;
@@ -341,7 +341,7 @@ std::map<AttributeKind, Tally> tally_of(const SceneTruth& scene, const cases::Fr
 
 /// Whether that is the extreme that stands for an error, of that fragment.
 bool is_extreme(const std::optional<records::WorstError>& extreme, const Enclosure& error,
-                const cases::Framebuffer& drawn, std::size_t i) {
+                const cases::Fragments& drawn, std::size_t i) {
   if (!extreme) return error == Enclosure{0, 0};
   return extreme->error == error && extreme->place.triangle == drawn.triangle[i] &&
          extreme->place.y == drawn.y[i] && extreme->place.x == drawn.x[i] &&
@@ -349,7 +349,7 @@ bool is_extreme(const std::optional<records::WorstError>& extreme, const Enclosu
 }
 
 /// Where a judgement differs from the definition; empty where it does not.
-std::string wrong_statistics(const SceneTruth& scene, const cases::Framebuffer& drawn) {
+std::string wrong_statistics(const SceneTruth& scene, const cases::Fragments& drawn) {
   const std::map<AttributeKind, Tally> tallies = tally_of(scene, drawn);
   for (const Level level : kLevels) {
     const records::Judgement judgement = judge(scene, drawn, from(level)).judgement;
@@ -400,7 +400,7 @@ RC_GTEST_PROP(CascadeValues, StatisticsAreThoseOfTheDefinition, ()) {
   cases::Contract contract = cases::contract_of(c);
   contract.bounds.smooth.constant = one_of({0.5F, 0.0F, 1.0F, 0x1p30F});
   const SceneTruth scene(c, contract);
-  cases::Framebuffer drawn = perfect(scene);
+  cases::Fragments drawn = perfect(scene);
   RC_CLASSIFY(drawn.size() > 10, "covers much");
   Dice dice(*rc::gen::arbitrary<std::uint64_t>());
   for (auto* values : {&drawn.depth, &drawn.attributes}) {
@@ -429,7 +429,7 @@ TEST(CascadeValues, AnErrorAtTheBoundIsWithinItAndOneBesideIsNot) {
        {0.0F, 3 * 0x1p-40F, -3 * 0x1p-40F, 3 * 0x1p-60F, -3 * 0x1p-60F, 0x1p-149F, -0x1p-149F}) {
     const SceneTruth scene(half_way(du), cases::contract_of(half_way(du)));
     for (const float actual : {1.0F, 1 + 0x1p-23F}) {
-      cases::Framebuffer drawn;
+      cases::Fragments drawn;
       push(drawn, 0, 1, 1, 0, 0, {actual});
       const Field error = (actual > 1 ? Field(1, 2) : Field(-1, 2)) + exact_field(du) / Field(3);
       const bool is_within = magnitude(error) <= Field(1, 2);
@@ -461,7 +461,7 @@ TEST(CascadeValues, AreUndefinedFromTheHorizonOn) {
     c.attributes[1].interpolation = cases::Interpolation::noperspective;
     const SceneTruth scene(c, cases::contract_of(c));
     ASSERT_EQ(TriangleTruth(scene, 0).judge(1, 1, 1).verdict, Verdict::required);
-    cases::Framebuffer drawn;
+    cases::Fragments drawn;
     push(drawn, 0, 1, 1, 1, 0, {1, 2});
     for (const Level level : kLevels) {
       const records::Judgement judgement = judge(scene, drawn, from(level)).judgement;
@@ -490,7 +490,7 @@ TEST(CascadeValues, BeyondTheVerticesUlpGrowWithThem) {
   contract.bounds.smooth.constant = 4;
   contract.bounds.noperspective.constant = 4;
   const SceneTruth scene(c, contract);
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   push(drawn, 0, 1, 1, 1, 0, {2 + 0x1p-22F, 2 + 0x1p-22F});
   for (const Level level : kLevels) {
     const records::Judgement judgement = judge(scene, drawn, from(level)).judgement;
@@ -514,7 +514,7 @@ TEST(CascadeValues, ConstantsAndZerosAreExactToTheFirstLevel) {
         cases::Interpolation::flat}) {
     for (cases::Attribute& attribute : c.attributes) attribute.interpolation = interpolation;
     const SceneTruth scene(c, cases::contract_of(c));
-    cases::Framebuffer drawn = perfect(scene);
+    cases::Fragments drawn = perfect(scene);
     const std::uint64_t n = drawn.size();
     ASSERT_GT(n, 20U);
     for (std::size_t i = 0; i < n; ++i) {

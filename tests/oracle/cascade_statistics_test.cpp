@@ -34,7 +34,7 @@ TEST(CascadeSums, TheLargestErrorThatIsSummedIsSummedByAllLevels) {
   contract.bounds.smooth.constant = 0x1p60F;
   const SceneTruth scene(c, contract);
   for (const float more : {0.0F, 0x1p-6F}) {
-    cases::Framebuffer drawn;
+    cases::Fragments drawn;
     push(drawn, 0, 0, 0, 0, 0, {1 + 0x1p17F + more});
     for (const Level level : kLevels) {
       const records::Judgement judgement = judge(scene, drawn, from(level)).judgement;
@@ -60,8 +60,8 @@ std::string extremes_of(const records::Judgement& judgement) {
   return places;
 }
 
-cases::Framebuffer all_ones(const SceneTruth& scene) {
-  cases::Framebuffer drawn = perfect(scene);
+cases::Fragments all_ones(const SceneTruth& scene) {
+  cases::Fragments drawn = perfect(scene);
   std::fill(drawn.attributes.begin(), drawn.attributes.end(), 1.0F);
   return drawn;
 }
@@ -79,7 +79,7 @@ TEST(CascadeExtremes, OfEqualErrorsTheFirstPlaceCountsWhicheverTheAttribute) {
     cases::Contract contract = within_four(c);
     if (is_open) contract.coverage = cases::Snapping{8, cases::Rounding::unspecified, 0.25F};
     const SceneTruth scene(c, contract);
-    cases::Framebuffer drawn = all_ones(scene);
+    cases::Fragments drawn = all_ones(scene);
     ASSERT_EQ(drawn.size(), 4U);
     drawn.attributes[3 * 3 + 0] = 1 + 0x1p-23F;
     drawn.attributes[3 * 1 + 1] = 1 + 0x1p-23F;
@@ -102,7 +102,7 @@ TEST(CascadeExtremes, OfEqualErrorsTheFirstTriangleCountsWithADepthTestToo) {
   c.triangles.push_back({3, 4, 5});
   c.depth_test = cases::DepthTest::less;
   const SceneTruth scene(c, within_four(c));
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   push(drawn, 0, 1, 0, 0, 0, {1 + 0x1p-23F});
   push(drawn, 1, 0, 0, 0, 0, {1 + 0x1p-23F});
   for (const Level level : kLevels) {
@@ -126,7 +126,7 @@ TEST(CascadeExtremes, OfMoreCandidatesThanAreKeptNoneIsLost) {
     const cases::Case c = of_almost_nothing(width);
     const SceneTruth scene(c, within_four(c));
     for (const std::size_t largest : {std::size_t{0}, std::size_t{1}, std::size_t{40}}) {
-      cases::Framebuffer drawn = perfect(scene);
+      cases::Fragments drawn = perfect(scene);
       ASSERT_EQ(drawn.size(), static_cast<std::size_t>(width));
       std::fill(drawn.attributes.begin(), drawn.attributes.end(), -0x1.4p-25F);
       for (std::size_t i = 0; i < largest; ++i) drawn.attributes[i] = -0x1.4p-26F;
@@ -148,11 +148,11 @@ TEST(CascadeBorders, EveryFragmentOfARowIsJudgedOnce) {
     const auto last = static_cast<std::size_t>(n) - 1;
     const cases::Case c = of_ones(n, 2);
     const SceneTruth scene(c, within_four(c));
-    cases::Framebuffer drawn = all_ones(scene);
+    cases::Fragments drawn = all_ones(scene);
     ASSERT_EQ(drawn.size(), 2 * last + 2);
     drawn.attributes[last] = 1 - 0x1p-23F;
     drawn.attributes[last + 1] = 1 + 0x1p-22F;
-    cases::Framebuffer without = drawn;
+    cases::Fragments without = drawn;
     for (auto* column : {&without.x, &without.y}) column->pop_back();
     without.triangle.pop_back();
     without.sample.pop_back();
@@ -187,7 +187,7 @@ void expect_layers(int width, int height, std::uint32_t layers, std::uint32_t wo
   c.triangles.assign(layers, {0, 1, 2});
   const SceneTruth scene(c, within_four(c));
   const std::size_t each = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  cases::Framebuffer drawn = all_ones(scene);
+  cases::Fragments drawn = all_ones(scene);
   ASSERT_EQ(drawn.size(), layers * each);
   for (std::uint32_t t = 0; t < layers; ++t) drawn.attributes[t * each] = 1 + 0x1p-23F;
   drawn.attributes[worst * each + each - 1] = 1 + 0x1p-22F;

@@ -86,7 +86,7 @@ RC_GTEST_PROP(Cascade, LevelsAgreeOnFaultlessDrawings, ()) {
 RC_GTEST_PROP(Cascade, LevelsAgreeOnSpoiledDrawings, ()) {
   const RandomScene random = random_scene();
   Dice dice(random.seed);
-  const cases::Framebuffer drawn = perfect(random.scene);
+  const cases::Fragments drawn = perfect(random.scene);
   RC_CLASSIFY(drawn.size() > 0, "covers something");
   const std::string difference = disagreement(random.scene, spoiled(random.scene, drawn, dice));
   RC_ASSERT(difference == "");
@@ -96,7 +96,7 @@ RC_GTEST_PROP(Cascade, LevelsAgreeOnSpoiledDrawings, ()) {
 RC_GTEST_PROP(Cascade, LevelsAgreeOnDrawingsOfEverything, ()) {
   const RandomScene random = random_scene();
   Dice dice(random.seed);
-  const cases::Framebuffer drawn = spoiled(random.scene, everything(random.scene), dice);
+  const cases::Fragments drawn = spoiled(random.scene, everything(random.scene), dice);
   const std::string difference = disagreement(random.scene, drawn);
   RC_ASSERT(difference == "");
 }
@@ -146,7 +146,7 @@ double share(std::uint64_t part, const records::LevelCounts& of) {
 TEST(CascadeLevels, AnOrdinarySceneIsDecidedByTheFilter) {
   const cases::Case c = ordinary_case(96);
   const SceneTruth scene(c, cases::contract_of(c));
-  const cases::Framebuffer drawn = perfect(scene);
+  const cases::Fragments drawn = perfect(scene);
   ASSERT_GT(drawn.size(), 5'000U);
   const records::Levels levels = judge(scene, drawn).judgement.levels;
   EXPECT_GT(share(levels.samples.filter, levels.samples), 0.99);
@@ -193,7 +193,7 @@ TEST(CascadeTargets, GiveTheSameBits) {
   const cases::Case c = ordinary_case(24);
   const SceneTruth scene(c, cases::contract_of(c));
   Dice dice(1);
-  const cases::Framebuffer drawn = spoiled(scene, perfect(scene), dice);
+  const cases::Fragments drawn = spoiled(scene, perfect(scene), dice);
   const Outcome best = outcome_of(scene, drawn, {});
   for (const std::int64_t target : all_targets()) {
     const OnTarget on_target(target);

@@ -14,7 +14,7 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-void copy_fragment(const cases::Framebuffer& from, std::size_t i, cases::Framebuffer& to) {
+void copy_fragment(const cases::Fragments& from, std::size_t i, cases::Fragments& to) {
   const auto values = from.attributes_of(i);
   push(to, from.triangle[i], from.x[i], from.y[i], from.sample[i], from.depth[i],
        {values.begin(), values.end()});
@@ -37,7 +37,7 @@ float spoiled(float value, Dice& dice) {
 }
 
 /// Some place, of the case or not.
-void misplace(const SceneTruth& scene, Dice& dice, cases::Framebuffer& drawn, std::size_t i) {
+void misplace(const SceneTruth& scene, Dice& dice, cases::Fragments& drawn, std::size_t i) {
   const cases::Case& c = scene.source();
   switch (dice.between(0, 4)) {
     case 0:
@@ -64,7 +64,7 @@ float Dice::real(int low, int high) {
   return one_in(2) ? size : -size;
 }
 
-void push(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y, int sample, float depth,
+void push(cases::Fragments& drawn, std::uint32_t triangle, int x, int y, int sample, float depth,
           const std::vector<float>& attributes) {
   drawn.attribute_count = attributes.size();
   drawn.triangle.push_back(triangle);
@@ -75,8 +75,8 @@ void push(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y, int s
   drawn.attributes.insert(drawn.attributes.end(), attributes.begin(), attributes.end());
 }
 
-cases::Framebuffer perfect(const SceneTruth& scene) {
-  cases::Framebuffer drawn;
+cases::Fragments perfect(const SceneTruth& scene) {
+  cases::Fragments drawn;
   drawn.attribute_count = scene.source().attributes.size();
   for_each_fragment(scene, [&drawn](const Fragment& f, const TriangleTruth&) {
     std::vector<float> attributes;
@@ -91,9 +91,9 @@ cases::Framebuffer perfect(const SceneTruth& scene) {
   return drawn;
 }
 
-cases::Framebuffer everything(const SceneTruth& scene) {
+cases::Fragments everything(const SceneTruth& scene) {
   const cases::Case& c = scene.source();
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   drawn.attribute_count = c.attributes.size();
   const std::vector<float> attributes(c.attributes.size(), 0.0F);
   for (std::uint32_t t = 0; t < c.triangles.size(); ++t) {
@@ -106,11 +106,11 @@ cases::Framebuffer everything(const SceneTruth& scene) {
   return drawn;
 }
 
-cases::Framebuffer shuffled(const cases::Framebuffer& drawn, Dice& dice) {
+cases::Fragments shuffled(const cases::Fragments& drawn, Dice& dice) {
   std::vector<std::size_t> order(drawn.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[dice.bits() % i]);
-  cases::Framebuffer other;
+  cases::Fragments other;
   other.attribute_count = drawn.attribute_count;
   for (const std::size_t i : order) copy_fragment(drawn, i, other);
   return other;
@@ -123,8 +123,8 @@ float moved(float value, int steps) {
   return value;
 }
 
-cases::Framebuffer spoiled(const SceneTruth& scene, const cases::Framebuffer& drawn, Dice& dice) {
-  cases::Framebuffer other;
+cases::Fragments spoiled(const SceneTruth& scene, const cases::Fragments& drawn, Dice& dice) {
+  cases::Fragments other;
   other.attribute_count = drawn.attribute_count;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     if (dice.one_in(16)) continue;

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "oracle/triangle_truth.h"
 
 namespace rastercheck::oracle {
@@ -34,24 +34,24 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
-void push(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y, int sample, float depth,
+void push(cases::Fragments& drawn, std::uint32_t triangle, int x, int y, int sample, float depth,
           const std::vector<float>& attributes);
 
 /// What a rasterizer without error draws: every required fragment, each value rounded once; NaN
 /// where it has none.
-cases::Framebuffer perfect(const SceneTruth& scene);
+cases::Fragments perfect(const SceneTruth& scene);
 
 /// Every sample of the framebuffer, of every triangle, with values of 0.
-cases::Framebuffer everything(const SceneTruth& scene);
+cases::Fragments everything(const SceneTruth& scene);
 
 /// The same fragments in another order.
-cases::Framebuffer shuffled(const cases::Framebuffer& drawn, Dice& dice);
+cases::Fragments shuffled(const cases::Fragments& drawn, Dice& dice);
 
 /// Moves a value by so many floats.
 float moved(float value, int steps);
 
 /// The drawing with fragments left out, repeated and misplaced, and values that are off by a few
 /// floats or are no numbers.
-cases::Framebuffer spoiled(const SceneTruth& scene, const cases::Framebuffer& drawn, Dice& dice);
+cases::Fragments spoiled(const SceneTruth& scene, const cases::Fragments& drawn, Dice& dice);
 
 }  // namespace rastercheck::oracle

@@ -39,7 +39,7 @@ class JudgeOf : public testing::Test {
 
   cases::Case case_;
   SceneTruth scene_;
-  cases::Framebuffer drawn_;
+  cases::Fragments drawn_;
 };
 
 TEST_F(JudgeOf, AFaultlessDrawingIsCorrectThroughout) {
@@ -69,7 +69,7 @@ TEST_F(JudgeOf, WhatIsForbiddenOrUnheardOfIsExtra) {
 }
 
 TEST_F(JudgeOf, TheOrderOfFragmentsDoesNotMatter) {
-  cases::Framebuffer reversed;
+  cases::Fragments reversed;
   for (std::size_t i = drawn_.size(); i-- > 0;) {
     const auto values = drawn_.attributes_of(i);
     push(reversed, drawn_.triangle[i], drawn_.x[i], drawn_.y[i], drawn_.sample[i], drawn_.depth[i],
@@ -105,7 +105,7 @@ TEST(Judge, MeasuresPrecisionAgainstTheTriangleThatTheBasisNames) {
     c.coverage = cases::Snapping{4, cases::Rounding::nearest_even, 0};
     c.basis = basis;
     const SceneTruth scene(c, cases::contract_of(c));
-    cases::Framebuffer drawn;
+    cases::Fragments drawn;
     push(drawn, 0, 1, 0, 0, 0, {2.0F / 15});
     const records::Judgement judgement = judge(scene, drawn).judgement;
     const records::Extremes& ideal = judgement.errors.at(AttributeKind::smooth).ideal.extremes;
@@ -143,7 +143,7 @@ class JudgeUnder : public testing::Test {
     cases::Case c = small_case(cases::Rules::vulkan, 1, 1,
                                {{{-1, -1, 0, 1}, {3, -1, 0, 1}, {-1, 3, 0, 1}}}, {{{0}, {0}, {0}}});
     c.attributes[0].interpolation = declared;
-    cases::Framebuffer drawn;
+    cases::Fragments drawn;
     push(drawn, 0, 0, 0, 0, 0, {value});
     const SceneTruth scene(c, contract);
     records::Judgement judgement = judge(scene, drawn).judgement;
@@ -217,7 +217,7 @@ TEST(JudgedBounds, GrowTowardsTheHorizon) {
   cases::Contract contract = cases::contract_of(c);
   contract.bounds.smooth = {0.5F, 0.25F};
   const SceneTruth scene(c, contract);
-  cases::Framebuffer drawn = perfect(scene);
+  cases::Fragments drawn = perfect(scene);
   // By hand: 1/w is 7/8, 5/8, 3/8, 1/8 in the four columns, so the bound of an error of 1 ULP is
   // about 0.79, 0.9, 1.17 and 2.5.
   for (float& value : drawn.attributes) value = std::nextafter(value, 2.0F);
@@ -244,7 +244,7 @@ cases::Case layers(const std::vector<float>& depths) {
 }
 
 /// The classes of what is drawn of the layers, in words.
-std::string judge_layers(const std::vector<float>& depths, const cases::Framebuffer& drawn) {
+std::string judge_layers(const std::vector<float>& depths, const cases::Fragments& drawn) {
   const SceneTruth scene(layers(depths), cases::contract_of(layers(depths)));
   std::string classes;
   judge(scene, drawn, {}, [&classes](const JudgedSample& s, const TriangleTruth*) {
@@ -253,8 +253,8 @@ std::string judge_layers(const std::vector<float>& depths, const cases::Framebuf
   return classes;
 }
 
-cases::Framebuffer one_fragment(std::uint32_t triangle, float depth) {
-  cases::Framebuffer drawn;
+cases::Fragments one_fragment(std::uint32_t triangle, float depth) {
+  cases::Fragments drawn;
   push(drawn, triangle, 0, 0, 0, depth, {});
   return drawn;
 }
@@ -263,7 +263,7 @@ TEST(JudgedNearest, TheNearestIsCorrectAndAnotherTheWrongTriangle) {
   EXPECT_EQ(judge_layers({0.5F, 0.25F}, one_fragment(1, 0.25F)), "correct;");
   EXPECT_EQ(judge_layers({0.5F, 0.25F}, one_fragment(0, 0.5F)), "wrong triangle;");
   EXPECT_EQ(judge_layers({0.5F, 0.25F}, {}), "missing;");
-  cases::Framebuffer both = one_fragment(1, 0.25F);
+  cases::Fragments both = one_fragment(1, 0.25F);
   push(both, 0, 0, 0, 0, 0.5F, {});
   EXPECT_EQ(judge_layers({0.5F, 0.25F}, both), "wrong triangle;extra;");
 }
@@ -287,7 +287,7 @@ TEST(JudgedInfinity, IsRightWhereTheExactValueIsBeyondFloat) {
   c.framebuffer.samples = 2;
   c.attributes[0] = {"a", cases::Interpolation::noperspective, cases::Location::center};
   const SceneTruth scene(c, cases::contract_of(c));
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   for (const float value : {kInfinity, -kInfinity, 3.4e38F}) {
     drawn = {};
     push(drawn, 0, 0, 0, 1, 0, {value});
@@ -347,7 +347,7 @@ TEST(JudgeOfAClaim, HoldsValuesAgainstItAndTellsTheErrorOfPerspective) {
   contract.claims = cases::Claim::affine;
   contract.bounds.smooth = {0};
   const SceneTruth scene(c, contract);
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   push(drawn, 0, 0, 0, 0, 0, {0.125F});
   JudgeOptions options;
   options.self_check_one_in = 1;

@@ -41,7 +41,7 @@ class Driver : public backends::Backend {
   cases::Contract contract(const cases::Case& c) const override {
     return backends::api_promise(c, {way_.coverage ? way_.coverage->subpixel_bits : 8});
   }
-  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+  Result<cases::Fragments> draw(const cases::Case& c) override {
     if (c.rules == cases::Rules::d3d) {
       return tl::unexpected(Error{"driver", "", "no D3D", Failure::unsupported});
     }

@@ -21,7 +21,7 @@
 
 namespace rastercheck::properties {
 
-using Damage = std::function<void(const cases::Case&, cases::Framebuffer&)>;
+using Damage = std::function<void(const cases::Case&, cases::Fragments&)>;
 using TransformDamage = std::function<void(const cases::Case&, std::vector<cases::ClipVertex>&)>;
 using NormalDamage = std::function<void(const cases::Matrix4&, std::vector<cases::Normal>&)>;
 /// Goes wrong with what is to be assembled.
@@ -47,8 +47,8 @@ class DamagedBackend : public backends::Backend {
     contract.keeps_equal_depth = true;  // as it does of the simple planes that the tests draw
     return contract;
   }
-  Result<cases::Framebuffer> draw(const cases::Case& c) override {
-    Result<cases::Framebuffer> drawn = inner_->draw(c);
+  Result<cases::Fragments> draw(const cases::Case& c) override {
+    Result<cases::Fragments> drawn = inner_->draw(c);
     if (drawn && damage_) damage_(c, *drawn);
     return drawn;
   }
@@ -96,11 +96,11 @@ class DamagedBackend : public backends::Backend {
   }
 
   bool assembles() const override { return inner_->assembles(); }
-  Result<cases::Framebuffer> draw_assembled(const cases::Case& c, cases::Topology topology,
-                                            std::span<const std::uint32_t> indices) override {
+  Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                          std::span<const std::uint32_t> indices) override {
     std::vector<std::uint32_t> changed(indices.begin(), indices.end());
     if (assembly_damage) assembly_damage(c, topology, changed);
-    Result<cases::Framebuffer> drawn = inner_->draw_assembled(c, topology, changed);
+    Result<cases::Fragments> drawn = inner_->draw_assembled(c, topology, changed);
     if (drawn && damage_) damage_(c, *drawn);
     return drawn;
   }
@@ -122,7 +122,7 @@ class DamagedBackend : public backends::Backend {
 
 /// The index of a triangle's fragment at a pixel's sample 0; the number of fragments where it drew
 /// none.
-inline std::size_t find(const cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y) {
+inline std::size_t find(const cases::Fragments& drawn, std::uint32_t triangle, int x, int y) {
   std::size_t i = 0;
   while (i < drawn.size() && (drawn.triangle[i] != triangle || drawn.x[i] != x || drawn.y[i] != y ||
                               drawn.sample[i] != 0)) {
@@ -131,7 +131,7 @@ inline std::size_t find(const cases::Framebuffer& drawn, std::uint32_t triangle,
   return i;
 }
 
-inline void drop(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y) {
+inline void drop(cases::Fragments& drawn, std::uint32_t triangle, int x, int y) {
   const auto i = static_cast<std::ptrdiff_t>(find(drawn, triangle, x, y));
   const auto count = static_cast<std::ptrdiff_t>(drawn.attribute_count);
   drawn.triangle.erase(drawn.triangle.begin() + i);
@@ -147,7 +147,7 @@ inline void drop(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y
 }
 
 /// Appends a fragment with zero values.
-inline void add(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y) {
+inline void add(cases::Fragments& drawn, std::uint32_t triangle, int x, int y) {
   drawn.triangle.push_back(triangle);
   drawn.x.push_back(static_cast<std::uint16_t>(x));
   drawn.y.push_back(static_cast<std::uint16_t>(y));
@@ -157,7 +157,7 @@ inline void add(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y)
   if (!drawn.derivatives.empty()) drawn.derivatives.resize(drawn.attributes.size() * 2);
 }
 
-inline float& value(cases::Framebuffer& drawn, std::uint32_t triangle, int x, int y,
+inline float& value(cases::Fragments& drawn, std::uint32_t triangle, int x, int y,
                     std::size_t attribute) {
   return drawn.attributes[find(drawn, triangle, x, y) * drawn.attribute_count + attribute];
 }
@@ -186,7 +186,7 @@ inline cases::Case square() {
 }
 
 /// Loses pixel (7, 7) of the square: the last fragment of B, whatever its index is.
-inline void lose_last_corner(const cases::Case& /*c*/, cases::Framebuffer& drawn) {
+inline void lose_last_corner(const cases::Case& /*c*/, cases::Fragments& drawn) {
   const std::uint32_t last = drawn.triangle.back();
   if (find(drawn, last, 7, 7) < drawn.size()) drop(drawn, last, 7, 7);
 }

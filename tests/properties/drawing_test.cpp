@@ -19,7 +19,7 @@ namespace {
 
 TEST(Drawing, HandsBackWhatTheBackendDrew) {
   DamagedBackend backend;
-  const cases::Framebuffer drawn = draw(square(), backend).value();
+  const cases::Fragments drawn = draw(square(), backend).value();
   EXPECT_EQ(drawn.size(), 64U);
   EXPECT_EQ(drawn.attribute_count, 3U);
 }
@@ -42,8 +42,7 @@ TEST(Drawing, FailsWhereAClipPositionOverflows) {
 }
 
 TEST(Drawing, FailsOnAnotherRoundingModeAndPutsItBack) {
-  DamagedBackend backend(
-      [](const cases::Case&, cases::Framebuffer&) { std::fesetround(FE_UPWARD); });
+  DamagedBackend backend([](const cases::Case&, cases::Fragments&) { std::fesetround(FE_UPWARD); });
   const auto drawn = draw(square(), backend);
   ASSERT_FALSE(drawn.has_value());
   EXPECT_NE(drawn.error().reason.find("rounding mode"), std::string::npos);
@@ -55,7 +54,7 @@ TEST(Drawing, FailsOnFlushedSubnormalsAndPutsThemBack) {
   const unsigned before = _mm_getcsr();
   for (const unsigned mode : {0x8000U, 0x0040U}) {  // FTZ, DAZ
     DamagedBackend backend(
-        [mode](const cases::Case&, cases::Framebuffer&) { _mm_setcsr(_mm_getcsr() | mode); });
+        [mode](const cases::Case&, cases::Fragments&) { _mm_setcsr(_mm_getcsr() | mode); });
     EXPECT_FALSE(draw(square(), backend).has_value());
     EXPECT_EQ(_mm_getcsr() & 0xffc0U, before & 0xffc0U);
   }
@@ -63,7 +62,7 @@ TEST(Drawing, FailsOnFlushedSubnormalsAndPutsThemBack) {
 
 TEST(Drawing, LetsStickyFlagsPass) {
   DamagedBackend backend(
-      [](const cases::Case&, cases::Framebuffer&) { _mm_setcsr(_mm_getcsr() | 0x003fU); });
+      [](const cases::Case&, cases::Fragments&) { _mm_setcsr(_mm_getcsr() | 0x003fU); });
   EXPECT_TRUE(draw(square(), backend).has_value());
 }
 #endif
@@ -76,7 +75,7 @@ TEST(Drawing, WatchesVertexStageAndStripsAsWell) {
   c.camera.emplace();
   EXPECT_EQ(transform(c, good).value(), c.positions);
 
-  DamagedBackend bad([](const cases::Case&, cases::Framebuffer&) { std::fesetround(FE_UPWARD); },
+  DamagedBackend bad([](const cases::Case&, cases::Fragments&) { std::fesetround(FE_UPWARD); },
                      "cpu");
   bad.transform_damage = [](const cases::Case&, std::vector<cases::ClipVertex>&) {
     std::fesetround(FE_UPWARD);
@@ -89,10 +88,10 @@ TEST(Drawing, WatchesVertexStageAndStripsAsWell) {
 
 TEST(Drawing, FailsOnArraysOfDifferentLengths) {
   const std::array<Damage, 4> damages{
-      [](const cases::Case&, cases::Framebuffer& drawn) { drawn.derivatives.resize(3); },
-      [](const cases::Case&, cases::Framebuffer& drawn) { drawn.depth.pop_back(); },
-      [](const cases::Case&, cases::Framebuffer& drawn) { drawn.attributes.pop_back(); },
-      [](const cases::Case&, cases::Framebuffer& drawn) {
+      [](const cases::Case&, cases::Fragments& drawn) { drawn.derivatives.resize(3); },
+      [](const cases::Case&, cases::Fragments& drawn) { drawn.depth.pop_back(); },
+      [](const cases::Case&, cases::Fragments& drawn) { drawn.attributes.pop_back(); },
+      [](const cases::Case&, cases::Fragments& drawn) {
         drawn.attribute_count = 1;
         drawn.attributes.resize(drawn.size());
       }};

@@ -21,7 +21,7 @@ namespace rastercheck::properties::law_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 
 /// The square with a clip distance that is positive everywhere, so that each law on fragments has
 /// something to say.
@@ -134,11 +134,11 @@ TEST(Laws, PassOnWhatABackendCannotDraw) {
   class Refuses : public DamagedBackend {
    public:
     Refuses() : DamagedBackend({}, "cpu") {}
-    Result<Framebuffer> draw(const Case& /*c*/) override {
+    Result<Fragments> draw(const Case& /*c*/) override {
       return tl::unexpected(Error{"", "", "no triangles today"});
     }
-    Result<Framebuffer> draw_assembled(const Case& c, cases::Topology /*topology*/,
-                                       std::span<const std::uint32_t> /*indices*/) override {
+    Result<Fragments> draw_assembled(const Case& c, cases::Topology /*topology*/,
+                                     std::span<const std::uint32_t> /*indices*/) override {
       return draw(c);
     }
     Result<cases::Picture> draw_picture(const Case& c,

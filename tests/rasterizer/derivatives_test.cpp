@@ -526,7 +526,7 @@ TEST(Derivatives, AreThereOnlyWhereAskedFor) {
     EXPECT_EQ(fragments.derivatives[2 * i + 1], 0.5F);
   }
 
-  Framebuffer framebuffer;
+  Picture framebuffer;
   ASSERT_FALSE(clear(framebuffer, {4, 4, 1}, 1, 1));
   EXPECT_FALSE(draw(state, mesh.mesh(), framebuffer).error);
 }

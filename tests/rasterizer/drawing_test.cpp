@@ -13,8 +13,8 @@ namespace {
 
 constexpr TargetSize kFour{4, 4, 1};
 constexpr std::array kConventions{Convention::opengl, Convention::vulkan, Convention::d3d};
-const Picture kNothing{"....", "....", "....", "...."};
-const Picture kAll{"####", "####", "####", "####"};
+const Rows kNothing{"....", "....", "....", "...."};
+const Rows kAll{"####", "####", "####", "####"};
 
 /// A triangle that holds the whole viewport, whatever that is.
 SmallMesh everywhere() {
@@ -25,7 +25,7 @@ SmallMesh everywhere() {
 }
 
 /// `everywhere` in a viewport.
-Picture viewport_picture(glm::vec2 origin, glm::vec2 size, const TargetSize& target = kFour) {
+Rows viewport_picture(glm::vec2 origin, glm::vec2 size, const TargetSize& target = kFour) {
   State state;
   state.viewport = {origin, size, 0, 1};
   return picture(state, everywhere(), target);
@@ -34,8 +34,8 @@ Picture viewport_picture(glm::vec2 origin, glm::vec2 size, const TargetSize& tar
 // Edges through centres: left ones own them, top or bottom ones as the rule says, and where two
 // meet both have to.
 TEST(ExactDraw, TiesAreTheFillRules) {
-  const Picture with_level{"###.", "##..", "#...", "...."};
-  const Picture without{"....", "##..", "#...", "...."};
+  const Rows with_level{"###.", "##..", "#...", "...."};
+  const Rows without{"....", "##..", "#...", "...."};
   for (const Convention convention : kConventions) {
     State state = small_state(4, 4, convention);
     const SmallMesh mesh = triangle(state, {0.5F, 0.5F}, {3.5F, 0.5F}, {0.5F, 3.5F});
@@ -56,11 +56,11 @@ TEST(ExactDraw, TiesAreSeenWhereDoublesRound) {
   mesh.positions = {{-1, -1, 0, 1}, {-1, 1, 0, 1}, {3, 0, 0, 1}};
   mesh.triangles = {{0, 1, 2}};
   // u = 3.5 is NDC −1: on the left edge, which owns it.
-  EXPECT_EQ(picture(state, mesh, kFour), (Picture{"...#", "...#", "...#", "...#"}));
+  EXPECT_EQ(picture(state, mesh, kFour), (Rows{"...#", "...#", "...#", "...#"}));
   mesh.positions[2].x = -5;  // on the right edge now
   EXPECT_EQ(picture(state, mesh, kFour), kNothing);
   mesh.positions[0].x = mesh.positions[1].x = std::nextafter(-1.0F, 0.0F);
-  EXPECT_EQ(picture(state, mesh, kFour), (Picture{"...#", "...#", "...#", "...#"}));
+  EXPECT_EQ(picture(state, mesh, kFour), (Rows{"...#", "...#", "...#", "...#"}));
 }
 
 TEST(ExactDraw, SharedDiagonalsOwnEachSampleOnce) {
@@ -74,7 +74,7 @@ TEST(ExactDraw, SharedDiagonalsOwnEachSampleOnce) {
           state.fill_rule = rule;
           state.viewport = {{viewport.x, viewport.y}, {viewport.z, viewport.w}, 0, 1};
           EXPECT_EQ(picture(state, mesh, kFour), kAll);
-          EXPECT_EQ(picture(state, mesh, {4, 4, 16}), Picture(4, std::string(64, '#')));
+          EXPECT_EQ(picture(state, mesh, {4, 4, 16}), Rows(4, std::string(64, '#')));
         }
       }
     }
@@ -87,12 +87,12 @@ TEST(ExactDraw, CornersBehindTheEyeAreOrdinary) {
   SmallMesh mesh;
   mesh.triangles = {{0, 1, 2}};
   mesh.positions = {{0, 0, 0, 1}, {1, 0, 0, 0}, {0, 1, 0, 0}};
-  const Picture quadrant{"....", "....", "..##", "..##"};
+  const Rows quadrant{"....", "....", "..##", "..##"};
   EXPECT_EQ(picture(state, mesh, kFour), quadrant);
   State clamped = state;
   clamped.depth_clamp = true;  // the near plane hides what is behind the eye at depth 0, not this
   mesh.positions = {{0, 0, 0, 1}, {-1, 0, 0, -1}, {0, -1, 0, -1}};
-  EXPECT_EQ(picture(clamped, mesh, kFour), (Picture{"##..", "##..", "....", "...."}));
+  EXPECT_EQ(picture(clamped, mesh, kFour), (Rows{"##..", "##..", "....", "...."}));
   mesh.positions = {{0, 0, 0, -1}, {-1, 0, 0, -1}, {0, -1, 0, -1}};
   EXPECT_EQ(picture(clamped, mesh, kFour), kNothing);
   mesh.positions = {{0, 0, 0, 0}, {-1, 0, 0, 0}, {0, -1, 0, 0}};
@@ -100,10 +100,10 @@ TEST(ExactDraw, CornersBehindTheEyeAreOrdinary) {
 }
 
 TEST(ExactDraw, TheViewportHoldsItsLowBorderAndNotItsHighOne) {
-  const Picture two_by_two{"##..", "##..", "....", "...."};
+  const Rows two_by_two{"##..", "##..", "....", "...."};
   EXPECT_EQ(viewport_picture({0, 0}, {2.5F, 2.5F}), two_by_two);
   EXPECT_EQ(viewport_picture({2.5F, 2.5F}, {-2.5F, -2.5F}), two_by_two);
-  const Picture from_center{"....", "....", "..##", "..##"};
+  const Rows from_center{"....", "....", "..##", "..##"};
   EXPECT_EQ(viewport_picture({2.5F, 2.5F}, {9, 9}), from_center);
   EXPECT_EQ(viewport_picture({11.5F, 11.5F}, {-9, -9}), from_center);
 }
@@ -128,13 +128,13 @@ TEST(ExactDraw, TheSmallestNumbersCountOnAPixelsBorder) {
 }
 
 TEST(ExactDraw, AViewportMayBeNarrowerThanAnyPixel) {
-  const Picture third_column{"..#.", "..#.", "..#.", "..#."};
+  const Rows third_column{"..#.", "..#.", "..#.", "..#."};
   for (const float width : {1e-30F, 0x1p-149F}) {
     EXPECT_EQ(viewport_picture({2.5F, 0}, {width, 4}), third_column);
     EXPECT_EQ(viewport_picture({2.5F, 0}, {-width, 4}), kNothing);
     EXPECT_EQ(viewport_picture({2.25F, 0}, {width, 4}), kNothing);
     EXPECT_EQ(viewport_picture({2.5F, 1.5F}, {width, width}),
-              (Picture{"....", "..#.", "....", "...."}));
+              (Rows{"....", "..#.", "....", "...."}));
   }
 }
 
@@ -225,7 +225,7 @@ TEST(ExactDraw, BlocksMeet) {
       const Fragments fragments = fragments_of(state, mesh, size);
       std::string row(200, '.');
       for (int x = low; x < high; ++x) row[static_cast<std::size_t>(x)] = '#';
-      EXPECT_EQ(picture(fragments, size), Picture(2, row)) << low << ", " << high;
+      EXPECT_EQ(picture(fragments, size), Rows(2, row)) << low << ", " << high;
       expect_values(fragments, [](double u, double) { return u; });
     }
   }
@@ -255,13 +255,13 @@ TEST(ExactDraw, LongSliversLeaveNoHole) {
   SmallMesh mesh;
   mesh.positions = {{-1, -1, 0, 1}, {1, -1, 0, 1}, {1, 1, 0, 1}, {-1, 1, 0, 1}, {0.3F, 0.1F, 0, 1}};
   mesh.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
-  EXPECT_EQ(picture(state, mesh, size), Picture(4, std::string(kMaxSize, '#')));
+  EXPECT_EQ(picture(state, mesh, size), Rows(4, std::string(kMaxSize, '#')));
 }
 
 TEST(ExactDraw, TheScissorCutsPixels) {
   State state = small_state(4, 4);
   state.scissor = {{1, -5}, {2, 7}};
-  EXPECT_EQ(picture(state, everywhere(), kFour), (Picture{".##.", ".##.", "....", "...."}));
+  EXPECT_EQ(picture(state, everywhere(), kFour), (Rows{".##.", ".##.", "....", "...."}));
   for (const Rectangle& none :
        {Rectangle{{4, 0}, {9, 9}}, Rectangle{{0, 0}, {0, 4}}, Rectangle{{-9, 0}, {9, 4}}}) {
     state.scissor = none;

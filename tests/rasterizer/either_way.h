@@ -38,11 +38,11 @@ class EitherWay : public ::testing::TestWithParam<std::string_view> {
     return fragments;
   }
 
-  static Picture picture(const Fragments& fragments, const TargetSize& size) {
+  static Rows picture(const Fragments& fragments, const TargetSize& size) {
     return rasterizer::picture(fragments, size);
   }
 
-  static Picture picture(const State& state, const SmallMesh& mesh, const TargetSize& size) {
+  static Rows picture(const State& state, const SmallMesh& mesh, const TargetSize& size) {
     return picture(fragments_of(state, mesh, size), size);
   }
 };

@@ -193,8 +193,8 @@ TEST_P(DrawOnTarget, LeavesOfSliversWhatTheirFragmentsLeave) {
 }
 
 /// A framebuffer of any size with anything in it.
-Framebuffer used_framebuffer(Random& random) {
-  Framebuffer framebuffer;
+Picture used_framebuffer(Random& random) {
+  Picture framebuffer;
   framebuffer.size = random_size(random, random.pick({1, 2, 4}));
   framebuffer.attribute_count = static_cast<std::size_t>(random.between(0, 4));
   const auto samples = static_cast<std::size_t>(framebuffer.size.width) *
@@ -216,12 +216,12 @@ TEST(ClearAndDraw, LeavesWhatClearingAndDrawingLeave) {
     draw.state.depth_test = i % 3 == 0 ? DepthTest::always : DepthTest::less;
     draw.mesh = many_triangles(random, draw.state, random.between(0, 3));
     const float depth = random.pick({1.0F, 0.5F, 0.0F});
-    Framebuffer expected;
+    Picture expected;
     ASSERT_FALSE(clear(expected, draw.size, draw.state.attributes.size(), depth));
     const DrawResult result = rasterizer::draw(draw.state, draw.mesh.mesh(), expected);
     ASSERT_FALSE(result.error);
     for (const unsigned threads : {1U, 3U}) {
-      Framebuffer drawn = random.one_in(4) ? expected : used_framebuffer(random);
+      Picture drawn = random.one_in(4) ? expected : used_framebuffer(random);
       const DrawResult at_once =
           clear_and_draw(draw.state, draw.mesh.mesh(), draw.size, depth, drawn, threads);
       ASSERT_FALSE(at_once.error);
@@ -250,10 +250,10 @@ TEST_P(DrawOnTarget, LeavesTheSameWhereFramebuffersAreLarge) {
     state.depth_test = DepthTest::less;
     state.attributes.resize(static_cast<std::size_t>(attributes));
     const SmallMesh mesh = many_triangles(random, state, 3);
-    Framebuffer expected;
+    Picture expected;
     ASSERT_FALSE(clear(expected, size, state.attributes.size(), 1));
     ASSERT_FALSE(rasterizer::draw(state, mesh.mesh(), expected).error);
-    Framebuffer drawn;
+    Picture drawn;
     ASSERT_FALSE(clear_and_draw(state, mesh.mesh(), size, 1, drawn, 2).error);
     expect_equal(drawn, expected);
     if (HasFatalFailure()) return;
@@ -287,7 +287,7 @@ TEST_P(DrawOnTarget, CornersAtTheSamePointMakeNoTriangle) {
     Fragments fragments;
     const DrawCounts counts = draw_fragments(state, mesh.mesh(), size, fragments).counts;
     EXPECT_EQ(counts.discarded_degenerate, degenerate);
-    Framebuffer drawn;
+    Picture drawn;
     EXPECT_EQ(clear_and_draw(state, mesh.mesh(), size, 1, drawn).counts, counts);
   }
 }
@@ -310,7 +310,7 @@ TEST(Draw, CountsWhatFragmentsCount) {
     EXPECT_GT(counts.discarded_not_finite, 0U);
     EXPECT_GT(counts.discarded_degenerate, 0U);
     for (const unsigned threads : {1U, 3U}) {
-      Framebuffer drawn;
+      Picture drawn;
       EXPECT_EQ(clear_and_draw(state, mesh.mesh(), size, 1, drawn, threads).counts, counts);
     }
   }
@@ -334,10 +334,10 @@ TEST(Draw, GoesOnWhereBinsOutgrowTheirMemory) {
   for (std::uint32_t i = 1; mesh.triangles.size() < kRound + 3000; ++i) {
     mesh.triangles.push_back(some[i * i % some.size()]);
   }
-  Framebuffer cleared;
+  Picture cleared;
   ASSERT_FALSE(clear(cleared, size, state.attributes.size(), 1));
-  const Framebuffer expected = kept(state, mesh.mesh(), cleared);
-  Framebuffer drawn;
+  const Picture expected = kept(state, mesh.mesh(), cleared);
+  Picture drawn;
   ASSERT_FALSE(clear_and_draw(state, mesh.mesh(), size, 1, drawn, 2).error);
   expect_equal(drawn, expected);
 

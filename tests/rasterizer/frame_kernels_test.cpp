@@ -162,13 +162,13 @@ TEST(FrameKernels, SeePastNaNs) {
     return made;
   }();
   const SmallMesh mesh = right_triangles(state, {{0, 0, 63}, {-70, -70, 300}});
-  Framebuffer framebuffer;
+  Picture framebuffer;
   ASSERT_FALSE(clear(framebuffer, {64, 64, 1}, 1, 0.1F));
   framebuffer.depth[0] = 1;
   for (const std::size_t i : {8U, 16U, 32U, 48U}) {
     framebuffer.depth[i] = std::numeric_limits<float>::quiet_NaN();
   }
-  const Framebuffer expected = kept(state, mesh.mesh(), framebuffer);
+  const Picture expected = kept(state, mesh.mesh(), framebuffer);
   ASSERT_FALSE(draw(state, mesh.mesh(), framebuffer).error);
   expect_equal(framebuffer, expected);
   EXPECT_EQ(framebuffer.depth[0], 0.5F);

@@ -21,7 +21,7 @@ std::vector<std::uint32_t> bits_of(std::span<const float> values) {
 }
 
 /// Signalling NaNs made quiet, as they become in double.
-Framebuffer quieted(Framebuffer framebuffer) {
+Picture quieted(Picture framebuffer) {
   constexpr std::uint32_t kQuiet = 0x00400000;
   for (float& value : framebuffer.attributes) {
     if (!std::isnan(value)) continue;
@@ -63,7 +63,7 @@ double blended(Blend blend, std::size_t channel, double alpha, double color, dou
 
 /// Blends a colour into a sample.
 void put(const State& state, std::span<const float> color, std::size_t place,
-         Framebuffer& framebuffer) {
+         Picture& framebuffer) {
   const bool is_rgba8 = framebuffer.format == ColorFormat::rgba8;
   const auto incoming = [&](std::size_t k) { return is_rgba8 ? held(color[k]) : double{color[k]}; };
   const double alpha = state.blend == Blend::over ? incoming(3) : 0;
@@ -83,7 +83,7 @@ void put(const State& state, std::span<const float> color, std::size_t place,
 
 }  // namespace
 
-Framebuffer kept(const State& state, const Mesh& mesh, Framebuffer framebuffer) {
+Picture kept(const State& state, const Mesh& mesh, Picture framebuffer) {
   State plain = state;
   plain.derivatives = false;
   plain.precision = Precision::float64;
@@ -103,14 +103,14 @@ Framebuffer kept(const State& state, const Mesh& mesh, Framebuffer framebuffer) 
   return framebuffer;
 }
 
-void expect_equal(const Framebuffer& a, const Framebuffer& b) {
+void expect_equal(const Picture& a, const Picture& b) {
   ASSERT_EQ(bits_of(a.depth), bits_of(b.depth));
   ASSERT_EQ(bits_of(a.attributes), bits_of(b.attributes));
   ASSERT_EQ(a.bytes, b.bytes);
 }
 
 void expect_kept(const State& state, const Mesh& mesh, const TargetSize& size, ColorFormat format) {
-  Framebuffer cleared;
+  Picture cleared;
   cleared.format = format;
   const std::size_t attributes = state.attributes.size();
   ASSERT_FALSE(clear(cleared, size, attributes, 1));
@@ -120,13 +120,13 @@ void expect_kept(const State& state, const Mesh& mesh, const TargetSize& size, C
   for (std::size_t i = 0; i < cleared.bytes.size(); ++i) {
     cleared.bytes[i] = static_cast<std::uint8_t>(i % 256);
   }
-  const Framebuffer expected = kept(state, mesh, cleared);
+  const Picture expected = kept(state, mesh, cleared);
   for (const unsigned threads : {1U, 2U, 3U}) {
-    Framebuffer drawn = cleared;
+    Picture drawn = cleared;
     ASSERT_FALSE(draw(state, mesh, drawn, threads).error);
     expect_equal(drawn, expected);
   }
-  Framebuffer shaded = cleared;
+  Picture shaded = cleared;
   ASSERT_FALSE(draw(state, mesh, AttributesShader{attributes}, shaded).error);
   expect_equal(quieted(shaded), quieted(expected));
 }

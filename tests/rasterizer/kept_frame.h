@@ -8,10 +8,10 @@
 namespace rastercheck::rasterizer {
 
 /// What the fragments of a draw leave, one by one.
-Framebuffer kept(const State& state, const Mesh& mesh, Framebuffer framebuffer);
+Picture kept(const State& state, const Mesh& mesh, Picture framebuffer);
 
 /// The same bits, signs of zeros and NaN included.
-void expect_equal(const Framebuffer& a, const Framebuffer& b);
+void expect_equal(const Picture& a, const Picture& b);
 
 /// Draws on one to three threads, as attributes and as what a shader makes of them, the same; all
 /// give what the fragments leave.

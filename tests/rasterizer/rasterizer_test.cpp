@@ -267,10 +267,10 @@ TEST(DrawFragments, DrawNothingOutsideTheScissor) {
   State state = small_state(4, 4);
   state.scissor = {{1, 2}, {2, 1}};
   EXPECT_EQ(picture(state, rectangle(state, {0, 0}, {4, 4}), kFour),
-            (Picture{"....", "....", ".##.", "...."}));
+            (Rows{"....", "....", ".##.", "...."}));
   state.scissor = {{-3, -1}, {5, 2}};
   EXPECT_EQ(picture(state, rectangle(state, {0, 0}, {4, 4}), kFour),
-            (Picture{"##..", "....", "....", "...."}));
+            (Rows{"##..", "....", "....", "...."}));
   state.scissor = {{2, 2}, {0, 0}};
   EXPECT_EQ(fragments_of(state, rectangle(state, {0, 0}, {4, 4}), kFour).size(), 0U);
 }
@@ -288,8 +288,7 @@ TEST(DrawFragments, DrawNothingOutsideTheViewport) {
   state.viewport.origin = {1, 2};
   state.viewport.size = {2, 1};
   for (const float extent : {1.0F, 4.0F, 1e4F, 1e30F}) {
-    EXPECT_EQ(picture(state, large_triangle(extent), kFour),
-              (Picture{"....", "....", ".##.", "...."}))
+    EXPECT_EQ(picture(state, large_triangle(extent), kFour), (Rows{"....", "....", ".##.", "...."}))
         << extent;
   }
 }
@@ -298,7 +297,7 @@ TEST(DrawFragments, ASampleOnTheViewportsBorderIsInAtTheLeastEndOnly) {
   State state = small_state(4, 4);
   state.viewport.origin = {0.5F, 1.5F};
   state.viewport.size = {2, 1};
-  const Picture expected{"....", "##..", "....", "...."};
+  const Rows expected{"....", "##..", "....", "...."};
   EXPECT_EQ(picture(state, large_triangle(4), kFour), expected);
   state.viewport.origin = {2.5F, 2.5F};
   state.viewport.size = {-2, -1};
@@ -310,7 +309,7 @@ TEST(DrawFragments, TheViewportsBorderCountsForEachSample) {
   state.viewport.origin = {0.5F, 0};
   state.viewport.size = {1, 1};
   // x of the samples in 1/16: 6, 14, 2, 10; the viewport is 8 <= x < 24.
-  EXPECT_EQ(picture(state, large_triangle(4), {2, 1, 4}), (Picture{".#.##.#."}));
+  EXPECT_EQ(picture(state, large_triangle(4), {2, 1, 4}), (Rows{".#.##.#."}));
 }
 
 TEST(DrawFragments, DrawNothingOutsideTheTarget) {
@@ -356,30 +355,30 @@ TEST(DrawFragments, WhereMemoryRunsOutTheFragmentsAreThoseOfBefore) {
 }
 
 TEST(Clear, SetsEveryDepthAndZeroesEveryAttribute) {
-  Framebuffer framebuffer;
+  Picture framebuffer;
   EXPECT_EQ(clear(framebuffer, {3, 2, 4}, 5, 0.75F), std::nullopt);
   EXPECT_EQ(framebuffer.size.width, 3);
   EXPECT_EQ(framebuffer.size.height, 2);
   EXPECT_EQ(framebuffer.size.samples, 4);
   EXPECT_EQ(framebuffer.attribute_count, 5U);
-  EXPECT_EQ(framebuffer.depth, Framebuffer::Values(24, 0.75F));
-  EXPECT_EQ(framebuffer.attributes, Framebuffer::Values(120, 0));
+  EXPECT_EQ(framebuffer.depth, Picture::Values(24, 0.75F));
+  EXPECT_EQ(framebuffer.attributes, Picture::Values(120, 0));
 }
 
 TEST(Clear, ABadSizeIsAnErrorAndLeavesTheFramebuffer) {
-  Framebuffer framebuffer;
+  Picture framebuffer;
   ASSERT_EQ(clear(framebuffer, {1, 1, 1}, 0, 0.5F), std::nullopt);
   EXPECT_EQ(clear(framebuffer, {0, 1, 1}, 0, 1), Error::target_size);
   EXPECT_EQ(clear(framebuffer, {1, kMaxSize + 1, 1}, 0, 1), Error::target_size);
   EXPECT_EQ(clear(framebuffer, {1, 1, 3}, 0, 1), Error::sample_count);
   EXPECT_EQ(clear(framebuffer, {1, 1, 1}, kMaxAttributes + 1, 1), Error::attribute_count);
-  EXPECT_EQ(framebuffer.depth, Framebuffer::Values(1, 0.5F));
+  EXPECT_EQ(framebuffer.depth, Picture::Values(1, 0.5F));
 }
 
 TEST(Clear, WhereMemoryRunsOutTheFramebufferIsThatOfBefore) {
   if (!kCanRunOutOfMemory) GTEST_SKIP() << "the allocator is that of ThreadSanitizer";
   for (const int allocations : {0, 1}) {
-    Framebuffer framebuffer;
+    Picture framebuffer;
     ASSERT_EQ(clear(framebuffer, {1, 1, 1}, 1, 0.5F), std::nullopt);
     EXPECT_EQ(with_allocations(allocations,
                                [&] {
@@ -387,8 +386,8 @@ TEST(Clear, WhereMemoryRunsOutTheFramebufferIsThatOfBefore) {
                                }),
               Error::out_of_memory);
     EXPECT_EQ(framebuffer.size.width, 1);
-    EXPECT_EQ(framebuffer.depth, Framebuffer::Values(1, 0.5F));
-    EXPECT_EQ(framebuffer.attributes, Framebuffer::Values(1, 0));
+    EXPECT_EQ(framebuffer.depth, Picture::Values(1, 0.5F));
+    EXPECT_EQ(framebuffer.attributes, Picture::Values(1, 0));
   }
 }
 
@@ -397,7 +396,7 @@ TEST(Clear, WhereMemoryRunsOutTheFramebufferIsThatOfBefore) {
 struct Overlap {
   State state = small_state(4, 1);
   SmallMesh mesh;
-  Framebuffer framebuffer;
+  Picture framebuffer;
 
   explicit Overlap(DepthTest test, float second_depth) {
     state.depth_test = test;
@@ -413,7 +412,7 @@ struct Overlap {
     EXPECT_EQ(clear(framebuffer, {4, 1, 1}, 1, 1), std::nullopt);
   }
 
-  Framebuffer::Values drawn() {
+  Picture::Values drawn() {
     EXPECT_EQ(draw(state, mesh.mesh(), framebuffer).error, std::nullopt);
     return framebuffer.attributes;
   }
@@ -421,24 +420,24 @@ struct Overlap {
 
 TEST(Draw, TheNearestFragmentStays) {
   Overlap farther(DepthTest::less, 0.75F);
-  EXPECT_EQ(farther.drawn(), (Framebuffer::Values{1, 1, 1, 2}));
-  EXPECT_EQ(farther.framebuffer.depth, (Framebuffer::Values{0.5F, 0.5F, 0.5F, 0.75F}));
+  EXPECT_EQ(farther.drawn(), (Picture::Values{1, 1, 1, 2}));
+  EXPECT_EQ(farther.framebuffer.depth, (Picture::Values{0.5F, 0.5F, 0.5F, 0.75F}));
   Overlap nearer(DepthTest::less, 0.25F);
-  EXPECT_EQ(nearer.drawn(), (Framebuffer::Values{1, 2, 2, 2}));
+  EXPECT_EQ(nearer.drawn(), (Picture::Values{1, 2, 2, 2}));
 }
 
 // Kills: less or equal.
 TEST(Draw, OfEqualDepthsTheFirstStays) {
   Overlap equal(DepthTest::less, 0.5F);
-  EXPECT_EQ(equal.drawn(), (Framebuffer::Values{1, 1, 1, 2}));
+  EXPECT_EQ(equal.drawn(), (Picture::Values{1, 1, 1, 2}));
   Overlap at_the_cleared_depth(DepthTest::less, 1);
-  EXPECT_EQ(at_the_cleared_depth.drawn(), (Framebuffer::Values{1, 1, 1, 0}));
+  EXPECT_EQ(at_the_cleared_depth.drawn(), (Picture::Values{1, 1, 1, 0}));
 }
 
 TEST(Draw, WithoutADepthTestTheLastStays) {
   Overlap farther(DepthTest::always, 0.75F);
-  EXPECT_EQ(farther.drawn(), (Framebuffer::Values{1, 2, 2, 2}));
-  EXPECT_EQ(farther.framebuffer.depth, (Framebuffer::Values{0.5F, 0.75F, 0.75F, 0.75F}));
+  EXPECT_EQ(farther.drawn(), (Picture::Values{1, 2, 2, 2}));
+  EXPECT_EQ(farther.framebuffer.depth, (Picture::Values{0.5F, 0.75F, 0.75F, 0.75F}));
 }
 
 TEST(Draw, DrawsOverWhatEarlierDrawsLeft) {
@@ -447,7 +446,7 @@ TEST(Draw, DrawsOverWhatEarlierDrawsLeft) {
   overlap.mesh.positions[7].z = overlap.mesh.positions[6].z = overlap.mesh.positions[5].z =
       overlap.mesh.positions[4].z = 0;
   overlap.mesh.triangles.erase(overlap.mesh.triangles.begin(), overlap.mesh.triangles.begin() + 2);
-  EXPECT_EQ(overlap.drawn(), (Framebuffer::Values{1, 2, 2, 2}));
+  EXPECT_EQ(overlap.drawn(), (Picture::Values{1, 2, 2, 2}));
 }
 
 TEST(Draw, EachSampleHasItsOwnDepthAndAttributes) {
@@ -460,11 +459,11 @@ TEST(Draw, EachSampleHasItsOwnDepthAndAttributes) {
     mesh.attributes.push_back((p.x + 1) / 2);
     mesh.attributes.push_back((p.y + 1) / 2);
   }
-  Framebuffer framebuffer;
+  Picture framebuffer;
   ASSERT_EQ(clear(framebuffer, {1, 1, 2}, 2, 1), std::nullopt);
   ASSERT_EQ(draw(state, mesh.mesh(), framebuffer).error, std::nullopt);
-  EXPECT_EQ(framebuffer.depth, (Framebuffer::Values{0.75F, 0.25F}));
-  EXPECT_EQ(framebuffer.attributes, (Framebuffer::Values{0.75F, 0.75F, 0.25F, 0.25F}));
+  EXPECT_EQ(framebuffer.depth, (Picture::Values{0.75F, 0.25F}));
+  EXPECT_EQ(framebuffer.attributes, (Picture::Values{0.75F, 0.75F, 0.25F, 0.25F}));
 }
 
 TEST(Draw, CountsWhatItLeavesOut) {
@@ -472,7 +471,7 @@ TEST(Draw, CountsWhatItLeavesOut) {
   SmallMesh mesh = triangle(state, {0, 0}, {4, 0}, {0, 4});
   mesh.positions.push_back({kNan, 0, 0, 1});
   mesh.triangles = {{0, 0, 1}, {0, 1, 2}, {3, 1, 2}, {1, 2, 1}};
-  Framebuffer framebuffer;
+  Picture framebuffer;
   ASSERT_EQ(clear(framebuffer, kFour, 0, 1), std::nullopt);
   EXPECT_EQ(draw(state, mesh.mesh(), framebuffer).counts, (DrawCounts{1, 2}));
 }
@@ -480,7 +479,7 @@ TEST(Draw, CountsWhatItLeavesOut) {
 TEST(Draw, ErrorsLeaveTheFramebuffer) {
   Overlap overlap(DepthTest::less, 0.75F);
   const auto error_of = [](Overlap faulty) {
-    const Framebuffer::Values before = faulty.framebuffer.depth;
+    const Picture::Values before = faulty.framebuffer.depth;
     const std::optional<Error> error =
         draw(faulty.state, faulty.mesh.mesh(), faulty.framebuffer).error;
     EXPECT_EQ(faulty.framebuffer.depth, before);
@@ -529,8 +528,8 @@ TEST(Draw, WhereMemoryRunsOutNothingWasDrawn) {
     succeeded = !error;
     if (succeeded) break;
     EXPECT_EQ(error, Error::out_of_memory);
-    EXPECT_EQ(overlap.framebuffer.depth, Framebuffer::Values(4, 1));
-    EXPECT_EQ(overlap.framebuffer.attributes, Framebuffer::Values(4, 0));
+    EXPECT_EQ(overlap.framebuffer.depth, Picture::Values(4, 1));
+    EXPECT_EQ(overlap.framebuffer.attributes, Picture::Values(4, 0));
   }
   EXPECT_TRUE(succeeded);
 }

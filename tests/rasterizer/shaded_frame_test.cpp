@@ -180,8 +180,8 @@ TEST_P(ShadeOnTarget, ShadingOnlyWhatIsSeenChangesNothing) {
     const SmallMesh mesh = flat_triangles(random, state, 30);
     const Filter filter = random.pick({Filter::nearest, Filter::trilinear});
     const TexturedShader shader{.texture = &texture, .sampler = {.filter = filter}};
-    Framebuffer seen;
-    Framebuffer all;
+    Picture seen;
+    Picture all;
     seen.format = all.format = random.pick({ColorFormat::rgba8, ColorFormat::float32});
     const float depth = random.pick({0.5F, 0.6F});
     ASSERT_FALSE(clear_and_draw(state, mesh.mesh(), shader, size, depth, seen).error);
@@ -209,7 +209,7 @@ TEST(Shade, DiscardingByAShaderThatDoesNotHasNoEffect) {
   for (const Blend blend : {Blend::off, Blend::additive}) {
     state.blend = blend;
     for (const bool says_so : {false, true}) {
-      Framebuffer drawn;
+      Picture drawn;
       ASSERT_FALSE(
           clear_and_draw(state, mesh.mesh(), WrongShader{says_so}, {8, 8, 1}, 1, drawn).error);
       EXPECT_EQ(drawn.attributes[9], says_so ? 0.0F : 1.0F);
@@ -237,7 +237,7 @@ TEST(Shade, DiscardsAndSaysWhereLanesAre) {
   state.attributes.resize(1);
   SmallMesh mesh = rectangle(state, {3, 5}, {95, 61});
   for (const glm::vec4& p : mesh.positions) mesh.attributes.push_back((p.x + 1) * 50);
-  Framebuffer framebuffer;
+  Picture framebuffer;
   ASSERT_FALSE(
       clear_and_draw(state, mesh.mesh(), PlacePainter{40}, {100, 70, 1}, 1, framebuffer).error);
   for (std::size_t y = 0; y < 70; ++y) {
@@ -270,7 +270,7 @@ TEST(Shade, QuadsHaveTheValuesOfHelpers) {
   state.attributes = {{Interpolation::noperspective}};
   SmallMesh mesh = triangle(state, {3.3F, 5.1F}, {50.7F, 9.2F}, {20.4F, 60.9F});
   mesh.attributes = {0, 6, 1};
-  Framebuffer framebuffer;
+  Picture framebuffer;
   ASSERT_FALSE(
       clear_and_draw(state, mesh.mesh(), SlopePainter(), {64, 64, 1}, 1, framebuffer).error);
   std::size_t drawn = 0;
@@ -315,7 +315,7 @@ TEST(Shade, FloorsAreExact) {
       mesh.attributes.push_back(static_cast<float>(column) / 64);
     }
     mesh.triangles = {{0, 1, 2}};
-    Framebuffer framebuffer;
+    Picture framebuffer;
     ASSERT_FALSE(
         clear_and_draw(state, mesh.mesh(), FloorPainter(), {64, 64, 1}, 1, framebuffer).error);
     for (std::size_t place = 0; place < framebuffer.depth.size(); ++place) {
@@ -369,7 +369,7 @@ void expect_exact_columns(const State& state, float y, float unit, int samples) 
   std::size_t differ = 0;
   for (int i = 0; i < 100; ++i) {
     const SmallMesh mesh = flat_triangle(random, y, unit);
-    Framebuffer framebuffer;
+    Picture framebuffer;
     ASSERT_FALSE(clear_and_draw(state, mesh.mesh(), ColumnPainter{&texture}, {64, 64, samples}, 1,
                                 framebuffer)
                      .error);
@@ -411,7 +411,7 @@ TEST(Shade, RefusesWhatItCannotDo) {
     made.attributes.resize(made.positions.size() * 3);
     return made;
   }();
-  Framebuffer framebuffer;
+  Picture framebuffer;
   const auto draw_as = [&](const State& by, std::size_t count, ColorFormat format) {
     framebuffer.format = format;
     return clear_and_draw(by, mesh.mesh(), AttributesShader{count}, {4, 4, 1}, 1, framebuffer)
@@ -436,14 +436,14 @@ TEST(Shade, RunningOutOfMemoryLosesNothingThatWasDrawn) {
   Random random(5);
   const SmallMesh first = flat_triangles(random, state, 4);
   const SmallMesh second = flat_triangles(random, state, 4);
-  Framebuffer before;
+  Picture before;
   ASSERT_EQ(clear(before, {70, 70, 1}, 2, 1), std::nullopt);
   ASSERT_FALSE(draw(state, first.mesh(), before).error);
-  const Framebuffer both = kept(state, second.mesh(), before);
+  const Picture both = kept(state, second.mesh(), before);
   bool succeeded = false;
   int failures = 0;
   for (int allocations = 0; !succeeded && allocations < 1000; ++allocations) {
-    Framebuffer drawn = before;
+    Picture drawn = before;
     const std::optional<Error> error =
         with_allocations(allocations, [&] { return draw(state, second.mesh(), drawn).error; });
     succeeded = !error;

@@ -86,15 +86,15 @@ inline std::vector<int> times_drawn(const Fragments& fragments, const TargetSize
   return times;
 }
 
-using Picture = std::vector<std::string>;
+using Rows = std::vector<std::string>;
 
 /// One string for each row, y = 0 first; one letter for each sample: '.' not drawn, '#' once, else
 /// how often.
-inline Picture picture(const Fragments& fragments, const TargetSize& size) {
+inline Rows picture(const Fragments& fragments, const TargetSize& size) {
   const std::vector<int> times = times_drawn(fragments, size);
   const auto row_length =
       static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.samples);
-  Picture rows;
+  Rows rows;
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (i % row_length == 0) rows.emplace_back();
     rows.back() += times[i] == 0 ? '.' : times[i] == 1 ? '#' : static_cast<char>('0' + times[i]);
@@ -102,7 +102,7 @@ inline Picture picture(const Fragments& fragments, const TargetSize& size) {
   return rows;
 }
 
-inline Picture picture(const State& state, const SmallMesh& mesh, const TargetSize& size) {
+inline Rows picture(const State& state, const SmallMesh& mesh, const TargetSize& size) {
   return picture(fragments_of(state, mesh, size), size);
 }
 

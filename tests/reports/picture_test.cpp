@@ -29,8 +29,8 @@ struct Fragment {
   std::vector<float> values;
 };
 
-cases::Framebuffer drawn(const std::vector<Fragment>& fragments) {
-  cases::Framebuffer framebuffer;
+cases::Fragments drawn(const std::vector<Fragment>& fragments) {
+  cases::Fragments framebuffer;
   framebuffer.attribute_count = fragments.front().values.size();
   for (const Fragment& f : fragments) {
     framebuffer.triangle.push_back(0);
@@ -58,7 +58,7 @@ TEST(DrawPicture, TheCornersOfThePlaneAreThoseOfTheRange) {
 }
 
 TEST(DrawPicture, WindowYPointsUpInOpenglOnly) {
-  const cases::Framebuffer lowest = drawn({{1, 0, 0, 0.5F, {1}}});
+  const cases::Fragments lowest = drawn({{1, 0, 0, 0.5F, {1}}});
   const Image up = draw_picture(blank(cases::Rules::opengl, 2, 3), lowest);
   EXPECT_NE(up.at(1, 2), kBackground);
   EXPECT_EQ(up.at(1, 0), kBackground);

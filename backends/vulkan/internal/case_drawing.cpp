@@ -136,14 +136,14 @@ class Fragments {
   void begin_pass() { next_ = 0; }
   /// Whether a pass has had as many fragments as the first.
   bool is_complete() const { return next_ == drawn_.size(); }
-  cases::Framebuffer take();
+  cases::Fragments take();
 
  private:
   Result<void> place(std::size_t index, float number, const Layer& triangles);
   bool is_next(std::size_t triangle, std::size_t index) const;
 
   const cases::Case* case_;
-  cases::Framebuffer drawn_;
+  cases::Fragments drawn_;
   std::size_t next_ = 0;
 };
 
@@ -205,14 +205,14 @@ Result<void> Fragments::add(const Target& target, std::size_t layer, const Layer
 }
 
 /// By triangle; within one they are in order already.
-cases::Framebuffer Fragments::take() {
+cases::Fragments Fragments::take() {
   if (std::ranges::is_sorted(drawn_.triangle)) return std::move(drawn_);
   std::vector<std::size_t> order(drawn_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
     return drawn_.triangle[a] < drawn_.triangle[b];
   });
-  cases::Framebuffer sorted;
+  cases::Fragments sorted;
   sorted.attribute_count = drawn_.attribute_count;
   for (const std::size_t i : order) {
     sorted.triangle.push_back(drawn_.triangle[i]);
@@ -343,7 +343,7 @@ Result<CaseDrawing> CaseDrawing::create(const Device& device) {
                                             *std::move(commands)));
 }
 
-Result<cases::Framebuffer> CaseDrawing::draw(const cases::Case& c) {
+Result<cases::Fragments> CaseDrawing::draw(const cases::Case& c) {
   Fragments fragments(c);
   if (c.triangles.empty()) return fragments.take();
   if (c.triangles.size() >= kMaxTriangles) {

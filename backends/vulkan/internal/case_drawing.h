@@ -5,7 +5,7 @@
 #include "backends/vulkan/internal/device.h"
 #include "cases/case.h"
 #include "cases/error.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 
 namespace rastercheck::backends::vulkan {
 
@@ -23,7 +23,7 @@ class CaseDrawing {
   ~CaseDrawing();
 
   /// Fails as Failure::unsupported where the case takes more memory than there is for one.
-  Result<cases::Framebuffer> draw(const cases::Case& c);
+  Result<cases::Fragments> draw(const cases::Case& c);
 
  private:
   struct Impl;

@@ -42,7 +42,7 @@ std::vector<ras::PolygonVertex> polygon_of(const cases::Case& scene) {
 }
 
 /// The fragments of the quad, each given to the triangle in which it lies.
-Result<cases::Framebuffer> draw_quad(const cases::Case& quad) {
+Result<cases::Fragments> draw_quad(const cases::Case& quad) {
   ras::Fragments drawn;
   const std::optional<ras::PolygonFault> fault = ras::draw_polygon(
       kPolygonMethod, state_of(quad), polygon_of(quad),
@@ -53,7 +53,7 @@ Result<cases::Framebuffer> draw_quad(const cases::Case& quad) {
   }
   const oracle::SceneTruth scene(quad, cases::contract_of(quad));
   const oracle::TriangleTruth first(scene, 0);
-  cases::Framebuffer fragments;
+  cases::Fragments fragments;
   fragments.attribute_count = quad.attributes.size();
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const bool is_in_first =
@@ -84,7 +84,7 @@ Result<Drawn> draw_by(std::string_view method, const cases::Case& scene) {
     return drawn;
   }
   drawn.contract = (*backend)->contract(drawn.scene);
-  Result<cases::Framebuffer> fragments =
+  Result<cases::Fragments> fragments =
       is_polygon ? draw_quad(drawn.scene) : properties::draw(drawn.scene, **backend);
   if (!fragments) return tl::unexpected(fragments.error());
   drawn.fragments = *std::move(fragments);

@@ -8,7 +8,7 @@
 #include "cases/case.h"
 #include "cases/contract.h"
 #include "cases/error.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 
 namespace rastercheck::gallery {
 
@@ -17,7 +17,7 @@ struct Drawn {
   std::string missing;       ///< why nothing was drawn; empty where it was
   cases::Case scene;         ///< of clip positions
   cases::Contract contract;  ///< decides what is a violation
-  cases::Framebuffer fragments;
+  cases::Fragments fragments;
 };
 
 /// In place of a backend: a convex quad as one polygon, linear along its edges and then along rows

@@ -31,7 +31,7 @@ class Seen {
       : size_(drawn.scene.framebuffer),
         samples_(static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height) *
                  static_cast<std::size_t>(size_.samples)) {
-    const cases::Framebuffer& fragments = drawn.fragments;
+    const cases::Fragments& fragments = drawn.fragments;
     for (std::size_t i = 0; i < fragments.size(); ++i) {
       if (!has(fragments.x[i], fragments.y[i], fragments.sample[i])) continue;
       Sample& sample = samples_[index(fragments.x[i], fragments.y[i], fragments.sample[i])];

@@ -18,7 +18,7 @@ using records::FragmentClass;
 /// Judging values takes far longer than comparing them.
 constexpr std::size_t kMostJudged = 16;
 
-bool has_same_values(const cases::Framebuffer& a, std::size_t i, const cases::Framebuffer& b,
+bool has_same_values(const cases::Fragments& a, std::size_t i, const cases::Fragments& b,
                      std::size_t j) {
   const auto of_a = a.attributes_of(i);
   const auto of_b = b.attributes_of(j);
@@ -27,8 +27,8 @@ bool has_same_values(const cases::Framebuffer& a, std::size_t i, const cases::Fr
 }
 
 /// The fragments of these indices, without derivatives.
-cases::Framebuffer part_of(const cases::Framebuffer& drawn, const std::vector<std::size_t>& some) {
-  cases::Framebuffer part;
+cases::Fragments part_of(const cases::Fragments& drawn, const std::vector<std::size_t>& some) {
+  cases::Fragments part;
   part.attribute_count = drawn.attribute_count;
   for (const std::size_t i : some) {
     part.triangle.push_back(drawn.triangle[i]);
@@ -49,8 +49,8 @@ struct Difference {
   std::set<std::uint32_t> triangles;
 };
 
-Difference difference_of(const cases::Case& c, const cases::Framebuffer& before,
-                         const cases::Framebuffer& drawn) {
+Difference difference_of(const cases::Case& c, const cases::Fragments& before,
+                         const cases::Fragments& drawn) {
   const FragmentMap places = fragments_by_place(before);
   std::set<cases::SamplePlace> seen;
   Difference difference;
@@ -79,7 +79,7 @@ void merge_values(Check& into, Check&& values) {
 }  // namespace
 
 Check judge_changed(const cases::Case& c, const cases::Contract& contract,
-                    const cases::Framebuffer& before, const cases::Framebuffer& drawn,
+                    const cases::Fragments& before, const cases::Fragments& drawn,
                     const CheckOptions& options) {
   const Difference difference = difference_of(c, before, drawn);
   Check check;
@@ -97,7 +97,7 @@ Check judge_changed(const cases::Case& c, const cases::Contract& contract,
   add_state_labels(c, difference.triangles, labels);
   check.labels.assign(labels.begin(), labels.end());
   if (!difference.others.empty()) {
-    const cases::Framebuffer part = part_of(drawn, some_of(difference.others, kMostJudged));
+    const cases::Fragments part = part_of(drawn, some_of(difference.others, kMostJudged));
     merge_values(check, judge_drawn(c, contract, part, {.counts_coverage = false}, options));
   }
   return check;

@@ -4,7 +4,7 @@
 // against what is drawn of the case as it was.
 
 #include "cases/case.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties {
@@ -16,7 +16,7 @@ namespace rastercheck::properties {
 /// over them. Derivatives are not looked at. Labels: those of the state, "snapped", and "tie",
 /// "permitted" and other reasons of samples where places differ.
 Check judge_changed(const cases::Case& c, const cases::Contract& contract,
-                    const cases::Framebuffer& before, const cases::Framebuffer& drawn,
+                    const cases::Fragments& before, const cases::Fragments& drawn,
                     const CheckOptions& options);
 
 }  // namespace rastercheck::properties

@@ -25,8 +25,8 @@ constexpr double kRounded = 1 + 0x1p-50;
 
 class CloseCheck {
  public:
-  CloseCheck(const cases::Case& c, const cases::Framebuffer& expected,
-             const cases::Framebuffer& drawn, const Closeness& closeness)
+  CloseCheck(const cases::Case& c, const cases::Fragments& expected, const cases::Fragments& drawn,
+             const Closeness& closeness)
       : case_(&c), expected_(&expected), drawn_(&drawn), closeness_(&closeness) {
     check_.judgement.errors[AttributeKind::coverage];
   }
@@ -100,8 +100,8 @@ class CloseCheck {
   }
 
   const cases::Case* case_;
-  const cases::Framebuffer* expected_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* expected_;
+  const cases::Fragments* drawn_;
   const Closeness* closeness_;
   Check check_;
   std::set<std::string> labels_;
@@ -154,8 +154,8 @@ double greatest_difference(const Allowance& both, double f, double g) {
   return both.units * ulp_of(std::max(both.magnitude, most));
 }
 
-Check compare_close(const cases::Case& c, const cases::Framebuffer& expected,
-                    const cases::Framebuffer& drawn, const Closeness& closeness) {
+Check compare_close(const cases::Case& c, const cases::Fragments& expected,
+                    const cases::Fragments& drawn, const Closeness& closeness) {
   return CloseCheck(c, expected, drawn, closeness).run();
 }
 

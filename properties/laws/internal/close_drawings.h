@@ -12,7 +12,7 @@
 #include <string>
 
 #include "cases/case.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "properties/law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 
@@ -61,7 +61,7 @@ struct Closeness {
 
 /// Holds `drawn` to have the fragments of `expected`, each once, and values as close as that. The
 /// case is that of `expected`, and its state gives the labels.
-Check compare_close(const cases::Case& c, const cases::Framebuffer& expected,
-                    const cases::Framebuffer& drawn, const Closeness& closeness);
+Check compare_close(const cases::Case& c, const cases::Fragments& expected,
+                    const cases::Fragments& drawn, const Closeness& closeness);
 
 }  // namespace rastercheck::properties

@@ -56,7 +56,7 @@ bool is_of_case(const cases::Case& c, const cases::SamplePlace& place) {
          std::cmp_less(place.sample, c.framebuffer.samples);
 }
 
-FragmentMap fragments_by_place(const cases::Framebuffer& drawn) {
+FragmentMap fragments_by_place(const cases::Fragments& drawn) {
   FragmentMap by_place;
   for (std::size_t i = 0; i < drawn.size(); ++i) by_place.try_emplace(drawn.place_of(i), i);
   return by_place;
@@ -107,9 +107,9 @@ AttributeKind kind_of(const cases::Case& c, std::optional<std::uint32_t> attribu
                    : AttributeKind::depth;
 }
 
-std::optional<Violation> find_difference(const cases::Case& c, const cases::Framebuffer& expected,
+std::optional<Violation> find_difference(const cases::Case& c, const cases::Fragments& expected,
                                          std::size_t expected_fragment,
-                                         const cases::Framebuffer& drawn, std::size_t fragment,
+                                         const cases::Fragments& drawn, std::size_t fragment,
                                          const std::string& note) {
   const auto differs = [&](std::optional<std::uint32_t> attribute, float before, float now,
                            const std::string& why) {

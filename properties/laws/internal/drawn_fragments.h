@@ -11,7 +11,7 @@
 #include <string>
 
 #include "cases/case.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "cases/picture.h"
 #include "records/counterexample.h"
 
@@ -27,7 +27,7 @@ bool is_of_case(const cases::Case& c, const cases::SamplePlace& place);
 
 /// Where each fragment is found; of those in one place, the first.
 using FragmentMap = std::map<cases::SamplePlace, std::size_t>;
-FragmentMap fragments_by_place(const cases::Framebuffer& drawn);
+FragmentMap fragments_by_place(const cases::Fragments& drawn);
 
 /// A violation of coverage at a place: `exact` is what the law expects, `actual` is by the class.
 records::Violation violation_at(const cases::SamplePlace& place,
@@ -62,9 +62,9 @@ records::FragmentClass class_of(float actual, float expected);
 /// bit, as a violation at the fragment's place; nothing where none does. Derivatives are values
 /// too, where both drawings have them. NaNs are alike.
 std::optional<records::Violation> find_difference(const cases::Case& c,
-                                                  const cases::Framebuffer& expected,
+                                                  const cases::Fragments& expected,
                                                   std::size_t expected_fragment,
-                                                  const cases::Framebuffer& drawn,
+                                                  const cases::Fragments& drawn,
                                                   std::size_t fragment, const std::string& note);
 
 /// A hash of the numbers that a case draws with: the same of a case that was written to a file and

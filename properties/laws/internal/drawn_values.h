@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "cases/case.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "properties/laws/internal/drawn_fragments.h"
 
 namespace rastercheck::properties {
@@ -25,7 +25,7 @@ bool is_at_sample(const cases::Case& c, std::uint32_t attribute);
 class DrawnValues {
  public:
   /// Both must outlive it.
-  DrawnValues(const cases::Case& c, const cases::Framebuffer& drawn) : case_(&c), drawn_(&drawn) {}
+  DrawnValues(const cases::Case& c, const cases::Fragments& drawn) : case_(&c), drawn_(&drawn) {}
 
   cases::SamplePlace place(std::size_t fragment) const { return drawn_->place_of(fragment); }
   std::uint32_t triangle(std::size_t fragment) const { return drawn_->triangle[fragment]; }
@@ -41,7 +41,7 @@ class DrawnValues {
 
  private:
   const cases::Case* case_;
-  const cases::Framebuffer* drawn_;
+  const cases::Fragments* drawn_;
 };
 
 }  // namespace rastercheck::properties

@@ -48,7 +48,7 @@ std::string_view to_string(LineDirection direction) {
   return kWords[static_cast<std::size_t>(direction)];
 }
 
-void for_each_line(const cases::Case& c, const cases::Framebuffer& drawn, LineDirection direction,
+void for_each_line(const cases::Case& c, const cases::Fragments& drawn, LineDirection direction,
                    const LineSink& see) {
   std::vector<Keyed> all;
   all.reserve(drawn.size());

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "cases/case.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 
 namespace rastercheck::properties {
 
@@ -32,7 +32,7 @@ LineDirection some_direction(const cases::Case& c);
 using LineSink = std::function<void(std::span<const LinePoint>)>;
 
 /// Hands over all lines of a direction, of the case's own fragments.
-void for_each_line(const cases::Case& c, const cases::Framebuffer& drawn, LineDirection direction,
+void for_each_line(const cases::Case& c, const cases::Fragments& drawn, LineDirection direction,
                    const LineSink& see);
 
 }  // namespace rastercheck::properties

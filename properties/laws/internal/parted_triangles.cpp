@@ -155,9 +155,9 @@ std::uint32_t add_mixed(cases::Case& c, const std::array<std::uint32_t, 3>& vert
 }
 
 Result<Check> check_parted(const Parted& parted, backends::Backend& backend) {
-  const Result<cases::Framebuffer> whole = draw(parted.whole, backend);
+  const Result<cases::Fragments> whole = draw(parted.whole, backend);
   if (!whole) return tl::unexpected(whole.error());
-  Result<cases::Framebuffer> parts = draw(parted.parts, backend);
+  Result<cases::Fragments> parts = draw(parted.parts, backend);
   if (!parts) return tl::unexpected(parts.error());
   // A triangle that the parts do not have becomes one that the whole does not have either.
   const auto nowhere = static_cast<std::uint32_t>(parted.whole.triangles.size());

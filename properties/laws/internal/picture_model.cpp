@@ -43,7 +43,7 @@ class Model {
            (pipeline.shading == cases::Shading::vertex_colors && c.attributes.size() >= kAlpha));
   }
 
-  void draw(const cases::Framebuffer& fragments, std::size_t i) {
+  void draw(const cases::Fragments& fragments, std::size_t i) {
     const bool is_inside = std::cmp_less(fragments.x[i], size_.width) &&
                            std::cmp_less(fragments.y[i], size_.height) &&
                            std::cmp_less(fragments.sample[i], size_.samples);
@@ -155,7 +155,7 @@ bool passes(cases::DepthFunction function, float depth, float present) {
   return depth >= present;
 }
 
-cases::Picture picture_of(const cases::Case& c, const cases::Framebuffer& fragments,
+cases::Picture picture_of(const cases::Case& c, const cases::Fragments& fragments,
                           const cases::Pipeline& pipeline) {
   std::vector<std::size_t> order(fragments.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -28,7 +28,7 @@
 // 1. Textures and differences are not modelled.
 
 #include "cases/case.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "cases/picture.h"
 
 namespace rastercheck::properties {
@@ -40,7 +40,7 @@ bool passes(cases::DepthFunction function, float depth, float present);
 /// their own, as submission order is that of triangles. The pipeline has no texture and shows
 /// no differences; the case has three attributes at least if these are vertex colours, else four if
 /// it blends `over`. Fragments of no pixel or sample are left out.
-cases::Picture picture_of(const cases::Case& c, const cases::Framebuffer& fragments,
+cases::Picture picture_of(const cases::Case& c, const cases::Fragments& fragments,
                           const cases::Pipeline& pipeline);
 
 }  // namespace rastercheck::properties

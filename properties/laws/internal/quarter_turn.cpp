@@ -61,10 +61,10 @@ cases::ClipVertex turned_back(const cases::ClipVertex& p, const QuarterTurn& tur
   return {turn.negates_x ? -p.y : p.y, turn.negates_y ? -p.x : p.x, p.z, p.w};
 }
 
-cases::Framebuffer turned_back(const cases::Case& c, const cases::Framebuffer& drawn,
-                               const QuarterTurn& turn) {
+cases::Fragments turned_back(const cases::Case& c, const cases::Fragments& drawn,
+                             const QuarterTurn& turn) {
   constexpr std::uint16_t kNowhere = std::numeric_limits<std::uint16_t>::max();
-  cases::Framebuffer result = drawn;
+  cases::Fragments result = drawn;
   result.derivatives.clear();
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     // x = H − 1 − j, y = i.

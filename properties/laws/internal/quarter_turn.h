@@ -16,7 +16,7 @@
 
 #include "cases/case.h"
 #include "cases/contract.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "records/counterexample.h"
 
 namespace rastercheck::properties {
@@ -43,8 +43,8 @@ cases::ClipVertex turned_back(const cases::ClipVertex& p, const QuarterTurn& tur
 /// What was drawn of the turned case, in the places that it has in the case as it was, without
 /// derivatives, which are along the turned axes. A fragment of no pixel or sample of the turned
 /// case gets one that the case does not have either.
-cases::Framebuffer turned_back(const cases::Case& c, const cases::Framebuffer& drawn,
-                               const QuarterTurn& turn);
+cases::Fragments turned_back(const cases::Case& c, const cases::Fragments& drawn,
+                             const QuarterTurn& turn);
 
 /// What the backend promises of the turned case, of the case as it was; nothing where its rounding
 /// does not turn: v = n + 1/2 grid units turns into H 2^b − n − 1/2, and the even one of its

@@ -12,7 +12,7 @@
 namespace rastercheck::properties {
 namespace {
 
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 
@@ -22,7 +22,7 @@ bool are_same(const std::vector<float>& a, const std::vector<float>& b) {
 
 /// Whether the two are fragment by fragment the same, and each is in a place after the one before:
 /// what most drawings are, told without looking anything up.
-bool are_alike(const Framebuffer& a, const Framebuffer& b) {
+bool are_alike(const Fragments& a, const Fragments& b) {
   if (a.triangle != b.triangle || a.x != b.x || a.y != b.y || a.sample != b.sample) return false;
   if (!are_same(a.depth, b.depth) || !are_same(a.attributes, b.attributes)) return false;
   const bool has_derivatives = !a.derivatives.empty() && !b.derivatives.empty();
@@ -42,7 +42,7 @@ std::vector<std::string> labels_of(const cases::Case& c, const std::set<std::uin
 }
 
 /// What compare_drawings() says of two that are alike.
-Check alike(const cases::Case& c, const Framebuffer& drawn) {
+Check alike(const cases::Case& c, const Fragments& drawn) {
   Check check;
   check.judgement.counts.required = drawn.size();
   check.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct] = drawn.size();
@@ -57,8 +57,8 @@ Check alike(const cases::Case& c, const Framebuffer& drawn) {
 
 }  // namespace
 
-Check compare_drawings(const cases::Case& c, const cases::Framebuffer& expected,
-                       const cases::Framebuffer& drawn, const std::string& note) {
+Check compare_drawings(const cases::Case& c, const cases::Fragments& expected,
+                       const cases::Fragments& drawn, const std::string& note) {
   if (are_alike(expected, drawn)) return alike(c, drawn);
   Check check;
   check.judgement.errors[AttributeKind::coverage];

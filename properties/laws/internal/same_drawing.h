@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cases/case.h"
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties {
@@ -13,7 +13,7 @@ namespace rastercheck::properties {
 /// Holds `drawn` to have the fragments of `expected`, each once, with the same depths, attributes
 /// and derivatives to the bit, in any order; NaNs are alike. Both are of case `c`, whose state
 /// gives the labels. Violations end with `note`, which says how `drawn` came about.
-Check compare_drawings(const cases::Case& c, const cases::Framebuffer& expected,
-                       const cases::Framebuffer& drawn, const std::string& note);
+Check compare_drawings(const cases::Case& c, const cases::Fragments& expected,
+                       const cases::Fragments& drawn, const std::string& note);
 
 }  // namespace rastercheck::properties

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <map>
 
-#include "cases/framebuffer.h"
+#include "cases/fragments.h"
 #include "cases/sample_place.h"
 
 namespace rastercheck::properties {
@@ -18,7 +18,7 @@ inline cases::SamplePlace sample_of(cases::SamplePlace place) {
 
 /// The fragment that is left at each sample (sample_of); of several, the first.
 inline std::map<cases::SamplePlace, std::size_t> fragments_by_sample(
-    const cases::Framebuffer& drawn) {
+    const cases::Fragments& drawn) {
   std::map<cases::SamplePlace, std::size_t> left;
   for (std::size_t i = 0; i < drawn.size(); ++i) left.emplace(sample_of(drawn.place_of(i)), i);
   return left;

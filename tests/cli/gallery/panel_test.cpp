@@ -70,7 +70,7 @@ TEST(JudgedPicture, MeasuresErrorsInItsUnit) {
 TEST(JudgedPicture, ShowsWhatIsMissing) {
   Drawn drawn = square();
   const auto at = static_cast<std::ptrdiff_t>(fragment_at(drawn, 20, 3));
-  cases::Framebuffer& f = drawn.fragments;
+  cases::Fragments& f = drawn.fragments;
   f.triangle.erase(f.triangle.begin() + at);
   f.x.erase(f.x.begin() + at);
   f.y.erase(f.y.begin() + at);

@@ -19,7 +19,7 @@ class MyRasterizer : public backends::Backend {
   }
 
   // The fragments of the case's triangles. Here yours would be asked; this one asks `cpu`.
-  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+  Result<cases::Fragments> draw(const cases::Case& c) override {
     cases::Case without_grid = c;
     without_grid.coverage.reset();
     return drawn_by_->draw(without_grid);
@@ -36,7 +36,7 @@ class Careless : public MyRasterizer {
  public:
   explicit Careless(cases::Rules rules) : rules_(rules) {}
 
-  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+  Result<cases::Fragments> draw(const cases::Case& c) override {
     cases::Case other = c;
     const bool is_top_left = c.fill_rule == cases::TieRule::top_left;
     if (c.rules == rules_) {

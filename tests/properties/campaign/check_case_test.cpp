@@ -26,7 +26,7 @@ Findings check_square(backends::Backend& backend, cases::Case c = square()) {
 }
 
 TEST(CheckCase, CountsAndSaysWhereItIsFrom) {
-  DamagedBackend backend([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 1, 1); });
+  DamagedBackend backend([](const cases::Case&, cases::Fragments& d) { drop(d, 0, 1, 1); });
   const Findings findings = check_square(backend);
   const auto record =
       findings.records.find({kCoverage, "damaged", records::AttributeKind::coverage, "here"});
@@ -48,7 +48,7 @@ records::CaseRecord case_record_of(backends::Backend& backend, const cases::Case
 }
 
 TEST(CheckCase, KeepsWhatTheCaseGaveWhereThatIsKept) {
-  DamagedBackend right([](const cases::Case&, cases::Framebuffer&) {});
+  DamagedBackend right([](const cases::Case&, cases::Fragments&) {});
   EXPECT_EQ(check_square(right).cases, std::nullopt);
   const records::CaseRecord held = case_record_of(right);
   EXPECT_EQ(held.outcome, records::CaseOutcome::held);
@@ -56,7 +56,7 @@ TEST(CheckCase, KeepsWhatTheCaseGaveWhereThatIsKept) {
   EXPECT_EQ(held.mismatches, 0U);
   EXPECT_EQ(held, case_record_of(right));
 
-  DamagedBackend wrong([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 1, 1); });
+  DamagedBackend wrong([](const cases::Case&, cases::Fragments& d) { drop(d, 0, 1, 1); });
   const records::CaseRecord violated = case_record_of(wrong);
   EXPECT_EQ(violated.outcome, records::CaseOutcome::violated);
   EXPECT_EQ(violated.mismatches, 1U);
@@ -66,14 +66,14 @@ TEST(CheckCase, KeepsWhatTheCaseGaveWhereThatIsKept) {
 
 // Kills: a digest of how much is wrong, and not of where.
 TEST(CheckCase, DigestsTellOneBitAndOnePlaceFromAnother) {
-  DamagedBackend here([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 1, 1); });
-  DamagedBackend right([](const cases::Case&, cases::Framebuffer&) {});
+  DamagedBackend here([](const cases::Case&, cases::Fragments& d) { drop(d, 0, 1, 1); });
+  DamagedBackend right([](const cases::Case&, cases::Fragments&) {});
   cases::Case other = square();
   other.attribute_values[0] = 0x1p-149F;
   EXPECT_NE(case_record_of(right, other).source_digest, case_record_of(right).source_digest);
 
   const auto of_values = [](int x, float change) {
-    DamagedBackend backend([x, change](const cases::Case&, cases::Framebuffer& drawn) {
+    DamagedBackend backend([x, change](const cases::Case&, cases::Fragments& drawn) {
       for (std::size_t i = 0; i < drawn.size(); ++i) {
         if (drawn.x[i] == x && drawn.y[i] == 1) drawn.attributes[i * 3] += change;
       }
@@ -107,7 +107,7 @@ TEST(CheckCase, KeepsTheOneTriangleThatSuffices) {
 
 // Kills: a counterexample that holds when it is replayed.
 TEST(CheckCase, KeepsTheWholeCaseWhereNoTriangleSuffices) {
-  DamagedBackend backend([](const cases::Case& c, cases::Framebuffer& drawn) {
+  DamagedBackend backend([](const cases::Case& c, cases::Fragments& drawn) {
     if (c.triangles.size() > 1) lose_last_corner(c, drawn);
   });
   const Findings findings = check_square(backend);
@@ -142,7 +142,7 @@ class FailingBackend : public backends::Backend {
  public:
   FailingBackend(Failure failure, int drawings) : failure_(failure), left_(drawings) {}
   cases::Contract contract(const cases::Case& c) const override { return cases::contract_of(c); }
-  Result<cases::Framebuffer> draw(const cases::Case& /*c*/) override {
+  Result<cases::Fragments> draw(const cases::Case& /*c*/) override {
     --left_;
     return tl::unexpected(failure());
   }
@@ -189,7 +189,7 @@ TEST(CheckCase, DoesNotAskABackendThatIsLost) {
 // Kills: a case set that depends on when a backend was lost.
 TEST(CheckCase, KeepsCasesThatNobodyDrawsAnyMore) {
   FailingBackend backend(Failure::hang, 0);
-  DamagedBackend right([](const cases::Case&, cases::Framebuffer&) {});
+  DamagedBackend right([](const cases::Case&, cases::Fragments&) {});
   const records::CaseRecord record = case_record_of(backend);
   EXPECT_EQ(record.outcome, records::CaseOutcome::violated);
   EXPECT_EQ(record.source_digest, case_record_of(right).source_digest);

@@ -44,7 +44,7 @@ Checkpoint sample() {
   checkpoint.saved = {square()};
   checkpoint.saved[0].found = cases::Found{kCoverage, "cpu", "missing", 3, 4};
   checkpoint.is_done = {true, false, true, true, false, false, true};
-  DamagedBackend backend([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 1, 1); });
+  DamagedBackend backend([](const cases::Case&, cases::Fragments& d) { drop(d, 0, 1, 1); });
   check_case(*find_law(kCoverage), "cpu", backend, 1, {square(), "here", 4}, checkpoint.findings);
   keep(checkpoint.findings, records::UnexpectedPass{"cpu", "driver-1", kCoverage, false});
   return checkpoint;

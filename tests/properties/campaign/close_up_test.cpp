@@ -27,7 +27,7 @@ records::Violation at(std::uint32_t triangle, std::uint32_t x, std::uint32_t y) 
 // give to either.
 TEST(CloseUp, ShowsWhatIsWrongAroundThePixel) {
   DamagedBackend backend(
-      [](const cases::Case&, cases::Framebuffer& d) {
+      [](const cases::Case&, cases::Fragments& d) {
         drop(d, 0, 2, 1);
         add(d, 0, 5, 5);
         value(d, 0, 1, 1, 1) = 3;
@@ -55,8 +55,7 @@ TEST(CloseUp, ShowsOneTriangleAlone) {
 
 // Kills: a reader who takes the other drawing's error for this one's, or the other way round.
 TEST(CloseUp, SaysWhereTheViolationIsNotInThePicture) {
-  DamagedBackend backend([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 2, 1); },
-                         "cpu");
+  DamagedBackend backend([](const cases::Case&, cases::Fragments& d) { drop(d, 0, 2, 1); }, "cpu");
   const auto last_line = [&backend](records::FragmentClass fragment_class) {
     records::Violation violation = at(0, 2, 1);
     violation.fragment_class = fragment_class;
@@ -73,8 +72,7 @@ TEST(CloseUp, SaysWhereTheViolationIsNotInThePicture) {
 TEST(CloseUp, SaysWhereTheContractIsNotWhatTheCaseAsksFor) {
   cases::Case c = square();
   c.coverage = cases::Snapping{7, cases::Rounding::half_up, 0};
-  DamagedBackend backend([](const cases::Case&, cases::Framebuffer& d) { drop(d, 0, 2, 1); },
-                         "cpu");
+  DamagedBackend backend([](const cases::Case&, cases::Fragments& d) { drop(d, 0, 2, 1); }, "cpu");
   EXPECT_EQ(close_up(c, backend, at(0, 2, 1)).back(),
             "Judged by what the backend promises, not by what the case asks: coverage snapped to 7 "
             "subpixel bits (nearest_even), values of basis ideal.");

@@ -26,7 +26,7 @@ namespace {
 
 class RefusingBackend : public DamagedBackend {
  public:
-  Result<cases::Framebuffer> draw(const cases::Case& /*c*/) override {
+  Result<cases::Fragments> draw(const cases::Case& /*c*/) override {
     return tl::unexpected(Error{"", "", "out of memory"});
   }
 };
@@ -34,7 +34,7 @@ class RefusingBackend : public DamagedBackend {
 class SlowBackend : public DamagedBackend {
  public:
   explicit SlowBackend(const Damage& damage) : DamagedBackend(damage, "cpu") {}
-  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+  Result<cases::Fragments> draw(const cases::Case& c) override {
     std::this_thread::sleep_for(std::chrono::milliseconds(4));
     return DamagedBackend::draw(c);
   }
@@ -43,7 +43,7 @@ class SlowBackend : public DamagedBackend {
 class StuckBackend : public DamagedBackend {
  public:
   StuckBackend() : DamagedBackend({}, "cpu") {}
-  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+  Result<cases::Fragments> draw(const cases::Case& c) override {
     std::this_thread::sleep_for(std::chrono::hours(1));
     return DamagedBackend::draw(c);
   }
@@ -59,7 +59,7 @@ class UnseenBackend : public DamagedBackend {
   UnseenBackend() : DamagedBackend({}, "cpu") {}
 };
 
-void lose_last(const cases::Case& /*c*/, cases::Framebuffer& drawn) {
+void lose_last(const cases::Case& /*c*/, cases::Fragments& drawn) {
   if (drawn.size() == 0) return;
   drawn.triangle.pop_back();
   drawn.x.pop_back();
@@ -83,7 +83,7 @@ class DriverBackend : public DamagedBackend {
   std::string version_;
 };
 
-void lose_last_of_scissored(const cases::Case& c, cases::Framebuffer& drawn) {
+void lose_last_of_scissored(const cases::Case& c, cases::Fragments& drawn) {
   if (c.scissor) lose_last(c, drawn);
 }
 

@@ -70,7 +70,7 @@ TEST(JudgeScene, RecordsOnlyWhatIsAskedFor) {
 TEST(JudgeScene, MapsWhatBecameOfPixels) {
   cases::Case c = scene();
   c.triangles.resize(1);  // A alone: pixels with x + y < 7, and perhaps the diagonal
-  const SceneFindings found = judged(c, [](const cases::Case&, cases::Framebuffer& drawn) {
+  const SceneFindings found = judged(c, [](const cases::Case&, cases::Fragments& drawn) {
     drop(drawn, 0, 1, 1);
     add(drawn, 0, 6, 6);
     value(drawn, 0, 2, 3, 1) = 1.5F;
@@ -99,7 +99,7 @@ TEST(JudgeScene, MapsTheErrorOfTheNearestFragment) {
   }
   c.attribute_values.insert(c.attribute_values.end(), {0, 1, 0, 8, 1, 0, 0, 1, 0});
   const auto damaged = [&c](std::uint32_t triangle) {
-    return judged(c, [triangle](const cases::Case&, cases::Framebuffer& drawn) {
+    return judged(c, [triangle](const cases::Case&, cases::Fragments& drawn) {
       value(drawn, triangle, 2, 3, 1) = 1.5F;
     });
   };
@@ -109,7 +109,7 @@ TEST(JudgeScene, MapsTheErrorOfTheNearestFragment) {
   EXPECT_EQ(error(damaged(1), 2, 3), 0);
 }
 
-void lose_last(const cases::Case& /*c*/, cases::Framebuffer& drawn) {
+void lose_last(const cases::Case& /*c*/, cases::Fragments& drawn) {
   drop(drawn, drawn.triangle.back(), 7, 7);
 }
 

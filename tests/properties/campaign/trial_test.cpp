@@ -28,7 +28,7 @@ using Outcome = Trial::Outcome;
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
 
 /// Loses pixel (7, 7) of whatever is drawn, smaller cases too.
-void lose_corner(const cases::Case& c, cases::Framebuffer& drawn) {
+void lose_corner(const cases::Case& c, cases::Fragments& drawn) {
   for (std::uint32_t triangle = 0; triangle < c.triangles.size(); ++triangle) {
     if (find(drawn, triangle, 7, 7) < drawn.size()) drop(drawn, triangle, 7, 7);
   }
@@ -45,7 +45,7 @@ Law law_of_squares() {
 class LimitedBackend : public DamagedBackend {
  public:
   bool has_limits() const override { return true; }
-  Result<cases::Framebuffer> draw(const cases::Case& c) override {
+  Result<cases::Fragments> draw(const cases::Case& c) override {
     if (++asked_ % 2 == 1) return DamagedBackend::draw(c);
     return tl::unexpected(Error{"", "", "not of this kind", Failure::unsupported});
   }
@@ -63,7 +63,7 @@ class LostBackend : public DamagedBackend {
 /// Never draws, and says why.
 class FailingBackend : public DamagedBackend {
  public:
-  Result<cases::Framebuffer> draw(const cases::Case& /*c*/) override {
+  Result<cases::Fragments> draw(const cases::Case& /*c*/) override {
     return tl::unexpected(Error{"", "", "out of memory"});
   }
 };
@@ -115,10 +115,9 @@ TEST(TryLaw, ChecksTheRandomCasesOfACampaign) {
   const Law& law = *find_law(kCoverage);
   TrialOptions options = few_cases();
   options.corpus = corpus.path();
-  const Trial trial =
-      try_law(law, "Mine",
-              damaged([&drawn](const cases::Case& c, cases::Framebuffer&) { drawn.push_back(c); }),
-              options);
+  const Trial trial = try_law(
+      law, "Mine",
+      damaged([&drawn](const cases::Case& c, cases::Fragments&) { drawn.push_back(c); }), options);
   EXPECT_EQ(trial.outcome, Outcome::held) << trial.text;
   EXPECT_EQ(trial.text, "");
   ASSERT_EQ(drawn.size(), 4U);
@@ -157,7 +156,7 @@ TEST(TryLaw, NamesTheCaseOfTheCorpus) {
   options.shrinking.tries = 0;
   int drawn = 0;
   const Trial trial = try_law(*find_law(kCoverage), "Mine",
-                              damaged([&drawn](const cases::Case& c, cases::Framebuffer& out) {
+                              damaged([&drawn](const cases::Case& c, cases::Fragments& out) {
                                 if (++drawn > 1) lose_corner(c, out);
                               }),
                               options);
@@ -170,7 +169,7 @@ TEST(TryLaw, SaysHowFarAValueIsOff) {
   law.generate = [](Draw&) { return Generated{square(), "squares"}; };
   TrialOptions options = few_cases();
   options.shrinking.tries = 0;
-  const auto damage = [](const cases::Case&, cases::Framebuffer& drawn) {
+  const auto damage = [](const cases::Case&, cases::Fragments& drawn) {
     value(drawn, 0, 0, 0, 1) = 0x1.00001p+0F;  // of one, whose unit is 2^-23
   };
   const Trial trial = try_law(

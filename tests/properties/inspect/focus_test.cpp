@@ -8,7 +8,7 @@ namespace rastercheck::properties::focus_test {
 namespace {
 
 /// Of A x is a little off at (1, 1) and more at (3, 2), and `one` more than that; of B a depth.
-void make_off(const cases::Case& /*c*/, cases::Framebuffer& d) {
+void make_off(const cases::Case& /*c*/, cases::Fragments& d) {
   value(d, 0, 1, 1, 0) += 0x1p-22F;
   value(d, 0, 3, 2, 0) += 0x1p-21F;
   value(d, 0, 3, 2, 1) = 0x1.000002p+0F;
@@ -54,7 +54,7 @@ TEST(Focus, IsTheLargestErrorWhereNothingIsViolated) {
 
 // Kills: a missing sample passed over for a large error.
 TEST(Focus, IsTheFirstViolationWhereThereIsOne) {
-  const auto lose = [](const cases::Case& c, cases::Framebuffer& d) {
+  const auto lose = [](const cases::Case& c, cases::Fragments& d) {
     make_off(c, d);
     value(d, 0, 4, 1, 0) = 100;
     drop(d, 0, 5, 1);
@@ -64,7 +64,7 @@ TEST(Focus, IsTheFirstViolationWhereThereIsOne) {
   FocusRequest of_column;
   of_column.x = 5;
   EXPECT_EQ(focus_of(of_column, lose), at(0, 5, 1, std::nullopt));
-  const auto add_one = [](const cases::Case& /*c*/, cases::Framebuffer& d) { add(d, 0, 7, 7); };
+  const auto add_one = [](const cases::Case& /*c*/, cases::Fragments& d) { add(d, 0, 7, 7); };
   EXPECT_EQ(focus_of({}, add_one), at(0, 7, 7, std::nullopt));
 }
 
@@ -89,7 +89,7 @@ TEST(Focus, DrawsEachTriangleAlone) {
   c.depth_test = cases::DepthTest::less;
   c.triangles = {{0, 1, 2}, {0, 1, 2}};
   DamagedBackend backend(
-      [](const cases::Case& /*c*/, cases::Framebuffer& d) { value(d, 1, 2, 1, 0) = 100; }, "cpu");
+      [](const cases::Case& /*c*/, cases::Fragments& d) { value(d, 1, 2, 1, 0) = 100; }, "cpu");
   EXPECT_EQ(find_focus(c, backend, {})->at, (cases::SamplePlace{1, 1, 2, 0}));
 }
 

@@ -50,7 +50,7 @@ Inspection inspection_of(const Focus& focus, const Damage& damage, const cases::
 TEST(Inspect, SaysWhatIsExactAndWhatWasDrawn) {
   const Inspection found = inspection_of(
       {{0, 1, 2, 0}, 0},
-      [](const cases::Case&, cases::Framebuffer& d) { value(d, 0, 2, 1, 0) += 0x1p-21F; });
+      [](const cases::Case&, cases::Fragments& d) { value(d, 0, 2, 1, 0) += 0x1p-21F; });
   EXPECT_THAT(found.q_matrix.value(),
               ElementsAre(ElementsAre("-1/8", "-1/8", "1"), ElementsAre("1/8", "0", "0"),
                           ElementsAre("0", "1/8", "0")));
@@ -85,7 +85,7 @@ TEST(Inspect, SaysWhatIsExactAndWhatWasDrawn) {
 // Kills: an excess where the contract leaves the value open, an error against what it leaves open.
 TEST(Inspect, TellsErrorFromExcess) {
   DamagedBackend backend(
-      [](const cases::Case&, cases::Framebuffer& d) { value(d, 0, 2, 1, 0) += 0.25F; }, "cpu");
+      [](const cases::Case&, cases::Fragments& d) { value(d, 0, 2, 1, 0) += 0.25F; }, "cpu");
   cases::Contract open = cases::contract_of(square());
   open.coverage = cases::Snapping{0, cases::Rounding::unspecified, 0};
   open.basis = cases::Basis::snapped;  // each vertex anywhere within a pixel
@@ -104,7 +104,7 @@ TEST(Inspect, TellsErrorFromExcess) {
 // (13/2, 11/2) lies outside A, whose x goes on there.
 TEST(Inspect, ShowsValuesWhereDrawnOrNotForbidden) {
   const Inspection found =
-      inspection_of({{0, 1, 2, 0}}, [](const cases::Case&, cases::Framebuffer& d) {
+      inspection_of({{0, 1, 2, 0}}, [](const cases::Case&, cases::Fragments& d) {
         drop(d, 0, 2, 1);
         add(d, 0, 6, 5);
       });
@@ -125,7 +125,7 @@ TEST(Inspect, ShowsValuesWhereDrawnOrNotForbidden) {
 
 TEST(Inspect, GivesWhatIsNoNumberNoError) {
   const Inspection found =
-      inspection_of({{0, 1, 2, 0}, 0}, [](const cases::Case&, cases::Framebuffer& d) {
+      inspection_of({{0, 1, 2, 0}, 0}, [](const cases::Case&, cases::Fragments& d) {
         value(d, 0, 2, 1, 0) = std::numeric_limits<float>::quiet_NaN();
         value(d, 0, 2, 1, 1) = std::numeric_limits<float>::infinity();
       });

@@ -14,7 +14,7 @@ namespace rastercheck::properties::additive_counts_overdraw_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 
 constexpr std::string_view kLaw = "additive-blending-counts-overdraw";
@@ -46,7 +46,7 @@ TEST(Overdraw, CountsTheSquareOnce) {
 
 TEST(Overdraw, FindsWhatIsLostAndWhatIsDrawnTwice) {
   PictureBackend backend;
-  backend.fragment_damage = [](const Case&, Framebuffer& drawn) {
+  backend.fragment_damage = [](const Case&, Fragments& drawn) {
     drop(drawn, 0, 1, 1);
     const std::size_t at = find(drawn, 1, 6, 6);
     drawn.x[at] = 5;  // where triangle 1 is drawn too
@@ -80,7 +80,7 @@ TEST(Overdraw, FindsWhatIsNoCount) {
 // The diagonal's samples are permitted of both: one, two or none of the triangles may draw them.
 TEST(Overdraw, LetsPermittedSamplesBe) {
   PictureBackend backend("method:rational-linear");
-  backend.fragment_damage = [](const Case&, Framebuffer& drawn) {
+  backend.fragment_damage = [](const Case&, Fragments& drawn) {
     drop(drawn, 1, 3, 4);
     add(drawn, 0, 4, 3);
     value(drawn, 0, 4, 3, 0) = 1;

@@ -11,7 +11,7 @@ namespace rastercheck::properties::affine_error_of_perspective_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 
 constexpr std::string_view kLaw = "affine-values-are-off-perspective-by-no-more-than-w-allows";
 
@@ -33,8 +33,8 @@ Case wedge() {
 
 Check checked_with(float actual, const std::string& backend = "method:screen-linear") {
   return check_of(
-      kLaw, wedge(),
-      [actual](const Case&, Framebuffer& drawn) { value(drawn, 0, 2, 3, 0) = actual; }, backend);
+      kLaw, wedge(), [actual](const Case&, Fragments& drawn) { value(drawn, 0, 2, 3, 0) = actual; },
+      backend);
 }
 
 TEST(AffineError, IsWithinWhatTheRatioOfWAllows) {

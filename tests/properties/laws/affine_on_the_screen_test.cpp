@@ -13,7 +13,7 @@ namespace rastercheck::properties::affine_on_the_screen_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 
@@ -41,7 +41,7 @@ Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, da
 
 /// Changes attribute `a` of the fragment in the middle of triangle A's lines.
 Damage adding(float more, std::size_t a) {
-  return [more, a](const Case&, Framebuffer& drawn) { value(drawn, 0, 2, 2, a) += more; };
+  return [more, a](const Case&, Fragments& drawn) { value(drawn, 0, 2, 2, a) += more; };
 }
 
 TEST(Affine, HoldsOfTheSquare) {
@@ -71,7 +71,7 @@ TEST(Affine, FindsWhatIsNotOnTheChord) {
   EXPECT_EQ(check.violations.front().kind, AttributeKind::noperspective);
   EXPECT_THAT(check.violations.front().note, testing::HasSubstr("not on the chord of its "));
   const Check depth = checked(
-      c, [](const Case&, Framebuffer& drawn) { drawn.depth[find(drawn, 0, 2, 2)] += 0.001F; });
+      c, [](const Case&, Fragments& drawn) { drawn.depth[find(drawn, 0, 2, 2)] += 0.001F; });
   ASSERT_EQ(depth.violation_count, 1U);
   EXPECT_EQ(depth.violations.front().kind, AttributeKind::depth);
 }

@@ -14,7 +14,7 @@ namespace {
 
 using cases::Case;
 using cases::ClipVertex;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::HasSubstr;
 
@@ -47,7 +47,7 @@ TEST(CameraForm, ShowsWhatLiesOnTheRay) {
     c.viewport = {0.25F, 8, 7.5F, -7.75F, 0.25F, 0.75F};
     if (rules != cases::Rules::vulkan) c.viewport = {0.25F, 0.5F, 7.5F, 7.25F, 0.25F, 0.75F};
     Case seen;
-    const Check check = checked(c, [&seen](const Case& drawn, Framebuffer&) { seen = drawn; });
+    const Check check = checked(c, [&seen](const Case& drawn, Fragments&) { seen = drawn; });
     EXPECT_EQ(check.violation_count, 0U);
     EXPECT_GT(check.judgement.counts.required, 15U);
     EXPECT_EQ(seen.positions[2], (ClipVertex{0, 4, 3.5F, 4}));
@@ -57,7 +57,7 @@ TEST(CameraForm, ShowsWhatLiesOnTheRay) {
 
 // x is up to 1, and 8 of its ulps are far beyond 0.51.
 TEST(CameraForm, FindsValuesOfAnotherPlace) {
-  const Check check = checked(seen_at_a_slant(), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(seen_at_a_slant(), [](const Case&, Fragments& drawn) {
     drawn.attributes[3 * 4] += 8 * 0x1p-23F;
   });
   ASSERT_EQ(check.violation_count, 1U);
@@ -66,7 +66,7 @@ TEST(CameraForm, FindsValuesOfAnotherPlace) {
 }
 
 TEST(CameraForm, FindsADepthOfAnotherPlace) {
-  const Check check = checked(seen_at_a_slant(), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(seen_at_a_slant(), [](const Case&, Fragments& drawn) {
     drawn.depth[4] += 0.001F;
     drawn.depth[5] = std::nanf("");
   });
@@ -75,7 +75,7 @@ TEST(CameraForm, FindsADepthOfAnotherPlace) {
 }
 
 TEST(CameraForm, FindsAffineValues) {
-  const Check check = checked(seen_at_a_slant(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(seen_at_a_slant(), [](const Case& c, Fragments& drawn) {
     Case affine = c;
     for (cases::Attribute& attribute : affine.attributes) {
       attribute.interpolation = cases::Interpolation::noperspective;
@@ -116,7 +116,7 @@ TEST(CameraForm, HoldsOfSnappedVerticesToTheirReach) {
   c.coverage = cases::Snapping{4};
   c.basis = cases::Basis::snapped;
   EXPECT_EQ(checked(c, {}).violation_count, 0U);
-  const auto off = [](const Case&, Framebuffer& drawn) { drawn.attributes[3 * 4] += 0.25F; };
+  const auto off = [](const Case&, Fragments& drawn) { drawn.attributes[3 * 4] += 0.25F; };
   EXPECT_EQ(checked(c, off).violation_count, 1U);
   EXPECT_EQ(checked(seen_at_a_slant(), off, "method:rational-linear").violation_count, 1U);
 }

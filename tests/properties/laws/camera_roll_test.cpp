@@ -14,7 +14,7 @@ namespace rastercheck::properties::camera_roll_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::Contains;
 using testing::HasSubstr;
@@ -89,7 +89,7 @@ TEST(CameraRoll, FindsClipPositionsThatAreNone) {
 // Pixel (i, j) = (1, 3) is (8 − 1 − 3, 1) of the turned picture.
 TEST(CameraRoll, FindsWhatIsMissingInThePlaceOfTheCameraAsItWas) {
   DamagedBackend backend(
-      [](const Case& c, Framebuffer& drawn) {
+      [](const Case& c, Fragments& drawn) {
         if (c.framebuffer.width == 8) drop(drawn, 0, 4, 1);
       },
       "cpu");

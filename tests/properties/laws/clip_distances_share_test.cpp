@@ -12,7 +12,7 @@ namespace rastercheck::properties::clip_distances_share_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::HasSubstr;
 
@@ -43,7 +43,7 @@ TEST(ClipDistances, OfNoneSayNothing) { EXPECT_FALSE(checked(square(), {}).is_ap
 
 // Pixel (3, 1) is A's, and its zero belongs to the distance, whose normal points to the right.
 TEST(ClipDistances, FindAZeroThatBothDraw) {
-  const Check check = checked(cut_square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(cut_square(), [](const Case& c, Fragments& drawn) {
     if (is_opposite(c)) add(drawn, 0, 3, 1);
   });
   ASSERT_EQ(check.violation_count, 1U);
@@ -58,7 +58,7 @@ TEST(ClipDistances, FindAZeroThatBothDraw) {
 }
 
 TEST(ClipDistances, FindAZeroThatNeitherDraws) {
-  const Check check = checked(cut_square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(cut_square(), [](const Case& c, Fragments& drawn) {
     if (c.clip_distance_count > 0 && !is_opposite(c)) drop(drawn, 0, 3, 1);
   });
   ASSERT_EQ(check.violation_count, 1U);
@@ -67,7 +67,7 @@ TEST(ClipDistances, FindAZeroThatNeitherDraws) {
 }
 
 TEST(ClipDistances, FindWhatOnlyTheyDraw) {
-  const Check check = checked(cut_square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(cut_square(), [](const Case& c, Fragments& drawn) {
     if (is_opposite(c)) add(drawn, 0, 1, 7);
     if (c.clip_distance_count == 0) drop(drawn, 1, 7, 7);
   });
@@ -83,7 +83,7 @@ TEST(ClipDistances, OfD3dDrawTheirZerosTwice) {
   const Check check = checked(c, {});
   EXPECT_EQ(check.violation_count, 0U);
   EXPECT_THAT(check.labels, testing::Contains("drawn with both"));
-  const Check once = checked(c, [](const Case& with, Framebuffer& drawn) {
+  const Check once = checked(c, [](const Case& with, Fragments& drawn) {
     if (is_opposite(with)) drop(drawn, find(drawn, 0, 3, 6) < drawn.size() ? 0 : 1, 3, 6);
   });
   ASSERT_EQ(once.violation_count, 1U);
@@ -101,7 +101,7 @@ TEST(ClipDistances, OfZeroEverywhereCutNothing) {
 // Under a contract without a tie rule either may have the zeros, or both; and what lies within a
 // grid unit of a snapped cut may be drawn or not.
 TEST(ClipDistances, LeaveAloneWhatIsPermitted) {
-  const auto twice = [](const Case& c, Framebuffer& drawn) {
+  const auto twice = [](const Case& c, Fragments& drawn) {
     if (is_opposite(c)) add(drawn, 0, 3, 1);
   };
   EXPECT_EQ(check_of(kLaw, cut_square(), twice).violation_count, 0U);

@@ -15,7 +15,7 @@ namespace rastercheck::properties::clipped_equals_clipless_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "clipped-equals-clipless";
@@ -47,7 +47,7 @@ void for_some_cases(const Visit& visit) {
 
 TEST(Clipping, FindsWhatIsLostAndWhatIsTooMuch) {
   for_some_cases([](const Case& c) {
-    const Check lost = checked(c, [](const Case& drawn_case, Framebuffer& drawn) {
+    const Check lost = checked(c, [](const Case& drawn_case, Fragments& drawn) {
       if (!is_clipped(drawn_case) || drawn.size() < 8) return;
       for (int i = 0; i < 8; ++i) {
         drawn.triangle[static_cast<std::size_t>(i)] = 9999;  // no part of any triangle
@@ -55,7 +55,7 @@ TEST(Clipping, FindsWhatIsLostAndWhatIsTooMuch) {
     });
     EXPECT_GE(lost.violation_count, 8U);
     EXPECT_THAT(lost.violations.front().note, HasSubstr("drawn of what is left at the "));
-    const Check twice = checked(c, [](const Case& drawn_case, Framebuffer& drawn) {
+    const Check twice = checked(c, [](const Case& drawn_case, Fragments& drawn) {
       if (!is_clipped(drawn_case) || drawn.size() == 0) return;
       drawn.triangle.push_back(drawn.triangle[0]);
       drawn.x.push_back(drawn.x[0]);
@@ -73,7 +73,7 @@ TEST(Clipping, FindsWhatIsLostAndWhatIsTooMuch) {
 
 TEST(Clipping, FindsOtherValues) {
   for_some_cases([](const Case& c) {
-    const Check check = checked(c, [](const Case& drawn_case, Framebuffer& drawn) {
+    const Check check = checked(c, [](const Case& drawn_case, Fragments& drawn) {
       if (is_clipped(drawn_case) && drawn.size() > 0) drawn.depth[0] += 0.25F;
     });
     EXPECT_EQ(check.violation_count, 1U);

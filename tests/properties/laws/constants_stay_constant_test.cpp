@@ -13,14 +13,14 @@ namespace rastercheck::properties::constants_stay_constant_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 
 constexpr std::string_view kLaw = "constants-stay-constant";
 
 TEST(ConstantsStayConstant, FindsOneUlpAndTheOtherZero) {
-  const Check check = check_of(kLaw, square(), [](const Case&, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, square(), [](const Case&, Fragments& drawn) {
     value(drawn, 0, 2, 3, 1) = std::nextafter(1.0F, 2.0F);
     value(drawn, 1, 6, 6, 2) = -0.0F;
   });
@@ -35,15 +35,14 @@ TEST(ConstantsStayConstant, FindsOneUlpAndTheOtherZero) {
 
 TEST(ConstantsStayConstant, JudgesNoOtherAttribute) {
   const Check check = check_of(
-      kLaw, square(), [](const Case&, Framebuffer& drawn) { value(drawn, 0, 2, 3, 0) = 77; });
+      kLaw, square(), [](const Case&, Fragments& drawn) { value(drawn, 0, 2, 3, 0) = 77; });
   EXPECT_EQ(check.violation_count, 0U);
 }
 
 // With a bound of 3/4 the neighbour below a power of two may be what rounding gives.
 TEST(ConstantsStayConstant, JudgesWhatTheContractPromisesOnly) {
-  DamagedBackend backend([](const Case&, Framebuffer& drawn) {
-    value(drawn, 0, 2, 3, 1) = std::nextafter(1.0F, 2.0F);
-  });
+  DamagedBackend backend(
+      [](const Case&, Fragments& drawn) { value(drawn, 0, 2, 3, 1) = std::nextafter(1.0F, 2.0F); });
   cases::Contract contract = backend.contract(square());
   const auto violations = [&](cases::ValueBound smooth) {
     contract.bounds.smooth = smooth;
@@ -59,7 +58,7 @@ TEST(ConstantsStayConstant, JudgesWhatTheContractPromisesOnly) {
 
 // As of attributes in float32, whose bound is several ULP.
 TEST(ConstantsStayConstant, JudgesWhatIsPromisedToBeKeptWhateverTheBound) {
-  DamagedBackend backend([](const Case&, Framebuffer& drawn) {
+  DamagedBackend backend([](const Case&, Fragments& drawn) {
     value(drawn, 0, 2, 3, 1) = std::nextafter(1.0F, 2.0F);
     value(drawn, 1, 6, 6, 2) = -0.0F;
   });

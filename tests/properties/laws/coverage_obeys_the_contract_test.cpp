@@ -13,7 +13,7 @@ namespace rastercheck::properties::coverage_obeys_the_contract_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 
@@ -21,7 +21,7 @@ constexpr std::string_view kLaw = "coverage-obeys-the-contract";
 
 TEST(CoverageObeysTheContract, FindsAMissingFragment) {
   const Check check =
-      check_of(kLaw, square(), [](const Case&, Framebuffer& drawn) { drop(drawn, 0, 1, 1); });
+      check_of(kLaw, square(), [](const Case&, Fragments& drawn) { drop(drawn, 0, 1, 1); });
   expect_at(only(check), FragmentClass::missing, AttributeKind::coverage, 0, 1, 1);
   EXPECT_EQ(only(check).exact, "required: inside");
   EXPECT_EQ(only(check).actual, "not drawn");
@@ -29,7 +29,7 @@ TEST(CoverageObeysTheContract, FindsAMissingFragment) {
 
 TEST(CoverageObeysTheContract, FindsAnExtraFragment) {
   const Check check =
-      check_of(kLaw, square(), [](const Case&, Framebuffer& drawn) { add(drawn, 0, 6, 6); });
+      check_of(kLaw, square(), [](const Case&, Fragments& drawn) { add(drawn, 0, 6, 6); });
   expect_at(only(check), FragmentClass::extra, AttributeKind::coverage, 0, 6, 6);
   EXPECT_EQ(only(check).exact, "forbidden: outside");
   EXPECT_EQ(only(check).actual, "drawn");
@@ -37,13 +37,13 @@ TEST(CoverageObeysTheContract, FindsAnExtraFragment) {
 
 TEST(CoverageObeysTheContract, FindsAFragmentDrawnTwice) {
   const Check check =
-      check_of(kLaw, square(), [](const Case&, Framebuffer& drawn) { add(drawn, 0, 1, 1); });
+      check_of(kLaw, square(), [](const Case&, Fragments& drawn) { add(drawn, 0, 1, 1); });
   expect_at(only(check), FragmentClass::extra, AttributeKind::coverage, 0, 1, 1);
   EXPECT_EQ(only(check).note, "drawn more than once");
 }
 
 TEST(CoverageObeysTheContract, FindsFragmentsOfNothing) {
-  const Check check = check_of(kLaw, square(), [](const Case&, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, square(), [](const Case&, Fragments& drawn) {
     add(drawn, 1, 8, 0);
     add(drawn, 2, 0, 0);
   });
@@ -64,12 +64,12 @@ TEST(CoverageObeysTheContract, FindsTheWrongTriangleUnderADepthTest) {
   c.triangles = {{0, 1, 2}, {4, 5, 6}};
   EXPECT_EQ(check_of(kLaw, c, {}).violation_count, 0U);
   const Check check = check_of(
-      kLaw, c, [](const Case&, Framebuffer& drawn) { drawn.triangle[find(drawn, 0, 1, 1)] = 1; });
+      kLaw, c, [](const Case&, Fragments& drawn) { drawn.triangle[find(drawn, 0, 1, 1)] = 1; });
   expect_at(only(check), FragmentClass::wrong_triangle, AttributeKind::coverage, 1, 1, 1);
 }
 
 TEST(CoverageObeysTheContract, LeavesValuesAlone) {
-  const Check check = check_of(kLaw, square(), [](const Case&, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, square(), [](const Case&, Fragments& drawn) {
     value(drawn, 0, 1, 1, 0) = std::numeric_limits<float>::quiet_NaN();
   });
   EXPECT_EQ(check.violation_count, 0U);

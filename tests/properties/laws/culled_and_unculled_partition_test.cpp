@@ -14,7 +14,7 @@ namespace {
 
 using cases::Case;
 using cases::Cull;
-using cases::Framebuffer;
+using cases::Fragments;
 using cases::FrontFace;
 using records::FragmentClass;
 using testing::HasSubstr;
@@ -32,7 +32,7 @@ Case two_sided() {
 class Misled : public DamagedBackend {
  public:
   explicit Misled(std::function<void(Case&)> mislead) : mislead_(std::move(mislead)) {}
-  Result<Framebuffer> draw(const Case& c) override {
+  Result<Fragments> draw(const Case& c) override {
     Case changed = c;
     mislead_(changed);
     return DamagedBackend::draw(changed);
@@ -79,7 +79,7 @@ TEST(Culling, FindsWhatIsNeverCulled) {
 
 // A triangle that is half a front and half a back.
 TEST(Culling, FindsATriangleInBoth) {
-  const Check check = check_of(kLaw, two_sided(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, two_sided(), [](const Case& c, Fragments& drawn) {
     if (c.cull == Cull::none || c.front_face == FrontFace::cw) return;
     const bool is_here = find(drawn, 0, 1, 1) < drawn.size();
     if (is_here) {
@@ -98,7 +98,7 @@ TEST(Culling, FindsATriangleInBoth) {
 }
 
 TEST(Culling, FindsWhatNeitherDraws) {
-  const Check check = check_of(kLaw, two_sided(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, two_sided(), [](const Case& c, Fragments& drawn) {
     if (c.cull != Cull::none && find(drawn, 1, 7, 7) < drawn.size()) drop(drawn, 1, 7, 7);
   });
   ASSERT_EQ(check.violation_count, 1U);
@@ -107,7 +107,7 @@ TEST(Culling, FindsWhatNeitherDraws) {
 }
 
 TEST(Culling, FindsValuesThatDependOnIt) {
-  const Check check = check_of(kLaw, two_sided(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, two_sided(), [](const Case& c, Fragments& drawn) {
     const std::size_t at = find(drawn, 1, 7, 7);
     if (c.cull == Cull::none || at == drawn.size()) return;
     value(drawn, 1, 7, 7, 1) = std::nextafter(1.0F, 2.0F);

@@ -17,7 +17,7 @@ namespace rastercheck::properties::degenerate_covers_nothing_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::HasSubstr;
 
@@ -58,7 +58,7 @@ TEST(Degenerate, TrianglesHaveNoArea) {
     Case c = own_case(kLaw, i).source;
     c.coverage.reset();
     c.triangles.resize(1);
-    checked(c, [&](const Case& seen, Framebuffer&) {
+    checked(c, [&](const Case& seen, Fragments&) {
       if (seen.triangles.size() > 1) ++added_to;
       for (std::uint32_t t = 0; t < seen.triangles.size(); ++t) {
         if (seen.triangles[t] == c.triangles[0]) continue;
@@ -74,7 +74,7 @@ TEST(Degenerate, TrianglesHaveNoArea) {
 }
 
 TEST(Degenerate, TriangleThatDrawsIsFound) {
-  const Check check = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case& c, Fragments& drawn) {
     if (is_mixed(c)) add(drawn, added(c).front(), 3, 4);
   });
   ASSERT_EQ(check.violation_count, 1U);
@@ -86,15 +86,15 @@ TEST(Degenerate, TriangleThatDrawsIsFound) {
 }
 
 TEST(Degenerate, TriangleThatChangesItsNeighboursIsFound) {
-  const Check bit = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check bit = checked(square(), [](const Case& c, Fragments& drawn) {
     if (is_mixed(c)) drawn.attributes[0] += 0x1p-20F;
   });
   EXPECT_EQ(bit.violation_count, 1U);
-  const Check hidden = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check hidden = checked(square(), [](const Case& c, Fragments& drawn) {
     if (is_mixed(c)) drop(drawn, drawn.triangle[0], drawn.x[0], drawn.y[0]);
   });
   EXPECT_EQ(hidden.violation_count, 1U);
-  const Check renumbered = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check renumbered = checked(square(), [](const Case& c, Fragments& drawn) {
     if (!is_mixed(c)) return;
     for (std::uint32_t& triangle : drawn.triangle) triangle += 100;
   });

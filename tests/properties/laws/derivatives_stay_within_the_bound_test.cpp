@@ -13,7 +13,7 @@ namespace rastercheck::properties::derivatives_stay_within_the_bound_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 
@@ -23,7 +23,7 @@ constexpr std::string_view kLaw = "screen-derivatives-stay-within-the-bound";
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 
 /// ∂/∂u or ∂/∂v of an attribute.
-float& derivative(Framebuffer& drawn, std::uint32_t triangle, int x, int y, std::size_t attribute,
+float& derivative(Fragments& drawn, std::uint32_t triangle, int x, int y, std::size_t attribute,
                   std::size_t axis) {
   const std::size_t first = find(drawn, triangle, x, y) * drawn.attribute_count;
   return drawn.derivatives[(first + attribute) * 2 + axis];
@@ -31,7 +31,7 @@ float& derivative(Framebuffer& drawn, std::uint32_t triangle, int x, int y, std:
 
 // Attribute 0 is u: its derivatives are 1 and 0, and the unit of both is ulp(8/8 + 8/8) = 2^-22.
 TEST(ScreenDerivatives, FindsOneUnitAlongEitherAxis) {
-  const Check check = checked(square(), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case&, Fragments& drawn) {
     derivative(drawn, 0, 2, 3, 0, 0) = 1 + 0x1p-22F;
     derivative(drawn, 0, 3, 3, 0, 0) = 1 + 0x1p-23F;  // half a unit
     derivative(drawn, 1, 6, 6, 0, 1) = -0x1p-22F;
@@ -49,7 +49,7 @@ TEST(ScreenDerivatives, FindsOneUnitAlongEitherAxis) {
 }
 
 TEST(ScreenDerivatives, FindsWhatIsNoNumber) {
-  const Check check = checked(square(), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case&, Fragments& drawn) {
     derivative(drawn, 0, 1, 1, 0, 0) = std::numeric_limits<float>::quiet_NaN();
     derivative(drawn, 0, 1, 1, 2, 1) = std::numeric_limits<float>::infinity();
   });
@@ -64,7 +64,7 @@ TEST(ScreenDerivatives, FindsSlopesOfFlatAttributes) {
   c.attributes[0].interpolation = cases::Interpolation::flat;
   EXPECT_EQ(checked(c, {}).violation_count, 0U);
   const Check check = checked(
-      c, [](const Case&, Framebuffer& drawn) { derivative(drawn, 0, 1, 1, 0, 0) = 0x1p-149F; });
+      c, [](const Case&, Fragments& drawn) { derivative(drawn, 0, 1, 1, 0, 0) = 0x1p-149F; });
   expect_at(only(check), FragmentClass::beyond_bound, AttributeKind::flat, 0, 1, 1);
 }
 
@@ -75,7 +75,7 @@ TEST(ScreenDerivatives, JudgesNoCentroidWhosePlaceIsOpen) {
     c.rules = rules;
     c.framebuffer.samples = samples;
     c.attributes[0].location = cases::Location::centroid;
-    const auto damage = [](const Case&, Framebuffer& drawn) { drawn.derivatives[0] = 7; };
+    const auto damage = [](const Case&, Fragments& drawn) { drawn.derivatives[0] = 7; };
     return checked(c, damage).violation_count;
   };
   EXPECT_EQ(violations(cases::Rules::vulkan, 1), 1U);
@@ -85,7 +85,7 @@ TEST(ScreenDerivatives, JudgesNoCentroidWhosePlaceIsOpen) {
 
 TEST(ScreenDerivatives, SaysNothingWhereNoneArePromisedOrGiven) {
   EXPECT_FALSE(check_of(kLaw, square(), {}).is_applicable);
-  EXPECT_FALSE(checked(square(), [](const Case&, Framebuffer& drawn) {
+  EXPECT_FALSE(checked(square(), [](const Case&, Fragments& drawn) {
                  drawn.derivatives.clear();
                }).is_applicable);
   DamagedBackend backend({}, "cpu");

@@ -13,7 +13,7 @@ namespace rastercheck::properties::drawing_twice_draws_the_same_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::HasSubstr;
 
@@ -22,7 +22,7 @@ constexpr std::string_view kLaw = "drawing-twice-draws-the-same-bits";
 TEST(DrawingTwice, DrawsTheSame) {
   std::vector<Case> drawn;
   const Check check =
-      check_of(kLaw, square(), [&](const Case& c, Framebuffer&) { drawn.push_back(c); });
+      check_of(kLaw, square(), [&](const Case& c, Fragments&) { drawn.push_back(c); });
   EXPECT_TRUE(check.is_applicable);
   EXPECT_EQ(check.violation_count, 0U);
   EXPECT_EQ(check.judgement.counts.required, 128U);
@@ -41,7 +41,7 @@ TEST(DrawingTwice, DrawsTheSame) {
 
 TEST(DrawingTwice, FindsWhatTheFirstLeavesBehind) {
   int count = 0;
-  const Check check = check_of(kLaw, square(), [&](const Case&, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, square(), [&](const Case&, Fragments& drawn) {
     if (++count > 1) value(drawn, 0, 1, 1, 1) = std::nextafter(1.0F, 2.0F);
   });
   ASSERT_EQ(check.violation_count, 1U);
@@ -52,7 +52,7 @@ TEST(DrawingTwice, FindsWhatTheFirstLeavesBehind) {
 
 TEST(DrawingTwice, FindsWhatAnotherCaseLeavesBehind) {
   int before = 0;
-  const Check check = check_of(kLaw, square(), [&](const Case& c, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, square(), [&](const Case& c, Fragments& drawn) {
     if (before > c.framebuffer.width) drop(drawn, 0, 1, 1);
     before = c.framebuffer.width;
   });

@@ -15,7 +15,7 @@ namespace rastercheck::properties::equal_depth_stays_equal_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 
@@ -34,7 +34,7 @@ Case tilted() {
 
 Check checked(const Case& c, const Damage& damage) { return check_of(kLaw, c, damage, "cpu"); }
 
-float& depth(Framebuffer& drawn, std::uint32_t triangle, int x, int y) {
+float& depth(Fragments& drawn, std::uint32_t triangle, int x, int y) {
   return drawn.depth[find(drawn, triangle, x, y)];
 }
 
@@ -47,7 +47,7 @@ TEST(EqualDepth, HoldsOfTheSquare) {
 }
 
 TEST(EqualDepth, FindsTheNextFloat) {
-  const Check check = checked(tilted(), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(tilted(), [](const Case&, Fragments& drawn) {
     depth(drawn, 0, 2, 3) = std::nextafter(0.25F, 1.0F);
     depth(drawn, 0, 3, 3) = std::numeric_limits<float>::quiet_NaN();
   });
@@ -64,7 +64,7 @@ TEST(EqualDepth, FindsTheNextFloat) {
 
 // Each is of one depth.
 TEST(EqualDepth, FindsTwoTrianglesThatDiffer) {
-  const Check check = checked(tilted(), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(tilted(), [](const Case&, Fragments& drawn) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       if (drawn.triangle[i] == 1) drawn.depth[i] = std::nextafter(0.25F, 1.0F);
     }
@@ -95,8 +95,7 @@ TEST(EqualDepth, SaysNothingOfSlopesAndOfWhatIsNotPromised) {
 
 // A sample that is not the plane's, which comes first or last.
 TEST(EqualDepth, LeavesSamplesThatShouldNotBeThereAlone) {
-  const Check check =
-      checked(tilted(), [](const Case&, Framebuffer& drawn) { add(drawn, 0, 7, 7); });
+  const Check check = checked(tilted(), [](const Case&, Fragments& drawn) { add(drawn, 0, 7, 7); });
   EXPECT_EQ(check.violation_count, 0U);
 }
 

@@ -14,7 +14,7 @@ namespace rastercheck::properties::equal_w_equals_the_general_path_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "equal-w-equals-the-general-path";
@@ -29,8 +29,8 @@ bool is_general(const Case& c) { return c.attributes.size() > 3; }
 TEST(EqualW, DrawsTheSquareWithVerticesScaled) {
   Case equal;
   Case general;
-  const Check check = checked(
-      square(), [&](const Case& c, Framebuffer&) { (is_general(c) ? general : equal) = c; });
+  const Check check =
+      checked(square(), [&](const Case& c, Fragments&) { (is_general(c) ? general : equal) = c; });
   EXPECT_EQ(check.violation_count, 0U);
   EXPECT_EQ(check.judgement.counts.required, 64U);
   EXPECT_THAT(check.labels, testing::Contains("quotient"));
@@ -59,7 +59,7 @@ TEST(EqualW, ScalesClipDistancesAlike) {
 }
 
 TEST(EqualW, FindsCoverageOfOneOnly) {
-  const Check check = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case& c, Fragments& drawn) {
     if (is_general(c)) drop(drawn, 0, 1, 1);
     if (!is_general(c)) drop(drawn, 1, 6, 6);
   });
@@ -70,12 +70,12 @@ TEST(EqualW, FindsCoverageOfOneOnly) {
 // 0.51 ulp(8) of both, 1.02 · 2^-20.
 TEST(EqualW, FindsValuesBeyondBothBounds) {
   for (const float units : {1.0F, 2.0F}) {
-    const Check check = checked(square(), [units](const Case& c, Framebuffer& drawn) {
+    const Check check = checked(square(), [units](const Case& c, Fragments& drawn) {
       if (is_general(c)) value(drawn, 0, 1, 1, 0) += units * 0x1p-20F;
     });
     EXPECT_EQ(check.violation_count, units == 1 ? 0U : 1U);
   }
-  const Check check = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case& c, Fragments& drawn) {
     if (!is_general(c)) drawn.depth[3] += 0.001F;
   });
   ASSERT_EQ(check.violation_count, 1U);
@@ -83,13 +83,13 @@ TEST(EqualW, FindsValuesBeyondBothBounds) {
 }
 
 TEST(EqualW, FindsAQuotientThatIsAnother) {
-  const Check forgotten = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check forgotten = checked(square(), [](const Case& c, Fragments& drawn) {
     if (is_general(c)) value(drawn, 0, 1, 1, 4) *= 1.0001F;
   });
   ASSERT_EQ(forgotten.violation_count, 1U);
   EXPECT_EQ(forgotten.violations.front().kind, records::AttributeKind::smooth);
   EXPECT_THAT(forgotten.violations.front().exact, HasSubstr("the quotient"));
-  const Check nothing = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check nothing = checked(square(), [](const Case& c, Fragments& drawn) {
     if (is_general(c)) value(drawn, 0, 1, 1, 3) = std::numeric_limits<float>::quiet_NaN();
   });
   ASSERT_EQ(nothing.violation_count, 1U);
@@ -98,7 +98,7 @@ TEST(EqualW, FindsAQuotientThatIsAnother) {
 
 // Where the contract does not say where vertices are placed, values may be of other places.
 TEST(EqualW, LeavesWhatIsPlacedAnywhereAlone) {
-  const auto off = [](const Case& c, Framebuffer& drawn) {
+  const auto off = [](const Case& c, Fragments& drawn) {
     if (is_general(c)) value(drawn, 0, 1, 1, 0) += 1;
   };
   EXPECT_EQ(checked(square(), off, "method:rational-linear").violation_count, 0U);

@@ -11,7 +11,7 @@ namespace rastercheck::properties::flat_values_are_copies_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 
@@ -39,14 +39,14 @@ TEST(FlatValues, AreTheFirstVertexsOrTheLast) {
     EXPECT_EQ(testing::Value(check.labels, testing::Contains("negative zero")), is_first);
     // The first vertex of A is −0, the last one of B 0.
     const Check other =
-        checked(c, [](const Case&, Framebuffer& drawn) { value(drawn, 0, 2, 3, 2) = 0x1p-149F; });
+        checked(c, [](const Case&, Fragments& drawn) { value(drawn, 0, 2, 3, 2) = 0x1p-149F; });
     EXPECT_EQ(other.violation_count, 1U);
   }
 }
 
 TEST(FlatValues, FindsTheOtherZero) {
   const Check check =
-      checked(flat(), [](const Case&, Framebuffer& drawn) { value(drawn, 0, 2, 3, 2) = 0; });
+      checked(flat(), [](const Case&, Fragments& drawn) { value(drawn, 0, 2, 3, 2) = 0; });
   ASSERT_EQ(check.violation_count, 1U);
   const records::Violation& violation = check.violations.front();
   EXPECT_EQ(violation.kind, AttributeKind::flat);
@@ -58,14 +58,14 @@ TEST(FlatValues, FindsTheOtherZero) {
 }
 
 TEST(FlatValues, JudgesSamplesThatShouldNotBeThere) {
-  const Check check = checked(flat(), [](const Case&, Framebuffer& drawn) { add(drawn, 0, 7, 7); });
+  const Check check = checked(flat(), [](const Case&, Fragments& drawn) { add(drawn, 0, 7, 7); });
   EXPECT_EQ(check.violation_count, 1U);
 }
 
 TEST(FlatValues, SaysNothingOfInterpolatedOnes) {
   EXPECT_FALSE(checked(square(), {}).is_applicable);
   const Check check =
-      checked(flat(), [](const Case&, Framebuffer& drawn) { value(drawn, 0, 2, 3, 0) = 77; });
+      checked(flat(), [](const Case&, Fragments& drawn) { value(drawn, 0, 2, 3, 0) = 77; });
   EXPECT_EQ(check.violation_count, 0U);
 }
 

@@ -13,7 +13,7 @@ namespace rastercheck::properties::mirror_mirrors_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::Contains;
 using testing::HasSubstr;
@@ -38,7 +38,7 @@ Case wide(int number) {
 Case mirrored_so(const std::string& label) {
   for (int number = 0; number < kNumbers; ++number) {
     bool is_negative = false;
-    const Check check = checked(wide(number), [&](const Case& c, Framebuffer&) {
+    const Check check = checked(wide(number), [&](const Case& c, Fragments&) {
       is_negative = is_negative || c.viewport.height < 0;
     });
     const bool is_so =
@@ -110,7 +110,7 @@ TEST(Mirror, FindsWhatIsMissingInThePlaceOfTheCaseAsItWas) {
   for (const Way& way : {Way{"left and right mirrored", 10, 3}, Way{"up and down mirrored", 1, 4},
                          Way{"both mirrored", 10, 4}}) {
     const Case c = mirrored_so(way.label);
-    const Check check = checked(c, [&](const Case& drawn_of, Framebuffer& drawn) {
+    const Check check = checked(c, [&](const Case& drawn_of, Fragments& drawn) {
       if (drawn_of.positions != c.positions) drop(drawn, 0, way.x, way.y);
     });
     ASSERT_EQ(check.violation_count, 1U) << way.label;
@@ -127,7 +127,7 @@ TEST(Mirror, FindsFacesThatDoNotTurn) {
   class Ccw : public DamagedBackend {
    public:
     Ccw() : DamagedBackend({}, "cpu") {}
-    Result<Framebuffer> draw(const Case& c) override {
+    Result<Fragments> draw(const Case& c) override {
       Case other = c;
       other.front_face = cases::FrontFace::ccw;
       return DamagedBackend::draw(other);
@@ -152,7 +152,7 @@ TEST(Mirror, FindsTiesThatDoNotTurn) {
   class TopLeft : public DamagedBackend {
    public:
     TopLeft() : DamagedBackend({}, "cpu") {}
-    Result<Framebuffer> draw(const Case& c) override {
+    Result<Fragments> draw(const Case& c) override {
       Case other = c;
       other.fill_rule = cases::TieRule::top_left;
       return DamagedBackend::draw(other);

@@ -14,7 +14,7 @@ namespace rastercheck::properties::nearest_fragment_wins_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::HasSubstr;
 
@@ -37,7 +37,7 @@ bool is_tested(const Case& c) { return c.depth_test == cases::DepthTest::less; }
 
 /// Triangle `left` is what is left at (1, 1).
 Damage leaving(std::uint32_t left, float depth) {
-  return [=](const Case& c, Framebuffer& drawn) {
+  return [=](const Case& c, Fragments& drawn) {
     if (!is_tested(c)) return;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       if (drawn.x[i] != 1 || drawn.y[i] != 1) continue;
@@ -87,7 +87,7 @@ TEST(NearestFragment, IsEqualToNoneThatIsFarther) {
 
 TEST(NearestFragment, HasItsOwnValuesToTheBit) {
   const Check check =
-      check_of(kLaw, layers(0.5F, 0.25F, 0.75F), [](const Case& c, Framebuffer& drawn) {
+      check_of(kLaw, layers(0.5F, 0.25F, 0.75F), [](const Case& c, Fragments& drawn) {
         if (!is_tested(c)) return;
         value(drawn, 1, 2, 3, 0) = std::numeric_limits<float>::denorm_min();
         const std::size_t at = find(drawn, 1, 2, 2);
@@ -101,7 +101,7 @@ TEST(NearestFragment, HasItsOwnValuesToTheBit) {
 
 TEST(NearestFragment, IsThereAndAlone) {
   const Check check =
-      check_of(kLaw, layers(0.5F, 0.25F, 0.75F), [](const Case& c, Framebuffer& drawn) {
+      check_of(kLaw, layers(0.5F, 0.25F, 0.75F), [](const Case& c, Fragments& drawn) {
         if (!is_tested(c)) return;
         drop(drawn, 1, 1, 1);
         add(drawn, 0, 2, 2);
@@ -116,7 +116,7 @@ TEST(NearestFragment, IsThereAndAlone) {
 
 TEST(NearestFragment, LeavesDepthsThatAreNoNumberAlone) {
   const Check check =
-      check_of(kLaw, layers(0.5F, 0.25F, 0.75F), [](const Case& c, Framebuffer& drawn) {
+      check_of(kLaw, layers(0.5F, 0.25F, 0.75F), [](const Case& c, Fragments& drawn) {
         if (is_tested(c)) {
           drop(drawn, 1, 1, 1);
         } else {

@@ -13,7 +13,7 @@ namespace rastercheck::properties::nothing_outside_viewport_and_scissor_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::HasSubstr;
 
@@ -28,7 +28,7 @@ Case inset() {
 
 /// What the law finds where there is one fragment more, at a pixel.
 Check with_fragment(const Case& c, int x, int y) {
-  return check_of(kLaw, c, [=](const Case&, Framebuffer& drawn) { add(drawn, 0, x, y); });
+  return check_of(kLaw, c, [=](const Case&, Fragments& drawn) { add(drawn, 0, x, y); });
 }
 
 TEST(Outside, NothingIsWritten) {

@@ -14,7 +14,7 @@ namespace rastercheck::properties::order_of_distinct_depths_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::HasSubstr;
 
@@ -41,7 +41,7 @@ TEST(DistinctDepths, AreDrawnInAnyOrder) {
 
 // The farther one is left where it was drawn last.
 TEST(DistinctDepths, FindTheTriangleThatOneOrderLeavesWrongly) {
-  const Check check = check_of(kLaw, layers(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, layers(), [](const Case& c, Fragments& drawn) {
     if (c.depth_test == cases::DepthTest::none || is_reversed(c)) return;
     const std::size_t at = find(drawn, 0, 1, 1);
     drawn.triangle[at] = 1;
@@ -58,7 +58,7 @@ TEST(DistinctDepths, FindTheTriangleThatOneOrderLeavesWrongly) {
 }
 
 TEST(DistinctDepths, FindWhatOneOrderLosesOrAdds) {
-  const Check check = check_of(kLaw, layers(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, layers(), [](const Case& c, Fragments& drawn) {
     if (c.depth_test == cases::DepthTest::none) return;
     if (is_reversed(c)) {
       drop(drawn, 1, 1, 1);  // the nearer one's index there
@@ -74,7 +74,7 @@ TEST(DistinctDepths, FindWhatOneOrderLosesOrAdds) {
 }
 
 TEST(DistinctDepths, FindValuesThatDependOnTheOrder) {
-  const Check check = check_of(kLaw, layers(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, layers(), [](const Case& c, Fragments& drawn) {
     if (c.depth_test == cases::DepthTest::none || !is_reversed(c)) return;
     value(drawn, 1, 2, 3, 1) = std::nextafter(1.0F, 2.0F);
   });
@@ -89,7 +89,7 @@ TEST(DistinctDepths, LeaveEqualOnesAndThoseThatAreNoNumberAlone) {
   const Check equal = check_of(kLaw, c, {});
   EXPECT_EQ(equal.violation_count, 0U);
   EXPECT_THAT(equal.labels, testing::ElementsAre("depth test", "equal depths"));
-  const Check none = check_of(kLaw, layers(), [](const Case& with, Framebuffer& drawn) {
+  const Check none = check_of(kLaw, layers(), [](const Case& with, Fragments& drawn) {
     if (with.depth_test == cases::DepthTest::none || is_reversed(with)) return;
     const std::size_t at = find(drawn, 0, 1, 1);
     drawn.triangle[at] = 1;

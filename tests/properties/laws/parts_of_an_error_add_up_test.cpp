@@ -95,7 +95,7 @@ TEST(PartsAddUp, PartsWhatIsOpenFromTheExcessWithoutATrace) {
 }
 
 TEST(PartsAddUp, LeavesOutWhatIsNoNumber) {
-  const Check check = check_of(kLaw, square(), [](const cases::Case&, cases::Framebuffer& drawn) {
+  const Check check = check_of(kLaw, square(), [](const cases::Case&, cases::Fragments& drawn) {
     for (float& value : drawn.attributes) value = std::numeric_limits<float>::quiet_NaN();
   });
   EXPECT_EQ(check.violation_count, 0U);

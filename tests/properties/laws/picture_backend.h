@@ -20,7 +20,7 @@ class PictureBackend : public DamagedBackend {
                                       const cases::Pipeline& pipeline) override {
     cases::Case alone = c;
     alone.depth_test = cases::DepthTest::none;
-    Result<cases::Framebuffer> drawn = draw(alone);
+    Result<cases::Fragments> drawn = draw(alone);
     if (!drawn) return tl::unexpected(drawn.error());
     if (fragment_damage) fragment_damage(c, *drawn);
     cases::Pipeline damaged = pipeline;

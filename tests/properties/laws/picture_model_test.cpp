@@ -26,7 +26,7 @@ cases::Case pixel(std::size_t channels, int samples = 1) {
   return c;
 }
 
-void add(cases::Framebuffer& drawn, std::uint32_t triangle, float depth,
+void add(cases::Fragments& drawn, std::uint32_t triangle, float depth,
          const std::vector<float>& color, int sample = 0) {
   drawn.attribute_count = color.size();
   drawn.triangle.push_back(triangle);
@@ -63,7 +63,7 @@ TEST(PictureModel, ComparesDepths) {
 TEST(PictureModel, ClearsWhatNothingIsDrawnOn) {
   Pipeline pipeline;
   pipeline.clear_depth = 0.75F;
-  cases::Framebuffer none;
+  cases::Fragments none;
   none.attribute_count = 2;
   const cases::Picture picture = picture_of(pixel(2, 2), none, pipeline);
   EXPECT_EQ(picture.size, (cases::FramebufferSize{1, 1, 2}));
@@ -73,7 +73,7 @@ TEST(PictureModel, ClearsWhatNothingIsDrawnOn) {
 }
 
 TEST(PictureModel, TestsAgainstTheDepthThatWasWritten) {
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   add(drawn, 0, 0.5F, {1});
   add(drawn, 1, 0.75F, {2});
   Pipeline pipeline;
@@ -87,14 +87,14 @@ TEST(PictureModel, TestsAgainstTheDepthThatWasWritten) {
 }
 
 TEST(PictureModel, DrawsTrianglesInSubmissionOrder) {
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   add(drawn, 1, 0.5F, {2});
   add(drawn, 0, 0.5F, {1});
   EXPECT_THAT(picture_of(pixel(1), drawn, always(Blend::off)).color, ElementsAre(2));
 }
 
 TEST(PictureModel, Adds) {
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   for (std::uint32_t t = 0; t < 3; ++t) add(drawn, t, 0.5F, {0.5F, -1});
   EXPECT_THAT(picture_of(pixel(2), drawn, always(Blend::additive)).color, ElementsAre(1.5F, -3));
   // 128/255 twice, as 1/2 is midway between 127 and 128; then clamped.
@@ -103,14 +103,14 @@ TEST(PictureModel, Adds) {
 }
 
 TEST(PictureModel, BlendsOver) {
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   add(drawn, 0, 0.5F, {1, 0.5F, 0, 1});
   add(drawn, 1, 0.5F, {0, 1, 2, 0.25F});
   // 1/4 s + 3/4 d, and of alpha 1/4 + 3/4.
   EXPECT_THAT(picture_of(pixel(4), drawn, always(Blend::over)).color,
               ElementsAre(0.75F, 0.625F, 0.5F, 1));
   // Alpha beyond [0, 1] counts as it is in floats: 2 s − d.
-  cases::Framebuffer beyond;
+  cases::Fragments beyond;
   add(beyond, 0, 0.5F, {1, 1, 1, 1});
   add(beyond, 1, 0.5F, {1, 0.5F, 0, 2});
   EXPECT_THAT(picture_of(pixel(4), beyond, always(Blend::over)).color, ElementsAre(1, 0, -1, 1));
@@ -120,7 +120,7 @@ TEST(PictureModel, BlendsOver) {
 
 TEST(PictureModel, HoldsBytes) {
   const auto held = [](float color) {
-    cases::Framebuffer drawn;
+    cases::Fragments drawn;
     add(drawn, 0, 0.5F, {color});
     return picture_of(pixel(1), drawn, always(Blend::off, ColorFormat::rgba8)).color[0];
   };
@@ -133,7 +133,7 @@ TEST(PictureModel, HoldsBytes) {
 }
 
 TEST(PictureModel, ResolvesToTheMean) {
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   add(drawn, 0, 0.25F, {1}, 0);
   add(drawn, 0, 0.75F, {0.5F}, 1);
   Pipeline pipeline = always(Blend::off);
@@ -149,12 +149,12 @@ TEST(PictureModel, ResolvesToTheMean) {
 
 TEST(PictureModel, RoundsEveryOperationToDouble) {
   // s + d = 1 + 2^-24 + 2^-60: a double drops the 2^-60 and a float then ties to 1.
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   add(drawn, 0, 0.5F, {1});
   add(drawn, 1, 0.5F, {0x1.000002p-24F});
   EXPECT_THAT(picture_of(pixel(1), drawn, always(Blend::additive)).color,
               ElementsAre(1 + 0x1p-23F));
-  cases::Framebuffer tied;
+  cases::Fragments tied;
   add(tied, 0, 0.5F, {0x1p-60F});
   add(tied, 1, 0.5F, {0x1p-24F});
   add(tied, 2, 0.5F, {1});
@@ -162,7 +162,7 @@ TEST(PictureModel, RoundsEveryOperationToDouble) {
 }
 
 TEST(PictureModel, LeavesOutWhatIsNowhere) {
-  cases::Framebuffer drawn;
+  cases::Fragments drawn;
   add(drawn, 0, 0.5F, {1}, 1);
   drawn.x[0] = 7;
   EXPECT_THAT(picture_of(pixel(1), drawn, always(Blend::off)).color, ElementsAre(0));
@@ -171,7 +171,7 @@ TEST(PictureModel, LeavesOutWhatIsNowhere) {
 TEST(PictureModel, TakesVertexColoursForTheFirstFourAttributes) {
   Pipeline pipeline = always(Blend::over);
   pipeline.shading = cases::Shading::vertex_colors;
-  cases::Framebuffer five;
+  cases::Fragments five;
   add(five, 0, 0.5F, {0.5F, 1, 0.25F, 0.5F, 8});
   const cases::Picture picture = picture_of(pixel(5), five, pipeline);
   EXPECT_EQ(picture.channels, 4U);
@@ -183,7 +183,7 @@ TEST(PictureModel, GivesThreeVertexColoursAnAlphaOfOne) {
     for (const Blend blend : {Blend::off, Blend::over, Blend::additive}) {
       Pipeline pipeline = always(blend, format);
       pipeline.shading = cases::Shading::vertex_colors;
-      cases::Framebuffer three;
+      cases::Fragments three;
       add(three, 0, 0.5F, {0, 1, 0.2F});
       EXPECT_THAT(picture_of(pixel(3), three, pipeline).color, ElementsAre(0, 1, 0.2F, 1));
     }

@@ -15,7 +15,7 @@ namespace rastercheck::properties::power_of_two_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::Contains;
 
@@ -36,7 +36,7 @@ TEST(PowerOfTwo, MultipliesAllCoordinatesOfATriangle) {
   for (int number = 0; number < kNumbers; ++number) {
     std::vector<Case> seen;
     const Check check =
-        checked(numbered(number), [&](const Case& c, Framebuffer&) { seen.push_back(c); });
+        checked(numbered(number), [&](const Case& c, Fragments&) { seen.push_back(c); });
     EXPECT_EQ(check.violation_count, 0U);
     EXPECT_EQ(check.judgement.counts.required, 64U);
     ASSERT_EQ(seen.size(), 2U);
@@ -62,7 +62,7 @@ TEST(PowerOfTwo, ScalesClipDistancesOrLeavesThem) {
     c.clip_distances = {1, 0.25F, 1, -1};
     std::vector<Case> seen;
     EXPECT_EQ(
-        checked(c, [&](const Case& drawn, Framebuffer&) { seen.push_back(drawn); }).violation_count,
+        checked(c, [&](const Case& drawn, Fragments&) { seen.push_back(drawn); }).violation_count,
         0U);
     const bool is_scaled = seen[0].clip_distances != seen[1].clip_distances;
     are_scaled.insert(is_scaled);
@@ -78,7 +78,7 @@ TEST(PowerOfTwo, FindsALeastW) {
   bool is_found = false;
   for (int number = 0; number < kNumbers; ++number) {
     float least = 1;
-    const Check check = checked(numbered(number), [&](const Case& c, Framebuffer& drawn) {
+    const Check check = checked(numbered(number), [&](const Case& c, Fragments& drawn) {
       for (std::uint32_t t = 0; t < 2; ++t) {
         least = std::min(least, c.positions[c.triangles[t][0]].w);
         if (c.positions[c.triangles[t][0]].w < 0.01F) {
@@ -101,7 +101,7 @@ TEST(PowerOfTwo, FindsALeastW) {
 
 TEST(PowerOfTwo, FindsALastBit) {
   bool is_first = true;
-  const Check check = checked(square(), [&](const Case&, Framebuffer& drawn) {
+  const Check check = checked(square(), [&](const Case&, Fragments& drawn) {
     if (!is_first) value(drawn, 1, 5, 5, 0) = std::nextafter(5.5F, 6.0F);
     is_first = false;
   });
@@ -118,7 +118,7 @@ TEST(PowerOfTwo, SaysNothingWhereNoFactorKeepsAllDigits) {
   EXPECT_FALSE(checked(c, {}).is_applicable);
   c.positions[1].w = 0x1p126F;
   bool is_first = true;
-  checked(c, [&](const Case& drawn, Framebuffer&) {
+  checked(c, [&](const Case& drawn, Fragments&) {
     if (!is_first) {
       EXPECT_EQ(drawn.positions[1].w, 0x1p127F);
     }

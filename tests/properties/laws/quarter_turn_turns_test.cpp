@@ -12,7 +12,7 @@ namespace rastercheck::properties::quarter_turn_turns_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::HasSubstr;
 
@@ -53,7 +53,7 @@ TEST(QuarterTurn, TurnsUnderAllRules) {
 
 TEST(QuarterTurn, DrawsTheTurnedCase) {
   Case seen;
-  checked(wide(), [&seen](const Case& c, Framebuffer&) { seen = c; });
+  checked(wide(), [&seen](const Case& c, Fragments&) { seen = c; });
   EXPECT_EQ(seen.framebuffer, (cases::FramebufferSize{8, 12, 1}));
   EXPECT_EQ(seen.viewport, (cases::Viewport{-0.125F, 0.25F, 8.25F, 11.5F, 0, 1}));
   EXPECT_EQ(seen.positions[1], (cases::ClipVertex{1, 1, 0.25F, 1}));
@@ -64,7 +64,7 @@ TEST(QuarterTurn, HasNoNegativeWidth) {
   c.viewport.y += c.viewport.height;
   c.viewport.height = -c.viewport.height;
   Case seen;
-  const Check check = checked(c, [&seen](const Case& turned, Framebuffer&) { seen = turned; });
+  const Check check = checked(c, [&seen](const Case& turned, Fragments&) { seen = turned; });
   EXPECT_EQ(check.violation_count, 0U);
   EXPECT_GT(check.judgement.counts.required, 20U);
   EXPECT_GT(seen.viewport.width, 0);
@@ -72,8 +72,7 @@ TEST(QuarterTurn, HasNoNegativeWidth) {
 
 // Pixel (i, j) = (1, 3) of the case is (8 − 1 − 3, 1) of the turned one.
 TEST(QuarterTurn, FindsWhatIsMissingInThePlaceOfTheCaseAsItWas) {
-  const Check check =
-      checked(wide(), [](const Case&, Framebuffer& drawn) { drop(drawn, 0, 4, 1); });
+  const Check check = checked(wide(), [](const Case&, Fragments& drawn) { drop(drawn, 0, 4, 1); });
   ASSERT_EQ(check.violation_count, 1U);
   const records::Violation& violation = check.violations.front();
   EXPECT_EQ(violation.fragment_class, FragmentClass::missing);
@@ -83,7 +82,7 @@ TEST(QuarterTurn, FindsWhatIsMissingInThePlaceOfTheCaseAsItWas) {
 }
 
 TEST(QuarterTurn, FindsValuesOfAnotherPlaceAndFragmentsOfNone) {
-  const Check check = checked(wide(), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(wide(), [](const Case&, Fragments& drawn) {
     value(drawn, 0, 4, 1, 0) += 0.001F;
     add(drawn, 0, 8, 0);
     add(drawn, 0, 0, 12);

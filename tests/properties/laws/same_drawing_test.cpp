@@ -9,22 +9,22 @@
 namespace rastercheck::properties::same_drawing_test {
 namespace {
 
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 
-Framebuffer drawn_square() {
+Fragments drawn_square() {
   const auto cpu = backends::make_backend("cpu");
   return *draw(square(), **cpu);
 }
 
-Check compared(const Framebuffer& drawn) {
+Check compared(const Fragments& drawn) {
   return compare_drawings(square(), drawn_square(), drawn, "a note");
 }
 
 /// The drawing with its fragments from last to first.
-Framebuffer turned_round(const Framebuffer& drawn) {
-  Framebuffer turned = drawn;
+Fragments turned_round(const Fragments& drawn) {
+  Fragments turned = drawn;
   turned.derivatives.clear();
   const std::size_t count = drawn.attribute_count;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -42,7 +42,7 @@ Framebuffer turned_round(const Framebuffer& drawn) {
 }
 
 TEST(SameDrawing, IsOneInAnyOrder) {
-  const Framebuffer drawn = drawn_square();
+  const Fragments drawn = drawn_square();
   ASSERT_GT(drawn.size(), 2U);
   const Check check = compared(turned_round(drawn));
   EXPECT_EQ(check.violation_count, 0U);
@@ -51,7 +51,7 @@ TEST(SameDrawing, IsOneInAnyOrder) {
 }
 
 TEST(SameDrawing, LacksNoFragment) {
-  Framebuffer drawn = drawn_square();
+  Fragments drawn = drawn_square();
   drop(drawn, 0, 1, 1);
   const Check check = compared(drawn);
   ASSERT_EQ(check.violation_count, 1U);
@@ -61,7 +61,7 @@ TEST(SameDrawing, LacksNoFragment) {
 }
 
 TEST(SameDrawing, HasNoFragmentMore) {
-  Framebuffer drawn = drawn_square();
+  Fragments drawn = drawn_square();
   add(drawn, 0, 6, 6);
   add(drawn, 0, 1, 1);
   const Check check = compared(drawn);
@@ -71,7 +71,7 @@ TEST(SameDrawing, HasNoFragmentMore) {
 }
 
 TEST(SameDrawing, HasTheSameValues) {
-  Framebuffer drawn = drawn_square();
+  Fragments drawn = drawn_square();
   value(drawn, 0, 1, 1, 2) = -0.0F;
   const Check check = compared(drawn);
   ASSERT_EQ(check.violation_count, 1U);

@@ -13,7 +13,7 @@ namespace rastercheck::properties::sample_positions_are_the_patterns_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 
@@ -53,7 +53,7 @@ TEST(SamplePositions, AreThoseOfAllPatternsUnderAllRules) {
 }
 
 TEST(SamplePositions, FindsOneFloatAndNamesIt) {
-  const Check check = checked(positions(1), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(positions(1), [](const Case&, Fragments& drawn) {
     value(drawn, 0, 2, 3, 1) = std::nextafter(3.5F, 8.0F);
     value(drawn, 1, 6, 6, 1) = std::nextafter(6.5F, 8.0F);
   });
@@ -70,7 +70,7 @@ TEST(SamplePositions, FindsOneFloatAndNamesIt) {
 
 // Sample k takes the values of sample 3 − k: coverage inside is the same.
 TEST(SamplePositions, FindsAnotherOrder) {
-  const Check check = checked(positions(4), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(positions(4), [](const Case&, Fragments& drawn) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       drawn.sample[i] = static_cast<std::uint8_t>(3 - drawn.sample[i]);
     }
@@ -79,7 +79,7 @@ TEST(SamplePositions, FindsAnotherOrder) {
 }
 
 TEST(SamplePositions, FindsHalfAPixel) {
-  const Check check = checked(positions(1), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(positions(1), [](const Case&, Fragments& drawn) {
     for (float& value : drawn.attributes) value -= 0.5F;
   });
   EXPECT_EQ(check.violation_count, 128U);
@@ -88,7 +88,7 @@ TEST(SamplePositions, FindsHalfAPixel) {
 TEST(SamplePositions, LetsCentroidsBeAnywhereInThePixel) {
   const auto violations = [](float actual) {
     return checked(positions(4, cases::Location::centroid),
-                   [actual](const Case&, Framebuffer& drawn) { value(drawn, 0, 2, 3, 0) = actual; })
+                   [actual](const Case&, Fragments& drawn) { value(drawn, 0, 2, 3, 0) = actual; })
         .violation_count;
   };
   EXPECT_EQ(violations(2), 0U);

@@ -16,7 +16,7 @@ namespace rastercheck::properties::scaled_attributes_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::Contains;
 using testing::HasSubstr;
@@ -55,7 +55,7 @@ bool is_changed(const Case& c) {
 Case changed_so(bool is_scaled_only) {
   for (int number = 0; number < kNumbers; ++number) {
     Change change;
-    checked(numbered(number), [&](const Case& c, Framebuffer&) { change = change_of(c); });
+    checked(numbered(number), [&](const Case& c, Fragments&) { change = change_of(c); });
     if ((change.beta == 0) == is_scaled_only) return numbered(number);
   }
   ADD_FAILURE() << is_scaled_only;
@@ -70,7 +70,7 @@ TEST(ScaledAttributes, AreScaledAndMoved) {
       Case c = numbered(number);
       c.attributes[2].interpolation = cases::Interpolation::flat;
       const Check check = checked(
-          c, [&](const Case& drawn, Framebuffer&) { alphas.insert(change_of(drawn).alpha); },
+          c, [&](const Case& drawn, Fragments&) { alphas.insert(change_of(drawn).alpha); },
           specification);
       EXPECT_TRUE(check.is_applicable);
       EXPECT_EQ(check.violation_count, 0U);
@@ -87,7 +87,7 @@ TEST(ScaledAttributes, FindValuesThatAreHeldToARange) {
   int found = 0;
   for (int number = 0; number < kNumbers; ++number) {
     float least = 0;
-    const Check check = checked(numbered(number), [&](const Case& c, Framebuffer& drawn) {
+    const Check check = checked(numbered(number), [&](const Case& c, Fragments& drawn) {
       for (float& value : drawn.attributes) value = std::max(value, 0.0F);
       for (const float value : c.attribute_values) least = std::min(least, value);
     });
@@ -101,7 +101,7 @@ TEST(ScaledAttributes, FindValuesThatAreHeldToARange) {
 }
 
 TEST(ScaledAttributes, FindALastBitWhereNothingIsAdded) {
-  const Check check = checked(changed_so(true), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(changed_so(true), [](const Case& c, Fragments& drawn) {
     if (!is_changed(c)) return;
     float& attribute = value(drawn, 1, 5, 5, 0);
     attribute = std::nextafter(attribute, 0.0F);
@@ -116,7 +116,7 @@ TEST(ScaledAttributes, FindALastBitWhereNothingIsAdded) {
 TEST(ScaledAttributes, AreWithinBothBoundsWhereSomethingIsAdded) {
   const Case c = changed_so(false);
   const auto off_by = [&](double share) {
-    return checked(c, [share](const Case& drawn_of, Framebuffer& drawn) {
+    return checked(c, [share](const Case& drawn_of, Fragments& drawn) {
       if (!is_changed(drawn_of)) return;
       const auto [alpha, beta] = change_of(drawn_of);
       const float most = std::max(std::abs(beta), std::abs(8 * alpha + beta));
@@ -138,7 +138,7 @@ TEST(ScaledAttributes, AreWithinBothBoundsWhereSomethingIsAdded) {
 }
 
 TEST(ScaledAttributes, FindWhatIsNoNumber) {
-  const Check check = checked(changed_so(false), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(changed_so(false), [](const Case& c, Fragments& drawn) {
     if (is_changed(c)) value(drawn, 1, 5, 5, 0) = std::numeric_limits<float>::quiet_NaN();
   });
   ASSERT_EQ(check.violation_count, 1U);
@@ -146,7 +146,7 @@ TEST(ScaledAttributes, FindWhatIsNoNumber) {
 }
 
 TEST(ScaledAttributes, FindCoverageAndDepthThatDependOnThem) {
-  const Check check = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case& c, Fragments& drawn) {
     if (!is_changed(c)) return;
     drop(drawn, 1, 7, 7);
     drawn.depth[find(drawn, 1, 6, 7)] += 0x1p-24F;
@@ -159,7 +159,7 @@ TEST(ScaledAttributes, FindCoverageAndDepthThatDependOnThem) {
 TEST(ScaledAttributes, FindFlatValuesOfAnotherVertex) {
   Case c = square();
   c.attributes[0].interpolation = cases::Interpolation::flat;
-  const Check check = checked(c, [](const Case& drawn_of, Framebuffer& drawn) {
+  const Check check = checked(c, [](const Case& drawn_of, Fragments& drawn) {
     if (is_changed(drawn_of)) value(drawn, 0, 0, 0, 0) = drawn_of.attributes_of(1)[0];
   });
   ASSERT_EQ(check.violation_count, 1U);
@@ -176,7 +176,7 @@ TEST(ScaledAttributes, SayNothingOfValuesThatCannotBeScaled) {
   int negated = 0;
   for (int number = 0; number < kNumbers; ++number) {
     c.positions[0].z = static_cast<float>(number) / 64;
-    checked(c, [&](const Case& drawn, Framebuffer&) {
+    checked(c, [&](const Case& drawn, Fragments&) {
       negated += drawn.attributes_of(1)[0] < 0 ? 1 : 0;
       EXPECT_EQ(std::abs(drawn.attributes_of(1)[0]), 0x1.fffffep127F);
       EXPECT_EQ(std::abs(drawn.attributes_of(2)[0]), 0x1p-149F);

@@ -15,7 +15,7 @@ namespace rastercheck::properties::scissors_part_the_window_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::HasSubstr;
 
@@ -28,7 +28,7 @@ bool is_part(const Case& c) { return c.scissor->width < 8 || c.scissor->height <
 TEST(Scissors, PartTheSquareIntoFour) {
   std::vector<cases::Scissor> asked;
   const Check check =
-      checked(square(), [&](const Case& c, Framebuffer&) { asked.push_back(c.scissor.value()); });
+      checked(square(), [&](const Case& c, Fragments&) { asked.push_back(c.scissor.value()); });
   EXPECT_EQ(check.violation_count, 0U);
   EXPECT_EQ(check.judgement.counts.required, 64U);
   EXPECT_THAT(check.labels, testing::ElementsAre("parted"));
@@ -47,7 +47,7 @@ TEST(Scissors, PartTheSquareIntoFour) {
 TEST(Scissors, FindAnInclusiveEnd) {
   class Inclusive : public DamagedBackend {
    public:
-    Result<Framebuffer> draw(const Case& c) override {
+    Result<Fragments> draw(const Case& c) override {
       Case wider = c;
       if (c.scissor->x == 0 && is_part(c)) ++wider.scissor->width;
       return DamagedBackend::draw(wider);
@@ -62,7 +62,7 @@ TEST(Scissors, FindAnInclusiveEnd) {
 }
 
 TEST(Scissors, FindWhatNoPartDraws) {
-  const Check check = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case& c, Fragments& drawn) {
     if (is_part(c) && find(drawn, 0, 1, 1) < drawn.size()) drop(drawn, 0, 1, 1);
   });
   ASSERT_EQ(check.violation_count, 1U);
@@ -71,7 +71,7 @@ TEST(Scissors, FindWhatNoPartDraws) {
 }
 
 TEST(Scissors, FindWhatOnlyAPartDraws) {
-  const Check check = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case& c, Fragments& drawn) {
     if (!is_part(c)) drop(drawn, 0, 1, 1);
   });
   ASSERT_EQ(check.violation_count, 1U);
@@ -79,7 +79,7 @@ TEST(Scissors, FindWhatOnlyAPartDraws) {
 }
 
 TEST(Scissors, FindTheLastBitOfValuesAndNothingLess) {
-  const Check check = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case& c, Fragments& drawn) {
     if (!is_part(c)) {
       value(drawn, 1, 7, 6, 1) = std::numeric_limits<float>::quiet_NaN();
       return;

@@ -13,7 +13,7 @@ namespace rastercheck::properties::shared_edge_covers_once_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 using testing::HasSubstr;
@@ -23,7 +23,7 @@ constexpr std::string_view kLaw = "a-shared-edge-covers-each-sample-once";
 // (3, 4) lies on the diagonal and is drawn by triangle 1.
 TEST(SharedEdge, FindsASampleDrawnByNeither) {
   const Check check =
-      check_of(kLaw, square(), [](const Case&, Framebuffer& drawn) { drop(drawn, 1, 3, 4); });
+      check_of(kLaw, square(), [](const Case&, Fragments& drawn) { drop(drawn, 1, 3, 4); });
   expect_at(only(check), FragmentClass::missing, AttributeKind::coverage, 0, 3, 4);
   EXPECT_THAT(only(check).note, HasSubstr("neither triangle 0 nor 1 draws it"));
   EXPECT_THAT(only(check).note, HasSubstr("vertices 2 and 1"));
@@ -31,14 +31,14 @@ TEST(SharedEdge, FindsASampleDrawnByNeither) {
 
 TEST(SharedEdge, FindsASampleDrawnByBoth) {
   const Check check =
-      check_of(kLaw, square(), [](const Case&, Framebuffer& drawn) { add(drawn, 0, 3, 4); });
+      check_of(kLaw, square(), [](const Case&, Fragments& drawn) { add(drawn, 0, 3, 4); });
   expect_at(only(check), FragmentClass::extra, AttributeKind::coverage, 1, 3, 4);
   EXPECT_THAT(only(check).note, HasSubstr("triangle 0 draws it as well"));
 }
 
 // Which of the two has it is the backend's business, under a contract without a tie rule.
 TEST(SharedEdge, LetsTheOtherTriangleHaveIt) {
-  const Check check = check_of(kLaw, square(), [](const Case&, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, square(), [](const Case&, Fragments& drawn) {
     drop(drawn, 1, 3, 4);
     add(drawn, 0, 3, 4);
   });

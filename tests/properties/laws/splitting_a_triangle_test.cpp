@@ -17,7 +17,7 @@ namespace rastercheck::properties::splitting_a_triangle_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 
 constexpr std::string_view kLaw = "splitting-a-triangle-changes-nothing-beyond-the-bound";
@@ -31,8 +31,7 @@ bool is_parted(const Case& c) { return c.triangles.size() > 2; }
 
 TEST(Splitting, OfTheSquareDrawsIt) {
   std::vector<Case> seen;
-  const Check check =
-      checked(square(), [&seen](const Case& c, Framebuffer&) { seen.push_back(c); });
+  const Check check = checked(square(), [&seen](const Case& c, Fragments&) { seen.push_back(c); });
   EXPECT_EQ(check.violation_count, 0U);
   EXPECT_EQ(check.judgement.counts.required, 64U);
   ASSERT_EQ(seen.size(), 2U);
@@ -46,7 +45,7 @@ TEST(Splitting, MakesAttributesSmoothAtTheSample) {
   c.attributes[0].interpolation = cases::Interpolation::flat;
   c.attributes[1].location = cases::Location::centroid;
   c.depth_test = cases::DepthTest::less;
-  const Check check = checked(c, [](const Case& drawn, Framebuffer&) {
+  const Check check = checked(c, [](const Case& drawn, Fragments&) {
     EXPECT_EQ(drawn.depth_test, cases::DepthTest::none);
     for (const cases::Attribute& attribute : drawn.attributes) {
       EXPECT_EQ(attribute.interpolation, cases::Interpolation::smooth);
@@ -57,7 +56,7 @@ TEST(Splitting, MakesAttributesSmoothAtTheSample) {
 }
 
 TEST(Splitting, FindsWhatAPartLosesOrDrawsTwice) {
-  const Check check = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case& c, Fragments& drawn) {
     if (!is_parted(c)) return;
     drop(drawn, drawn.triangle[0], drawn.x[0], drawn.y[0]);
     add(drawn, drawn.triangle[20], drawn.x[20], drawn.y[20]);
@@ -71,12 +70,12 @@ TEST(Splitting, FindsWhatAPartLosesOrDrawsTwice) {
 // Attribute 0 goes up to 8, and two bounds of 0.51 are 1.02 ulp(8).
 TEST(Splitting, FindsValuesBeyondBothBounds) {
   for (const float units : {1.0F, 2.0F}) {
-    const Check check = checked(square(), [units](const Case& c, Framebuffer& drawn) {
+    const Check check = checked(square(), [units](const Case& c, Fragments& drawn) {
       if (is_parted(c)) drawn.attributes[3 * 10] += units * 0x1p-20F;
     });
     EXPECT_EQ(check.violation_count, units == 1 ? 0U : 1U);
   }
-  const Check check = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case& c, Fragments& drawn) {
     if (is_parted(c)) drawn.depth[5] = std::nanf("");
   });
   ASSERT_EQ(check.violation_count, 1U);
@@ -91,7 +90,7 @@ TEST(Splitting, LeavesTheOutlineOfSnappedTrianglesAlone) {
   c.coverage = cases::Snapping{4};
   c.triangles = {{0, 1, 2}};
   const auto dropping = [](int x, int y) {
-    return [x, y](const Case& drawn_case, Framebuffer& drawn) {
+    return [x, y](const Case& drawn_case, Fragments& drawn) {
       if (drawn_case.triangles.size() == 1) return;
       for (std::uint32_t part = 0; part < drawn_case.triangles.size(); ++part) {
         if (find(drawn, part, x, y) < drawn.size()) return drop(drawn, part, x, y);

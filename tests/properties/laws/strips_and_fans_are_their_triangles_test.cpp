@@ -14,7 +14,7 @@ namespace rastercheck::properties::strips_and_fans_are_their_triangles_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using cases::Topology;
 using records::FragmentClass;
 using testing::HasSubstr;
@@ -80,8 +80,8 @@ class StripsBy : public DamagedBackend {
   using TriangleOf = cases::Triangle (*)(std::span<const std::uint32_t> run, std::size_t i);
   explicit StripsBy(TriangleOf triangle_of)
       : DamagedBackend({}, "cpu"), triangle_of_(triangle_of) {}
-  Result<Framebuffer> draw_assembled(const Case& c, Topology topology,
-                                     std::span<const std::uint32_t> indices) override {
+  Result<Fragments> draw_assembled(const Case& c, Topology topology,
+                                   std::span<const std::uint32_t> indices) override {
     if (topology != Topology::strip) {
       return DamagedBackend::draw_assembled(c, topology, indices);
     }
@@ -132,7 +132,7 @@ TEST(StripsAndFans, FindAnotherProvokingVertex) {
 
 TEST(StripsAndFans, FindAMissingFragmentAndNameItsTriangle) {
   DamagedBackend backend(
-      [](const Case&, Framebuffer& drawn) {
+      [](const Case&, Fragments& drawn) {
         drawn.derivatives.clear();
         if (find(drawn, 1, 6, 6) < drawn.size()) drop(drawn, 1, 6, 6);
       },

@@ -15,7 +15,7 @@ namespace rastercheck::properties::triangulation_covers_once_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 
 constexpr std::string_view kLaw = "a-triangulation-of-the-screen-covers-each-sample-once";
@@ -46,7 +46,7 @@ Check checked(const Case& c, const Damage& damage, const std::string& specificat
 }
 
 /// The triangle that drew a pixel.
-std::uint32_t drawn_by(const Framebuffer& drawn, int x, int y) {
+std::uint32_t drawn_by(const Fragments& drawn, int x, int y) {
   std::uint32_t triangle = 0;
   while (find(drawn, triangle, x, y) == drawn.size()) ++triangle;
   return triangle;
@@ -71,7 +71,7 @@ TEST(Triangulation, CoversTheScreen) {
 }
 
 TEST(Triangulation, FindsWhatTwoDrawAndWhatNoneDraws) {
-  const Check check = checked(screen(), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(screen(), [](const Case&, Fragments& drawn) {
     drop(drawn, drawn_by(drawn, 4, 4), 4, 4);  // at the vertex in the middle
     add(drawn, (drawn_by(drawn, 1, 6) + 1) % 8, 1, 6);
     add(drawn, 3, 8, 0);
@@ -104,7 +104,7 @@ TEST(Triangulation, OfAHalfCoversThat) {
     EXPECT_EQ(whole.violation_count, 0U);
     EXPECT_EQ(whole.judgement.counts.required, 32U);
     EXPECT_THAT(whole.labels, testing::Contains("half of the screen"));
-    const Check check = checked(c, [](const Case&, Framebuffer& drawn) {
+    const Check check = checked(c, [](const Case&, Fragments& drawn) {
       add(drawn, 0, 3, 1);
       drop(drawn, drawn_by(drawn, 4, 0), 4, 0);
     });
@@ -118,7 +118,7 @@ TEST(Triangulation, OfTiesLeftOpenIsHeldWhereTwoMeet) {
   // Pixel (2, 2) is on the diagonal between two, (4, 4) where six meet.
   const auto twice = [](int at) {
     return
-        [at](const Case&, Framebuffer& drawn) { add(drawn, drawn_by(drawn, at, at) ^ 1U, at, at); };
+        [at](const Case&, Fragments& drawn) { add(drawn, drawn_by(drawn, at, at) ^ 1U, at, at); };
   };
   EXPECT_EQ(checked(screen(), twice(2), kTextbook).violation_count, 1U);
   EXPECT_EQ(checked(screen(), twice(4), kTextbook).violation_count, 0U);

@@ -13,7 +13,7 @@ namespace rastercheck::properties::values_are_monotone_along_lines_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 
@@ -42,7 +42,7 @@ TEST(Monotone, FindsAValueThatTurnsBack) {
     for (std::size_t i = 0; i < 4; ++i) c.attribute_values[i * 3] *= sign;
     for (const float off : {-20.0F, 20.0F}) {
       const Check check =
-          checked(c, [off](const Case&, Framebuffer& drawn) { value(drawn, 0, 2, 2, 0) += off; });
+          checked(c, [off](const Case&, Fragments& drawn) { value(drawn, 0, 2, 2, 0) += off; });
       EXPECT_GT(check.violation_count, 0U);
       ASSERT_FALSE(check.violations.empty());
       EXPECT_EQ(check.violations.front().fragment_class, FragmentClass::beyond_bound);
@@ -56,7 +56,7 @@ TEST(Monotone, FindsAValueThatTurnsBack) {
 TEST(Monotone, FindsWhatLeavesTheEndsOfALevelLine) {
   const auto violations = [](float actual) {
     return checked(square(),
-                   [actual](const Case&, Framebuffer& drawn) { value(drawn, 0, 2, 2, 1) = actual; })
+                   [actual](const Case&, Fragments& drawn) { value(drawn, 0, 2, 2, 1) = actual; })
         .violation_count;
   };
   EXPECT_EQ(violations(1 + 0x1p-23F), 0U);  // an ulp: the other side of a middle
@@ -66,9 +66,8 @@ TEST(Monotone, FindsWhatLeavesTheEndsOfALevelLine) {
 }
 
 TEST(Monotone, FindsDepths) {
-  const Check check = checked(square(), [](const Case&, Framebuffer& drawn) {
-    drawn.depth[find(drawn, 0, 2, 2)] = 0.375F;
-  });
+  const Check check = checked(
+      square(), [](const Case&, Fragments& drawn) { drawn.depth[find(drawn, 0, 2, 2)] = 0.375F; });
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations.front().kind, AttributeKind::depth);
 }
@@ -77,7 +76,7 @@ TEST(Monotone, SaysNothingOfFlatValuesAndOtherPlaces) {
   const auto violations = [](cases::Interpolation interpolation, cases::Location location) {
     Case c = square();
     c.attributes[1] = {"one", interpolation, location};
-    return checked(c, [](const Case&, Framebuffer& drawn) { value(drawn, 0, 2, 2, 1) = 2; })
+    return checked(c, [](const Case&, Fragments& drawn) { value(drawn, 0, 2, 2, 1) = 2; })
         .violation_count;
   };
   using cases::Interpolation;

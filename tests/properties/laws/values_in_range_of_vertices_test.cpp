@@ -14,7 +14,7 @@ namespace rastercheck::properties::values_in_range_of_vertices_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 
@@ -30,7 +30,7 @@ Case below_zero() {
 }
 
 TEST(RangeOfVertices, FindsOneFloatBeyond) {
-  const Check check = checked(square(), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case&, Fragments& drawn) {
     value(drawn, 0, 2, 3, 1) = std::nextafter(1.0F, 2.0F);
     value(drawn, 0, 3, 3, 1) = std::nextafter(1.0F, 0.0F);
     value(drawn, 1, 6, 6, 0) = std::numeric_limits<float>::infinity();
@@ -48,7 +48,7 @@ TEST(RangeOfVertices, FindsOneFloatBeyond) {
 
 TEST(RangeOfVertices, LetsValuesBeAnywhereBetween) {
   const Check check =
-      checked(square(), [](const Case&, Framebuffer& drawn) { value(drawn, 0, 2, 3, 0) = 7.5F; });
+      checked(square(), [](const Case&, Fragments& drawn) { value(drawn, 0, 2, 3, 0) = 7.5F; });
   EXPECT_EQ(check.violation_count, 0U);
 }
 
@@ -56,7 +56,7 @@ TEST(RangeOfVertices, LetsValuesBeAnywhereBetween) {
 TEST(RangeOfVertices, LeavesWhatTheBoundHasBesidesTheRounding) {
   const auto violations = [](float actual) {
     return checked(below_zero(),
-                   [actual](const Case&, Framebuffer& drawn) { value(drawn, 0, 2, 3, 0) = actual; })
+                   [actual](const Case&, Fragments& drawn) { value(drawn, 0, 2, 3, 0) = actual; })
         .violation_count;
   };
   EXPECT_EQ(violations(0x1p-20F), 0U);
@@ -72,7 +72,7 @@ TEST(RangeOfVertices, LeavesTheWholeOfAGreaterBound) {
   const auto violations = [&backend](int floats) {
     Case c = square();
     DamagedBackend damaged(
-        [floats](const Case&, Framebuffer& drawn) {
+        [floats](const Case&, Fragments& drawn) {
           value(drawn, 0, 2, 3, 1) = 1 + static_cast<float>(floats) * 0x1p-23F;
         },
         "cpu");
@@ -86,7 +86,7 @@ TEST(RangeOfVertices, LeavesTheWholeOfAGreaterBound) {
 TEST(RangeOfVertices, FindsDepthsBeyondTheVertices) {
   const auto violations = [](float depth) {
     return checked(square(),
-                   [depth](const Case&, Framebuffer& drawn) {
+                   [depth](const Case&, Fragments& drawn) {
                      drawn.depth[find(drawn, 0, 2, 3)] = depth;
                    })
         .violation_count;
@@ -103,7 +103,7 @@ TEST(RangeOfVertices, SaysNothingOfFlatAndFreeValuesAndOfCentresOutside) {
     c.framebuffer.samples = samples;
     c.attributes[0] = {"x", interpolation, location};
     c.positions[1].w = w;
-    const Check check = checked(c, [](const Case&, Framebuffer& drawn) {
+    const Check check = checked(c, [](const Case&, Fragments& drawn) {
       for (std::size_t i = 0; i < drawn.size(); ++i) drawn.attributes[i * 3] = 9;
     });
     return check.violation_count > 0;
@@ -119,7 +119,7 @@ TEST(RangeOfVertices, SaysNothingOfFlatAndFreeValuesAndOfCentresOutside) {
 }
 
 TEST(RangeOfVertices, LeavesSamplesThatShouldNotBeThereAlone) {
-  const Check check = checked(square(), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case&, Fragments& drawn) {
     add(drawn, 0, 7, 7);
     drawn.attributes.back() = 9;
   });

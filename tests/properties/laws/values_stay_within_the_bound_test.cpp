@@ -14,7 +14,7 @@ namespace rastercheck::properties::values_stay_within_the_bound_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 
@@ -22,7 +22,7 @@ constexpr std::string_view kLaw = "values-stay-within-the-bound";
 
 // One ulp of a value of one is one scale ULP of an attribute that is one everywhere.
 TEST(ValuesStayWithinTheBound, FindsOneUlp) {
-  const Check check = check_of(kLaw, square(), [](const Case&, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, square(), [](const Case&, Fragments& drawn) {
     value(drawn, 1, 6, 5, 1) = std::nextafter(1.0F, 2.0F);
   });
   expect_at(only(check), FragmentClass::beyond_bound, AttributeKind::smooth, 1, 6, 5);
@@ -33,7 +33,7 @@ TEST(ValuesStayWithinTheBound, FindsOneUlp) {
 }
 
 TEST(ValuesStayWithinTheBound, FindsWhatIsNoNumber) {
-  const Check check = check_of(kLaw, square(), [](const Case&, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, square(), [](const Case&, Fragments& drawn) {
     drawn.depth[find(drawn, 0, 1, 1)] = std::numeric_limits<float>::quiet_NaN();
     value(drawn, 0, 2, 1, 0) = -std::numeric_limits<float>::infinity();
   });
@@ -48,13 +48,13 @@ TEST(ValuesStayWithinTheBound, FindsWhatIsNoNumber) {
 
 TEST(ValuesStayWithinTheBound, FindsTheOtherZero) {
   const Check check = check_of(
-      kLaw, square(), [](const Case&, Framebuffer& drawn) { value(drawn, 0, 1, 1, 2) = -0.0F; });
+      kLaw, square(), [](const Case&, Fragments& drawn) { value(drawn, 0, 1, 1, 2) = -0.0F; });
   expect_at(only(check), FragmentClass::wrong_sign_of_zero, AttributeKind::smooth, 0, 1, 1);
   EXPECT_EQ(only(check).attribute, 2U);
 }
 
 TEST(ValuesStayWithinTheBound, LeavesCoverageAlone) {
-  const Check check = check_of(kLaw, square(), [](const Case&, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, square(), [](const Case&, Fragments& drawn) {
     drop(drawn, 0, 1, 1);
     add(drawn, 0, 6, 6);
   });

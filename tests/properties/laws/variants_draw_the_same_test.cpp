@@ -13,7 +13,7 @@ namespace rastercheck::properties::variants_draw_the_same_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using testing::HasSubstr;
 
 constexpr std::string_view kLaw = "threads-tiles-and-simd-change-no-bit";
@@ -40,7 +40,7 @@ TEST(Variants, AreNoMoreThanTwoAtATime) {
 
 TEST(Variants, HaveTheSameLastBits) {
   DamagedBackend backend(
-      [](const Case&, Framebuffer& drawn) {
+      [](const Case&, Fragments& drawn) {
         value(drawn, 0, 1, 1, 0) = std::nextafter(value(drawn, 0, 1, 1, 0), 0.0F);
       },
       "cpu");

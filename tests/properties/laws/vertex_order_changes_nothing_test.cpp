@@ -12,14 +12,14 @@ namespace rastercheck::properties::vertex_order_changes_nothing_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 
 constexpr std::string_view kLaw = "vertex-order-changes-nothing-beyond-the-bound";
 
 TEST(VertexOrder, FindsAValueThatDependsOnIt) {
-  const Check check = check_of(kLaw, square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, square(), [](const Case& c, Fragments& drawn) {
     if (c.triangles[0][0] == 1) value(drawn, 0, 2, 3, 1) = std::nextafter(1.0F, 2.0F);
   });
   expect_at(only(check), FragmentClass::beyond_bound, AttributeKind::smooth, 0, 2, 3);
@@ -27,7 +27,7 @@ TEST(VertexOrder, FindsAValueThatDependsOnIt) {
 }
 
 TEST(VertexOrder, FindsCoverageThatDependsOnIt) {
-  const Check check = check_of(kLaw, square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = check_of(kLaw, square(), [](const Case& c, Fragments& drawn) {
     if (c.triangles[0][0] == 2) drop(drawn, 0, 1, 1);
   });
   expect_at(only(check), FragmentClass::missing, AttributeKind::coverage, 0, 1, 1);

@@ -15,7 +15,7 @@ namespace rastercheck::properties::vertex_values_come_back_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::AttributeKind;
 using records::FragmentClass;
 using testing::HasSubstr;
@@ -53,7 +53,7 @@ TEST(VertexValues, ComeBackFromCpu) {
 
 // Far less than an ulp of the largest of the three values.
 TEST(VertexValues, FindsOneUlpOfTheirOwn) {
-  const Check check = checked(corner(), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(corner(), [](const Case&, Fragments& drawn) {
     float& small = value(drawn, 0, 1, 1, 1);
     small = std::nextafter(small, 1.0F);
   });
@@ -71,7 +71,7 @@ TEST(VertexValues, FindsOneUlpOfTheirOwn) {
 }
 
 TEST(VertexValues, FindsWhatIsNoNumber) {
-  const Check check = checked(corner(), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(corner(), [](const Case&, Fragments& drawn) {
     value(drawn, 0, 1, 1, 0) = std::numeric_limits<float>::quiet_NaN();
     value(drawn, 0, 1, 1, 2) = std::numeric_limits<float>::infinity();
   });
@@ -81,7 +81,7 @@ TEST(VertexValues, FindsWhatIsNoNumber) {
 }
 
 TEST(VertexValues, LeaveTheSignOfZeroAndOtherSamplesAlone) {
-  const Check check = checked(corner(), [](const Case&, Framebuffer& drawn) {
+  const Check check = checked(corner(), [](const Case&, Fragments& drawn) {
     value(drawn, 0, 1, 1, 2) = 0.0F;
     value(drawn, 0, 2, 1, 0) = 77;
     drawn.depth[find(drawn, 0, 1, 1)] = 77;
@@ -124,7 +124,7 @@ TEST(VertexValues, AreJudgedWhereTheVertexStays) {
   Case c = corner();
   c.coverage = cases::Snapping{8};
   c.basis = cases::Basis::snapped;
-  const Damage damage = [](const Case&, Framebuffer& drawn) { value(drawn, 0, 1, 1, 0) = 77; };
+  const Damage damage = [](const Case&, Fragments& drawn) { value(drawn, 0, 1, 1, 0) = 77; };
   DamagedBackend backend(damage, "cpu");
   cases::Contract contract = backend.contract(c);
   const auto violations = [&] {
@@ -139,7 +139,7 @@ TEST(VertexValues, AreJudgedWhereTheVertexStays) {
 }
 
 TEST(VertexValues, AreJudgedWherePromised) {
-  DamagedBackend backend([](const Case&, Framebuffer& drawn) { value(drawn, 0, 1, 1, 0) = 77; },
+  DamagedBackend backend([](const Case&, Fragments& drawn) { value(drawn, 0, 1, 1, 0) = 77; },
                          "cpu");
   cases::Contract contract = backend.contract(corner());
   EXPECT_TRUE(is_promised(*find_law(kLaw), backend));

@@ -15,7 +15,7 @@ namespace rastercheck::properties::whole_pixels_move_test {
 namespace {
 
 using cases::Case;
-using cases::Framebuffer;
+using cases::Fragments;
 using records::FragmentClass;
 using testing::HasSubstr;
 
@@ -33,7 +33,7 @@ Case numbered(int number) {
 /// What is asked of a backend: the case as it was and the moved one.
 std::vector<Case> asked(const Case& c) {
   std::vector<Case> seen;
-  checked(c, [&seen](const Case& drawn, Framebuffer&) { seen.push_back(drawn); });
+  checked(c, [&seen](const Case& drawn, Fragments&) { seen.push_back(drawn); });
   return seen;
 }
 
@@ -78,7 +78,7 @@ TEST(WholePixels, MoveTheSquare) {
 TEST(WholePixels, FindWhatIsMissingInThePlaceOfTheCaseAsItWas) {
   int du = 0;
   int dv = 0;
-  const Check check = checked(square(), [&](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(square(), [&](const Case& c, Fragments& drawn) {
     if (!is_moved(c)) return;
     du = static_cast<int>(c.viewport.x);
     dv = static_cast<int>(c.viewport.y);
@@ -95,7 +95,7 @@ TEST(WholePixels, FindWhatIsMissingInThePlaceOfTheCaseAsItWas) {
 
 // A sample on the diagonal is B's, wherever the picture is.
 TEST(WholePixels, FindTiesThatGoElsewhere) {
-  const Check check = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case& c, Fragments& drawn) {
     if (!is_moved(c)) return;
     const auto x = 4 + static_cast<int>(c.viewport.x);
     const auto y = 3 + static_cast<int>(c.viewport.y);
@@ -106,7 +106,7 @@ TEST(WholePixels, FindTiesThatGoElsewhere) {
 }
 
 TEST(WholePixels, FindFragmentsOfNoPixel) {
-  const Check check = checked(square(), [](const Case& c, Framebuffer& drawn) {
+  const Check check = checked(square(), [](const Case& c, Fragments& drawn) {
     if (is_moved(c)) add(drawn, 0, c.framebuffer.width, 0);
   });
   ASSERT_EQ(check.violation_count, 1U);
@@ -116,7 +116,7 @@ TEST(WholePixels, FindFragmentsOfNoPixel) {
 // Window x of sample (5, 5) is 5.5, whose neighbours are half an ulp of 8 away.
 TEST(WholePixels, JudgeValuesThatDifferByTheContract) {
   const auto off_by = [](int floats) {
-    return checked(square(), [floats](const Case& c, Framebuffer& drawn) {
+    return checked(square(), [floats](const Case& c, Fragments& drawn) {
       if (!is_moved(c)) return;
       const auto x = 5 + static_cast<int>(c.viewport.x);
       const auto y = 5 + static_cast<int>(c.viewport.y);

@@ -19,7 +19,7 @@ namespace {
 using cases::Basis;
 using cases::Case;
 using cases::Coverage;
-using cases::Framebuffer;
+using cases::Fragments;
 using cases::Rounding;
 using cases::Snapping;
 using cases::TieRule;
@@ -162,7 +162,7 @@ TEST(Probe, FindsThatFloatsAreLessPrecise) {
 struct Bending {
   /// What is drawn in place of a case; nothing where none is.
   std::function<std::optional<Case>(Case)> before = [](Case c) { return c; };
-  std::function<void(Framebuffer&)> after = [](Framebuffer& /*drawn*/) {};
+  std::function<void(Fragments&)> after = [](Fragments& /*drawn*/) {};
 };
 
 class Bent : public backends::Backend {
@@ -170,10 +170,10 @@ class Bent : public backends::Backend {
   explicit Bent(Bending bending)
       : bending_(std::move(bending)), cpu_(*backends::make_backend("cpu")) {}
   cases::Contract contract(const Case& c) const override { return cases::contract_of(c); }
-  Result<Framebuffer> draw(const Case& c) override {
+  Result<Fragments> draw(const Case& c) override {
     const std::optional<Case> bent = bending_.before(c);
     if (!bent) return tl::unexpected(Error{"", "", "not that", Failure::unsupported});
-    Result<Framebuffer> drawn = cpu_->draw(*bent);
+    Result<Fragments> drawn = cpu_->draw(*bent);
     if (drawn) bending_.after(*drawn);
     return drawn;
   }
@@ -260,7 +260,7 @@ TEST(ProbeOfBent, FindsFlushedNumbers) {
 
 TEST(ProbeOfBent, FindsPicturesThatChange) {
   Bending bending;
-  bending.after = [count = 0](Framebuffer& drawn) mutable {
+  bending.after = [count = 0](Fragments& drawn) mutable {
     if (++count % 2 == 0 && !drawn.depth.empty()) drawn.depth[0] += 0x1p-20F;
   };
   EXPECT_EQ(measured(probe_of(bending, ask(Coverage())), "drawing twice"), "other bits");
@@ -268,7 +268,7 @@ TEST(ProbeOfBent, FindsPicturesThatChange) {
 
 TEST(ProbeOfBent, FindsHowFarValuesAreOff) {
   Bending bending;
-  bending.after = [](Framebuffer& drawn) {
+  bending.after = [](Fragments& drawn) {
     // 2^-20 of itself: 8 to 16 ulp, or less where a vertex has a greater value.
     for (float& value : drawn.attributes) value *= 1 + 0x1p-20F;
   };

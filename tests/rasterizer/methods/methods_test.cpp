@@ -68,8 +68,7 @@ TEST(Methods, DrawWhatAPlainTriangleCovers) {
     const DrawResult result =
         draw_fragments_by(method.name, state, mesh.mesh(), {4, 4, 1}, fragments);
     EXPECT_EQ(result.error, std::nullopt);
-    EXPECT_EQ(picture(fragments, {4, 4, 1}), (Picture{"####", "###.", "##..", "#..."}))
-        << method.name;
+    EXPECT_EQ(picture(fragments, {4, 4, 1}), (Rows{"####", "###.", "##..", "#..."})) << method.name;
   }
 }
 

@@ -51,9 +51,8 @@ TEST(Polygon, CoversWhatIsInsideWhicheverWayItTurns) {
     if (reversed) polygon = {polygon.rbegin(), polygon.rend()};
     Fragments fragments;
     ASSERT_FALSE(draw_polygon("rational-linear", state, polygon, kEight, fragments).has_value());
-    EXPECT_EQ(picture(fragments, kEight),
-              (Picture{"..####..", ".#####..", ".######.", "#######.", ".######.", "..####..",
-                       "...##...", "........"}));
+    EXPECT_EQ(picture(fragments, kEight), (Rows{"..####..", ".#####..", ".######.", "#######.",
+                                                ".######.", "..####..", "...##...", "........"}));
     expect_values(fragments, [](double u, double) { return u; });
   }
 }

@@ -25,13 +25,13 @@ INSTANTIATE_TEST_SUITE_P(Drawn, RationalLinearCoverage, EitherWay::ways(), Eithe
 TEST_P(RationalLinearCoverage, ARightEdgeExcludesTheSamplesOnIt) {
   const State state = small_state(4, 4);
   EXPECT_EQ(picture(state, triangle(state, {0, 0}, {4, 0}, {0, 4}), kFour),
-            (Picture{"###.", "##..", "#...", "...."}));
+            (Rows{"###.", "##..", "#...", "...."}));
 }
 
 TEST_P(RationalLinearCoverage, ALeftEdgeIncludesTheSamplesOnIt) {
   const State state = small_state(4, 4);
   EXPECT_EQ(picture(state, triangle(state, {4, 0}, {4, 4}, {0, 4}), kFour),
-            (Picture{"...#", "..##", ".###", "####"}));
+            (Rows{"...#", "..##", ".###", "####"}));
 }
 
 TEST_P(RationalLinearCoverage, IsTheSameForEveryOrderOfTheVertices) {
@@ -40,14 +40,14 @@ TEST_P(RationalLinearCoverage, IsTheSameForEveryOrderOfTheVertices) {
   for (const glm::uvec3& order :
        {glm::uvec3{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}) {
     mesh.triangles = {order};
-    EXPECT_EQ(picture(state, mesh, kFour), (Picture{"###.", "##..", "#...", "...."}));
+    EXPECT_EQ(picture(state, mesh, kFour), (Rows{"###.", "##..", "#...", "...."}));
   }
 }
 
 // Kills: the fill rule ignored, or taken without regard to where v points.
 TEST_P(RationalLinearCoverage, TheFillRuleIsMeantAsDisplayed) {
-  const Picture least{"##..", "##..", "....", "...."};
-  const Picture greatest{"....", "##..", "##..", "...."};
+  const Rows least{"##..", "##..", "....", "...."};
+  const Rows greatest{"....", "##..", "##..", "...."};
   for (const Convention convention : kConventions) {
     State state = small_state(4, 4, convention);
     const SmallMesh mesh = rectangle(state, {0.5F, 0.5F}, {2.5F, 2.5F});
@@ -64,7 +64,7 @@ TEST_P(RationalLinearCoverage, ASampleOnAVertexFollowsBothItsEdges) {
   // A left and a top edge meet at (1/2, 1/2); a left and a bottom one, or a top and a right one, do
   // at the others.
   EXPECT_EQ(picture(state, triangle(state, {0.5F, 0.5F}, {2.5F, 0.5F}, {0.5F, 2.5F}), kFour),
-            (Picture{"##..", "#...", "....", "...."}));
+            (Rows{"##..", "#...", "....", "...."}));
 }
 
 // Kills: a shared edge crossed at two places, or owned by both or by none.
@@ -118,11 +118,11 @@ TEST_P(RationalLinearCoverage, TheStandardPatternsAreCoveredSampleBySample) {
   const State state = small_state(1, 1);
   // Left of 1/2: samples with x < 8/16.
   const SmallMesh mesh = rectangle(state, {0, 0}, {0.5F, 1});
-  EXPECT_EQ(picture(state, mesh, {1, 1, 1}), (Picture{"."}));
-  EXPECT_EQ(picture(state, mesh, {1, 1, 2}), (Picture{".#"}));
-  EXPECT_EQ(picture(state, mesh, {1, 1, 4}), (Picture{"#.#."}));
-  EXPECT_EQ(picture(state, mesh, {1, 1, 8}), (Picture{".#.###.."}));
-  EXPECT_EQ(picture(state, mesh, {1, 1, 16}), (Picture{".##.#...#.###..#"}));
+  EXPECT_EQ(picture(state, mesh, {1, 1, 1}), (Rows{"."}));
+  EXPECT_EQ(picture(state, mesh, {1, 1, 2}), (Rows{".#"}));
+  EXPECT_EQ(picture(state, mesh, {1, 1, 4}), (Rows{"#.#."}));
+  EXPECT_EQ(picture(state, mesh, {1, 1, 8}), (Rows{".#.###.."}));
+  EXPECT_EQ(picture(state, mesh, {1, 1, 16}), (Rows{".##.#...#.###..#"}));
 }
 
 // --- Clipping -----------------------------------------------------------------------------------
@@ -142,8 +142,8 @@ SmallMesh behind_the_eye(const State& state) {
 
 // Kills: dividing before clipping.
 TEST_P(RationalLinearClipping, AVertexBehindTheEyeOpensTheTriangleToInfinity) {
-  const Picture expected{"..####..", "..####..", ".######.", ".######.",
-                         ".######.", ".######.", "########", "########"};
+  const Rows expected{"..####..", "..####..", ".######.", ".######.",
+                      ".######.", ".######.", "########", "########"};
   for (const bool depth_clamp : {false, true}) {
     for (const Convention convention : kConventions) {
       State state = small_state(8, 8, convention);
@@ -177,8 +177,8 @@ TEST_P(RationalLinearClipping, WhatIsWhollyBehindTheEyeIsNotDrawn) {
 }
 
 /// Columns or rows 0 to 3, those in `which` drawn.
-Picture stripes(bool along_v, const std::string& which) {
-  Picture rows;
+Rows stripes(bool along_v, const std::string& which) {
+  Rows rows;
   for (std::size_t i = 0; i < 4; ++i) rows.push_back(along_v ? std::string(4, which[i]) : which);
   return rows;
 }
@@ -190,8 +190,8 @@ TEST_P(RationalLinearClipping, SamplesOnANearOrFarCutAreInside) {
     const float nearest = convention == Convention::opengl ? -1 : 0;
     for (const bool along_v : {false, true}) {
       for (const float slope : {0.125F, -0.125F}) {
-        const Picture low = stripes(along_v, "##..");
-        const Picture high = stripes(along_v, ".###");
+        const Rows low = stripes(along_v, "##..");
+        const Rows high = stripes(along_v, ".###");
         EXPECT_EQ(picture(state, sloping(state, along_v, slope, nearest), kFour),
                   slope > 0 ? high : low);
         EXPECT_EQ(picture(state, sloping(state, along_v, slope, 1), kFour), slope > 0 ? low : high);
@@ -206,9 +206,9 @@ TEST_P(RationalLinearClipping, SamplesOnADepthCutAreInsideHoweverItIsCutItself) 
   state.clip_distance_count = 1;
   SmallMesh mesh = sloping(state, false, -0.125F, 0);  // inside up to u = 1.5
   mesh.clip_distances = {1, 1, -1, -1};                // inside up to v = 2
-  EXPECT_EQ(picture(state, mesh, kFour), (Picture{"##..", "##..", "....", "...."}));
+  EXPECT_EQ(picture(state, mesh, kFour), (Rows{"##..", "##..", "....", "...."}));
   mesh.clip_distances = {-1, -1, 1, 1};
-  EXPECT_EQ(picture(state, mesh, kFour), (Picture{"....", "....", "##..", "##.."}));
+  EXPECT_EQ(picture(state, mesh, kFour), (Rows{"....", "....", "##..", "##.."}));
 }
 
 TEST_P(RationalLinearClipping, DepthClampKeepsWhatIsNearerOrFartherAndClampsItsDepth) {
@@ -235,9 +235,9 @@ TEST_P(RationalLinearClipping, ADistanceAndItsNegativeShareNoSampleButInD3d) {
         mesh.clip_distances.push_back(p.z);
         p.z = 0;
       }
-      const Picture positive = picture(state, mesh, kFour);
+      const Rows positive = picture(state, mesh, kFour);
       for (float& distance : mesh.clip_distances) distance = -distance;
-      const Picture negative = picture(state, mesh, kFour);
+      const Rows negative = picture(state, mesh, kFour);
       EXPECT_EQ(positive, stripes(along_v, ".###"));
       EXPECT_EQ(negative, stripes(along_v, convention == Convention::d3d ? "##.." : "#..."));
     }
@@ -249,7 +249,7 @@ TEST_P(RationalLinearClipping, DistancesThatVanishEverywhereClipNothing) {
   state.clip_distance_count = kMaxClipDistances;
   SmallMesh mesh = rectangle(state, {0, 0}, {4, 4});
   mesh.clip_distances.assign(4 * kMaxClipDistances, 0);
-  EXPECT_EQ(picture(state, mesh, kFour), Picture(4, "####"));
+  EXPECT_EQ(picture(state, mesh, kFour), Rows(4, "####"));
 }
 
 TEST_P(RationalLinearClipping, EveryDistanceClips) {
@@ -261,7 +261,7 @@ TEST_P(RationalLinearClipping, EveryDistanceClips) {
     // Falls from 1 to −1 from left to right.
     mesh.clip_distances[1 * kMaxClipDistances + i] = -1;
     mesh.clip_distances[2 * kMaxClipDistances + i] = -1;
-    EXPECT_EQ(picture(state, mesh, kFour), Picture(4, "##..")) << i;
+    EXPECT_EQ(picture(state, mesh, kFour), Rows(4, "##..")) << i;
   }
 }
 
@@ -273,7 +273,7 @@ TEST_P(RationalLinearClipping, ValuesStayWhereTheGuardBandCuts) {
     SmallMesh mesh = triangle(state, {0, 0}, {far, 0}, {0, far});
     mesh.attributes = {1, 1 + far, 1};
     expect_values(fragments_of(state, mesh, kEight), [](double u, double) { return 1 + u; });
-    EXPECT_EQ(picture(state, mesh, kEight), Picture(8, "########"));
+    EXPECT_EQ(picture(state, mesh, kEight), Rows(8, "########"));
   }
 }
 
@@ -293,8 +293,8 @@ INSTANTIATE_TEST_SUITE_P(Drawn, RationalLinearConventions, EitherWay::ways(), Ei
 TEST_P(RationalLinearConventions, NdcYPointsDownInVulkanAndTheWindowUpInOpengl) {
   // The corner of least x and y in NDC.
   const SmallMesh mesh{{{-1, -1, 0, 1}, {0, -1, 0, 1}, {-1, 0, 0, 1}}, {}, {}, {{0, 1, 2}}};
-  const Picture least_rows{"#.", ".."};
-  const Picture greatest_rows{"..", "#."};
+  const Rows least_rows{"#.", ".."};
+  const Rows greatest_rows{"..", "#."};
   for (const Convention convention : kConventions) {
     State state = small_state(4, 4, convention);
     state.viewport.size = {2, 2};
@@ -312,7 +312,7 @@ TEST_P(RationalLinearConventions, ANegativeViewportHeightTurnsThePictureOver) {
   const SmallMesh mesh = triangle(state, {0, 0}, {4.25F, 0}, {0, 4.25F});
   state.viewport.origin = {0, 4};
   state.viewport.size = {4, -4};
-  EXPECT_EQ(picture(state, mesh, kFour), (Picture{"#...", "##..", "###.", "####"}));
+  EXPECT_EQ(picture(state, mesh, kFour), (Rows{"#...", "##..", "###.", "####"}));
 }
 
 // Kills: facing without regard to where v points.

@@ -78,7 +78,7 @@ TEST_P(RationalLinearValues, NoperspectiveStaysLinearInTheWindowWhereClipped) {
   mesh.positions[1].z = -2;
   mesh.positions[2].z = 1;
   const Fragments fragments = fragments_of(state, mesh, kFour);
-  EXPECT_EQ(picture(fragments, kFour), (Picture{"##..", "##..", "#...", "...."}));
+  EXPECT_EQ(picture(fragments, kFour), (Rows{"##..", "##..", "#...", "...."}));
   expect_values(fragments, [](double u, double) { return u / 4; });
 }
 
@@ -168,7 +168,7 @@ INSTANTIATE_TEST_SUITE_P(Drawn, RationalLinearLocations, EitherWay::ways(), Eith
 
 TEST_P(RationalLinearLocations, SampleIsWhereTheSampleLies) {
   const Fragments fragments = left_part(Location::sample, 1.25F);
-  ASSERT_EQ(picture(fragments, {2, 1, 4}), (Picture{"####..#."}));
+  ASSERT_EQ(picture(fragments, {2, 1, 4}), (Rows{"####..#."}));
   EXPECT_EQ(value_at(fragments, 0, 0, 0), 6 / 16.0F);
   EXPECT_EQ(value_at(fragments, 0, 0, 1), 14 / 16.0F);
   EXPECT_EQ(value_at(fragments, 0, 0, 3), 10 / 16.0F);
@@ -202,7 +202,7 @@ TEST_P(RationalLinearLocations, CenterIsByThePlaneOfTheWholeTriangle) {
   mesh.positions[1].z = -1;
   mesh.attributes = {0.375F, 4.375F, 0.375F};
   const Fragments fragments = fragments_of(state, mesh, {4, 4, 4});
-  EXPECT_EQ(picture(fragments, {4, 4, 4}), Picture(4, "#..............."));
+  EXPECT_EQ(picture(fragments, {4, 4, 4}), Rows(4, "#..............."));
   EXPECT_EQ(fragments.attributes, std::vector<float>(4, 0.5F));
 }
 
@@ -216,7 +216,7 @@ TEST_P(RationalLinearLocations, CentroidIsTheCentreOrTheFirstCoveredSample) {
   mesh.attributes = {0, 2, 0};
   const Fragments fragments = fragments_of(state, mesh, {2, 1, 4});
   // u + v < 2; (u, v) of pixel 1 in 1/16: (22, 2), (30, 6), (18, 10), (26, 14).
-  ASSERT_EQ(picture(fragments, {2, 1, 4}), (Picture{"#####.#."}));
+  ASSERT_EQ(picture(fragments, {2, 1, 4}), (Rows{"#####.#."}));
   for (int sample = 0; sample < 4; ++sample) EXPECT_EQ(value_at(fragments, 0, 0, sample), 0.5F);
   EXPECT_EQ(value_at(fragments, 1, 0, 0), 22 / 16.0F);
   EXPECT_EQ(value_at(fragments, 1, 0, 2), 22 / 16.0F);
@@ -229,7 +229,7 @@ TEST_P(RationalLinearLocations, CentroidTakesSamplesOutsideTheViewportForUncover
   SmallMesh mesh = triangle(state, {-2, 0}, {4, 0}, {-2, 6});
   mesh.attributes = {-1.5F, 4.5F, -1.5F};  // the window's u, from 1/2 right of small_state's
   const Fragments fragments = fragments_of(state, mesh, {1, 1, 4});
-  ASSERT_EQ(picture(fragments, {1, 1, 4}), (Picture{".#.#"}));
+  ASSERT_EQ(picture(fragments, {1, 1, 4}), (Rows{".#.#"}));
   EXPECT_EQ(value_at(fragments, 0, 0, 3), 14 / 16.0F);
 }
 

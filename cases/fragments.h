@@ -12,7 +12,7 @@ namespace rastercheck::cases {
 /// What a backend drew, raw: its fragments as a structure of arrays, ordered by triangle, y, x,
 /// sample. Each triangle as if drawn alone; with the case's depth test `less`, the nearest fragment
 /// of each sample instead.
-struct Framebuffer {
+struct Fragments {
   std::size_t attribute_count = 0;
   std::vector<std::uint32_t> triangle;  ///< index into the case's triangles
   std::vector<std::uint16_t> x;         ///< pixels
