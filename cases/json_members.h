@@ -13,6 +13,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -28,6 +29,10 @@ namespace rastercheck::cases {
 /// T, that may be const.
 template <typename T, typename Plain>
 concept Either = std::same_as<std::remove_const_t<T>, Plain>;
+
+/// A whole number.
+template <typename T>
+constexpr bool kIsNumber = std::integral<T> && !std::same_as<T, bool>;
 
 class JsonWriter;
 class JsonReader;
@@ -74,11 +79,9 @@ class JsonWriter {
     if constexpr (HasMembers<T>) {
       JsonWriter writer(to);
       members(writer, value);
-    } else if constexpr (std::is_same_v<T, bool>) {
-      write_value(to, value);
-    } else if constexpr (std::unsigned_integral<T>) {
+    } else if constexpr (kIsNumber<T> && std::unsigned_integral<T>) {
       write_value(to, std::uint64_t{value});
-    } else if constexpr (std::integral<T>) {
+    } else if constexpr (kIsNumber<T>) {
       write_value(to, std::int64_t{value});
     } else if constexpr (std::is_enum_v<T>) {
       write_value(to, name_of(value));
@@ -156,11 +159,9 @@ class JsonReader {
       keys.expect(node);
       JsonReader reader(node);
       if (!node.failed()) members(reader, value);
-    } else if constexpr (std::is_same_v<T, bool>) {
-      read_value(node, value);
-    } else if constexpr (std::unsigned_integral<T>) {
+    } else if constexpr (kIsNumber<T> && std::unsigned_integral<T>) {
       value = node.count<T>();
-    } else if constexpr (std::integral<T>) {
+    } else if constexpr (kIsNumber<T>) {
       value = static_cast<T>(
           node.integer(std::numeric_limits<T>::min(), std::numeric_limits<T>::max()));
     } else if constexpr (std::is_enum_v<T>) {
