@@ -52,10 +52,10 @@ void write_value(nlohmann::json& to, std::string_view value);
 inline void write_value(nlohmann::json& to, const std::string& value) {
   write_value(to, std::string_view(value));
 }
-/// The member of that key of an object, which it becomes if it is null; a new element of an array.
+/// Gives the member of that key of an object; appends an element to an array.
 nlohmann::json& member_of(nlohmann::json& object, std::string_view key);
 nlohmann::json& element_of(nlohmann::json& array);
-/// Nothing, as an object or as an array.
+/// Makes it an empty object, or an empty array.
 void make_object(nlohmann::json& to);
 void make_array(nlohmann::json& to);
 
@@ -67,7 +67,7 @@ class JsonWriter {
   void required(std::string_view key, const T& value) {
     write(member_of(*object_, key), value);
   }
-  /// Absent where it is what it usually is.
+  /// Leaves the key out if the value is the usual one.
   template <typename T>
   void optional(std::string_view key, const T& value, const std::type_identity_t<T>& usual = {}) {
     if (!(value == usual)) required(key, value);
@@ -102,7 +102,7 @@ class JsonWriter {
   nlohmann::json* object_;
 };
 
-/// A record as an object.
+/// Writes a record as an object.
 template <HasMembers T>
 void write_members(nlohmann::json& to, const T& record) {
   JsonWriter writer(to);
@@ -187,7 +187,7 @@ class JsonReader {
   const JsonNode* node_;
 };
 
-/// The record that an object holds. Refuses unknown and missing keys.
+/// Reads a record from an object. Refuses unknown and missing keys.
 template <HasMembers T>
 T read_members(const JsonNode& node) {
   T record{};

@@ -14,7 +14,7 @@ std::string corpus_folder();
 /// likewise.
 std::string known_folder();
 
-/// Those of a plan. What is known is nothing where the plan ignores it.
+/// The folders that a plan means. The second is empty if the plan ignores known defects.
 std::string corpus_folder_of(const records::Plan& plan);
 std::string known_folder_of(const records::Plan& plan);
 

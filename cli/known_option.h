@@ -18,7 +18,7 @@ struct KnownOption {
 
 /// Adds --known and --no-known to a command.
 void add_known(CLI::App& app, KnownOption& option);
-/// The same of what a run is asked to do.
+/// Adds them to a command that makes a plan.
 void add_known(CLI::App& app, records::Plan& plan);
 
 }  // namespace rastercheck::cli

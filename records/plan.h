@@ -49,14 +49,14 @@ struct Plan {
   bool operator==(const Plan&) const = default;
 };
 
-/// What of a plan decides which cases are frozen and what they are held to: seed, cases, patterns,
-/// contract, corpus and known defects. All else is as of a plan that says nothing.
+/// Keeps what decides which cases are frozen and what they are held to: seed, cases, patterns,
+/// contract, corpus and known defects. Everything else gets its usual value.
 Plan frozen(const Plan& plan);
 
-/// How somebody else asks for the same with `rastercheck run`, but for backends, cases, seed, scene
-/// and shard: words of a command line, to be read by people.
+/// Gives the command-line options of `rastercheck run` that ask for the same, except backends,
+/// cases, seed, scene and shard. For people to read and repeat.
 std::vector<std::string> option_words(const Plan& plan);
-/// Those that replaying one of its cases takes as well.
+/// Gives those options that `rastercheck replay` takes, too.
 std::vector<std::string> replay_words(const Plan& plan);
 
 }  // namespace rastercheck::records

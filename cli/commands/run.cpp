@@ -176,7 +176,7 @@ Result<Work> prepare(const RunOptions& options) {
               return properties::begin_run(plan, options.output, warn, options.rerun_failed);
             });
   if (!start) return tl::unexpected(start.error());
-  // Of how long a drawing may take nothing that was found depends but what hung.
+  // Another time-out may be given: it changes only which drawings count as hung.
   if (options.resume && options.plan.timeout != records::Plan().timeout) {
     start->plan.timeout = options.plan.timeout;
   }
