@@ -2,10 +2,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "records/plan.h"
+
 namespace rastercheck::cli {
 
 /// Seconds that a foreign backend may take to answer.
-inline constexpr double kDefaultTimeout = 10;
+using records::kDefaultTimeout;
 
 /// The option `--timeout` of commands that draw.
 void add_timeout(CLI::App& app, double& seconds);

@@ -27,8 +27,8 @@ struct BisectPlan {
   std::vector<std::string> build;  ///< the command that makes what is judged
   /// The rastercheck that draws and judges, which may be what is built.
   std::string program;
-  /// What it is asked to do. Files and folders that are named are taken as they are now, whatever
-  /// is checked out; corpus and known defects are named, unless the latter are ignored.
+  /// The plan that it is run with. Files and folders that are named are taken as they are now,
+  /// whatever is checked out; corpus and known defects are named, unless the latter are ignored.
   records::Plan plan;
   int jobs = 1;
   /// This program with its hidden command, which is given a folder and calls judge_commit().

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is compared: a baseline file, or a run that kept its cases.
+// Reads the two sides of a comparison: baseline files, or runs that kept their cases.
 
 #include <cstdint>
 #include <map>
@@ -24,7 +24,7 @@ struct Side {
 /// Reads a baseline file, a run.json that kept its cases, the folder of such a run, or standard
 /// input for "-".
 Result<Side> read_side(const std::string& file);
-/// The same of a run that is at hand.
+/// Makes a side from a run that is already in memory.
 Result<Side> side_of(records::Run run, const std::string& file);
 
 /// Gives the backend of the side another name in its sections; an empty one changes nothing.
@@ -34,7 +34,7 @@ Result<void> rename_backend(Side& side, const std::string& name);
 /// Notes the commit that the side's sections are of.
 void set_commit(Side& side, const std::string& commit);
 
-/// What a run has to be, to be held against a baseline.
+/// The cases that a run has to check to be comparable with a baseline.
 struct CaseSet {
   std::string section;  ///< its key, for messages
   records::Plan plan;   ///< frozen()

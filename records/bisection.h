@@ -1,6 +1,6 @@
 #pragma once
 
-// What a search for the first commit that is worse found (gate/bisect.h).
+// The result of a search for the first commit that is worse (gate/bisect.h).
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a run is asked to do: typed, once, for the command line, worker processes, checkpoints,
-// shards, run.json, baselines and comparisons.
+// The plan of a run: one type for the command line, worker processes, checkpoints, shards,
+// run.json, baselines and comparisons.
 
 #include <cstdint>
 #include <optional>
@@ -12,6 +12,9 @@
 #include "records/shard.h"
 
 namespace rastercheck::records {
+
+/// Seconds that a foreign backend has for one drawing, unless others are given.
+inline constexpr double kDefaultTimeout = 10;
 
 /// How long one counterexample may be made smaller.
 struct ShrinkBudget {
@@ -42,8 +45,8 @@ struct Plan {
   std::string known = {};      ///< folder of lists of known defects; empty: likewise
   bool ignores_known = false;  ///< what is known of drivers counts as any other violation
   ShrinkBudget shrinking = {};
-  bool keeps_cases = false;  ///< whether what each case gave is kept (CaseRecord)
-  double timeout = 10;       ///< seconds that a foreign backend has for one drawing
+  bool keeps_cases = false;          ///< whether what each case gave is kept (CaseRecord)
+  double timeout = kDefaultTimeout;  ///< seconds that a foreign backend has for one drawing
   /// The part of the work that is done; nothing: all of it.
   std::optional<ShardNumber> shard = std::nullopt;
   bool operator==(const Plan&) const = default;

@@ -34,7 +34,8 @@ struct BackendPromises {
   bool operator==(const BackendPromises&) const = default;
 };
 
-/// What a part of a campaign says beside what it was to do (Plan::shard is which part) and found.
+/// Describes one part of a campaign, so that merging can check that all parts belong together.
+/// Plan::shard says which part it is.
 struct Shard {
   bool is_whole = true;       ///< else it was interrupted, be it while shrinking
   std::string corpus_digest;  ///< of the corpus' cases

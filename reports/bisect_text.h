@@ -1,6 +1,6 @@
 #pragma once
 
-// What a bisection found, for people and for programs.
+// Prints the result of a bisection, for people and for programs.
 
 #include <cstdint>
 #include <string>
@@ -14,7 +14,7 @@ std::string worse_text(std::uint64_t entries);
 
 /// The first commit that is worse, the case whose error grew most, and how it was found.
 std::string bisect_text(const records::BisectOutcome& outcome);
-/// The same as JSON, on one line.
+/// Prints it as JSON, on one line.
 std::string bisect_json(const records::BisectOutcome& outcome);
 
 }  // namespace rastercheck::reports

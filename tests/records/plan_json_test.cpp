@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
+
+#include "tests/records/sample_plan.h"
 
 namespace rastercheck::records::plan_json_test {
 namespace {
@@ -11,29 +14,16 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// A plan in which nothing is as usual.
-Plan sample() {
-  Plan plan{~std::uint64_t{0}, 12, {"cpu", "plugin:\"x\""}, {"a-law"}, {"*edge*"},
-            "bunny.obj",       640};
-  plan.contract.emplace().file = "lax.json";
-  plan.contract->terms.keeps_constants = false;
-  plan.corpus = "a folder";
-  plan.known = "lists";
-  plan.ignores_known = true;
-  plan.shrinking = {0, 2.5};
-  plan.keeps_cases = true;
-  plan.timeout = 0.5;
-  plan.shard = {2, 7};
-  return plan;
-}
-
 Result<Plan> read(const json& document) {
   return cases::read_json(document.dump(), "file", &plan_from_json);
 }
 
 TEST(PlanJson, ComesBackAsItWas) {
-  EXPECT_EQ(read(plan_to_json(sample())).value(), sample());
+  EXPECT_EQ(read(plan_to_json(sample_plan())).value(), sample_plan());
   EXPECT_EQ(read(plan_to_json({})).value(), Plan());
+  Plan large;
+  large.seed = std::numeric_limits<std::uint64_t>::max();
+  EXPECT_EQ(read(plan_to_json(large)).value(), large);
   Plan none;
   none.backends = {};
   EXPECT_EQ(read(plan_to_json(none)).value(), none);
@@ -43,12 +33,12 @@ TEST(PlanJson, ComesBackAsItWas) {
 TEST(PlanJson, LeavesOutWhatIsAsUsual) {
   EXPECT_EQ(plan_to_json({}),
             json::parse(R"({"seed": 0, "cases_per_law": 1000, "backends": ["cpu"]})"));
-  EXPECT_EQ(plan_to_json(sample()).size(), 16U);
+  EXPECT_EQ(plan_to_json(sample_plan()).size(), 16U);
 }
 
 TEST(PlanJson, IsRefusedWithItsPlace) {
   const auto error = [](const char* pointer, const char* value) {
-    json document = plan_to_json(sample());
+    json document = plan_to_json(sample_plan());
     document[json::json_pointer(pointer)] = json::parse(value);
     const Result<Plan> plan = read(document);
     return plan ? "was read" : to_string(plan.error());
@@ -66,7 +56,7 @@ TEST(PlanJson, IsRefusedWithItsPlace) {
   EXPECT_THAT(error("/shard/count", "0"), HasSubstr("file: /shard/index: "));
   EXPECT_THAT(error("/shard/count", "4097"), HasSubstr("file: /shard/count: must be at most 4096"));
   EXPECT_THAT(error("/keeps_cases", "1"), HasSubstr("file: /keeps_cases: must be"));
-  json document = plan_to_json(sample());
+  json document = plan_to_json(sample_plan());
   document.erase("seed");
   EXPECT_THAT(to_string(read(document).error()), HasSubstr("missing key 'seed'"));
 }

@@ -3,30 +3,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/records/sample_plan.h"
+
 namespace rastercheck::records::plan_test {
 namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// A plan in which nothing is as usual.
-Plan sample() {
-  Plan plan{7, 12, {"cpu", "plugin:\"x\""}, {"a-law"}, {"*edge*", "--known"}, "bunny.obj", 640};
-  plan.contract.emplace().file = "lax.json";
-  plan.contract->terms.keeps_constants = false;
-  plan.corpus = "a folder";
-  plan.known = "lists";
-  plan.ignores_known = true;
-  plan.shrinking = {5, 2.5};
-  plan.keeps_cases = true;
-  plan.timeout = 0.5;
-  plan.shard = {2, 7};
-  return plan;
-}
-
 TEST(OptionWords, AreOfWhatIsNotAsUsual) {
   EXPECT_THAT(option_words({}), IsEmpty());
-  EXPECT_THAT(option_words(sample()),
+  EXPECT_THAT(option_words(sample_plan()),
               ElementsAre("--property", "*edge*", "--property", "--known", "--scene-size", "640",
                           "--contract", "lax.json", "--corpus", "a folder", "--no-known", "--known",
                           "lists", "--shrink-tries", "5", "--shrink-seconds", "2.5", "--keep-cases",
@@ -35,15 +22,15 @@ TEST(OptionWords, AreOfWhatIsNotAsUsual) {
 
 // Kills: a size without a scene, which `run` takes for nothing.
 TEST(OptionWords, HaveNoSizeOfNoScene) {
-  Plan plan = sample();
+  Plan plan = sample_plan();
   plan.scene.clear();
   EXPECT_THAT(option_words(plan), testing::Not(testing::Contains("--scene-size")));
 }
 
 TEST(ReplayWords, AreThoseOfDrawingAndKnowing) {
   EXPECT_THAT(replay_words({}), IsEmpty());
-  EXPECT_THAT(replay_words(sample()), ElementsAre("--contract", "lax.json", "--no-known", "--known",
-                                                  "lists", "--timeout", "0.5"));
+  EXPECT_THAT(replay_words(sample_plan()), ElementsAre("--contract", "lax.json", "--no-known",
+                                                       "--known", "lists", "--timeout", "0.5"));
 }
 
 // Kills: what is recorded, and decides nothing, held against a baseline.
@@ -53,12 +40,12 @@ TEST(Frozen, IsWhatDecidesTheCasesAndWhatTheyAreHeldTo) {
   expected.cases_per_law = 12;
   expected.backends = {};
   expected.properties = {"*edge*", "--known"};
-  expected.contract = sample().contract;
+  expected.contract = sample_plan().contract;
   expected.corpus = "a folder";
   expected.known = "lists";
   expected.ignores_known = true;
-  EXPECT_EQ(frozen(sample()), expected);
-  EXPECT_EQ(frozen(frozen(sample())), expected);
+  EXPECT_EQ(frozen(sample_plan()), expected);
+  EXPECT_EQ(frozen(frozen(sample_plan())), expected);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ using testing::StartsWith;
 constexpr const char* kCoverage = "coverage-obeys-the-contract";
 const records::Plan kSmall{7, 25, {"cpu", "damaged"}, {kCoverage, "constants-stay-constant"}};
 
-/// The same as a worker is told it.
+/// The part of that plan which a worker needs.
 constexpr const char* kPlan = R"({"seed": 7, "cases_per_law": 25})";
 
 /// Whether every process is gone, and none left a zombie.

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "records/plan.h"
+
+namespace rastercheck::records {
+
+/// A plan in which nothing is as usual.
+inline Plan sample_plan() {
+  Plan plan{7, 12, {"cpu", "plugin:\"x\""}, {"a-law"}, {"*edge*", "--known"}, "bunny.obj", 640};
+  plan.contract.emplace().file = "lax.json";
+  plan.contract->terms.keeps_constants = false;
+  plan.corpus = "a folder";
+  plan.known = "lists";
+  plan.ignores_known = true;
+  plan.shrinking = {5, 2.5};
+  plan.keeps_cases = true;
+  plan.timeout = 0.5;
+  plan.shard = {2, 7};
+  return plan;
+}
+
+}  // namespace rastercheck::records
