@@ -241,9 +241,11 @@ TEST_F(Run, TakesABackendOnceHoweverOftenItIsNamed) {
                                        "damaged", "--cases", "3", "--property", kCoverage});
   EXPECT_EQ(outcome.code, 1) << outcome;
   EXPECT_EQ(run_json().at("plan").at("backends"), (json{"damaged", "cpu"}));
-  run_damaged({"--backend", "damaged", "--cases", "3", "--json", "--property", kCoverage});
+  run_damaged({"--backend", "damaged", "--backend", "damaged", "--cases", "0", "--property",
+               kCoverage});
   EXPECT_EQ(run_json().at("plan").at("backends"), json{"damaged"});
   // The corpus' case, once.
+  ASSERT_THAT(run_json().at("records"), SizeIs(1));
   EXPECT_EQ(run_json().at("records").at(0).at("cases").at("checked"), 1);
 }
 
