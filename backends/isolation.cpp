@@ -23,9 +23,7 @@ class IsolatedBackend : public Backend {
         greeting_(process.greeting()),
         process_(std::move(process)) {}
 
-  std::string description() const override { return greeting_.description; }
-  std::optional<Driver> driver() const override { return greeting_.driver; }
-  bool has_limits() const override { return greeting_.has_limits; }
+  About about() const override { return greeting_.about; }
 
   std::optional<Error> is_lost() const override {
     if (crashes_ < kMostCrashes && hangs_ < kMostHangs) return std::nullopt;
@@ -35,7 +33,7 @@ class IsolatedBackend : public Backend {
     return error;
   }
 
-  cases::Contract contract(const cases::Case& c) const override {
+  cases::Contract promise(const cases::Case& c) const override {
     if (remembered_ && remembered_->first == c) return remembered_->second;
     if (!c.triangles.empty()) return asked_for_contract(c);
     // What laws ask before each case.
@@ -45,7 +43,8 @@ class IsolatedBackend : public Backend {
     return said;
   }
 
-  Result<cases::Fragments> draw(const cases::Case& c) override {
+ private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
     if (const auto withheld = std::exchange(withheld_, std::nullopt);
         withheld && withheld->first == c) {
       return tl::unexpected(withheld->second);
@@ -56,10 +55,10 @@ class IsolatedBackend : public Backend {
     if (!drawing) return tl::unexpected(nonsense());
     crashes_ = 0;
     if (drawing->problem) return tl::unexpected(*drawing->problem);
-    return std::move(drawing->drawn);
+    remembered_ = {c, std::move(drawing->drawn.contract)};
+    return std::move(drawing->drawn.fragments);
   }
 
- private:
   cases::Contract asked_for_contract(const cases::Case& c) const {
     withheld_.reset();
     std::optional<cases::Contract> said;
@@ -112,17 +111,17 @@ class IsolatedBackend : public Backend {
 
 }  // namespace
 
-void isolate_foreign_backends(const Isolation& isolation) {
-  make_foreign_with([isolation](const std::string& specification) {
-    return make_isolated_backend(specification, isolation);
-  });
-}
-
 Result<std::unique_ptr<Backend>> make_isolated_backend(const std::string& specification,
                                                        const Isolation& isolation) {
   Result<WorkerProcess> process = WorkerProcess::start(specification, isolation);
   if (!process) return tl::unexpected(process.error());
   return std::make_unique<IsolatedBackend>(specification, isolation, *std::move(process));
+}
+
+MakeBackend isolated_by(const Isolation& isolation) {
+  return [isolation](const std::string& specification) {
+    return make_isolated_backend(specification, isolation);
+  };
 }
 
 }  // namespace rastercheck::backends

@@ -1,7 +1,7 @@
 #pragma once
 
 // Foreign code kept apart: drivers and plugins draw in processes of their own, so that whatever
-// they do ends a process and not a campaign. make_backend() hands out stand-ins for them.
+// they do ends a process and not a campaign. A BackendFactory hands out stand-ins for them.
 //
 // A process that crashes, or does not answer in time, fails the drawing that it was at (Failure::
 // crash and hang), with what it said last, and is started anew for the next one. Cases and
@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "cases/error.h"
 
 namespace rastercheck::backends {
@@ -31,15 +32,15 @@ struct Isolation {
   std::uint64_t memory = std::uint64_t{4} << 30;
 };
 
-/// Of this process, from now on: make_backend() gives foreign backends processes.
-void isolate_foreign_backends(const Isolation& isolation);
-
 /// A stand-in for the backend of a specification, foreign or not, made in a process. It draws
 /// fragments, and has the backend's contract, description and limits. It is for the thread that
 /// makes it: its processes end with the thread that starts them, and any question may start one.
 /// Fails as make_backend() does, and where the process cannot be started.
 Result<std::unique_ptr<Backend>> make_isolated_backend(const std::string& specification,
                                                        const Isolation& isolation);
+
+/// Makes such stand-ins, for a BackendFactory.
+MakeBackend isolated_by(const Isolation& isolation);
 
 /// The limits as the process is told them.
 struct ServingLimits {

@@ -14,6 +14,7 @@
 #include <memory>
 #include <thread>
 
+#include "backends/factory.h"
 #include "backends/internal/channel.h"
 #include "backends/internal/wire.h"
 #include "backends/isolation.h"
@@ -75,9 +76,9 @@ class Drawer {
   Drawer(Backend& backend, double seconds)
       : backend_(&backend), longest_(seconds / kShareOfTime), longest_together_(seconds / 2) {}
 
-  Result<cases::Fragments> draw(const cases::Case& c) {
+  Result<Drawn> draw(const cases::Case& c) {
     const auto start = std::chrono::steady_clock::now();
-    Result<cases::Fragments> drawn = backend_->draw(c);
+    Result<Drawn> drawn = backend_->draw(c);
     if (!drawn || !std::has_single_bit(++drawings_)) return drawn;
     if (std::chrono::steady_clock::now() - start > longest_) return drawn;
     if (const Result<void> kept = check_memory(c); !kept) return tl::unexpected(kept.error());
@@ -126,8 +127,8 @@ class Drawer {
 };
 
 std::string answer_to(const Request& request, const Backend& backend, Drawer& drawer) {
-  if (request.question == Question::contract) return pack(backend.contract(request.source));
-  Result<cases::Fragments> drawn = drawer.draw(request.source);
+  if (request.question == Question::contract) return pack(backend.promise(request.source));
+  Result<Drawn> drawn = drawer.draw(request.source);
   if (!drawn) return pack(Drawing{{}, drawn.error()});
   return pack(Drawing{*std::move(drawn), std::nullopt});
 }
@@ -147,8 +148,7 @@ Result<void> serve_backend(const std::string& specification, const ServingLimits
   Result<std::unique_ptr<Backend>> backend = make_backend(specification);
   Greeting greeting;
   if (backend) {
-    greeting = {(*backend)->description(), (*backend)->driver(), (*backend)->has_limits(),
-                std::nullopt};
+    greeting.about = (*backend)->about();
   } else {
     greeting.problem = backend.error();
   }

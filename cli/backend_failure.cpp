@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "backends/backend.h"
+#include "backends/factory.h"
 #include "cli/command.h"
 
 namespace rastercheck::cli {
@@ -11,10 +11,11 @@ ExitCode fail_backend(const Error& error) {
   return error.failure == Failure::refused ? usage : ExitCode::backend_unavailable;
 }
 
-ExitCode check_backends(const std::vector<std::string>& specifications) {
+ExitCode check_backends(const backends::BackendFactory& factory,
+                        const std::vector<std::string>& specifications) {
   std::optional<Error> unavailable;
   for (const std::string& specification : specifications) {
-    const auto backend = backends::make_backend(specification);
+    const auto backend = factory.make(specification);
     if (backend) continue;
     if (backend.error().failure == Failure::refused) return fail(backend.error());
     if (!unavailable) unavailable = backend.error();

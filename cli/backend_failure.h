@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "backends/factory.h"
 #include "cases/error.h"
 #include "cli/exit_code.h"
 
@@ -14,6 +15,7 @@ ExitCode fail_backend(const Error& error);
 
 /// Whether all these backends can be made; else says why the first cannot, `usage` before
 /// `backend_unavailable`.
-ExitCode check_backends(const std::vector<std::string>& specifications);
+ExitCode check_backends(const backends::BackendFactory& factory,
+                        const std::vector<std::string>& specifications);
 
 }  // namespace rastercheck::cli

@@ -1,6 +1,5 @@
 #include "cli/contract_option.h"
 
-#include "backends/held_backend.h"
 #include "cases/contract_json.h"
 #include "cli/command.h"
 
@@ -15,11 +14,9 @@ CLI::Option* add_contract(CLI::App& app, std::string& file) {
       ->type_name(kFile);
 }
 
-Result<cases::ContractTerms> hold_backends_to(const std::string& file) {
-  if (file.empty()) return cases::ContractTerms{};
-  Result<cases::ContractTerms> terms = cases::read_contract(file);
-  if (terms) backends::hold_backends_to(*terms);
-  return terms;
+Result<std::optional<cases::ContractTerms>> read_terms(const std::string& file) {
+  if (file.empty()) return std::nullopt;
+  return cases::read_contract(file);
 }
 
 }  // namespace rastercheck::cli

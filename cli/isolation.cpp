@@ -1,5 +1,9 @@
 #include "cli/isolation.h"
 
+#include <chrono>
+#include <utility>
+
+#include "backends/factory.h"
 #include "backends/isolation.h"
 #include "cli/own_program.h"
 
@@ -15,11 +19,13 @@ void add_timeout(CLI::App& app, double& seconds) {
       ->capture_default_str();
 }
 
-void isolate_foreign_backends(double timeout) {
-  backends::Isolation isolation;
-  isolation.command = {kOwnProgram, "worker"};
-  isolation.timeout = std::chrono::duration<double>(timeout);
-  backends::isolate_foreign_backends(isolation);
+std::vector<std::string> worker_program() { return {kOwnProgram, "worker"}; }
+
+backends::BackendFactory backend_factory(double timeout,
+                                         std::optional<cases::ContractTerms> terms) {
+  const backends::Isolation isolation{.command = worker_program(),
+                                      .timeout = std::chrono::duration<double>(timeout)};
+  return {backends::isolated_by(isolation), std::move(terms)};
 }
 
 }  // namespace rastercheck::cli

@@ -1,7 +1,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "backends/factory.h"
+#include "cases/contract_terms.h"
 #include "records/plan.h"
 
 namespace rastercheck::cli {
@@ -12,7 +17,11 @@ using records::kDefaultTimeout;
 /// The option `--timeout` of commands that draw.
 void add_timeout(CLI::App& app, double& seconds);
 
-/// From now on foreign backends are made in processes of this program (backends/isolation.h).
-void isolate_foreign_backends(double timeout);
+/// This program and the arguments that make it draw with a foreign backend (backends/isolation.h).
+std::vector<std::string> worker_program();
+
+/// Makes backends, foreign ones in such processes, all held to these terms, if there are any.
+backends::BackendFactory backend_factory(double timeout,
+                                         std::optional<cases::ContractTerms> terms = std::nullopt);
 
 }  // namespace rastercheck::cli

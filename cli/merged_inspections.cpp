@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "backends/held_backend.h"
+#include "backends/factory.h"
 #include "cli/corpus_folder.h"
 #include "cli/isolation.h"
 #include "cli/scene.h"
@@ -39,27 +39,26 @@ Result<std::optional<cases::Case>> scene_of(const MergedRun& merged) {
 Result<void> inspect_merged(MergedRun& merged) {
   Run& run = merged.run;
   const records::Plan& plan = run.plan;
-  isolate_foreign_backends(plan.timeout);
-  if (plan.contract) backends::hold_backends_to(plan.contract->terms);
+  const backends::BackendFactory backends = properties::backend_factory(plan, worker_program());
   const std::string folder = corpus_folder_of(plan);
   Result<std::vector<cases::Case>> corpus = properties::read_corpus(folder);
   if (!corpus) return tl::unexpected(corpus.error());
   if (properties::digest_of(*corpus) != merged.common.corpus_digest) return is_other(folder);
 
-  properties::TaskRunner runner(plan.seed, {}, {}, known_folder_of(plan));
-  const Result<properties::KnownByBackend> known = runner.known_of(plan.backends);
+  properties::TaskRunner runner(plan, {}, known_folder_of(plan), backends);
+  const Result<properties::KnownByBackend> known = runner.known();
   if (!known) return tl::unexpected(known.error());
   if (properties::digest_of_known(*known) != merged.common.known_digest) {
     return is_other("what is known of drivers");
   }
-  if (runner.promises(plan) != merged.common.promises) return is_other("what backends promise");
+  if (runner.promises() != merged.common.promises) return is_other("what backends promise");
 
   const Result<std::optional<cases::Case>> scene = scene_of(merged);
   if (!scene) return tl::unexpected(scene.error());
   const properties::CaseSources sources{*corpus, merged.common.saved, *known,
                                         *scene ? &**scene : nullptr};
-  run.inspections = properties::inspect_run(run, sources);
-  run.specimens = properties::make_specimens(run, sources);
+  run.inspections = properties::inspect_run(run, sources, backends);
+  run.specimens = properties::make_specimens(run, sources, backends);
   return {};
 }
 

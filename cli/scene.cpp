@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "cases/case_reader.h"
 #include "cases/json.h"
 #include "cases/mesh_reader.h"
@@ -44,11 +45,11 @@ Result<cases::Case> read_scene(const std::string& file, int size) {
 }
 
 Result<properties::Findings> judge_scene_of(records::Run& run, const cases::Case& scene,
-                                            unsigned jobs,
+                                            const backends::BackendFactory& backends, unsigned jobs,
                                             const properties::KnownByBackend& known) {
   properties::Findings all;
   for (const std::string& specification : run.plan.backends) {
-    auto backend = backends::make_backend(specification);
+    auto backend = backends.make(specification);
     if (!backend) return tl::unexpected(backend.error());
     const auto defects = known.find(specification);
     Result<properties::SceneFindings> found =

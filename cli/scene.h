@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "backends/factory.h"
 #include "cases/case.h"
 #include "cases/error.h"
 #include "properties/campaign/findings.h"
@@ -19,6 +20,7 @@ Result<cases::Case> read_scene(const std::string& file, int size);
 /// Judges the scene with each of the run's backends, in `jobs` threads, and adds what was drawn and
 /// its error map to the run's pictures. What is `known` of a backend is counted as known.
 Result<properties::Findings> judge_scene_of(records::Run& run, const cases::Case& scene,
-                                            unsigned jobs, const properties::KnownByBackend& known);
+                                            const backends::BackendFactory& backends, unsigned jobs,
+                                            const properties::KnownByBackend& known);
 
 }  // namespace rastercheck::cli

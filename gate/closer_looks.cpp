@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "backends/factory.h"
 #include "properties/inspect/closer_looks.h"
 #include "properties/inspect/specimens.h"
 
@@ -73,14 +74,15 @@ void leave_out_others(std::vector<Specimen>& again, std::span<const Specimen> af
 std::vector<LookRequest> requests_of(const records::Comparison& comparison,
                                      std::span<const Specimen> kept,
                                      std::span<const Specimen> kept_now,
-                                     std::span<const cases::Case> corpus) {
+                                     std::span<const cases::Case> corpus,
+                                     const backends::BackendFactory& backends) {
   std::vector<LookRequest> requests;
   for (const records::CaseGrowth& growth : comparison.growths) {
     if (requests.size() == kMostGrowths) break;
     if (growth.after) requests.push_back(request_of(growth, comparison.backend, kept));
   }
   std::vector<Specimen> again =
-      properties::draw_again(kept, comparison.backend, comparison.plan.seed, corpus);
+      properties::draw_again(kept, comparison.backend, comparison.plan.seed, corpus, backends);
   leave_out_others(again, kept_now);
   std::vector<LookRequest> parts =
       properties::changed_parts(kept, again, kMostGrowths + kMostParts);
@@ -98,11 +100,12 @@ std::vector<LookRequest> requests_of(const records::Comparison& comparison,
 std::vector<records::CloserLook> look_closer(const records::Comparison& comparison,
                                              const records::Baseline& before,
                                              const records::Baseline& after,
-                                             std::span<const cases::Case> corpus) {
+                                             std::span<const cases::Case> corpus,
+                                             const backends::BackendFactory& backends) {
   const std::vector<LookRequest> requests =
       requests_of(comparison, specimens_of(section_of_key(before, comparison.key)),
-                  specimens_of(section_of_backend(after, comparison.backend)), corpus);
-  return properties::closer_looks(requests, comparison.plan.seed, corpus);
+                  specimens_of(section_of_backend(after, comparison.backend)), corpus, backends);
+  return properties::closer_looks(requests, comparison.plan.seed, corpus, backends);
 }
 
 }  // namespace rastercheck::gate

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "backends/factory.h"
 #include "cases/case.h"
 #include "gate/compare.h"
 #include "gate/sections.h"
@@ -16,6 +17,7 @@ namespace rastercheck::gate {
 std::vector<records::CloserLook> look_closer(const records::Comparison& comparison,
                                              const records::Baseline& before,
                                              const records::Baseline& after,
-                                             std::span<const cases::Case> corpus);
+                                             std::span<const cases::Case> corpus,
+                                             const backends::BackendFactory& backends);
 
 }  // namespace rastercheck::gate

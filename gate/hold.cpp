@@ -12,6 +12,7 @@
 #include "gate/closer_looks.h"
 #include "gate/compare.h"
 #include "gate/grown_cases.h"
+#include "properties/campaign/campaign.h"
 #include "properties/campaign/corpus.h"
 
 namespace rastercheck::gate {
@@ -21,16 +22,17 @@ Day today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))
 
 /// Of cases that gave other bits, what is seen of them by drawing them again.
 std::vector<records::CloserLook> looks_of(const reports::Gate& gate, const Side& baseline,
-                                          const Side& current, const std::string& corpus_folder) {
+                                          const Side& current, const HoldOptions& options) {
   std::vector<records::CloserLook> looks;
   for (const records::Comparison& comparison : gate.comparisons) {
     if (comparison.changed_cases == 0) continue;
     // Pictures are no reason to fail: without the corpus its cases have none.
     const std::vector<cases::Case> corpus =
-        properties::read_corpus(corpus_of(comparison, corpus_folder))
+        properties::read_corpus(corpus_of(comparison, options.corpus))
             .value_or(std::vector<cases::Case>());
     std::vector<records::CloserLook> found =
-        look_closer(comparison, baseline.sections, current.sections, corpus);
+        look_closer(comparison, baseline.sections, current.sections, corpus,
+                    properties::backend_factory(comparison.plan, options.worker));
     std::move(found.begin(), found.end(), std::back_inserter(looks));
   }
   return looks;
@@ -51,7 +53,7 @@ Result<reports::Gate> hold(const Side& baseline, const Side& current, const Hold
   gate.before_run = baseline.run ? &*baseline.run : nullptr;
   gate.after_run = current.run ? &*current.run : nullptr;
   gate.baseline = &baseline.sections;
-  if (!options.folder.empty()) gate.looks = looks_of(gate, baseline, current, options.corpus);
+  if (!options.folder.empty()) gate.looks = looks_of(gate, baseline, current, options);
   return gate;
 }
 

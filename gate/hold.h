@@ -3,6 +3,7 @@
 // The whole of a comparison, as `rastercheck compare` and `rastercheck run --baseline` make it.
 
 #include <string>
+#include <vector>
 
 #include "cases/error.h"
 #include "gate/policy.h"
@@ -15,6 +16,8 @@ struct HoldOptions {
   Policy policy;       ///< applied as of today
   std::string folder;  ///< for what reports/compare_format.h lists; empty: none
   std::string corpus;  ///< folder of the corpus, of comparisons whose options name none
+  /// What starts a process that draws with a foreign backend (backends::Isolation).
+  std::vector<std::string> worker;
 };
 
 /// Holds one side against the other. Where there is a folder, draws again and looks at what came

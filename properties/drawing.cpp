@@ -41,18 +41,21 @@ Error no_promise() {
           Failure::unsupported};
 }
 
+const cases::Fragments& fragments_of(const backends::Drawn& drawn) { return drawn.fragments; }
+const cases::Fragments& fragments_of(const cases::Fragments& drawn) { return drawn; }
+
 /// What `call(clip)` draws of the case without its camera, watched.
 template <typename Call>
-Result<cases::Fragments> drawn_by(const cases::Case& c, const backends::Backend& backend,
-                                  const Call& call) {
+auto drawn_by(const cases::Case& c, backends::Backend& backend, const Call& call)
+    -> decltype(call(c)) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   if (!cases::makes_promises_of(backend.contract(*clip), *clip))
     return tl::unexpected(no_promise());
   const backends::FloatingPointModes modes;
-  Result<cases::Fragments> drawn = call(*clip);
+  auto drawn = call(*clip);
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
-  if (drawn && !is_well_formed(*drawn, *clip)) {
+  if (drawn && !is_well_formed(fragments_of(*drawn), *clip)) {
     return tl::unexpected(Error{"", "",
                                 "the backend's fragments do not have the case's attributes, or its "
                                 "arrays differ in length"});
@@ -62,7 +65,7 @@ Result<cases::Fragments> drawn_by(const cases::Case& c, const backends::Backend&
 
 }  // namespace
 
-Result<cases::Fragments> draw(const cases::Case& c, backends::Backend& backend) {
+Result<backends::Drawn> draw(const cases::Case& c, backends::Backend& backend) {
   return drawn_by(c, backend, [&backend](const cases::Case& clip) { return backend.draw(clip); });
 }
 
@@ -70,13 +73,13 @@ Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology to
                                         std::span<const std::uint32_t> indices,
                                         backends::Backend& backend) {
   return drawn_by(c, backend, [&](const cases::Case& clip) {
-    return backend.draw_assembled(clip, topology, indices);
+    return backend.assembler()->draw_assembled(clip, topology, indices);
   });
 }
 
 Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends::Backend& backend) {
   const backends::FloatingPointModes modes;
-  Result<std::vector<cases::ClipVertex>> positions = backend.transform(c);
+  Result<std::vector<cases::ClipVertex>> positions = backend.vertex_stage()->transform(c);
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
   if (positions && positions->size() != c.positions.size()) {
     return tl::unexpected(
@@ -89,7 +92,8 @@ Result<std::vector<cases::Normal>> transform_normals(const cases::Matrix4& model
                                                      std::span<const cases::Normal> normals,
                                                      backends::Backend& backend) {
   const backends::FloatingPointModes modes;
-  Result<std::vector<cases::Normal>> world = backend.transform_normals(model, normals);
+  Result<std::vector<cases::Normal>> world =
+      backend.vertex_stage()->transform_normals(model, normals);
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
   if (world && world->size() != normals.size()) {
     return tl::unexpected(
@@ -103,7 +107,7 @@ Result<cases::Picture> draw_picture(const cases::Case& c, backends::Backend& bac
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   const backends::FloatingPointModes modes;
-  Result<cases::Picture> picture = backend.draw_picture(*clip, pipeline);
+  Result<cases::Picture> picture = backend.picture_drawer()->draw_picture(*clip, pipeline);
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
   if (picture && !is_well_formed(*picture, *clip, pipeline)) {
     return tl::unexpected(Error{"", "",

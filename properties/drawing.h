@@ -17,9 +17,10 @@ namespace rastercheck::properties {
 /// Draws the case: its clip positions handed over rounded once (oracle/transform.h). A backend
 /// fails that returns with another rounding mode or, on x86, with another FTZ or DAZ than it was
 /// called with (they are put back), or with arrays that do not fit the case or each other.
-Result<cases::Fragments> draw(const cases::Case& c, backends::Backend& backend);
+Result<backends::Drawn> draw(const cases::Case& c, backends::Backend& backend);
 
-/// The same of what a list, strip or fan of the case's vertices draws.
+/// The same of what a list, strip or fan of the case's vertices draws, of a backend that assembles
+/// some, as it has to do what else is asked for here.
 Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                         std::span<const std::uint32_t> indices,
                                         backends::Backend& backend);

@@ -285,19 +285,16 @@ Result<Check> check_drawn(const cases::Case& c, backends::Backend& backend,
                           const DrawnCheck& find) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  const cases::Contract contract = backend.contract(*clip);
-  const Result<cases::Fragments> drawn = draw(*clip, backend);
+  const Result<backends::Drawn> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  return find(*clip, contract, *drawn);
+  return find(*clip, *drawn);
 }
 
 Result<Check> check_judged(const cases::Case& c, backends::Backend& backend,
                            const JudgeRequest& request, const CheckOptions& options) {
-  return check_drawn(
-      c, backend,
-      [&](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
-        return judge_drawn(clip, contract, drawn, request, options);
-      });
+  return check_drawn(c, backend, [&](const cases::Case& clip, const backends::Drawn& drawn) {
+    return judge_drawn(clip, drawn.contract, drawn.fragments, request, options);
+  });
 }
 
 }  // namespace rastercheck::properties

@@ -31,9 +31,8 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
 Result<Check> check_judged(const cases::Case& c, backends::Backend& backend,
                            const JudgeRequest& request, const CheckOptions& options);
 
-/// Takes a case without a camera, what the backend promises of it, and what it drew.
-using DrawnCheck =
-    std::function<Check(const cases::Case&, const cases::Contract&, const cases::Fragments&)>;
+/// Takes a case without a camera, and what was drawn of it.
+using DrawnCheck = std::function<Check(const cases::Case&, const backends::Drawn&)>;
 
 /// Draws the case, and says what is found of that. Fails where the backend cannot draw it.
 Result<Check> check_drawn(const cases::Case& c, backends::Backend& backend, const DrawnCheck& find);

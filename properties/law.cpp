@@ -48,7 +48,7 @@ std::uint64_t least_reached(const Cover& cover, std::uint64_t checked) {
   return least > 0 ? static_cast<std::uint64_t>(std::ceil(least)) : 0;
 }
 
-bool draws_what_is_asked_for(const backends::Backend& backend) {
+bool draws_what_is_asked_for(backends::Backend& backend) {
   cases::Case c;
   for (const cases::Rules rules : {cases::Rules::opengl, cases::Rules::vulkan, cases::Rules::d3d}) {
     c.rules = rules;
@@ -69,20 +69,18 @@ bool draws_what_is_asked_for(const backends::Backend& backend) {
   return true;
 }
 
-bool draws_invariantly(const backends::Backend& backend) {
-  return backend.contract({}).is_invariant;
-}
+bool draws_invariantly(backends::Backend& backend) { return backend.contract({}).is_invariant; }
 
-bool is_promised(const Law& law, const backends::Backend& backend) {
+bool is_promised(const Law& law, backends::Backend& backend) {
   return law.is_promised == nullptr || law.is_promised(backend);
 }
 
-records::BackendPromises promises_of(const std::string& name, const backends::Backend* backend,
+records::BackendPromises promises_of(const std::string& name, backends::Backend* backend,
                                      std::span<const std::string> laws) {
   records::BackendPromises promises;
   promises.backend = name;
   if (backend == nullptr) return promises;
-  promises.has_limits = backend->has_limits();
+  promises.has_limits = backend->about().has_limits;
   promises.draws_what_is_asked_for = draws_what_is_asked_for(*backend);
   for (const std::string& law_name : laws) {
     const Law* law = find_law(law_name);

@@ -91,7 +91,7 @@ struct Law {
                          const CheckOptions& options) = nullptr;
   /// Whether a backend promises at all what the law is about; nullptr: every backend does. Where it
   /// does not, the law says nothing of any case, and that is no fault of a run.
-  bool (*is_promised)(const backends::Backend& backend) = nullptr;
+  bool (*is_promised)(backends::Backend& backend) = nullptr;
   /// Of one that does not, what it lacks: the reason that reports give. A clause.
   std::string_view unpromised = {};
   /// What its random cases have to reach.
@@ -105,18 +105,18 @@ std::uint64_t least_reached(const Cover& cover, std::uint64_t checked);
 
 /// Whether a backend promises the coverage, basis and tie rule that a case names, and values in
 /// perspective: not one that rounds positions in its own way, or leaves ties open.
-bool draws_what_is_asked_for(const backends::Backend& backend);
+bool draws_what_is_asked_for(backends::Backend& backend);
 
 /// Whether a backend promises that what has no say in a fragment leaves its bits alone
 /// (cases::Contract::is_invariant).
-bool draws_invariantly(const backends::Backend& backend);
+bool draws_invariantly(backends::Backend& backend);
 
 /// Whether the law has something to say of a backend.
-bool is_promised(const Law& law, const backends::Backend& backend);
+bool is_promised(const Law& law, backends::Backend& backend);
 
 /// What a backend promises of these laws; `name` is its own in the records. Of nullptr as much as
 /// nobody knows of one that there is not: all laws, and nothing of how it draws.
-records::BackendPromises promises_of(const std::string& name, const backends::Backend* backend,
+records::BackendPromises promises_of(const std::string& name, backends::Backend* backend,
                                      std::span<const std::string> laws);
 
 /// All laws, in the order of their ids.

@@ -9,8 +9,8 @@
 #include <system_error>
 #include <vector>
 
-#include "backends/backend.h"
 #include "backends/cpu/rasterizer_backend.h"
+#include "backends/factory.h"
 #include "rasterizer/simd.h"
 
 namespace rastercheck::backends::cpu_registration {

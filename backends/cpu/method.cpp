@@ -2,8 +2,8 @@
 
 #include "rasterizer/methods/method.h"
 
-#include "backends/backend.h"
 #include "backends/cpu/method_backend.h"
+#include "backends/factory.h"
 
 namespace rastercheck::backends::method_registration {
 namespace {

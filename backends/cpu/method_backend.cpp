@@ -170,22 +170,24 @@ cases::Contract contract_of(const cases::Case& c, const ras::Promise& promise) {
   return contract;
 }
 
-class MethodBackend : public Backend {
+class MethodBackend : public Backend, private Tracer {
  public:
   explicit MethodBackend(const ras::Method& method) : method_(&method) {}
 
-  cases::Contract contract(const cases::Case& c) const override {
+  cases::Contract promise(const cases::Case& c) const override {
     const CaseMesh memory(c);
     return contract_of(c, method_->promise(state_of(c), memory.mesh(), target_size(c)));
   }
-  Result<cases::Fragments> draw(const cases::Case& c) override {
+  Tracer* tracer() override { return this; }
+
+ private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
     const CaseMesh memory(c);
     ras::Fragments fragments;
     const ras::DrawResult drawn = ras::draw_fragments_by(method_->name, state_of(c), memory.mesh(),
                                                          target_size(c), fragments);
     return drawn_fragments(c, drawn, fragments);
   }
-  bool traces() const override { return true; }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                     const cases::SamplePlace& at) override {
     const CaseMesh memory(c);
@@ -194,7 +196,6 @@ class MethodBackend : public Backend {
     return traced_sample(traced);
   }
 
- private:
   const ras::Method* method_;
 };
 

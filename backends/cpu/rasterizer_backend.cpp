@@ -89,16 +89,30 @@ std::vector<std::string> variants(const RasterizerOptions& options) {
   return all;
 }
 
-class RasterizerBackend : public Backend {
+class RasterizerBackend : public Backend,
+                          private PictureDrawer,
+                          private Assembler,
+                          private VertexStage,
+                          private Tracer {
  public:
   explicit RasterizerBackend(RasterizerOptions options) : options_(std::move(options)) {}
 
-  cases::Contract contract(const cases::Case& c) const override {
+  About about() const override { return {.same_as = variants(options_)}; }
+  cases::Contract promise(const cases::Case& c) const override {
     cases::Contract contract = production_contract(c, options_.precision);
     if (options_.output == Output::framebuffer) contract.derivative_bound.reset();  // it holds none
     return contract;
   }
-  Result<cases::Fragments> draw(const cases::Case& c) override {
+  /// Framebuffers hold values computed in double, whatever fragments are asked for.
+  PictureDrawer* picture_drawer() override {
+    return options_.precision == ras::Precision::float64 ? this : nullptr;
+  }
+  Assembler* assembler() override { return this; }
+  VertexStage* vertex_stage() override { return this; }
+  Tracer* tracer() override { return this; }
+
+ private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
     const ras::OnSimdTarget target(options_.simd);
     if (options_.output == Output::framebuffer) {
       return draw_through_framebuffer(c, options_.threads);
@@ -112,23 +126,16 @@ class RasterizerBackend : public Backend {
         ras::draw_fragments(state, memory.mesh(), target_size(c), fragments);
     return drawn_fragments(c, drawn, fragments);
   }
-  /// Framebuffers hold values computed in double, whatever fragments are asked for.
-  bool draws_pictures() const override { return options_.precision == ras::Precision::float64; }
   Result<cases::Picture> draw_picture(const cases::Case& c,
                                       const cases::Pipeline& pipeline) override {
-    if (!draws_pictures()) return Backend::draw_picture(c, pipeline);
     const ras::OnSimdTarget target(options_.simd);
     return backends::draw_picture(c, pipeline, options_.threads);
   }
-  bool draws_over() const override { return draws_pictures(); }
   Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
                          cases::Picture& picture) override {
-    if (!draws_over()) return Backend::draw_over(c, pipeline, picture);
     const ras::OnSimdTarget target(options_.simd);
     return backends::draw_over(c, pipeline, options_.threads, picture);
   }
-  std::vector<std::string> same_as() const override { return variants(options_); }
-  bool traces() const override { return true; }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                     const cases::SamplePlace& at) override {
     ras::State state = state_of(c);
@@ -136,14 +143,12 @@ class RasterizerBackend : public Backend {
     const CaseMesh memory(c);
     return traced_sample(ras::trace_sample(state, memory.mesh(), target_size(c), sample_place(at)));
   }
-  bool assembles() const override { return true; }
   Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                           std::span<const std::uint32_t> indices) override {
     const Result<cases::Case> triangles = assembled(c, topology, indices);
     if (!triangles) return tl::unexpected(triangles.error());
-    return draw(*triangles);
+    return draw_fragments(*triangles);
   }
-  bool transforms() const override { return true; }
   Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override {
     return transformed(c);
   }
@@ -152,7 +157,6 @@ class RasterizerBackend : public Backend {
     return transformed_normals(model, normals);
   }
 
- private:
   RasterizerOptions options_;
 };
 

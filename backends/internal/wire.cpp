@@ -90,9 +90,17 @@ template <typename Archive, Either<Driver> T>
 void members(Archive& archive, T& d) {
   archive(d.name, d.version);
 }
+template <typename Archive, Either<About> T>
+void members(Archive& archive, T& a) {
+  archive(a.description, a.driver, a.has_limits, a.same_as);
+}
 template <typename Archive, Either<Greeting> T>
 void members(Archive& archive, T& g) {
-  archive(g.description, g.driver, g.has_limits, g.problem);
+  archive(g.about, g.problem);
+}
+template <typename Archive, Either<Drawn> T>
+void members(Archive& archive, T& d) {
+  archive(d.contract, d.fragments);
 }
 template <typename Archive, Either<Drawing> T>
 void members(Archive& archive, T& d) {
@@ -274,7 +282,11 @@ std::optional<Request> unpack_request(std::string_view bytes) { return unpacked<
 std::optional<Greeting> unpack_greeting(std::string_view bytes) {
   return unpacked<Greeting>(bytes);
 }
-std::optional<Drawing> unpack_drawing(std::string_view bytes) { return unpacked<Drawing>(bytes); }
+std::optional<Drawing> unpack_drawing(std::string_view bytes) {
+  std::optional<Drawing> drawing = unpacked<Drawing>(bytes);
+  if (drawing && !drawing->problem && !has_meaning(drawing->drawn.contract)) return std::nullopt;
+  return drawing;
+}
 std::optional<cases::Contract> unpack_contract(std::string_view bytes) {
   std::optional<cases::Contract> contract = unpacked<cases::Contract>(bytes);
   if (contract && !has_meaning(*contract)) return std::nullopt;

@@ -25,15 +25,13 @@ struct Request {
 
 /// What a process says first: who it is, or why there is no backend.
 struct Greeting {
-  std::string description;
-  std::optional<Driver> driver;
-  bool has_limits = false;
+  About about;
   std::optional<Error> problem;
 };
 
 /// The answer to a drawing.
 struct Drawing {
-  cases::Fragments drawn;
+  Drawn drawn;
   std::optional<Error> problem;
 };
 

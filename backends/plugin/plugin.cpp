@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "backends/backend.h"
+#include "backends/factory.h"
 #include "backends/floating_point_modes.h"
 #include "backends/plugin/guarded_array.h"
 #include "backends/plugin/library.h"
@@ -127,17 +127,16 @@ class PluginBackend : public Backend {
   PluginBackend(std::string path, Plugin plugin)
       : path_(std::move(path)), plugin_(std::move(plugin)) {}
 
-  std::string description() const override { return describe(plugin_); }
-  bool has_limits() const override {
-    // It may also say of any draw that it has none of that kind.
-    return true;
+  About about() const override {
+    // It may say of any draw that it has none of that kind.
+    return {.description = describe(plugin_), .has_limits = true};
   }
-  cases::Contract contract(const cases::Case& c) const override {
+  cases::Contract promise(const cases::Case& c) const override {
     return contract_of(plugin_.contract, c);
   }
-  Result<cases::Fragments> draw(const cases::Case& c) override;
 
  private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override;
   Result<void> hand_over(const cases::Case& c);
   Result<void> append(std::uint32_t first, std::uint32_t count, cases::Fragments& drawn);
   Result<void> call();
@@ -184,7 +183,7 @@ class PluginBackend : public Backend {
   Rectangle dirty_;  ///< what the last draw may have left in the output
 };
 
-Result<cases::Fragments> PluginBackend::draw(const cases::Case& c) {
+Result<cases::Fragments> PluginBackend::draw_fragments(const cases::Case& c) {
   if (const std::string what = lacks(plugin_.contract, c); !what.empty()) {
     return fail("its contract lacks " + what, Failure::unsupported);
   }
@@ -202,7 +201,7 @@ Result<cases::Fragments> PluginBackend::draw(const cases::Case& c) {
 
 /// What is the same for all draws of a case.
 Result<void> PluginBackend::hand_over(const cases::Case& c) {
-  draw_ = state_of(c, contract(c));
+  draw_ = state_of(c, promise(c));
   std::vector<float> places;
   for (const auto& p : cases::standard_pattern(c.framebuffer.samples)) {
     places.insert(places.end(), {static_cast<float>(p.x) / 16, static_cast<float>(p.y) / 16});

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "backends/api_promise.h"
-#include "backends/backend.h"
+#include "backends/factory.h"
 #include "backends/vulkan/internal/case_drawing.h"
 #include "backends/vulkan/internal/device.h"
 #include "backends/vulkan/internal/open_device.h"
@@ -34,14 +34,15 @@ class VulkanBackend : public Backend {
         device_(std::move(device)),
         drawing_(std::move(drawing)) {}
 
-  std::string description() const override { return device_->description(); }
-  std::optional<Driver> driver() const override { return device_->driver(); }
-  bool has_limits() const override { return true; }
-  cases::Contract contract(const cases::Case& c) const override {
+  About about() const override {
+    return {.description = device_->description(), .driver = device_->driver(), .has_limits = true};
+  }
+  cases::Contract promise(const cases::Case& c) const override {
     return api_promise(c, {.subpixel_bits = device_->limits().subpixel_bits});
   }
 
-  Result<cases::Fragments> draw(const cases::Case& c) override {
+ private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
     const std::string missing = vulkan::lacks(device_->limits(), c);
     if (!missing.empty()) return fail({"", "", "it lacks " + missing, Failure::unsupported});
     Result<cases::Fragments> drawn = drawing_.draw(c);
@@ -51,7 +52,6 @@ class VulkanBackend : public Backend {
     return drawn;
   }
 
- private:
   tl::unexpected<Error> fail(Error error) const {
     error.file = specification_;
     return tl::unexpected(std::move(error));
@@ -81,18 +81,10 @@ Result<std::unique_ptr<Backend>> make(const std::string& options) {
   return tl::unexpected(std::move(error));
 }
 
-Listing row_of(const std::string& specification) {
-  const Result<std::unique_ptr<Backend>> made = make_backend(specification);
-  if (made) return {specification, (*made)->description(), ""};
-  Error error = made.error();
-  error.file.clear();
-  return {specification, "through Vulkan", to_string(error)};
-}
-
 std::vector<Listing> list() {
-  std::vector<Listing> rows{row_of("vulkan")};
+  std::vector<Listing> rows{{"vulkan", "through Vulkan"}};
   for (const std::string_view driver : vulkan::driver_names()) {
-    rows.push_back(row_of(fmt::format("vulkan:{}", driver)));
+    rows.push_back({fmt::format("vulkan:{}", driver), "through Vulkan"});
   }
   return rows;
 }

@@ -96,8 +96,7 @@ Result<records::Inspection> inspect(const cases::Case& c, const properties::Focu
 }
 
 ExitCode run(const Options& options) {
-  isolate_foreign_backends(options.timeout);
-  const Result<cases::ContractTerms> terms = hold_backends_to(options.contract);
+  const auto terms = read_terms(options.contract);
   if (!terms) return fail(terms.error());
   const Result<cases::Case> c = cases::read_case(options.file);
   if (!c) return fail(c.error());
@@ -108,7 +107,7 @@ ExitCode run(const Options& options) {
   if (!request) return fail(request.error());
   std::string specification = options.backend;
   if (specification.empty()) specification = c->found ? c->found->backend : "cpu";
-  const auto backend = backends::make_backend(specification);
+  const auto backend = backend_factory(options.timeout, *terms).make(specification);
   if (!backend) return fail_backend(backend.error());
   const Result<records::Inspection> found = inspect(*c, *request, specification, **backend);
   if (!found) return fail({options.file, found.error().place, found.error().reason});

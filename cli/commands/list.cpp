@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "cases/json.h"
 #include "cases/names.h"
 #include "cases/sample_pattern.h"
@@ -29,6 +30,7 @@ using nlohmann::ordered_json;
 struct Asked {
   std::vector<std::string> backends;  ///< by their specifications; none: all
   std::vector<records::KnownList> known;
+  backends::BackendFactory factory = {};
 };
 
 /// One kind of thing that can be listed: rows are objects with the same keys.
@@ -39,11 +41,11 @@ struct Kind {
 };
 
 /// A backend that was asked for by its specification.
-ordered_json row_of(const std::string& specification) {
-  const auto backend = backends::make_backend(specification);
+ordered_json row_of(const backends::BackendFactory& factory, const std::string& specification) {
+  const auto backend = factory.make(specification);
   return {{"name", specification},
           {"available", backend.has_value()},
-          {"summary", backend ? cases::one_line((*backend)->description()) : ""},
+          {"summary", backend ? cases::one_line((*backend)->about().description) : ""},
           {"why not", backend ? "" : cases::printable(to_string(backend.error()))}};
 }
 
@@ -51,9 +53,11 @@ std::vector<ordered_json> backend_rows(const Asked& asked) {
   const std::vector<std::string>& asked_for = asked.backends;
   std::vector<ordered_json> rows;
   rows.reserve(asked_for.size());
-  for (const std::string& specification : asked_for) rows.push_back(row_of(specification));
+  for (const std::string& specification : asked_for) {
+    rows.push_back(row_of(asked.factory, specification));
+  }
   if (!rows.empty()) return rows;
-  for (const backends::Listing& listing : backends::list_backends()) {
+  for (const backends::Listing& listing : asked.factory.list()) {
     rows.push_back({{"name", listing.specification},
                     {"available", listing.unavailable_because.empty()},
                     {"summary", listing.summary},
@@ -190,8 +194,7 @@ ExitCode run(const Options& options) {
           {"--backend", "", fmt::format("it goes with `list backends`, not with {}", chosen)});
     }
   }
-  isolate_foreign_backends(kDefaultTimeout);
-  Asked asked{options.backends, {}};
+  Asked asked{options.backends, {}, backend_factory(kDefaultTimeout)};
   if (chosen.empty() || chosen == "known") {
     Result<std::vector<records::KnownList>> known =
         properties::read_known_lists(options.known.folder());

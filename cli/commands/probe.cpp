@@ -133,8 +133,7 @@ ExitCode run(const Options& options) {
   const Result<properties::ProbeOptions> read = read_options(options);
   if (!read) return fail(read.error());
   if (const auto checked = check_contract_out(options); !checked) return fail(checked.error());
-  isolate_foreign_backends(options.timeout);
-  const auto backend = backends::make_backend(options.backend);
+  const auto backend = backend_factory(options.timeout).make(options.backend);
   if (!backend) return fail_backend(backend.error());
   ProgressBar bar(options.quiet || options.json);
   const auto progress = [&bar](std::uint64_t done, std::uint64_t all) {

@@ -90,8 +90,7 @@ Result<void> check_png(const Options& options) {
 
 ExitCode run(const Options& options) {
   if (const Result<void> png = check_png(options); !png) return fail(png.error());
-  isolate_foreign_backends(options.timeout);
-  auto backend = backends::make_backend(options.backend);
+  auto backend = backend_factory(options.timeout).make(options.backend);
   if (!backend) return fail_backend(backend.error());
   Result<cases::Case> c = cases::read_case(options.file);
   if (c) c = oracle::to_clip_case(*c, options.file);
@@ -99,20 +98,20 @@ ExitCode run(const Options& options) {
   if (const auto few = check_sample_count(*c, options.file, options.all); !few) {
     return fail(few.error());
   }
-  const Result<cases::Fragments> drawn = properties::draw(*c, **backend);
+  const Result<backends::Drawn> drawn = properties::draw(*c, **backend);
   if (!drawn) return fail({options.file, "", to_string(drawn.error())});
   if (!options.png.empty()) {
-    const Result<void> written =
-        reports::to_png(reports::draw_picture(*c, *drawn)).and_then([&options](const auto& bytes) {
-          return cases::write_file(options.png, bytes);
-        });
+    const Result<void> written = reports::to_png(reports::draw_picture(*c, drawn->fragments))
+                                     .and_then([&options](const auto& bytes) {
+                                       return cases::write_file(options.png, bytes);
+                                     });
     if (!written) return fail(written.error());
     return ExitCode::ok;
   }
   if (options.json) {
-    print_json(options.backend, *drawn);
+    print_json(options.backend, drawn->fragments);
   } else {
-    print_table(*c, *drawn, options.quiet);
+    print_table(*c, drawn->fragments, options.quiet);
   }
   return ExitCode::ok;
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "cases/case_reader.h"
 #include "cases/json.h"
 #include "cli/backend_failure.h"
@@ -136,8 +137,9 @@ struct Drawer {
   std::optional<properties::KnownDefects> known;
 };
 
-Result<Drawer> make_drawer(const std::string& specification, const std::string& known_folder) {
-  auto backend = backends::make_backend(specification);
+Result<Drawer> make_drawer(const backends::BackendFactory& factory,
+                           const std::string& specification, const std::string& known_folder) {
+  auto backend = factory.make(specification);
   if (!backend) return tl::unexpected(backend.error());
   auto known = properties::read_known_defects(known_folder, **backend);
   if (!known) return tl::unexpected(known.error());
@@ -163,11 +165,12 @@ Outcome check_law(const properties::Law& law, const Input& input, const Drawer& 
 /// What draws, by specification.
 using Drawers = std::map<std::string, Drawer>;
 
-Result<Drawers> make_drawers(const std::vector<Input>& inputs, const std::string& known_folder) {
+Result<Drawers> make_drawers(const backends::BackendFactory& factory,
+                             const std::vector<Input>& inputs, const std::string& known_folder) {
   Drawers made;
   for (const Input& input : inputs) {
     if (made.contains(input.backend)) continue;
-    Result<Drawer> drawer = make_drawer(input.backend, known_folder);
+    Result<Drawer> drawer = make_drawer(factory, input.backend, known_folder);
     if (!drawer) return tl::unexpected(drawer.error());
     made[input.backend] = *std::move(drawer);
   }
@@ -189,15 +192,16 @@ Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs,
 }
 
 ExitCode run(const Options& options) {
-  isolate_foreign_backends(options.timeout);
-  const Result<cases::ContractTerms> terms = hold_backends_to(options.contract);
+  const auto terms = read_terms(options.contract);
   if (!terms) return fail(terms.error());
+  const backends::BackendFactory factory = backend_factory(options.timeout, *terms);
   const Result<std::vector<Input>> inputs = read_inputs(options);
   if (!inputs) return fail(inputs.error());
   std::vector<std::string> specifications;
   for (const Input& input : *inputs) specifications.push_back(input.backend);
-  if (const ExitCode code = check_backends(specifications); code != ExitCode::ok) return code;
-  const Result<Drawers> drawers = make_drawers(*inputs, options.known.folder());
+  if (const ExitCode code = check_backends(factory, specifications); code != ExitCode::ok)
+    return code;
+  const Result<Drawers> drawers = make_drawers(factory, *inputs, options.known.folder());
   if (!drawers) return fail(drawers.error());
   const Result<std::vector<Outcome>> checked = check_inputs(*inputs, *drawers);
   if (!checked) return fail_internally(checked.error());

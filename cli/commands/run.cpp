@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "backends/held_backend.h"
+#include "backends/factory.h"
 #include "cases/contract_json.h"
 #include "cases/json.h"
 #include "cli/backend_failure.h"
@@ -60,9 +60,9 @@ constexpr unsigned kGraceSeconds = 2;
 /// How tasks are run: in this process, or in several.
 class Executor {
  public:
-  Executor(const records::Plan& plan, std::vector<cases::Case> corpus, int jobs)
-      : runner_(plan.seed, std::move(corpus), plan.shrinking, known_folder_of(plan),
-                plan.keeps_cases),
+  Executor(const records::Plan& plan, std::vector<cases::Case> corpus,
+           const backends::BackendFactory& backends, int jobs)
+      : runner_(plan, std::move(corpus), known_folder_of(plan), backends),
         command_{kOwnProgram,
                  "task-worker",
                  "--plan",
@@ -80,13 +80,8 @@ class Executor {
     return properties::run_tasks_in_processes(command_, jobs_, tasks, done, is_to_end);
   }
 
-  Result<properties::KnownByBackend> known_of(const std::vector<std::string>& backends) {
-    return runner_.known_of(backends);
-  }
-
-  std::vector<records::BackendPromises> promises(const records::Plan& plan) {
-    return runner_.promises(plan);
-  }
+  Result<properties::KnownByBackend> known() { return runner_.known(); }
+  std::vector<records::BackendPromises> promises() { return runner_.promises(); }
 
  private:
   properties::TaskRunner runner_;
@@ -106,8 +101,9 @@ Clock::time_point end_of(const RunOptions& options, Clock::time_point start) {
 /// The campaign and the scene, side by side where there are processes for it; then shrinking. Ends
 /// early on a signal, when its time is up, and with --fail-fast at a violation.
 Result<void> find(const RunOptions& options, Executor& executor,
-                  const std::optional<cases::Case>& scene, const properties::KnownByBackend& known,
-                  Clock::time_point end, records::Run& run, properties::CampaignRun& campaign) {
+                  const backends::BackendFactory& backends, const std::optional<cases::Case>& scene,
+                  const properties::KnownByBackend& known, Clock::time_point end, records::Run& run,
+                  properties::CampaignRun& campaign) {
   ProgressBar bar(options.quiet);
   const auto progress_of = [&bar](const char* what) {
     return [&bar, what](std::uint64_t done, std::uint64_t all) { bar.show(done, all, what); };
@@ -128,14 +124,15 @@ Result<void> find(const RunOptions& options, Executor& executor,
   Result<properties::Findings> of_scene;
   Result<void> checked;
   if (options.jobs == 1) {
-    if (scene) of_scene = judge_scene_of(run, *scene, 1, known);
+    if (scene) of_scene = judge_scene_of(run, *scene, backends, 1, known);
     if (of_scene) {
       campaign.add_scene(*of_scene);
       checked = check_cases();
     }
   } else {
     auto dispatched = std::async(std::launch::async, check_cases);
-    if (scene) of_scene = judge_scene_of(run, *scene, static_cast<unsigned>(options.jobs), known);
+    if (scene)
+      of_scene = judge_scene_of(run, *scene, backends, static_cast<unsigned>(options.jobs), known);
     checked = dispatched.get();
     if (of_scene) campaign.add_scene(*of_scene);
   }
@@ -208,7 +205,7 @@ Result<Work> prepare(const RunOptions& options) {
 /// has the corpus.
 Result<properties::KnownByBackend> read_known(Executor& executor, const RunOptions& options,
                                               Work& work) {
-  Result<properties::KnownByBackend> known = executor.known_of(work.start.plan.backends);
+  Result<properties::KnownByBackend> known = executor.known();
   if (!known) return known;
   if (!options.resume) {
     work.start.known_digest = properties::digest_of_known(*known);
@@ -338,16 +335,15 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   if (const auto can_write = check_output(options, plan.keeps_cases); !can_write) {
     return fail(can_write.error());
   }
-  isolate_foreign_backends(plan.timeout);
-  if (plan.contract) backends::hold_backends_to(plan.contract->terms);
+  const backends::BackendFactory backends = properties::backend_factory(plan, worker_program());
   // Last: input that cannot be read goes before backends that cannot run.
-  if (const ExitCode code = check_backends(plan.backends); code != ExitCode::ok) {
+  if (const ExitCode code = check_backends(backends, plan.backends); code != ExitCode::ok) {
     return code;
   }
-  Executor executor(plan, work->corpus, options.jobs);
+  Executor executor(plan, work->corpus, backends, options.jobs);
   const auto known = read_known(executor, options, *work);
   if (!known) return fail(known.error());
-  const std::vector<records::BackendPromises> promises = executor.promises(plan);
+  const std::vector<records::BackendPromises> promises = executor.promises();
 
   records::Run run = planned(plan, *known);
   run.shard = shard_of(work->start, promises, work->scene);
@@ -361,7 +357,7 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
       *known);
   if (const Result<void> begun = campaign.begin(); !begun) return fail(begun.error());
   const Result<void> found =
-      find(options, executor, work->scene, *known, end_of(options, start), run, campaign);
+      find(options, executor, backends, work->scene, *known, end_of(options, start), run, campaign);
   InterruptWatch::let_it_end();
   campaign.save();
   if (!found) return fail_internally(found.error());
@@ -382,8 +378,8 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   if (is_whole || !is_interrupted()) {
     const cases::Case* scene = work->scene ? &*work->scene : nullptr;
     const properties::CaseSources sources{work->corpus, work->start.saved, *known, scene};
-    run.inspections = properties::inspect_run(run, sources);
-    run.specimens = properties::make_specimens(run, sources);
+    run.inspections = properties::inspect_run(run, sources, backends);
+    run.specimens = properties::make_specimens(run, sources, backends);
   }
   const std::chrono::duration<double> seconds = Clock::now() - start;
   run.environment = environment(options.jobs, seconds.count());

@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "backends/held_backend.h"
 #include "cases/json_node.h"
 #include "cli/command.h"
 #include "cli/isolation.h"
@@ -24,16 +23,14 @@ ExitCode run(const Options& options) {
   const Result<records::Plan> plan =
       cases::read_json(options.plan, "--plan", &records::plan_from_json);
   if (!plan) return fail(plan.error());
-  isolate_foreign_backends(plan->timeout);
-  if (plan->contract) backends::hold_backends_to(plan->contract->terms);
   std::vector<cases::Case> corpus;
   if (!options.corpus.empty()) {
     Result<std::vector<cases::Case>> read = properties::read_corpus(options.corpus);
     if (!read) return fail(read.error());
     corpus = *std::move(read);
   }
-  properties::TaskRunner runner(plan->seed, std::move(corpus), plan->shrinking, options.known,
-                                plan->keeps_cases);
+  properties::TaskRunner runner(*plan, std::move(corpus), options.known,
+                                properties::backend_factory(*plan, worker_program()));
   const Result<void> served = properties::serve_tasks(runner);
   if (!served) return fail_internally(served.error());
   return ExitCode::ok;

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "backends/factory.h"
+#include "backends/isolation.h"
 #include "properties/draw.h"
 
 namespace rastercheck::properties {
@@ -166,18 +168,28 @@ ShrinkLimits shrink_limits(const records::ShrinkBudget& budget,
   return {budget.tries, is_late};
 }
 
-TaskRunner::TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus,
-                       records::ShrinkBudget shrinking, std::string known, bool keeps_cases)
-    : seed_(seed),
+backends::BackendFactory backend_factory(const records::Plan& plan,
+                                         const std::vector<std::string>& worker) {
+  backends::BackendFactory factory;
+  if (!worker.empty()) {
+    factory.make_foreign = backends::isolated_by(
+        {.command = worker, .timeout = std::chrono::duration<double>(plan.timeout)});
+  }
+  if (plan.contract) factory.terms = plan.contract->terms;
+  return factory;
+}
+
+TaskRunner::TaskRunner(records::Plan plan, std::vector<cases::Case> corpus, std::string known,
+                       backends::BackendFactory backends)
+    : plan_(std::move(plan)),
       corpus_(std::move(corpus)),
-      shrinking_(shrinking),
       known_(std::move(known)),
-      keeps_cases_(keeps_cases) {}
+      backends_(std::move(backends)) {}
 
 Result<const TaskRunner::Made*> TaskRunner::made(const std::string& specification) {
   Made& made = made_[specification];
   if (!made.backend) {
-    Result<std::unique_ptr<backends::Backend>> backend = backends::make_backend(specification);
+    Result<std::unique_ptr<backends::Backend>> backend = backends_.make(specification);
     if (!backend) return tl::unexpected(backend.error());
     Result<std::optional<KnownDefects>> known = read_known_defects(known_, **backend);
     if (!known) return tl::unexpected(known.error());
@@ -186,9 +198,9 @@ Result<const TaskRunner::Made*> TaskRunner::made(const std::string& specificatio
   return &made;
 }
 
-Result<KnownByBackend> TaskRunner::known_of(const std::vector<std::string>& backends) {
+Result<KnownByBackend> TaskRunner::known() {
   KnownByBackend all;
-  for (const std::string& specification : backends) {
+  for (const std::string& specification : plan_.backends) {
     const Result<const Made*> drawing = made(specification);
     if (!drawing) return tl::unexpected(drawing.error());
     if ((*drawing)->known) all.emplace(specification, *(*drawing)->known);
@@ -213,29 +225,31 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
 
   Findings findings;
   const bool is_frozen = task.kind == TaskKind::corpus || task.kind == TaskKind::random;
-  if (keeps_cases_ && is_frozen) findings.cases.emplace();
+  if (plan_.keeps_cases && is_frozen) findings.cases.emplace();
   if (task.kind == TaskKind::shrink) {
     shrink_counterexample(*law, backend, *task.subject,
-                          shrink_limits(shrinking_, *task.subject, is_to_end), findings, known);
+                          shrink_limits(plan_.shrinking, *task.subject, is_to_end), findings,
+                          known);
     return findings;
   }
   if (task.kind == TaskKind::known) {
-    check_known_case(*law, task.backend, backend, seed_, *known, task.first, findings);
+    check_known_case(*law, task.backend, backend, plan_.seed, *known, task.first, findings);
     return findings;
   }
   for (std::uint64_t i = task.first; i < task.last && !findings.fault; ++i) {
     if (is_to_end && is_to_end()) break;
-    check_case(*law, task.backend, backend, seed_, numbered_case(task, *law, i), findings, known);
+    check_case(*law, task.backend, backend, plan_.seed, numbered_case(task, *law, i), findings,
+               known);
   }
   return findings;
 }
 
-std::vector<records::BackendPromises> TaskRunner::promises(const records::Plan& plan) {
+std::vector<records::BackendPromises> TaskRunner::promises() {
   std::vector<records::BackendPromises> all;
-  for (const std::string& specification : plan.backends) {
+  for (const std::string& specification : plan_.backends) {
     const Result<const Made*> drawing = made(specification);
     all.push_back(
-        promises_of(specification, drawing ? (*drawing)->backend.get() : nullptr, plan.laws));
+        promises_of(specification, drawing ? (*drawing)->backend.get() : nullptr, plan_.laws));
   }
   return all;
 }
@@ -249,7 +263,7 @@ NumberedCase TaskRunner::numbered_case(const Task& task, const Law& law, std::ui
     return {source, std::string(records::kSavedStratum), source.found->index,
             records::Origin::saved};
   }
-  Draw draw = draw_of(law, seed_, i);
+  Draw draw = draw_of(law, plan_.seed, i);
   Generated generated = law.generate(draw);
   return {std::move(generated.source), std::move(generated.stratum), i, records::Origin::random};
 }

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "cases/case.h"
 #include "cases/error.h"
 #include "properties/campaign/check_case.h"
@@ -86,13 +87,17 @@ std::vector<records::UnreachedLabel> unreached_labels(
     std::span<const std::string> laws, std::span<const records::BackendPromises> backends,
     const records::RecordSet& records);
 
-/// Runs tasks, one after the other; keeps the backends it has made.
+/// Makes the backends of a plan: held to its contract, and those that are foreign, with its
+/// time-out, in processes that a command starts (backends::Isolation); without one in this process.
+backends::BackendFactory backend_factory(const records::Plan& plan,
+                                         const std::vector<std::string>& worker);
+
+/// Runs a plan's tasks, one after the other; keeps the backends it has made.
 class TaskRunner {
  public:
   /// `known`: the folder of what is known of drivers (read_known_defects); empty: nothing is.
-  TaskRunner(std::uint64_t seed, std::vector<cases::Case> corpus,
-             records::ShrinkBudget shrinking = {}, std::string known = "",
-             bool keeps_cases = false);
+  TaskRunner(records::Plan plan, std::vector<cases::Case> corpus, std::string known = "",
+             backends::BackendFactory backends = {});
 
   const std::vector<cases::Case>& corpus() const { return corpus_; }
 
@@ -101,12 +106,12 @@ class TaskRunner {
   /// found is then of a part of the task.
   Result<Findings> run(const Task& task, const IsToEnd& is_to_end = {});
 
-  /// What is known of the backends. Fails where one cannot be made, or its list not be read.
-  Result<KnownByBackend> known_of(const std::vector<std::string>& backends);
+  /// What is known of the plan's backends. Fails where one cannot be made, or its list not be read.
+  Result<KnownByBackend> known();
 
-  /// What is promised by each backend of a campaign, whoever runs it. Of one that cannot be made
-  /// any more nobody knows what it promises or draws, and what is asked of all is asked.
-  std::vector<records::BackendPromises> promises(const records::Plan& plan);
+  /// What is promised by each of the plan's backends. Of one that cannot be made any more nobody
+  /// knows what it promises or draws, and what is asked of all is asked.
+  std::vector<records::BackendPromises> promises();
 
  private:
   struct Made {
@@ -118,11 +123,10 @@ class TaskRunner {
   Result<const Made*> made(const std::string& specification);
   NumberedCase numbered_case(const Task& task, const Law& law, std::uint64_t i) const;
 
-  std::uint64_t seed_;
+  records::Plan plan_;
   std::vector<cases::Case> corpus_;
-  records::ShrinkBudget shrinking_;
   std::string known_;
-  bool keeps_cases_;
+  backends::BackendFactory backends_;
   std::map<std::string, Made> made_;
 };
 

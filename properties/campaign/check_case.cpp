@@ -62,7 +62,7 @@ std::string verdict_of(const Check& check) {
   return std::string(to_string(check.violations.front().fragment_class));
 }
 
-std::string reason_of(const Law& law, const backends::Backend& backend, const Check& check) {
+std::string reason_of(const Law& law, backends::Backend& backend, const Check& check) {
   if (!is_promised(law, backend)) {
     return law.unpromised.empty() ? "the backend does not promise what the law is about"
                                   : std::string(law.unpromised);
@@ -145,7 +145,7 @@ void count_not_applicable(std::string why, records::Record& record) {
 
 /// Adds a check to the records, violations aside; the record of kind `coverage`.
 records::Record& count_check(const Law& law, const std::string& specification,
-                             const backends::Backend& backend, const std::string& stratum,
+                             backends::Backend& backend, const std::string& stratum,
                              const Check& check, Findings& findings) {
   if (check.fault && !findings.fault) findings.fault = check.fault;
   const records::RecordKey key{std::string(law.id), specification, records::AttributeKind::coverage,

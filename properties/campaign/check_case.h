@@ -56,7 +56,7 @@ std::string verdict_of(const Check& check);
 
 /// Why a law says nothing of a case, as records count it: one of few texts, what follows a colon
 /// left out. The check is not applicable.
-std::string reason_of(const Law& law, const backends::Backend& backend, const Check& check);
+std::string reason_of(const Law& law, backends::Backend& backend, const Check& check);
 
 /// Keeps a counterexample of the case in the findings, if none before it failed in the same way.
 void keep_counterexample(const Law& law, const std::string& specification,

@@ -86,9 +86,9 @@ std::vector<std::string> close_up(const cases::Case& c, backends::Backend& backe
                                   const records::Violation& violation) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip || violation.place.triangle >= clip->triangles.size()) return {};
-  const cases::Contract contract = backend.contract(*clip);
-  const Result<cases::Fragments> drawn = draw(*clip, backend);
+  const Result<backends::Drawn> drawn = draw(*clip, backend);
   if (!drawn) return {};
+  const cases::Contract& contract = drawn->contract;
 
   const auto x = static_cast<int>(violation.place.x);
   const auto y = static_cast<int>(violation.place.y);
@@ -98,14 +98,16 @@ std::vector<std::string> close_up(const cases::Case& c, backends::Backend& backe
   const int y1 = std::min(y + kUpAndDown + 1, clip->framebuffer.height);
   Signs signs;
   const oracle::SceneTruth scene(*clip, contract);
-  oracle::judge(scene, *drawn, {}, [&](const oracle::JudgedSample& sample, const auto* /*truth*/) {
-    const auto at = std::pair(static_cast<int>(sample.place.y), static_cast<int>(sample.place.x));
-    const bool is_shown = at.second >= x0 && at.second < x1 && at.first >= y0 && at.first < y1;
-    if (!is_shown || sample.place.sample != violation.place.sample ||
-        sample.place.triangle != violation.place.triangle)
-      return;
-    signs[at] = std::max(signs[at], sign_of(sample));
-  });
+  oracle::judge(
+      scene, drawn->fragments, {}, [&](const oracle::JudgedSample& sample, const auto* /*truth*/) {
+        const auto at =
+            std::pair(static_cast<int>(sample.place.y), static_cast<int>(sample.place.x));
+        const bool is_shown = at.second >= x0 && at.second < x1 && at.first >= y0 && at.first < y1;
+        if (!is_shown || sample.place.sample != violation.place.sample ||
+            sample.place.triangle != violation.place.triangle)
+          return;
+        signs[at] = std::max(signs[at], sign_of(sample));
+      });
 
   // A sign in brackets, or the number of its column.
   const std::size_t width = std::max<std::size_t>(std::to_string(x1 - 1).size() + 2, 4);

@@ -108,8 +108,8 @@ Result<std::vector<records::KnownList>> read_known_lists(const std::string& dire
 }
 
 Result<std::optional<KnownDefects>> read_known_defects(const std::string& directory,
-                                                       const backends::Backend& backend) {
-  const std::optional<backends::Driver> driver = backend.driver();
+                                                       backends::Backend& backend) {
+  const std::optional<backends::Driver> driver = backend.about().driver;
   if (directory.empty() || !driver || !is_plain(driver->name)) return std::nullopt;
   const fs::path folder = fs::path(directory) / driver->name;
   const std::string file = (folder / "known.json").string();

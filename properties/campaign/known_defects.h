@@ -39,7 +39,7 @@ Result<std::vector<records::KnownList>> read_known_lists(const std::string& dire
 /// cannot be read, is another driver's, names no law that there is, or where a case is found by
 /// another law or verdict than the entry's.
 Result<std::optional<KnownDefects>> read_known_defects(const std::string& directory,
-                                                       const backends::Backend& backend);
+                                                       backends::Backend& backend);
 
 using KnownByBackend = std::map<std::string, KnownDefects>;  ///< by specification
 

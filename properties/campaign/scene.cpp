@@ -159,7 +159,7 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
 
   const oracle::SceneTruth truth(result.source, backend.contract(result.source));
   SceneReader reader(truth, known);
-  Result<cases::Fragments> drawn = draw(result.source, backend);
+  Result<backends::Drawn> drawn = draw(result.source, backend);
   if (!drawn) {
     for (const Law* law : scene_laws(laws)) {
       check_case(*law, specification, backend, seed, numbered, result.findings, known);
@@ -168,7 +168,7 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
     result.map = reader.take_map();
     return result;
   }
-  result.drawn = *std::move(drawn);
+  result.drawn = std::move(drawn->fragments);
 
   oracle::JudgeOptions options;
   options.jobs = jobs;

@@ -173,8 +173,8 @@ std::uint64_t checked_cases(const records::RecordSet& records) {
 }
 
 /// What random cases that held should have reached and did not.
-std::string unreached_text(const Law& law, const std::string& name,
-                           const backends::Backend& backend, const records::RecordSet& records) {
+std::string unreached_text(const Law& law, const std::string& name, backends::Backend& backend,
+                           const records::RecordSet& records) {
   std::string text;
   for (const records::UnreachedLabel& one :
        unreached_labels(law, promises_of(name, &backend, {}), records)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "backends/factory.h"
 #include "properties/inspect/run_cases.h"
 
 namespace rastercheck::properties {
@@ -57,8 +58,9 @@ std::optional<CloserLook> look_closer(const LookRequest& request, std::uint64_t 
 }  // namespace
 
 std::vector<CloserLook> closer_looks(std::span<const LookRequest> requests, std::uint64_t seed,
-                                     std::span<const cases::Case> corpus) {
-  MadeBackends made;
+                                     std::span<const cases::Case> corpus,
+                                     const backends::BackendFactory& backends) {
+  MadeBackends made(backends);
   std::vector<CloserLook> looks;
   for (const LookRequest& request : requests) {
     if (auto look = look_closer(request, seed, corpus, made)) looks.push_back(*std::move(look));

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "backends/factory.h"
 #include "cases/case.h"
 #include "records/case_record.h"
 #include "records/closer_look.h"
@@ -37,7 +38,8 @@ struct LookRequest {
 /// has to be. Left out is what cannot be drawn, or is not drawn so any more.
 std::vector<records::CloserLook> closer_looks(std::span<const LookRequest> requests,
                                               std::uint64_t seed,
-                                              std::span<const cases::Case> corpus);
+                                              std::span<const cases::Case> corpus,
+                                              const backends::BackendFactory& backends);
 
 /// Parts of which `again` (draw_again) has other bits than what was kept, those that changed most
 /// first (records::change_of), each at its sample that did: `most` at most.

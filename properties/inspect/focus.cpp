@@ -78,11 +78,11 @@ Result<Focus> find_focus(const cases::Case& c, backends::Backend& backend,
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
-  const Result<cases::Fragments> drawn = draw(*clip, backend);
+  const Result<backends::Drawn> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  const oracle::SceneTruth scene(*clip, backend.contract(*clip));
+  const oracle::SceneTruth scene(*clip, drawn->contract);
   Search search(request);
-  oracle::judge(scene, *drawn, {},
+  oracle::judge(scene, drawn->fragments, {},
                 [&search](const JudgedSample& sample, const oracle::TriangleTruth* truth) {
                   if (truth != nullptr) search.see(sample);
                 });

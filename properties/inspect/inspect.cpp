@@ -238,9 +238,10 @@ void add_splits(const cases::Case& given, const cases::Contract& contract,
   const InspectedSample* sample = inspected_sample(inspection);
   if (sample == nullptr) return;
   std::optional<records::SampleTrace> trace;
-  bool is_told = backend.traces();
+  backends::Tracer* const tracer = backend.tracer();
+  bool is_told = tracer != nullptr;
   if (is_told) {
-    const auto told = backend.trace(inspection.source, inspection.place);
+    const auto told = tracer->trace(inspection.source, inspection.place);
     is_told = told.has_value();
     if (is_told) trace = *told;
   }
@@ -301,16 +302,16 @@ Result<Inspection> inspect(const cases::Case& c, backends::Backend& backend, con
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
-  const Result<cases::Fragments> drawn = draw(*clip, backend);
+  const Result<backends::Drawn> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
 
   const SceneTruth exact_scene(*clip, cases::exact_contract(cases::contract_of(*clip)));
-  const cases::Contract contract = backend.contract(*clip);
+  const cases::Contract& contract = drawn->contract;
   const SceneTruth promised_scene(*clip, contract);
   const TriangleTruth exact(exact_scene, focus.at.triangle);
   const TriangleTruth promised(promised_scene, focus.at.triangle);
-  const InspectedDrawing subject{&*clip, &exact, &promised, &*drawn,
-                                 fragments_of(*drawn, focus.at.triangle)};
+  const InspectedDrawing subject{&*clip, &exact, &promised, &drawn->fragments,
+                                 fragments_of(drawn->fragments, focus.at.triangle)};
   Inspection inspection = begin_inspection(exact_scene, focus, exact);
   const PixelBox crop = options.crop ? *options.crop : crop_of(subject, focus.at, options);
   inspect_crop(subject, crop, inspection);

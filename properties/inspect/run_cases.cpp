@@ -30,7 +30,7 @@ std::optional<cases::Case> frozen_case(const records::CaseKey& key, std::uint64_
 backends::Backend* MadeBackends::find(const std::string& specification) {
   const auto [made, is_new] = made_.try_emplace(specification);
   if (is_new) {
-    auto backend = backends::make_backend(specification);
+    auto backend = factory_.make(specification);
     if (backend) made->second = *std::move(backend);
   }
   backends::Backend* backend = made->second.get();

@@ -9,8 +9,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "cases/case.h"
 #include "properties/campaign/known_defects.h"
 #include "properties/inspect/focus.h"
@@ -36,10 +38,13 @@ std::optional<cases::Case> frozen_case(const records::CaseKey& key, std::uint64_
 /// Backends, made when first asked for.
 class MadeBackends {
  public:
+  explicit MadeBackends(backends::BackendFactory factory) : factory_(std::move(factory)) {}
+
   /// nullptr where there is none any more.
   backends::Backend* find(const std::string& specification);
 
  private:
+  backends::BackendFactory factory_;
   std::map<std::string, std::unique_ptr<backends::Backend>> made_;
 };
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "backends/factory.h"
 #include "properties/campaign/check_case.h"
 #include "properties/inspect/inspect.h"
 #include "records/histogram.h"
@@ -182,8 +183,9 @@ void inspect_worst(const records::Run& run, const CaseSources& sources, MadeBack
 
 }  // namespace
 
-std::vector<Inspection> inspect_run(const records::Run& run, const CaseSources& sources) {
-  MadeBackends made;
+std::vector<Inspection> inspect_run(const records::Run& run, const CaseSources& sources,
+                                    const backends::BackendFactory& backends) {
+  MadeBackends made(backends);
   std::vector<Inspection> inspections;
   inspect_counterexamples(run, made, inspections);
   inspect_worst(run, sources, made, inspections);

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "backends/factory.h"
 #include "properties/inspect/run_cases.h"
 #include "records/inspection.h"
 #include "records/run.h"
@@ -16,6 +17,7 @@ namespace rastercheck::properties {
 /// (law, backend, kind, stratum); records::kMostInspections at most, of worst cases those that are
 /// the farthest off. Left out is what cannot be shown: drawings that there are not, what its
 /// backend no longer draws so, and errors of drawings that a law made of the case.
-std::vector<records::Inspection> inspect_run(const records::Run& run, const CaseSources& sources);
+std::vector<records::Inspection> inspect_run(const records::Run& run, const CaseSources& sources,
+                                             const backends::BackendFactory& backends);
 
 }  // namespace rastercheck::properties

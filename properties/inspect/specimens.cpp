@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "backends/factory.h"
 #include "cases/exact_contract.h"
 #include "oracle/transform.h"
 #include "oracle/triangle_truth.h"
@@ -125,9 +126,9 @@ std::optional<Specimen> drawn(Specimen specimen, const CasePart& part, backends:
       std::cmp_less_equal(std::uint64_t{specimen.left} + specimen.width, size.width) &&
       std::cmp_less_equal(std::uint64_t{specimen.top} + specimen.height, size.height);
   if (!is_there) return std::nullopt;
-  const Result<cases::Fragments> framebuffer = draw(part.source, backend);
+  const Result<backends::Drawn> framebuffer = draw(part.source, backend);
   if (!framebuffer) return std::nullopt;
-  fill(specimen, *framebuffer, part.triangle);
+  fill(specimen, framebuffer->fragments, part.triangle);
   return specimen;
 }
 
@@ -280,10 +281,11 @@ void Choice::add_worst() {
 
 }  // namespace
 
-std::vector<Specimen> make_specimens(const records::Run& run, const CaseSources& sources) {
+std::vector<Specimen> make_specimens(const records::Run& run, const CaseSources& sources,
+                                     const backends::BackendFactory& backends) {
   std::vector<Specimen> all;
   if (!run.cases) return all;
-  MadeBackends made;
+  MadeBackends made(backends);
   for (const std::string& backend : run.plan.backends) {
     Choice choice(run, sources, backend, made);
     choice.add_firsts();
@@ -295,9 +297,10 @@ std::vector<Specimen> make_specimens(const records::Run& run, const CaseSources&
 }
 
 std::vector<Specimen> draw_again(std::span<const Specimen> kept, const std::string& backend,
-                                 std::uint64_t seed, std::span<const cases::Case> corpus) {
+                                 std::uint64_t seed, std::span<const cases::Case> corpus,
+                                 const backends::BackendFactory& backends) {
   std::vector<Specimen> again;
-  MadeBackends made;
+  MadeBackends made(backends);
   for (const Specimen& one : kept) {
     backends::Backend* const drawing = made.find(backend);
     const std::optional<cases::Case> c = frozen_case(one.key, seed, corpus);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "backends/factory.h"
 #include "properties/inspect/run_cases.h"
 #include "records/run.h"
 #include "records/specimen.h"
@@ -23,13 +24,15 @@ namespace rastercheck::properties {
 ///
 /// Each case is drawn without its depth test. Left out is what cannot be drawn; nothing is kept of
 /// a run that kept no cases.
-std::vector<records::Specimen> make_specimens(const records::Run& run, const CaseSources& sources);
+std::vector<records::Specimen> make_specimens(const records::Run& run, const CaseSources& sources,
+                                              const backends::BackendFactory& backends);
 
 /// Draws the same parts of the same cases by another backend, or by the same one at another time.
 /// `seed` is that of the run that they are from, whose corpus it has to be. Left out is what cannot
 /// be drawn.
 std::vector<records::Specimen> draw_again(std::span<const records::Specimen> kept,
                                           const std::string& backend, std::uint64_t seed,
-                                          std::span<const cases::Case> corpus);
+                                          std::span<const cases::Case> corpus,
+                                          const backends::BackendFactory& backends);
 
 }  // namespace rastercheck::properties

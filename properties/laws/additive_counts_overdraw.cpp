@@ -147,7 +147,8 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  if (!backend.draws_pictures() || clip->triangles.size() > kMostTriangles) return not_applicable();
+  if (backend.picture_drawer() == nullptr || clip->triangles.size() > kMostTriangles)
+    return not_applicable();
   const bool keeps_constants = backend.contract(*clip).keeps_constants;
   const bool is_flat = !keeps_constants || fingerprint(*clip) % 2 == 0;
   const cases::Case counting = counting_case(*clip, is_flat);

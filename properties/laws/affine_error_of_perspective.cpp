@@ -118,16 +118,14 @@ class AffineErrorCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  return check_drawn(
-      c, backend,
-      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
-        if (contract.claims != cases::Claim::affine) return not_applicable();
-        return AffineErrorCheck(clip, contract, drawn).run();
-      });
+  return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
+    if (drawn.contract.claims != cases::Claim::affine) return not_applicable();
+    return AffineErrorCheck(clip, drawn.contract, drawn.fragments).run();
+  });
 }
 
 /// Backends that claim smooth values to be affine, be it only where nothing is clipped.
-bool is_promised(const backends::Backend& backend) {
+bool is_promised(backends::Backend& backend) {
   return backend.contract({}).claims == cases::Claim::affine;
 }
 

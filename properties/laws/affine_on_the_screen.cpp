@@ -207,11 +207,9 @@ class AffineCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  return check_drawn(
-      c, backend,
-      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
-        return AffineCheck(clip, contract, drawn, some_direction(clip)).run();
-      });
+  return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
+    return AffineCheck(clip, drawn.contract, drawn.fragments, some_direction(clip)).run();
+  });
 }
 
 // --- Its cases -----------------------------------------------------------------------------------

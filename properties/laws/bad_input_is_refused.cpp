@@ -207,14 +207,13 @@ class RefusalCheck {
   Check check_;
 };
 
-bool draws_over(const backends::Backend& backend) { return backend.draws_over(); }
-
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
-  if (!backend.draws_over() || clip->triangles.empty()) return not_applicable();
+  backends::PictureDrawer* const drawer = backend.picture_drawer();
+  if (drawer == nullptr || clip->triangles.empty()) return not_applicable();
   const cases::Pipeline pipeline = adding_pipeline(*clip);
   const Result<cases::Picture> before = draw_picture(*clip, backend, pipeline);
   if (!before) return tl::unexpected(before.error());
@@ -225,12 +224,12 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   fault.make(bad, choices);
   RefusalCheck refusal(*clip, fault);
   // Not by properties::draw(), which takes cases to be valid.
-  const Result<cases::Fragments> drawn = backend.draw(bad);
-  refusal.see(!drawn, drawn ? drawn->size() : 0, "drawn as fragments");
-  const Result<cases::Picture> picture = backend.draw_picture(bad, pipeline);
+  const Result<backends::Drawn> drawn = backend.draw(bad);
+  refusal.see(!drawn, drawn ? drawn->fragments.size() : 0, "drawn as fragments");
+  const Result<cases::Picture> picture = drawer->draw_picture(bad, pipeline);
   refusal.see(!picture, 0, "drawn as a picture");
   cases::Picture target = *before;
-  const Result<void> over = backend.draw_over(bad, pipeline, target);
+  const Result<void> over = drawer->draw_over(bad, pipeline, target);
   refusal.see(!over, 0, "drawn over a picture");
   refusal.see_target(*before, target, !over);
   return refusal.finish();
@@ -240,12 +239,12 @@ const LawRegistration kRegistration(
     {.id = "bad-input-is-refused-and-the-target-untouched",
      .sentence = "bad input is refused and the target untouched",
      .reason = "Arguments are checked before anything is drawn.",
-     .exceptions = "backends that do not draw over pictures; what is bad of single triangles may "
+     .exceptions = "backends that draw no pictures; what is bad of single triangles may "
                    "draw nothing instead of being refused",
      .generate = &overlapping_case,
      .check = &check,
-     .is_promised = &draws_over,
-     .unpromised = "the backend does not draw over pictures",
+     .is_promised = &draws_pictures,
+     .unpromised = "the backend draws no pictures",
      .covers = {cover(15, "mesh"), cover(10, "state"), cover(8, "target"), cover(8, "empty")}});
 
 }  // namespace

@@ -330,7 +330,7 @@ Result<Check> check_forms(const Forms& forms, backends::Backend& backend) {
       return check;
     }
     const auto bound = backend.contract(camera).transform_bound;
-    if (!backend.transforms() || !bound) continue;
+    if (backend.vertex_stage() == nullptr || !bound) continue;
     const Result<std::vector<ClipVertex>> computed = transform(camera, backend);
     if (!computed) return tl::unexpected(computed.error());
     check_stage(forms, camera, *computed, *bound, check);
@@ -345,17 +345,17 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   }
   Result<Check> check = check_forms(*forms, backend);
   if (!check || check->fault) return check;
-  const Result<cases::Fragments> drawn = draw(forms->clip, backend);
+  const Result<backends::Drawn> drawn = draw(forms->clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  const cases::Contract contract = backend.contract(forms->clip);
+  const cases::Contract& contract = drawn->contract;
   if (contract.is_unspecified()) {
     JudgeRequest request;
     request.counts_coverage = false;
-    merge(*check, judge_drawn(forms->clip, contract, *drawn, request, options));
+    merge(*check, judge_drawn(forms->clip, contract, drawn->fragments, request, options));
     return check;
   }
-  merge(*check, RayCheck(*forms, contract).run(*drawn));
-  if (backend.transforms()) add_label(*check, "vertex stage");
+  merge(*check, RayCheck(*forms, contract).run(drawn->fragments));
+  if (backend.vertex_stage() != nullptr) add_label(*check, "vertex stage");
   return check;
 }
 

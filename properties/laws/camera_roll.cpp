@@ -59,7 +59,7 @@ Matrix4 rolled(const Matrix4& projection, const QuarterTurn& turn) {
 /// The clip positions that a backend makes of a camera case, or those that it is handed.
 Result<std::vector<cases::ClipVertex>> positions_of(const cases::Case& c,
                                                     backends::Backend& backend) {
-  if (backend.transforms()) return transform(c, backend);
+  if (backend.vertex_stage() != nullptr) return transform(c, backend);
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   return clip->positions;
@@ -100,12 +100,12 @@ Result<Check> check_picture(const cases::Case& upright, const cases::Case& rolle
                             const CheckOptions& options) {
   const auto contract = turned_back(upright, backend.contract(rolled_clip));
   if (!contract) return not_applicable("the contract does not turn with the case");
-  const Result<cases::Fragments> before = draw(upright, backend);
+  const Result<backends::Drawn> before = draw(upright, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<cases::Fragments> drawn = draw(rolled_clip, backend);
+  const Result<backends::Drawn> drawn = draw(rolled_clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  Check check =
-      judge_changed(upright, *contract, *before, turned_back(upright, *drawn, turn), options);
+  Check check = judge_changed(upright, *contract, before->fragments,
+                              turned_back(upright, drawn->fragments, turn), options);
   add_to_notes(
       check, [&](const records::Violation& violation) { return turned_note(upright, violation); });
   return check;
@@ -135,7 +135,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
     check = *std::move(of_picture);
   }
   const std::optional<float> bound = backend.contract(source).transform_bound;
-  if (backend.transforms() && bound) {
+  if (backend.vertex_stage() != nullptr && bound) {
     judge_positions(source, *positions, *bound, check);
     add_label(check, "vertex stage");
   }

@@ -69,9 +69,9 @@ class Drawing {
  public:
   /// The case must outlive it.
   static Result<Drawing> make(const cases::Case& c, backends::Backend& backend) {
-    const Result<cases::Fragments> drawn = draw(c, backend);
+    const Result<backends::Drawn> drawn = draw(c, backend);
     if (!drawn) return tl::unexpected(drawn.error());
-    return Drawing(c, backend.contract(c), *drawn);
+    return Drawing(c, drawn->contract, drawn->fragments);
   }
 
   const std::vector<cases::SamplePlace>& places() const { return places_; }

@@ -142,11 +142,9 @@ class ConstantsCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  return check_drawn(
-      c, backend,
-      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
-        return ConstantsCheck(clip, contract, drawn).run();
-      });
+  return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
+    return ConstantsCheck(clip, drawn.contract, drawn.fragments).run();
+  });
 }
 
 float random_constant(Draw& draw) {

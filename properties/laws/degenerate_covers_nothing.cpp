@@ -287,15 +287,16 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (clip->triangles.empty()) return not_applicable();
   if (backend.contract(*clip).coverage) clip->depth_test = cases::DepthTest::none;
   const Mixed with = mixed(*clip);
-  const Result<cases::Fragments> before = draw(*clip, backend);
+  const Result<backends::Drawn> before = draw(*clip, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<cases::Fragments> drawn = draw(with.source, backend);
+  const Result<backends::Drawn> drawn = draw(with.source, backend);
   if (!drawn) return tl::unexpected(drawn.error());
 
-  const cases::Contract contract = backend.contract(with.source);
+  const cases::Contract& contract = drawn->contract;
   DegenerateCheck degenerate(with, contract);
-  Check check = compare_drawings(*clip, *before, degenerate.without_degenerate(*drawn),
-                                 "drawn with triangles without area between");
+  Check check =
+      compare_drawings(*clip, before->fragments, degenerate.without_degenerate(drawn->fragments),
+                       "drawn with triangles without area between");
   merge(check, degenerate.found());
   for (const std::string& label : with.labels) add_label(check, label);
   if (contract.coverage) add_label(check, "snapped");

@@ -91,12 +91,13 @@ class DerivativesCheck {
   Tally tally_;
 };
 
-Check find(const cases::Case& c, const cases::Contract& contract, const cases::Fragments& drawn) {
-  const bool has_derivatives = drawn.size() == 0 || !drawn.derivatives.empty();
-  if (!contract.derivative_bound || c.attributes.empty() || !has_derivatives) {
+Check find(const cases::Case& c, const backends::Drawn& drawn) {
+  const cases::Fragments& fragments = drawn.fragments;
+  const bool has_derivatives = fragments.size() == 0 || !fragments.derivatives.empty();
+  if (!drawn.contract.derivative_bound || c.attributes.empty() || !has_derivatives) {
     return not_applicable();
   }
-  return DerivativesCheck(c, contract, drawn).run();
+  return DerivativesCheck(c, drawn.contract, fragments).run();
 }
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
@@ -111,7 +112,7 @@ Generated generate(Draw& draw) {
   return made;
 }
 
-bool is_promised(const backends::Backend& backend) {
+bool is_promised(backends::Backend& backend) {
   return backend.contract({}).derivative_bound.has_value();
 }
 

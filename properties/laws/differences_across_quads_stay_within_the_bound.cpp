@@ -151,8 +151,8 @@ class DifferencesCheck {
   Tally tally_;
 };
 
-bool is_promised(const backends::Backend& backend) {
-  return backend.draws_pictures() && backend.contract({}).quad_share.has_value();
+bool is_promised(backends::Backend& backend) {
+  return backend.picture_drawer() != nullptr && backend.contract({}).quad_share.has_value();
 }
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,

@@ -190,14 +190,14 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  if (!backend.draws_pictures() || clip->attributes.size() < 2) return not_applicable();
+  if (backend.picture_drawer() == nullptr || clip->attributes.size() < 2) return not_applicable();
   clip->depth_test = cases::DepthTest::none;
   const cases::Pipeline pipeline = pipeline_of(*clip);
-  const Result<cases::Fragments> fragments = draw(*clip, backend);
+  const Result<backends::Drawn> fragments = draw(*clip, backend);
   if (!fragments) return tl::unexpected(fragments.error());
   const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());
-  return DiscardCheck(*clip, backend.contract(*clip), pipeline, *fragments, *picture).run();
+  return DiscardCheck(*clip, fragments->contract, pipeline, fragments->fragments, *picture).run();
 }
 
 /// Triangles over triangles, some of which show others through their texels.

@@ -90,10 +90,10 @@ struct Drawing {
 };
 
 Result<Drawing> draw_all(const cases::Case& c, backends::Backend& backend) {
-  Result<cases::Fragments> fragments = draw(c, backend);
+  Result<backends::Drawn> fragments = draw(c, backend);
   if (!fragments) return tl::unexpected(fragments.error());
-  Drawing drawing{*std::move(fragments), std::nullopt};
-  if (!backend.draws_pictures()) return drawing;
+  Drawing drawing{std::move(fragments->fragments), std::nullopt};
+  if (backend.picture_drawer() == nullptr) return drawing;
   Result<cases::Picture> picture = draw_picture(c, backend, pipeline_of(c));
   if (!picture) return tl::unexpected(picture.error());
   drawing.picture = *std::move(picture);

@@ -143,17 +143,14 @@ class EqualDepthCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  return check_drawn(
-      c, backend,
-      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
-        return contract.keeps_equal_depth ? EqualDepthCheck(clip, contract, drawn).run()
-                                          : not_applicable();
-      });
+  return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
+    return drawn.contract.keeps_equal_depth
+               ? EqualDepthCheck(clip, drawn.contract, drawn.fragments).run()
+               : not_applicable();
+  });
 }
 
-bool is_promised(const backends::Backend& backend) {
-  return backend.contract({}).keeps_equal_depth;
-}
+bool is_promised(backends::Backend& backend) { return backend.contract({}).keeps_equal_depth; }
 
 // --- Its cases -----------------------------------------------------------------------------------
 

@@ -290,11 +290,11 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   const Pair pair = pair_of(*clip);
-  const Result<cases::Fragments> equal = draw(pair.equal, backend);
+  const Result<backends::Drawn> equal = draw(pair.equal, backend);
   if (!equal) return tl::unexpected(equal.error());
-  const Result<cases::Fragments> general = draw(pair.general, backend);
+  const Result<backends::Drawn> general = draw(pair.general, backend);
   if (!general) return tl::unexpected(general.error());
-  return PathsCheck(pair, backend).run(*equal, *general);
+  return PathsCheck(pair, backend).run(equal->fragments, general->fragments);
 }
 
 const LawRegistration kRegistration(

@@ -70,11 +70,9 @@ class FlatCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  return check_drawn(
-      c, backend,
-      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
-        return FlatCheck(clip, contract, drawn).run();
-      });
+  return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
+    return FlatCheck(clip, drawn.contract, drawn.fragments).run();
+  });
 }
 
 float telling_value(Draw& draw) {

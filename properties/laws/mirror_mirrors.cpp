@@ -212,12 +212,12 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   const auto contract = mirrored_back(*clip, backend.contract(*changed), *mirror);
   if (!contract) return not_applicable("the contract is not the same in a mirror");
 
-  const Result<cases::Fragments> before = draw(*clip, backend);
+  const Result<backends::Drawn> before = draw(*clip, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<cases::Fragments> drawn = draw(*changed, backend);
+  const Result<backends::Drawn> drawn = draw(*changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  Check check =
-      judge_changed(*clip, *contract, *before, mirrored_back(*clip, *drawn, *mirror), options);
+  Check check = judge_changed(*clip, *contract, before->fragments,
+                              mirrored_back(*clip, drawn->fragments, *mirror), options);
   add_to_notes(check, "drawn with " + std::string(name_of(*mirror)));
   add_label(check, name_of(*mirror));
   if (clip->cull != cases::Cull::none && mirror->turns_faces()) {

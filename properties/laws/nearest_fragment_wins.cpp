@@ -128,12 +128,12 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
-  const Result<cases::Fragments> all = draw(*clip, backend);
+  const Result<backends::Drawn> all = draw(*clip, backend);
   if (!all) return tl::unexpected(all.error());
   clip->depth_test = cases::DepthTest::less;
-  const Result<cases::Fragments> tested = draw(*clip, backend);
+  const Result<backends::Drawn> tested = draw(*clip, backend);
   if (!tested) return tl::unexpected(tested.error());
-  return NearestCheck(*clip, *all).run(*tested);
+  return NearestCheck(*clip, all->fragments).run(tested->fragments);
 }
 
 // --- the law's own cases: triangles drawn once more, as they are or moved in depth --------------

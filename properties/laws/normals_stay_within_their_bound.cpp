@@ -78,14 +78,14 @@ Check judge(const cases::Case& c, const std::vector<Normal>& computed, float bou
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   const std::optional<float> bound = backend.contract(c).normal_bound;
-  if (!c.camera || !backend.transforms() || !bound) return not_applicable();
+  if (!c.camera || backend.vertex_stage() == nullptr || !bound) return not_applicable();
   const auto computed = transform_normals(c.camera->model, normals_of(c), backend);
   if (!computed) return tl::unexpected(computed.error());
   return judge(c, *computed, *bound);
 }
 
-bool is_promised(const backends::Backend& backend) {
-  return backend.transforms() && backend.contract({}).normal_bound.has_value();
+bool is_promised(backends::Backend& backend) {
+  return backend.vertex_stage() != nullptr && backend.contract({}).normal_bound.has_value();
 }
 
 // The cases.

@@ -197,10 +197,10 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   OutsideCheck all(*clip);
-  const Result<cases::Fragments> drawn = draw(*clip, backend);
+  const Result<backends::Drawn> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  all.see(*drawn);
-  if (backend.draws_pictures()) {
+  all.see(drawn->fragments);
+  if (backend.picture_drawer() != nullptr) {
     const cases::Pipeline pipeline = pipeline_without_test(*clip);
     const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
     if (!picture) return tl::unexpected(picture.error());

@@ -121,20 +121,20 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (!clip) return tl::unexpected(clip.error());
   if (clip->triangles.size() < 2) return not_applicable();
   clip->depth_test = cases::DepthTest::none;
-  const Result<cases::Fragments> all = draw(*clip, backend);
+  const Result<backends::Drawn> all = draw(*clip, backend);
   if (!all) return tl::unexpected(all.error());
   clip->depth_test = cases::DepthTest::less;
-  const Result<cases::Fragments> forward = draw(*clip, backend);
+  const Result<backends::Drawn> forward = draw(*clip, backend);
   if (!forward) return tl::unexpected(forward.error());
   cases::Case reversed = *clip;
   std::reverse(reversed.triangles.begin(), reversed.triangles.end());
-  Result<cases::Fragments> backward = draw(reversed, backend);
+  Result<backends::Drawn> backward = draw(reversed, backend);
   if (!backward) return tl::unexpected(backward.error());
   const auto count = static_cast<std::uint32_t>(clip->triangles.size());
-  for (std::uint32_t& triangle : backward->triangle) {
+  for (std::uint32_t& triangle : backward->fragments.triangle) {
     if (triangle < count) triangle = count - 1 - triangle;
   }
-  return OrderCheck(*clip, *forward, *backward).run(*all);
+  return OrderCheck(*clip, forward->fragments, backward->fragments).run(all->fragments);
 }
 
 // --- the law's own cases: triangles that meet each other ----------------------------------------

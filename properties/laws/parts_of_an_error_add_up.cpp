@@ -99,8 +99,8 @@ class SplitCheck {
     const cases::SamplePlace place = drawn_->place_of(i);
     if (verdicts_.judge(place.triangle, place).verdict == records::Verdict::forbidden) return;
     std::optional<SampleTrace> trace;
-    if (backend_->traces()) {
-      Result<std::optional<SampleTrace>> told = backend_->trace(*case_, place);
+    if (backends::Tracer* const tracer = backend_->tracer()) {
+      Result<std::optional<SampleTrace>> told = tracer->trace(*case_, place);
       if (!told) {
         error_ = told.error();
         return;
@@ -198,9 +198,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
-  const Result<cases::Fragments> drawn = draw(*clip, backend);
+  const Result<backends::Drawn> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  return SplitCheck(c, *clip, *drawn, backend).run();
+  return SplitCheck(c, *clip, drawn->fragments, backend).run();
 }
 
 /// Any case, or, one in six, one that has a camera; in half of them with snapped vertices.

@@ -141,11 +141,12 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   const cases::Case own = with_own_vertices(*clip);
   const Scaled changed = scaled_case(own);
   if (!changed.is_changed) return not_applicable();
-  const Result<cases::Fragments> before = draw(own, backend);
+  const Result<backends::Drawn> before = draw(own, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<cases::Fragments> drawn = draw(changed.source, backend);
+  const Result<backends::Drawn> drawn = draw(changed.source, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  Check check = compare_drawings(own, *before, *drawn, "all coordinates times a power of two");
+  Check check = compare_drawings(own, before->fragments, drawn->fragments,
+                                 "all coordinates times a power of two");
   for (const std::string& label : changed.labels) add_label(check, label);
   return check;
 }

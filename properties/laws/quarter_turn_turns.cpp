@@ -41,9 +41,10 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   const auto contract = turned_back(*clip, backend.contract(changed));
   if (!contract) return not_applicable("the contract does not turn with the case");
 
-  const Result<cases::Fragments> drawn = draw(changed, backend);
+  const Result<backends::Drawn> drawn = draw(changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  Check check = judge_drawn(*clip, *contract, turned_back(*clip, *drawn, *turn), {}, options);
+  Check check =
+      judge_drawn(*clip, *contract, turned_back(*clip, drawn->fragments, *turn), {}, options);
   add_to_notes(check,
                [&](const records::Violation& violation) { return turned_note(*clip, violation); });
   return check;

@@ -189,11 +189,9 @@ class PatternCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  return check_drawn(
-      c, backend,
-      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
-        return PatternCheck(clip, contract, drawn).run();
-      });
+  return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
+    return PatternCheck(clip, drawn.contract, drawn.fragments).run();
+  });
 }
 
 // --- Its cases -----------------------------------------------------------------------------------

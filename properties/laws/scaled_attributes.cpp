@@ -345,11 +345,11 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (backend.contract(changed) != contract) {
     return not_applicable("the contract promises something else of the changed case");
   }
-  const Result<cases::Fragments> before = draw(*clip, backend);
+  const Result<backends::Drawn> before = draw(*clip, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<cases::Fragments> drawn = draw(changed, backend);
+  const Result<backends::Drawn> drawn = draw(changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  return AffinityCheck(*clip, contract, std::move(maps), *before, *drawn).run();
+  return AffinityCheck(*clip, contract, std::move(maps), before->fragments, drawn->fragments).run();
 }
 
 /// Every case has an attribute; most of them have values of few bits, which can be moved.

@@ -139,14 +139,14 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (!clip) return tl::unexpected(clip.error());
   const Parting parting = parting_of(*clip);
   clip->scissor = parting.whole;
-  const Result<cases::Fragments> whole = draw(*clip, backend);
+  const Result<backends::Drawn> whole = draw(*clip, backend);
   if (!whole) return tl::unexpected(whole.error());
-  PartingCheck all(*clip, parting, *whole);
+  PartingCheck all(*clip, parting, whole->fragments);
   for (const cases::Scissor& part : parting.parts) {
     clip->scissor = part;
-    const Result<cases::Fragments> drawn = draw(*clip, backend);
+    const Result<backends::Drawn> drawn = draw(*clip, backend);
     if (!drawn) return tl::unexpected(drawn.error());
-    all.see(part, *drawn);
+    all.see(part, drawn->fragments);
   }
   return all.finish();
 }

@@ -225,9 +225,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
-  const Result<cases::Fragments> drawn = draw(*clip, backend);
+  const Result<backends::Drawn> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  return SharedEdgeCheck(*clip, backend.contract(*clip), *drawn).run();
+  return SharedEdgeCheck(*clip, drawn->contract, drawn->fragments).run();
 }
 
 // --- the law's own cases: quadrilaterals, strips, meshes and fans -------------------------------

@@ -160,7 +160,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   if (!expanded) return tl::unexpected(expanded.error());
   const Indexed indexed = indices_of(*expanded);
   expanded->triangles = triangles_of(c.rules, indexed);
-  if (!backend.assembles() || expanded->triangles.empty()) return not_applicable();
+  if (backend.assembler() == nullptr || expanded->triangles.empty()) return not_applicable();
   const Result<cases::Fragments> drawn =
       draw_assembled(*expanded, indexed.topology, indexed.indices, backend);
   if (!drawn) return tl::unexpected(drawn.error());
@@ -177,7 +177,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   return judged;
 }
 
-bool is_promised(const backends::Backend& backend) { return backend.assembles(); }
+bool is_promised(backends::Backend& backend) { return backend.assembler() != nullptr; }
 
 /// A flat attribute that names its vertex, and a smooth one.
 void add_telling_attributes(Draw& draw, cases::Case& c) {

@@ -139,7 +139,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  if (!backend.draws_pictures() || clip->attributes.size() < 2) return not_applicable();
+  if (backend.picture_drawer() == nullptr || clip->attributes.size() < 2) return not_applicable();
   const cases::Pipeline pipeline = pipeline_of(*clip);
   const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());

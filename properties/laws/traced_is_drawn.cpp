@@ -150,7 +150,7 @@ class TraceCheck {
 
   std::optional<SampleTrace> trace_of(const cases::SamplePlace& at) {
     if (error_) return std::nullopt;
-    Result<std::optional<SampleTrace>> trace = backend_->trace(*case_, at);
+    Result<std::optional<SampleTrace>> trace = backend_->tracer()->trace(*case_, at);
     if (trace) return *std::move(trace);
     error_ = trace.error();
     return std::nullopt;
@@ -225,14 +225,14 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  if (!backend.traces()) return not_applicable();
+  if (backend.tracer() == nullptr) return not_applicable();
   clip->depth_test = cases::DepthTest::none;
-  const Result<cases::Fragments> drawn = draw(*clip, backend);
+  const Result<backends::Drawn> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  return TraceCheck(*clip, backend, *drawn).run();
+  return TraceCheck(*clip, backend, drawn->fragments).run();
 }
 
-bool is_promised(const backends::Backend& backend) { return backend.traces(); }
+bool is_promised(backends::Backend& backend) { return backend.tracer() != nullptr; }
 
 /// Any case, in half of them with snapped vertices.
 Generated generate(Draw& draw) {

@@ -367,9 +367,9 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   if (!screen || !is_triangulation(*clip, contract, verdicts)) {
     return not_applicable();
   }
-  const Result<cases::Fragments> drawn = draw(*clip, backend);
+  const Result<backends::Drawn> drawn = draw(*clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  Check found = CoveredOnce(*clip, contract, *screen, verdicts).run(*drawn);
+  Check found = CoveredOnce(*clip, contract, *screen, verdicts).run(drawn->fragments);
   if (!planes->empty()) add_label(found, "half of the screen");
   if (clip->clip_distance_count > 0) add_label(found, "clip distances");
   if (contract.coverage) add_label(found, "snapped");

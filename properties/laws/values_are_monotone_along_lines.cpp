@@ -193,11 +193,9 @@ class MonotoneCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  return check_drawn(
-      c, backend,
-      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
-        return MonotoneCheck(clip, contract, drawn, some_direction(clip)).run();
-      });
+  return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
+    return MonotoneCheck(clip, drawn.contract, drawn.fragments, some_direction(clip)).run();
+  });
 }
 
 /// A triangle about the middle of the window, so that there are lines; w up to a factor of 64

@@ -150,11 +150,9 @@ class RangeCheck {
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  return check_drawn(
-      c, backend,
-      [](const cases::Case& clip, const cases::Contract& contract, const cases::Fragments& drawn) {
-        return RangeCheck(clip, contract, drawn).run();
-      });
+  return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
+    return RangeCheck(clip, drawn.contract, drawn.fragments).run();
+  });
 }
 
 // --- Its cases -----------------------------------------------------------------------------------

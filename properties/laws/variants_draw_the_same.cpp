@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "backends/factory.h"
 #include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
@@ -54,19 +55,19 @@ void add_labels(const cases::Case& c, const cases::Fragments& drawn, Check& chec
   if (c.attributes.size() > 2) add_label(check, "three attributes and more");
 }
 
-bool is_promised(const backends::Backend& backend) { return !backend.same_as().empty(); }
+bool is_promised(backends::Backend& backend) { return !backend.about().same_as.empty(); }
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   const Result<cases::Case> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  const std::vector<std::string> all = backend.same_as();
+  const std::vector<std::string> all = backend.about().same_as;
   if (all.empty()) return not_applicable();
-  const Result<cases::Fragments> own = draw(*clip, backend);
+  const Result<backends::Drawn> own = draw(*clip, backend);
   if (!own) return tl::unexpected(own.error());
   const cases::Pipeline pipeline = pipeline_of(*clip);
   std::optional<cases::Picture> picture;
-  if (backend.draws_pictures()) {
+  if (backend.picture_drawer() != nullptr) {
     const Result<cases::Picture> drawn = draw_picture(*clip, backend, pipeline);
     if (!drawn) return tl::unexpected(drawn.error());
     picture = *drawn;
@@ -75,16 +76,17 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   for (const std::string& specification : some_of(all, *clip)) {
     const auto variant = backends::make_backend(specification);
     if (!variant) return tl::unexpected(variant.error());
-    const Result<cases::Fragments> drawn = draw(*clip, **variant);
+    (*variant)->hold_to(backend.terms());
+    const Result<backends::Drawn> drawn = draw(*clip, **variant);
     if (!drawn) return tl::unexpected(drawn.error());
     const std::string note = specification + " draws the other";
-    merge(check, compare_drawings(*clip, *drawn, *own, note));
-    if (!picture || !(*variant)->draws_pictures()) continue;
+    merge(check, compare_drawings(*clip, drawn->fragments, own->fragments, note));
+    if (!picture || (*variant)->picture_drawer() == nullptr) continue;
     const Result<cases::Picture> other = draw_picture(*clip, **variant, pipeline);
     if (!other) return tl::unexpected(other.error());
     merge(check, compare_pictures(*clip, *other, *picture, note + "; " + text_of(pipeline)));
   }
-  add_labels(*clip, *own, check);
+  add_labels(*clip, own->fragments, check);
   return check;
 }
 

@@ -37,14 +37,15 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   const cases::Contract contract = backend.contract(*clip);
   cases::Case rotated = *clip;
   rotate(rotated);
-  const Result<cases::Fragments> second_first = draw(rotated, backend);
+  const Result<backends::Drawn> second_first = draw(rotated, backend);
   if (!second_first) return tl::unexpected(second_first.error());
-  Check check = judge_drawn(*clip, contract, *second_first, {}, options);
+  Check check = judge_drawn(*clip, contract, second_first->fragments, {}, options);
   add_to_notes(check, "drawn in the order second, third, first vertex");
   rotate(rotated);
-  const Result<cases::Fragments> third_first = draw(rotated, backend);
+  const Result<backends::Drawn> third_first = draw(rotated, backend);
   if (!third_first) return tl::unexpected(third_first.error());
-  Check changed = judge_changed(*clip, contract, *second_first, *third_first, options);
+  Check changed =
+      judge_changed(*clip, contract, second_first->fragments, third_first->fragments, options);
   add_to_notes(changed, "drawn in the order third, first, second vertex");
   merge(check, changed);
   return check;

@@ -83,14 +83,14 @@ Check judge(const cases::Case& c, const std::vector<cases::ClipVertex>& computed
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   const std::optional<float> bound = backend.contract(c).transform_bound;
-  if (!c.camera || !backend.transforms() || !bound) return not_applicable();
+  if (!c.camera || backend.vertex_stage() == nullptr || !bound) return not_applicable();
   const Result<std::vector<cases::ClipVertex>> computed = transform(c, backend);
   if (!computed) return tl::unexpected(computed.error());
   return judge(c, *computed, *bound);
 }
 
-bool is_promised(const backends::Backend& backend) {
-  return backend.transforms() && backend.contract({}).transform_bound.has_value();
+bool is_promised(backends::Backend& backend) {
+  return backend.vertex_stage() != nullptr && backend.contract({}).transform_bound.has_value();
 }
 
 // The cases. Numbers have up to 24 bits, so that hardly a sum is exact.

@@ -158,8 +158,9 @@ class VertexCheck {
   Tally tally_;
 };
 
-Check find(const cases::Case& c, const cases::Contract& contract, const cases::Fragments& drawn) {
-  return contract.keeps_vertex_values ? VertexCheck(c, contract, drawn).run() : not_applicable();
+Check find(const cases::Case& c, const backends::Drawn& drawn) {
+  if (!drawn.contract.keeps_vertex_values) return not_applicable();
+  return VertexCheck(c, drawn.contract, drawn.fragments).run();
 }
 
 Result<Check> check(const cases::Case& c, backends::Backend& backend,
@@ -167,9 +168,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   return check_drawn(c, backend, &find);
 }
 
-bool is_promised(const backends::Backend& backend) {
-  return backend.contract({}).keeps_vertex_values;
-}
+bool is_promised(backends::Backend& backend) { return backend.contract({}).keeps_vertex_values; }
 
 // --- Its cases -----------------------------------------------------------------------------------
 

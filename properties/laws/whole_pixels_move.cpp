@@ -123,15 +123,15 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
     return not_applicable("the contract rounds moved positions otherwise");
   }
 
-  const Result<cases::Fragments> before = draw(moved->before, backend);
+  const Result<backends::Drawn> before = draw(moved->before, backend);
   if (!before) return tl::unexpected(before.error());
-  Result<cases::Fragments> drawn = draw(moved->after, backend);
+  Result<backends::Drawn> drawn = draw(moved->after, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  for (std::uint16_t& x : drawn->x) x = moved_back(x, move.du);
-  for (std::uint16_t& y : drawn->y) y = moved_back(y, move.dv);
+  for (std::uint16_t& x : drawn->fragments.x) x = moved_back(x, move.du);
+  for (std::uint16_t& y : drawn->fragments.y) y = moved_back(y, move.dv);
   Check check = judge_changed(
       moved->before, with_origin_away(contract, std::max(std::abs(move.du), std::abs(move.dv))),
-      *before, *drawn, options);
+      before->fragments, drawn->fragments, options);
   add_to_notes(check, note_of(move));
   if (move.du < 0 || move.dv < 0) add_label(check, "partly out of the window");
   if (move.du % 2 != 0 || move.dv % 2 != 0) add_label(check, "odd");

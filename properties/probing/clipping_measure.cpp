@@ -52,9 +52,10 @@ cases::ClipVertex at_eye(Draw& draw, const cases::Case& /*c*/) {
 
 /// Triangles of which `cut` vertices are made so, the others visible; a case each, so that a
 /// triangle is right or wrong for itself.
-std::vector<Drawn> draw_cut(Subject& subject, const std::string& name, MakeVertex make, int cut) {
+std::vector<DrawnCase> draw_cut(Subject& subject, const std::string& name, MakeVertex make,
+                                int cut) {
   constexpr std::uint64_t kCases = 64;
-  std::vector<Drawn> all;
+  std::vector<DrawnCase> all;
   for (std::uint64_t i = 0; i < kCases; ++i) {
     MeasureDraw draw(subject, name, i);
     cases::Case c = subject.base();
@@ -74,7 +75,7 @@ std::vector<Drawn> draw_cut(Subject& subject, const std::string& name, MakeVerte
 constexpr int kGreatestExponent = 12;
 
 /// The least tolerance under which they hold, in grid units; nothing where none does.
-std::optional<float> tolerance_of(const Subject& subject, const std::vector<Drawn>& drawn) {
+std::optional<float> tolerance_of(const Subject& subject, const std::vector<DrawnCase>& drawn) {
   cases::ContractTerms terms = subject.result.terms;
   terms.clip_tolerance = 0.0F;
   if (subject.holds(drawn, terms)) return 0.0F;
@@ -86,11 +87,12 @@ std::optional<float> tolerance_of(const Subject& subject, const std::vector<Draw
 }
 
 /// How many keep to a unit, which is what rounding a corner takes.
-std::string within_a_unit(const Subject& subject, const std::vector<Drawn>& drawn) {
+std::string within_a_unit(const Subject& subject, const std::vector<DrawnCase>& drawn) {
   cases::ContractTerms terms = subject.result.terms;
   terms.clip_tolerance = 1.0F;
-  const auto kept = std::count_if(drawn.begin(), drawn.end(),
-                                  [&](const Drawn& one) { return subject.holds({one}, terms); });
+  const auto kept = std::count_if(drawn.begin(), drawn.end(), [&](const DrawnCase& one) {
+    return subject.holds({one}, terms);
+  });
   return fmt::format("{} of {} triangles within 1", kept, drawn.size());
 }
 
@@ -115,11 +117,11 @@ struct Outcomes {
   }
 };
 
-Outcomes outcomes_of(const Subject& subject, const std::vector<Drawn>& drawn) {
+Outcomes outcomes_of(const Subject& subject, const std::vector<DrawnCase>& drawn) {
   Outcomes outcomes;
-  for (const Drawn& one : drawn) {
+  for (const DrawnCase& one : drawn) {
     const Tally tally = subject.tally({one}, subject.result.terms);
-    const bool is_left_out = one.framebuffer.size() == 0;
+    const bool is_left_out = one.fragments.size() == 0;
     if (tally.holds()) {
       ++(tally.required == 0 && is_left_out ? outcomes.empty : outcomes.right);
     } else {
@@ -144,7 +146,7 @@ void measure_clipping(Subject& subject) {
       declared.coverage ? fmt::format("{:g} grid units", declared.clip_tolerance) : kNotDeclared;
   float greatest = 0;
   for (const Cut& cut : kPlanes) {
-    const std::vector<Drawn> drawn = draw_cut(subject, cut.name, cut.make, cut.vertices);
+    const std::vector<DrawnCase> drawn = draw_cut(subject, cut.name, cut.make, cut.vertices);
     if (drawn.empty()) {
       subject.add(fmt::format("clip tolerance, {}", cut.name), units, "not drawn");
       continue;
@@ -166,7 +168,7 @@ void measure_clipping(Subject& subject) {
       Cut{"three vertices with w < 0", &behind_eye, 3}, Cut{"one vertex with w = 0", &at_eye, 1},
       Cut{"all zero but x and y", &at_eye, 3}};
   for (const Cut& cut : kBehind) {
-    const std::vector<Drawn> drawn = draw_cut(subject, cut.name, cut.make, cut.vertices);
+    const std::vector<DrawnCase> drawn = draw_cut(subject, cut.name, cut.make, cut.vertices);
     subject.add(cut.name, kNotDeclared,
                 drawn.empty() ? "not drawn" : outcomes_of(subject, drawn).text());
   }

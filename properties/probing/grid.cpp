@@ -199,11 +199,11 @@ std::optional<FineDrawing> draw_fine(Subject& subject, const std::vector<FineTri
     add_triangle(c, fine_vertex(c, t.x[0], t.y[0], 0.5F), fine_vertex(c, t.x[1], t.y[1], 0.5F),
                  fine_vertex(c, t.x[2], t.y[2], 0.5F));
   }
-  std::optional<Drawn> drawn = subject.drawn(std::move(c));
+  std::optional<DrawnCase> drawn = subject.drawn(std::move(c));
   if (!drawn) return std::nullopt;
   FineDrawing drawing{triangles, {}, *std::move(drawn)};
   drawing.rows.resize(triangles.size());
-  const cases::Fragments& fragments = drawing.drawn.framebuffer;
+  const cases::Fragments& fragments = drawing.drawn.fragments;
   for (std::size_t i = 0; i < fragments.size(); ++i) {
     if (fragments.triangle[i] >= triangles.size() || fragments.x[i] >= kSide ||
         fragments.y[i] >= kSide) {

@@ -60,7 +60,7 @@ struct FineDrawing {
   std::vector<FineTriangle> triangles;
   /// [triangle][row]: bit x is set where pixel x was drawn.
   std::vector<std::array<std::uint64_t, 64>> rows;
-  Drawn drawn;
+  DrawnCase drawn;
 };
 
 /// Draws such triangles in a 64×64 case; nothing where the backend does not.

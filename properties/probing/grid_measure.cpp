@@ -48,10 +48,10 @@ std::string declared_of(const cases::Coverage& coverage) {
 /// Triangles with an edge whose one end lies within a few floats of the middle between grid points
 /// of `bits`, in viewports of odd sizes, with several weights; or exactly there, where dividing by
 /// w has something to round.
-std::vector<Drawn> draw_inexact(Subject& subject, int bits, float size) {
+std::vector<DrawnCase> draw_inexact(Subject& subject, int bits, float size) {
   constexpr int kCases = 6;
   constexpr int kTriangles = 48;
-  std::vector<Drawn> all;
+  std::vector<DrawnCase> all;
   const double unit = std::ldexp(1.0, -bits);
   for (std::uint64_t i = 0; i < kCases; ++i) {
     MeasureDraw draw(subject, fmt::format("position error {}", size), i);
@@ -102,7 +102,7 @@ std::vector<Snapping> ladder_from(const Snapping& from) {
 }
 
 /// The least of the ladder with which drawings hold; nothing where none does.
-std::optional<Snapping> least_holding(const Subject& subject, const std::vector<Drawn>& drawn,
+std::optional<Snapping> least_holding(const Subject& subject, const std::vector<DrawnCase>& drawn,
                                       const Snapping& from) {
   cases::ContractTerms terms = subject.result.terms;
   terms.tie_rule = cases::TieRule::unspecified;  // of which nothing is known yet
@@ -140,11 +140,11 @@ Snapping wider_of(const Snapping& a, const Snapping& b) {
 /// The position error, in a window and far from the origin of a large viewport.
 void measure_position_error(Subject& subject, const Sight& sight) {
   const Snapping grid = named(sight.fit.grid);
-  std::vector<Drawn> exact;
+  std::vector<DrawnCase> exact;
   exact.reserve(sight.drawings.size());
   for (const FineDrawing& one : sight.drawings) exact.push_back(one.drawn);
   const int bits = grid.subpixel_bits;
-  const std::array<std::pair<std::string, std::vector<Drawn>>, 3> sorts{
+  const std::array<std::pair<std::string, std::vector<DrawnCase>>, 3> sorts{
       {{"of positions that floats hold", exact},
        {"of others, 64 pixels", draw_inexact(subject, bits, 64)},
        {"of others, viewport of 8192", draw_inexact(subject, bits, 8192)}}};

@@ -82,7 +82,7 @@ cases::Case with_scaled_values(cases::Case c, int exponent) {
 }
 
 /// The greatest error of smooth values, in scale ULP; a value that is no number is infinitely off.
-double worst_smooth(const Subject& subject, const Drawn& drawn) {
+double worst_smooth(const Subject& subject, const DrawnCase& drawn) {
   cases::ContractTerms lax = subject.result.terms;
   lax.smooth = cases::ValueBound{0x1p100F};
   records::Judgement judged = subject.judgement(drawn, lax);
@@ -115,7 +115,7 @@ std::string subnormal_text(const Range& range) {
 
 void measure_numbers(Subject& subject) {
   const cases::Case c = short_numbers(subject);
-  const std::optional<Drawn> plain = subject.drawn(c);
+  const std::optional<DrawnCase> plain = subject.drawn(c);
   if (!plain) {
     subject.add("numbers", kNotDeclared, "not drawn");
     return;

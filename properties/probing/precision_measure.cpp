@@ -70,7 +70,7 @@ std::optional<cases::ValueBound>& bound_of(cases::ContractTerms& terms, Attribut
 }
 
 /// The random cases that the contract says something of, drawn.
-using DrawnByGenerator = std::map<std::string, std::vector<Drawn>>;
+using DrawnByGenerator = std::map<std::string, std::vector<DrawnCase>>;
 
 DrawnByGenerator draw_all(Subject& subject, const Progress& progress) {
   DrawnByGenerator all;
@@ -84,7 +84,7 @@ DrawnByGenerator draw_all(Subject& subject, const Progress& progress) {
       cases::Case c = generator.make(draw);
       subject.ask_of(c);
       if (!cases::makes_promises_of(subject.contract(c), c)) continue;
-      std::optional<Drawn> drawn = subject.drawn(c);
+      std::optional<DrawnCase> drawn = subject.drawn(c);
       // By rules that it does not draw, it may draw by others.
       const cases::Rules rules = subject.base().rules;
       if (!drawn && std::exchange(c.rules, rules) != rules) drawn = subject.drawn(std::move(c));
@@ -96,10 +96,10 @@ DrawnByGenerator draw_all(Subject& subject, const Progress& progress) {
   return all;
 }
 
-WorstByKind worst_by_kind(const Subject& subject, const std::vector<Drawn>& drawn,
+WorstByKind worst_by_kind(const Subject& subject, const std::vector<DrawnCase>& drawn,
                           const cases::ContractTerms& terms) {
   WorstByKind worst;
-  for (const Drawn& one : drawn) {
+  for (const DrawnCase& one : drawn) {
     const records::Judgement judged = subject.judgement(one, terms);
     for (const AttributeKind kind : kKinds) {
       const auto found = judged.errors.find(kind);
@@ -127,7 +127,7 @@ float bound_for(double seen) {
 bool is_within(const Subject& subject, const DrawnByGenerator& drawn, AttributeKind kind,
                const cases::ContractTerms& terms) {
   for (const auto& [name, some] : drawn) {
-    for (const Drawn& one : some) {
+    for (const DrawnCase& one : some) {
       const records::Judgement judged = subject.judgement(one, terms);
       const auto found = judged.errors.find(kind);
       if (found != judged.errors.end() && found->second.classes[FragmentClass::beyond_bound] > 0) {
@@ -194,7 +194,7 @@ void measure_coverage(Subject& subject, const DrawnByGenerator& drawn) {
   std::string generators;
   for (const auto& [name, some] : drawn) {
     const std::uint64_t before = violated;
-    for (const Drawn& one : some) {
+    for (const DrawnCase& one : some) {
       ++checked;
       if (!subject.tally({one}, subject.result.terms).holds()) ++violated;
     }

@@ -68,7 +68,7 @@ void add_far_through_samples(Draw& draw, cases::Case& c, double distance) {
                at_window(c, {x - side * v, y + side * u}, 0.5F, 1));
 }
 
-std::optional<Drawn> draw_far(Subject& subject, double distance) {
+std::optional<DrawnCase> draw_far(Subject& subject, double distance) {
   constexpr int kTriangles = 32;
   constexpr double kMostExact = 0x1p21;
   MeasureDraw draw(subject, "reach");
@@ -119,7 +119,7 @@ class Reach {
 
   Subject* subject_;
   bool is_refused_ = false;
-  std::map<double, std::optional<Drawn>> drawn_;
+  std::map<double, std::optional<DrawnCase>> drawn_;
 };
 
 std::string reach_text(double pixels) {

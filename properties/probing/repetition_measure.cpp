@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
 
-#include "backends/held_backend.h"
 #include "properties/campaign/check_case.h"
 #include "properties/law.h"
 #include "properties/probing/measures.h"
@@ -27,7 +27,11 @@ Counts count_repetitions(Subject& subject, const char* law_name,
   Counts counts;
   const Law* law = find_law(law_name);
   if (law == nullptr) return counts;
-  const auto held = backends::held_to(terms, subject.backend());
+  backends::Backend& backend = subject.backend();
+  const std::optional<cases::ContractTerms> before = backend.terms();
+  cases::ContractTerms asked = terms;
+  if (!asked.numbers && before) asked.numbers = before->numbers;
+  backend.hold_to(asked);
   const int wanted = kCasesEach * subject.options().cases;
   for (int i = 0; i < wanted; ++i) {
     MeasureDraw draw(subject, law_name, static_cast<std::uint64_t>(i));
@@ -36,12 +40,13 @@ Counts count_repetitions(Subject& subject, const char* law_name,
     subject.ask(subject.options().asked);
     subject.ask_of(generated.source);
     subject.ask(back);
-    const Result<Check> check = law->check(generated.source, *held, {});
+    const Result<Check> check = law->check(generated.source, backend, {});
     ++subject.result.drawings;
     if (!check || !check->is_applicable || check->fault) continue;
     ++counts.checked;
     counts.violated += check->violation_count > 0 ? 1 : 0;
   }
+  backend.hold_to(before);
   return counts;
 }
 

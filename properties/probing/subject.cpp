@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "backends/held_backend.h"
 #include "oracle/judge.h"
 #include "properties/drawing.h"
 
@@ -13,11 +12,10 @@ namespace {
 /// Pixels of a side.
 constexpr int kSubjectSide = 64;
 
-/// The backend, promising something of every case: properties::draw() asks no other.
-std::unique_ptr<backends::Backend> of_all_numbers(backends::Backend& backend) {
+cases::ContractTerms of_all_numbers() {
   cases::ContractTerms terms;
   terms.numbers = cases::MagnitudeRange();
-  return backends::held_to(terms, backend);
+  return terms;
 }
 
 cases::Contract held(const cases::Case& c, const backends::Backend& backend,
@@ -35,14 +33,14 @@ Tally& Tally::operator+=(const Tally& other) {
 }
 
 Subject::Subject(std::string name, backends::Backend& backend, const ProbeOptions& options)
-    : declared_(&backend),
-      backend_(of_all_numbers(backend)),
-      options_(options),
-      asked_(options.asked) {
+    : backend_(&backend), terms_before_(backend.terms()), options_(options), asked_(options.asked) {
+  backend.hold_to(of_all_numbers());
   result.backend = std::move(name);
-  result.description = backend.description();
+  result.description = backend.about().description;
   result.seed = options.seed;
 }
+
+Subject::~Subject() { backend_->hold_to(terms_before_); }
 
 Result<void> Subject::choose_rules() {
   Result<void> chosen;
@@ -50,7 +48,7 @@ Result<void> Subject::choose_rules() {
     rules_ = rules;
     cases::Case c = base();
     add_triangle(c, {-1, -1, 0.5F, 1}, {1, -1, 0.5F, 1}, {0, 1, 0.5F, 1});
-    const Result<cases::Fragments> first = properties::draw(c, *backend_);
+    const Result<backends::Drawn> first = properties::draw(c, *backend_);
     ++result.drawings;
     if (first) return {};
     if (chosen) chosen = tl::unexpected(first.error());
@@ -77,10 +75,10 @@ void Subject::ask_of(cases::Case& c) const {
 
 std::optional<cases::Fragments> Subject::draw(const cases::Case& c) {
   if (backend_->is_lost()) return std::nullopt;
-  Result<cases::Fragments> drawn = properties::draw(c, *backend_);
+  Result<backends::Drawn> drawn = properties::draw(c, *backend_);
   if (drawn) {
     ++result.drawings;
-    return *std::move(drawn);
+    return std::move(drawn->fragments);
   }
   if (drawn.error().failure == Failure::unsupported) {
     ++result.unsupported;
@@ -91,10 +89,10 @@ std::optional<cases::Fragments> Subject::draw(const cases::Case& c) {
   return std::nullopt;
 }
 
-std::optional<Drawn> Subject::drawn(cases::Case c) {
-  std::optional<cases::Fragments> framebuffer = draw(c);
-  if (!framebuffer) return std::nullopt;
-  return Drawn{std::move(c), *std::move(framebuffer)};
+std::optional<DrawnCase> Subject::drawn(cases::Case c) {
+  std::optional<cases::Fragments> fragments = draw(c);
+  if (!fragments) return std::nullopt;
+  return DrawnCase{std::move(c), *std::move(fragments)};
 }
 
 cases::Contract Subject::contract(const cases::Case& c) const {
@@ -104,22 +102,22 @@ cases::Contract Subject::contract(const cases::Case& c) const {
 cases::Contract Subject::declared() const {
   cases::Case c = base();
   add_triangle(c, {-0.5F, -0.5F, 0.5F, 1}, {0.5F, -0.5F, 0.5F, 1}, {0, 0.5F, 0.5F, 1});
-  return declared_->contract(c);
+  return backend_->promise(c);
 }
 
-bool Subject::holds(const std::vector<Drawn>& drawn, const cases::ContractTerms& terms) const {
+bool Subject::holds(const std::vector<DrawnCase>& drawn, const cases::ContractTerms& terms) const {
   return std::all_of(drawn.begin(), drawn.end(),
-                     [&](const Drawn& one) { return tally({one}, terms).holds(); });
+                     [&](const DrawnCase& one) { return tally({one}, terms).holds(); });
 }
 
-Tally Subject::tally(const std::vector<Drawn>& drawn, const cases::ContractTerms& terms) const {
+Tally Subject::tally(const std::vector<DrawnCase>& drawn, const cases::ContractTerms& terms) const {
   oracle::JudgeOptions options;
   options.judges_values = false;
   options.shows_ordinary = false;
   Tally tally;
-  for (const Drawn& one : drawn) {
+  for (const DrawnCase& one : drawn) {
     const oracle::SceneTruth scene(one.source, held(one.source, *backend_, terms));
-    records::Judgement judged = oracle::judge(scene, one.framebuffer, options).judgement;
+    records::Judgement judged = oracle::judge(scene, one.fragments, options).judgement;
     const records::ClassCounts& classes = judged.errors[records::AttributeKind::coverage].classes;
     tally.required += judged.counts.required;
     tally.missing +=
@@ -129,11 +127,12 @@ Tally Subject::tally(const std::vector<Drawn>& drawn, const cases::ContractTerms
   return tally;
 }
 
-records::Judgement Subject::judgement(const Drawn& drawn, const cases::ContractTerms& terms) const {
+records::Judgement Subject::judgement(const DrawnCase& drawn,
+                                      const cases::ContractTerms& terms) const {
   oracle::JudgeOptions options;
   options.shows_ordinary = false;
   const oracle::SceneTruth scene(drawn.source, held(drawn.source, *backend_, terms));
-  return oracle::judge(scene, drawn.framebuffer, options).judgement;
+  return oracle::judge(scene, drawn.fragments, options).judgement;
 }
 
 void Subject::add(std::string what, std::string declared, std::string measured,

@@ -3,7 +3,6 @@
 // The backend that is probed, the cases it is asked to draw, and what is known of it so far.
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,9 +20,9 @@
 namespace rastercheck::properties {
 
 /// A case and what came of it.
-struct Drawn {
+struct DrawnCase {
   cases::Case source;
-  cases::Fragments framebuffer;
+  cases::Fragments fragments;
 };
 
 /// How drawings came out under a contract.
@@ -37,7 +36,12 @@ struct Tally {
 
 class Subject {
  public:
+  /// Holds the backend to promise something of every case, for as long as it lives:
+  /// properties::draw() asks no other.
   Subject(std::string name, backends::Backend& backend, const ProbeOptions& options);
+  Subject(const Subject&) = delete;
+  Subject& operator=(const Subject&) = delete;
+  ~Subject();
 
   /// Whether it draws anything; chooses the rules its cases have. Fails as probe() does.
   Result<void> choose_rules();
@@ -58,24 +62,24 @@ class Subject {
 
   /// What it draws; nothing where it does not.
   std::optional<cases::Fragments> draw(const cases::Case& c);
-  std::optional<Drawn> drawn(cases::Case c);
+  std::optional<DrawnCase> drawn(cases::Case c);
 
   /// The contract that is known so far, for a case.
   cases::Contract contract(const cases::Case& c) const;
   /// The same with terms that take the place of the known ones.
-  Tally tally(const std::vector<Drawn>& drawn, const cases::ContractTerms& terms) const;
+  Tally tally(const std::vector<DrawnCase>& drawn, const cases::ContractTerms& terms) const;
   /// Whether nothing is missing, and nothing too much.
-  bool holds(const std::vector<Drawn>& drawn, const cases::ContractTerms& terms) const;
+  bool holds(const std::vector<DrawnCase>& drawn, const cases::ContractTerms& terms) const;
   /// All that a judge says, by the kind of value.
-  records::Judgement judgement(const Drawn& drawn, const cases::ContractTerms& terms) const;
+  records::Judgement judgement(const DrawnCase& drawn, const cases::ContractTerms& terms) const;
 
   void add(std::string what, std::string declared, std::string measured, std::string detail = "");
 
   records::Probe result;  ///< its rows and terms are what is known so far
 
  private:
-  backends::Backend* declared_;
-  std::unique_ptr<backends::Backend> backend_;
+  backends::Backend* backend_;
+  std::optional<cases::ContractTerms> terms_before_;
   ProbeOptions options_;
   AskedDrawing asked_;
   cases::Rules rules_ = cases::Rules::vulkan;

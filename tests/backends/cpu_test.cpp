@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "cases/case_reader.h"
 #include "oracle/fragments.h"
 #include "oracle/judged_transform.h"
@@ -51,7 +52,7 @@ TEST(Cpu, ObeysItsContractInCoverage) {
   std::size_t required = 0;
   for (const cases::Case& c : corpus()) {
     const auto backend = make_backend("cpu").value();
-    const cases::Fragments drawn = backend->draw(c).value();
+    const cases::Fragments drawn = backend->draw(c).value().fragments;
     std::map<Place, std::size_t> left = by_place(drawn);
     EXPECT_EQ(left.size(), drawn.size()) << c.name << ": a sample drawn twice";
     const oracle::SceneTruth scene(c, backend->contract(c));
@@ -71,7 +72,7 @@ TEST(Cpu, ObeysItsContractInCoverage) {
 
 TEST(Cpu, OrdersItsFragmentsByTriangleRowColumnSample) {
   for (const cases::Case& c : corpus()) {
-    const cases::Fragments drawn = make_backend("cpu").value()->draw(c).value();
+    const cases::Fragments drawn = make_backend("cpu").value()->draw(c).value().fragments;
     std::vector<std::tuple<int, int, int, int>> order;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       order.emplace_back(drawn.triangle[i], drawn.y[i], drawn.x[i], drawn.sample[i]);
@@ -82,7 +83,7 @@ TEST(Cpu, OrdersItsFragmentsByTriangleRowColumnSample) {
 
 TEST(Cpu, KeepsTheNearestFragmentUnderADepthTest) {
   cases::Case c = cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
-  const cases::Fragments drawn = make_backend("cpu").value()->draw(c).value();
+  const cases::Fragments drawn = make_backend("cpu").value()->draw(c).value().fragments;
   const oracle::SceneTruth scene(c, cases::contract_of(c));
   const std::map<Place, std::size_t> places = by_place(drawn);
   std::size_t count = 0;
@@ -98,11 +99,11 @@ TEST(Cpu, TracesWhatItDraws) {
   const cases::Case c =
       cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
   const auto backend = make_backend("cpu").value();
-  ASSERT_TRUE(backend->traces());
-  const cases::Fragments drawn = backend->draw(c).value();
+  ASSERT_NE(backend->tracer(), nullptr);
+  const cases::Fragments drawn = backend->draw(c).value().fragments;
   ASSERT_GT(drawn.size(), 0U);
   const cases::SamplePlace at = drawn.place_of(0);
-  const auto trace = backend->trace(c, at).value();
+  const auto trace = backend->tracer()->trace(c, at).value();
   ASSERT_TRUE(trace.has_value());
   EXPECT_TRUE(trace->is_drawn);
   const cases::Triangle& corners = c.triangles[at.triangle];
@@ -126,11 +127,11 @@ TEST(Cpu, HasNoTraceOfWhatIsNotThere) {
       cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
   const auto backend = make_backend("cpu").value();
   const auto triangles = static_cast<std::uint32_t>(c.triangles.size());
-  EXPECT_FALSE(backend->trace(c, {triangles, 0, 0, 0}).has_value());
+  EXPECT_FALSE(backend->tracer()->trace(c, {triangles, 0, 0, 0}).has_value());
   const auto width = static_cast<std::uint32_t>(c.framebuffer.width);
   for (const cases::SamplePlace& at :
        {cases::SamplePlace{0, 0, width, 0}, {0, 0xffffffff, 0, 0}, {0, 0, 0, 16}}) {
-    const auto trace = backend->trace(c, at);
+    const auto trace = backend->tracer()->trace(c, at);
     ASSERT_TRUE(trace.has_value());
     EXPECT_FALSE(trace->has_value());
   }
@@ -141,31 +142,18 @@ TEST(Method, TracesWhatItDraws) {
       cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
   for (const char* specification : {"method:rational-linear", "method:q-matrix"}) {
     const auto backend = make_backend(specification).value();
-    ASSERT_TRUE(backend->traces());
-    const cases::Fragments drawn = backend->draw(c).value();
+    ASSERT_NE(backend->tracer(), nullptr);
+    const cases::Fragments drawn = backend->draw(c).value().fragments;
     const cases::SamplePlace at = drawn.place_of(0);
-    const auto trace = backend->trace(c, at).value();
+    const auto trace = backend->tracer()->trace(c, at).value();
     ASSERT_TRUE(trace.has_value());
     EXPECT_TRUE(trace->is_drawn);
     EXPECT_EQ(trace->depth.value, drawn.depth[0]);
     ASSERT_EQ(trace->attributes.size(), drawn.attribute_count);
     EXPECT_EQ(trace->attributes[0].value, drawn.attributes_of(0)[0]);
     EXPECT_TRUE(trace->attributes[0].evaluated.has_value());
-    EXPECT_FALSE(backend->trace({}, {}).has_value());
+    EXPECT_FALSE(backend->tracer()->trace({}, {}).has_value());
   }
-}
-
-TEST(Backend, DoesNotTraceUnlessItSaysSo) {
-  class DrawsNothing : public Backend {
-   public:
-    cases::Contract contract(const cases::Case& /*c*/) const override { return {}; }
-    Result<cases::Fragments> draw(const cases::Case& /*c*/) override { return cases::Fragments{}; }
-  };
-  DrawsNothing backend;
-  EXPECT_FALSE(backend.traces());
-  const auto trace = backend.trace({}, {});
-  ASSERT_FALSE(trace.has_value());
-  EXPECT_EQ(trace.error().reason, "this backend does not trace");
 }
 
 // Kills: tiles of other threads left out, or drawn into one another.
@@ -181,8 +169,8 @@ TEST(Cpu, DrawsTheSameOnSeveralThreads) {
     c.viewport.height = 200;
     for (const cases::DepthTest test : {cases::DepthTest::none, cases::DepthTest::less}) {
       c.depth_test = test;
-      const cases::Fragments expected = one->draw(c).value();
-      const cases::Fragments actual = several->draw(c).value();
+      const cases::Fragments expected = one->draw(c).value().fragments;
+      const cases::Fragments actual = several->draw(c).value().fragments;
       EXPECT_EQ(actual.triangle, expected.triangle) << c.name;
       EXPECT_EQ(actual.x, expected.x) << c.name;
       EXPECT_EQ(actual.y, expected.y) << c.name;
@@ -215,7 +203,7 @@ TEST(Cpu, SaysWhatItsOptionsAre) {
 TEST(Cpu, DrawsTheSameOnAllVectors) {
   std::size_t drawn = 0;
   int kinds = 0;
-  for (const Listing& listing : list_backends()) {
+  for (const Listing& listing : BackendFactory().list()) {
     if (!listing.specification.starts_with("cpu:simd=")) continue;
     const auto made = make_backend(listing.specification);
     if (!listing.unavailable_because.empty()) {
@@ -227,8 +215,8 @@ TEST(Cpu, DrawsTheSameOnAllVectors) {
     ++kinds;
     ASSERT_TRUE(made) << listing.specification;
     for (const cases::Case& c : corpus()) {
-      const cases::Fragments expected = make_backend("cpu").value()->draw(c).value();
-      const cases::Fragments actual = (*made)->draw(c).value();
+      const cases::Fragments expected = make_backend("cpu").value()->draw(c).value().fragments;
+      const cases::Fragments actual = (*made)->draw(c).value().fragments;
       EXPECT_EQ(actual.triangle, expected.triangle) << c.name << listing.specification;
       EXPECT_EQ(actual.x, expected.x) << c.name << listing.specification;
       EXPECT_EQ(actual.depth, expected.depth) << c.name << listing.specification;
@@ -243,7 +231,7 @@ TEST(Cpu, DrawsTheSameOnAllVectors) {
 TEST(Cpu, NamesBackendsThatDrawTheSame) {
   for (const char* specification :
        {"cpu", "cpu:precision=float32", "cpu:output=framebuffer,threads=2"}) {
-    const auto all = make_backend(specification).value()->same_as();
+    const auto all = make_backend(specification).value()->about().same_as;
     EXPECT_GT(all.size(), 1U);
     const bool is_float = std::string(specification).ends_with("float32");
     for (const std::string& same : all) {
@@ -251,7 +239,7 @@ TEST(Cpu, NamesBackendsThatDrawTheSame) {
       EXPECT_EQ(same.find("float32") != std::string::npos, is_float) << same;
     }
   }
-  EXPECT_TRUE(make_backend("method:rational-linear").value()->same_as().empty());
+  EXPECT_TRUE(make_backend("method:rational-linear").value()->about().same_as.empty());
 }
 
 // Kills: a case's arrays read before anything is checked.
@@ -263,7 +251,7 @@ TEST(Cpu, RefusesIndicesAndArraysThatDoNotFit) {
     cases::Case c = good;
     c.triangles[0][1] = 0xffffffff;
     EXPECT_FALSE(backend->draw(c)) << specification;
-    EXPECT_FALSE(backend->trace(c, {0, 1, 1, 0})) << specification;
+    EXPECT_FALSE(backend->tracer()->trace(c, {0, 1, 1, 0})) << specification;
     c = good;
     c.attributes.emplace_back();
     EXPECT_FALSE(backend->draw(c)) << specification;
@@ -277,13 +265,13 @@ TEST(Cpu, DrawsOverAPictureWhatAddsToIt) {
   const cases::Case c =
       cases::read_case(RASTERCHECK_SOURCE_DIR "/cases/corpus/nearest.json").value();
   const auto backend = make_backend("cpu").value();
-  ASSERT_TRUE(backend->draws_over());
+  ASSERT_NE(backend->picture_drawer(), nullptr);
   cases::Pipeline pipeline;
   pipeline.depth_function = cases::DepthFunction::always;
   pipeline.blend = cases::Blend::additive;
-  const cases::Picture once = backend->draw_picture(c, pipeline).value();
+  const cases::Picture once = backend->picture_drawer()->draw_picture(c, pipeline).value();
   cases::Picture twice = once;
-  ASSERT_TRUE(backend->draw_over(c, pipeline, twice));
+  ASSERT_TRUE(backend->picture_drawer()->draw_over(c, pipeline, twice));
   ASSERT_EQ(twice.color.size(), once.color.size());
   float most = 0;
   for (std::size_t i = 0; i < once.color.size(); ++i) {
@@ -295,10 +283,10 @@ TEST(Cpu, DrawsOverAPictureWhatAddsToIt) {
   // As many samples, but another size.
   cases::Picture other = once;
   other.size = {16, 4, 1};
-  EXPECT_FALSE(backend->draw_over(c, pipeline, other));
+  EXPECT_FALSE(backend->picture_drawer()->draw_over(c, pipeline, other));
   pipeline.resolves = true;
-  EXPECT_FALSE(backend->draw_over(c, pipeline, twice));
-  EXPECT_FALSE(make_backend("method:rational-linear").value()->draw_over(c, pipeline, twice));
+  EXPECT_FALSE(backend->picture_drawer()->draw_over(c, pipeline, twice));
+  EXPECT_EQ(make_backend("method:rational-linear").value()->picture_drawer(), nullptr);
 }
 
 TEST(Cpu, PromisesConstantsAndVertexValuesAndTheMethodsDoNot) {
@@ -315,17 +303,17 @@ TEST(Cpu, PromisesConstantsAndVertexValuesAndTheMethodsDoNot) {
 TEST(Cpu, TransformsByItsVertexStage) {
   std::size_t with_camera = 0;
   const auto backend = make_backend("cpu").value();
-  ASSERT_TRUE(backend->transforms());
+  ASSERT_NE(backend->vertex_stage(), nullptr);
   const float bound = backend->contract({}).transform_bound.value();
   const std::filesystem::path folder = RASTERCHECK_SOURCE_DIR "/cases/corpus";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     cases::Case c = cases::read_case(entry.path().string()).value();
-    const auto clip = backend->transform(c);
+    const auto clip = backend->vertex_stage()->transform(c);
     ASSERT_EQ(clip.has_value(), c.camera.has_value()) << c.name;
     if (!clip) {
       EXPECT_EQ(clip.error().reason, "the case has no camera");
       c.camera.emplace();
-      EXPECT_EQ(backend->transform(c).value(), c.positions) << c.name;
+      EXPECT_EQ(backend->vertex_stage()->transform(c).value(), c.positions) << c.name;
       continue;
     }
     ++with_camera;
@@ -347,10 +335,11 @@ TEST(Cpu, ReadsMatricesRowByRow) {
   const auto backend = make_backend("cpu").value();
   c.positions = {{1, 2, 3, 1}};
   const cases::ClipVertex expected{18, 46, 74, 102};
-  EXPECT_EQ(backend->transform(c).value().at(0), expected);
+  EXPECT_EQ(backend->vertex_stage()->transform(c).value().at(0), expected);
   c.positions.push_back({0, 0, 0, 2});
-  EXPECT_EQ(backend->transform(c).value().at(0), expected);
-  EXPECT_EQ(backend->transform(c).value().at(1), (cases::ClipVertex{8, 16, 24, 32}));
+  EXPECT_EQ(backend->vertex_stage()->transform(c).value().at(0), expected);
+  EXPECT_EQ(backend->vertex_stage()->transform(c).value().at(1),
+            (cases::ClipVertex{8, 16, 24, 32}));
 }
 
 TEST(Cpu, DrawsStripsAndFansAsTheirTriangles) {
@@ -366,7 +355,7 @@ TEST(Cpu, DrawsStripsAndFansAsTheirTriangles) {
   using Triangles = std::vector<cases::Triangle>;
   for (const char* specification : {"cpu", "cpu:output=framebuffer"}) {
     const auto backend = make_backend(specification).value();
-    ASSERT_TRUE(backend->assembles());
+    ASSERT_NE(backend->assembler(), nullptr);
     for (const cases::Rules rules :
          {cases::Rules::opengl, cases::Rules::vulkan, cases::Rules::d3d}) {
       c.rules = rules;
@@ -375,9 +364,10 @@ TEST(Cpu, DrawsStripsAndFansAsTheirTriangles) {
                                     const std::vector<std::uint32_t>& indices,
                                     const Triangles& triangles) {
         c.triangles = triangles;
-        const cases::Fragments expected = backend->draw(c).value();
+        const cases::Fragments expected = backend->draw(c).value().fragments;
         c.triangles.clear();
-        const cases::Fragments drawn = backend->draw_assembled(c, topology, indices).value();
+        const cases::Fragments drawn =
+            backend->assembler()->draw_assembled(c, topology, indices).value();
         EXPECT_EQ(drawn.size(), 64U);
         EXPECT_EQ(drawn.triangle, expected.triangle) << specification;
         EXPECT_EQ(drawn.x, expected.x);
@@ -390,8 +380,8 @@ TEST(Cpu, DrawsStripsAndFansAsTheirTriangles) {
       expect_drawn(cases::Topology::triangles, {0, 1, 2, cases::kRestart, 2, 1, 3, 0},
                    {{0, 1, 2}, {2, 1, 3}});
     }
-    const auto refused =
-        backend->draw_assembled(c, cases::Topology::strip, std::vector<std::uint32_t>{0, 1, 4});
+    const auto refused = backend->assembler()->draw_assembled(c, cases::Topology::strip,
+                                                              std::vector<std::uint32_t>{0, 1, 4});
     ASSERT_FALSE(refused.has_value());
     EXPECT_NE(refused.error().reason.find("vertex index"), std::string::npos);
   }
@@ -399,11 +389,9 @@ TEST(Cpu, DrawsStripsAndFansAsTheirTriangles) {
 
 TEST(Method, NeitherTransformsNorAssembles) {
   const auto backend = make_backend("method:rational-linear").value();
-  EXPECT_FALSE(backend->transforms());
-  EXPECT_FALSE(backend->transform({}).has_value());
+  EXPECT_EQ(backend->vertex_stage(), nullptr);
   EXPECT_FALSE(backend->contract({}).transform_bound.has_value());
-  EXPECT_FALSE(backend->assembles());
-  EXPECT_FALSE(backend->draw_assembled({}, cases::Topology::strip, {}).has_value());
+  EXPECT_EQ(backend->assembler(), nullptr);
 }
 
 }  // namespace

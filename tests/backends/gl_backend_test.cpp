@@ -76,7 +76,7 @@ Pixels pixels_where(const std::function<bool(int, int)>& is_there) {
 class GlBackend : public DriverTest {
  protected:
   cases::Fragments draw(const cases::Case& c) const {
-    Result<cases::Fragments> drawn = backend().draw(c);
+    Result<cases::Fragments> drawn = fragments_of(backend().draw(c));
     EXPECT_TRUE(drawn) << to_string(drawn.error());
     return drawn.value_or(cases::Fragments());
   }
@@ -100,11 +100,11 @@ class GlBackend : public DriverTest {
 
 TEST_P(GlBackend, SaysWhatDraws) {
   const std::string name = is_softpipe() ? "softpipe" : "llvmpipe";
-  EXPECT_THAT(backend().description(), testing::StartsWith(name));
-  ASSERT_TRUE(backend().driver());
-  EXPECT_EQ(backend().driver()->name, name);
-  EXPECT_THAT(backend().driver()->version, testing::StartsWith("Mesa "));
-  EXPECT_TRUE(backend().has_limits());
+  EXPECT_THAT(backend().about().description, testing::StartsWith(name));
+  ASSERT_TRUE(backend().about().driver);
+  EXPECT_EQ(backend().about().driver->name, name);
+  EXPECT_THAT(backend().about().driver->version, testing::StartsWith("Mesa "));
+  EXPECT_TRUE(backend().about().has_limits);
   EXPECT_TRUE(backend().contract(empty_case()).coverage);
 }
 

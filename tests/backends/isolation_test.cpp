@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "cases/case_reader.h"
 #include "tests/temporary_folder.h"
 
@@ -55,13 +56,14 @@ TEST(Isolation, DrawsTheSameBitsAndPromisesTheSame) {
     const auto drawn = (*isolated)->draw(c);
     ASSERT_EQ(drawn.has_value(), expected.has_value()) << c.name;
     if (!drawn) continue;
-    EXPECT_EQ(drawn->triangle, expected->triangle) << c.name;
-    EXPECT_EQ(drawn->x, expected->x) << c.name;
-    EXPECT_EQ(drawn->y, expected->y) << c.name;
-    EXPECT_EQ(drawn->sample, expected->sample) << c.name;
-    EXPECT_EQ(drawn->depth, expected->depth) << c.name;
-    EXPECT_EQ(drawn->attributes, expected->attributes) << c.name;
-    fragments += drawn->size();
+    EXPECT_EQ(drawn->contract, expected->contract) << c.name;
+    EXPECT_EQ(drawn->fragments.triangle, expected->fragments.triangle) << c.name;
+    EXPECT_EQ(drawn->fragments.x, expected->fragments.x) << c.name;
+    EXPECT_EQ(drawn->fragments.y, expected->fragments.y) << c.name;
+    EXPECT_EQ(drawn->fragments.sample, expected->fragments.sample) << c.name;
+    EXPECT_EQ(drawn->fragments.depth, expected->fragments.depth) << c.name;
+    EXPECT_EQ(drawn->fragments.attributes, expected->fragments.attributes) << c.name;
+    fragments += drawn->fragments.size();
   }
   EXPECT_GT(fragments, 8000);
 }
@@ -143,7 +145,7 @@ TEST(Isolation, StartsAnewAfterACrash) {
   for (int i = 0; i < 3; ++i) {
     const auto drawn = (*backend)->draw(wide_case(16));
     ASSERT_TRUE(drawn) << to_string(drawn.error());
-    EXPECT_EQ(drawn->size(), 256);
+    EXPECT_EQ(drawn->fragments.size(), 256);
     mortal.kill();
     const auto lost = (*backend)->draw(wide_case(16));
     ASSERT_FALSE(lost);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "cases/case.h"
 #include "cases/contract.h"
 

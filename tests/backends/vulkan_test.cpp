@@ -88,14 +88,14 @@ bool is_in_corner(int x, int y) { return x + y <= 6; }
 class Vulkan : public DriverTest {
  protected:
   cases::Fragments draw(const cases::Case& c) const {
-    Result<cases::Fragments> drawn = backend().draw(c);
+    Result<cases::Fragments> drawn = fragments_of(backend().draw(c));
     EXPECT_TRUE(drawn) << to_string(drawn.error());
     return drawn ? *std::move(drawn) : cases::Fragments();
   }
   std::set<Pixel> pixels(const cases::Case& c) const { return pixels_of(draw(c)); }
   /// Why a case is not drawn; it is no fault.
   std::string refusal(const cases::Case& c) const {
-    const Result<cases::Fragments> drawn = backend().draw(c);
+    const Result<cases::Fragments> drawn = fragments_of(backend().draw(c));
     if (drawn) return "drawn";
     EXPECT_EQ(drawn.error().failure, Failure::unsupported) << to_string(drawn.error());
     return drawn.error().reason;
@@ -110,12 +110,12 @@ INSTANTIATE_TEST_SUITE_P(Drivers, Vulkan,
                          test_name);
 
 TEST_P(Vulkan, SaysWhoDraws) {
-  const std::optional<Driver> driver = backend().driver();
+  const std::optional<Driver> driver = backend().about().driver;
   ASSERT_TRUE(driver);
   EXPECT_EQ(driver->name, is_lavapipe() ? "lavapipe" : "swiftshader");
   EXPECT_THAT(driver->version, testing::MatchesRegex(is_lavapipe() ? "Mesa [0-9.]+.*" : "[0-9.]+"));
-  EXPECT_THAT(backend().description(), HasSubstr(driver->name + " " + driver->version));
-  EXPECT_TRUE(backend().has_limits());
+  EXPECT_THAT(backend().about().description, HasSubstr(driver->name + " " + driver->version));
+  EXPECT_TRUE(backend().about().has_limits);
 }
 
 TEST_P(Vulkan, DrawsATriangle) {

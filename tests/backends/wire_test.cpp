@@ -87,9 +87,11 @@ TEST(Wire, BringsEveryMemberOfAContract) {
 }
 
 TEST(Wire, BringsDrawingsAndErrors) {
-  const auto drawing = unpack_drawing(pack(Drawing{full_framebuffer(), std::nullopt}));
+  const auto drawing =
+      unpack_drawing(pack(Drawing{{full_contract(), full_framebuffer()}, std::nullopt}));
   ASSERT_TRUE(drawing);
-  EXPECT_TRUE(are_same(drawing->drawn, full_framebuffer()));
+  EXPECT_EQ(drawing->drawn.contract, full_contract());
+  EXPECT_TRUE(are_same(drawing->drawn.fragments, full_framebuffer()));
   EXPECT_FALSE(drawing->problem);
 
   const auto failed = unpack_drawing(pack(Drawing{{}, Error{"a", "b", "c", Failure::unsupported}}));
@@ -97,12 +99,10 @@ TEST(Wire, BringsDrawingsAndErrors) {
   EXPECT_EQ(to_string(*failed->problem), "a: b: c");
   EXPECT_EQ(failed->problem->failure, Failure::unsupported);
 
-  const auto greeting =
-      unpack_greeting(pack(Greeting{"who", Driver{"what", "1.0"}, true, std::nullopt}));
+  const About about{"who", Driver{"what", "1.0"}, true, {"another", "and another"}};
+  const auto greeting = unpack_greeting(pack(Greeting{about, std::nullopt}));
   ASSERT_TRUE(greeting);
-  EXPECT_EQ(greeting->description, "who");
-  EXPECT_EQ(greeting->driver, (Driver{"what", "1.0"}));
-  EXPECT_TRUE(greeting->has_limits);
+  EXPECT_EQ(greeting->about, about);
 }
 
 // Kills: a reader that believes lengths, or takes a part for the whole.
@@ -112,7 +112,7 @@ TEST(Wire, RefusesEveryPart) {
     EXPECT_FALSE(unpack_request(request.substr(0, size))) << size;
   }
   EXPECT_FALSE(unpack_request(request + '\0'));
-  const std::string drawing = pack(Drawing{full_framebuffer(), std::nullopt});
+  const std::string drawing = pack(Drawing{{full_contract(), full_framebuffer()}, std::nullopt});
   for (std::size_t size = 0; size < drawing.size(); ++size) {
     EXPECT_FALSE(unpack_drawing(drawing.substr(0, size))) << size;
   }

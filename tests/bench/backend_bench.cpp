@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "backends/factory.h"
 #include "backends/isolation.h"
 
 namespace rastercheck::bench {

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t kCases = 20;
 
 void check(benchmark::State& bench, std::span<const properties::Law> laws) {
-  properties::TaskRunner runner(1, {});
+  properties::TaskRunner runner({.seed = 1}, {});
   for (auto _ : bench) {
     for (const properties::Law& law : laws) {
       const auto found =

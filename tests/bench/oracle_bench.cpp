@@ -11,6 +11,7 @@
 #include <string>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "cases/mesh.h"
 #include "cases/mesh_reader.h"
 #include "oracle/judge.h"
@@ -61,7 +62,7 @@ Drawn draw(const MakeCase& make, const std::string& specification) {
   drawn.source = make();
   const auto backend = backends::make_backend(specification).value();
   drawn.contract = backend->contract(drawn.source);
-  drawn.framebuffer = backend->draw(drawn.source).value();
+  drawn.framebuffer = backend->draw(drawn.source).value().fragments;
   return drawn;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "tests/fuzz/target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -14,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   fuzz::expect(*backend != nullptr, "a backend that was made is there");
-  for (const std::string& other : (*backend)->same_as()) {
+  for (const std::string& other : (*backend)->about().same_as) {
     fuzz::expect(backends::make_backend(other).has_value(),
                  "what a backend promises to draw the same as can be made");
   }

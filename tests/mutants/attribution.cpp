@@ -12,7 +12,7 @@ using records::Stage;
 
 std::optional<Stage> stage_of(const cases::Case& given, const cases::Case& clip,
                               backends::Backend& mutant, const records::Violation& found) {
-  const auto told = mutant.trace(clip, found.place);
+  const auto told = mutant.tracer()->trace(clip, found.place);
   if (!told) return std::nullopt;
   const std::optional<records::SampleTrace>& trace = *told;
   const oracle::StageSplit split(given, clip, mutant.contract(clip), found.place.triangle);

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "properties/campaign/check_case.h"
 #include "properties/law.h"
 #include "tests/mutants/mutant_backend.h"

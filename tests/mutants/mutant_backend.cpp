@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 
 namespace rastercheck::mutants {
 namespace {

@@ -2,6 +2,7 @@
 // function that its module exports.
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 
 /// Makes the backend of a specification as the program itself does, of the damaged sources; null
 /// where there is none. The caller deletes it. Its virtual functions, the destructor among them,

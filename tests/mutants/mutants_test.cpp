@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "cases/case_reader.h"
 #include "cases/case_writer.h"
 #include "properties/campaign/campaign.h"
@@ -196,7 +197,7 @@ TEST(Laws, HaveAMutantEach) {
 
 TEST(MutantBackend, ListsEveryMutantAsAbleToRun) {
   std::size_t count = 0;
-  for (const backends::Listing& listing : backends::list_backends()) {
+  for (const backends::Listing& listing : backends::BackendFactory().list()) {
     if (!listing.specification.starts_with("mutant:")) continue;
     ++count;
     EXPECT_EQ(listing.unavailable_because, "") << listing.specification;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "properties/probing/probe.h"
 
 namespace rastercheck::mutants::probing_test {

@@ -19,9 +19,7 @@ bool is_same(bool a, bool b) { return a == b; }
 
 bool is_same(const cases::Contract& a, const cases::Contract& b) { return a == b; }
 
-bool is_same(const std::vector<std::string>& a, const std::vector<std::string>& b) {
-  return a == b;
-}
+bool is_same(const backends::About& a, const backends::About& b) { return a == b; }
 
 /// Of numbers, or of structs that are nothing but floats.
 template <typename T>
@@ -166,75 +164,76 @@ auto RecordingBackend::asked(const Question& question) const {
   return answer;
 }
 
-cases::Contract RecordingBackend::contract(const cases::Case& c) const {
-  return asked([c](const Backend& backend) { return backend.contract(c); });
+backends::About RecordingBackend::about() const {
+  return asked([](Backend& backend) { return backend.about(); });
 }
 
-Result<cases::Fragments> RecordingBackend::draw(const cases::Case& c) {
-  return asked([c](Backend& backend) { return backend.draw(c); });
+cases::Contract RecordingBackend::promise(const cases::Case& c) const {
+  return asked([c](Backend& backend) { return backend.contract(c); });
 }
 
-bool RecordingBackend::traces() const {
-  return asked([](const Backend& backend) { return backend.traces(); });
+backends::PictureDrawer* RecordingBackend::picture_drawer() {
+  return asked([](Backend& b) { return b.picture_drawer() != nullptr; }) ? this : nullptr;
+}
+
+backends::Assembler* RecordingBackend::assembler() {
+  return asked([](Backend& b) { return b.assembler() != nullptr; }) ? this : nullptr;
+}
+
+backends::VertexStage* RecordingBackend::vertex_stage() {
+  return asked([](Backend& b) { return b.vertex_stage() != nullptr; }) ? this : nullptr;
+}
+
+backends::Tracer* RecordingBackend::tracer() {
+  return asked([](Backend& b) { return b.tracer() != nullptr; }) ? this : nullptr;
+}
+
+Result<cases::Fragments> RecordingBackend::draw_fragments(const cases::Case& c) {
+  return asked([c](Backend& backend) { return backends::fragments_of(backend.draw(c)); });
 }
 
 Result<std::optional<records::SampleTrace>> RecordingBackend::trace(const cases::Case& c,
                                                                     const cases::SamplePlace& at) {
-  return asked([c, at](Backend& backend) { return backend.trace(c, at); });
-}
-
-bool RecordingBackend::draws_pictures() const {
-  return asked([](const Backend& backend) { return backend.draws_pictures(); });
+  return asked([c, at](Backend& backend) { return backend.tracer()->trace(c, at); });
 }
 
 Result<cases::Picture> RecordingBackend::draw_picture(const cases::Case& c,
                                                       const cases::Pipeline& pipeline) {
-  return asked([c, pipeline](Backend& backend) { return backend.draw_picture(c, pipeline); });
-}
-
-bool RecordingBackend::draws_over() const {
-  return asked([](const Backend& backend) { return backend.draws_over(); });
+  return asked([c, pipeline](Backend& backend) {
+    return backend.picture_drawer()->draw_picture(c, pipeline);
+  });
 }
 
 Result<void> RecordingBackend::draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
                                          cases::Picture& picture) {
   DrawnOver drawn = asked([c, pipeline, before = picture](Backend& backend) {
     DrawnOver over{{}, before};
-    over.result = backend.draw_over(c, pipeline, over.picture);
+    over.result = backend.picture_drawer()->draw_over(c, pipeline, over.picture);
     return over;
   });
   picture = std::move(drawn.picture);
   return drawn.result;
 }
 
-std::vector<std::string> RecordingBackend::same_as() const {
-  return asked([](const Backend& backend) { return backend.same_as(); });
-}
-
-bool RecordingBackend::assembles() const {
-  return asked([](const Backend& backend) { return backend.assembles(); });
-}
-
 Result<cases::Fragments> RecordingBackend::draw_assembled(const cases::Case& c,
                                                           cases::Topology topology,
                                                           std::span<const std::uint32_t> indices) {
   const std::vector<std::uint32_t> kept(indices.begin(), indices.end());
-  return asked(
-      [c, topology, kept](Backend& backend) { return backend.draw_assembled(c, topology, kept); });
-}
-
-bool RecordingBackend::transforms() const {
-  return asked([](const Backend& backend) { return backend.transforms(); });
+  return asked([c, topology, kept](Backend& backend) {
+    return backend.assembler()->draw_assembled(c, topology, kept);
+  });
 }
 
 Result<std::vector<cases::ClipVertex>> RecordingBackend::transform(const cases::Case& c) {
-  return asked([c](Backend& backend) { return backend.transform(c); });
+  return asked([c](Backend& backend) { return backend.vertex_stage()->transform(c); });
 }
 
 Result<std::vector<cases::Normal>> RecordingBackend::transform_normals(
     const cases::Matrix4& model, std::span<const cases::Normal> normals) {
   const std::vector<cases::Normal> kept(normals.begin(), normals.end());
-  return asked([model, kept](Backend& backend) { return backend.transform_normals(model, kept); });
+  return asked([model, kept](Backend& backend) {
+    return backend.vertex_stage()->transform_normals(model, kept);
+  });
 }
 
 }  // namespace rastercheck::mutants

@@ -16,7 +16,11 @@
 namespace rastercheck::mutants {
 
 /// Answers as another backend does, and keeps questions and answers.
-class RecordingBackend : public backends::Backend {
+class RecordingBackend : public backends::Backend,
+                         backends::PictureDrawer,
+                         backends::Assembler,
+                         backends::VertexStage,
+                         backends::Tracer {
  public:
   /// `answering` outlives it.
   explicit RecordingBackend(backends::Backend& answering) : answering_(&answering) {}
@@ -26,27 +30,27 @@ class RecordingBackend : public backends::Backend {
   /// up to the first difference it asks the same.
   bool is_answered_alike_by(backends::Backend& other) const;
 
-  cases::Contract contract(const cases::Case& c) const override;
-  Result<cases::Fragments> draw(const cases::Case& c) override;
-  bool traces() const override;
+  backends::About about() const override;
+  cases::Contract promise(const cases::Case& c) const override;
+  backends::PictureDrawer* picture_drawer() override;
+  backends::Assembler* assembler() override;
+  backends::VertexStage* vertex_stage() override;
+  backends::Tracer* tracer() override;
+
+ private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override;
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                     const cases::SamplePlace& at) override;
-  bool draws_pictures() const override;
   Result<cases::Picture> draw_picture(const cases::Case& c,
                                       const cases::Pipeline& pipeline) override;
-  bool draws_over() const override;
   Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
                          cases::Picture& picture) override;
-  std::vector<std::string> same_as() const override;
-  bool assembles() const override;
   Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                           std::span<const std::uint32_t> indices) override;
-  bool transforms() const override;
   Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override;
   Result<std::vector<cases::Normal>> transform_normals(
       const cases::Matrix4& model, std::span<const cases::Normal> normals) override;
 
- private:
   template <typename Question>
   auto asked(const Question& question) const;
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "backends/api_promise.h"
+#include "backends/factory.h"
 #include "cases/case_writer.h"
 #include "properties/campaign/check_case.h"
 #include "properties/campaign/findings.h"
@@ -37,11 +38,13 @@ class Driver : public backends::Backend {
   explicit Driver(Way way)
       : way_(std::move(way)), cpu_(backends::make_backend(way_.backend).value()) {}
 
-  bool has_limits() const override { return true; }
-  cases::Contract contract(const cases::Case& c) const override {
+  backends::About about() const override { return {.has_limits = true}; }
+  cases::Contract promise(const cases::Case& c) const override {
     return backends::api_promise(c, {way_.coverage ? way_.coverage->subpixel_bits : 8});
   }
-  Result<cases::Fragments> draw(const cases::Case& c) override {
+
+ private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
     if (c.rules == cases::Rules::d3d) {
       return tl::unexpected(Error{"driver", "", "no D3D", Failure::unsupported});
     }
@@ -50,10 +53,9 @@ class Driver : public backends::Backend {
     mine.basis = way_.basis;
     mine.fill_rule = way_.tie_rule;
     mine.viewport.x += way_.shift;
-    return cpu_->draw(mine);
+    return backends::fragments_of(cpu_->draw(mine));
   }
 
- private:
   Way way_;
   std::unique_ptr<backends::Backend> cpu_;
 };
@@ -97,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // Kills: laws to the bit asked of who promises none.
 TEST(ApiLaws, ThatRestOnInvarianceAreNotAsked) {
-  const Driver driver(Way{"exact", std::nullopt});
+  Driver driver(Way{"exact", std::nullopt});
   const auto cpu = backends::make_backend("cpu").value();
   for (const char* const name :
        {"a-power-of-two-changes-no-bit", "a-scaled-and-moved-attribute-is-scaled-and-moved",

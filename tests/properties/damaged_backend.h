@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "cases/case.h"
 #include "properties/drawing.h"
 #include "properties/law.h"
@@ -35,75 +36,29 @@ using PictureDamage = std::function<void(const cases::Pipeline& asked_for, cases
 using TraceDamage =
     std::function<void(const cases::SamplePlace&, std::optional<records::SampleTrace>&)>;
 
-class DamagedBackend : public backends::Backend {
+class DamagedBackend : public backends::Backend,
+                       protected backends::PictureDrawer,
+                       protected backends::Assembler,
+                       protected backends::VertexStage,
+                       protected backends::Tracer {
  public:
   explicit DamagedBackend(Damage damage = {},
                           const std::string& specification = "method:rational-linear")
       : inner_(backends::make_backend(specification).value()), damage_(std::move(damage)) {}
 
-  cases::Contract contract(const cases::Case& c) const override {
+  backends::About about() const override { return {.same_as = same_as_these}; }
+  cases::Contract promise(const cases::Case& c) const override {
     if (promised) return *promised;
-    cases::Contract contract = inner_->contract(c);
+    cases::Contract contract = inner_->promise(c);
     contract.keeps_equal_depth = true;  // as it does of the simple planes that the tests draw
     return contract;
   }
-  Result<cases::Fragments> draw(const cases::Case& c) override {
-    Result<cases::Fragments> drawn = inner_->draw(c);
-    if (drawn && damage_) damage_(c, *drawn);
-    return drawn;
+  backends::PictureDrawer* picture_drawer() override {
+    return inner_->picture_drawer() ? this : nullptr;
   }
-
-  bool traces() const override { return inner_->traces(); }
-  Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
-                                                    const cases::SamplePlace& at) override {
-    auto traced = inner_->trace(c, at);
-    if (traced && trace_damage) trace_damage(at, *traced);
-    return traced;
-  }
-
-  bool draws_over() const override { return inner_->draws_over(); }
-  Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
-                         cases::Picture& picture) override {
-    Result<void> drawn = inner_->draw_over(c, pipeline, picture);
-    if (over_damage) over_damage(c, drawn, picture);
-    return drawn;
-  }
-
-  std::vector<std::string> same_as() const override { return same_as_these; }
-
-  bool transforms() const override { return inner_->transforms(); }
-  Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override {
-    auto positions = inner_->transform(c);
-    if (positions && transform_damage) transform_damage(c, *positions);
-    return positions;
-  }
-
-  Result<std::vector<cases::Normal>> transform_normals(
-      const cases::Matrix4& model, std::span<const cases::Normal> normals) override {
-    auto world = inner_->transform_normals(model, normals);
-    if (world && normal_damage) normal_damage(model, *world);
-    return world;
-  }
-
-  bool draws_pictures() const override { return inner_->draws_pictures(); }
-  Result<cases::Picture> draw_picture(const cases::Case& c,
-                                      const cases::Pipeline& pipeline) override {
-    cases::Pipeline damaged = pipeline;
-    if (pipeline_damage) pipeline_damage(damaged);
-    Result<cases::Picture> picture = inner_->draw_picture(c, damaged);
-    if (picture && picture_damage) picture_damage(pipeline, *picture);
-    return picture;
-  }
-
-  bool assembles() const override { return inner_->assembles(); }
-  Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
-                                          std::span<const std::uint32_t> indices) override {
-    std::vector<std::uint32_t> changed(indices.begin(), indices.end());
-    if (assembly_damage) assembly_damage(c, topology, changed);
-    Result<cases::Fragments> drawn = inner_->draw_assembled(c, topology, changed);
-    if (drawn && damage_) damage_(c, *drawn);
-    return drawn;
-  }
+  backends::Assembler* assembler() override { return inner_->assembler() ? this : nullptr; }
+  backends::VertexStage* vertex_stage() override { return inner_->vertex_stage() ? this : nullptr; }
+  backends::Tracer* tracer() override { return inner_->tracer() ? this : nullptr; }
 
   std::optional<cases::Contract> promised;
   TraceDamage trace_damage;
@@ -114,6 +69,58 @@ class DamagedBackend : public backends::Backend {
   PipelineDamage pipeline_damage;
   PictureDamage picture_damage;
   std::vector<std::string> same_as_these;
+
+ protected:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
+    Result<backends::Drawn> drawn = inner_->draw(c);
+    if (!drawn) return tl::unexpected(drawn.error());
+    if (damage_) damage_(c, drawn->fragments);
+    return std::move(drawn->fragments);
+  }
+  Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
+                                                    const cases::SamplePlace& at) override {
+    auto traced = inner_->tracer()->trace(c, at);
+    if (traced && trace_damage) trace_damage(at, *traced);
+    return traced;
+  }
+
+  Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
+                         cases::Picture& picture) override {
+    Result<void> drawn = inner_->picture_drawer()->draw_over(c, pipeline, picture);
+    if (over_damage) over_damage(c, drawn, picture);
+    return drawn;
+  }
+
+  Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c) override {
+    auto positions = inner_->vertex_stage()->transform(c);
+    if (positions && transform_damage) transform_damage(c, *positions);
+    return positions;
+  }
+
+  Result<std::vector<cases::Normal>> transform_normals(
+      const cases::Matrix4& model, std::span<const cases::Normal> normals) override {
+    auto world = inner_->vertex_stage()->transform_normals(model, normals);
+    if (world && normal_damage) normal_damage(model, *world);
+    return world;
+  }
+
+  Result<cases::Picture> draw_picture(const cases::Case& c,
+                                      const cases::Pipeline& pipeline) override {
+    cases::Pipeline damaged = pipeline;
+    if (pipeline_damage) pipeline_damage(damaged);
+    Result<cases::Picture> picture = inner_->picture_drawer()->draw_picture(c, damaged);
+    if (picture && picture_damage) picture_damage(pipeline, *picture);
+    return picture;
+  }
+
+  Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
+                                          std::span<const std::uint32_t> indices) override {
+    std::vector<std::uint32_t> changed(indices.begin(), indices.end());
+    if (assembly_damage) assembly_damage(c, topology, changed);
+    Result<cases::Fragments> drawn = inner_->assembler()->draw_assembled(c, topology, changed);
+    if (drawn && damage_) damage_(c, *drawn);
+    return drawn;
+  }
 
  private:
   std::unique_ptr<backends::Backend> inner_;

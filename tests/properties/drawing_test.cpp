@@ -19,7 +19,7 @@ namespace {
 
 TEST(Drawing, HandsBackWhatTheBackendDrew) {
   DamagedBackend backend;
-  const cases::Fragments drawn = draw(square(), backend).value();
+  const cases::Fragments drawn = draw(square(), backend).value().fragments;
   EXPECT_EQ(drawn.size(), 64U);
   EXPECT_EQ(drawn.attribute_count, 3U);
 }
@@ -30,7 +30,7 @@ TEST(Drawing, RoundsACameraAway) {
   c.camera.emplace();
   c.camera->model = {0.25F, 0, 0, 0, 0, 0.25F, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   DamagedBackend backend;
-  EXPECT_EQ(draw(c, backend).value().size(), 4U);
+  EXPECT_EQ(draw(c, backend).value().fragments.size(), 4U);
 }
 
 TEST(Drawing, FailsWhereAClipPositionOverflows) {

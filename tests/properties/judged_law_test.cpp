@@ -74,7 +74,7 @@ TEST(Merge, AddsCountsViolationsAndLabels) {
 TEST(JudgeDrawn, SaysWhatIsExactlyTrueAndWhatWasDrawn) {
   DamagedBackend backend;
   const cases::Case c = square();
-  cases::Fragments drawn = draw(c, backend).value();
+  cases::Fragments drawn = draw(c, backend).value().fragments;
   drop(drawn, 0, 1, 1);
   value(drawn, 0, 2, 3, 1) = 1.5F;
   const Check check = judge_drawn(c, backend.contract(c), drawn, {}, {});
@@ -108,15 +108,15 @@ TEST(JudgeDrawn, LabelsWhatWasReached) {
   c.positions[0] = {-1.5F, -1, 0.25F, -0.5F};  // behind the eye
   c.positions[3].z = 1.5F;                     // beyond the far plane
   DamagedBackend backend;
-  const cases::Fragments drawn = draw(c, backend).value();
+  const cases::Fragments drawn = draw(c, backend).value().fragments;
   const Check check = judge_drawn(c, backend.contract(c), drawn, {}, {});
   EXPECT_EQ(check.violation_count, 0U);
   EXPECT_THAT(check.labels,
               testing::IsSupersetOf({"clipped", "depth test", "drawn", "extrapolated centre",
                                      "several samples", "w <= 0"}));
 
-  const Check plain =
-      judge_drawn(square(), backend.contract(square()), draw(square(), backend).value(), {}, {});
+  const Check plain = judge_drawn(square(), backend.contract(square()),
+                                  draw(square(), backend).value().fragments, {}, {});
   EXPECT_THAT(plain.labels, testing::ElementsAre("drawn", "permitted", "snapping"));
 }
 

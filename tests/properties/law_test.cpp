@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "backends/factory.h"
 #include "cases/case_reader.h"
 #include "cases/case_writer.h"
 #include "tests/properties/damaged_backend.h"
@@ -134,19 +135,19 @@ TEST(Laws, PassOnWhatABackendCannotDraw) {
   class Refuses : public DamagedBackend {
    public:
     Refuses() : DamagedBackend({}, "cpu") {}
-    Result<Fragments> draw(const Case& /*c*/) override {
+    Result<Fragments> draw_fragments(const Case& /*c*/) override {
       return tl::unexpected(Error{"", "", "no triangles today"});
     }
     Result<Fragments> draw_assembled(const Case& c, cases::Topology /*topology*/,
                                      std::span<const std::uint32_t> /*indices*/) override {
-      return draw(c);
+      return draw_fragments(c);
     }
     Result<cases::Picture> draw_picture(const Case& c,
                                         const cases::Pipeline& /*pipeline*/) override {
-      return tl::unexpected(draw(c).error());
+      return tl::unexpected(draw_fragments(c).error());
     }
     Result<std::vector<cases::ClipVertex>> transform(const Case& c) override {
-      return tl::unexpected(draw(c).error());
+      return tl::unexpected(draw_fragments(c).error());
     }
     Result<std::vector<cases::Normal>> transform_normals(
         const cases::Matrix4& /*model*/, std::span<const cases::Normal> /*normals*/) override {

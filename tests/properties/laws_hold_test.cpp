@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "backends/factory.h"
 #include "cases/case_writer.h"
 #include "properties/campaign/check_case.h"
 #include "properties/law.h"
@@ -60,7 +61,7 @@ std::vector<LawOfBackend> promised_laws() {
 /// The textbook methods, as backends.
 std::vector<std::string> methods() {
   std::vector<std::string> all;
-  for (const backends::Listing& listing : backends::list_backends()) {
+  for (const backends::Listing& listing : backends::BackendFactory().list()) {
     if (listing.specification.starts_with("method:")) all.push_back(listing.specification);
   }
   return all;

@@ -65,7 +65,7 @@ std::vector<reports::PlotPoint> exact_points(const cases::Case& scene) {
   return points;
 }
 
-std::vector<reports::PlotPoint> drawn_points(const Drawn& drawn) {
+std::vector<reports::PlotPoint> drawn_points(const DrawnScene& drawn) {
   std::vector<reports::PlotPoint> points;
   for (std::size_t i = 0; i < drawn.fragments.size(); ++i) {
     if (drawn.fragments.y[i] != kRow) continue;
@@ -148,7 +148,7 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
   values.curves.push_back({"exact (oracle)", "", 0, exact});
   int color = 1;
   for (const Series& series : kSeries) {
-    const Result<Drawn> drawn = draw_by(series.method, scene);
+    const Result<DrawnScene> drawn = draw_by(series.method, scene);
     if (!drawn) return tl::unexpected(drawn.error());
     const std::vector<reports::PlotPoint> points = drawn_points(*drawn);
     const std::vector<reports::PlotPoint> off = errors_of(points, exact);

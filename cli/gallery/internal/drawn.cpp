@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "oracle/transform.h"
 #include "oracle/triangle_truth.h"
 #include "properties/drawing.h"
@@ -70,10 +71,10 @@ Result<cases::Fragments> draw_quad(const cases::Case& quad) {
 
 }  // namespace
 
-Result<Drawn> draw_by(std::string_view method, const cases::Case& scene) {
+Result<DrawnScene> draw_by(std::string_view method, const cases::Case& scene) {
   Result<cases::Case> clip = oracle::to_clip_case(scene, scene.name);
   if (!clip) return tl::unexpected(clip.error());
-  Drawn drawn;
+  DrawnScene drawn;
   drawn.method = method;
   drawn.scene = *std::move(clip);
   const bool is_polygon = method == kLinearPolygon;
@@ -85,7 +86,8 @@ Result<Drawn> draw_by(std::string_view method, const cases::Case& scene) {
   }
   drawn.contract = (*backend)->contract(drawn.scene);
   Result<cases::Fragments> fragments =
-      is_polygon ? draw_quad(drawn.scene) : properties::draw(drawn.scene, **backend);
+      is_polygon ? draw_quad(drawn.scene)
+                 : backends::fragments_of(properties::draw(drawn.scene, **backend));
   if (!fragments) return tl::unexpected(fragments.error());
   drawn.fragments = *std::move(fragments);
   return drawn;

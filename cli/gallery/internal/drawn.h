@@ -12,7 +12,7 @@
 
 namespace rastercheck::gallery {
 
-struct Drawn {
+struct DrawnScene {
   std::string method;        ///< the backend's specification, or what stands for it
   std::string missing;       ///< why nothing was drawn; empty where it was
   cases::Case scene;         ///< of clip positions
@@ -28,6 +28,6 @@ inline constexpr std::string_view kLinearPolygon = "scanline-linear, as one poly
 
 /// A case with or without a camera, drawn by a backend or as above. By a method that there is none
 /// of, it is `missing`.
-Result<Drawn> draw_by(std::string_view method, const cases::Case& scene);
+Result<DrawnScene> draw_by(std::string_view method, const cases::Case& scene);
 
 }  // namespace rastercheck::gallery

@@ -27,7 +27,7 @@ class Seen {
     float depth = std::numeric_limits<float>::infinity();
   };
 
-  Seen(const Drawn& drawn, const Shader& shader)
+  Seen(const DrawnScene& drawn, const Shader& shader)
       : size_(drawn.scene.framebuffer),
         samples_(static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height) *
                  static_cast<std::size_t>(size_.samples)) {
@@ -108,7 +108,7 @@ double ulp_of(const cases::Case& scene, std::uint32_t triangle, std::uint32_t at
 /// Gathers what the judge says of what is seen.
 class Reader {
  public:
-  Reader(const Drawn& drawn, const Seen& seen, const ErrorUnit& unit)
+  Reader(const DrawnScene& drawn, const Seen& seen, const ErrorUnit& unit)
       : scene_(&drawn.scene), seen_(&seen), unit_(unit) {
     const cases::FramebufferSize& size = scene_->framebuffer;
     const std::size_t pixels =
@@ -197,7 +197,7 @@ ErrorUnit in_ulp() { return {&reports::ulp_scale(), 0}; }
 ErrorUnit in_texels() { return {&reports::texel_scale(), kTexels}; }
 ErrorUnit in_levels() { return {&reports::level_scale(), 255}; }
 
-Result<reports::GalleryPicture> judged_picture(const Drawn& drawn, const Shader& shader,
+Result<reports::GalleryPicture> judged_picture(const DrawnScene& drawn, const Shader& shader,
                                                const ErrorUnit& unit) {
   reports::GalleryPicture picture;
   picture.method = drawn.method;
@@ -232,7 +232,7 @@ Result<reports::GalleryPicture> judged_picture(const Drawn& drawn, const Shader&
 }
 
 Result<reports::GalleryPicture> draw_panel(const PanelPlan& plan) {
-  const Result<Drawn> drawn = draw_by(plan.method, plan.scene);
+  const Result<DrawnScene> drawn = draw_by(plan.method, plan.scene);
   if (!drawn) return tl::unexpected(drawn.error());
   Result<reports::GalleryPicture> picture = judged_picture(*drawn, plan.shader, plan.unit);
   if (!picture) return picture;

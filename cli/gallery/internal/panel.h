@@ -36,7 +36,7 @@ inline constexpr int kTexels = 256;
 /// Paints the nearest fragment of each sample, and the mean of each pixel's samples, and judges
 /// them: what is covered by the contract, values by the exact perspective ones (the ideal error of
 /// oracle/judge.h), whatever the method means to draw. Fails where the oracle's self-check does.
-Result<reports::GalleryPicture> judged_picture(const Drawn& drawn, const Shader& shader,
+Result<reports::GalleryPicture> judged_picture(const DrawnScene& drawn, const Shader& shader,
                                                const ErrorUnit& unit);
 
 /// A picture to be drawn and judged.

@@ -155,18 +155,18 @@ std::uint32_t add_mixed(cases::Case& c, const std::array<std::uint32_t, 3>& vert
 }
 
 Result<Check> check_parted(const Parted& parted, backends::Backend& backend) {
-  const Result<cases::Fragments> whole = draw(parted.whole, backend);
+  const Result<backends::Drawn> whole = draw(parted.whole, backend);
   if (!whole) return tl::unexpected(whole.error());
-  Result<cases::Fragments> parts = draw(parted.parts, backend);
+  Result<backends::Drawn> parts = draw(parted.parts, backend);
   if (!parts) return tl::unexpected(parts.error());
   // A triangle that the parts do not have becomes one that the whole does not have either.
   const auto nowhere = static_cast<std::uint32_t>(parted.whole.triangles.size());
-  for (std::uint32_t& triangle : parts->triangle) {
+  for (std::uint32_t& triangle : parts->fragments.triangle) {
     triangle = triangle < parted.triangle_of.size() ? parted.triangle_of[triangle] : nowhere;
   }
 
-  const cases::Contract of_whole = backend.contract(parted.whole);
-  const cases::Contract of_parts = backend.contract(parted.parts);
+  const cases::Contract of_whole = whole->contract;
+  const cases::Contract of_parts = parts->contract;
   OpenSamples open(parted, of_whole, of_parts);
   Closeness closeness;
   closeness.note = parted.note;
@@ -189,7 +189,7 @@ Result<Check> check_parted(const Parted& parted, backends::Backend& backend) {
     }
     return both;
   };
-  Check check = compare_close(parted.whole, *whole, *parts, closeness);
+  Check check = compare_close(parted.whole, whole->fragments, parts->fragments, closeness);
   if (of_parts.coverage) add_label(check, "snapped");
   return check;
 }

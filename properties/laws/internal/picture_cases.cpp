@@ -144,6 +144,6 @@ Generated overlapping_case(Draw& draw) {
   return made;
 }
 
-bool draws_pictures(const backends::Backend& backend) { return backend.draws_pictures(); }
+bool draws_pictures(backends::Backend& backend) { return backend.picture_drawer() != nullptr; }
 
 }  // namespace rastercheck::properties

@@ -11,6 +11,6 @@ namespace rastercheck::properties {
 Generated overlapping_case(Draw& draw);
 
 /// Whether a backend promises what laws about pictures are about (Law::is_promised).
-bool draws_pictures(const backends::Backend& backend);
+bool draws_pictures(backends::Backend& backend);
 
 }  // namespace rastercheck::properties

@@ -21,7 +21,7 @@ namespace {
 using reports::GalleryPicture;
 
 /// Attribute 0 of a drawing with one sample a pixel, by pixel.
-std::map<std::pair<int, int>, double> values_of(const Drawn& drawn) {
+std::map<std::pair<int, int>, double> values_of(const DrawnScene& drawn) {
   std::map<std::pair<int, int>, double> values;
   for (std::size_t i = 0; i < drawn.fragments.size(); ++i) {
     values[{drawn.fragments.x[i], drawn.fragments.y[i]}] = drawn.fragments.attributes_of(i)[0];
@@ -38,7 +38,7 @@ struct Bends {
 
 Bends bends_in_the_middle(std::string_view method) {
   const Canvas canvas{320, 1};
-  const Drawn drawn = draw_by(method, leaning_rectangle(canvas)).value();
+  const DrawnScene drawn = draw_by(method, leaning_rectangle(canvas)).value();
   const auto values = values_of(drawn);
   const std::vector<double> corners = corner_rows(drawn.scene);
   Bends bends;
@@ -96,7 +96,8 @@ TEST(Gallery, IsWithinOneUlpWherePerspectiveIsMeant) {
 /// u at the middle of the rectangle, which lies where four pixels of the picture meet: their mean.
 double u_in_the_middle(std::string_view method, double roll) {
   const Canvas canvas{160, 1};
-  const Drawn drawn = draw_by(method, leaning_rectangle(canvas, kWiderFieldOfView, roll)).value();
+  const DrawnScene drawn =
+      draw_by(method, leaning_rectangle(canvas, kWiderFieldOfView, roll)).value();
   const auto values = values_of(drawn);
   const int middle = canvas.size / 2;
   double sum = 0;

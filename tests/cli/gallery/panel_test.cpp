@@ -22,7 +22,7 @@ Shader red() {
 }
 
 /// All of 32 · 32 pixels, u and v their positions as shares.
-Drawn square(int samples = 1) {
+DrawnScene square(int samples = 1) {
   cases::Case scene = empty_textured_scene({32, samples});
   scene.positions = {{-1, -1, 0.5, 1}, {1, -1, 0.5, 1}, {1, 1, 0.5, 1}, {-1, 1, 0.5, 1}};
   scene.attribute_values = {0, 0, 1, 0, 1, 1, 0, 1};
@@ -30,12 +30,12 @@ Drawn square(int samples = 1) {
   return draw_by("cpu", scene).value();
 }
 
-GalleryPicture picture_of(const Drawn& drawn, const Shader& shader = red(),
+GalleryPicture picture_of(const DrawnScene& drawn, const Shader& shader = red(),
                           const ErrorUnit& unit = in_texels()) {
   return judged_picture(drawn, shader, unit).value();
 }
 
-std::size_t fragment_at(const Drawn& drawn, int x, int y) {
+std::size_t fragment_at(const DrawnScene& drawn, int x, int y) {
   std::size_t i = 0;
   while (drawn.fragments.x[i] != x || drawn.fragments.y[i] != y) ++i;
   return i;
@@ -56,7 +56,7 @@ constexpr double kAbove = 1e-9;
 // 3/256 are three texels, and 3/256 / 2^-23 = 98304 scale ULP, M being 1. Kills: units of another
 // scale, another texture's size.
 TEST(JudgedPicture, MeasuresErrorsInItsUnit) {
-  Drawn drawn = square();
+  DrawnScene drawn = square();
   const std::size_t at = fragment_at(drawn, 5, 9);
   drawn.fragments.attributes[2 * at + 1] += 3.0F / 256;
   EXPECT_NEAR(picture_of(drawn).worst, 3, kAbove);
@@ -68,7 +68,7 @@ TEST(JudgedPicture, MeasuresErrorsInItsUnit) {
 
 // Kills: violations that are neither counted nor shown.
 TEST(JudgedPicture, ShowsWhatIsMissing) {
-  Drawn drawn = square();
+  DrawnScene drawn = square();
   const auto at = static_cast<std::ptrdiff_t>(fragment_at(drawn, 20, 3));
   cases::Fragments& f = drawn.fragments;
   f.triangle.erase(f.triangle.begin() + at);
@@ -92,7 +92,7 @@ TEST(JudgedPicture, LeavesWhatIsBehindATransparentFragment) {
     scene.attribute_values.insert(scene.attribute_values.end(), {0, 0, 2, 0, 0, 2});
   }
   scene.triangles = {{0, 1, 2}, {3, 4, 5}};
-  Drawn drawn = draw_by("cpu", scene).value();
+  DrawnScene drawn = draw_by("cpu", scene).value();
   const Shader holes = [](std::uint32_t triangle, std::span<const float> uv) {
     const bool is_hole = triangle == 0 && uv[0] < 0.5F;
     return is_hole ? std::nullopt : std::optional<Color>(triangle == 0 ? kRed : Color{0, 0, 200});
@@ -116,7 +116,7 @@ TEST(JudgedPicture, MixesTheLightOfItsSamples) {
 }
 
 TEST(DrawBy, SaysWhichMethodIsMissing) {
-  const Drawn drawn = draw_by("method:no-such", square().scene).value();
+  const DrawnScene drawn = draw_by("method:no-such", square().scene).value();
   EXPECT_EQ(drawn.missing, "method:no-such is not in this version");
   EXPECT_EQ(picture_of(drawn).missing, drawn.missing);
 }

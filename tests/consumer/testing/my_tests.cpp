@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "backends/backend.h"
+#include "backends/factory.h"
 #include "properties/campaign/testing.h"
 
 namespace backends = rastercheck::backends;
@@ -11,18 +12,19 @@ class MyRasterizer : public backends::Backend {
  public:
   // What it promises: it knows no subpixel grid, ties go by the case's rule, and values are within
   // 0.51 units in the last place.
-  cases::Contract contract(const cases::Case& c) const override {
+  cases::Contract promise(const cases::Case& c) const override {
     cases::Contract promised;
     promised.tie_rule = c.fill_rule;
     promised.bounds = {{0.51F}, {0.51F}, {0.51F}};
     return promised;
   }
 
+ protected:
   // The fragments of the case's triangles. Here yours would be asked; this one asks `cpu`.
-  Result<cases::Fragments> draw(const cases::Case& c) override {
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
     cases::Case without_grid = c;
     without_grid.coverage.reset();
-    return drawn_by_->draw(without_grid);
+    return backends::fragments_of(drawn_by_->draw(without_grid));
   }
 
  private:
@@ -36,16 +38,16 @@ class Careless : public MyRasterizer {
  public:
   explicit Careless(cases::Rules rules) : rules_(rules) {}
 
-  Result<cases::Fragments> draw(const cases::Case& c) override {
+ private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
     cases::Case other = c;
     const bool is_top_left = c.fill_rule == cases::TieRule::top_left;
     if (c.rules == rules_) {
       other.fill_rule = is_top_left ? cases::TieRule::bottom_left : cases::TieRule::top_left;
     }
-    return MyRasterizer::draw(other);
+    return MyRasterizer::draw_fragments(other);
   }
 
- private:
   cases::Rules rules_;
 };
 

@@ -50,7 +50,7 @@ class CampaignRunTest : public testing::Test {
 
   TemporaryFolder folder_;
   Checkpoint start_;
-  TaskRunner runner_{7, {}};
+  TaskRunner runner_{{.seed = 7}, {}};
   std::vector<Error> warnings_;
 };
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "backends/factory.h"
 #include "properties/campaign/workers.h"
 #include "tests/properties/campaign/gathered.h"
 #include "tests/properties/damaged_backend.h"
@@ -154,7 +155,7 @@ TEST(TasksOf, ShardsTakeAnyNumberOfCases) {
 }
 
 TEST(TaskRunner, NamesWhatThereIsNot) {
-  TaskRunner runner(1, {square()});
+  TaskRunner runner({.seed = 1}, {square()});
   EXPECT_EQ(to_string(runner.run({"cpu", "no law", TaskKind::random, 0, 1}).error()),
             "no law: no law has this id");
   EXPECT_EQ(to_string(runner.run({"cpu", kCoverage, TaskKind::corpus, 0, 2}).error()),
@@ -166,7 +167,7 @@ TEST(TaskRunner, NamesWhatThereIsNot) {
 }
 
 TEST(TaskRunner, StopsAtAFault) {
-  TaskRunner runner(1, {});
+  TaskRunner runner({.seed = 1}, {});
   const Findings findings = runner.run({"cpu", kFaultyLaw, TaskKind::random, 0, 10}).value();
   EXPECT_EQ(findings.fault, "case 3");
   ASSERT_THAT(findings.records, SizeIs(1));
@@ -175,7 +176,7 @@ TEST(TaskRunner, StopsAtAFault) {
 
 // Kills: work that goes on although its results are worth nothing.
 TEST(RunTasks, StopsWhereNoMoreAreWanted) {
-  TaskRunner runner(1, {});
+  TaskRunner runner({.seed = 1}, {});
   const std::vector<Task> tasks = tasks_of({1, 40, {"cpu"}, {kFaultyLaw}}, 0);
   const auto findings =
       gathered([&](const TaskDone& done) { return run_tasks(runner, tasks, done); });
@@ -184,7 +185,7 @@ TEST(RunTasks, StopsWhereNoMoreAreWanted) {
 }
 
 TEST(RunTasks, TellsOfEveryTask) {
-  TaskRunner runner(1, {square()});
+  TaskRunner runner({.seed = 1}, {square()});
   std::vector<std::size_t> told;
   const records::Plan options{1, 12, {"cpu"}, {kCoverage}};
   ASSERT_TRUE(run_tasks(runner, tasks_of(options, 1), [&](std::size_t task, const Findings&) {
@@ -196,7 +197,7 @@ TEST(RunTasks, TellsOfEveryTask) {
 
 // Kills: an interrupt that is heard when all is done.
 TEST(RunTasks, EndsWhenAsked) {
-  TaskRunner runner(1, {square()});
+  TaskRunner runner({.seed = 1}, {square()});
   int told = 0;
   const auto done = [&told](std::size_t, const Findings&) { return ++told > 0; };
   const std::vector<Task> tasks = tasks_of({1, 40, {"cpu"}, {kCoverage}}, 1);
@@ -219,7 +220,7 @@ std::vector<cases::Case> small_corpus() {
 }
 
 Findings whole_campaign() {
-  TaskRunner runner(kSmall.seed, small_corpus(), {}, "", true);
+  TaskRunner runner({.seed = kSmall.seed, .keeps_cases = true}, small_corpus());
   const std::vector<Task> tasks = tasks_of(kSmall, 3);
   return gathered([&](const TaskDone& done) { return run_tasks(runner, tasks, done); }).value();
 }
@@ -241,7 +242,7 @@ TEST(Campaign, HasSomethingToFind) {
 RC_GTEST_PROP(Campaign, IsTheSameHoweverItIsSplit, ()) {
   static const Findings kWhole = whole_campaign();
   static const std::vector<Findings> kSingle = [] {
-    TaskRunner runner(kSmall.seed, small_corpus(), {}, "", true);
+    TaskRunner runner({.seed = kSmall.seed, .keeps_cases = true}, small_corpus());
     std::vector<Findings> all;
     for (Task task : tasks_of(kSmall, 3)) {
       const std::uint64_t last = task.last;
@@ -291,9 +292,8 @@ TEST(UnreachedLabels, AreThoseOfRandomCases) {
   const std::string law = "coverage-obeys-the-contract";
   records::Plan options;
   options.laws = {law};
-  TaskRunner runner(1, {});
   const auto unreached_in = [&](const records::RecordSet& records) {
-    return unreached_labels(options.laws, runner.promises(options), records);
+    return unreached_labels(options.laws, TaskRunner(options, {}).promises(), records);
   };
   EXPECT_TRUE(unreached_in(ties(law, "ordinary", 1000, 500)).empty());
   EXPECT_TRUE(unreached_in(ties(law, "corpus", 1000, 0)).empty());
@@ -347,7 +347,7 @@ cases::Case found_by(const std::string& law, const std::string& backend) {
 
 // Kills: a saved counterexample that says it was found today, or is not counted.
 TEST(TaskRunner, ChecksASavedCounterexampleAgain) {
-  TaskRunner runner(99, {});
+  TaskRunner runner({.seed = 99}, {});
   records::Plan options{99, 0, {"damaged"}, {kCoverage}};
   const std::vector<Task> tasks = tasks_of(options, 0, {{found_by(kCoverage, "damaged")}});
   ASSERT_THAT(tasks, SizeIs(1));
@@ -365,7 +365,7 @@ TEST(TaskRunner, ChecksASavedCounterexampleAgain) {
 
 // Kills: a counterexample that fails otherwise than the one it was made from, or is not looked at.
 TEST(TaskRunner, ShrinksWhatFails) {
-  TaskRunner runner(1, {});
+  TaskRunner runner({.seed = 1}, {});
   Findings found;
   DamagedBackend backend(&lose_last_corner);
   check_case(*find_law(kCoverage), "damaged", backend, 1, {square(), "here", 5}, found);
@@ -395,7 +395,7 @@ TEST(TaskRunner, ShrinksNoLongerThanItMay) {
   const Task task = shrink_tasks(found).at(0);
   const auto tries = [&task](const records::ShrinkBudget& budget,
                              const std::function<bool()>& is_to_end) {
-    TaskRunner runner(1, {}, budget);
+    TaskRunner runner({.seed = 1, .shrinking = budget}, {});
     const Findings shrunk = runner.run(task, is_to_end).value();
     EXPECT_FALSE(shrunk.counterexamples.at(0).shrinking->is_least);
     return shrunk.counterexamples.at(0).shrinking->tries;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "backends/factory.h"
 #include "tests/properties/damaged_backend.h"
 
 namespace rastercheck::properties::check_case_test {
@@ -141,17 +142,17 @@ TEST(CheckCase, HoldsADrawingThatFailsAgainstTheBackend) {
 class FailingBackend : public backends::Backend {
  public:
   FailingBackend(Failure failure, int drawings) : failure_(failure), left_(drawings) {}
-  cases::Contract contract(const cases::Case& c) const override { return cases::contract_of(c); }
-  Result<cases::Fragments> draw(const cases::Case& /*c*/) override {
-    --left_;
-    return tl::unexpected(failure());
-  }
+  cases::Contract promise(const cases::Case& c) const override { return cases::contract_of(c); }
   std::optional<Error> is_lost() const override {
     return left_ > 0 ? std::nullopt : std::optional(failure());
   }
   int left() const { return left_; }
 
  private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& /*c*/) override {
+    --left_;
+    return tl::unexpected(failure());
+  }
   Error failure() const { return {"", "", "no", failure_}; }
 
   Failure failure_;

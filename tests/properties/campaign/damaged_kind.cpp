@@ -18,6 +18,7 @@
 #include <chrono>
 #include <thread>
 
+#include "backends/factory.h"
 #include "properties/judged_law.h"
 #include "tests/properties/damaged_backend.h"
 
@@ -25,8 +26,7 @@ namespace rastercheck::properties {
 namespace {
 
 class RefusingBackend : public DamagedBackend {
- public:
-  Result<cases::Fragments> draw(const cases::Case& /*c*/) override {
+  Result<cases::Fragments> draw_fragments(const cases::Case& /*c*/) override {
     return tl::unexpected(Error{"", "", "out of memory"});
   }
 };
@@ -34,24 +34,30 @@ class RefusingBackend : public DamagedBackend {
 class SlowBackend : public DamagedBackend {
  public:
   explicit SlowBackend(const Damage& damage) : DamagedBackend(damage, "cpu") {}
-  Result<cases::Fragments> draw(const cases::Case& c) override {
+
+ private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
     std::this_thread::sleep_for(std::chrono::milliseconds(4));
-    return DamagedBackend::draw(c);
+    return DamagedBackend::draw_fragments(c);
   }
 };
 
 class StuckBackend : public DamagedBackend {
  public:
   StuckBackend() : DamagedBackend({}, "cpu") {}
-  Result<cases::Fragments> draw(const cases::Case& c) override {
+
+ private:
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
     std::this_thread::sleep_for(std::chrono::hours(1));
-    return DamagedBackend::draw(c);
+    return DamagedBackend::draw_fragments(c);
   }
 };
 
 class SpeakingBackend : public DamagedBackend {
  public:
-  std::string description() const override { return "red \x1b[31m and \n two lines"; }
+  backends::About about() const override {
+    return {.description = "red \x1b[31m and \n two lines"};
+  }
 };
 
 class UnseenBackend : public DamagedBackend {
@@ -75,8 +81,8 @@ class DriverBackend : public DamagedBackend {
  public:
   DriverBackend(const Damage& damage, std::string version)
       : DamagedBackend(damage, "cpu"), version_(std::move(version)) {}
-  std::optional<backends::Driver> driver() const override {
-    return backends::Driver{"damaged", version_};
+  backends::About about() const override {
+    return {.driver = backends::Driver{"damaged", version_}};
   }
 
  private:
@@ -122,7 +128,7 @@ std::vector<backends::Listing> list() {
 
 const backends::BackendRegistration kRegistration({"damaged", &make, &list});
 
-bool is_unseen(const backends::Backend& backend) {
+bool is_unseen(backends::Backend& backend) {
   return dynamic_cast<const UnseenBackend*>(&backend) != nullptr;
 }
 

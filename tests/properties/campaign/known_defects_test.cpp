@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "backends/factory.h"
 #include "properties/campaign/campaign.h"
 #include "properties/campaign/check_case.h"
 #include "properties/campaign/workers.h"
@@ -22,7 +23,7 @@ std::unique_ptr<backends::Backend> driver(const std::string& name = "driver") {
 }
 
 /// The list in a folder, as the backend reads it.
-KnownDefects known_defects(const backends::Backend& backend) {
+KnownDefects known_defects(backends::Backend& backend) {
   const TemporaryFolder folder;
   put_known(folder);
   return read_known_defects(folder.path(), backend).value().value();
@@ -77,14 +78,15 @@ TEST(KnownDefects, AreRefusedWhereTheyDoNotFit) {
 TEST(KnownDefects, AreNotReadFromElsewhere) {
   class Elsewhere : public DamagedBackend {
    public:
-    std::optional<backends::Driver> driver() const override {
-      return backends::Driver{"../damaged", "1"};
+    backends::About about() const override {
+      return {.driver = backends::Driver{"../damaged", "1"}};
     }
   };
   const TemporaryFolder folder;
   put_known(folder);
   folder.put("inner/file", "");
-  EXPECT_EQ(read_known_defects(folder.path("inner"), Elsewhere()).value().has_value(), false);
+  Elsewhere elsewhere;
+  EXPECT_EQ(read_known_defects(folder.path("inner"), elsewhere).value().has_value(), false);
 }
 
 /// What checking the scissored square finds; `damage` is the backend's.
@@ -176,8 +178,8 @@ TEST(KnownDefects, AreTasksOfTheLawsThatAreRun) {
 TEST(KnownDefects, AreReadByWhoRunsTheTasks) {
   const TemporaryFolder folder;
   put_known(folder);
-  TaskRunner runner(1, {}, {}, folder.path());
-  EXPECT_THAT(runner.known_of({"damaged:driver", "cpu"}).value(), SizeIs(1));
+  TaskRunner runner({.seed = 1, .backends = {"damaged:driver", "cpu"}}, {}, folder.path());
+  EXPECT_THAT(runner.known().value(), SizeIs(1));
   const Findings findings =
       runner.run({"damaged:driver", kCoverage, TaskKind::known, 0, 1}).value();
   EXPECT_EQ(findings.records.begin()->second.cases.known, 1U);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "backends/factory.h"
 #include "cases/mesh.h"
 #include "properties/campaign/check_case.h"
 #include "records/run.h"

@@ -44,9 +44,9 @@ Law law_of_squares() {
 /// Draws every other case, and says that it does not draw those between.
 class LimitedBackend : public DamagedBackend {
  public:
-  bool has_limits() const override { return true; }
-  Result<cases::Fragments> draw(const cases::Case& c) override {
-    if (++asked_ % 2 == 1) return DamagedBackend::draw(c);
+  backends::About about() const override { return {.has_limits = true}; }
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
+    if (++asked_ % 2 == 1) return DamagedBackend::draw_fragments(c);
     return tl::unexpected(Error{"", "", "not of this kind", Failure::unsupported});
   }
 
@@ -63,7 +63,7 @@ class LostBackend : public DamagedBackend {
 /// Never draws, and says why.
 class FailingBackend : public DamagedBackend {
  public:
-  Result<cases::Fragments> draw(const cases::Case& /*c*/) override {
+  Result<cases::Fragments> draw_fragments(const cases::Case& /*c*/) override {
     return tl::unexpected(Error{"", "", "out of memory"});
   }
 };

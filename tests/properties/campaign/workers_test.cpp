@@ -50,7 +50,7 @@ TEST_P(Workers, FindWhatOneProcessFinds) {
   const TemporaryFolder corpus;
   corpus.put("a.json", cases::to_json(square()));
   corpus.put("b.json", cases::to_json(square()));
-  TaskRunner runner(kSmall.seed, read_corpus(corpus.path()).value());
+  TaskRunner runner(kSmall, read_corpus(corpus.path()).value());
   const std::vector<Task> tasks = tasks_of(kSmall, 2);
   const Findings expected =
       gathered([&](const TaskDone& done) { return run_tasks(runner, tasks, done); }).value();

@@ -17,7 +17,7 @@ using testing::IsEmpty;
 records::Run run_of(const std::optional<records::ShardNumber>& shard) {
   records::Run run;
   run.plan.seed = 1;
-  TaskRunner runner(run.plan.seed, {square()}, {0, std::nullopt});
+  TaskRunner runner({.seed = run.plan.seed, .shrinking = {0, std::nullopt}}, {square()});
   Findings all;
   records::Plan options;
   options.cases_per_law = 30;
@@ -30,7 +30,7 @@ records::Run run_of(const std::optional<records::ShardNumber>& shard) {
   const std::vector<cases::Case> corpus{square()};
   CaseSources sources;
   sources.corpus = corpus;
-  run.inspections = inspect_run(run, sources);
+  run.inspections = inspect_run(run, sources, {});
   return run;
 }
 

@@ -24,7 +24,7 @@ using testing::SizeIs;
 records::Run run_of(const std::vector<std::string>& backends, std::uint64_t cases) {
   records::Run run;
   run.plan.seed = 1;
-  TaskRunner runner(run.plan.seed, {square()}, {0, std::nullopt});
+  TaskRunner runner({.seed = run.plan.seed, .shrinking = {0, std::nullopt}}, {square()});
   Findings all;
   records::Plan options;
   options.cases_per_law = cases;
@@ -40,7 +40,7 @@ std::vector<Inspection> inspections_of(const records::Run& run) {
   const std::vector<cases::Case> corpus{square()};
   CaseSources sources;
   sources.corpus = corpus;
-  return inspect_run(run, sources);
+  return inspect_run(run, sources, {});
 }
 
 /// The least magnitude that the sample looked for is off by, in scale ULP.

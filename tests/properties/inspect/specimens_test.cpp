@@ -26,7 +26,8 @@ using testing::SizeIs;
 records::Run run_of(const std::vector<std::string>& backends, std::uint64_t cases) {
   records::Run run;
   run.plan.seed = 1;
-  TaskRunner runner(run.plan.seed, {square()}, {0, std::nullopt}, "", true);
+  TaskRunner runner({.seed = run.plan.seed, .shrinking = {0, std::nullopt}, .keeps_cases = true},
+                    {square()});
   Findings all;
   records::Plan options;
   options.cases_per_law = cases;
@@ -48,11 +49,11 @@ const std::vector<cases::Case>& corpus() {
 std::vector<Specimen> specimens_of(const records::Run& run) {
   CaseSources sources;
   sources.corpus = corpus();
-  return make_specimens(run, sources);
+  return make_specimens(run, sources, {});
 }
 
 std::vector<Specimen> again(const std::vector<Specimen>& kept, const std::string& backend) {
-  return draw_again(kept, backend, 1, corpus());
+  return draw_again(kept, backend, 1, corpus(), {});
 }
 
 using Stratum = std::tuple<std::string, std::string>;  ///< of a law's records
@@ -202,7 +203,7 @@ TEST(ChangedParts, PointAtThePixelThatChangedMost) {
 TEST(CloserLooks, ShowThePartThatWasKept) {
   std::vector<LookRequest> requests = lost_pixel();
   ASSERT_THAT(requests, SizeIs(1));
-  const std::vector<records::CloserLook> looks = closer_looks(requests, 1, corpus());
+  const std::vector<records::CloserLook> looks = closer_looks(requests, 1, corpus(), {});
   ASSERT_THAT(looks, SizeIs(1));
   EXPECT_EQ(looks[0].before, requests[0].before);
   EXPECT_EQ(looks[0].inspection.width, requests[0].before->width);
@@ -220,13 +221,13 @@ TEST(CloserLooks, LeaveOutWhatIsNotWhatWasAskedFor) {
   request.attribute = 0;
   request.actual = 2.5F;
   request.before = specimens_of(run_of({"cpu"}, 0)).at(0);
-  EXPECT_THAT(closer_looks({{request}}, 1, corpus()), SizeIs(1));
+  EXPECT_THAT(closer_looks({{request}}, 1, corpus(), {}), SizeIs(1));
   request.before->triangle = 1;
-  const std::vector<records::CloserLook> other = closer_looks({{request}}, 1, corpus());
+  const std::vector<records::CloserLook> other = closer_looks({{request}}, 1, corpus(), {});
   ASSERT_THAT(other, SizeIs(1));
   EXPECT_FALSE(other[0].before);
   request.actual = 2.25F;
-  EXPECT_THAT(closer_looks({{request}}, 1, corpus()), IsEmpty());
+  EXPECT_THAT(closer_looks({{request}}, 1, corpus(), {}), IsEmpty());
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ TEST(CameraRoll, HandsPositionsToBackendsWithoutAVertexStage) {
   class Flat : public DamagedBackend {
    public:
     Flat() : DamagedBackend({}, "cpu") {}
-    bool transforms() const override { return false; }
+    backends::VertexStage* vertex_stage() override { return nullptr; }
   };
   Flat backend;
   const Check check = checked(seen(), backend);

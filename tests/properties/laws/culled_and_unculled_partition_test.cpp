@@ -32,10 +32,10 @@ Case two_sided() {
 class Misled : public DamagedBackend {
  public:
   explicit Misled(std::function<void(Case&)> mislead) : mislead_(std::move(mislead)) {}
-  Result<Fragments> draw(const Case& c) override {
+  Result<Fragments> draw_fragments(const Case& c) override {
     Case changed = c;
     mislead_(changed);
-    return DamagedBackend::draw(changed);
+    return DamagedBackend::draw_fragments(changed);
   }
 
  private:

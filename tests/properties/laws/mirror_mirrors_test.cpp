@@ -127,10 +127,10 @@ TEST(Mirror, FindsFacesThatDoNotTurn) {
   class Ccw : public DamagedBackend {
    public:
     Ccw() : DamagedBackend({}, "cpu") {}
-    Result<Fragments> draw(const Case& c) override {
+    Result<Fragments> draw_fragments(const Case& c) override {
       Case other = c;
       other.front_face = cases::FrontFace::ccw;
-      return DamagedBackend::draw(other);
+      return DamagedBackend::draw_fragments(other);
     }
   };
   Ccw backend;
@@ -152,10 +152,10 @@ TEST(Mirror, FindsTiesThatDoNotTurn) {
   class TopLeft : public DamagedBackend {
    public:
     TopLeft() : DamagedBackend({}, "cpu") {}
-    Result<Fragments> draw(const Case& c) override {
+    Result<Fragments> draw_fragments(const Case& c) override {
       Case other = c;
       other.fill_rule = cases::TieRule::top_left;
-      return DamagedBackend::draw(other);
+      return DamagedBackend::draw_fragments(other);
     }
   };
   // The lower edge of the triangle lies on the samples of row 3.

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "backends/factory.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties {

@@ -81,7 +81,7 @@ TEST(PartsAddUp, FindsPositionsThatWereNotHandedOn) {
 TEST(PartsAddUp, PartsWhatIsOpenFromTheExcessWithoutATrace) {
   class Silent : public DamagedBackend {
    public:
-    bool traces() const override { return false; }
+    backends::Tracer* tracer() override { return nullptr; }
   };
   Silent backend;
   const Check check = check_of(kLaw, square(), backend);

@@ -15,12 +15,16 @@ class PictureBackend : public DamagedBackend {
   explicit PictureBackend(const std::string& specification = "cpu")
       : DamagedBackend({}, specification) {}
 
-  bool draws_pictures() const override { return true; }
+  Damage fragment_damage;  ///< of pictures alone
+
+  backends::PictureDrawer* picture_drawer() override { return this; }
+
+ protected:
   Result<cases::Picture> draw_picture(const cases::Case& c,
                                       const cases::Pipeline& pipeline) override {
     cases::Case alone = c;
     alone.depth_test = cases::DepthTest::none;
-    Result<cases::Fragments> drawn = draw(alone);
+    Result<cases::Fragments> drawn = draw_fragments(alone);
     if (!drawn) return tl::unexpected(drawn.error());
     if (fragment_damage) fragment_damage(c, *drawn);
     cases::Pipeline damaged = pipeline;
@@ -29,8 +33,6 @@ class PictureBackend : public DamagedBackend {
     if (picture_damage) picture_damage(pipeline, picture);
     return picture;
   }
-
-  Damage fragment_damage;  ///< of pictures alone
 };
 
 }  // namespace rastercheck::properties

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "backends/factory.h"
 #include "tests/properties/damaged_backend.h"
 
 namespace rastercheck::properties::same_drawing_test {
@@ -15,7 +16,7 @@ using records::FragmentClass;
 
 Fragments drawn_square() {
   const auto cpu = backends::make_backend("cpu");
-  return *draw(square(), **cpu);
+  return draw(square(), **cpu)->fragments;
 }
 
 Check compared(const Fragments& drawn) {

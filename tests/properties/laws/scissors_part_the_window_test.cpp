@@ -47,10 +47,10 @@ TEST(Scissors, PartTheSquareIntoFour) {
 TEST(Scissors, FindAnInclusiveEnd) {
   class Inclusive : public DamagedBackend {
    public:
-    Result<Fragments> draw(const Case& c) override {
+    Result<Fragments> draw_fragments(const Case& c) override {
       Case wider = c;
       if (c.scissor->x == 0 && is_part(c)) ++wider.scissor->width;
-      return DamagedBackend::draw(wider);
+      return DamagedBackend::draw_fragments(wider);
     }
   };
   Inclusive backend;

@@ -95,7 +95,7 @@ class StripsBy : public DamagedBackend {
       }
       indices = indices.subspan(std::min(run.size() + 1, indices.size()));
     }
-    return draw(triangles);
+    return draw_fragments(triangles);
   }
 
  private:

@@ -175,7 +175,7 @@ TEST(TracedIsDrawn, PassesOnATraceThatFails) {
 TEST(TracedIsDrawn, SaysNothingOfABackendThatDoesNotTrace) {
   class DrawsOnly : public DamagedBackend {
    public:
-    bool traces() const override { return false; }
+    backends::Tracer* tracer() override { return nullptr; }
   };
   DrawsOnly backend;
   EXPECT_FALSE(is_promised(*find_law(kLaw), backend));

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "backends/factory.h"
 #include "properties/law.h"
 #include "tests/properties/laws/picture_backend.h"
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "backends/factory.h"
 #include "properties/probing/grid.h"
 #include "properties/probing/probe.h"
 
@@ -169,16 +170,18 @@ class Bent : public backends::Backend {
  public:
   explicit Bent(Bending bending)
       : bending_(std::move(bending)), cpu_(*backends::make_backend("cpu")) {}
-  cases::Contract contract(const Case& c) const override { return cases::contract_of(c); }
-  Result<Fragments> draw(const Case& c) override {
-    const std::optional<Case> bent = bending_.before(c);
-    if (!bent) return tl::unexpected(Error{"", "", "not that", Failure::unsupported});
-    Result<Fragments> drawn = cpu_->draw(*bent);
-    if (drawn) bending_.after(*drawn);
-    return drawn;
-  }
+  cases::Contract promise(const Case& c) const override { return cases::contract_of(c); }
 
  private:
+  Result<Fragments> draw_fragments(const Case& c) override {
+    const std::optional<Case> bent = bending_.before(c);
+    if (!bent) return tl::unexpected(Error{"", "", "not that", Failure::unsupported});
+    Result<backends::Drawn> drawn = cpu_->draw(*bent);
+    if (!drawn) return tl::unexpected(drawn.error());
+    bending_.after(drawn->fragments);
+    return std::move(drawn->fragments);
+  }
+
   Bending bending_;
   std::unique_ptr<backends::Backend> cpu_;
 };

@@ -1,0 +1,80 @@
+#include "backends/factory.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cases/suggestion.h"
+
+namespace rastercheck::backends {
+namespace {
+
+std::vector<BackendKind>& registry() {
+  static std::vector<BackendKind> kinds;
+  return kinds;
+}
+
+/// What a specification begins with, up to a colon, and what follows that.
+std::pair<std::string, std::string> kind_and_options(const std::string& specification) {
+  const std::size_t colon = specification.find(':');
+  if (colon == std::string::npos) return {specification, ""};
+  return {specification.substr(0, colon), specification.substr(colon + 1)};
+}
+
+tl::unexpected<Error> no_such_kind(const std::string& specification, const std::string& kind) {
+  std::string known;
+  std::vector<std::string> kinds;
+  for (const BackendKind& other : registry()) {
+    kinds.emplace_back(other.kind);
+    known += (known.empty() ? "" : ", ") + kinds.back();
+  }
+  return tl::unexpected(
+      Error{specification, "",
+            "no backend of that name; there are: " + known + cases::did_you_mean(kind, kinds)});
+}
+
+}  // namespace
+
+BackendRegistration::BackendRegistration(const BackendKind& kind) {
+  // The order in which files register is the linker's; lists have one of their own.
+  const auto after =
+      std::find_if(registry().begin(), registry().end(),
+                   [&kind](const BackendKind& other) { return other.kind > kind.kind; });
+  registry().insert(after, kind);
+}
+
+Result<std::unique_ptr<Backend>> BackendFactory::make(const std::string& specification) const {
+  const auto [kind, options] = kind_and_options(specification);
+  const auto found = std::find_if(registry().begin(), registry().end(),
+                                  [&kind](const BackendKind& other) { return other.kind == kind; });
+  if (found == registry().end()) return no_such_kind(specification, kind);
+  Result<std::unique_ptr<Backend>> backend =
+      found->is_foreign && make_foreign ? make_foreign(specification) : found->make(options);
+  if (backend) (*backend)->hold_to(terms);
+  return backend;
+}
+
+std::vector<Listing> BackendFactory::list() const {
+  std::vector<Listing> all;
+  for (const BackendKind& kind : registry()) {
+    for (Listing& listing : kind.list()) {
+      if (kind.is_foreign && listing.unavailable_because.empty()) {
+        const Result<std::unique_ptr<Backend>> backend = make(listing.specification);
+        if (backend) {
+          listing.summary = (*backend)->about().description;
+        } else {
+          Error error = backend.error();
+          error.file.clear();  // the row names it
+          listing.unavailable_because = to_string(error);
+        }
+      }
+      all.push_back(std::move(listing));
+    }
+  }
+  return all;
+}
+
+Result<std::unique_ptr<Backend>> make_backend(const std::string& specification) {
+  return BackendFactory().make(specification);
+}
+
+}  // namespace rastercheck::backends
