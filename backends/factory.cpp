@@ -59,13 +59,8 @@ std::vector<Listing> BackendFactory::list() const {
     for (Listing& listing : kind.list()) {
       if (kind.is_foreign && listing.unavailable_because.empty()) {
         const Result<std::unique_ptr<Backend>> backend = make(listing.specification);
-        if (backend) {
-          listing.summary = (*backend)->about().description;
-        } else {
-          Error error = backend.error();
-          error.file.clear();  // the row names it
-          listing.unavailable_because = to_string(error);
-        }
+        if (backend) listing.summary = (*backend)->about().description;
+        if (!backend) listing.unavailable_because = backend.error().reason;
       }
       all.push_back(std::move(listing));
     }

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "backends/backend.h"
-#include "backends/factory.h"
 #include "cases/contract_terms.h"
 #include "cases/error.h"
 

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "backends/factory.h"
 #include "properties/inspect/closer_looks.h"
 #include "properties/inspect/specimens.h"
 

@@ -9,8 +9,8 @@
 
 namespace rastercheck::oracle {
 
-Result<cases::Case> to_clip_case(const cases::Case& c, const std::string& file) {
-  if (!c.camera) return c;
+Result<cases::ClipCase> to_clip_case(const cases::Case& c, const std::string& file) {
+  if (!c.camera) return cases::ClipCase(c);
   cases::Case clip = c;
   clip.camera.reset();
   const std::vector<RingVector4> positions = clip_positions(c);
@@ -25,7 +25,7 @@ Result<cases::Case> to_clip_case(const cases::Case& c, const std::string& file) 
     }
     clip.positions[i] = {rounded[0], rounded[1], rounded[2], rounded[3]};
   }
-  return clip;
+  return cases::ClipCase(std::move(clip), c);
 }
 
 }  // namespace rastercheck::oracle

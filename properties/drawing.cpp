@@ -1,7 +1,8 @@
 #include "properties/drawing.h"
 
+#include <cassert>
+
 #include "backends/floating_point_modes.h"
-#include "oracle/transform.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -44,18 +45,16 @@ Error no_promise() {
 const cases::Fragments& fragments_of(const backends::Drawn& drawn) { return drawn.fragments; }
 const cases::Fragments& fragments_of(const cases::Fragments& drawn) { return drawn; }
 
-/// What `call(clip)` draws of the case without its camera, watched.
+/// What `call()` draws of a case without a camera, watched.
 template <typename Call>
 auto drawn_by(const cases::Case& c, backends::Backend& backend, const Call& call)
-    -> decltype(call(c)) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  if (!cases::makes_promises_of(backend.contract(*clip), *clip))
-    return tl::unexpected(no_promise());
+    -> decltype(call()) {
+  assert(!c.camera);
+  if (!cases::makes_promises_of(backend.contract(c), c)) return tl::unexpected(no_promise());
   const backends::FloatingPointModes modes;
-  auto drawn = call(*clip);
+  auto drawn = call();
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
-  if (drawn && !is_well_formed(fragments_of(*drawn), *clip)) {
+  if (drawn && !is_well_formed(fragments_of(*drawn), c)) {
     return tl::unexpected(Error{"", "",
                                 "the backend's fragments do not have the case's attributes, or its "
                                 "arrays differ in length"});
@@ -66,15 +65,14 @@ auto drawn_by(const cases::Case& c, backends::Backend& backend, const Call& call
 }  // namespace
 
 Result<backends::Drawn> draw(const cases::Case& c, backends::Backend& backend) {
-  return drawn_by(c, backend, [&backend](const cases::Case& clip) { return backend.draw(clip); });
+  return drawn_by(c, backend, [&] { return backend.draw(c); });
 }
 
 Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                         std::span<const std::uint32_t> indices,
                                         backends::Backend& backend) {
-  return drawn_by(c, backend, [&](const cases::Case& clip) {
-    return backend.assembler()->draw_assembled(clip, topology, indices);
-  });
+  return drawn_by(c, backend,
+                  [&] { return backend.assembler()->draw_assembled(c, topology, indices); });
 }
 
 Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends::Backend& backend) {
@@ -104,12 +102,11 @@ Result<std::vector<cases::Normal>> transform_normals(const cases::Matrix4& model
 
 Result<cases::Picture> draw_picture(const cases::Case& c, backends::Backend& backend,
                                     const cases::Pipeline& pipeline) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
+  assert(!c.camera);
   const backends::FloatingPointModes modes;
-  Result<cases::Picture> picture = backend.picture_drawer()->draw_picture(*clip, pipeline);
+  Result<cases::Picture> picture = backend.picture_drawer()->draw_picture(c, pipeline);
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
-  if (picture && !is_well_formed(*picture, *clip, pipeline)) {
+  if (picture && !is_well_formed(*picture, c, pipeline)) {
     return tl::unexpected(Error{"", "",
                                 "the backend's picture does not have the case's size, samples or "
                                 "attributes, or its arrays do not fit it"});

@@ -14,9 +14,9 @@
 
 namespace rastercheck::properties {
 
-/// Draws the case: its clip positions handed over rounded once (oracle/transform.h). A backend
-/// fails that returns with another rounding mode or, on x86, with another FTZ or DAZ than it was
-/// called with (they are put back), or with arrays that do not fit the case or each other.
+/// Draws a case without a camera. A backend fails that returns with another rounding mode or, on
+/// x86, with another FTZ or DAZ than it was called with (they are put back), or with arrays that do
+/// not fit the case or each other.
 Result<backends::Drawn> draw(const cases::Case& c, backends::Backend& backend);
 
 /// The same of what a list, strip or fan of the case's vertices draws, of a backend that assembles
@@ -33,7 +33,7 @@ Result<std::vector<cases::Normal>> transform_normals(const cases::Matrix4& model
                                                      std::span<const cases::Normal> normals,
                                                      backends::Backend& backend);
 
-/// The picture that a case leaves, handed over and held to the same as by draw().
+/// The picture that a case without a camera leaves, held to the same as by draw().
 Result<cases::Picture> draw_picture(const cases::Case& c, backends::Backend& backend,
                                     const cases::Pipeline& pipeline);
 

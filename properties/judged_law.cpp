@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "cases/float_text.h"
-#include "oracle/transform.h"
 #include "records/record.h"
 
 namespace rastercheck::properties {
@@ -281,18 +280,16 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
   return check;
 }
 
-Result<Check> check_drawn(const cases::Case& c, backends::Backend& backend,
+Result<Check> check_drawn(const cases::ClipCase& c, backends::Backend& backend,
                           const DrawnCheck& find) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  const Result<backends::Drawn> drawn = draw(*clip, backend);
+  const Result<backends::Drawn> drawn = draw(c, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  return find(*clip, *drawn);
+  return find(c, *drawn);
 }
 
-Result<Check> check_judged(const cases::Case& c, backends::Backend& backend,
+Result<Check> check_judged(const cases::ClipCase& c, backends::Backend& backend,
                            const JudgeRequest& request, const CheckOptions& options) {
-  return check_drawn(c, backend, [&](const cases::Case& clip, const backends::Drawn& drawn) {
+  return check_drawn(c, backend, [&](const cases::ClipCase& clip, const backends::Drawn& drawn) {
     return judge_drawn(clip, drawn.contract, drawn.fragments, request, options);
   });
 }

@@ -28,14 +28,15 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
                   const CheckOptions& options);
 
 /// Draws the case and judges that. Fails where the backend cannot draw it.
-Result<Check> check_judged(const cases::Case& c, backends::Backend& backend,
+Result<Check> check_judged(const cases::ClipCase& c, backends::Backend& backend,
                            const JudgeRequest& request, const CheckOptions& options);
 
-/// Takes a case without a camera, and what was drawn of it.
-using DrawnCheck = std::function<Check(const cases::Case&, const backends::Drawn&)>;
+/// Takes a case and what was drawn of it.
+using DrawnCheck = std::function<Check(const cases::ClipCase&, const backends::Drawn&)>;
 
 /// Draws the case, and says what is found of that. Fails where the backend cannot draw it.
-Result<Check> check_drawn(const cases::Case& c, backends::Backend& backend, const DrawnCheck& find);
+Result<Check> check_drawn(const cases::ClipCase& c, backends::Backend& backend,
+                          const DrawnCheck& find);
 
 /// What a law finds of a case that it says nothing of; why, unless it is plain from `exceptions` or
 /// from what the law is about (Check::why_not).

@@ -23,6 +23,7 @@
 
 #include "backends/backend.h"
 #include "cases/case.h"
+#include "cases/clip_case.h"
 #include "cases/error.h"
 #include "properties/draw.h"
 #include "records/counterexample.h"
@@ -87,8 +88,12 @@ struct Law {
   Generated (*generate)(Draw& draw) = nullptr;
   /// Draws the case, perhaps changed ones too, and says what is wrong. Fails where the backend
   /// cannot draw it.
-  Result<Check> (*check)(const cases::Case& c, backends::Backend& backend,
+  Result<Check> (*check)(const cases::ClipCase& c, backends::Backend& backend,
                          const CheckOptions& options) = nullptr;
+  /// In place of `check` of a law that is about cameras, or about what a vertex stage does: takes
+  /// the case with its camera, also where clip positions are beyond float32.
+  Result<Check> (*check_given)(const cases::Case& c, backends::Backend& backend,
+                               const CheckOptions& options) = nullptr;
   /// Whether a backend promises at all what the law is about; nullptr: every backend does. Where it
   /// does not, the law says nothing of any case, and that is no fault of a run.
   bool (*is_promised)(backends::Backend& backend) = nullptr;
@@ -110,6 +115,11 @@ bool draws_what_is_asked_for(backends::Backend& backend);
 /// Whether a backend promises that what has no say in a fragment leaves its bits alone
 /// (cases::Contract::is_invariant).
 bool draws_invariantly(backends::Backend& backend);
+
+/// What a law finds of a case, which may have a camera. Fails where the backend cannot draw it, and
+/// where it cannot be handed over, as clip positions are beyond float32.
+Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend& backend,
+                        const CheckOptions& options);
 
 /// Whether the law has something to say of a backend.
 bool is_promised(const Law& law, backends::Backend& backend);

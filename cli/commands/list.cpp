@@ -60,8 +60,8 @@ std::vector<ordered_json> backend_rows(const Asked& asked) {
   for (const backends::Listing& listing : asked.factory.list()) {
     rows.push_back({{"name", listing.specification},
                     {"available", listing.unavailable_because.empty()},
-                    {"summary", listing.summary},
-                    {"why not", listing.unavailable_because}});
+                    {"summary", cases::one_line(listing.summary)},
+                    {"why not", cases::one_line(listing.unavailable_because)}});
   }
   return rows;
 }

@@ -75,7 +75,7 @@ std::string reason_of(const Law& law, backends::Backend& backend, const Check& c
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
                     const CheckOptions& options) {
   if (!is_promised(law, backend)) return not_applicable("");
-  Result<Check> checked = law.check(c, backend, options);
+  Result<Check> checked = check_law(law, c, backend, options);
   // Positions beyond float32 cannot even be handed over: that is nobody's fault.
   if (!checked && !oracle::to_clip_case(c, "")) {
     return not_applicable("clip positions are beyond float32");
@@ -143,26 +143,6 @@ void count_not_applicable(std::string why, records::Record& record) {
   ++record.not_applicable_because[std::move(why)];
 }
 
-/// Adds a check to the records, violations aside; the record of kind `coverage`.
-records::Record& count_check(const Law& law, const std::string& specification,
-                             backends::Backend& backend, const std::string& stratum,
-                             const Check& check, Findings& findings) {
-  if (check.fault && !findings.fault) findings.fault = check.fault;
-  const records::RecordKey key{std::string(law.id), specification, records::AttributeKind::coverage,
-                               stratum};
-  records::Record& record = findings.records[key];
-  if (!check.is_applicable) {
-    count_not_applicable(reason_of(law, backend, check), record);
-    return record;
-  }
-  ++record.cases.checked;
-  for (const std::string& label : check.labels) ++record.labels[label];
-  records::add(findings.records, key, check.judgement);
-  if (!check.known.empty()) ++record.cases.known;
-  for (const std::string& id : check.known) ++record.known[id];
-  return record;
-}
-
 CaseOutcome outcome_of(const Check& check) {
   if (!check.is_applicable) return CaseOutcome::not_applicable;
   if (check.violation_count == 0) return CaseOutcome::held;
@@ -206,33 +186,50 @@ void keep_case(const Law& law, const std::string& specification, const NumberedC
 
 }  // namespace
 
+bool account(const Law& law, const std::string& specification, backends::Backend& backend,
+             const NumberedCase& numbered, const Check& check, Findings& findings) {
+  if (check.fault && !findings.fault) findings.fault = check.fault;
+  const records::RecordKey key{std::string(law.id), specification, records::AttributeKind::coverage,
+                               numbered.stratum};
+  records::Record& record = findings.records[key];
+  keep_case(law, specification, numbered, check, findings);
+  if (!check.is_applicable) {
+    count_not_applicable(reason_of(law, backend, check), record);
+    return false;
+  }
+  ++record.cases.checked;
+  for (const std::string& label : check.labels) ++record.labels[label];
+  records::add(findings.records, key, check.judgement);
+  if (!check.known.empty()) ++record.cases.known;
+  for (const std::string& id : check.known) ++record.known[id];
+  const bool is_violated = check.violation_count > 0 && check.known.empty();
+  if (is_violated) ++record.cases.violations;
+  return is_violated;
+}
+
+namespace {
+
+/// The check of a case that a lost backend is not asked to draw.
+Check given_up() {
+  Check lost;
+  lost.violation_count = 1;
+  lost.labels = {std::string(records::kGivenUp)};
+  return lost;
+}
+
+}  // namespace
+
 void check_case(const Law& law, const std::string& specification, backends::Backend& backend,
                 std::uint64_t seed, const NumberedCase& numbered, Findings& findings,
                 const KnownDefects* known) {
   if (backend.is_lost()) {
     // Its counterexamples are those that it was lost by.
-    records::Record& record = findings.records[{
-        std::string(law.id), specification, records::AttributeKind::coverage, numbered.stratum}];
-    if (!is_promised(law, backend)) {
-      count_not_applicable(reason_of(law, backend, {}), record);
-      keep_case(law, specification, numbered, not_applicable(""), findings);
-      return;
-    }
-    ++record.cases.checked;
-    ++record.cases.violations;
-    ++record.labels[std::string(records::kGivenUp)];
-    Check lost;
-    lost.violation_count = 1;
-    lost.labels = {std::string(records::kGivenUp)};
-    keep_case(law, specification, numbered, lost, findings);
+    const Check lost = is_promised(law, backend) ? given_up() : not_applicable();
+    account(law, specification, backend, numbered, lost, findings);
     return;
   }
   const Check check = check_or_note(law, numbered.source, backend, {numbered.index, known});
-  records::Record& record =
-      count_check(law, specification, backend, numbered.stratum, check, findings);
-  keep_case(law, specification, numbered, check, findings);
-  if (check.violation_count == 0 || !check.known.empty()) return;
-  ++record.cases.violations;
+  if (!account(law, specification, backend, numbered, check, findings)) return;
   keep_counterexample(law, specification, backend, seed, numbered, check, findings, known);
 }
 
@@ -241,28 +238,29 @@ void check_known_case(const Law& law, const std::string& specification, backends
                       Findings& findings) {
   const cases::Case& source = known.cases[entry];
   const std::string& id = known.list.entries[entry].id;
-  const std::string stratum(records::kKnownStratum);
+  const NumberedCase numbered{source, std::string(records::kKnownStratum), source.found->index,
+                              records::Origin::saved};
   if (backend.is_lost()) {
-    check_case(law, specification, backend, seed, {source, stratum, 0, records::Origin::saved},
-               findings, &known);
+    check_case(law, specification, backend, seed, numbered, findings, &known);
     return;
   }
-  const std::uint64_t index = source.found->index;
-  Check check = check_or_note(law, source, backend, {index, &known});
+  Check check = check_or_note(law, source, backend, {numbered.index, &known});
   const bool is_expected =
       std::find(check.known.begin(), check.known.end(), id) != check.known.end();
   if (!is_expected) check.known.clear();
-  records::Record& record = count_check(law, specification, backend, stratum, check, findings);
-  if (!check.is_applicable || is_expected) return;
-  if (check.violation_count > 0) {  // in ways that are not the entry's
-    ++record.cases.violations;
-    keep_counterexample(law, specification, backend, seed,
-                        {source, stratum, index, records::Origin::saved}, check, findings, &known);
+  if (account(law, specification, backend, numbered, check, findings)) {
+    // In ways that are not the entry's.
+    keep_counterexample(law, specification, backend, seed, numbered, check, findings, &known);
     return;
   }
-  keep(findings,
-       records::UnexpectedPass{specification, id, std::string(law.id), known.is_same_version()});
-  if (known.is_same_version()) ++record.cases.violations;
+  if (!check.is_applicable || is_expected) return;
+  const bool is_stale = known.is_same_version();
+  keep(findings, records::UnexpectedPass{specification, id, std::string(law.id), is_stale});
+  if (!is_stale) return;
+  ++findings
+        .records[{std::string(law.id), specification, records::AttributeKind::coverage,
+                  numbered.stratum}]
+        .cases.violations;
 }
 
 }  // namespace rastercheck::properties

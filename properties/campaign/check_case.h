@@ -58,6 +58,12 @@ std::string verdict_of(const Check& check);
 /// left out. The check is not applicable.
 std::string reason_of(const Law& law, backends::Backend& backend, const Check& check);
 
+/// Adds what a check of a case gave to the findings: its record, and, where the findings keep that,
+/// what the case gave. Whether the law is violated in ways that nothing known explains; the
+/// counterexample is not kept yet.
+bool account(const Law& law, const std::string& specification, backends::Backend& backend,
+             const NumberedCase& numbered, const Check& check, Findings& findings);
+
 /// Keeps a counterexample of the case in the findings, if none before it failed in the same way.
 void keep_counterexample(const Law& law, const std::string& specification,
                          backends::Backend& backend, std::uint64_t seed,

@@ -84,7 +84,7 @@ std::string legend_of(const Signs& signs, bool has_empty) {
 
 std::vector<std::string> close_up(const cases::Case& c, backends::Backend& backend,
                                   const records::Violation& violation) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
   if (!clip || violation.place.triangle >= clip->triangles.size()) return {};
   const Result<backends::Drawn> drawn = draw(*clip, backend);
   if (!drawn) return {};

@@ -146,7 +146,7 @@ std::vector<std::string> entries_of(const KnownDefects& known, std::string_view 
 
 void tell_known(const KnownDefects& known, const Law& law, const cases::Case& c, Check& check) {
   if (check.violations.empty() || known.list.entries.empty()) return;
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
   if (!clip) return;
   std::set<std::string> ids;
   const auto is_new = [&](const Violation& violation) {

@@ -149,7 +149,7 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
                                   backends::Backend& backend, std::uint64_t seed,
                                   const std::vector<std::string>& laws, unsigned jobs,
                                   const KnownDefects* known) {
-  Result<cases::Case> clip = oracle::to_clip_case(scene, scene.name);
+  Result<cases::ClipCase> clip = oracle::to_clip_case(scene, scene.name);
   if (!clip) return tl::unexpected(clip.error());
   SceneFindings result;
   result.source = *std::move(clip);
@@ -182,19 +182,13 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
 
   for (const Law* law : scene_laws(laws)) {
     const bool is_coverage = law->id == kCoverageLaw;
-    const records::RecordKey key{std::string(law->id), specification,
-                                 records::AttributeKind::coverage, numbered.stratum};
     const SceneReader::Few& few = reader.of(law->id);
-    records::add(result.findings.records, key,
-                 is_coverage ? coverage_part(judged.judgement) : judged.judgement);
-    records::Record& record = result.findings.records[key];
-    ++record.cases.checked;
-    if (!few.violations.empty()) {
-      ++record.cases.violations;
-    } else if (!few.known.empty()) {
-      ++record.cases.known;
-      for (const std::string& id : few.known) ++record.known[id];
-    }
+    Check check;
+    check.judgement = is_coverage ? coverage_part(judged.judgement) : judged.judgement;
+    check.violations = few.violations;
+    check.violation_count = few.violations.size() + few.known.size();
+    if (few.violations.empty()) check.known.assign(few.known.begin(), few.known.end());
+    account(*law, specification, backend, numbered, check, result.findings);
     keep_violations(*law, specification, backend, seed, numbered, few.violations, result.findings,
                     known);
   }

@@ -16,7 +16,7 @@ cases::Case make(Draw& draw) {
   StateRequest request;
   request.most_side = 40;  // many of these fill the whole of it, twice over
   const CameraCase made = camera_case(draw, request);
-  const Result<cases::Case> clip = oracle::to_clip_case(made.source, "");
+  const Result<cases::ClipCase> clip = oracle::to_clip_case(made.source, "");
   assert(clip.has_value());
   return *clip;
 }

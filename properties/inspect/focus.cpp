@@ -75,7 +75,7 @@ class Search {
 
 Result<Focus> find_focus(const cases::Case& c, backends::Backend& backend,
                          const FocusRequest& request) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
   const Result<backends::Drawn> drawn = draw(*clip, backend);

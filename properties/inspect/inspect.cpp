@@ -299,7 +299,7 @@ Result<Inspection> inspect(const cases::Case& c, backends::Backend& backend, con
   if (const Result<void> is_there = check_focus(c, focus, options); !is_there) {
     return tl::unexpected(is_there.error());
   }
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   clip->depth_test = cases::DepthTest::none;
   const Result<backends::Drawn> drawn = draw(*clip, backend);

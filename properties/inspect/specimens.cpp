@@ -46,7 +46,7 @@ bool draws_cases_as_they_stand(std::string_view law) {
 
 /// A case as it is drawn, the triangle in question alone if it is a large one.
 std::optional<CasePart> drawn_part(const cases::Case& c, std::uint32_t triangle) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
   if (!clip) return std::nullopt;
   clip->depth_test = cases::DepthTest::none;
   return part_of(*std::move(clip), triangle);

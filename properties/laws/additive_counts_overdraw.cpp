@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/picture_cases.h"
@@ -143,15 +142,13 @@ class OverdrawCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  if (backend.picture_drawer() == nullptr || clip->triangles.size() > kMostTriangles)
+  if (backend.picture_drawer() == nullptr || clip.triangles.size() > kMostTriangles)
     return not_applicable();
-  const bool keeps_constants = backend.contract(*clip).keeps_constants;
-  const bool is_flat = !keeps_constants || fingerprint(*clip) % 2 == 0;
-  const cases::Case counting = counting_case(*clip, is_flat);
+  const bool keeps_constants = backend.contract(clip).keeps_constants;
+  const bool is_flat = !keeps_constants || fingerprint(clip) % 2 == 0;
+  const cases::Case counting = counting_case(clip, is_flat);
   const Result<cases::Picture> picture = draw_picture(counting, backend, counting_pipeline());
   if (!picture) return tl::unexpected(picture.error());
   return OverdrawCheck(counting, backend.contract(counting), *picture).run();

@@ -116,7 +116,7 @@ class AffineErrorCheck {
   Verdicts perspective_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
     if (drawn.contract.claims != cases::Claim::affine) return not_applicable();

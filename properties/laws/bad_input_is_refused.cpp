@@ -31,7 +31,6 @@
 #include <string_view>
 #include <utility>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
@@ -207,22 +206,21 @@ class RefusalCheck {
   Check check_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  clip->depth_test = cases::DepthTest::none;
+  cases::ClipCase clip = c;
+  clip.depth_test = cases::DepthTest::none;
   backends::PictureDrawer* const drawer = backend.picture_drawer();
-  if (drawer == nullptr || clip->triangles.empty()) return not_applicable();
-  const cases::Pipeline pipeline = adding_pipeline(*clip);
-  const Result<cases::Picture> before = draw_picture(*clip, backend, pipeline);
+  if (drawer == nullptr || clip.triangles.empty()) return not_applicable();
+  const cases::Pipeline pipeline = adding_pipeline(clip);
+  const Result<cases::Picture> before = draw_picture(clip, backend, pipeline);
   if (!before) return tl::unexpected(before.error());
 
-  Choices choices(fingerprint(*clip));
+  Choices choices(fingerprint(clip));
   const Fault& fault = choices.pick(kFaults);
-  cases::Case bad = *clip;
+  cases::Case bad = clip;
   fault.make(bad, choices);
-  RefusalCheck refusal(*clip, fault);
+  RefusalCheck refusal(clip, fault);
   // Not by properties::draw(), which takes cases to be valid.
   const Result<backends::Drawn> drawn = backend.draw(bad);
   refusal.see(!drawn, drawn ? drawn->fragments.size() : 0, "drawn as fragments");

@@ -323,7 +323,7 @@ Result<Check> check_forms(const Forms& forms, backends::Backend& backend) {
   Check check;
   check.judgement.errors[AttributeKind::coverage];
   for (const cases::Case& camera : forms.cameras) {
-    const Result<cases::Case> clip = oracle::to_clip_case(camera, "");
+    const Result<cases::ClipCase> clip = oracle::to_clip_case(camera, "");
     if (!clip) return tl::unexpected(clip.error());
     if (clip->positions != forms.clip.positions) {
       check.fault = "the harness makes other clip positions of other distributions of matrices";
@@ -480,7 +480,7 @@ const LawRegistration kRegistration(
      .exceptions = "cases without a camera, or whose clip positions are rounded; values of clipped "
                    "triangles that come from snapped vertices",
      .generate = &generate,
-     .check = &check,
+     .check_given = &check,
      .covers = {cover(15, "clipped"), cover(14, "several samples"), cover_decided(12, "snapped"),
                 cover(15, "w <= 0")}});
 

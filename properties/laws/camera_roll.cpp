@@ -60,7 +60,7 @@ Matrix4 rolled(const Matrix4& projection, const QuarterTurn& turn) {
 Result<std::vector<cases::ClipVertex>> positions_of(const cases::Case& c,
                                                     backends::Backend& backend) {
   if (backend.vertex_stage() != nullptr) return transform(c, backend);
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
+  const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
   return clip->positions;
 }
@@ -270,7 +270,7 @@ const LawRegistration kRegistration(
                "are turned by 90°.",
      .exceptions = "cases without a camera; what does not turn, as with a quarter turn",
      .generate = &generate,
-     .check = &check,
+     .check_given = &check,
      .covers = {cover(12, "clipped"), cover(6, "w <= 0"), cover(10, "several samples"),
                 cover(10, "snapped")}});
 

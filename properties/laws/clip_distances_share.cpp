@@ -23,7 +23,6 @@
 #include <string>
 #include <vector>
 
-#include "oracle/transform.h"
 #include "properties/generator.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
@@ -181,19 +180,18 @@ class SharingCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  clip->depth_test = cases::DepthTest::none;
-  if (clip->clip_distance_count == 0) return not_applicable("the case has no clip distances");
-  SharingCheck sharing(*clip);
-  for (std::size_t d = 0; d < clip->clip_distance_count; ++d) {
-    const cases::Case without = without_distance(*clip, d);
-    const cases::Case opposite = with_opposite(*clip, d);
+  cases::ClipCase clip = c;
+  clip.depth_test = cases::DepthTest::none;
+  if (clip.clip_distance_count == 0) return not_applicable("the case has no clip distances");
+  SharingCheck sharing(clip);
+  for (std::size_t d = 0; d < clip.clip_distance_count; ++d) {
+    const cases::Case without = without_distance(clip, d);
+    const cases::Case opposite = with_opposite(clip, d);
     Result<Drawing> whole = Drawing::make(without, backend);
     if (!whole) return tl::unexpected(whole.error());
-    Result<Drawing> kept = Drawing::make(*clip, backend);
+    Result<Drawing> kept = Drawing::make(clip, backend);
     if (!kept) return tl::unexpected(kept.error());
     Result<Drawing> rest = Drawing::make(opposite, backend);
     if (!rest) return tl::unexpected(rest.error());

@@ -30,7 +30,6 @@
 #include <string>
 #include <vector>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
@@ -207,11 +206,9 @@ bool is_on_plane(Verdicts& with_l, const cases::SamplePlace& place) {
   return l && l->lo == oracle::Rational(0);
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  Clipping clipping = clipping_of(*clip);
+  Clipping clipping = clipping_of(clip);
   cases::Contract exact;
   exact.tie_rule = cases::TieRule::unspecified;  // ties of either kind are not forbidden
   Verdicts with_l(clipping.with_l, exact);

@@ -140,7 +140,7 @@ class ConstantsCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
     return ConstantsCheck(clip, drawn.contract, drawn.fragments).run();

@@ -5,7 +5,8 @@
 namespace rastercheck::properties::coverage_obeys_the_contract_law {
 namespace {
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
+                    const CheckOptions& options) {
   return check_judged(c, backend, {.judges_values = false, .counts_coverage = true}, options);
 }
 

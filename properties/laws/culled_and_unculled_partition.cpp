@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <set>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/same_drawing.h"
@@ -76,12 +75,10 @@ void find_shared(const cases::Fragments& of_fronts, const cases::Fragments& of_b
   }
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   using cases::Cull;
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  const Drawings drawings(*clip, backend);
+  const Drawings drawings(clip, backend);
   const cases::Case& source = drawings.source();
   const Result<cases::Fragments> all = drawings.draw_with(Cull::none, false);
   if (!all) return tl::unexpected(all.error());

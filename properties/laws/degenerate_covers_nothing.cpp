@@ -31,7 +31,6 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
@@ -280,14 +279,13 @@ class DegenerateCheck {
   Check found_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  if (clip->triangles.empty()) return not_applicable();
-  if (backend.contract(*clip).coverage) clip->depth_test = cases::DepthTest::none;
-  const Mixed with = mixed(*clip);
-  const Result<backends::Drawn> before = draw(*clip, backend);
+  cases::ClipCase clip = c;
+  if (clip.triangles.empty()) return not_applicable();
+  if (backend.contract(clip).coverage) clip.depth_test = cases::DepthTest::none;
+  const Mixed with = mixed(clip);
+  const Result<backends::Drawn> before = draw(clip, backend);
   if (!before) return tl::unexpected(before.error());
   const Result<backends::Drawn> drawn = draw(with.source, backend);
   if (!drawn) return tl::unexpected(drawn.error());
@@ -295,12 +293,12 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend,
   const cases::Contract& contract = drawn->contract;
   DegenerateCheck degenerate(with, contract);
   Check check =
-      compare_drawings(*clip, before->fragments, degenerate.without_degenerate(drawn->fragments),
+      compare_drawings(clip, before->fragments, degenerate.without_degenerate(drawn->fragments),
                        "drawn with triangles without area between");
   merge(check, degenerate.found());
   for (const std::string& label : with.labels) add_label(check, label);
   if (contract.coverage) add_label(check, "snapped");
-  if (clip->cull != cases::Cull::none) add_label(check, "culling");
+  if (clip.cull != cases::Cull::none) add_label(check, "culling");
   return check;
 }
 

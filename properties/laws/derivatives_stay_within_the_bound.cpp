@@ -100,7 +100,7 @@ Check find(const cases::Case& c, const backends::Drawn& drawn) {
   return DerivativesCheck(c, drawn.contract, fragments).run();
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   return check_drawn(c, backend, &find);
 }

@@ -24,7 +24,6 @@
 #include <utility>
 
 #include "oracle/judged_number.h"
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/seen_triangles.h"
@@ -155,17 +154,16 @@ bool is_promised(backends::Backend& backend) {
   return backend.picture_drawer() != nullptr && backend.contract({}).quad_share.has_value();
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  if (!is_promised(backend) || clip->attributes.empty()) return not_applicable();
-  clip->depth_test = cases::DepthTest::none;
-  Choices choices(fingerprint(*clip));
+  cases::ClipCase clip = c;
+  if (!is_promised(backend) || clip.attributes.empty()) return not_applicable();
+  clip.depth_test = cases::DepthTest::none;
+  Choices choices(fingerprint(clip));
   const WindowAxis axis = choices.below(2) == 0 ? WindowAxis::x : WindowAxis::y;
-  const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline_of(axis));
+  const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline_of(axis));
   if (!picture) return tl::unexpected(picture.error());
-  return DifferencesCheck(*clip, backend.contract(*clip), axis, *picture).run();
+  return DifferencesCheck(clip, backend.contract(clip), axis, *picture).run();
 }
 
 /// Any case with an attribute at least, often clipped to a few pixels, beyond which helpers lie.

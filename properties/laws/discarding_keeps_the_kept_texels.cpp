@@ -21,7 +21,6 @@
 #include <string>
 
 #include "oracle/texture_truth.h"
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/picture_cases.h"
 #include "properties/laws/internal/picture_model.h"
@@ -186,18 +185,17 @@ class DiscardCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  if (backend.picture_drawer() == nullptr || clip->attributes.size() < 2) return not_applicable();
-  clip->depth_test = cases::DepthTest::none;
-  const cases::Pipeline pipeline = pipeline_of(*clip);
-  const Result<backends::Drawn> fragments = draw(*clip, backend);
+  cases::ClipCase clip = c;
+  if (backend.picture_drawer() == nullptr || clip.attributes.size() < 2) return not_applicable();
+  clip.depth_test = cases::DepthTest::none;
+  const cases::Pipeline pipeline = pipeline_of(clip);
+  const Result<backends::Drawn> fragments = draw(clip, backend);
   if (!fragments) return tl::unexpected(fragments.error());
-  const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
+  const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());
-  return DiscardCheck(*clip, fragments->contract, pipeline, fragments->fragments, *picture).run();
+  return DiscardCheck(clip, fragments->contract, pipeline, fragments->fragments, *picture).run();
 }
 
 /// Triangles over triangles, some of which show others through their texels.

@@ -18,7 +18,6 @@
 #include <string>
 #include <utility>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/picture_cases.h"
 #include "properties/laws/internal/pipelines.h"
@@ -119,21 +118,19 @@ void compare(const cases::Case& c, const Drawing& expected, const Drawing& drawn
   merge(check, compare_pictures(c, *expected.picture, *drawn.picture, with));
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  const Result<Drawing> first = draw_all(*clip, backend);
+  const Result<Drawing> first = draw_all(clip, backend);
   if (!first) return tl::unexpected(first.error());
-  const Result<Drawing> second = draw_all(*clip, backend);
+  const Result<Drawing> second = draw_all(clip, backend);
   if (!second) return tl::unexpected(second.error());
-  const Result<void> other = draw_other(*clip, backend);
+  const Result<void> other = draw_other(clip, backend);
   if (!other) return tl::unexpected(other.error());
-  const Result<Drawing> third = draw_all(*clip, backend);
+  const Result<Drawing> third = draw_all(clip, backend);
   if (!third) return tl::unexpected(third.error());
   Check check;
-  compare(*clip, *second, *first, "drawn the first time; the second time it was the other", check);
-  compare(*clip, *second, *third, "drawn after another case; before, it was the other", check);
+  compare(clip, *second, *first, "drawn the first time; the second time it was the other", check);
+  compare(clip, *second, *third, "drawn after another case; before, it was the other", check);
   return check;
 }
 

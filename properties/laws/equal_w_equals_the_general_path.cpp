@@ -40,7 +40,6 @@
 #include <span>
 #include <vector>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/close_drawings.h"
@@ -219,14 +218,15 @@ class PathsCheck {
   }
 
   void see_quotients(const cases::Fragments& equal, const cases::Fragments& general, Check& check) {
-    const FragmentMap places = fragments_by_place(equal);
-    for (std::size_t i = 0; i < general.size(); ++i) {
-      const cases::SamplePlace place = general.place_of(i);
-      const auto before = places.find(place);
-      if (before == places.end() || !is_of_case(pair_->equal, place)) continue;
-      see_quotient(place, equal.attributes_of(before->second)[*pair_->quotient_of],
-                   general.attributes_of(i), check);
-    }
+    const auto leave_out = [](const auto&... /*of_one*/) {};
+    visit_places(
+        equal, general,
+        [&](const cases::SamplePlace& place, std::size_t of_equal, std::size_t of_general) {
+          if (!is_of_case(pair_->equal, place)) return;
+          see_quotient(place, equal.attributes_of(of_equal)[*pair_->quotient_of],
+                       general.attributes_of(of_general), check);
+        },
+        leave_out, leave_out);
   }
 
   /// The bounds A, B, C of a triangle, and max|r_i|.
@@ -285,11 +285,9 @@ class PathsCheck {
   std::uint32_t triangle_ = std::numeric_limits<std::uint32_t>::max();
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  const Pair pair = pair_of(*clip);
+  const Pair pair = pair_of(clip);
   const Result<backends::Drawn> equal = draw(pair.equal, backend);
   if (!equal) return tl::unexpected(equal.error());
   const Result<backends::Drawn> general = draw(pair.general, backend);

@@ -20,7 +20,6 @@
 #include <cmath>
 
 #include "oracle/texture_truth.h"
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/seen_triangles.h"
 #include "properties/laws/internal/tally.h"
@@ -155,15 +154,13 @@ bool is_promised(backends::Backend& backend) {
   return backend.picture_drawer() != nullptr && backend.contract({}).texture_bounds.has_value();
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  if (!is_promised(backend) || clip->attributes.size() < 2) return not_applicable();
-  const cases::Pipeline pipeline = pipeline_of(*clip);
-  const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
+  if (!is_promised(backend) || clip.attributes.size() < 2) return not_applicable();
+  const cases::Pipeline pipeline = pipeline_of(clip);
+  const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());
-  return FilterCheck(*clip, backend.contract(*clip), *pipeline.texturing, *picture).run();
+  return FilterCheck(clip, backend.contract(clip), *pipeline.texturing, *picture).run();
 }
 
 const LawRegistration kRegistration(

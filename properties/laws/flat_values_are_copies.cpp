@@ -68,7 +68,7 @@ class FlatCheck {
   ValueFindings findings_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
     return FlatCheck(clip, drawn.contract, drawn.fragments).run();

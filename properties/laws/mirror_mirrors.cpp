@@ -37,7 +37,6 @@
 #include <string_view>
 #include <utility>
 
-#include "oracle/transform.h"
 #include "properties/exact_sum.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/changed_drawing.h"
@@ -201,26 +200,26 @@ std::string_view name_of(const Mirror& mirror) {
   return mirror.is_in_x ? "left and right mirrored" : "up and down mirrored";
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  if (clip->framebuffer.samples > 1) move_centroids_to_samples(*clip);
-  const std::optional<Mirror> mirror = mirror_of(*clip);
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
+                    const CheckOptions& options) {
+  cases::ClipCase clip = c;
+  if (clip.framebuffer.samples > 1) move_centroids_to_samples(clip);
+  const std::optional<Mirror> mirror = mirror_of(clip);
   if (!mirror) return not_applicable();
-  const std::optional<cases::Case> changed = mirrored_case(*clip, *mirror);
+  const std::optional<cases::Case> changed = mirrored_case(clip, *mirror);
   if (!changed) return not_applicable();
-  const auto contract = mirrored_back(*clip, backend.contract(*changed), *mirror);
+  const auto contract = mirrored_back(clip, backend.contract(*changed), *mirror);
   if (!contract) return not_applicable("the contract is not the same in a mirror");
 
-  const Result<backends::Drawn> before = draw(*clip, backend);
+  const Result<backends::Drawn> before = draw(clip, backend);
   if (!before) return tl::unexpected(before.error());
   const Result<backends::Drawn> drawn = draw(*changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  Check check = judge_changed(*clip, *contract, before->fragments,
-                              mirrored_back(*clip, drawn->fragments, *mirror), options);
+  Check check = judge_changed(clip, *contract, before->fragments,
+                              mirrored_back(clip, drawn->fragments, *mirror), options);
   add_to_notes(check, "drawn with " + std::string(name_of(*mirror)));
   add_label(check, name_of(*mirror));
-  if (clip->cull != cases::Cull::none && mirror->turns_faces()) {
+  if (clip.cull != cases::Cull::none && mirror->turns_faces()) {
     add_label(check, "faces turned round");
   }
   return check;

@@ -19,7 +19,6 @@
 #include <set>
 #include <string>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/picture_cases.h"
@@ -123,17 +122,16 @@ class NearestCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  clip->depth_test = cases::DepthTest::none;
-  const Result<backends::Drawn> all = draw(*clip, backend);
+  cases::ClipCase clip = c;
+  clip.depth_test = cases::DepthTest::none;
+  const Result<backends::Drawn> all = draw(clip, backend);
   if (!all) return tl::unexpected(all.error());
-  clip->depth_test = cases::DepthTest::less;
-  const Result<backends::Drawn> tested = draw(*clip, backend);
+  clip.depth_test = cases::DepthTest::less;
+  const Result<backends::Drawn> tested = draw(clip, backend);
   if (!tested) return tl::unexpected(tested.error());
-  return NearestCheck(*clip, all->fragments).run(tested->fragments);
+  return NearestCheck(clip, all->fragments).run(tested->fragments);
 }
 
 // --- the law's own cases: triangles drawn once more, as they are or moved in depth --------------

@@ -212,7 +212,7 @@ const LawRegistration kRegistration(
                "tangents, and needs no division.",
      .exceptions = "cases without a camera; backends that transform no normals",
      .generate = &generate,
-     .check = &check,
+     .check_given = &check,
      .is_promised = &is_promised,
      .unpromised = "the backend has no vertex stage, or its contract bounds no normals",
      .covers = {cover(14, "mirrored"), cover(22, "no direction"), cover(13, "singular")}});

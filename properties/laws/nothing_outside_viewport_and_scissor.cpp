@@ -27,7 +27,6 @@
 
 #include "cases/names.h"
 #include "cases/sample_pattern.h"
-#include "oracle/transform.h"
 #include "properties/exact_sum.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/choices.h"
@@ -192,17 +191,15 @@ cases::Pipeline pipeline_without_test(const cases::Case& c) {
   return pipeline;
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  OutsideCheck all(*clip);
-  const Result<backends::Drawn> drawn = draw(*clip, backend);
+  OutsideCheck all(clip);
+  const Result<backends::Drawn> drawn = draw(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   all.see(drawn->fragments);
   if (backend.picture_drawer() != nullptr) {
-    const cases::Pipeline pipeline = pipeline_without_test(*clip);
-    const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
+    const cases::Pipeline pipeline = pipeline_without_test(clip);
+    const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
     if (!picture) return tl::unexpected(picture.error());
     all.see(*picture, pipeline.clear_depth);
   }

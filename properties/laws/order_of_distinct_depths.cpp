@@ -19,7 +19,6 @@
 #include <string>
 #include <utility>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/sample_place.h"
@@ -115,26 +114,25 @@ class OrderCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  if (clip->triangles.size() < 2) return not_applicable();
-  clip->depth_test = cases::DepthTest::none;
-  const Result<backends::Drawn> all = draw(*clip, backend);
+  cases::ClipCase clip = c;
+  if (clip.triangles.size() < 2) return not_applicable();
+  clip.depth_test = cases::DepthTest::none;
+  const Result<backends::Drawn> all = draw(clip, backend);
   if (!all) return tl::unexpected(all.error());
-  clip->depth_test = cases::DepthTest::less;
-  const Result<backends::Drawn> forward = draw(*clip, backend);
+  clip.depth_test = cases::DepthTest::less;
+  const Result<backends::Drawn> forward = draw(clip, backend);
   if (!forward) return tl::unexpected(forward.error());
-  cases::Case reversed = *clip;
+  cases::Case reversed = clip;
   std::reverse(reversed.triangles.begin(), reversed.triangles.end());
   Result<backends::Drawn> backward = draw(reversed, backend);
   if (!backward) return tl::unexpected(backward.error());
-  const auto count = static_cast<std::uint32_t>(clip->triangles.size());
+  const auto count = static_cast<std::uint32_t>(clip.triangles.size());
   for (std::uint32_t& triangle : backward->fragments.triangle) {
     if (triangle < count) triangle = count - 1 - triangle;
   }
-  return OrderCheck(*clip, forward->fragments, backward->fragments).run(all->fragments);
+  return OrderCheck(clip, forward->fragments, backward->fragments).run(all->fragments);
 }
 
 // --- the law's own cases: triangles that meet each other ----------------------------------------

@@ -20,7 +20,6 @@
 
 #include "cases/exact_contract.h"
 #include "oracle/stage_split.h"
-#include "oracle/transform.h"
 #include "oracle/triangle_truth.h"
 #include "oracle/ulp.h"
 #include "properties/camera_cases.h"
@@ -193,14 +192,13 @@ class SplitCheck {
   std::optional<Error> error_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  clip->depth_test = cases::DepthTest::none;
-  const Result<backends::Drawn> drawn = draw(*clip, backend);
+  cases::ClipCase clip = c;
+  clip.depth_test = cases::DepthTest::none;
+  const Result<backends::Drawn> drawn = draw(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  return SplitCheck(c, *clip, drawn->fragments, backend).run();
+  return SplitCheck(c.given(), clip, drawn->fragments, backend).run();
 }
 
 /// Any case, or, one in six, one that has a camera; in half of them with snapped vertices.

@@ -21,7 +21,6 @@
 #include <cstdint>
 #include <string>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/picture_cases.h"
@@ -96,18 +95,17 @@ class PictureCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
+  cases::ClipCase clip = c;
   if (backend.picture_drawer() == nullptr) return not_applicable();
-  clip->depth_test = cases::DepthTest::none;
-  const cases::Pipeline pipeline = pipeline_of(*clip);
-  const Result<backends::Drawn> fragments = draw(*clip, backend);
+  clip.depth_test = cases::DepthTest::none;
+  const cases::Pipeline pipeline = pipeline_of(clip);
+  const Result<backends::Drawn> fragments = draw(clip, backend);
   if (!fragments) return tl::unexpected(fragments.error());
-  const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
+  const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());
-  return PictureCheck(*clip, pipeline, fragments->fragments, *picture).run();
+  return PictureCheck(clip, pipeline, fragments->fragments, *picture).run();
 }
 
 const LawRegistration kRegistration(

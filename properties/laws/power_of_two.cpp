@@ -24,7 +24,6 @@
 #include <set>
 #include <string>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
@@ -134,11 +133,9 @@ Scaled scaled_case(const cases::Case& own) {
   return result;
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  const cases::Case own = with_own_vertices(*clip);
+  const cases::Case own = with_own_vertices(clip);
   const Scaled changed = scaled_case(own);
   if (!changed.is_changed) return not_applicable();
   const Result<backends::Drawn> before = draw(own, backend);

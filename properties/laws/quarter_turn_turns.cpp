@@ -21,7 +21,6 @@
 //
 // Cases whose turned viewport is no float32 are left out: H − y0 − h is exact or not taken.
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/quarter_turn.h"
 #include "properties/laws/internal/tally.h"
@@ -30,23 +29,23 @@
 namespace rastercheck::properties::quarter_turn_turns_law {
 namespace {
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  move_centroids_to_samples(*clip);
-  const std::optional<QuarterTurn> turn = quarter_turn_of(*clip);
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
+                    const CheckOptions& options) {
+  cases::ClipCase clip = c;
+  move_centroids_to_samples(clip);
+  const std::optional<QuarterTurn> turn = quarter_turn_of(clip);
   if (!turn) return not_applicable();
-  cases::Case changed = turned_window(*clip, *turn);
+  cases::Case changed = turned_window(clip, *turn);
   for (cases::ClipVertex& p : changed.positions) p = turned(p, *turn);
-  const auto contract = turned_back(*clip, backend.contract(changed));
+  const auto contract = turned_back(clip, backend.contract(changed));
   if (!contract) return not_applicable("the contract does not turn with the case");
 
   const Result<backends::Drawn> drawn = draw(changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check check =
-      judge_drawn(*clip, *contract, turned_back(*clip, drawn->fragments, *turn), {}, options);
+      judge_drawn(clip, *contract, turned_back(clip, drawn->fragments, *turn), {}, options);
   add_to_notes(check,
-               [&](const records::Violation& violation) { return turned_note(*clip, violation); });
+               [&](const records::Violation& violation) { return turned_note(clip, violation); });
   return check;
 }
 

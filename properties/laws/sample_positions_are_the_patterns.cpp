@@ -187,7 +187,7 @@ class PatternCheck {
   ValueFindings findings_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
     return PatternCheck(clip, drawn.contract, drawn.fragments).run();

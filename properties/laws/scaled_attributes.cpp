@@ -37,7 +37,6 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/transform.h"
 #include "properties/exact_sum.h"
 #include "properties/float_numbers.h"
 #include "properties/judged_law.h"
@@ -138,35 +137,38 @@ class AffinityCheck {
         maps_(std::move(maps)),
         before_(&before),
         drawn_(&drawn),
-        places_(fragments_by_place(before)),
         verdicts_(c, contract),
         tally_(c) {}
 
   Check run() {
-    std::set<cases::SamplePlace> seen;
-    std::vector<std::size_t> same;
-    for (std::size_t i = 0; i < drawn_->size(); ++i) {
-      const cases::SamplePlace place = drawn_->place_of(i);
-      if (!places_.contains(place) || !seen.insert(place).second) {
-        tally_.report(
-            violation_at(place, FragmentClass::extra, "forbidden: it was not drawn", kNote));
-      } else if (is_of_case(*case_, place)) {
-        same.push_back(i);
-        tally_.see(place.triangle);
-      }
-    }
-    for (const auto& [place, index] : places_) {
-      if (seen.contains(place)) continue;
-      tally_.report(violation_at(place, FragmentClass::missing, "required: it was drawn", kNote));
-    }
+    std::vector<Pair> same;
+    visit_places(
+        *before_, *drawn_,
+        [&](const cases::SamplePlace& place, std::size_t was, std::size_t now) {
+          if (!is_of_case(*case_, place)) return;
+          same.push_back({was, now});
+          tally_.see(place.triangle);
+        },
+        [&](const cases::SamplePlace& place, std::size_t /*now*/, const char* exact) {
+          tally_.report(violation_at(place, FragmentClass::extra, exact, kNote));
+        },
+        [&](const cases::SamplePlace& place) {
+          tally_.report(violation_at(place, FragmentClass::missing, kDrawnBefore, kNote));
+        });
     tally_.counts().required = before_->size();
-    for (const std::size_t i : same) compare(i);
-    for (const std::size_t i : some_of(same, kMostAsked)) ask(i);
+    for (const Pair& pair : same) compare(pair);
+    for (const Pair& pair : some_of(same, kMostAsked)) ask(pair);
     return tally_.finish();
   }
 
  private:
   static constexpr const char* kNote = "with other attribute values";
+
+  /// Fragments of the two drawings, in the same place.
+  struct Pair {
+    std::size_t before = 0;
+    std::size_t now = 0;
+  };
 
   const cases::Triangle& triangle_at(const cases::SamplePlace& place) const {
     return case_->triangles[place.triangle];
@@ -209,9 +211,9 @@ class AffinityCheck {
   }
 
   /// All that needs no oracle.
-  void compare(std::size_t i) {
+  void compare(const Pair& pair) {
+    const auto [was, i] = pair;
     const cases::SamplePlace place = drawn_->place_of(i);
-    const std::size_t was = places_.at(place);
     bool is_right = true;
     if (!is_same(before_->depth[was], drawn_->depth[i])) {
       is_right = false;
@@ -244,11 +246,11 @@ class AffinityCheck {
   }
 
   /// What the oracle has to say.
-  void ask(std::size_t i) {
-    const cases::SamplePlace place = drawn_->place_of(i);
+  void ask(const Pair& pair) {
+    const cases::SamplePlace place = drawn_->place_of(pair.now);
     for (std::uint32_t a = 0; a < maps_.size(); ++a) {
       const bool is_flat = case_->attributes[a].interpolation == cases::Interpolation::flat;
-      const float f = before_->attributes_of(places_.at(place))[a];
+      const float f = before_->attributes_of(pair.before)[a];
       if (is_flat || is_simple(a) || is_free(place, a) || maps_[a].is_identity()) continue;
       if (!std::isfinite(f) || (maps_[a].beta == 0 && has_bits(place, a))) continue;
       if (maps_[a].beta != 0 && bound_of(a).range_share > 0) continue;
@@ -269,7 +271,7 @@ class AffinityCheck {
           std::max({magnitude(place, a, {}), std::abs(lo), std::abs(hi)}),
           std::max({magnitude(place, a, map), std::abs(map.alpha * lo + map.beta),
                     std::abs(map.alpha * hi + map.beta)})};
-      expect_within(place, a, f, drawn_->attributes_of(i)[a],
+      expect_within(place, a, f, drawn_->attributes_of(pair.now)[a],
                     {lo, hi, bound->enclosure().hi, range->is_open}, greatest);
     }
   }
@@ -326,30 +328,27 @@ class AffinityCheck {
   std::vector<Affine> maps_;  ///< [attribute]
   const cases::Fragments* before_;
   const cases::Fragments* drawn_;
-  FragmentMap places_;
   Verdicts verdicts_;
   Tally tally_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  std::vector<Affine> maps = maps_of(*clip);
+  std::vector<Affine> maps = maps_of(clip);
   const bool is_changed =
       std::any_of(maps.begin(), maps.end(), [](const Affine& map) { return !map.is_identity(); });
   if (!is_changed) return not_applicable();
-  const cases::Case changed = changed_case(*clip, maps);
+  const cases::Case changed = changed_case(clip, maps);
   // Both drawings are held to one promise.
-  const cases::Contract contract = backend.contract(*clip);
+  const cases::Contract contract = backend.contract(clip);
   if (backend.contract(changed) != contract) {
     return not_applicable("the contract promises something else of the changed case");
   }
-  const Result<backends::Drawn> before = draw(*clip, backend);
+  const Result<backends::Drawn> before = draw(clip, backend);
   if (!before) return tl::unexpected(before.error());
   const Result<backends::Drawn> drawn = draw(changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  return AffinityCheck(*clip, contract, std::move(maps), before->fragments, drawn->fragments).run();
+  return AffinityCheck(clip, contract, std::move(maps), before->fragments, drawn->fragments).run();
 }
 
 /// Every case has an attribute; most of them have values of few bits, which can be moved.

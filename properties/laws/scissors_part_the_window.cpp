@@ -17,7 +17,6 @@
 #include <string>
 #include <utility>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/tally.h"
@@ -133,18 +132,17 @@ class PartingCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  const Parting parting = parting_of(*clip);
-  clip->scissor = parting.whole;
-  const Result<backends::Drawn> whole = draw(*clip, backend);
+  cases::ClipCase clip = c;
+  const Parting parting = parting_of(clip);
+  clip.scissor = parting.whole;
+  const Result<backends::Drawn> whole = draw(clip, backend);
   if (!whole) return tl::unexpected(whole.error());
-  PartingCheck all(*clip, parting, whole->fragments);
+  PartingCheck all(clip, parting, whole->fragments);
   for (const cases::Scissor& part : parting.parts) {
-    clip->scissor = part;
-    const Result<backends::Drawn> drawn = draw(*clip, backend);
+    clip.scissor = part;
+    const Result<backends::Drawn> drawn = draw(clip, backend);
     if (!drawn) return tl::unexpected(drawn.error());
     all.see(part, drawn->fragments);
   }

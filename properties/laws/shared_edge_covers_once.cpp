@@ -30,7 +30,6 @@
 #include <set>
 #include <utility>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/tally.h"
@@ -220,14 +219,13 @@ class SharedEdgeCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  clip->depth_test = cases::DepthTest::none;
-  const Result<backends::Drawn> drawn = draw(*clip, backend);
+  cases::ClipCase clip = c;
+  clip.depth_test = cases::DepthTest::none;
+  const Result<backends::Drawn> drawn = draw(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  return SharedEdgeCheck(*clip, drawn->contract, drawn->fragments).run();
+  return SharedEdgeCheck(clip, drawn->contract, drawn->fragments).run();
 }
 
 // --- the law's own cases: quadrilaterals, strips, meshes and fans -------------------------------

@@ -23,7 +23,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "oracle/transform.h"
 #include "properties/laws/internal/choices.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/parted_triangles.h"
@@ -87,11 +86,9 @@ Parted parted(const cases::Case& c) {
   return result;
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  return check_parted(parted(*clip), backend);
+  return check_parted(parted(clip), backend);
 }
 
 const LawRegistration kRegistration(

@@ -21,7 +21,6 @@
 #include <string>
 #include <utility>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/tally.h"
 #include "properties/random_state.h"
@@ -155,25 +154,25 @@ std::string note_of(const cases::Case& expanded, const Indexed& indexed,
          fmt::format(", its triangle {} of vertices {}, {}, {}", violation.place.triangle, a, b, c);
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
-  Result<cases::Case> expanded = oracle::to_clip_case(c, "");
-  if (!expanded) return tl::unexpected(expanded.error());
-  const Indexed indexed = indices_of(*expanded);
-  expanded->triangles = triangles_of(c.rules, indexed);
-  if (backend.assembler() == nullptr || expanded->triangles.empty()) return not_applicable();
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
+                    const CheckOptions& options) {
+  cases::ClipCase expanded = c;
+  const Indexed indexed = indices_of(expanded);
+  expanded.triangles = triangles_of(c.rules, indexed);
+  if (backend.assembler() == nullptr || expanded.triangles.empty()) return not_applicable();
   const Result<cases::Fragments> drawn =
-      draw_assembled(*expanded, indexed.topology, indexed.indices, backend);
+      draw_assembled(expanded, indexed.topology, indexed.indices, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  Check judged = judge_drawn(*expanded, backend.contract(*expanded), *drawn, {}, options);
+  Check judged = judge_drawn(expanded, backend.contract(expanded), *drawn, {}, options);
   add_to_notes(judged, [&](const records::Violation& violation) {
-    return note_of(*expanded, indexed, violation);
+    return note_of(expanded, indexed, violation);
   });
   add_label(judged, word(indexed.topology));
   if (std::find(indexed.indices.begin(), indexed.indices.end(), cases::kRestart) !=
       indexed.indices.end()) {
     add_label(judged, "restart");
   }
-  if (expanded->cull != cases::Cull::none) add_label(judged, "culled");
+  if (expanded.cull != cases::Cull::none) add_label(judged, "culled");
   return judged;
 }
 

@@ -21,7 +21,6 @@
 #include <string_view>
 
 #include "oracle/texture_truth.h"
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/picture_cases.h"
 #include "properties/laws/internal/seen_triangles.h"
@@ -135,15 +134,13 @@ class TexelCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  if (backend.picture_drawer() == nullptr || clip->attributes.size() < 2) return not_applicable();
-  const cases::Pipeline pipeline = pipeline_of(*clip);
-  const Result<cases::Picture> picture = draw_picture(*clip, backend, pipeline);
+  if (backend.picture_drawer() == nullptr || clip.attributes.size() < 2) return not_applicable();
+  const cases::Pipeline pipeline = pipeline_of(clip);
+  const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());
-  return TexelCheck(*clip, backend.contract(*clip), *pipeline.texturing, *picture).run();
+  return TexelCheck(clip, backend.contract(clip), *pipeline.texturing, *picture).run();
 }
 
 const LawRegistration kRegistration(

@@ -19,7 +19,6 @@
 #include <tuple>
 #include <utility>
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/tally.h"
@@ -221,15 +220,14 @@ class TraceCheck {
   std::optional<Error> error_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
+  cases::ClipCase clip = c;
   if (backend.tracer() == nullptr) return not_applicable();
-  clip->depth_test = cases::DepthTest::none;
-  const Result<backends::Drawn> drawn = draw(*clip, backend);
+  clip.depth_test = cases::DepthTest::none;
+  const Result<backends::Drawn> drawn = draw(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  return TraceCheck(*clip, backend, drawn->fragments).run();
+  return TraceCheck(clip, backend, drawn->fragments).run();
 }
 
 bool is_promised(backends::Backend& backend) { return backend.tracer() != nullptr; }

@@ -43,7 +43,6 @@
 #include <vector>
 
 #include "cases/sample_pattern.h"
-#include "oracle/transform.h"
 #include "properties/exact_sum.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
@@ -352,26 +351,25 @@ class CoveredOnce {
   Tally tally_;
 };
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  clip->depth_test = cases::DepthTest::none;
-  clip->cull = cases::Cull::none;
-  clip->attributes.clear();
-  clip->attribute_values.clear();
-  const cases::Contract contract = backend.contract(*clip);
-  Verdicts verdicts(*clip, contract);
-  const auto planes = half_planes_of(*clip);
-  const auto screen = planes ? Screen::of(*clip, *planes) : std::nullopt;
-  if (!screen || !is_triangulation(*clip, contract, verdicts)) {
+  cases::ClipCase clip = c;
+  clip.depth_test = cases::DepthTest::none;
+  clip.cull = cases::Cull::none;
+  clip.attributes.clear();
+  clip.attribute_values.clear();
+  const cases::Contract contract = backend.contract(clip);
+  Verdicts verdicts(clip, contract);
+  const auto planes = half_planes_of(clip);
+  const auto screen = planes ? Screen::of(clip, *planes) : std::nullopt;
+  if (!screen || !is_triangulation(clip, contract, verdicts)) {
     return not_applicable();
   }
-  const Result<backends::Drawn> drawn = draw(*clip, backend);
+  const Result<backends::Drawn> drawn = draw(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  Check found = CoveredOnce(*clip, contract, *screen, verdicts).run(drawn->fragments);
+  Check found = CoveredOnce(clip, contract, *screen, verdicts).run(drawn->fragments);
   if (!planes->empty()) add_label(found, "half of the screen");
-  if (clip->clip_distance_count > 0) add_label(found, "clip distances");
+  if (clip.clip_distance_count > 0) add_label(found, "clip distances");
   if (contract.coverage) add_label(found, "snapped");
   return found;
 }

@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "backends/factory.h"
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/picture_cases.h"
@@ -57,36 +56,34 @@ void add_labels(const cases::Case& c, const cases::Fragments& drawn, Check& chec
 
 bool is_promised(backends::Backend& backend) { return !backend.about().same_as.empty(); }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
   const std::vector<std::string> all = backend.about().same_as;
   if (all.empty()) return not_applicable();
-  const Result<backends::Drawn> own = draw(*clip, backend);
+  const Result<backends::Drawn> own = draw(clip, backend);
   if (!own) return tl::unexpected(own.error());
-  const cases::Pipeline pipeline = pipeline_of(*clip);
+  const cases::Pipeline pipeline = pipeline_of(clip);
   std::optional<cases::Picture> picture;
   if (backend.picture_drawer() != nullptr) {
-    const Result<cases::Picture> drawn = draw_picture(*clip, backend, pipeline);
+    const Result<cases::Picture> drawn = draw_picture(clip, backend, pipeline);
     if (!drawn) return tl::unexpected(drawn.error());
     picture = *drawn;
   }
   Check check;
-  for (const std::string& specification : some_of(all, *clip)) {
+  for (const std::string& specification : some_of(all, clip)) {
     const auto variant = backends::make_backend(specification);
     if (!variant) return tl::unexpected(variant.error());
     (*variant)->hold_to(backend.terms());
-    const Result<backends::Drawn> drawn = draw(*clip, **variant);
+    const Result<backends::Drawn> drawn = draw(clip, **variant);
     if (!drawn) return tl::unexpected(drawn.error());
     const std::string note = specification + " draws the other";
-    merge(check, compare_drawings(*clip, drawn->fragments, own->fragments, note));
+    merge(check, compare_drawings(clip, drawn->fragments, own->fragments, note));
     if (!picture || (*variant)->picture_drawer() == nullptr) continue;
-    const Result<cases::Picture> other = draw_picture(*clip, **variant, pipeline);
+    const Result<cases::Picture> other = draw_picture(clip, **variant, pipeline);
     if (!other) return tl::unexpected(other.error());
-    merge(check, compare_pictures(*clip, *other, *picture, note + "; " + text_of(pipeline)));
+    merge(check, compare_pictures(clip, *other, *picture, note + "; " + text_of(pipeline)));
   }
-  add_labels(*clip, own->fragments, check);
+  add_labels(clip, own->fragments, check);
   return check;
 }
 

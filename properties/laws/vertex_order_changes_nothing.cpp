@@ -10,7 +10,6 @@
 // Flat attributes come from the provoking vertex, which a rotation changes: all vertices are given
 // the same value of them. Leaving the attributes out instead would renumber the others.
 
-#include "oracle/transform.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/changed_drawing.h"
 #include "properties/laws/internal/tally.h"
@@ -30,22 +29,22 @@ void rotate(cases::Case& c) {
   for (cases::Triangle& triangle : c.triangles) triangle = {triangle[1], triangle[2], triangle[0]};
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
-  Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  even_out_flat_attributes(*clip);
-  const cases::Contract contract = backend.contract(*clip);
-  cases::Case rotated = *clip;
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
+                    const CheckOptions& options) {
+  cases::ClipCase clip = c;
+  even_out_flat_attributes(clip);
+  const cases::Contract contract = backend.contract(clip);
+  cases::Case rotated = clip;
   rotate(rotated);
   const Result<backends::Drawn> second_first = draw(rotated, backend);
   if (!second_first) return tl::unexpected(second_first.error());
-  Check check = judge_drawn(*clip, contract, second_first->fragments, {}, options);
+  Check check = judge_drawn(clip, contract, second_first->fragments, {}, options);
   add_to_notes(check, "drawn in the order second, third, first vertex");
   rotate(rotated);
   const Result<backends::Drawn> third_first = draw(rotated, backend);
   if (!third_first) return tl::unexpected(third_first.error());
   Check changed =
-      judge_changed(*clip, contract, second_first->fragments, third_first->fragments, options);
+      judge_changed(clip, contract, second_first->fragments, third_first->fragments, options);
   add_to_notes(changed, "drawn in the order third, first, second vertex");
   merge(check, changed);
   return check;

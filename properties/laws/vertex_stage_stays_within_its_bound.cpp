@@ -237,7 +237,7 @@ const LawRegistration kRegistration(
                "cancels may cost digits.",
      .exceptions = "cases without a camera; backends without a vertex stage",
      .generate = &generate,
-     .check = &check,
+     .check_given = &check,
      .is_promised = &is_promised,
      .unpromised = "the backend has no vertex stage, or its contract does not bound it",
      .covers = {cover(5, "cancellation"), cover(6, "subnormal"), cover(41, "w <= 0")}});

@@ -25,7 +25,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "oracle/transform.h"
 #include "properties/exact_sum.h"
 #include "properties/judged_law.h"
 #include "properties/laws/internal/changed_drawing.h"
@@ -111,11 +110,10 @@ std::string note_of(const Move& move) {
          " rows farther";
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
-  const Result<cases::Case> clip = oracle::to_clip_case(c, "");
-  if (!clip) return tl::unexpected(clip.error());
-  const Move move = move_of(*clip);
-  const std::optional<Moved> moved = moved_by(*clip, move);
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
+                    const CheckOptions& options) {
+  const Move move = move_of(clip);
+  const std::optional<Moved> moved = moved_by(clip, move);
   if (!moved) return not_applicable();
   const cases::Contract contract = backend.contract(moved->after);
   if (contract.coverage && !(keeps_even_points(*contract.coverage, move.du) &&

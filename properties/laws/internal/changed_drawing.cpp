@@ -51,21 +51,21 @@ struct Difference {
 
 Difference difference_of(const cases::Case& c, const cases::Fragments& before,
                          const cases::Fragments& drawn) {
-  const FragmentMap places = fragments_by_place(before);
-  std::set<cases::SamplePlace> seen;
   Difference difference;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const cases::SamplePlace place = drawn.place_of(i);
-    if (is_of_case(c, place)) difference.triangles.insert(place.triangle);
-    const auto same = places.find(place);
-    if (same == places.end() || !seen.insert(place).second) {
-      difference.is_in_places = true;
-      difference.others.push_back(i);
-    } else if (!has_same_values(before, same->second, drawn, i)) {
-      difference.others.push_back(i);
-    }
+    if (is_of_case(c, drawn.place_of(i))) difference.triangles.insert(drawn.triangle[i]);
   }
-  difference.is_in_places = difference.is_in_places || seen.size() != before.size();
+  difference.is_in_places = before.size() != drawn.size();
+  visit_places(
+      before, drawn,
+      [&](const cases::SamplePlace& /*place*/, std::size_t was, std::size_t now) {
+        if (!has_same_values(before, was, drawn, now)) difference.others.push_back(now);
+      },
+      [&](const cases::SamplePlace& /*place*/, std::size_t now, const char* /*expected*/) {
+        difference.is_in_places = true;
+        difference.others.push_back(now);
+      },
+      [&](const cases::SamplePlace& /*place*/) { difference.is_in_places = true; });
   return difference;
 }
 

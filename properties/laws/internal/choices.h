@@ -30,9 +30,10 @@ class Choices {
 };
 
 /// At most `most` of these, evenly spread.
-inline std::vector<std::size_t> some_of(const std::vector<std::size_t>& all, std::size_t most) {
+template <typename T>
+std::vector<T> some_of(const std::vector<T>& all, std::size_t most) {
   if (all.size() <= most) return all;
-  std::vector<std::size_t> some;
+  std::vector<T> some;
   for (std::size_t k = 0; k < most; ++k) {
     // One of each of as many stretches, not always the same sample of a pixel.
     const std::size_t begin = k * all.size() / most;

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "properties/float_numbers.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/tally.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -27,33 +27,22 @@ class CloseCheck {
  public:
   CloseCheck(const cases::Case& c, const cases::Fragments& expected, const cases::Fragments& drawn,
              const Closeness& closeness)
-      : case_(&c), expected_(&expected), drawn_(&drawn), closeness_(&closeness) {
-    check_.judgement.errors[AttributeKind::coverage];
-  }
+      : case_(&c), expected_(&expected), drawn_(&drawn), closeness_(&closeness), tally_(c) {}
 
   Check run() {
-    const FragmentMap places = fragments_by_place(*expected_);
-    std::set<cases::SamplePlace> seen;
-    for (std::size_t i = 0; i < drawn_->size(); ++i) {
-      const cases::SamplePlace place = drawn_->place_of(i);
-      const auto before = places.find(place);
-      if (!seen.insert(place).second) {
-        see_difference(place, FragmentClass::extra, "forbidden: more than once");
-      } else if (before == places.end()) {
-        see_difference(place, FragmentClass::extra, "forbidden: it was not drawn");
-      } else {
-        see_both(place, before->second, i);
-      }
-    }
-    for (const auto& [place, index] : places) {
-      if (!seen.contains(place)) {
-        see_difference(place, FragmentClass::missing, "required: it was drawn");
-      }
-    }
-    if (!triangles_.empty()) labels_.emplace("drawn");
-    add_state_labels(*case_, triangles_, labels_);
-    check_.labels.assign(labels_.begin(), labels_.end());
-    return std::move(check_);
+    visit_places(
+        *expected_, *drawn_,
+        [&](const cases::SamplePlace& place, std::size_t before, std::size_t now) {
+          see_both(place, before, now);
+        },
+        [&](const cases::SamplePlace& place, std::size_t /*now*/, const char* exact) {
+          see_difference(place, FragmentClass::extra, exact);
+        },
+        [&](const cases::SamplePlace& place) {
+          see_difference(place, FragmentClass::missing, kDrawnBefore);
+        });
+    tally_.label_drawn();
+    return tally_.finish();
   }
 
  private:
@@ -61,18 +50,18 @@ class CloseCheck {
   void see_difference(const cases::SamplePlace& place, FragmentClass fragment_class,
                       const char* exact) {
     if (is_of_case(*case_, place) && closeness_->is_open(place)) {
-      ++check_.judgement.counts.permitted;
-      labels_.emplace("permitted");
+      ++tally_.counts().permitted;
+      tally_.label("permitted");
       return;
     }
-    report(check_, violation_at(place, fragment_class, exact, closeness_->note));
+    tally_.report(violation_at(place, fragment_class, exact, closeness_->note));
   }
 
   void see_both(const cases::SamplePlace& place, std::size_t before, std::size_t now) {
-    ++check_.judgement.counts.required;
-    ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+    ++tally_.counts().required;
+    tally_.pass(AttributeKind::coverage);
     if (!is_of_case(*case_, place)) return;
-    triangles_.insert(place.triangle);
+    tally_.see(place.triangle);
     see_value(place, std::nullopt, expected_->depth[before], drawn_->depth[now]);
     for (std::uint32_t a = 0; a < case_->attributes.size(); ++a) {
       see_value(place, a, expected_->attributes_of(before)[a], drawn_->attributes_of(now)[a]);
@@ -94,18 +83,16 @@ class CloseCheck {
     const double difference = std::abs(number_of(before) - number_of(now));
     if (difference <= most * kRounded) return;  // of NaN it is not
     if (closeness_->is_undefined(place, attribute)) return;
-    report(check_, violation_at(place, class_of_wrong(now, FragmentClass::beyond_bound),
-                                fmt::format("at most {:.3g} from {}", most, value_text(before)),
-                                closeness_->note, {kind_of(*case_, attribute), attribute, now}));
+    tally_.report(violation_at(place, class_of_wrong(now, FragmentClass::beyond_bound),
+                               fmt::format("at most {:.3g} from {}", most, value_text(before)),
+                               closeness_->note, {kind_of(*case_, attribute), attribute, now}));
   }
 
   const cases::Case* case_;
   const cases::Fragments* expected_;
   const cases::Fragments* drawn_;
   const Closeness* closeness_;
-  Check check_;
-  std::set<std::string> labels_;
-  std::set<std::uint32_t> triangles_;
+  Tally tally_;
   std::map<std::pair<std::uint32_t, std::optional<std::uint32_t>>, std::optional<Allowance>>
       allowed_;
 };

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "cases/case.h"
@@ -33,6 +34,40 @@ FragmentMap fragments_by_place(const cases::Fragments& drawn);
 records::Violation violation_at(const cases::SamplePlace& place,
                                 records::FragmentClass fragment_class, const std::string& exact,
                                 const std::string& note);
+
+/// What is expected where two drawings, the second held against the first, do not have a fragment
+/// each, for violation_at().
+inline constexpr const char* kNotDrawnBefore = "forbidden: it was not drawn";
+inline constexpr const char* kDrawnTwice = "forbidden: more than once";
+inline constexpr const char* kDrawnBefore = "required: it was drawn";
+
+/// Goes through the fragments of two drawings by their places, in any order of fragments. Calls
+///
+///   both(place, i, j)          where both have one: `before` its i-th, `now` its j-th
+///   extra(place, j, expected)  for one of `now` in a place that `before` has none in, or that
+///   `now`
+///                              has had before; `expected` is which of these
+///   missing(place)             for a place that `before` alone has one in, after all others
+template <typename Both, typename Extra, typename Missing>
+void visit_places(const cases::Fragments& before, const cases::Fragments& now, const Both& both,
+                  const Extra& extra, const Missing& missing) {
+  const FragmentMap places = fragments_by_place(before);
+  std::set<cases::SamplePlace> seen;
+  for (std::size_t j = 0; j < now.size(); ++j) {
+    const cases::SamplePlace place = now.place_of(j);
+    const auto found = places.find(place);
+    if (found == places.end()) {
+      extra(place, j, kNotDrawnBefore);
+    } else if (!seen.insert(place).second) {
+      extra(place, j, kDrawnTwice);
+    } else {
+      both(place, found->second, j);
+    }
+  }
+  for (const auto& [place, index] : places) {
+    if (!seen.contains(place)) missing(place);
+  }
+}
 
 /// A value that was drawn and should not have been.
 struct WrongValue {

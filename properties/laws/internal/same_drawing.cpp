@@ -1,13 +1,11 @@
 #include "properties/laws/internal/same_drawing.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "properties/judged_law.h"
 #include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/tally.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -33,26 +31,17 @@ bool are_alike(const Fragments& a, const Fragments& b) {
   return true;
 }
 
-/// The labels of what was drawn of these triangles.
-std::vector<std::string> labels_of(const cases::Case& c, const std::set<std::uint32_t>& triangles) {
-  std::set<std::string> labels;
-  if (!triangles.empty()) labels.emplace("drawn");
-  add_state_labels(c, triangles, labels);
-  return {labels.begin(), labels.end()};
-}
-
 /// What compare_drawings() says of two that are alike.
 Check alike(const cases::Case& c, const Fragments& drawn) {
-  Check check;
-  check.judgement.counts.required = drawn.size();
-  check.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct] = drawn.size();
-  std::set<std::uint32_t> triangles;
+  Tally tally(c);
+  tally.pass(AttributeKind::coverage, drawn.size());
+  tally.counts().required = drawn.size();
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const bool is_next = i == 0 || drawn.triangle[i] != drawn.triangle[i - 1];
-    if (is_next && is_of_case(c, drawn.place_of(i))) triangles.insert(drawn.triangle[i]);
+    if (is_next && is_of_case(c, drawn.place_of(i))) tally.see(drawn.triangle[i]);
   }
-  check.labels = labels_of(c, triangles);
-  return check;
+  tally.label_drawn();
+  return tally.finish();
 }
 
 }  // namespace
@@ -60,39 +49,27 @@ Check alike(const cases::Case& c, const Fragments& drawn) {
 Check compare_drawings(const cases::Case& c, const cases::Fragments& expected,
                        const cases::Fragments& drawn, const std::string& note) {
   if (are_alike(expected, drawn)) return alike(c, drawn);
-  Check check;
-  check.judgement.errors[AttributeKind::coverage];
-  const FragmentMap places = fragments_by_place(expected);
-  std::set<cases::SamplePlace> seen;
-  std::set<std::uint32_t> triangles;
-  std::uint64_t correct = 0;
-  for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const cases::SamplePlace place = drawn.place_of(i);
-    const auto before = places.find(place);
-    if (before == places.end()) {
-      report(check, violation_at(place, FragmentClass::extra, "forbidden: it was not drawn", note));
-      continue;
-    }
-    if (!seen.insert(place).second) {
-      report(check, violation_at(place, FragmentClass::extra, "forbidden: more than once", note));
-      continue;
-    }
-    if (is_of_case(c, place)) triangles.insert(place.triangle);
-    const auto difference = find_difference(c, expected, before->second, drawn, i, note);
-    if (difference) {
-      report(check, *difference);
-    } else {
-      ++correct;
-    }
-  }
-  for (const auto& [place, index] : places) {
-    if (seen.contains(place)) continue;
-    report(check, violation_at(place, FragmentClass::missing, "required: it was drawn", note));
-  }
-  check.judgement.counts.required = places.size();
-  check.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct] += correct;
-  check.labels = labels_of(c, triangles);
-  return check;
+  Tally tally(c);
+  visit_places(
+      expected, drawn,
+      [&](const cases::SamplePlace& place, std::size_t before, std::size_t now) {
+        ++tally.counts().required;
+        if (is_of_case(c, place)) tally.see(place.triangle);
+        if (const auto difference = find_difference(c, expected, before, drawn, now, note)) {
+          tally.report(*difference);
+        } else {
+          tally.pass(AttributeKind::coverage);
+        }
+      },
+      [&](const cases::SamplePlace& place, std::size_t /*now*/, const char* exact) {
+        tally.report(violation_at(place, FragmentClass::extra, exact, note));
+      },
+      [&](const cases::SamplePlace& place) {
+        ++tally.counts().required;
+        tally.report(violation_at(place, FragmentClass::missing, kDrawnBefore, note));
+      });
+  tally.label_drawn();
+  return tally.finish();
 }
 
 }  // namespace rastercheck::properties

@@ -24,8 +24,12 @@ void add_to_notes(Check& check,
 
 Tally::Tally(const cases::Case& c) : case_(&c) { check_.judgement.errors[AttributeKind::coverage]; }
 
-void Tally::pass(AttributeKind kind) {
-  ++check_.judgement.errors[kind].classes[FragmentClass::correct];
+void Tally::label_drawn() {
+  if (!triangles_.empty()) label("drawn");
+}
+
+void Tally::pass(AttributeKind kind, std::uint64_t count) {
+  check_.judgement.errors[kind].classes[FragmentClass::correct] += count;
 }
 
 void Tally::pass_required(std::uint32_t triangle) {
@@ -35,6 +39,11 @@ void Tally::pass_required(std::uint32_t triangle) {
 }
 
 void Tally::report(const records::Violation& violation) { properties::report(check_, violation); }
+
+void Tally::report_passed(const records::Violation& violation) {
+  --check_.judgement.errors[violation.kind].classes[FragmentClass::correct];
+  report(violation);
+}
 
 void Tally::add_part(AttributeKind kind, records::Stratum stratum, const records::StagePart& part) {
   check_.judgement.errors[kind].stages[stratum][part.stage].add(records::magnitude(part.error));

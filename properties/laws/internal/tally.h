@@ -28,11 +28,15 @@ class Tally {
   void label(std::string_view text) { labels_.emplace(text); }
   /// A triangle that drew something: the labels of the case's state are those of these.
   void see(std::uint32_t triangle) { triangles_.insert(triangle); }
-  /// A sample, or a value, that is as it should be.
-  void pass(records::AttributeKind kind);
+  /// The label of a case of which something was drawn, where something was.
+  void label_drawn();
+  /// Samples, or values, that are as they should be.
+  void pass(records::AttributeKind kind, std::uint64_t count = 1);
   /// A required sample that the triangle drew.
   void pass_required(std::uint32_t triangle);
   void report(const records::Violation& violation);
+  /// Of a value that was taken to be right before.
+  void report_passed(const records::Violation& violation);
   /// A part of an error, in the unit of its kind.
   void add_part(records::AttributeKind kind, records::Stratum stratum,
                 const records::StagePart& part);

@@ -27,9 +27,7 @@ float greatest_float(double hi, double bound, double unit) {
 }
 
 ValueFindings::ValueFindings(const cases::Case& c, const cases::Contract& contract)
-    : case_(&c), contract_(&contract), verdicts_(c, contract) {
-  check_.judgement.errors[AttributeKind::coverage];
-}
+    : case_(&c), contract_(&contract), verdicts_(c, contract), tally_(c) {}
 
 const cases::ValueBound& ValueFindings::bound_of(std::optional<std::uint32_t> attribute) const {
   if (!attribute) return contract_->bounds.depth;
@@ -73,31 +71,24 @@ std::optional<Promise> ValueFindings::promise_of(const cases::SamplePlace& place
 }
 
 void ValueFindings::see(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute) {
-  ++check_.judgement.errors[kind_of(*case_, attribute)].classes[FragmentClass::correct];
+  tally_.pass(kind_of(*case_, attribute));
   if (last_ == place) return;
   last_ = place;
-  triangles_.insert(place.triangle);
-  ++check_.judgement.counts.required;
-  ++check_.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct];
+  tally_.pass_required(place.triangle);
 }
 
 void ValueFindings::report(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute,
                            float actual, const std::string& exact, const std::string& text) {
-  const records::Violation violation =
-      violation_at(place, class_of_wrong(actual, FragmentClass::beyond_bound), exact, text,
-                   {kind_of(*case_, attribute), attribute, actual});
-  auto& classes = check_.judgement.errors[violation.kind].classes;
-  --classes[FragmentClass::correct];
-  ++classes[violation.fragment_class];
-  note(check_, violation);
+  tally_.report_passed(violation_at(place, class_of_wrong(actual, FragmentClass::beyond_bound),
+                                    exact, text, {kind_of(*case_, attribute), attribute, actual}));
 }
 
 Check ValueFindings::finish() {
-  check_.is_applicable = !triangles_.empty();
-  add_state_labels(*case_, triangles_, labels_);
-  if (case_->coverage && !triangles_.empty()) labels_.emplace("snapped");
-  check_.labels.assign(labels_.begin(), labels_.end());
-  return std::move(check_);
+  const bool is_applicable = last_.has_value();
+  if (case_->coverage && is_applicable) tally_.label("snapped");
+  Check check = tally_.finish();
+  check.is_applicable = is_applicable;
+  return check;
 }
 
 }  // namespace rastercheck::properties

@@ -8,12 +8,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "cases/case.h"
 #include "properties/law.h"
 #include "properties/laws/internal/drawn_fragments.h"
+#include "properties/laws/internal/tally.h"
 #include "properties/laws/internal/verdicts.h"
 
 namespace rastercheck::properties {
@@ -58,7 +58,7 @@ class ValueFindings {
   std::optional<Promise> promise_of(const cases::SamplePlace& place,
                                     std::optional<std::uint32_t> attribute);
 
-  void label(const std::string& text) { labels_.insert(text); }
+  void label(const std::string& text) { tally_.label(text); }
   /// Values that the law has looked at, right or wrong.
   void see(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute);
   /// A wrong one among them. `exact` is what the law expects.
@@ -72,10 +72,8 @@ class ValueFindings {
   const cases::Case* case_;
   const cases::Contract* contract_;
   Verdicts verdicts_;
-  std::set<std::string> labels_;
-  std::set<std::uint32_t> triangles_;
   std::optional<cases::SamplePlace> last_;
-  Check check_;
+  Tally tally_;
 };
 
 }  // namespace rastercheck::properties

@@ -30,7 +30,7 @@ constexpr const char* kFaultyLaw = "a-law-of-this-test-with-a-fault";
 
 Generated generate_square(Draw& /*draw*/) { return {square(), "square"}; }
 
-Result<Check> check_with_fault(const cases::Case& /*c*/, backends::Backend& /*backend*/,
+Result<Check> check_with_fault(const cases::ClipCase& /*c*/, backends::Backend& /*backend*/,
                                const CheckOptions& options) {
   Check check;
   if (options.case_index >= 3) check.fault = "case " + std::to_string(options.case_index);
@@ -385,7 +385,7 @@ TEST(TaskRunner, ShrinksWhatFails) {
   EXPECT_THAT(one.close_up, testing::Contains(HasSubstr("[-]")));
   EXPECT_THAT(shrink_tasks(shrunk), IsEmpty());
   const auto damaged = backends::make_backend("damaged").value();
-  EXPECT_GT(find_law(kCoverage)->check(one.source, *damaged, {}).value().violation_count, 0U);
+  EXPECT_GT(check_law(*find_law(kCoverage), one.source, *damaged, {}).value().violation_count, 0U);
 }
 
 TEST(TaskRunner, ShrinksNoLongerThanItMay) {

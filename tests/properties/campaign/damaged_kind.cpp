@@ -132,7 +132,8 @@ bool is_unseen(backends::Backend& backend) {
   return dynamic_cast<const UnseenBackend*>(&backend) != nullptr;
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
+                    const CheckOptions& options) {
   if (!is_unseen(backend)) return not_applicable();
   return check_judged(c, backend, {}, options);
 }
