@@ -10,8 +10,7 @@
 #include "properties/campaign/campaign.h"
 #include "properties/campaign/checkpoint.h"
 #include "properties/campaign/corpus.h"
-#include "properties/inspect/run_inspections.h"
-#include "properties/inspect/specimens.h"
+#include "properties/inspect/looks.h"
 
 namespace rastercheck::cli {
 namespace {
@@ -57,8 +56,7 @@ Result<void> inspect_merged(MergedRun& merged) {
   if (!scene) return tl::unexpected(scene.error());
   const properties::CaseSources sources{*corpus, merged.common.saved, *known,
                                         *scene ? &**scene : nullptr};
-  run.inspections = properties::inspect_run(run, sources, backends);
-  run.specimens = properties::make_specimens(run, sources, backends);
+  properties::look_closely(run, sources, backends);
   return {};
 }
 

@@ -1,16 +1,14 @@
 #include "cli/run_options.h"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <random>
-#include <span>
 #include <utility>
 
 #include "cases/contract_json.h"
 #include "cases/json.h"
-#include "properties/law.h"
+#include "properties/campaign/plan_run.h"
 #include "records/run.h"
 #include "records/summary.h"
 #include "reports/run_reader.h"
@@ -18,34 +16,7 @@
 namespace rastercheck::cli {
 namespace {
 
-bool matches(const std::string& name, const std::string& pattern) {
-  return ::fnmatch(pattern.c_str(), name.c_str(), FNM_EXTMATCH) == 0;
-}
-
-/// The ids of the laws that match one of the patterns, of all laws without any; "@(this|that)"
-/// matches either. Fails where a pattern matches none.
-Result<std::vector<std::string>> chosen_laws(const std::vector<std::string>& patterns) {
-  const std::span<const properties::Law> laws = properties::laws();
-  for (const std::string& pattern : patterns) {
-    const auto is_meant = [&](const auto& law) { return matches(std::string(law.id), pattern); };
-    if (std::none_of(laws.begin(), laws.end(), is_meant)) {
-      return tl::unexpected(
-          Error{"--property", cases::printable(pattern),
-                "no property has this id; stars match the rest of one, as in '*edge*' (see "
-                "rastercheck list properties)"});
-    }
-  }
-  std::vector<std::string> ids;
-  for (const properties::Law& law : laws) {
-    std::string id(law.id);
-    const auto is_of = [&](const std::string& pattern) { return matches(id, pattern); };
-    const bool is_chosen = patterns.empty() || std::any_of(patterns.begin(), patterns.end(), is_of);
-    if (is_chosen) ids.push_back(std::move(id));
-  }
-  return ids;
-}
-
-/// The same without those that were there before: twice the same is no more work.
+/// Each once: twice the same is no more work.
 std::vector<std::string> without_repetitions(const std::vector<std::string>& all) {
   std::vector<std::string> once;
   for (const std::string& one : all) {
@@ -80,7 +51,7 @@ Result<records::Plan> make_plan(const RunOptions& options) {
   plan.shard = *shard;
   plan.seed = options.seed ? *options.seed : std::random_device()();
   plan.backends = without_repetitions(plan.backends);
-  Result<std::vector<std::string>> laws = chosen_laws(plan.properties);
+  Result<std::vector<std::string>> laws = properties::laws_matching(plan.properties);
   if (!laws) return tl::unexpected(laws.error());
   plan.laws = *std::move(laws);
   if (options.contract.empty()) return plan;

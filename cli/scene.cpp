@@ -44,16 +44,17 @@ Result<cases::Case> read_scene(const std::string& file, int size) {
   return scene;
 }
 
-Result<properties::Findings> judge_scene_of(records::Run& run, const cases::Case& scene,
+Result<properties::Findings> judge_scene_of(const records::Plan& plan, const cases::Case& scene,
                                             const backends::BackendFactory& backends, unsigned jobs,
-                                            const properties::KnownByBackend& known) {
+                                            const properties::KnownByBackend& known,
+                                            std::vector<records::Picture>& pictures) {
   properties::Findings all;
-  for (const std::string& specification : run.plan.backends) {
+  for (const std::string& specification : plan.backends) {
     auto backend = backends.make(specification);
     if (!backend) return tl::unexpected(backend.error());
     const auto defects = known.find(specification);
     Result<properties::SceneFindings> found =
-        properties::judge_scene(scene, specification, **backend, run.plan.seed, run.plan.laws, jobs,
+        properties::judge_scene(scene, specification, **backend, plan.seed, plan.laws, jobs,
                                 defects == known.end() ? nullptr : &defects->second);
     if (!found) return tl::unexpected(found.error());
     const std::string stem =
@@ -67,8 +68,8 @@ Result<properties::Findings> judge_scene_of(records::Run& run, const cases::Case
         reports::draw_error_map(found->map, found->source.rules));
     if (!drawn) return tl::unexpected(drawn.error());
     if (!errors) return tl::unexpected(errors.error());
-    run.pictures.push_back(*drawn);
-    run.pictures.push_back(*errors);
+    pictures.push_back(*drawn);
+    pictures.push_back(*errors);
     properties::merge(all, std::move(found->findings));
   }
   return all;

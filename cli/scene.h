@@ -3,6 +3,7 @@
 // What `rastercheck run --scene` is about: one mesh or case, drawn and judged whole.
 
 #include <string>
+#include <vector>
 
 #include "backends/factory.h"
 #include "cases/case.h"
@@ -17,10 +18,11 @@ namespace rastercheck::cli {
 /// file if it has no other. A mesh's picture has `size` · `size` pixels.
 Result<cases::Case> read_scene(const std::string& file, int size);
 
-/// Judges the scene with each of the run's backends, in `jobs` threads, and adds what was drawn and
-/// its error map to the run's pictures. What is `known` of a backend is counted as known.
-Result<properties::Findings> judge_scene_of(records::Run& run, const cases::Case& scene,
+/// Judges the scene with each of the plan's backends, in `jobs` threads, and adds what was drawn
+/// and its error map to the pictures. What is `known` of a backend is counted as known.
+Result<properties::Findings> judge_scene_of(const records::Plan& plan, const cases::Case& scene,
                                             const backends::BackendFactory& backends, unsigned jobs,
-                                            const properties::KnownByBackend& known);
+                                            const properties::KnownByBackend& known,
+                                            std::vector<records::Picture>& pictures);
 
 }  // namespace rastercheck::cli

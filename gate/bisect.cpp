@@ -317,12 +317,13 @@ Result<records::BisectOutcome> bisect(BisectPlan plan, const BisectWatch& watch)
   return outcome;
 }
 
-int judge_commit(const std::string& folder) {
+int judge_commit(const std::string& folder, const DrawPlan& draw) {
   // As `git bisect run` takes them; what is above 127 ends it.
   constexpr int kSkip = 125;
   constexpr int kEnd = 128;
-  const Result<BisectPlan> plan = read_plan(folder);
+  Result<BisectPlan> plan = read_plan(folder);
   if (!plan) return kEnd;
+  plan->draw = draw;
   const Result<std::string> hash = Git(folder).commit("HEAD");
   if (!hash) return kEnd;
   const Result<JudgedCommit> commit = judged(*plan, *hash);

@@ -18,16 +18,24 @@
 #include "cases/error.h"
 #include "records/bisection.h"
 #include "records/plan.h"
+#include "records/run.h"
 
 namespace rastercheck::gate {
+
+/// Carries out a plan, whose patterns still have to choose the laws, in a folder that is there and
+/// by so many processes; what is found until it is to end.
+using DrawPlan =
+    std::function<Result<records::Run>(const records::Plan& plan, const std::string& folder,
+                                       int jobs, const std::function<bool()>& is_to_end)>;
 
 struct BisectPlan {
   std::string good;                ///< what names the commit to hold others against
   std::string bad;                 ///< what names a later one that is worse
   std::vector<std::string> build;  ///< the command that makes what is judged
-  /// The rastercheck that draws and judges, which may be what is built.
+  /// The rastercheck that draws and judges, where that is what is built; empty: `draw` does.
   std::string program;
-  /// The plan that it is run with. Files and folders that are named are taken as they are now,
+  DrawPlan draw;
+  /// What is drawn of each commit. Files and folders that are named are taken as they are now,
   /// whatever is checked out; corpus and known defects are named, unless the latter are ignored.
   records::Plan plan;
   int jobs = 1;
@@ -65,6 +73,6 @@ Result<void> save_comparison(const BisectPlan& plan, records::BisectOutcome& out
 
 /// What `git bisect run` is told of the commit that is checked out, as an exit code: 0 no worse, 1
 /// worse, 125 not to be judged, 128 that something is wrong with the bisection itself.
-int judge_commit(const std::string& folder);
+int judge_commit(const std::string& folder, const DrawPlan& draw);
 
 }  // namespace rastercheck::gate

@@ -12,6 +12,7 @@
 
 #include "cases/contract_json.h"
 #include "cli/command.h"
+#include "cli/conduct.h"
 #include "cli/contract_option.h"
 #include "cli/corpus_folder.h"
 #include "cli/interrupt.h"
@@ -47,7 +48,7 @@ Result<void> settle_files(Options& options) {
   if (!options.bisection.folder.empty()) {
     options.bisection.folder = absolute(options.bisection.folder);
   }
-  if (options.bisection.program.empty()) options.bisection.program = program_of_others();
+  options.bisection.draw = &run_plan;
   if (options.contract.empty()) return {};
   return cases::read_contract(options.contract).map([&](const cases::ContractTerms& terms) {
     plan.contract = {options.contract, terms};

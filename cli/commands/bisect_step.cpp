@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/conduct.h"
 #include "gate/bisect.h"
 
 namespace rastercheck::cli::bisect_step_command {
@@ -13,7 +14,7 @@ Action set_up(CLI::App& app) {
   app.group("");  // not in --help
   app.add_option("FOLDER", *folder)->required();
   // The codes are git's, not this program's.
-  return [folder] { return static_cast<ExitCode>(gate::judge_commit(*folder)); };
+  return [folder] { return static_cast<ExitCode>(gate::judge_commit(*folder, &run_plan)); };
 }
 
 const Registration kRegistration("bisect-step", "Judges the commit that is checked out", &set_up);

@@ -9,9 +9,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <future>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "backends/factory.h"
@@ -20,6 +18,7 @@
 #include "cli/backend_failure.h"
 #include "cli/command.h"
 #include "cli/commit.h"
+#include "cli/conduct.h"
 #include "cli/contract_option.h"
 #include "cli/corpus_folder.h"
 #include "cli/environment.h"
@@ -30,18 +29,15 @@
 #include "cli/isolation.h"
 #include "cli/known_option.h"
 #include "cli/output.h"
-#include "cli/own_program.h"
 #include "cli/progress.h"
 #include "cli/run_options.h"
 #include "cli/run_results.h"
 #include "cli/scene.h"
 #include "cli/shard_option.h"
 #include "cli/whole_number.h"
-#include "properties/campaign/campaign_run.h"
 #include "properties/campaign/corpus.h"
-#include "properties/inspect/run_inspections.h"
-#include "properties/inspect/specimens.h"
-#include "records/plan_json.h"
+#include "properties/campaign/plan_run.h"
+#include "properties/inspect/looks.h"
 #include "records/share.h"
 #include "records/summary.h"
 #include "reports/format.h"
@@ -57,38 +53,6 @@ constexpr double kMostSeconds = 86400;
 /// Between a signal and the end, whatever is being drawn. What was done is in the checkpoint.
 constexpr unsigned kGraceSeconds = 2;
 
-/// How tasks are run: in this process, or in several.
-class Executor {
- public:
-  Executor(const records::Plan& plan, std::vector<cases::Case> corpus,
-           const backends::BackendFactory& backends, int jobs)
-      : runner_(plan, std::move(corpus), known_folder_of(plan), backends),
-        command_{kOwnProgram,
-                 "task-worker",
-                 "--plan",
-                 records::plan_to_json(plan).dump(-1, ' ', false,
-                                                  nlohmann::json::error_handler_t::replace),
-                 "--corpus",
-                 corpus_folder_of(plan),
-                 "--known",
-                 known_folder_of(plan)},
-        jobs_(jobs) {}
-
-  Result<void> operator()(const std::vector<properties::Task>& tasks,
-                          const properties::TaskDone& done, const properties::IsToEnd& is_to_end) {
-    if (jobs_ == 1) return properties::run_tasks(runner_, tasks, done, is_to_end);
-    return properties::run_tasks_in_processes(command_, jobs_, tasks, done, is_to_end);
-  }
-
-  Result<properties::KnownByBackend> known() { return runner_.known(); }
-  std::vector<records::BackendPromises> promises() { return runner_.promises(); }
-
- private:
-  properties::TaskRunner runner_;
-  std::vector<std::string> command_;
-  int jobs_;
-};
-
 using Clock = std::chrono::steady_clock;
 
 /// When the time that the run was given is up; never without one.
@@ -96,50 +60,6 @@ Clock::time_point end_of(const RunOptions& options, Clock::time_point start) {
   if (!options.max_time) return Clock::time_point::max();
   const std::chrono::duration<double> most(*options.max_time);
   return start + std::chrono::duration_cast<Clock::duration>(most);
-}
-
-/// The campaign and the scene, side by side where there are processes for it; then shrinking. Ends
-/// early on a signal, when its time is up, and with --fail-fast at a violation.
-Result<void> find(const RunOptions& options, Executor& executor,
-                  const backends::BackendFactory& backends, const std::optional<cases::Case>& scene,
-                  const properties::KnownByBackend& known, Clock::time_point end, records::Run& run,
-                  properties::CampaignRun& campaign) {
-  ProgressBar bar(options.quiet);
-  const auto progress_of = [&bar](const char* what) {
-    return [&bar, what](std::uint64_t done, std::uint64_t all) { bar.show(done, all, what); };
-  };
-  const properties::IsToEnd is_over = [end] { return is_interrupted() || Clock::now() >= end; };
-  const properties::IsToEnd is_checked = [&] {
-    return is_over() || (options.fail_fast && campaign.has_new_violation());
-  };
-  const auto until = [&executor](const properties::IsToEnd& is_to_end) {
-    return [&executor, &is_to_end](const auto& tasks, const auto& done) {
-      return executor(tasks, done, is_to_end);
-    };
-  };
-  const auto check_cases = [&] {
-    return campaign.check_cases(until(is_checked), progress_of("cases"));
-  };
-
-  Result<properties::Findings> of_scene;
-  Result<void> checked;
-  if (options.jobs == 1) {
-    if (scene) of_scene = judge_scene_of(run, *scene, backends, 1, known);
-    if (of_scene) {
-      campaign.add_scene(*of_scene);
-      checked = check_cases();
-    }
-  } else {
-    auto dispatched = std::async(std::launch::async, check_cases);
-    if (scene)
-      of_scene = judge_scene_of(run, *scene, backends, static_cast<unsigned>(options.jobs), known);
-    checked = dispatched.get();
-    if (of_scene) campaign.add_scene(*of_scene);
-  }
-  if (!of_scene) return tl::unexpected(of_scene.error());
-  if (!checked) return checked;
-  if (campaign.findings().fault) return {};
-  return campaign.shrink(until(is_over), is_over, progress_of("counterexamples shrunk"));
 }
 
 /// Whether reports can be written there; asked before the work rather than after it.
@@ -188,10 +108,7 @@ Result<Work> prepare(const RunOptions& options) {
   Result<std::vector<cases::Case>> corpus = properties::read_corpus(corpus_folder_of(plan));
   if (!corpus) return tl::unexpected(corpus.error());
   work.corpus = *std::move(corpus);
-  if (!options.resume) {
-    work.start.corpus_digest = properties::digest_of(work.corpus);
-    work.start.program = RASTERCHECK_VERSION;
-  }
+  if (!options.resume) work.start.program = RASTERCHECK_VERSION;
   // The first shard draws it.
   if (!plan.scene.empty() && plan.shard.value_or(records::ShardNumber()).index == 1) {
     Result<cases::Case> scene = read_scene(plan.scene, plan.scene_size);
@@ -199,33 +116,6 @@ Result<Work> prepare(const RunOptions& options) {
     work.scene = *std::move(scene);
   }
   return work;
-}
-
-/// What is known of the plan's backends; of a run that goes on it has to be what it began with, as
-/// has the corpus.
-Result<properties::KnownByBackend> read_known(Executor& executor, const RunOptions& options,
-                                              Work& work) {
-  Result<properties::KnownByBackend> known = executor.known();
-  if (!known) return known;
-  if (!options.resume) {
-    work.start.known_digest = properties::digest_of_known(*known);
-  } else if (const auto same = properties::check_same(work.start, work.corpus, *known); !same) {
-    return tl::unexpected(same.error());
-  }
-  return known;
-}
-
-/// What there is of a run before it begins.
-records::Run planned(const records::Plan& plan, const properties::KnownByBackend& known) {
-  records::Run run;
-  run.plan = plan;
-  for (const std::string& id : plan.laws) {
-    if (const properties::Law* law = properties::find_law(id)) run.sentences[id] = law->sentence;
-  }
-  for (const auto& [backend, defects] : known) {
-    run.known.push_back({backend, defects.driver.version, defects.list});
-  }
-  return run;
 }
 
 /// What the run will be held against.
@@ -335,59 +225,55 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   if (const auto can_write = check_output(options, plan.keeps_cases); !can_write) {
     return fail(can_write.error());
   }
-  const backends::BackendFactory backends = properties::backend_factory(plan, worker_program());
   // Last: input that cannot be read goes before backends that cannot run.
-  if (const ExitCode code = check_backends(backends, plan.backends); code != ExitCode::ok) {
+  properties::Conduct conduct = conduct_of(plan, options.output, options.jobs);
+  if (const ExitCode code = check_backends(conduct.backends, plan.backends); code != ExitCode::ok) {
     return code;
   }
-  Executor executor(plan, work->corpus, backends, options.jobs);
-  const auto known = read_known(executor, options, *work);
-  if (!known) return fail(known.error());
-  const std::vector<records::BackendPromises> promises = executor.promises();
-
-  records::Run run = planned(plan, *known);
-  run.shard = shard_of(work->start, promises, work->scene);
+  ProgressBar bar(options.quiet);
+  conduct.warn = [](const Error& error) { fail(error); };
+  conduct.is_over = [end = end_of(options, start)] {
+    return is_interrupted() || Clock::now() >= end;
+  };
+  conduct.fail_fast = options.fail_fast;
+  conduct.progress = [&bar](const char* what) {
+    return [&bar, what](std::uint64_t done, std::uint64_t all) { bar.show(done, all, what); };
+  };
+  std::vector<records::Picture> pictures;
+  if (work->scene) {
+    conduct.judge_scene = [&](const properties::KnownByBackend& known, unsigned jobs) {
+      return judge_scene_of(plan, *work->scene, conduct.backends, jobs, known, pictures);
+    };
+  }
+  Result<properties::PlanRun> prepared =
+      properties::PlanRun::prepare(work->start, work->corpus, conduct, options.resume);
+  if (!prepared) return fail(prepared.error());
   const std::string goes_on =
       fmt::format("`rastercheck run --resume --output {}` goes on.\n", options.output);
   const InterruptWatch watch("\nrastercheck: ending; once more ends at once. " + goes_on,
                              kGraceSeconds,
                              "rastercheck: ended before its reports were written. " + goes_on);
-  properties::CampaignRun campaign(
-      work->start, options.output, work->corpus.size(), [](const Error& error) { fail(error); },
-      *known);
-  if (const Result<void> begun = campaign.begin(); !begun) return fail(begun.error());
-  const Result<void> found =
-      find(options, executor, backends, work->scene, *known, end_of(options, start), run, campaign);
+  Result<records::Run> carried_out = prepared->carry_out();
   InterruptWatch::let_it_end();
-  campaign.save();
-  if (!found) return fail_internally(found.error());
-  const properties::Findings& findings = campaign.findings();
-  if (findings.fault) return fail_internally({"the oracle", "", *findings.fault});
-  run.records = findings.records;
-  run.cases = findings.cases;
-  run.counterexamples = findings.counterexamples;
-  run.unexpected = findings.unexpected;
-  run.cases_left = campaign.cases_left();
-  const bool is_whole = run.cases_left == 0 && campaign.is_shrunk();
-  if (run.shard) {
-    run.shard->is_whole = is_whole;
-  } else {
-    run.unreached = properties::unreached_labels(plan.laws, promises, run.records);
-  }
+  if (!carried_out) return fail_internally(carried_out.error());
+  records::Run& run = *carried_out;
+  run.pictures = std::move(pictures);
+  run.shard = shard_of(prepared->start(), prepared->promises(), work->scene);
+  const bool is_whole = prepared->is_whole();
+  if (run.shard) run.shard->is_whole = is_whole;
   // Cases are drawn once more for these, however long that takes. Who goes on gets them later.
   if (is_whole || !is_interrupted()) {
     const cases::Case* scene = work->scene ? &*work->scene : nullptr;
-    const properties::CaseSources sources{work->corpus, work->start.saved, *known, scene};
-    run.inspections = properties::inspect_run(run, sources, backends);
-    run.specimens = properties::make_specimens(run, sources, backends);
+    properties::look_closely(run, {work->corpus, work->start.saved, prepared->known(), scene},
+                             conduct.backends);
   }
   const std::chrono::duration<double> seconds = Clock::now() - start;
   run.environment = environment(options.jobs, seconds.count());
 
-  const ExitCode told = tell(options, run, promises, seconds.count());
+  const ExitCode told = tell(options, run, prepared->promises(), seconds.count());
   if (told == ExitCode::usage) return told;
   const ExitCode code = first_of(told, hold_run(options, *gate, run));
-  if (is_whole) campaign.remove();
+  if (is_whole) prepared->remove_checkpoint();
   return is_interrupted() && !is_whole ? first_of(code, ExitCode::interrupted) : code;
 }
 

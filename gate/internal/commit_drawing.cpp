@@ -47,6 +47,14 @@ std::string joined(const std::vector<std::string>& words) {
   return cases::printable(line);
 }
 
+/// What is drawn of a commit: cases as they are, which a comparison needs, and none made smaller.
+records::Plan plan_of_commit(const BisectPlan& plan) {
+  records::Plan drawn = plan.plan;
+  drawn.keeps_cases = true;
+  drawn.shrinking.tries = 0;
+  return drawn;
+}
+
 /// `rastercheck run`, as the plan has it, into a folder.
 std::vector<std::string> run_words(const BisectPlan& plan, const std::string& folder) {
   std::vector<std::string> words{plan.program, "run"};
@@ -56,10 +64,7 @@ std::vector<std::string> run_words(const BisectPlan& plan, const std::string& fo
   words.insert(words.end(), {"--cases", std::to_string(plan.plan.cases_per_law), "--seed",
                              std::to_string(plan.plan.seed), "--jobs", std::to_string(plan.jobs),
                              "--output", folder, "--format", "json", "--quiet"});
-  records::Plan others = plan.plan;
-  others.keeps_cases = true;
-  others.shrinking.tries = 0;
-  const std::vector<std::string> options = records::option_words(others);
+  const std::vector<std::string> options = records::option_words(plan_of_commit(plan));
   words.insert(words.end(), options.begin(), options.end());
   return words;
 }
@@ -67,6 +72,16 @@ std::vector<std::string> run_words(const BisectPlan& plan, const std::string& fo
 template <typename Map>
 void keep_laws(Map& map, const std::set<std::string>& laws) {
   std::erase_if(map, [&](const auto& entry) { return !laws.contains(entry.first.law); });
+}
+
+/// Has the rastercheck draw that was built.
+Result<records::Run> run_program(const BisectPlan& plan, const std::string& name, OutsideRun how) {
+  const std::string folder = plan.folder + "/" + name;
+  how.log = folder + "/run.log";
+  const Result<cases::ProcessEnd> drawn = run_outside(run_words(plan, folder), how);
+  if (!drawn) return tl::unexpected(drawn.error());
+  if (!has_judged(*drawn)) return tl::unexpected(ended("rastercheck run", *drawn, how.log));
+  return read_drawing(plan.folder, name);
 }
 
 }  // namespace
@@ -82,12 +97,13 @@ Result<records::Run> draw_commit(const BisectPlan& plan, const std::string& name
   if (built->signal != 0 || built->exit_code != 0) {
     return tl::unexpected(ended(joined(plan.build), *built, how.log));
   }
-  const std::vector<std::string> command = run_words(plan, folder);
-  how.log = folder + "/run.log";
-  const Result<cases::ProcessEnd> drawn = run_outside(command, how);
-  if (!drawn) return tl::unexpected(drawn.error());
-  if (!has_judged(*drawn)) return tl::unexpected(ended("rastercheck run", *drawn, how.log));
-  return read_drawing(plan.folder, name);
+  if (!plan.program.empty()) return run_program(plan, name, how);
+  Result<records::Run> run = plan.draw(plan_of_commit(plan), folder, plan.jobs, how.is_to_end);
+  if (!run) return run;
+  if (run->cases_left > 0) return tl::unexpected(Error{name, "", "was interrupted"});
+  const Result<void> kept = reports::write_reports(*run, folder, std::vector<std::string>{"json"});
+  if (!kept) return tl::unexpected(kept.error());
+  return run;
 }
 
 std::string run_file(const std::string& folder, const std::string& name) {

@@ -251,8 +251,7 @@ class Refuses(BisectTest):
         self.refuses(f"{self.hashes[0]}: sh build.sh: ended with exit code 1", self.hashes[0], "main")
         self.check_restored()
         self.refuses("nothing-builds: cannot be started", self.hashes[1], "main", build=("nothing-builds",))
-        self.refuses("ended with exit code 2; it said: rastercheck: plugin:./build/plugin.so: there is no "
-                     "such file", self.hashes[1], "main", build=("rm", "-rf", "build"))
+        self.refuses("plugin:./build/plugin.so: there is no such file", self.hashes[1], "main", build=("rm", "-rf", "build"))
         self.check_restored()
 
     def test_a_command_that_changes_what_git_tracks(self):
@@ -275,7 +274,7 @@ class Refuses(BisectTest):
         (full / "file").touch()
         self.refuses("is not empty", self.hashes[0], "main", "--output", full)
         self.assertTrue((full / "file").exists())
-        self.refuses("it said: rastercheck: --property: none of them: no property has this id", self.hashes[0],
+        self.refuses("--property: none of them: no property has this id", self.hashes[0],
                      "main", "--property", "none of them")
 
 

@@ -125,7 +125,7 @@ TEST(CommitDrawing, JudgedCommitsAreReadWhileTheyAreWritten) {
 
 TEST(CommitDrawing, WrongPlansEndABisection) {
   const TemporaryFolder folder;
-  EXPECT_EQ(judge_commit(folder.path()), 128);
+  EXPECT_EQ(judge_commit(folder.path(), {}), 128);
 }
 
 }  // namespace
