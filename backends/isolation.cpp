@@ -51,7 +51,7 @@ class IsolatedBackend : public Backend {
     }
     const Result<std::string> answer = ask({Question::drawing, c});
     if (!answer) return tl::unexpected(answer.error());
-    std::optional<Drawing> drawing = unpack_drawing(*answer);
+    std::optional<DrawingAnswer> drawing = unpack_drawing(*answer);
     if (!drawing) return tl::unexpected(nonsense());
     crashes_ = 0;
     if (drawing->problem) return tl::unexpected(*drawing->problem);

@@ -71,9 +71,9 @@ std::size_t memory_in_use() {
 /// Draws cases, and some of them, that have been drawn quickly, again and again, to see whether
 /// memory is given back: the first, the second, the fourth… A saved case is the first that is drawn
 /// when it is replayed, and so is looked at again.
-class Drawer {
+class WatchedDrawer {
  public:
-  Drawer(Backend& backend, double seconds)
+  WatchedDrawer(Backend& backend, double seconds)
       : backend_(&backend), longest_(seconds / kShareOfTime), longest_together_(seconds / 2) {}
 
   Result<Drawn> draw(const cases::Case& c) {
@@ -126,11 +126,11 @@ class Drawer {
   std::uint64_t drawings_ = 0;
 };
 
-std::string answer_to(const Request& request, const Backend& backend, Drawer& drawer) {
+std::string answer_to(const Request& request, const Backend& backend, WatchedDrawer& drawer) {
   if (request.question == Question::contract) return pack(backend.promise(request.source));
   Result<Drawn> drawn = drawer.draw(request.source);
-  if (!drawn) return pack(Drawing{{}, drawn.error()});
-  return pack(Drawing{*std::move(drawn), std::nullopt});
+  if (!drawn) return pack(DrawingAnswer{{}, drawn.error()});
+  return pack(DrawingAnswer{*std::move(drawn), std::nullopt});
 }
 
 }  // namespace
@@ -153,7 +153,7 @@ Result<void> serve_backend(const std::string& specification, const ServingLimits
     greeting.problem = backend.error();
   }
   if (!channel->send(pack(greeting), {}) || !backend) return {};
-  Drawer drawer(**backend, limits.seconds);
+  WatchedDrawer drawer(**backend, limits.seconds);
   while (const std::optional<std::string> asked = channel->receive(kMostBytes, {})) {
     const std::optional<Request> request = unpack_request(*asked);
     if (!request) return tl::unexpected(Error{"-", "", "not a request of a drawing"});

@@ -64,14 +64,14 @@ Cofactors cofactors_of(const cases::Matrix4& model) {
 }
 
 /// The image of a normal, and the squares of its length and of its terms'.
-struct Image {
+struct NormalImage {
   std::array<Ring, 3> m;
   Ring square{0};
   Ring terms_square{0};
 };
 
-Image image_of(const Cofactors& cofactors, const cases::Normal& normal) {
-  Image image;
+NormalImage image_of(const Cofactors& cofactors, const cases::Normal& normal) {
+  NormalImage image;
   for (std::size_t row = 0; row < 3; ++row) {
     Ring sum(0);
     Ring sizes(0);
@@ -87,7 +87,8 @@ Image image_of(const Cofactors& cofactors, const cases::Normal& normal) {
   return image;
 }
 
-FragmentClass class_of_component(const Image& image, std::size_t i, const Ring& share, float f) {
+FragmentClass class_of_component(const NormalImage& image, std::size_t i, const Ring& share,
+                                 float f) {
   if (std::isnan(f)) return FragmentClass::not_a_number;
   if (std::isinf(f)) return FragmentClass::infinite;
   if (sign_of(image.square) == 0) {
@@ -104,7 +105,7 @@ FragmentClass class_of_component(const Image& image, std::size_t i, const Ring& 
 }
 
 /// m_i / ‖m‖, 0 of no direction.
-records::Enclosure unit_component(const Image& image, std::size_t i) {
+records::Enclosure unit_component(const NormalImage& image, std::size_t i) {
   const int sign = sign_of(image.m[i]);
   if (sign == 0) return {0, 0};
   const records::Enclosure root =
@@ -123,7 +124,7 @@ std::vector<JudgedNormal> judge_normals(const cases::Matrix4& model,
   const Ring share = exact_ring(normal_bound) * Ring(0x1p-53);
   std::vector<JudgedNormal> judged(computed.size());
   for (std::size_t k = 0; k < computed.size(); ++k) {
-    const Image image = image_of(cofactors, normals[k]);
+    const NormalImage image = image_of(cofactors, normals[k]);
     JudgedNormal& normal = judged[k];
     normal.has_direction = sign_of(image.square) != 0;
     normal.is_mirrored = cofactors.sign < 0;

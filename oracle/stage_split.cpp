@@ -44,10 +44,10 @@ class Steps {
 
 /// The stages from the received positions to the last that says where values come from, and what
 /// becomes of one value on the way.
-class Forms {
+class SplitForms {
  public:
-  Forms(const SampleTrace& trace, const TracedValue& value, const TriangleUnder& received,
-        std::optional<std::uint32_t> attribute)
+  SplitForms(const SampleTrace& trace, const TracedValue& value, const TriangleUnder& received,
+             std::optional<std::uint32_t> attribute)
       : trace_(&trace), value_(&value), received_(&received), attribute_(attribute) {
     take(Stage::transform, vertices_of(received.setup()));
     const bool is_of_another_part = value.corners || value.snapped;
@@ -171,7 +171,7 @@ std::optional<ExactSplit> StageSplit::traced(std::optional<std::uint32_t> attrib
     if (source->positions != triangles_->drawn.scene.source().positions) {
       other.emplace(*source, triangles_->drawn.scene.contract());
     }
-    const Forms forms(trace, *value, other ? *other : triangles_->drawn, attribute);
+    const SplitForms forms(trace, *value, other ? *other : triangles_->drawn, attribute);
     for (const auto& [stage, form] : forms.all()) steps.take(stage, clamped(form(start->place)));
     steps.take(Stage::coverage, clamped(forms.all().back().second(*taken)));
     steps.take(Stage::weights, clamped(value_of_weights(*value, forms.terms())));

@@ -49,13 +49,13 @@ Field between(const Field& a, const Field& b, const Field& fraction) {
 
 /// What texel j of m covers of n texels side by side: so much of each, from `first` on, in units of
 /// 1/m of one. They add up to n.
-struct Cover {
+struct TexelCover {
   int first = 0;
   std::vector<std::uint64_t> parts;
 };
 
-Cover cover_of(int n, int m, int j) {
-  Cover cover{j * n / m, {}};
+TexelCover cover_of(int n, int m, int j) {
+  TexelCover cover{j * n / m, {}};
   for (int k = cover.first; k * m < (j + 1) * n; ++k) {
     const int begin = std::max(k * m, j * n);
     const int end = std::min((k + 1) * m, (j + 1) * n);
@@ -146,9 +146,9 @@ TextureTruth::Level TextureTruth::half_of(const Level& level) {
   const auto whole =
       static_cast<std::uint64_t>(level.width) * static_cast<std::uint64_t>(level.height);
   for (int row = 0; row < half.height; ++row) {
-    const Cover rows = cover_of(level.height, half.height, row);
+    const TexelCover rows = cover_of(level.height, half.height, row);
     for (int column = 0; column < half.width; ++column) {
-      const Cover columns = cover_of(level.width, half.width, column);
+      const TexelCover columns = cover_of(level.width, half.width, column);
       std::array<std::uint64_t, 4> sums{};
       for (std::size_t y = 0; y < rows.parts.size(); ++y) {
         for (std::size_t x = 0; x < columns.parts.size(); ++x) {

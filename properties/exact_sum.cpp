@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t kMostTerms = 16;
 
 /// a + b = sum + left_out, exactly (Two-Sum).
-struct TwoSum {
-  TwoSum(double a, double b) : sum(a + b) {
+struct SumAndRest {
+  SumAndRest(double a, double b) : sum(a + b) {
     const double of_b = sum - a;
     left_out = (a - (sum - of_b)) + (b - of_b);
   }
@@ -24,7 +24,7 @@ struct TwoSum {
 }  // namespace
 
 std::optional<double> exact_sum(double a, double b) {
-  const TwoSum both(a, b);
+  const SumAndRest both(a, b);
   if (both.left_out != 0) return std::nullopt;
   return both.sum;
 }
@@ -42,7 +42,7 @@ int sign_of_sum(std::span<const double> terms) {
   for (std::size_t i = 0; i < terms.size(); ++i) {
     double rest = terms[i];
     for (std::size_t j = 0; j < i; ++j) {
-      const TwoSum both(rest, components[j]);
+      const SumAndRest both(rest, components[j]);
       components[j] = both.left_out;
       rest = both.sum;
     }

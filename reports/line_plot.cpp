@@ -19,7 +19,7 @@ constexpr double kBottom = 262;
 constexpr double kLegendTop = 312;
 constexpr double kLegendStep = 17;
 
-double share(const Axis& axis, double value) {
+double share(const PlotAxis& axis, double value) {
   const double held = std::clamp(value, axis.low, axis.high);
   if (!axis.is_logarithmic) return (held - axis.low) / (axis.high - axis.low);
   const double low = curve_log2(axis.low);

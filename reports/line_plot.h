@@ -27,7 +27,7 @@ struct Tick {
   std::string label;
 };
 
-struct Axis {
+struct PlotAxis {
   std::string label;
   double low = 0;
   double high = 1;
@@ -38,8 +38,8 @@ struct Axis {
 
 struct LinePlot {
   std::string title;  ///< what readers hear who do not see it
-  Axis x;
-  Axis y;
+  PlotAxis x;
+  PlotAxis y;
   std::vector<Curve> curves;
 };
 

@@ -43,7 +43,7 @@ constexpr double kAmbient = 0.5;
 constexpr double kBrightest = 1.12;
 
 /// Least and greatest of finite values; empty as long as there are none.
-struct Range {
+struct ShownRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
@@ -108,11 +108,11 @@ bool is_number(const cases::Fragments& drawn, std::size_t fragment) {
 
 /// What the colours and the relief of a picture are scaled by.
 struct Scales {
-  Range first;   ///< of what attribute 0 shows: the depth where there is none
-  Range second;  ///< of attribute 1
-  Range depth;
-  Range columns;
-  Range rows;
+  ShownRange first;   ///< of what attribute 0 shows: the depth where there is none
+  ShownRange second;  ///< of attribute 1
+  ShownRange depth;
+  ShownRange columns;
+  ShownRange rows;
 };
 
 double first_value(const cases::Fragments& drawn, std::size_t fragment) {

@@ -35,7 +35,7 @@ constexpr int kMostLayers = 64;
 constexpr float kFarthest = 2;
 
 /// Fragments of a layer, in the order of places.
-struct Fragments {
+struct LayerFragments {
   std::vector<std::uint32_t> triangle;
   std::vector<std::size_t> at;     ///< index of the layer's sample in LayerContent
   std::vector<std::size_t> place;  ///< [y][x][sample], samples in the standard order
@@ -44,7 +44,7 @@ struct Fragments {
 };
 
 /// What is the same for all batches of a case.
-struct Plan {
+struct Batches {
   const cases::Case* c = nullptr;
   std::vector<Pass> passes;
   int layers = 1;                  ///< of a batch
@@ -57,7 +57,7 @@ std::uint32_t triangle_of(float number, std::size_t first, std::size_t count, bo
   return is_one ? static_cast<std::uint32_t>(first + static_cast<std::size_t>(number) - 1) : 0;
 }
 
-void append(const Fragments& some, const cases::Case& c, cases::Fragments& all) {
+void append(const LayerFragments& some, const cases::Case& c, cases::Fragments& all) {
   std::vector<std::size_t> sorted(some.triangle.size());
   std::iota(sorted.begin(), sorted.end(), std::size_t{0});
   std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
@@ -92,13 +92,13 @@ struct CaseDrawer::Impl {
   Result<void> complain() const;
 
   Result<void> prepare();
-  Result<Plan> plan(const cases::Case& c);
+  Result<Batches> plan(const cases::Case& c);
   Result<Layers*> layers_for(const LayerShape& shape);
-  Result<void> draw_pass(const Plan& plan, const Pass& pass, std::size_t first, int layer_count,
+  Result<void> draw_pass(const Batches& plan, const Pass& pass, std::size_t first, int layer_count,
                          Layers& layers);
-  Result<void> draw_batch(const Plan& plan, std::size_t first, cases::Fragments& drawn);
-  Result<void> find_fragments(const Plan& plan, std::size_t first, Fragments& found) const;
-  Result<void> take_values(const Plan& plan, const Pass& pass, Fragments& found) const;
+  Result<void> draw_batch(const Batches& plan, std::size_t first, cases::Fragments& drawn);
+  Result<void> find_fragments(const Batches& plan, std::size_t first, LayerFragments& found) const;
+  Result<void> take_values(const Batches& plan, const Pass& pass, LayerFragments& found) const;
 
   Capabilities has;
   bool listens = false;   ///< to what the driver says
@@ -181,11 +181,11 @@ Result<Layers*> CaseDrawer::Impl::layers_for(const LayerShape& shape) {
   return &recent.back();
 }
 
-Result<Plan> CaseDrawer::Impl::plan(const cases::Case& c) {
+Result<Batches> CaseDrawer::Impl::plan(const cases::Case& c) {
   if (const std::string what = lacks(has, c); !what.empty()) {
     return tl::unexpected(Error{"gl", "", what, Failure::unsupported});
   }
-  Plan plan;
+  Batches plan;
   plan.c = &c;
   plan.passes = pack(c.attributes, c.framebuffer.samples, has.has_noperspective);
   const bool is_together = c.depth_test == cases::DepthTest::less;
@@ -215,7 +215,7 @@ Result<Plan> CaseDrawer::Impl::plan(const cases::Case& c) {
 }
 
 /// Draws the triangles from `first` on, so many to a layer.
-Result<void> CaseDrawer::Impl::draw_pass(const Plan& plan, const Pass& pass, std::size_t first,
+Result<void> CaseDrawer::Impl::draw_pass(const Batches& plan, const Pass& pass, std::size_t first,
                                          int layer_count, Layers& layers) {
   const cases::Case& c = *plan.c;
   const std::size_t count = static_cast<std::size_t>(layer_count) * plan.triangles;
@@ -256,8 +256,8 @@ Result<void> CaseDrawer::Impl::draw_pass(const Plan& plan, const Pass& pass, std
 }
 
 /// Where `content` has fragments, of triangles from `first` on.
-Result<void> CaseDrawer::Impl::find_fragments(const Plan& plan, std::size_t first,
-                                              Fragments& found) const {
+Result<void> CaseDrawer::Impl::find_fragments(const Batches& plan, std::size_t first,
+                                              LayerFragments& found) const {
   if (content.is_empty) return {};
   const std::size_t samples = plan.order.size();
   for (std::size_t i = 0; i < content.numbers.size(); ++i) {
@@ -278,8 +278,8 @@ Result<void> CaseDrawer::Impl::find_fragments(const Plan& plan, std::size_t firs
 }
 
 /// The values of a pass, which has to have the fragments that the first one had.
-Result<void> CaseDrawer::Impl::take_values(const Plan& plan, const Pass& pass,
-                                           Fragments& found) const {
+Result<void> CaseDrawer::Impl::take_values(const Batches& plan, const Pass& pass,
+                                           LayerFragments& found) const {
   const std::size_t attributes = plan.c->attributes.size();
   for (std::size_t i = 0; i < found.at.size(); ++i) {
     for (std::size_t v = 0; v < pass.size(); ++v) {
@@ -292,11 +292,11 @@ Result<void> CaseDrawer::Impl::take_values(const Plan& plan, const Pass& pass,
   return {};
 }
 
-Result<void> CaseDrawer::Impl::draw_batch(const Plan& plan, std::size_t first,
+Result<void> CaseDrawer::Impl::draw_batch(const Batches& plan, std::size_t first,
                                           cases::Fragments& drawn) {
   const std::size_t left = (plan.c->triangles.size() - first) / plan.triangles;
   const int layer_count = static_cast<int>(std::min(left, static_cast<std::size_t>(plan.layers)));
-  std::vector<Fragments> found(static_cast<std::size_t>(layer_count));
+  std::vector<LayerFragments> found(static_cast<std::size_t>(layer_count));
   for (const Pass& pass : plan.passes) {
     const LayerShape shape{plan.c->framebuffer, plan.layers, pass.size()};
     std::vector<bool> wanted;
@@ -306,7 +306,7 @@ Result<void> CaseDrawer::Impl::draw_batch(const Plan& plan, std::size_t first,
     if (auto done = draw_pass(plan, pass, first, layer_count, **layers); !done) return done;
     for (std::size_t layer = 0; layer < found.size(); ++layer) {
       if (auto read = (*layers)->read(layer, wanted, content); !read) return read;
-      Fragments again;
+      LayerFragments again;
       if (auto looked = find_fragments(plan, first, again); !looked) return looked;
       if (&pass == &plan.passes.front()) {
         found[layer] = std::move(again);
@@ -316,7 +316,7 @@ Result<void> CaseDrawer::Impl::draw_batch(const Plan& plan, std::size_t first,
       if (auto taken = take_values(plan, pass, found[layer]); !taken) return taken;
     }
   }
-  for (const Fragments& fragments : found) append(fragments, *plan.c, drawn);
+  for (const LayerFragments& fragments : found) append(fragments, *plan.c, drawn);
   return {};
 }
 
@@ -324,7 +324,7 @@ Result<cases::Fragments> CaseDrawer::draw(const cases::Case& c) {
   cases::Fragments drawn;
   drawn.attribute_count = c.attributes.size();
   impl_->complaint.clear();
-  const Result<Plan> plan = impl_->plan(c);
+  const Result<Batches> plan = impl_->plan(c);
   if (!plan) return tl::unexpected(plan.error());
   const std::size_t of_batch = static_cast<std::size_t>(plan->layers) * plan->triangles;
   for (std::size_t first = 0; first < c.triangles.size(); first += of_batch) {

@@ -102,7 +102,7 @@ template <typename Archive, Either<Drawn> T>
 void members(Archive& archive, T& d) {
   archive(d.contract, d.fragments);
 }
-template <typename Archive, Either<Drawing> T>
+template <typename Archive, Either<DrawingAnswer> T>
 void members(Archive& archive, T& d) {
   archive(d.drawn, d.problem);
 }
@@ -275,15 +275,15 @@ bool has_meaning(const cases::Contract& c) {
 
 std::string pack(const Request& request) { return packed(request); }
 std::string pack(const Greeting& greeting) { return packed(greeting); }
-std::string pack(const Drawing& drawing) { return packed(drawing); }
+std::string pack(const DrawingAnswer& drawing) { return packed(drawing); }
 std::string pack(const cases::Contract& contract) { return packed(contract); }
 
 std::optional<Request> unpack_request(std::string_view bytes) { return unpacked<Request>(bytes); }
 std::optional<Greeting> unpack_greeting(std::string_view bytes) {
   return unpacked<Greeting>(bytes);
 }
-std::optional<Drawing> unpack_drawing(std::string_view bytes) {
-  std::optional<Drawing> drawing = unpacked<Drawing>(bytes);
+std::optional<DrawingAnswer> unpack_drawing(std::string_view bytes) {
+  std::optional<DrawingAnswer> drawing = unpacked<DrawingAnswer>(bytes);
   if (drawing && !drawing->problem && !has_meaning(drawing->drawn.contract)) return std::nullopt;
   return drawing;
 }

@@ -30,21 +30,21 @@ struct Greeting {
 };
 
 /// The answer to a drawing.
-struct Drawing {
+struct DrawingAnswer {
   Drawn drawn;
   std::optional<Error> problem;
 };
 
 std::string pack(const Request& request);
 std::string pack(const Greeting& greeting);
-std::string pack(const Drawing& drawing);
+std::string pack(const DrawingAnswer& drawing);
 std::string pack(const cases::Contract& contract);
 
 /// Nothing where the bytes are not those of one, whole: enumerators that there are not, lengths
 /// beyond what is there, numbers that no contract has.
 std::optional<Request> unpack_request(std::string_view bytes);
 std::optional<Greeting> unpack_greeting(std::string_view bytes);
-std::optional<Drawing> unpack_drawing(std::string_view bytes);
+std::optional<DrawingAnswer> unpack_drawing(std::string_view bytes);
 std::optional<cases::Contract> unpack_contract(std::string_view bytes);
 
 }  // namespace rastercheck::backends

@@ -49,16 +49,16 @@ struct Bytes {
 };
 
 /// A line put together without memory of its own.
-class Line {
+class SignalLine {
  public:
-  Line& operator<<(std::string_view text) {
+  SignalLine& operator<<(std::string_view text) {
     const std::size_t count = std::min(text.size(), text_.size() - size_);
     std::copy_n(text.begin(), count, text_.begin() + static_cast<std::ptrdiff_t>(size_));
     size_ += count;
     return *this;
   }
-  Line& operator<<(std::uintptr_t number) { return append(number, 10); }
-  Line& append(std::uintptr_t number, int base) {
+  SignalLine& operator<<(std::uintptr_t number) { return append(number, 10); }
+  SignalLine& append(std::uintptr_t number, int base) {
     std::array<char, 24> digits{};
     char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number, base).ptr;
     return *this << std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()));
@@ -73,12 +73,12 @@ class Line {
   std::size_t size_ = 0;
 };
 
-Line& operator<<(Line& line, Bytes bytes) {
+SignalLine& operator<<(SignalLine& line, Bytes bytes) {
   return line << bytes.count << (bytes.count == 1 ? " byte" : " bytes");
 }
 
 /// What is wrong with an access to an address next to, or in, an array.
-void describe(Line& line, const Guarded& array, std::uintptr_t address) {
+void describe(SignalLine& line, const Guarded& array, std::uintptr_t address) {
   if (address < array.begin) {
     line << "the plugin touched " << array.name << " before its beginning, by "
          << Bytes{array.begin - address};
@@ -96,7 +96,7 @@ void report(int signal, siginfo_t* info, void* /*context*/) {
     ::raise(signal);
     return;
   }
-  Line line;
+  SignalLine line;
   const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
   const auto at =
       std::find_if(all_guarded.begin(), all_guarded.end(), [address](const Guarded& one) {

@@ -252,12 +252,12 @@ bool is_whole_viewport(const cases::Case& c) {
 }
 
 /// What a bit of rastercheck_contract.lacks stands for.
-struct Kind {
+struct LackedKind {
   std::uint32_t bit;
   const char* name;
   Need needs;
 };
-const std::array<Kind, 17> kKinds{{
+const std::array<LackedKind, 17> kKinds{{
     {RASTERCHECK_LACKS_OPENGL, "OpenGL's rules",
      [](const cases::Case& c) { return has_rules(c, cases::Rules::opengl); }},
     {RASTERCHECK_LACKS_VULKAN, "Vulkan's rules",
@@ -298,7 +298,7 @@ const std::array<Kind, 17> kKinds{{
 }  // namespace
 
 std::string lacks(const rastercheck_contract& contract, const cases::Case& c) {
-  for (const Kind& kind : kKinds) {
+  for (const LackedKind& kind : kKinds) {
     if ((contract.lacks & kind.bit) != 0 && kind.needs(c)) return kind.name;
   }
   const auto samples = static_cast<std::uint32_t>(c.framebuffer.samples);
@@ -328,7 +328,7 @@ std::string describe(const Plugin& plugin) {
   text += fmt::format(", smooth values within {}{} scale ULP", smooth.constant,
                       smooth.is_constant() ? "" : " and more");
   std::string missing;
-  for (const Kind& kind : kKinds) {
+  for (const LackedKind& kind : kKinds) {
     if ((contract.lacks & kind.bit) == 0) continue;
     missing += (missing.empty() ? "" : ", ") + std::string(kind.name);
   }

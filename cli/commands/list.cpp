@@ -34,7 +34,7 @@ struct Asked {
 };
 
 /// One kind of thing that can be listed: rows are objects with the same keys.
-struct Kind {
+struct ListedKind {
   std::string_view name;
   std::vector<ordered_json> (*rows)(const Asked& asked);
   std::size_t columns = 4;  ///< of a table, at most; JSON has all
@@ -148,19 +148,19 @@ std::vector<ordered_json> known_rows(const Asked& asked) {
   return rows;
 }
 
-constexpr std::array<Kind, 7> kKinds{{{"backends", &backend_rows},
-                                      {"properties", &property_rows, 1},
-                                      {"generators", &generator_rows},
-                                      {"methods", &method_rows, 3},
-                                      {"rules", &rules_rows},
-                                      {"patterns", &pattern_rows},
-                                      {"known", &known_rows}}};
+constexpr std::array<ListedKind, 7> kKinds{{{"backends", &backend_rows},
+                                            {"properties", &property_rows, 1},
+                                            {"generators", &generator_rows},
+                                            {"methods", &method_rows, 3},
+                                            {"rules", &rules_rows},
+                                            {"patterns", &pattern_rows},
+                                            {"known", &known_rows}}};
 
 std::string cell(const ordered_json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-void print_table(const Kind& kind, const std::vector<ordered_json>& rows, bool quiet) {
+void print_table(const ListedKind& kind, const std::vector<ordered_json>& rows, bool quiet) {
   std::vector<std::vector<std::string>> cells;
   for (const ordered_json& row : rows) {
     std::vector<std::string> names;
@@ -202,7 +202,7 @@ ExitCode run(const Options& options) {
     asked.known = *std::move(known);
   }
   ordered_json document = ordered_json::object();
-  for (const Kind& kind : kKinds) {
+  for (const ListedKind& kind : kKinds) {
     if (!chosen.empty() && chosen != kind.name) continue;
     if (options.json) {
       document[std::string(kind.name)] = kind.rows(asked);
@@ -218,7 +218,7 @@ Action set_up(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   std::vector<std::string> names;
   names.reserve(kKinds.size());
-  for (const Kind& kind : kKinds) names.emplace_back(kind.name);
+  for (const ListedKind& kind : kKinds) names.emplace_back(kind.name);
   app.add_option("KIND", options->kind, "What to list; everything without it")
       ->check(CLI::IsMember(names));
   app.add_option("--backend", options->backends,

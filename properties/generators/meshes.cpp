@@ -16,23 +16,23 @@ namespace rastercheck::properties::meshes_generator {
 namespace {
 
 /// A point of the window in whole subpixels, 2^-8 of a pixel.
-struct GridPoint {
+struct LatticePoint {
   int u = 0;
   int v = 0;
 };
 
 constexpr int kSubpixels = 256;
 
-GridPoint grid_point(const WindowPoint& p) {
+LatticePoint grid_point(const WindowPoint& p) {
   return {static_cast<int>(p.u * kSubpixels), static_cast<int>(p.v * kSubpixels)};
 }
 
-WindowPoint window_point(const GridPoint& p) {
+WindowPoint window_point(const LatticePoint& p) {
   return {static_cast<double>(p.u) / kSubpixels, static_cast<double>(p.v) / kSubpixels};
 }
 
 /// Twice the area of a triangle, in square subpixels.
-std::int64_t area(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+std::int64_t area(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c) {
   return std::int64_t{b.u - a.u} * (c.v - a.v) - std::int64_t{c.u - a.u} * (b.v - a.v);
 }
 
@@ -71,14 +71,14 @@ void add_turned(Draw& draw, cases::Case& c, cases::Triangle triangle) {
 /// into one of them, or turns the diagonal of two that form a convex quadrilateral.
 class Triangulation {
  public:
-  Triangulation(const GridPoint& lo, const GridPoint& hi)
+  Triangulation(const LatticePoint& lo, const LatticePoint& hi)
       : points_{lo, {hi.u, lo.v}, hi, {lo.u, hi.v}}, triangles_{{0, 1, 2}, {0, 2, 3}} {}
 
-  const std::vector<GridPoint>& points() const { return points_; }
+  const std::vector<LatticePoint>& points() const { return points_; }
   const std::vector<cases::Triangle>& triangles() const { return triangles_; }
 
   /// Cuts the triangle that holds p into three; leaves it where p is on an edge.
-  void insert(const GridPoint& p) {
+  void insert(const LatticePoint& p) {
     const auto holds = [&](const cases::Triangle& t) {
       return area(points_[t[0]], points_[t[1]], p) > 0 &&
              area(points_[t[1]], points_[t[2]], p) > 0 && area(points_[t[2]], points_[t[0]], p) > 0;
@@ -113,7 +113,7 @@ class Triangulation {
   }
 
  private:
-  std::vector<GridPoint> points_;
+  std::vector<LatticePoint> points_;
   std::vector<cases::Triangle> triangles_;
 };
 
@@ -136,7 +136,7 @@ void add_triangulation(Draw& draw, cases::Case& c) {
   }
   const VertexMaker vertices(draw, c);
   const auto first = static_cast<std::uint32_t>(c.positions.size());
-  for (const GridPoint& p : made.points()) vertices.add(draw, c, window_point(p));
+  for (const LatticePoint& p : made.points()) vertices.add(draw, c, window_point(p));
   const bool is_mirrored = draw.one_in(2);
   for (const cases::Triangle& t : made.triangles()) {
     const std::size_t second = is_mirrored ? 2 : 1;
@@ -200,22 +200,22 @@ void add_strip(Draw& draw, cases::Case& c) {
 /// An edge with vertices in it, exactly: one triangle on its one side, two or more on the other,
 /// so that the edge's line is computed from different ends on both.
 void add_t_junction(Draw& draw, cases::Case& c) {
-  const GridPoint from = grid_point(visible_sample(draw, c));
+  const LatticePoint from = grid_point(visible_sample(draw, c));
   const int parts = draw.between(2, 4);
   const int most = kSubpixels * draw.between(1, 12);
   const int step_u = draw.between(-most, most);
   const int step_v = draw.between(-most, most);
-  const auto joint = [&](int i) { return GridPoint{from.u + i * step_u, from.v + i * step_v}; };
+  const auto joint = [&](int i) { return LatticePoint{from.u + i * step_u, from.v + i * step_v}; };
   // Away from the edge on either side of it.
   const int height = draw.between(1, 4);
   const int shift = draw.between(-1, 1);
-  const GridPoint apex{from.u + shift * step_u - height * step_v,
-                       from.v + shift * step_v + height * step_u};
-  const GridPoint other{from.u + shift * step_u + height * step_v,
-                        from.v + shift * step_v - height * step_u};
+  const LatticePoint apex{from.u + shift * step_u - height * step_v,
+                          from.v + shift * step_v + height * step_u};
+  const LatticePoint other{from.u + shift * step_u + height * step_v,
+                           from.v + shift * step_v - height * step_u};
   const float w = draw.pick(std::array{1.0F, 0.5F, 4.0F});
   const float depth = random_depth(draw, c);
-  const auto add = [&](const GridPoint& p) {
+  const auto add = [&](const LatticePoint& p) {
     return add_vertex(c, at_window(c, window_point(p), depth, w));
   };
   const std::uint32_t above = add(apex);
@@ -227,29 +227,29 @@ void add_t_junction(Draw& draw, cases::Case& c) {
   for (std::uint32_t i = 0; i < count; ++i) add_turned(draw, c, {first + i + 1, first + i, below});
 }
 
-enum class Kind { triangulation, fan, strips, t_junctions };
+enum class MeshKind { triangulation, fan, strips, t_junctions };
 
 cases::Case make(Draw& draw) {
-  const auto kind = draw.pick(std::array{Kind::triangulation, Kind::triangulation, Kind::fan,
-                                         Kind::strips, Kind::t_junctions});
+  const auto kind = draw.pick(std::array{MeshKind::triangulation, MeshKind::triangulation,
+                                         MeshKind::fan, MeshKind::strips, MeshKind::t_junctions});
   StateRequest request;
   request.least_side = 12;
   request.most_side = 32;
   // Off it a vertex within an edge is not on its line.
-  request.is_on_grid = kind == Kind::t_junctions || draw.one_in(2);
+  request.is_on_grid = kind == MeshKind::t_junctions || draw.one_in(2);
   cases::Case c = random_state(draw, request);
   const int shapes = draw.between(2, 4 + draw.size() / 25);
   switch (kind) {
-    case Kind::triangulation:
+    case MeshKind::triangulation:
       add_triangulation(draw, c);
       break;
-    case Kind::fan:
+    case MeshKind::fan:
       add_fan(draw, c);
       break;
-    case Kind::strips:
+    case MeshKind::strips:
       for (int i = 0; i < shapes; ++i) add_strip(draw, c);
       break;
-    case Kind::t_junctions:
+    case MeshKind::t_junctions:
       for (int i = 0; i < shapes; ++i) add_t_junction(draw, c);
   }
   add_attribute_values(draw, c);

@@ -23,18 +23,18 @@ WindowPoint grid_point(Draw& draw, const cases::Case& c, int grid) {
 }
 
 /// The weights of one triangle or quad: powers of two, which leave positions exact.
-struct Weights {
+struct PowerWeights {
   bool is_equal = true;
   float first = 1;
 };
 
-Weights random_weights(Draw& draw) {
+PowerWeights random_weights(Draw& draw) {
   const bool is_equal = !draw.one_in(3);
   const float first = draw.pick(std::array{1.0F, 0.5F, 4.0F});
   return {is_equal, first};
 }
 
-float random_weight(Draw& draw, const Weights& weights) {
+float random_weight(Draw& draw, const PowerWeights& weights) {
   return weights.is_equal ? weights.first : draw.pick(std::array{0.25F, 0.5F, 1.0F, 2.0F});
 }
 
@@ -46,7 +46,7 @@ float grid_depth(Draw& draw, const cases::Case& c) {
 }
 
 void add_grid_triangle(Draw& draw, cases::Case& c, int grid) {
-  const Weights weights = random_weights(draw);
+  const PowerWeights weights = random_weights(draw);
   const bool is_tilted = draw.one_in(2);
   const float plane = grid_depth(draw, c);
   for (int i = 0; i < 3; ++i) {
@@ -69,7 +69,7 @@ void add_quad(Draw& draw, cases::Case& c, int grid) {
   const WindowPoint right{static_cast<double>(along), static_cast<double>(slant)};
   const WindowPoint down{static_cast<double>(-slant), static_cast<double>(across)};
 
-  const Weights weights = random_weights(draw);
+  const PowerWeights weights = random_weights(draw);
   const float depth = grid_depth(draw, c);
   const auto first = static_cast<std::uint32_t>(c.positions.size());
   for (int i = 0; i < 4; ++i) {

@@ -11,13 +11,13 @@ namespace rastercheck::properties::ordinary_generator {
 namespace {
 
 /// How the weights of a case's vertices are made.
-enum class Weights { free, equal, powers_of_two };
+enum class WeightSort { free, equal, powers_of_two };
 
-float random_weight(Draw& draw, Weights kind, float equal) {
+float random_weight(Draw& draw, WeightSort kind, float equal) {
   switch (kind) {
-    case Weights::equal:
+    case WeightSort::equal:
       return equal;
-    case Weights::powers_of_two:
+    case WeightSort::powers_of_two:
       return draw.pick(std::array{0.125F, 0.25F, 0.5F, 1.0F, 2.0F, 4.0F, 8.0F});
     default:
       // Quotients spread evenly, so that weights below 1 are as likely as those above.
@@ -29,8 +29,8 @@ cases::Case make(Draw& draw) {
   StateRequest request;
   request.least_side = 24;
   cases::Case c = random_state(draw, request);
-  const auto weights =
-      draw.pick(std::array{Weights::free, Weights::free, Weights::equal, Weights::powers_of_two});
+  const auto weights = draw.pick(
+      std::array{WeightSort::free, WeightSort::free, WeightSort::equal, WeightSort::powers_of_two});
   const float equal = draw.pick(std::array{1.0F, 0.333F, 3.0F});
   const int triangles = draw.between(1, 1 + draw.size() / 30);
   const bool is_strip = draw.one_in(4);

@@ -91,7 +91,7 @@ class AffineErrorCheck {
 
   void check_value(const cases::SamplePlace& place, std::uint32_t attribute, double most,
                    float actual) {
-    const std::optional<Promise> promise = findings_.promise_of(place, attribute);
+    const std::optional<ValuePromise> promise = findings_.promise_of(place, attribute);
     const auto exact = perspective_.truth(place.triangle)
                            .attribute(attribute, static_cast<int>(place.x),
                                       static_cast<int>(place.y), static_cast<int>(place.sample));

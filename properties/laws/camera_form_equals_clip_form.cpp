@@ -287,7 +287,7 @@ class RayCheck {
     const double far = view.max_depth;
     const double low = is_halved ? (near + far) / 2 : near;
     const double span = is_halved ? (far - near) / 2 : far - near;
-    const Allowance depth = depth_allowance(c, contract_);
+    const ValueAllowance depth = depth_allowance(c, contract_);
     hold(place, combined(span, 2, low - number_of(drawn.depth[i])), *seen,
          depth.units * ulp_of(depth.magnitude) * seen->w, "depth");
   }

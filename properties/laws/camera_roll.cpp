@@ -145,15 +145,15 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
 // --- the law's own cases: cameras that look at triangles ----------------------------------------
 
 /// A projection of near and far planes, f_x and f_y its scales; without shift.
-struct Lens {
+struct RolledLens {
   double near = 0;
   double far = 0;
   double scale_x = 0;
   double scale_y = 0;
 };
 
-Lens random_lens(Draw& draw) {
-  Lens lens;
+RolledLens random_lens(Draw& draw) {
+  RolledLens lens;
   lens.near = double{draw.uniform(0.05F, 1)};
   lens.far = double{draw.uniform(20, 200)};
   lens.scale_x = double{draw.uniform(0.5F, 3)};
@@ -161,7 +161,7 @@ Lens random_lens(Draw& draw) {
   return lens;
 }
 
-Matrix4 projection_of(const Lens& lens, cases::Rules rules) {
+Matrix4 projection_of(const RolledLens& lens, cases::Rules rules) {
   const double depth = lens.near - lens.far;
   Matrix4 matrix{};
   matrix[0] = static_cast<float>(lens.scale_x);
@@ -200,26 +200,26 @@ Matrix4 random_motion(Draw& draw, float farthest) {
 
 /// A point that the camera sees at `ndc`, `distance` in front of it; behind it where that is
 /// negative.
-Point eye_point(const Lens& lens, const std::array<double, 2>& ndc, double distance) {
+Point eye_point(const RolledLens& lens, const std::array<double, 2>& ndc, double distance) {
   return {ndc[0] * distance / lens.scale_x, ndc[1] * distance / lens.scale_y, -distance};
 }
 
 /// How far in front of the eye a vertex is.
-using Distance = double (*)(Draw& draw, const Lens& lens);
+using Distance = double (*)(Draw& draw, const RolledLens& lens);
 
-double in_front(Draw& draw, const Lens& lens) { return lens.near + 8 * double{draw.unit()}; }
+double in_front(Draw& draw, const RolledLens& lens) { return lens.near + 8 * double{draw.unit()}; }
 
 /// Beyond the near plane, one in three.
-double about_near_plane(Draw& draw, const Lens& lens) {
+double about_near_plane(Draw& draw, const RolledLens& lens) {
   return draw.one_in(3) ? lens.near / 2 : in_front(draw, lens);
 }
 
 /// Behind the eye, one in three.
-double about_eye(Draw& draw, const Lens& lens) {
+double about_eye(Draw& draw, const RolledLens& lens) {
   return draw.one_in(3) ? -in_front(draw, lens) : in_front(draw, lens);
 }
 
-void add_triangles(Draw& draw, const Lens& lens, Distance distance_of, cases::Case& c) {
+void add_triangles(Draw& draw, const RolledLens& lens, Distance distance_of, cases::Case& c) {
   const cases::Camera& camera = *c.camera;
   const int triangles = draw.between(1, 1 + draw.size() / 30);
   for (int i = 0; i < 3 * triangles; ++i) {
@@ -255,7 +255,7 @@ Generated generate(Draw& draw) {
   cases::Camera& camera = c.camera.emplace();
   camera.model = random_motion(draw, 2);
   camera.view = random_motion(draw, 10);
-  const Lens lens = random_lens(draw);
+  const RolledLens lens = random_lens(draw);
   camera.projection = projection_of(lens, c.rules);
   add_triangles(draw, lens, sort.distance_of, c);
   add_attribute_values(draw, c);

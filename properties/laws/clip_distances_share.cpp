@@ -64,13 +64,13 @@ cases::Case with_opposite(const cases::Case& c, std::size_t index) {
 }
 
 /// One of the three drawings, and what the oracle says of its case.
-class Drawing {
+class JudgedDrawing {
  public:
   /// The case must outlive it.
-  static Result<Drawing> make(const cases::Case& c, backends::Backend& backend) {
+  static Result<JudgedDrawing> make(const cases::Case& c, backends::Backend& backend) {
     const Result<backends::Drawn> drawn = draw(c, backend);
     if (!drawn) return tl::unexpected(drawn.error());
-    return Drawing(c, drawn->contract, drawn->fragments);
+    return JudgedDrawing(c, drawn->contract, drawn->fragments);
   }
 
   const std::vector<cases::SamplePlace>& places() const { return places_; }
@@ -84,7 +84,8 @@ class Drawing {
   const oracle::TriangleTruth& truth(std::uint32_t triangle) { return verdicts_.truth(triangle); }
 
  private:
-  Drawing(const cases::Case& c, const cases::Contract& contract, const cases::Fragments& drawn)
+  JudgedDrawing(const cases::Case& c, const cases::Contract& contract,
+                const cases::Fragments& drawn)
       : verdicts_(c, contract) {
     // What is not of the case, or comes twice, is a matter of coverage.
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -102,7 +103,7 @@ class SharingCheck {
  public:
   explicit SharingCheck(const cases::Case& c) : tally_(c) {}
 
-  void run(std::size_t distance, Drawing& whole, Drawing& kept, Drawing& rest) {
+  void run(std::size_t distance, JudgedDrawing& whole, JudgedDrawing& kept, JudgedDrawing& rest) {
     distance_ = distance;
     std::vector<cases::SamplePlace> parts;
     std::set_union(kept.places().begin(), kept.places().end(), rest.places().begin(),
@@ -123,7 +124,8 @@ class SharingCheck {
   Check finish() { return tally_.finish(); }
 
  private:
-  void see(const cases::SamplePlace& place, Drawing& whole, Drawing& kept, Drawing& rest) {
+  void see(const cases::SamplePlace& place, JudgedDrawing& whole, JudgedDrawing& kept,
+           JudgedDrawing& rest) {
     const SampleVerdict of_whole = whole.judge(place);
     const SampleVerdict of_kept = kept.judge(place);
     const SampleVerdict of_rest = rest.judge(place);
@@ -165,7 +167,7 @@ class SharingCheck {
   }
 
   void report(const cases::SamplePlace& place, FragmentClass fragment_class,
-              const std::string& exact, const std::string& what, Drawing& nearest) {
+              const std::string& exact, const std::string& what, JudgedDrawing& nearest) {
     records::Violation violation = violation_at(
         place, fragment_class, exact, "clip distance " + std::to_string(distance_) + ": " + what);
     violation.distance = nearest.truth(place.triangle)
@@ -189,11 +191,11 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
   for (std::size_t d = 0; d < clip.clip_distance_count; ++d) {
     const cases::Case without = without_distance(clip, d);
     const cases::Case opposite = with_opposite(clip, d);
-    Result<Drawing> whole = Drawing::make(without, backend);
+    Result<JudgedDrawing> whole = JudgedDrawing::make(without, backend);
     if (!whole) return tl::unexpected(whole.error());
-    Result<Drawing> kept = Drawing::make(clip, backend);
+    Result<JudgedDrawing> kept = JudgedDrawing::make(clip, backend);
     if (!kept) return tl::unexpected(kept.error());
-    Result<Drawing> rest = Drawing::make(opposite, backend);
+    Result<JudgedDrawing> rest = JudgedDrawing::make(opposite, backend);
     if (!rest) return tl::unexpected(rest.error());
     sharing.run(d, *whole, *kept, *rest);
   }

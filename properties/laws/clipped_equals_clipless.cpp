@@ -142,15 +142,15 @@ std::vector<std::uint32_t> clipped(cases::Case& c, const Triangle& triangle, con
   return corners;
 }
 
-struct Clipping {
+struct PlaneClipping {
   Parted parted;
   cases::Case with_l;  ///< the whole, its only attribute L in units
   Plane plane = Plane::near;
 };
 
-Clipping clipping_of(const cases::Case& c) {
+PlaneClipping clipping_of(const cases::Case& c) {
   Choices choices(fingerprint(c));
-  Clipping result;
+  PlaneClipping result;
   result.plane = choices.pick(kPlanes);
   cases::Case source = c;
   if (result.plane == Plane::distance && source.clip_distance_count == 0) {
@@ -208,7 +208,7 @@ bool is_on_plane(Verdicts& with_l, const cases::SamplePlace& place) {
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  Clipping clipping = clipping_of(clip);
+  PlaneClipping clipping = clipping_of(clip);
   cases::Contract exact;
   exact.tie_rule = cases::TieRule::unspecified;  // ties of either kind are not forbidden
   Verdicts with_l(clipping.with_l, exact);

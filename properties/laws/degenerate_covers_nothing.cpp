@@ -46,27 +46,37 @@ using cases::ClipVertex;
 using cases::Triangle;
 using records::FragmentClass;
 
-enum class Kind { repeated, twice, opposite, collinear, on_samples, behind, at_infinity, at_eye };
-constexpr std::array kKinds{Kind::repeated,   Kind::twice,  Kind::opposite,    Kind::collinear,
-                            Kind::on_samples, Kind::behind, Kind::at_infinity, Kind::at_eye};
+enum class Degeneracy {
+  repeated,
+  twice,
+  opposite,
+  collinear,
+  on_samples,
+  behind,
+  at_infinity,
+  at_eye
+};
+constexpr std::array kKinds{Degeneracy::repeated,    Degeneracy::twice,      Degeneracy::opposite,
+                            Degeneracy::collinear,   Degeneracy::on_samples, Degeneracy::behind,
+                            Degeneracy::at_infinity, Degeneracy::at_eye};
 
-const char* word_of(Kind kind) {
+const char* word_of(Degeneracy kind) {
   switch (kind) {
-    case Kind::repeated:
+    case Degeneracy::repeated:
       return "repeated vertex";
-    case Kind::twice:
+    case Degeneracy::twice:
       return "vertex twice";
-    case Kind::opposite:
+    case Degeneracy::opposite:
       return "opposite vertices";
-    case Kind::collinear:
+    case Degeneracy::collinear:
       return "collinear vertices";
-    case Kind::on_samples:
+    case Degeneracy::on_samples:
       return "collinear samples";
-    case Kind::behind:
+    case Degeneracy::behind:
       return "behind the eye";
-    case Kind::at_infinity:
+    case Degeneracy::at_infinity:
       return "all w = 0";
-    case Kind::at_eye:
+    case Degeneracy::at_eye:
       break;
   }
   return "vertex in the eye";
@@ -99,29 +109,29 @@ class Degenerates {
   Degenerates(cases::Case& c, Choices& choices) : case_(&c), choices_(&choices) {}
 
   /// Appends the vertices that it needs. Nothing where they are not exact.
-  std::optional<Triangle> make(Kind kind) {
+  std::optional<Triangle> make(Degeneracy kind) {
     const Triangle& of = case_->triangles[choices_->below(case_->triangles.size())];
     const std::size_t first = choices_->below(3);
     const std::uint32_t a = of[first];
     const std::uint32_t b = of[(first + 1) % 3];
     const std::uint32_t c = of[(first + 2) % 3];
     switch (kind) {
-      case Kind::repeated:
+      case Degeneracy::repeated:
         return choices_->pick(
             std::array{Triangle{a, a, b}, Triangle{a, b, a}, Triangle{b, a, a}, Triangle{a, a, a}});
-      case Kind::twice:
+      case Degeneracy::twice:
         return with(a, b, scaled(at(a), power()));
-      case Kind::opposite:
+      case Degeneracy::opposite:
         return with(a, b, scaled(at(a), -power()));
-      case Kind::collinear:
+      case Degeneracy::collinear:
         return collinear(a, b, c);
-      case Kind::on_samples:
+      case Degeneracy::on_samples:
         return on_samples(a, b);
-      case Kind::behind:
+      case Degeneracy::behind:
         return moved_behind({a, b, c}, -1);
-      case Kind::at_infinity:
+      case Degeneracy::at_infinity:
         return moved_behind({a, b, c}, 0);
-      case Kind::at_eye:
+      case Degeneracy::at_eye:
         break;
     }
     return with(a, b, ClipVertex{0, 0, 0, 0});
@@ -188,7 +198,7 @@ struct Mixed {
   cases::Case source;
   /// [triangle]: what it was in the case; or of what kind it is.
   std::vector<std::optional<std::uint32_t>> original;
-  std::vector<Kind> kinds;
+  std::vector<Degeneracy> kinds;
   std::set<std::string> labels;
 };
 
@@ -197,10 +207,10 @@ Mixed mixed(const cases::Case& c) {
   const std::uint64_t number = fingerprint(c);
   Mixed result;
   result.source = c;
-  std::vector<std::pair<Triangle, Kind>> added;
+  std::vector<std::pair<Triangle, Degeneracy>> added;
   for (std::size_t i = 0; i < kMost; ++i) {
     Choices choices(number + i * 0x9e3779b97f4a7c15U);
-    const Kind kind = choices.pick(kKinds);
+    const Degeneracy kind = choices.pick(kKinds);
     const auto triangle = Degenerates(result.source, choices).make(kind);
     if (!triangle) continue;
     added.emplace_back(*triangle, kind);
@@ -208,7 +218,7 @@ Mixed mixed(const cases::Case& c) {
   }
   result.source.triangles.clear();
   const auto put = [&result](const Triangle& triangle, std::optional<std::uint32_t> original,
-                             Kind kind) {
+                             Degeneracy kind) {
     result.source.triangles.push_back(triangle);
     result.original.push_back(original);
     result.kinds.push_back(kind);
@@ -220,7 +230,7 @@ Mixed mixed(const cases::Case& c) {
       added.pop_back();
       if (!is_last) break;
     }
-    put(c.triangles[t], t, Kind::repeated);
+    put(c.triangles[t], t, Degeneracy::repeated);
   }
   return result;
 }

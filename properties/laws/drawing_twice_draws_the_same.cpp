@@ -83,15 +83,15 @@ cases::Case turned_case(cases::Case c) {
 }
 
 /// What is drawn of a case at a time: fragments, and a picture where the backend draws some.
-struct Drawing {
+struct DrawnAtOnce {
   cases::Fragments fragments;
   std::optional<cases::Picture> picture;
 };
 
-Result<Drawing> draw_all(const cases::Case& c, backends::Backend& backend) {
+Result<DrawnAtOnce> draw_all(const cases::Case& c, backends::Backend& backend) {
   Result<backends::Drawn> fragments = draw(c, backend);
   if (!fragments) return tl::unexpected(fragments.error());
-  Drawing drawing{std::move(fragments->fragments), std::nullopt};
+  DrawnAtOnce drawing{std::move(fragments->fragments), std::nullopt};
   if (backend.picture_drawer() == nullptr) return drawing;
   Result<cases::Picture> picture = draw_picture(c, backend, pipeline_of(c));
   if (!picture) return tl::unexpected(picture.error());
@@ -101,16 +101,16 @@ Result<Drawing> draw_all(const cases::Case& c, backends::Backend& backend) {
 
 /// Draws something else, for what it leaves behind.
 Result<void> draw_other(const cases::Case& c, backends::Backend& backend) {
-  const auto is_unsupported = [](const Result<Drawing>& drawn) {
+  const auto is_unsupported = [](const Result<DrawnAtOnce>& drawn) {
     return !drawn && drawn.error().failure == Failure::unsupported;
   };
-  Result<Drawing> other = draw_all(other_case(c), backend);
+  Result<DrawnAtOnce> other = draw_all(other_case(c), backend);
   if (is_unsupported(other)) other = draw_all(turned_case(c), backend);
   if (!other && !is_unsupported(other)) return tl::unexpected(other.error());
   return {};
 }
 
-void compare(const cases::Case& c, const Drawing& expected, const Drawing& drawn,
+void compare(const cases::Case& c, const DrawnAtOnce& expected, const DrawnAtOnce& drawn,
              const std::string& note, Check& check) {
   merge(check, compare_drawings(c, expected.fragments, drawn.fragments, note));
   if (!expected.picture || !drawn.picture) return;
@@ -120,13 +120,13 @@ void compare(const cases::Case& c, const Drawing& expected, const Drawing& drawn
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Result<Drawing> first = draw_all(clip, backend);
+  const Result<DrawnAtOnce> first = draw_all(clip, backend);
   if (!first) return tl::unexpected(first.error());
-  const Result<Drawing> second = draw_all(clip, backend);
+  const Result<DrawnAtOnce> second = draw_all(clip, backend);
   if (!second) return tl::unexpected(second.error());
   const Result<void> other = draw_other(clip, backend);
   if (!other) return tl::unexpected(other.error());
-  const Result<Drawing> third = draw_all(clip, backend);
+  const Result<DrawnAtOnce> third = draw_all(clip, backend);
   if (!third) return tl::unexpected(third.error());
   Check check;
   compare(clip, *second, *first, "drawn the first time; the second time it was the other", check);

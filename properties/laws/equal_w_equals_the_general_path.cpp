@@ -71,7 +71,7 @@ float at_equal_w(float coordinate, float w) {
 }
 
 /// The case with one w, and the same with vertices scaled.
-struct Pair {
+struct CasePair {
   cases::Case equal;
   cases::Case general;
   std::vector<double> factors;  ///< [vertex]
@@ -80,7 +80,7 @@ struct Pair {
 };
 
 /// The attribute whose products with the factors are float32, if any is.
-std::optional<std::size_t> attribute_for_quotient(const Pair& pair) {
+std::optional<std::size_t> attribute_for_quotient(const CasePair& pair) {
   for (std::size_t a = 0; a < pair.equal.attributes.size(); ++a) {
     if (pair.equal.attributes[a].interpolation == Interpolation::flat) continue;
     bool is_exact = true;
@@ -93,7 +93,7 @@ std::optional<std::size_t> attribute_for_quotient(const Pair& pair) {
 }
 
 /// Adds the attributes m and n.
-void add_quotient(Pair& pair) {
+void add_quotient(CasePair& pair) {
   pair.quotient_of = attribute_for_quotient(pair);
   if (!pair.quotient_of || pair.equal.attributes.size() + 2 > cases::kMaxAttributes) {
     pair.quotient_of.reset();
@@ -111,8 +111,8 @@ void add_quotient(Pair& pair) {
   }
 }
 
-Pair pair_of(const cases::Case& c) {
-  Pair pair;
+CasePair pair_of(const cases::Case& c) {
+  CasePair pair;
   cases::Case& equal = pair.equal;
   equal = c;
   equal.depth_test = cases::DepthTest::none;
@@ -163,7 +163,7 @@ cases::Fragments with_attributes(const cases::Fragments& drawn, std::size_t coun
 
 class PathsCheck {
  public:
-  PathsCheck(const Pair& pair, backends::Backend& backend)
+  PathsCheck(const CasePair& pair, backends::Backend& backend)
       : pair_(&pair),
         of_equal_(backend.contract(pair.equal)),
         of_general_(backend.contract(pair.general)),
@@ -203,18 +203,20 @@ class PathsCheck {
            verdicts_of_general_.judge(place.triangle, place).verdict == records::Verdict::permitted;
   }
 
-  std::optional<Allowance> bound_of(const cases::Case& c, const cases::Contract& contract,
-                                    std::uint32_t triangle, std::optional<std::size_t> attribute) {
+  std::optional<ValueAllowance> bound_of(const cases::Case& c, const cases::Contract& contract,
+                                         std::uint32_t triangle,
+                                         std::optional<std::size_t> attribute) {
     if (!has_values(triangle)) return std::nullopt;
     if (!attribute) return depth_allowance(c, contract);
     return value_allowance(c, contract, c.triangles[triangle], *attribute);
   }
 
-  std::optional<Allowance> allowed(std::uint32_t triangle, std::optional<std::size_t> attribute) {
+  std::optional<ValueAllowance> allowed(std::uint32_t triangle,
+                                        std::optional<std::size_t> attribute) {
     const auto one = bound_of(pair_->equal, of_equal_, triangle, attribute);
     const auto other = bound_of(pair_->general, of_general_, triangle, attribute);
     if (!one || !other) return std::nullopt;
-    return Allowance{one->units + other->units, one->magnitude};
+    return ValueAllowance{one->units + other->units, one->magnitude};
   }
 
   void see_quotients(const cases::Fragments& equal, const cases::Fragments& general, Check& check) {
@@ -250,7 +252,9 @@ class PathsCheck {
         !of_equal_.coverage || of_equal_.basis == cases::Basis::snapped;  // by what values are of
     if (!is_covered) return bounds_;
     if (!of_m || !of_n || !of_r) return bounds_;
-    const auto in_values = [](const Allowance& one) { return one.units * ulp_of(one.magnitude); };
+    const auto in_values = [](const ValueAllowance& one) {
+      return one.units * ulp_of(one.magnitude);
+    };
     bounds_ = {in_values(*of_m), in_values(*of_n), in_values(*of_r), of_r->magnitude};
     return bounds_;
   }
@@ -275,7 +279,7 @@ class PathsCheck {
                                {records::AttributeKind::smooth, attribute, values[m]}));
   }
 
-  const Pair* pair_;
+  const CasePair* pair_;
   cases::Contract of_equal_;
   cases::Contract of_general_;
   Verdicts verdicts_;
@@ -287,7 +291,7 @@ class PathsCheck {
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
-  const Pair pair = pair_of(clip);
+  const CasePair pair = pair_of(clip);
   const Result<backends::Drawn> equal = draw(pair.equal, backend);
   if (!equal) return tl::unexpected(equal.error());
   const Result<backends::Drawn> general = draw(pair.general, backend);

@@ -83,7 +83,7 @@ std::optional<Mirror> mirror_of(const cases::Case& c) {
 
 /// Where a mirrored side of the viewport begins; nothing where that is no float32, or where a
 /// sample lies exactly on one of its borders.
-std::optional<float> mirrored_begin(WindowAxis axis, const Side& side, float size,
+std::optional<float> mirrored_begin(WindowAxis axis, const WindowSide& side, float size,
                                     const cases::FramebufferSize& framebuffer) {
   if (is_at_samples(axis, side.begin, framebuffer) || is_at_samples(axis, side.end, framebuffer)) {
     return std::nullopt;
@@ -96,8 +96,8 @@ std::optional<float> mirrored_begin(WindowAxis axis, const Side& side, float siz
 }
 
 bool mirror_viewport(const cases::Case& c, const Mirror& mirror, cases::Case& changed) {
-  const std::optional<Side> across = side_of(c.viewport.x, c.viewport.width);
-  const std::optional<Side> down = side_of(c.viewport.y, c.viewport.height);
+  const std::optional<WindowSide> across = side_of(c.viewport.x, c.viewport.width);
+  const std::optional<WindowSide> down = side_of(c.viewport.y, c.viewport.height);
   if (!across || !down) return false;
   if (mirror.is_in_x) {
     const auto x = mirrored_begin(WindowAxis::x, *across, c.viewport.width, c.framebuffer);

@@ -59,7 +59,7 @@ cases::Case with_own_vertices(const cases::Case& c) {
 }
 
 /// least <= k <= most.
-struct Exponents {
+struct Powers {
   int least = kLeastExponent - kMostExponent;
   int most = kMostExponent - kLeastExponent;
 
@@ -72,8 +72,8 @@ struct Exponents {
   }
 };
 
-Exponents exponents_of(const cases::Case& c, const cases::Triangle& triangle, bool has_distances) {
-  Exponents all;
+Powers exponents_of(const cases::Case& c, const cases::Triangle& triangle, bool has_distances) {
+  Powers all;
   for (const std::uint32_t vertex : triangle) {
     const cases::ClipVertex& p = c.positions[vertex];
     for (const float coordinate : {p.x, p.y, p.z, p.w}) all.take(coordinate);
@@ -84,7 +84,7 @@ Exponents exponents_of(const cases::Case& c, const cases::Triangle& triangle, bo
 }
 
 /// One of these that is not 0, a small one more often; 0 where there is no other.
-int exponent_of(Choices& choices, Exponents all) {
+int exponent_of(Choices& choices, Powers all) {
   if (choices.below(4) > 0) {
     all.least = std::max(all.least, -kMostUsual);
     all.most = std::min(all.most, kMostUsual);
@@ -98,18 +98,18 @@ int exponent_of(Choices& choices, Exponents all) {
 float scaled(float number, int exponent) { return std::ldexp(number, exponent); }
 
 /// A case of own vertices, scaled, and what was done to it.
-struct Scaled {
+struct ScaledCase {
   cases::Case source;
   std::set<std::string> labels;
   bool is_changed = false;
 };
 
-Scaled scaled_case(const cases::Case& own) {
+ScaledCase scaled_case(const cases::Case& own) {
   // The upper half of FNV's bits is the better one.
   const std::uint64_t all = fingerprint(own);
   const std::uint64_t hash = all ^ (all >> 32);
   const bool has_distances = own.clip_distance_count > 0 && hash % 2 == 0;
-  Scaled result{own, {}, false};
+  ScaledCase result{own, {}, false};
   cases::Case& c = result.source;
   for (std::uint32_t t = 0; t < c.triangles.size(); ++t) {
     // Another one for each triangle.
@@ -136,7 +136,7 @@ Scaled scaled_case(const cases::Case& own) {
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     const CheckOptions& /*options*/) {
   const cases::Case own = with_own_vertices(clip);
-  const Scaled changed = scaled_case(own);
+  const ScaledCase changed = scaled_case(own);
   if (!changed.is_changed) return not_applicable();
   const Result<backends::Drawn> before = draw(own, backend);
   if (!before) return tl::unexpected(before.error());

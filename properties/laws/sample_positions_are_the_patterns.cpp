@@ -42,12 +42,12 @@ using cases::Location;
 
 // --- The law -------------------------------------------------------------------------------------
 
-enum class Axis { x, y };
+enum class PatternAxis { x, y };
 
 /// An attribute that is the window position along an axis.
 struct Coordinate {
   std::uint32_t attribute = 0;
-  Axis axis = Axis::x;
+  PatternAxis axis = PatternAxis::x;
   double greatest = 0;  ///< of the vertices' values
 };
 
@@ -69,8 +69,8 @@ std::vector<Coordinate> coordinates_of(const cases::Case& c, const cases::Triang
     if (!is_short || !is_in_front || !is_exactly_at(c, c.positions[index], p)) return {};
   }
   std::vector<Coordinate> coordinates;
-  for (const Axis axis : {Axis::x, Axis::y}) {
-    const std::uint32_t a = axis == Axis::x ? 0 : 1;
+  for (const PatternAxis axis : {PatternAxis::x, PatternAxis::y}) {
+    const std::uint32_t a = axis == PatternAxis::x ? 0 : 1;
     const Interpolation interpolation = c.attributes[a].interpolation;
     if (interpolation == Interpolation::flat) continue;
     if (interpolation == Interpolation::smooth && !has_one_w(c, triangle)) continue;
@@ -84,7 +84,7 @@ std::vector<Coordinate> coordinates_of(const cases::Case& c, const cases::Triang
 }
 
 /// Numbers from lo to hi.
-struct Range {
+struct NumberRange {
   double lo = 0;
   double hi = 0;
 };
@@ -115,8 +115,8 @@ class PatternCheck {
 
  private:
   /// Where an attribute is evaluated along an axis.
-  Range expected(const cases::SamplePlace& place, const Coordinate& coordinate) const {
-    const bool is_x = coordinate.axis == Axis::x;
+  NumberRange expected(const cases::SamplePlace& place, const Coordinate& coordinate) const {
+    const bool is_x = coordinate.axis == PatternAxis::x;
     const double pixel = is_x ? place.x : place.y;
     const cases::SamplePosition& offset = pattern_[place.sample];
     const double sample = pixel + (is_x ? offset.x : offset.y) / 16.0;
@@ -138,30 +138,30 @@ class PatternCheck {
     findings_.see(place, coordinate.attribute);
     add_labels(coordinate.attribute);
     const float actual = drawn_->attributes_of(i)[coordinate.attribute];
-    const Range range = expected(place, coordinate);
+    const NumberRange range = expected(place, coordinate);
     const double unit = ulp_of(std::max({coordinate.greatest, range.lo, range.hi}));
     const double bound{findings_.bound_of(coordinate.attribute).constant};
     if (is_within(actual, range, bound, unit)) return;
     const auto promise = findings_.promise_of(place, coordinate.attribute);
     if (!promise) return;
-    const Range open = opened(range, *promise);
+    const NumberRange open = opened(range, *promise);
     if (is_within(actual, open, promise->bound, std::max(unit, promise->unit))) return;
     const std::string at = range.lo == range.hi
                                ? value_text(static_cast<float>(range.lo))
                                : "[" + value_text(static_cast<float>(range.lo)) + ", " +
                                      value_text(static_cast<float>(range.hi)) + "]";
     findings_.report(place, coordinate.attribute, actual, at,
-                     coordinate.axis == Axis::x ? "not the window x where it is evaluated"
-                                                : "not the window y where it is evaluated");
+                     coordinate.axis == PatternAxis::x ? "not the window x where it is evaluated"
+                                                       : "not the window y where it is evaluated");
   }
 
   /// What the contract leaves open beyond the place; only where it leaves several numbers open.
-  static Range opened(const Range& range, const Promise& promise) {
+  static NumberRange opened(const NumberRange& range, const ValuePromise& promise) {
     if (promise.lo == promise.hi) return range;
     return {std::min(range.lo, promise.lo), std::max(range.hi, promise.hi)};
   }
 
-  static bool is_within(float actual, const Range& range, double bound, double unit) {
+  static bool is_within(float actual, const NumberRange& range, double bound, double unit) {
     return actual >= least_float(range.lo, bound, unit) &&
            actual <= greatest_float(range.hi, bound, unit);
   }

@@ -43,16 +43,16 @@ using records::FragmentClass;
 using records::Verdict;
 
 /// Two triangles of a case that share an edge and traverse it in opposite directions.
-struct Pair {
+struct TrianglePair {
   std::uint32_t first = 0;                 ///< index of A, the smaller
   std::uint32_t second = 0;                ///< index of B
   std::array<std::uint32_t, 4> corners{};  ///< v0 v1 v2 v3, indices of vertices
 };
 
-std::vector<Pair> pairs_of(const cases::Case& c) {
+std::vector<TrianglePair> pairs_of(const cases::Case& c) {
   std::multimap<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::uint32_t, std::uint32_t>>
       opposite;  // edge → triangle so far that has it, and the triangle's third vertex
-  std::vector<Pair> pairs;
+  std::vector<TrianglePair> pairs;
   for (std::uint32_t t = 0; t < c.triangles.size(); ++t) {
     const cases::Triangle& triangle = c.triangles[t];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -101,19 +101,19 @@ class SharedEdgeCheck {
   }
 
   Check run() {
-    for (const Pair& pair : pairs_of(*case_)) check_pair(pair);
+    for (const TrianglePair& pair : pairs_of(*case_)) check_pair(pair);
     return has_pairs_ ? tally_.finish() : not_applicable();
   }
 
  private:
-  bool has_positive_distances(const Pair& pair) const {
+  bool has_positive_distances(const TrianglePair& pair) const {
     return std::all_of(pair.corners.begin(), pair.corners.end(), [this](std::uint32_t vertex) {
       const auto distances = case_->clip_distances_of(vertex);
       return std::all_of(distances.begin(), distances.end(), [](float d) { return d > 0; });
     });
   }
 
-  void check_pair(const Pair& pair) {
+  void check_pair(const TrianglePair& pair) {
     if (!has_positive_distances(pair)) return;
     cases::Case quad = state_;
     quad.positions.clear();
@@ -140,7 +140,7 @@ class SharedEdgeCheck {
   }
 
   /// Samples drawn by both.
-  void find_doubles(const Pair& pair, const oracle::TriangleTruth& a) {
+  void find_doubles(const TrianglePair& pair, const oracle::TriangleTruth& a) {
     Samples both;
     std::set_intersection(samples_[pair.first].begin(), samples_[pair.first].end(),
                           samples_[pair.second].begin(), samples_[pair.second].end(),
@@ -149,8 +149,8 @@ class SharedEdgeCheck {
   }
 
   /// Samples of the quadrilateral's inside that are drawn by neither.
-  void find_gaps(const Pair& pair, const oracle::TriangleTruth& a, const oracle::TriangleTruth& c,
-                 const oracle::TriangleTruth& d) {
+  void find_gaps(const TrianglePair& pair, const oracle::TriangleTruth& a,
+                 const oracle::TriangleTruth& c, const oracle::TriangleTruth& d) {
     const oracle::PixelBox of_c = c.pixels();
     const oracle::PixelBox of_d = d.pixels();
     const oracle::PixelBox pixels{std::min(of_c.x0, of_d.x0), std::min(of_c.y0, of_d.y0),
@@ -171,7 +171,7 @@ class SharedEdgeCheck {
     }
   }
 
-  void see_required(const Pair& pair, const std::array<std::uint32_t, 3>& sample,
+  void see_required(const TrianglePair& pair, const std::array<std::uint32_t, 3>& sample,
                     const oracle::TriangleTruth& a) {
     ++tally_.counts().required;
     const bool by_first =
@@ -192,7 +192,7 @@ class SharedEdgeCheck {
     }
   }
 
-  void report(const Pair& pair, const std::array<std::uint32_t, 3>& sample,
+  void report(const TrianglePair& pair, const std::array<std::uint32_t, 3>& sample,
               FragmentClass fragment_class, const oracle::TriangleTruth& a) {
     const auto [y, x, s] = sample;
     const bool is_missing = fragment_class == FragmentClass::missing;
@@ -231,7 +231,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
 // --- the law's own cases: quadrilaterals, strips, meshes and fans -------------------------------
 
 /// How the vertices of a case get their weights.
-enum class Weights { equal, powers_of_two, free };
+enum class LayoutWeights { equal, powers_of_two, free };
 
 /// A mesh in coordinates of its own, laid on the screen.
 struct Layout {
@@ -239,7 +239,7 @@ struct Layout {
   WindowPoint right;  ///< pixels per cell
   WindowPoint down;
   bool is_on_grid = false;
-  Weights weights = Weights::equal;
+  LayoutWeights weights = LayoutWeights::equal;
 
   WindowPoint at(double s, double t) const {
     return {origin.u + s * right.u + t * down.u, origin.v + s * right.v + t * down.v};
@@ -257,7 +257,7 @@ Layout random_layout(Draw& draw, const cases::Case& c, bool is_on_grid) {
     const double unit = draw.pick(std::array{1.0, 1.0, 0.5, 0.25});
     layout.right = {unit * width, unit * slant};
     layout.down = {-unit * slant, unit * height};
-    layout.weights = draw.pick(std::array{Weights::equal, Weights::powers_of_two});
+    layout.weights = draw.pick(std::array{LayoutWeights::equal, LayoutWeights::powers_of_two});
     return layout;
   }
   // Turned by a rational rotation: (1 − t²)/(1 + t²) and 2t/(1 + t²) are cosine and sine.
@@ -269,16 +269,17 @@ Layout random_layout(Draw& draw, const cases::Case& c, bool is_on_grid) {
   const double height = draw.one_in(2) ? width : double{draw.uniform(0.25F, 12)};
   layout.right = {width * cosine, width * sine};
   layout.down = {-height * sine, height * cosine};
-  layout.weights = draw.pick(std::array{Weights::equal, Weights::free, Weights::free});
+  layout.weights =
+      draw.pick(std::array{LayoutWeights::equal, LayoutWeights::free, LayoutWeights::free});
   return layout;
 }
 
 std::uint32_t add_laid_out(Draw& draw, cases::Case& c, const Layout& layout, double s, double t) {
   const float depth = draw.uniform(0.0625F, 0.9375F);
   float w = 1;
-  if (layout.weights == Weights::powers_of_two) {
+  if (layout.weights == LayoutWeights::powers_of_two) {
     w = draw.pick(std::array{0.25F, 0.5F, 1.0F, 2.0F, 4.0F});
-  } else if (layout.weights == Weights::free) {
+  } else if (layout.weights == LayoutWeights::free) {
     w = draw.uniform(0.1F, 4);
   }
   return add_vertex(c, at_window(c, layout.at(s, t), depth, w));

@@ -197,9 +197,9 @@ std::optional<std::vector<Edge>> outline_of(const cases::Case& c) {
 /// Whether the outline runs around the viewport once, no edge meeting it, however its ends are
 /// moved by up to `reach` pixels. An end is beyond a side if its distance from it, in pixels times
 /// w, is more than twice that: far more than the few roundings of a double cost.
-class Outline {
+class AreaOutline {
  public:
-  Outline(const cases::Case& c, double reach) : case_(&c) {
+  AreaOutline(const cases::Case& c, double reach) : case_(&c) {
     margin_x_ = 4 * reach / std::abs(double{c.viewport.width});
     margin_y_ = 4 * reach / std::abs(double{c.viewport.height});
   }
@@ -238,7 +238,7 @@ bool is_triangulation(const cases::Case& c, const cases::Contract& contract, Ver
   const auto edges = outline_of(c);
   if (!all_in_front || !edges || c.triangles.empty()) return false;
   const double reach = contract.coverage ? placement_reach(*contract.coverage) : 0;
-  if (!Outline(c, reach).runs_around_once(*edges)) return false;
+  if (!AreaOutline(c, reach).runs_around_once(*edges)) return false;
   const int orientation = verdicts.truth(0).orientation();
   for (std::uint32_t t = 0; t < c.triangles.size(); ++t) {
     const oracle::TriangleTruth& truth = verdicts.truth(t);

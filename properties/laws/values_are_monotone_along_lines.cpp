@@ -53,7 +53,7 @@ bool is_monotone(const cases::Case& c, const cases::Triangle& triangle, std::uin
 }
 
 /// How far a float may be from what it comes of.
-struct Error {
+struct EndError {
   double bound = 0;  ///< scale ULP
   double unit = 0;
   double width = 0;  ///< of what the contract leaves open
@@ -91,24 +91,24 @@ class MonotoneCheck {
 
  private:
   /// By the contract alone.
-  Error error_of(std::size_t fragment, const MaybeAttribute& attribute) const {
+  EndError error_of(std::size_t fragment, const MaybeAttribute& attribute) const {
     return {double{findings_.bound_of(attribute).constant},
             values_.vertex_ulp(fragment, attribute)};
   }
 
   /// With all that the oracle says; nothing where nothing is promised.
-  std::optional<Error> asked_error_of(std::size_t fragment, const MaybeAttribute& attribute) {
+  std::optional<EndError> asked_error_of(std::size_t fragment, const MaybeAttribute& attribute) {
     const auto promise = findings_.promise_of(values_.place(fragment), attribute);
     if (!promise) return std::nullopt;
-    return Error{promise->bound, promise->unit, promise->hi - promise->lo};
+    return EndError{promise->bound, promise->unit, promise->hi - promise->lo};
   }
 
   /// Whether value k is above value l by more than what errors explain. NaN is.
-  static bool is_above(double k, double l, const Error& of_k, const Error& of_l) {
+  static bool is_above(double k, double l, const EndError& of_k, const EndError& of_l) {
     return !(k - l <= (of_k.of(k) + of_l.of(l)) * (1 + kRounding));
   }
 
-  static Way way_of(double first, double last, const Error& of_first, const Error& of_last) {
+  static Way way_of(double first, double last, const EndError& of_first, const EndError& of_last) {
     if (first - last > (of_first.of(first) + of_last.of(last)) * (1 + kRounding)) return Way::down;
     if (last - first > (of_first.of(first) + of_last.of(last)) * (1 + kRounding)) return Way::up;
     return Way::either;
@@ -118,7 +118,7 @@ class MonotoneCheck {
     const auto number = [&](std::size_t i) {
       return number_of(values_.value(line[i].fragment, attribute));
     };
-    const Error error = error_of(line.front().fragment, attribute);
+    const EndError error = error_of(line.front().fragment, attribute);
     const std::size_t end = line.size() - 1;
     const Way way = way_of(number(0), number(end), error, error);
     findings_.label(attribute ? "attribute" : "depth");

@@ -40,21 +40,21 @@ using cases::Location;
 // --- The law -------------------------------------------------------------------------------------
 
 /// Numbers from lo to hi, and the floats that are within.
-struct Range {
+struct VertexRange {
   double lo = 0;
   double hi = 0;
   double unit = 0;  ///< ulp of the greatest
 };
 
-Range range_of_attribute(const cases::Case& c, const cases::Triangle& triangle,
-                         std::uint32_t attribute) {
+VertexRange range_of_attribute(const cases::Case& c, const cases::Triangle& triangle,
+                               std::uint32_t attribute) {
   const auto value = [&](std::size_t i) { return double{c.attributes_of(triangle[i])[attribute]}; };
   const auto [lo, hi] = std::minmax({value(0), value(1), value(2)});
   return {lo, hi, ulp_of(std::max(std::abs(lo), std::abs(hi)))};
 }
 
 /// Of the vertices' depths, as far as they are drawn.
-Range range_of_depth(const cases::Case& c, const cases::Triangle& triangle) {
+VertexRange range_of_depth(const cases::Case& c, const cases::Triangle& triangle) {
   const double n{c.viewport.min_depth};
   const double f{c.viewport.max_depth};
   const bool is_opengl = c.rules == cases::Rules::opengl;
@@ -70,14 +70,14 @@ Range range_of_depth(const cases::Case& c, const cases::Triangle& triangle) {
 }
 
 /// What of one triangle the law speaks about.
-struct Subject {
+struct TriangleRanges {
   bool has_depth = false;
-  Range depth;
-  std::vector<std::pair<std::uint32_t, Range>> attributes;
+  VertexRange depth;
+  std::vector<std::pair<std::uint32_t, VertexRange>> attributes;
 };
 
-Subject subject_of(const cases::Case& c, const cases::Triangle& triangle) {
-  Subject subject;
+TriangleRanges subject_of(const cases::Case& c, const cases::Triangle& triangle) {
+  TriangleRanges subject;
   subject.has_depth = all_in_front(c, triangle);
   if (subject.has_depth) subject.depth = range_of_depth(c, triangle);
   for (std::uint32_t a = 0; a < c.attributes.size(); ++a) {
@@ -96,7 +96,7 @@ class RangeCheck {
       : case_(&c), drawn_(&drawn), findings_(c, contract) {}
 
   Check run() {
-    Subject subject;
+    TriangleRanges subject;
     std::optional<std::uint32_t> triangle;
     for (std::size_t i = 0; i < drawn_->size(); ++i) {
       const cases::SamplePlace place = drawn_->place_of(i);
@@ -117,12 +117,12 @@ class RangeCheck {
 
  private:
   void check_value(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute,
-                   const Range& range, float actual) {
+                   const VertexRange& range, float actual) {
     findings_.see(place, attribute);
     if (attribute) add_labels(*attribute, range, actual);
     if (actual >= range.lo && actual <= range.hi) return;
     // The bound's share that depends on the horizon, and what the contract leaves open.
-    const std::optional<Promise> promise = findings_.promise_of(place, attribute);
+    const std::optional<ValuePromise> promise = findings_.promise_of(place, attribute);
     if (!promise) return;
     const double unit = std::max(range.unit, promise->unit);
     const float least = least_float(std::min(range.lo, promise->lo), promise->bound, unit);
@@ -134,7 +134,7 @@ class RangeCheck {
                                : "beyond the depths of all three vertices");
   }
 
-  void add_labels(std::uint32_t attribute, const Range& range, float actual) {
+  void add_labels(std::uint32_t attribute, const VertexRange& range, float actual) {
     if (range.lo == range.hi) return;
     if (actual == range.lo || actual == range.hi) findings_.label("at an end");
     if (case_->attributes[attribute].interpolation == Interpolation::noperspective) {

@@ -173,7 +173,7 @@ bool is_promised(backends::Backend& backend) { return backend.contract({}).keeps
 // --- Its cases -----------------------------------------------------------------------------------
 
 /// A case whose vertices can lie exactly on samples.
-struct Canvas {
+struct VertexCanvas {
   cases::Case source;
   /// Bits that a weight may have so that the clip position of a sample is a float32 still.
   int weight_bits = 12;
@@ -181,11 +181,11 @@ struct Canvas {
 
 /// A viewport on the grid, or one in 2^-12 pixels beside it: then double rounds the coordinates of
 /// samples.
-Canvas random_canvas(Draw& draw) {
+VertexCanvas random_canvas(Draw& draw) {
   StateRequest request;
   request.is_on_grid = true;
   request.most_side = 32;
-  Canvas canvas{random_state(draw, request)};
+  VertexCanvas canvas{random_state(draw, request)};
   cases::Case& c = canvas.source;
   if (draw.one_in(2)) {
     const int x = draw.between(-4095, 4095);
@@ -210,7 +210,7 @@ float short_weight(Draw& draw, int bits) {
   return static_cast<float>(n) / unit;
 }
 
-cases::ClipVertex on_sample(Draw& draw, const Canvas& canvas, const WindowPoint& p) {
+cases::ClipVertex on_sample(Draw& draw, const VertexCanvas& canvas, const WindowPoint& p) {
   const cases::Case& c = canvas.source;
   const float depth = draw.uniform(near_depth(c) * 0.75F, 0.75F);
   const float w = short_weight(draw, canvas.weight_bits);
@@ -218,7 +218,7 @@ cases::ClipVertex on_sample(Draw& draw, const Canvas& canvas, const WindowPoint&
 }
 
 /// Anywhere near: w is any number, now and then behind the eye.
-cases::ClipVertex anywhere(Draw& draw, const Canvas& canvas, const WindowPoint& p) {
+cases::ClipVertex anywhere(Draw& draw, const VertexCanvas& canvas, const WindowPoint& p) {
   const cases::Case& c = canvas.source;
   const float depth = draw.uniform(near_depth(c) * 0.75F, 0.75F);
   const bool is_behind = draw.one_in(24);
@@ -227,7 +227,7 @@ cases::ClipVertex anywhere(Draw& draw, const Canvas& canvas, const WindowPoint& 
 }
 
 /// Four triangles around a sample, a rim point in each quadrant: exactly one of them owns it.
-void add_fan(Draw& draw, Canvas& canvas) {
+void add_fan(Draw& draw, VertexCanvas& canvas) {
   constexpr std::array<WindowPoint, 4> kQuadrants{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
   const WindowPoint middle = visible_sample(draw, canvas.source);
   const float reach = draw.pick(std::array{0.0625F, 2.0F, 8.0F, 40.0F});
@@ -256,7 +256,7 @@ void add_fan(Draw& draw, Canvas& canvas) {
 
 /// A thin triangle whose tip is a sample, and which goes right from there, as no fill rule leaves
 /// out, or left.
-void add_sliver(Draw& draw, Canvas& canvas) {
+void add_sliver(Draw& draw, VertexCanvas& canvas) {
   const WindowPoint tip = visible_sample(draw, canvas.source);
   const double direction = draw.one_in(4) ? -1 : 1;
   const auto thickness = [&draw] {
@@ -275,7 +275,7 @@ void add_sliver(Draw& draw, Canvas& canvas) {
 }
 
 /// A triangle of which one vertex or more lie on samples.
-void add_free_triangle(Draw& draw, Canvas& canvas) {
+void add_free_triangle(Draw& draw, VertexCanvas& canvas) {
   std::array<cases::ClipVertex, 3> corners;
   const std::size_t certain = static_cast<std::size_t>(draw.between(0, 2));
   for (std::size_t i = 0; i < 3; ++i) {
@@ -328,12 +328,12 @@ void add_values(Draw& draw, cases::Case& c) {
 Generated generate(Draw& draw) {
   struct Shape {
     const char* name;
-    void (*add)(Draw&, Canvas&);
+    void (*add)(Draw&, VertexCanvas&);
     int most;
   };
   constexpr std::array<Shape, 3> kShapes{
       {{"fans", &add_fan, 2}, {"slivers", &add_sliver, 5}, {"on samples", &add_free_triangle, 5}}};
-  Canvas canvas = random_canvas(draw);
+  VertexCanvas canvas = random_canvas(draw);
   const Shape& shape = draw.pick(kShapes);
   const int count = draw.between(1 + shape.most / 3, shape.most);
   for (int i = 0; i < count; ++i) shape.add(draw, canvas);

@@ -126,7 +126,7 @@ struct ValueShares {
   Shares depth;
 };
 
-ValueShares value_shares(Subject& subject, const Grid& grid) {
+ValueShares value_shares(Subject& subject, const MeasuredGrid& grid) {
   constexpr std::uint64_t kCases = 3;
   ValueShares shares;
   for (std::uint64_t i = 0; i < kCases; ++i) {
@@ -163,7 +163,7 @@ bool covers(const FineTriangle& t, int x, int y) {
 }
 
 /// Thin triangles that the grid turns round, with a sample inside of what it makes of them.
-std::vector<FineTriangle> turning(const Subject& subject, const Grid& grid) {
+std::vector<FineTriangle> turning(const Subject& subject, const MeasuredGrid& grid) {
   constexpr int kTries = 40000;
   constexpr std::size_t kWanted = 32;
   MeasureDraw draw(subject, "facing");
@@ -189,7 +189,7 @@ std::vector<FineTriangle> turning(const Subject& subject, const Grid& grid) {
   return found;
 }
 
-Shares facing_shares(Subject& subject, const Grid& grid) {
+Shares facing_shares(Subject& subject, const MeasuredGrid& grid) {
   const std::vector<FineTriangle> triangles = turning(subject, grid);
   Shares shares;
   if (triangles.empty()) return shares;
@@ -234,7 +234,8 @@ std::optional<Basis> common(const std::vector<Shares>& all) {
   return basis;
 }
 
-std::optional<Basis> read_basis(Subject& subject, const Grid& grid, const std::string& where) {
+std::optional<Basis> read_basis(Subject& subject, const MeasuredGrid& grid,
+                                const std::string& where) {
   const ValueShares values = value_shares(subject, grid);
   const Shares facing = facing_shares(subject, grid);
   const std::string declared(name_of(subject.declared().basis));
@@ -251,7 +252,7 @@ std::optional<Basis> read_basis(Subject& subject, const Grid& grid, const std::s
 }  // namespace
 
 void measure_basis(Subject& subject, const Sight& sight) {
-  const Grid& grid = sight.fit.grid;
+  const MeasuredGrid& grid = sight.fit.grid;
   cases::ContractTerms& terms = subject.result.terms;
   if (grid.is_none()) {
     subject.add("basis", kNotDeclared, "no grid: there is one only");

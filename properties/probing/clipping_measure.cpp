@@ -103,7 +103,7 @@ float pixel_of(const Subject& subject) {
 }
 
 /// How many of the triangles came out how.
-struct Outcomes {
+struct ClippingOutcomes {
   int right = 0;
   int left_out = 0;
   int wrong = 0;
@@ -117,10 +117,10 @@ struct Outcomes {
   }
 };
 
-Outcomes outcomes_of(const Subject& subject, const std::vector<DrawnCase>& drawn) {
-  Outcomes outcomes;
+ClippingOutcomes outcomes_of(const Subject& subject, const std::vector<DrawnCase>& drawn) {
+  ClippingOutcomes outcomes;
   for (const DrawnCase& one : drawn) {
-    const Tally tally = subject.tally({one}, subject.result.terms);
+    const CoverageTally tally = subject.tally({one}, subject.result.terms);
     const bool is_left_out = one.fragments.size() == 0;
     if (tally.holds()) {
       ++(tally.required == 0 && is_left_out ? outcomes.empty : outcomes.right);

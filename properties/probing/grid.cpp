@@ -131,7 +131,8 @@ void compare(const FineTriangle& placed, const std::array<std::uint64_t, 64>& ro
 }
 
 /// How well a grid explains what was drawn; no further than it takes to see that it is worse.
-GridFit fit_of(const Grid& grid, const std::vector<FineDrawing>& drawings, std::uint64_t most) {
+GridFit fit_of(const MeasuredGrid& grid, const std::vector<FineDrawing>& drawings,
+               std::uint64_t most) {
   GridFit fit{grid};
   for (const FineDrawing& drawing : drawings) {
     for (std::size_t i = 0; i < drawing.triangles.size(); ++i) {
@@ -158,7 +159,7 @@ std::int64_t rounded(std::int64_t fine, int bits, GridRounding rounding) {
   return (below + (goes_up ? 1 : 0)) * unit;
 }
 
-FineTriangle rounded(const FineTriangle& triangle, const Grid& grid) {
+FineTriangle rounded(const FineTriangle& triangle, const MeasuredGrid& grid) {
   FineTriangle placed;
   for (std::size_t i = 0; i < 3; ++i) {
     placed.x[i] = rounded(triangle.x[i], grid.bits, grid.x);
@@ -230,7 +231,7 @@ std::vector<FineDrawing> draw_grid_cases(Subject& subject) {
 
 GridFit fit_grid(const std::vector<FineDrawing>& drawings) {
   GridFit best = fit_of({}, drawings, std::numeric_limits<std::uint64_t>::max());
-  const auto consider = [&](const Grid& grid) {
+  const auto consider = [&](const MeasuredGrid& grid) {
     const GridFit fit = fit_of(grid, drawings, best.mismatches);
     if (fit.mismatches < best.mismatches) best = fit;
   };
@@ -249,7 +250,7 @@ GridFit fit_grid(const std::vector<FineDrawing>& drawings) {
   return best;
 }
 
-std::string to_string(const Grid& grid) {
+std::string to_string(const MeasuredGrid& grid) {
   if (grid.is_none()) return "none: positions are not rounded";
   const std::string x = name_of(grid.x);
   const std::string y = name_of(grid.y);

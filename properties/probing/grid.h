@@ -26,12 +26,12 @@ inline constexpr int kFineBits = 18;
 enum class GridRounding { nearest_even, half_up, half_down, down, up };
 
 /// A grid of 2^-bits pixels; of kFineBits bits: positions stay as they are.
-struct Grid {
+struct MeasuredGrid {
   int bits = kFineBits;
   GridRounding x = GridRounding::nearest_even;
   GridRounding y = GridRounding::nearest_even;
   bool is_none() const { return bits == kFineBits; }
-  bool operator==(const Grid&) const = default;
+  bool operator==(const MeasuredGrid&) const = default;
 };
 
 /// The grid point that a fine coordinate goes to, in fine units.
@@ -42,7 +42,7 @@ struct FineTriangle {
   std::array<std::int64_t, 3> x{};
   std::array<std::int64_t, 3> y{};
 };
-FineTriangle rounded(const FineTriangle& triangle, const Grid& grid);
+FineTriangle rounded(const FineTriangle& triangle, const MeasuredGrid& grid);
 /// Twice the area in window coordinates, with its sign.
 std::int64_t area_of(const FineTriangle& triangle);
 
@@ -70,7 +70,7 @@ std::optional<FineDrawing> draw_fine(Subject& subject, const std::vector<FineTri
 cases::ClipVertex fine_vertex(const cases::Case& c, std::int64_t x, std::int64_t y, float depth);
 
 struct GridFit {
-  Grid grid;
+  MeasuredGrid grid;
   std::uint64_t samples = 0;     ///< that decided
   std::uint64_t mismatches = 0;  ///< of these, drawn otherwise
   double farthest = 0;           ///< pixels by which an edge has to move to mend the worst of these
@@ -82,6 +82,6 @@ std::vector<FineDrawing> draw_grid_cases(Subject& subject);
 GridFit fit_grid(const std::vector<FineDrawing>& drawings);
 
 /// "8 bits, nearest_even", "none".
-std::string to_string(const Grid& grid);
+std::string to_string(const MeasuredGrid& grid);
 
 }  // namespace rastercheck::properties

@@ -28,7 +28,7 @@ bool is_nearest(GridRounding rounding) {
 }
 
 /// As a contract has it; `unspecified` where no rounding with a name comes near.
-Snapping named(const Grid& grid) {
+Snapping named(const MeasuredGrid& grid) {
   if (grid.is_none()) return {cases::kMaxSubpixelBits, Rounding::unspecified, 0};
   Snapping snapping{grid.bits, Rounding::unspecified, 0};
   if (!is_nearest(grid.x) || !is_nearest(grid.y)) return snapping;
@@ -153,7 +153,7 @@ void measure_position_error(Subject& subject, const Sight& sight) {
   if (is_exact) {
     terms.coverage = cases::Coverage();
     terms.tie_rule = cases::TieRule::unspecified;
-    Tally tally;
+    CoverageTally tally;
     for (const auto& [name, drawn] : sorts) tally += subject.tally(drawn, terms);
     if (tally.holds()) {
       subject.add("position error", kNotDeclared, "none");
@@ -195,7 +195,7 @@ void measure_what_is_followed(Subject& subject, AskedDrawing asked) {
   }
   subject.add("bits asked for", kNotDeclared,
               others.empty() ? "0 to 16, all followed" : "all of 0 to 16 but " + others);
-  const Grid half_up = grid_asked({kAskedBits, Rounding::half_up, 0});
+  const MeasuredGrid half_up = grid_asked({kAskedBits, Rounding::half_up, 0});
   subject.add("grid where half_up is asked", declared_of(subject.declared().coverage),
               to_string(half_up));
   subject.ask(as_before);
@@ -209,7 +209,7 @@ void measure_what_is_followed(Subject& subject, AskedDrawing asked) {
   }
   const bool follows_rounding =
       measured == cases::Coverage(Snapping{kAskedBits}) &&
-      half_up == Grid{kAskedBits, GridRounding::half_up, GridRounding::half_up};
+      half_up == MeasuredGrid{kAskedBits, GridRounding::half_up, GridRounding::half_up};
   terms.coverage = cases::AskedGrid{measured->rounding, measured->position_error};
   if (follows_rounding) terms.coverage = cases::AsAsked{};
 }
@@ -225,12 +225,12 @@ void measure_grid(Subject& subject, Sight& sight) {
   }
   sight.drawings = draw_grid_cases(subject);
   sight.fit = fit_grid(sight.drawings);
-  const Grid unasked = sight.fit.grid;
+  const MeasuredGrid unasked = sight.fit.grid;
   const std::string declared = declared_of(subject.declared().coverage);
   if (!said.coverage) {
     asked.coverage = cases::Coverage(Snapping{kAskedBits - 1, Rounding::nearest_even, 0});
     subject.ask(asked);
-    const Grid odd = fit_grid(draw_grid_cases(subject)).grid;
+    const MeasuredGrid odd = fit_grid(draw_grid_cases(subject)).grid;
     sight.follows_coverage = odd.bits == kAskedBits - 1 && odd != unasked;
   }
   if (sight.follows_coverage) {

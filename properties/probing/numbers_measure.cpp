@@ -45,12 +45,12 @@ cases::Case short_numbers(const Subject& subject) {
   return c;
 }
 
-struct Range {
+struct ExponentRange {
   int least = 1;  ///< exponents; above `greatest` where not even 2^0 draws right
   int greatest = 0;
 };
 
-Range range_of(const std::function<bool(int)>& holds) {
+ExponentRange range_of(const std::function<bool(int)>& holds) {
   if (!holds(0)) return {};
   const auto last = [&holds](int end, int step) {
     int good = 0;
@@ -97,7 +97,7 @@ double worst_smooth(const Subject& subject, const DrawnCase& drawn) {
   return has_wrong ? HUGE_VAL : worst;
 }
 
-std::string range_text(const Range& range, const char* unit) {
+std::string range_text(const ExponentRange& range, const char* unit) {
   if (range.least > range.greatest) return "none draw right";
   const auto word = [&](int e, int end, const char* beyond) {
     return fmt::format("{}2^{}{}", unit, e, e == end ? beyond : "");
@@ -106,7 +106,7 @@ std::string range_text(const Range& range, const char* unit) {
                      word(range.greatest, kGreatest, ", the greatest tried"));
 }
 
-std::string subnormal_text(const Range& range) {
+std::string subnormal_text(const ExponentRange& range) {
   if (range.least > range.greatest) return "not seen";
   return range.least < kNormal ? "kept" : "lost";
 }
@@ -121,13 +121,13 @@ void measure_numbers(Subject& subject) {
     return;
   }
   const cases::ContractTerms& terms = subject.result.terms;
-  const Range positions = range_of([&](int e) {
+  const ExponentRange positions = range_of([&](int e) {
     const auto drawn = subject.drawn(with_scaled_positions(c, e));
     return drawn && subject.holds({*drawn}, terms);
   });
   // What is off by twice as much and more is lost.
   const double usual = 2 * std::max(worst_smooth(subject, *plain), 0.5);
-  const Range values = range_of([&](int e) {
+  const ExponentRange values = range_of([&](int e) {
     const auto drawn = subject.drawn(with_scaled_values(c, e));
     return drawn && worst_smooth(subject, *drawn) <= usual;
   });

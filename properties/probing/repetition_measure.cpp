@@ -16,15 +16,15 @@ namespace {
 /// Cases of a law for each one of a generator: a promise to the bit is kept but for few.
 constexpr int kCasesEach = 5;
 
-struct Counts {
+struct RepetitionCounts {
   int checked = 0;
   int violated = 0;
   std::string detail() const { return fmt::format("{} of {} cases otherwise", violated, checked); }
 };
 
-Counts count_repetitions(Subject& subject, const char* law_name,
-                         const cases::ContractTerms& terms) {
-  Counts counts;
+RepetitionCounts count_repetitions(Subject& subject, const char* law_name,
+                                   const cases::ContractTerms& terms) {
+  RepetitionCounts counts;
   const Law* law = find_law(law_name);
   if (law == nullptr) return counts;
   backends::Backend& backend = subject.backend();
@@ -54,7 +54,8 @@ Counts count_repetitions(Subject& subject, const char* law_name,
 
 void measure_repetition(Subject& subject) {
   cases::ContractTerms& terms = subject.result.terms;
-  const Counts twice = count_repetitions(subject, "drawing-twice-draws-the-same-bits", terms);
+  const RepetitionCounts twice =
+      count_repetitions(subject, "drawing-twice-draws-the-same-bits", terms);
   subject.add(
       "drawing twice", kNotDeclared,
       twice.checked == 0 ? "not seen" : (twice.violated == 0 ? "the same bits" : "other bits"),
@@ -65,7 +66,7 @@ void measure_repetition(Subject& subject) {
                         std::optional<bool> cases::ContractTerms::*term) {
     cases::ContractTerms promised = terms;
     promised.*term = true;
-    const Counts counts = count_repetitions(subject, law, promised);
+    const RepetitionCounts counts = count_repetitions(subject, law, promised);
     const bool keeps = counts.checked > 0 && counts.violated == 0;
     const char* const measured = counts.checked == 0 ? "not seen" : keeps ? "kept" : "not kept";
     subject.add(what, is_declared ? "kept" : "not promised", measured, counts.detail());

@@ -25,7 +25,7 @@ cases::Contract held(const cases::Case& c, const backends::Backend& backend,
 
 }  // namespace
 
-Tally& Tally::operator+=(const Tally& other) {
+CoverageTally& CoverageTally::operator+=(const CoverageTally& other) {
   required += other.required;
   missing += other.missing;
   extra += other.extra;
@@ -110,11 +110,12 @@ bool Subject::holds(const std::vector<DrawnCase>& drawn, const cases::ContractTe
                      [&](const DrawnCase& one) { return tally({one}, terms).holds(); });
 }
 
-Tally Subject::tally(const std::vector<DrawnCase>& drawn, const cases::ContractTerms& terms) const {
+CoverageTally Subject::tally(const std::vector<DrawnCase>& drawn,
+                             const cases::ContractTerms& terms) const {
   oracle::JudgeOptions options;
   options.judges_values = false;
   options.shows_ordinary = false;
-  Tally tally;
+  CoverageTally tally;
   for (const DrawnCase& one : drawn) {
     const oracle::SceneTruth scene(one.source, held(one.source, *backend_, terms));
     records::Judgement judged = oracle::judge(scene, one.fragments, options).judgement;

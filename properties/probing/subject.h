@@ -26,12 +26,12 @@ struct DrawnCase {
 };
 
 /// How drawings came out under a contract.
-struct Tally {
+struct CoverageTally {
   std::uint64_t required = 0;
   std::uint64_t missing = 0;
   std::uint64_t extra = 0;
   bool holds() const { return missing == 0 && extra == 0; }
-  Tally& operator+=(const Tally& other);
+  CoverageTally& operator+=(const CoverageTally& other);
 };
 
 class Subject {
@@ -67,7 +67,7 @@ class Subject {
   /// The contract that is known so far, for a case.
   cases::Contract contract(const cases::Case& c) const;
   /// The same with terms that take the place of the known ones.
-  Tally tally(const std::vector<DrawnCase>& drawn, const cases::ContractTerms& terms) const;
+  CoverageTally tally(const std::vector<DrawnCase>& drawn, const cases::ContractTerms& terms) const;
   /// Whether nothing is missing, and nothing too much.
   bool holds(const std::vector<DrawnCase>& drawn, const cases::ContractTerms& terms) const;
   /// All that a judge says, by the kind of value.

@@ -31,7 +31,7 @@ std::size_t index_of(std::int64_t number) {
   return number < 0 ? 0 : static_cast<std::size_t>(number > 0 ? 2 : 1);
 }
 
-Directions directions_of(const Grid& grid, const std::vector<FineDrawing>& drawings) {
+Directions directions_of(const MeasuredGrid& grid, const std::vector<FineDrawing>& drawings) {
   Directions directions;
   for (const FineDrawing& drawing : drawings) {
     for (std::size_t i = 0; i < drawing.triangles.size(); ++i) {
@@ -58,13 +58,13 @@ bool owns(TieRule rule, bool is_y_up, std::size_t x, std::size_t y) {
   return x == right || (x == 1 && y == (is_down_right ? 2 : 0));
 }
 
-struct Reading {
+struct TieReading {
   std::optional<TieRule> rule;
   std::string text;
   std::string detail;
 };
 
-Reading read(const Directions& directions, bool is_y_up) {
+TieReading read(const Directions& directions, bool is_y_up) {
   constexpr std::array<std::array<const char*, 3>, 3> kNames{
       {{"−x−y", "−x", "−x+y"}, {"−y", "", "+y"}, {"+x−y", "+x", "+x+y"}}};
   int seen = 0;
@@ -84,7 +84,7 @@ Reading read(const Directions& directions, bool is_y_up) {
       keeps_bottom = keeps_bottom && is_owner == owns(TieRule::bottom_left, is_y_up, x, y);
     }
   }
-  Reading reading;
+  TieReading reading;
   reading.detail = fmt::format("{} ties", seen);
   if (against > 0) reading.detail += fmt::format(", {} the other way", against);
   if (seen == 0) {
@@ -117,14 +117,14 @@ void measure_ties(Subject& subject, const Sight& sight) {
   const auto declared = [&subject] { return declared_tie_rule(subject.declared().tie_rule); };
   cases::ContractTerms& terms = subject.result.terms;
   if (said.fill_rule) {
-    const Reading reading = read(directions_of(sight.fit.grid, sight.drawings), is_y_up);
+    const TieReading reading = read(directions_of(sight.fit.grid, sight.drawings), is_y_up);
     subject.add("tie rule", declared(), reading.text, reading.detail);
     terms.tie_rule = reading.rule.value_or(TieRule::unspecified);
     return;
   }
-  const Reading bottom = reading_of(TieRule::bottom_left);
+  const TieReading bottom = reading_of(TieRule::bottom_left);
   const std::string bottom_declared = declared();
-  const Reading top = reading_of(TieRule::top_left);
+  const TieReading top = reading_of(TieRule::top_left);
   const bool is_followed = top.rule == TieRule::top_left && bottom.rule == TieRule::bottom_left;
   if (is_followed || top.rule != bottom.rule) {
     subject.add("tie rule where top_left is asked", declared(), top.text, top.detail);

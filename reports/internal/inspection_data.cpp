@@ -27,12 +27,12 @@ constexpr int kDataDigits = 6;  ///< significant, of what is certified
 constexpr std::size_t kAllDigits = std::numeric_limits<std::size_t>::max();
 
 /// How much of an inspection is kept.
-struct Extent {
+struct DataExtent {
   std::size_t most_digits;  ///< of a whole number
   std::uint32_t reach;      ///< pixels around the sample that was looked for
 };
 /// From what is tried first to what has to do.
-constexpr std::array<Extent, 5> kExtents{
+constexpr std::array<DataExtent, 5> kExtents{
     {{kAllDigits, records::kMostInspected}, {60, 32}, {30, 32}, {16, 32}, {16, 8}}};
 
 json certain(const std::optional<Enclosure>& number) {
@@ -185,7 +185,7 @@ std::string embedded(const json& data) {
 std::vector<std::string> inspection_data(const std::vector<Inspection>& inspections,
                                          std::size_t most) {
   std::vector<std::string> data;
-  for (const Extent& extent : kExtents) {
+  for (const DataExtent& extent : kExtents) {
     data.clear();
     std::size_t bytes = 0;
     for (const Inspection& inspection : inspections) {

@@ -88,13 +88,14 @@ TEST(Wire, BringsEveryMemberOfAContract) {
 
 TEST(Wire, BringsDrawingsAndErrors) {
   const auto drawing =
-      unpack_drawing(pack(Drawing{{full_contract(), full_framebuffer()}, std::nullopt}));
+      unpack_drawing(pack(DrawingAnswer{{full_contract(), full_framebuffer()}, std::nullopt}));
   ASSERT_TRUE(drawing);
   EXPECT_EQ(drawing->drawn.contract, full_contract());
   EXPECT_TRUE(are_same(drawing->drawn.fragments, full_framebuffer()));
   EXPECT_FALSE(drawing->problem);
 
-  const auto failed = unpack_drawing(pack(Drawing{{}, Error{"a", "b", "c", Failure::unsupported}}));
+  const auto failed =
+      unpack_drawing(pack(DrawingAnswer{{}, Error{"a", "b", "c", Failure::unsupported}}));
   ASSERT_TRUE(failed && failed->problem);
   EXPECT_EQ(to_string(*failed->problem), "a: b: c");
   EXPECT_EQ(failed->problem->failure, Failure::unsupported);
@@ -112,7 +113,8 @@ TEST(Wire, RefusesEveryPart) {
     EXPECT_FALSE(unpack_request(request.substr(0, size))) << size;
   }
   EXPECT_FALSE(unpack_request(request + '\0'));
-  const std::string drawing = pack(Drawing{{full_contract(), full_framebuffer()}, std::nullopt});
+  const std::string drawing =
+      pack(DrawingAnswer{{full_contract(), full_framebuffer()}, std::nullopt});
   for (std::size_t size = 0; size < drawing.size(); ++size) {
     EXPECT_FALSE(unpack_drawing(drawing.substr(0, size))) << size;
   }

@@ -124,9 +124,9 @@ VkFrontFace front_face_of(const cases::Case& c) {
 }
 
 /// The fragments of a case, as passes and layers bring them.
-class Fragments {
+class CaseFragments {
  public:
-  explicit Fragments(const cases::Case& c) : case_(&c) {
+  explicit CaseFragments(const cases::Case& c) : case_(&c) {
     drawn_.attribute_count = c.attributes.size();
   }
 
@@ -151,7 +151,7 @@ tl::unexpected<Error> other_coverage() {
   return failed("drawn again with others of its attributes, the case covers other samples");
 }
 
-Result<void> Fragments::place(std::size_t index, float number, const Layer& triangles) {
+Result<void> CaseFragments::place(std::size_t index, float number, const Layer& triangles) {
   const auto [least, greatest] = std::minmax(triangles.front(), triangles.back());
   const bool is_number = number >= static_cast<float>(least + 1) &&
                          number <= static_cast<float>(greatest + 1) &&
@@ -169,15 +169,15 @@ Result<void> Fragments::place(std::size_t index, float number, const Layer& tria
   return {};
 }
 
-bool Fragments::is_next(std::size_t triangle, std::size_t index) const {
+bool CaseFragments::is_next(std::size_t triangle, std::size_t index) const {
   const auto samples = static_cast<std::size_t>(case_->framebuffer.samples);
   const auto width = static_cast<std::size_t>(case_->framebuffer.width);
   return next_ < drawn_.size() && drawn_.triangle[next_] == triangle &&
          (drawn_.y[next_] * width + drawn_.x[next_]) * samples + drawn_.sample[next_] == index;
 }
 
-Result<void> Fragments::add(const Target& target, std::size_t layer, const Layer& triangles,
-                            Pass pass, bool is_first_pass) {
+Result<void> CaseFragments::add(const Target& target, std::size_t layer, const Layer& triangles,
+                                Pass pass, bool is_first_pass) {
   const std::span<const float> numbers = target.numbers(layer);
   const std::span<const float> depths = target.depths(layer);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -205,7 +205,7 @@ Result<void> Fragments::add(const Target& target, std::size_t layer, const Layer
 }
 
 /// By triangle; within one they are in order already.
-cases::Fragments Fragments::take() {
+cases::Fragments CaseFragments::take() {
   if (std::ranges::is_sorted(drawn_.triangle)) return std::move(drawn_);
   std::vector<std::size_t> order(drawn_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -344,7 +344,7 @@ Result<CaseDrawing> CaseDrawing::create(const Device& device) {
 }
 
 Result<cases::Fragments> CaseDrawing::draw(const cases::Case& c) {
-  Fragments fragments(c);
+  CaseFragments fragments(c);
   if (c.triangles.empty()) return fragments.take();
   if (c.triangles.size() >= kMaxTriangles) {
     return failed(

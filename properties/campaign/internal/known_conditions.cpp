@@ -18,7 +18,7 @@ using records::KnownFact;
 using records::KnownLimit;
 
 /// A violation and a triangle that it may be of.
-struct Question {
+struct ConditionQuestion {
   const Case* clip;
   const records::Violation* violation;
   const cases::Triangle* triangle;
@@ -41,7 +41,7 @@ bool is_beyond_depth(const Case& c, const ClipVertex& v) {
   return v.z < least || v.z > v.w;
 }
 
-bool is_clipped(const Question& of) {
+bool is_clipped(const ConditionQuestion& of) {
   const bool is_outside = of.some_vertex([&of](const ClipVertex& v) {
     return v.w <= 0 || std::abs(v.x) > v.w || std::abs(v.y) > v.w || is_beyond_depth(*of.clip, v);
   });
@@ -59,7 +59,7 @@ bool is_fractional(const cases::Viewport& viewport) {
   return std::any_of(edges.begin(), edges.end(), [](double e) { return e != std::floor(e); });
 }
 
-bool is_so(KnownFact fact, const Question& of) {
+bool is_so(KnownFact fact, const ConditionQuestion& of) {
   const Case& c = *of.clip;
   switch (fact) {
     case KnownFact::nonpositive_w:
@@ -103,7 +103,7 @@ RoundedWindowPoint rounded_window_point(const Case& c, const ClipVertex& v) {
           viewport.y + half_height * (1 + up * double{v.y} / v.w)};
 }
 
-double largest_coordinate(const Question& of) {
+double largest_coordinate(const ConditionQuestion& of) {
   double largest = 0;
   for (const ClipVertex& v : of.vertices()) {
     if (v.w == 0) return std::numeric_limits<double>::infinity();
@@ -113,7 +113,7 @@ double largest_coordinate(const Question& of) {
   return largest;
 }
 
-std::optional<double> w_ratio(const Question& of) {
+std::optional<double> w_ratio(const ConditionQuestion& of) {
   double least = std::numeric_limits<double>::infinity();
   double most = 0;
   for (const ClipVertex& v : of.vertices()) {
@@ -125,7 +125,7 @@ std::optional<double> w_ratio(const Question& of) {
 }
 
 /// Twice the area by the longest edge; which way y points does not matter.
-std::optional<double> height(const Question& of) {
+std::optional<double> height(const ConditionQuestion& of) {
   std::array<RoundedWindowPoint, 3> p{};
   const auto all = of.vertices();
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -144,7 +144,7 @@ std::optional<double> height(const Question& of) {
 }
 
 /// Magnitudes of the violation's attribute at the three vertices.
-std::vector<double> magnitudes(const Question& of) {
+std::vector<double> magnitudes(const ConditionQuestion& of) {
   std::vector<double> all;
   const auto attribute = of.violation->attribute;
   if (!attribute || *attribute >= of.clip->attributes.size()) return all;
@@ -154,20 +154,20 @@ std::vector<double> magnitudes(const Question& of) {
   return all;
 }
 
-std::optional<double> largest_value(const Question& of) {
+std::optional<double> largest_value(const ConditionQuestion& of) {
   const std::vector<double> all = magnitudes(of);
   if (all.empty()) return std::nullopt;
   return *std::max_element(all.begin(), all.end());
 }
 
-std::optional<double> least_value(const Question& of) {
+std::optional<double> least_value(const ConditionQuestion& of) {
   std::vector<double> all = magnitudes(of);
   std::erase(all, 0.0);
   if (all.empty()) return std::nullopt;
   return *std::min_element(all.begin(), all.end());
 }
 
-std::optional<double> measure(KnownLimit limit, const Question& of) {
+std::optional<double> measure(KnownLimit limit, const ConditionQuestion& of) {
   const records::Violation& violation = *of.violation;
   switch (limit) {
     case KnownLimit::error_at_most:
@@ -210,7 +210,7 @@ bool meets_lists(const records::KnownConditions& when, const Case& c,
          is_among(when.locations, varying.location);
 }
 
-bool meets_of_triangle(const records::KnownConditions& when, const Question& of) {
+bool meets_of_triangle(const records::KnownConditions& when, const ConditionQuestion& of) {
   const bool facts_are_so = std::all_of(when.facts.begin(), when.facts.end(), [&of](const auto& f) {
     return is_so(f.first, of) == f.second;
   });

@@ -68,7 +68,8 @@ class CloseCheck {
     }
   }
 
-  std::optional<Allowance> allowed(std::uint32_t triangle, std::optional<std::uint32_t> attribute) {
+  std::optional<ValueAllowance> allowed(std::uint32_t triangle,
+                                        std::optional<std::uint32_t> attribute) {
     const auto [found, is_new] = allowed_.try_emplace({triangle, attribute});
     if (is_new) found->second = closeness_->allowed(triangle, attribute);
     return found->second;
@@ -77,7 +78,7 @@ class CloseCheck {
   void see_value(const cases::SamplePlace& place, std::optional<std::uint32_t> attribute,
                  float before, float now) {
     if (is_same(before, now) && !std::isnan(now)) return;
-    const std::optional<Allowance> both = allowed(place.triangle, attribute);
+    const std::optional<ValueAllowance> both = allowed(place.triangle, attribute);
     if (!both) return;
     const double most = greatest_difference(*both, number_of(before), number_of(now));
     const double difference = std::abs(number_of(before) - number_of(now));
@@ -93,24 +94,25 @@ class CloseCheck {
   const cases::Fragments* drawn_;
   const Closeness* closeness_;
   Tally tally_;
-  std::map<std::pair<std::uint32_t, std::optional<std::uint32_t>>, std::optional<Allowance>>
+  std::map<std::pair<std::uint32_t, std::optional<std::uint32_t>>, std::optional<ValueAllowance>>
       allowed_;
 };
 
 }  // namespace
 
-Allowance depth_allowance(const cases::Case& c, const cases::Contract& contract) {
+ValueAllowance depth_allowance(const cases::Case& c, const cases::Contract& contract) {
   const cases::ValueBound& bound = contract.bounds.depth;
   return {double{bound.constant},
           double{std::max(std::abs(c.viewport.min_depth), std::abs(c.viewport.max_depth))}};
 }
 
-std::optional<Allowance> value_allowance(const cases::Case& c, const cases::Contract& contract,
-                                         const cases::Triangle& triangle, std::size_t attribute) {
+std::optional<ValueAllowance> value_allowance(const cases::Case& c, const cases::Contract& contract,
+                                              const cases::Triangle& triangle,
+                                              std::size_t attribute) {
   using cases::Interpolation;
   const Interpolation interpolation = c.attributes[attribute].interpolation;
-  if (interpolation == Interpolation::flat) return Allowance{};
-  Allowance allowance;
+  if (interpolation == Interpolation::flat) return ValueAllowance{};
+  ValueAllowance allowance;
   double least_w = std::numeric_limits<double>::infinity();
   double greatest_w = 0;
   for (const std::uint32_t vertex : triangle) {
@@ -134,7 +136,7 @@ std::optional<Allowance> value_allowance(const cases::Case& c, const cases::Cont
   return allowance;
 }
 
-double greatest_difference(const Allowance& both, double f, double g) {
+double greatest_difference(const ValueAllowance& both, double f, double g) {
   if (both.units >= 0x1p22) return std::numeric_limits<double>::infinity();
   const double greater = std::max(std::abs(f), std::abs(g));
   const double most = greater / (1 - both.units * 0x1p-23);

@@ -20,33 +20,34 @@ namespace rastercheck::properties {
 
 /// How far a value may be off, beyond what its contract leaves open: `units` scale ULP (RULES §5)
 /// of vertex values up to `magnitude`.
-struct Allowance {
+struct ValueAllowance {
   double units = 0;
   double magnitude = 0;
 };
 
-Allowance depth_allowance(const cases::Case& c, const cases::Contract& contract);
+ValueAllowance depth_allowance(const cases::Case& c, const cases::Contract& contract);
 
 /// Of an attribute located at the sample. Nothing where it is free, where the bound is not of the
 /// vertices' values and w alone (cases::ValueBound), or where it grows towards a horizon that may
 /// be anywhere, as some w <= 0 or the sample need not be covered; elsewhere 1/w is a mean of the
 /// vertices' and the horizon ratio at most max w / min w.
-std::optional<Allowance> value_allowance(const cases::Case& c, const cases::Contract& contract,
-                                         const cases::Triangle& triangle, std::size_t attribute);
+std::optional<ValueAllowance> value_allowance(const cases::Case& c, const cases::Contract& contract,
+                                              const cases::Triangle& triangle,
+                                              std::size_t attribute);
 
 /// How far two numbers may be apart that are as far as that from the same r. |r| may be beyond the
 /// magnitude M, as snapping covers samples beyond the exact triangle; but with u units
 /// |r| <= h + u ulp(r) <= h + u 2^-23 |r|, h the greater number, and so
 ///
 ///   |f − g| <= u ulp(max(M, h / (1 − u 2^-23)))       u < 2^22, else anything may be
-double greatest_difference(const Allowance& both, double f, double g);
+double greatest_difference(const ValueAllowance& both, double f, double g);
 
 /// Of two drawings of the same triangles.
 struct Closeness {
   /// How far apart depths (nothing) or values of an attribute may be, units of both drawings;
   /// nothing: they are left alone.
-  std::function<std::optional<Allowance>(std::uint32_t triangle,
-                                         std::optional<std::uint32_t> attribute)>
+  std::function<std::optional<ValueAllowance>(std::uint32_t triangle,
+                                              std::optional<std::uint32_t> attribute)>
       allowed;
   /// Whether a value that should not be as it is, a depth or an attribute's, is undefined there.
   /// Asked of these alone.

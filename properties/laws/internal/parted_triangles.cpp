@@ -176,11 +176,11 @@ Result<Check> check_parted(const Parted& parted, backends::Backend& backend) {
     return open.whole().is_undefined(place, attribute);
   };
   closeness.allowed = [&](std::uint32_t triangle,
-                          std::optional<std::uint32_t> attribute) -> std::optional<Allowance> {
+                          std::optional<std::uint32_t> attribute) -> std::optional<ValueAllowance> {
     if (!takes_exact_positions(of_whole) || !takes_exact_positions(of_parts)) return std::nullopt;
-    Allowance both;
+    ValueAllowance both;
     for (const cases::Contract* contract : {&of_whole, &of_parts}) {
-      const std::optional<Allowance> one =
+      const std::optional<ValueAllowance> one =
           attribute ? value_allowance(parted.whole, *contract, parted.whole.triangles[triangle],
                                       *attribute)
                     : std::optional(depth_allowance(parted.whole, *contract));

@@ -16,8 +16,8 @@ std::optional<QuarterTurn> quarter_turn_of(const cases::Case& c) {
       carried_samples(c.framebuffer.samples, [](const cases::SamplePosition& position) {
         return cases::SamplePosition{16 - position.y, position.x};
       });
-  const std::optional<Side> across = side_of(c.viewport.x, c.viewport.width);
-  const std::optional<Side> down = side_of(c.viewport.y, c.viewport.height);
+  const std::optional<WindowSide> across = side_of(c.viewport.x, c.viewport.width);
+  const std::optional<WindowSide> down = side_of(c.viewport.y, c.viewport.height);
   if (!samples || !across || !down) return std::nullopt;
   if (is_at_samples(WindowAxis::y, down->begin, c.framebuffer) ||
       is_at_samples(WindowAxis::y, down->end, c.framebuffer)) {

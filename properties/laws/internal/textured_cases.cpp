@@ -73,21 +73,21 @@ void set_window_coordinate(Draw& draw, cases::Case& c, std::size_t attribute) {
   }
 }
 
-enum class Coordinates { fractions, near_fractions, free, far, huge };
+enum class CoordinateSort { fractions, near_fractions, free, far, huge };
 
-float random_coordinate(Draw& draw, Coordinates kind, int parts) {
+float random_coordinate(Draw& draw, CoordinateSort kind, int parts) {
   switch (kind) {
-    case Coordinates::fractions:
-    case Coordinates::near_fractions: {
+    case CoordinateSort::fractions:
+    case CoordinateSort::near_fractions: {
       const int n = draw.between(-2 * parts, 3 * parts);
       const float fraction = static_cast<float>(n) / static_cast<float>(parts);
-      return kind == Coordinates::fractions ? fraction : nudged(draw, fraction);
+      return kind == CoordinateSort::fractions ? fraction : nudged(draw, fraction);
     }
-    case Coordinates::free:
+    case CoordinateSort::free:
       return draw.uniform(-2, 3);
-    case Coordinates::far:
+    case CoordinateSort::far:
       return draw.spread(4, 30);
-    case Coordinates::huge:
+    case CoordinateSort::huge:
       break;
   }
   return draw.spread(24, 127);
@@ -95,10 +95,10 @@ float random_coordinate(Draw& draw, Coordinates kind, int parts) {
 
 /// Numbers of one kind; fractions are whole numbers of texels of many sizes.
 void set_free_coordinate(Draw& draw, cases::Case& c, std::size_t attribute) {
-  const auto kind = draw.pick(std::array{Coordinates::fractions, Coordinates::fractions,
-                                         Coordinates::near_fractions, Coordinates::near_fractions,
-                                         Coordinates::free, Coordinates::free, Coordinates::far,
-                                         Coordinates::huge});
+  const auto kind = draw.pick(std::array{
+      CoordinateSort::fractions, CoordinateSort::fractions, CoordinateSort::near_fractions,
+      CoordinateSort::near_fractions, CoordinateSort::free, CoordinateSort::free,
+      CoordinateSort::far, CoordinateSort::huge});
   const int parts = draw.pick(std::array{1, 3, 8, 16, 64});
   const bool is_constant = draw.one_in(8);
   const float constant = random_coordinate(draw, kind, parts);

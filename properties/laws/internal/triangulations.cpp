@@ -15,16 +15,16 @@ namespace {
 using cases::Triangle;
 
 /// How vertices get their w.
-enum class Weights { equal, powers_of_two, free };
+enum class MeshWeights { equal, powers_of_two, free };
 
-float random_weight(Draw& draw, Weights weights) {
-  if (weights == Weights::equal) return 1;
-  if (weights == Weights::free) return draw.uniform(0.1F, 4);
+float random_weight(Draw& draw, MeshWeights weights) {
+  if (weights == MeshWeights::equal) return 1;
+  if (weights == MeshWeights::free) return draw.uniform(0.1F, 4);
   return draw.pick(std::array{0.25F, 0.5F, 1.0F, 2.0F, 4.0F});
 }
 
 /// A mesh in pixels.
-struct Mesh {
+struct PixelMesh {
   std::vector<WindowPoint> points;
   std::vector<Triangle> triangles;
 
@@ -51,7 +51,7 @@ PixelBounds box_about_viewport(Draw& draw, const cases::Case& c) {
 }
 
 /// Cuts the cells of a grid of points along a diagonal each.
-void add_cells(Draw& draw, Mesh& mesh, int columns, int rows) {
+void add_cells(Draw& draw, PixelMesh& mesh, int columns, int rows) {
   const auto stride = static_cast<std::uint32_t>(columns + 1);
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
@@ -66,8 +66,8 @@ void add_cells(Draw& draw, Mesh& mesh, int columns, int rows) {
 
 /// Points moved by a fifth of a cell at most leave cells convex; those of the outline move
 /// outwards.
-Mesh jittered_grid(Draw& draw, const cases::Case& c) {
-  Mesh mesh;
+PixelMesh jittered_grid(Draw& draw, const cases::Case& c) {
+  PixelMesh mesh;
   const PixelBounds box = box_about_viewport(draw, c);
   const int most = 2 + draw.size() / 20;
   const int columns = draw.between(1, most);
@@ -90,8 +90,8 @@ Mesh jittered_grid(Draw& draw, const cases::Case& c) {
 }
 
 /// Cells of whole pixels, from a sample on.
-Mesh grid_on_samples(Draw& draw, const cases::Case& c) {
-  Mesh mesh;
+PixelMesh grid_on_samples(Draw& draw, const cases::Case& c) {
+  PixelMesh mesh;
   const PixelBounds box = box_about_viewport(draw, c);
   const WindowPoint sample = visible_sample(draw, c);
   const auto cell_of = [&draw](double size) {
@@ -126,7 +126,7 @@ WindowPoint between(const WindowPoint& p, const WindowPoint& q, double share) {
 }
 
 /// Cuts a triangle in three at a point inside.
-void insert_point(Draw& draw, Mesh& mesh, std::size_t at) {
+void insert_point(Draw& draw, PixelMesh& mesh, std::size_t at) {
   const Triangle of = mesh.triangles[at];
   const double first = draw.between(1, 7) / 8.0;
   const double second = draw.between(1, 7) / 8.0;
@@ -138,7 +138,7 @@ void insert_point(Draw& draw, Mesh& mesh, std::size_t at) {
 }
 
 /// Cuts an edge, and the triangles on both sides of it in two.
-void split_edge(Draw& draw, Mesh& mesh, std::size_t at) {
+void split_edge(Draw& draw, PixelMesh& mesh, std::size_t at) {
   const int corner = draw.between(0, 2);
   const auto i = static_cast<std::size_t>(corner);
   const std::uint32_t from = mesh.triangles[at][i];
@@ -160,8 +160,8 @@ void split_edge(Draw& draw, Mesh& mesh, std::size_t at) {
   }
 }
 
-Mesh inserted_points(Draw& draw, const cases::Case& c) {
-  Mesh mesh;
+PixelMesh inserted_points(Draw& draw, const cases::Case& c) {
+  PixelMesh mesh;
   const PixelBounds box = box_about_viewport(draw, c);
   mesh.add(box.low);
   mesh.add({box.high.u, box.low.v});
@@ -214,11 +214,12 @@ Generated triangulated_screen(Draw& draw) {
   c = random_state(draw, request);
   c.depth_test = cases::DepthTest::none;
   c.cull = cases::Cull::none;
-  Weights weights = draw.pick(std::array{Weights::equal, Weights::free, Weights::free});
-  Mesh mesh;
+  MeshWeights weights =
+      draw.pick(std::array{MeshWeights::equal, MeshWeights::free, MeshWeights::free});
+  PixelMesh mesh;
   if (is_on_grid) {
     made.stratum = "grid on samples";
-    weights = draw.pick(std::array{Weights::equal, Weights::powers_of_two});
+    weights = draw.pick(std::array{MeshWeights::equal, MeshWeights::powers_of_two});
     mesh = grid_on_samples(draw, c);
   } else if (draw.one_in(2)) {
     made.stratum = "jittered grid";

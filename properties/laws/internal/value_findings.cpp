@@ -44,8 +44,8 @@ bool ValueFindings::is_required(const cases::SamplePlace& place) {
   return verdicts_.judge(place.triangle, place).verdict == records::Verdict::required;
 }
 
-std::optional<Promise> ValueFindings::promise_of(const cases::SamplePlace& place,
-                                                 std::optional<std::uint32_t> attribute) {
+std::optional<ValuePromise> ValueFindings::promise_of(const cases::SamplePlace& place,
+                                                      std::optional<std::uint32_t> attribute) {
   if (!is_required(place)) return std::nullopt;
   const oracle::TriangleTruth& truth = verdicts_.truth(place.triangle);
   if (attribute && truth.is_value_free(*attribute)) return std::nullopt;
@@ -57,7 +57,7 @@ std::optional<Promise> ValueFindings::promise_of(const cases::SamplePlace& place
       truth.value_bound(attribute ? std::optional<std::size_t>(*attribute) : std::nullopt, x, y, s);
   if (!range || !bound) return std::nullopt;
 
-  Promise promise;
+  ValuePromise promise;
   promise.lo = range->lo.enclosure().lo;
   promise.hi = range->hi.enclosure().hi;
   promise.bound = bound->enclosure().hi;

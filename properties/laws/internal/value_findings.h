@@ -31,7 +31,7 @@ float greatest_float(double hi, double bound, double unit);
 
 /// What the oracle says of a value that was drawn where something is required: the numbers that the
 /// contract leaves open, and how far beyond them a float may be. In doubles, none too narrow.
-struct Promise {
+struct ValuePromise {
   double lo = 0;
   double hi = 0;
   double bound = 0;  ///< scale ULP
@@ -55,8 +55,8 @@ class ValueFindings {
   /// Whether a sample has to be drawn: what is not is a matter of coverage.
   bool is_required(const cases::SamplePlace& place);
   /// Nothing where the sample is not required, or the value undefined or not bounded.
-  std::optional<Promise> promise_of(const cases::SamplePlace& place,
-                                    std::optional<std::uint32_t> attribute);
+  std::optional<ValuePromise> promise_of(const cases::SamplePlace& place,
+                                         std::optional<std::uint32_t> attribute);
 
   void label(const std::string& text) { tally_.label(text); }
   /// Values that the law has looked at, right or wrong.

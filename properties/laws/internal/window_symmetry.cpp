@@ -24,11 +24,11 @@ float without_last_bits(float value) {
 
 }  // namespace
 
-std::optional<Side> side_of(float begin, float size) {
+std::optional<WindowSide> side_of(float begin, float size) {
   const std::optional<double> end = exact_sum(double{begin}, double{size});
   if (!end || size == 0) return std::nullopt;
-  if (size < 0) return Side{*end, -double{size}, double{begin}, true};
-  return Side{double{begin}, double{size}, *end, false};
+  if (size < 0) return WindowSide{*end, -double{size}, double{begin}, true};
+  return WindowSide{double{begin}, double{size}, *end, false};
 }
 
 bool is_at_samples(oracle::WindowAxis axis, double at, const cases::FramebufferSize& size) {

@@ -15,7 +15,7 @@ namespace rastercheck::properties {
 
 /// A side of the viewport: from `begin` to `begin + size`, both exact in double, size > 0; and
 /// whether the clip coordinate runs the other way.
-struct Side {
+struct WindowSide {
   double begin = 0;
   double size = 0;
   double end = 0;
@@ -23,7 +23,7 @@ struct Side {
 };
 
 /// Nothing where the size is 0 or the end no double.
-std::optional<Side> side_of(float begin, float size);
+std::optional<WindowSide> side_of(float begin, float size);
 
 /// Whether a column (axis x) or row (axis y) of the framebuffer's samples lies at `at`.
 bool is_at_samples(oracle::WindowAxis axis, double at, const cases::FramebufferSize& size);
