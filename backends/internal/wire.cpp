@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <concepts>
 #include <cstring>
 #include <type_traits>
 #include <vector>
 
+#include "cases/json_members.h"
 #include "cases/names.h"
 
 namespace rastercheck::backends {
@@ -44,65 +44,61 @@ constexpr bool kIsPlain<cases::ValueBounds> = true;
 template <>
 constexpr bool kIsPlain<cases::TextureBounds> = true;
 
-/// T, that may be const.
-template <typename T, typename Plain>
-concept Either = std::same_as<std::remove_const_t<T>, Plain>;
-
 /// Calls `archive` for each member: the one list of them, for both directions.
-template <typename Archive, Either<Error> T>
+template <typename Archive, cases::Either<Error> T>
 void members(Archive& archive, T& e) {
   archive(e.file, e.place, e.reason, e.failure);
 }
-template <typename Archive, Either<cases::Attribute> T>
+template <typename Archive, cases::Either<cases::Attribute> T>
 void members(Archive& archive, T& a) {
   archive(a.name, a.interpolation, a.location);
 }
-template <typename Archive, Either<cases::Snapping> T>
+template <typename Archive, cases::Either<cases::Snapping> T>
 void members(Archive& archive, T& s) {
   archive(s.subpixel_bits, s.rounding, s.position_error);
 }
-template <typename Archive, Either<cases::Found> T>
+template <typename Archive, cases::Either<cases::Found> T>
 void members(Archive& archive, T& f) {
   archive(f.law, f.backend, f.verdict, f.seed, f.index);
 }
-template <typename Archive, Either<cases::Case> T>
+template <typename Archive, cases::Either<cases::Case> T>
 void members(Archive& archive, T& c) {
   archive(c.name, c.framebuffer, c.viewport, c.rules, c.coverage, c.basis, c.fill_rule, c.cull,
           c.front_face, c.scissor, c.depth_test, c.depth_clamp, c.attributes, c.camera, c.positions,
           c.attribute_values, c.clip_distances, c.clip_distance_count, c.triangles, c.found);
 }
-template <typename Archive, Either<cases::Contract> T>
+template <typename Archive, cases::Either<cases::Contract> T>
 void members(Archive& archive, T& c) {
   archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.guard_band, c.is_on_grid, c.clip_tolerance,
           c.clip_error, c.claims, c.bounds, c.keeps_equal_depth, c.keeps_constants,
           c.keeps_sign_of_zero, c.is_invariant, c.keeps_vertex_values, c.derivative_bound,
           c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds);
 }
-template <typename Archive, Either<cases::Fragments> T>
+template <typename Archive, cases::Either<cases::Fragments> T>
 void members(Archive& archive, T& f) {
   archive(f.attribute_count, f.triangle, f.x, f.y, f.sample, f.depth, f.attributes, f.derivatives);
 }
-template <typename Archive, Either<Request> T>
+template <typename Archive, cases::Either<Request> T>
 void members(Archive& archive, T& r) {
   archive(r.question, r.source);
 }
-template <typename Archive, Either<Driver> T>
+template <typename Archive, cases::Either<Driver> T>
 void members(Archive& archive, T& d) {
   archive(d.name, d.version);
 }
-template <typename Archive, Either<About> T>
+template <typename Archive, cases::Either<About> T>
 void members(Archive& archive, T& a) {
   archive(a.description, a.driver, a.has_limits, a.same_as);
 }
-template <typename Archive, Either<Greeting> T>
+template <typename Archive, cases::Either<Greeting> T>
 void members(Archive& archive, T& g) {
   archive(g.about, g.problem);
 }
-template <typename Archive, Either<Drawn> T>
+template <typename Archive, cases::Either<Drawn> T>
 void members(Archive& archive, T& d) {
   archive(d.contract, d.fragments);
 }
-template <typename Archive, Either<DrawingAnswer> T>
+template <typename Archive, cases::Either<DrawingAnswer> T>
 void members(Archive& archive, T& d) {
   archive(d.drawn, d.problem);
 }
