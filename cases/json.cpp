@@ -145,9 +145,11 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 
 }  // namespace
 
-std::string json_string(std::string_view text) {
-  return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+std::string json_line(const json& value) {
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
+
+std::string json_string(std::string_view text) { return json_line(text); }
 
 std::string valid_utf8(std::string_view text) {
   return json::parse(json_string(text)).get<std::string>();

@@ -17,6 +17,9 @@ inline constexpr std::size_t kMaxJsonDepth = 16;
 /// `file` is the name for error messages.
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& file);
 
+/// A value on one line; bytes that are not UTF-8 become U+FFFD.
+std::string json_line(const nlohmann::json& value);
+
 /// A text as a JSON string, quotes included; bytes that are not UTF-8 become U+FFFD.
 std::string json_string(std::string_view text);
 

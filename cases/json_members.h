@@ -8,17 +8,36 @@
 //     archive.required("count", number.count);
 //   }
 //
-// A member may be a bool, an integer, a double, a text, an enumerator with a name (names.h), a list
-// or a std::optional of these, or another record that has such a list.
+// A member may be a bool, an integer, a double, a float (as hexadecimal text), a text, an
+// enumerator with a name (names.h), a list, an array, a std::optional or a map from names of these,
+// another record that has such a list, or a type with a form of its own: its namespace has
+//
+//   void write_value(nlohmann::json& to, const Enclosure& enclosure);
+//   void read_value(const cases::JsonNode& node, Enclosure& enclosure);
+//
+// A record that other files nest declares this pair in its header, and calls write_members() and
+// read_members() in it.
+//
+// Archives have, besides required() and optional():
+//
+//   archive.format("rastercheck-known", 1);                 "format" and "version" of a document
+//   archive.added("origin", one.origin, Origin::random);    always written; older files lack it
+//   archive.object("driver", [&](auto& inner) {…});         an object that is no record
+//   archive.optional_object("worst", x.worst, [](auto& inner, auto& worst) {…});
+//   archive.entries(x.facts);                               a map's entries as members
+//   archive.check([&](const JsonNode& node) {…});           what only a reader has to check
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "cases/json_node.h"
@@ -37,10 +56,30 @@ constexpr bool kIsNumber = std::integral<T> && !std::same_as<T, bool>;
 class JsonWriter;
 class JsonReader;
 
+inline void read_value(const JsonNode& node, bool& value) { value = node.boolean(); }
+inline void read_value(const JsonNode& node, double& value) { value = node.float64(); }
+inline void read_value(const JsonNode& node, std::string& value) { value = node.text(); }
+/// Takes "nan", "inf" and "-inf", too.
+void read_value(const JsonNode& node, float& value);
+
+/// A form of its own goes before a list of members: files that nest a record see the one only.
+template <typename T>
+concept HasOwnForm = requires(const JsonNode& node, std::remove_const_t<T>& value) {
+  read_value(node, value);
+};
+
 template <typename T>
 concept HasMembers = requires(JsonWriter& writer, const T& value) {
   members(writer, value);
 };
+
+/// What may be a key.
+template <typename T>
+concept IsName = std::is_enum_v<T> || std::same_as<T, std::string>;
+template <typename Enum>
+requires std::is_enum_v<Enum>
+constexpr std::string_view key_of(Enum name) { return name_of(name); }
+inline std::string_view key_of(const std::string& name) { return name; }
 
 // --- Writing -------------------------------------------------------------------------------------
 
@@ -48,6 +87,7 @@ void write_value(nlohmann::json& to, bool value);
 void write_value(nlohmann::json& to, std::int64_t value);
 void write_value(nlohmann::json& to, std::uint64_t value);
 void write_value(nlohmann::json& to, double value);
+void write_value(nlohmann::json& to, float value);
 void write_value(nlohmann::json& to, std::string_view value);
 inline void write_value(nlohmann::json& to, const std::string& value) {
   write_value(to, std::string_view(value));
@@ -59,10 +99,18 @@ nlohmann::json& element_of(nlohmann::json& array);
 void make_object(nlohmann::json& to);
 void make_array(nlohmann::json& to);
 
+/// Writes an object whose members `list` passes to an archive.
+template <typename List>
+void write_object(nlohmann::json& to, const List& list);
+
 class JsonWriter {
  public:
   explicit JsonWriter(nlohmann::json& object) : object_(&object) { make_object(object); }
 
+  void format(std::string_view format, std::uint64_t version) {
+    required("format", format);
+    required("version", version);
+  }
   template <typename T>
   void required(std::string_view key, const T& value) {
     write(member_of(*object_, key), value);
@@ -72,21 +120,38 @@ class JsonWriter {
   void optional(std::string_view key, const T& value, const std::type_identity_t<T>& usual = {}) {
     if (!(value == usual)) required(key, value);
   }
+  template <typename T>
+  void added(std::string_view key, const T& value, const std::type_identity_t<T>& /*usual*/) {
+    required(key, value);
+  }
+  template <typename List>
+  void object(std::string_view key, const List& list) {
+    write_object(member_of(*object_, key), list);
+  }
+  template <typename T, typename List>
+  void optional_object(std::string_view key, const std::optional<T>& value, const List& list) {
+    if (value) object(key, [&](auto& inner) { list(inner, *value); });
+  }
+  template <IsName Name, typename T>
+  void entries(const std::map<Name, T>& map) {
+    for (const auto& [name, value] : map) required(key_of(name), value);
+  }
+  template <typename Check>
+  void check(const Check& /*check*/) {}
 
- private:
   template <typename T>
   static void write(nlohmann::json& to, const T& value) {
-    if constexpr (HasMembers<T>) {
-      JsonWriter writer(to);
-      members(writer, value);
+    if constexpr (HasOwnForm<T> || std::same_as<T, std::string_view>) {
+      write_value(to, value);
+    } else if constexpr (HasMembers<T>) {
+      write_object(to, [&](auto& archive) { members(archive, value); });
     } else if constexpr (kIsNumber<T> && std::unsigned_integral<T>) {
       write_value(to, std::uint64_t{value});
     } else if constexpr (kIsNumber<T>) {
       write_value(to, std::int64_t{value});
-    } else if constexpr (std::is_enum_v<T>) {
-      write_value(to, name_of(value));
     } else {
-      write_value(to, value);
+      static_assert(std::is_enum_v<T>, "has neither a list of members nor a form of its own");
+      write_value(to, name_of(value));
     }
   }
   template <typename T>
@@ -98,15 +163,49 @@ class JsonWriter {
     make_array(to);
     for (const T& value : values) write(element_of(to), value);
   }
+  template <typename T, std::size_t size>
+  static void write(nlohmann::json& to, const std::array<T, size>& values) {
+    make_array(to);
+    for (const T& value : values) write(element_of(to), value);
+  }
+  template <IsName Name, typename T>
+  static void write(nlohmann::json& to, const std::map<Name, T>& map) {
+    write_object(to, [&](auto& archive) { archive.entries(map); });
+  }
 
+ private:
   nlohmann::json* object_;
 };
 
-/// Writes a record as an object.
-template <HasMembers T>
-void write_members(nlohmann::json& to, const T& record) {
+template <typename List>
+void write_object(nlohmann::json& to, const List& list) {
   JsonWriter writer(to);
-  members(writer, record);
+  list(writer);
+}
+
+/// Writes a record by its list, whatever form of its own it has.
+template <typename T>
+void write_members(nlohmann::json& to, const T& record) {
+  write_object(to, [&](auto& archive) { members(archive, record); });
+}
+
+/// Writes a map as a list of objects with the members of key and value: members(archive, key,
+/// value) lists both.
+template <typename Key, typename T>
+void write_entries(nlohmann::json& to, const std::map<Key, T>& map) {
+  make_array(to);
+  for (const auto& entry : map) {
+    write_object(element_of(to),
+                 [&](auto& archive) { members(archive, entry.first, entry.second); });
+  }
+}
+
+/// Any such value as JSON; the second parameter is not to be given.
+template <typename T, typename Json = nlohmann::json>
+Json json_of(const T& value) {
+  Json to;
+  JsonWriter::write(to, value);
+  return to;
 }
 
 // --- Reading -------------------------------------------------------------------------------------
@@ -114,6 +213,11 @@ void write_members(nlohmann::json& to, const T& record) {
 /// The keys that a record has.
 class JsonKeys {
  public:
+  void format(std::string_view format, std::uint64_t version) {
+    required_.insert(required_.end(), {"format", "version"});
+    format_ = format;
+    version_ = version;
+  }
   template <typename T>
   void required(std::string_view key, const T& /*value*/) {
     required_.push_back(key);
@@ -123,23 +227,50 @@ class JsonKeys {
                 const std::type_identity_t<T>& /*usual*/ = {}) {
     optional_.push_back(key);
   }
-  void expect(const JsonNode& node) const { node.expect_object(required_, optional_); }
+  template <typename T>
+  void added(std::string_view key, const T& /*value*/, const std::type_identity_t<T>& /*usual*/) {
+    optional_.push_back(key);
+  }
+  template <typename List>
+  void object(std::string_view key, const List& /*list*/) {
+    required_.push_back(key);
+  }
+  template <typename T, typename List>
+  void optional_object(std::string_view key, const std::optional<T>& /*value*/,
+                       const List& /*list*/) {
+    optional_.push_back(key);
+  }
+  template <typename Enum, typename T>
+  void entries(const std::map<Enum, T>& /*map*/) {
+    static constexpr auto kNames = names_of(Enum{});
+    optional_.insert(optional_.end(), kNames.begin(), kNames.end());
+  }
+  template <typename Check>
+  void check(const Check& /*check*/) {}
+
+  /// Refuses a document of another format or version, then unknown and missing keys: those of a
+  /// later version are not what is wrong.
+  void expect(const JsonNode& node) const;
 
  private:
   std::vector<std::string_view> required_;
   std::vector<std::string_view> optional_;
+  std::string_view format_;  ///< empty: none is asked for
+  std::uint64_t version_ = 0;
 };
 
-inline void read_value(const JsonNode& node, bool& value) { value = node.boolean(); }
-inline void read_value(const JsonNode& node, double& value) { value = node.float64(); }
-inline void read_value(const JsonNode& node, std::string& value) { value = node.text(); }
+/// Reads an object whose members `list` passes to an archive. Refuses unknown and missing keys.
+template <typename List>
+void read_object(const JsonNode& node, const List& list);
 
 class JsonReader {
  public:
   explicit JsonReader(const JsonNode& node) : node_(&node) {}
 
+  void format(std::string_view /*format*/, std::uint64_t /*version*/) {}
+  /// Takes views of values, too (UpTo).
   template <typename T>
-  void required(std::string_view key, T& value) {
+  void required(std::string_view key, T&& value) {
     if (!node_->failed()) read((*node_)[key], value);
   }
   template <typename T>
@@ -150,24 +281,46 @@ class JsonReader {
       value = usual;
     }
   }
+  template <typename T>
+  void added(std::string_view key, T& value, const std::type_identity_t<T>& usual) {
+    optional(key, value, usual);
+  }
+  template <typename List>
+  void object(std::string_view key, const List& list) {
+    if (!node_->failed()) read_object((*node_)[key], list);
+  }
+  template <typename T, typename List>
+  void optional_object(std::string_view key, std::optional<T>& value, const List& list) {
+    if (!node_->has(key)) return;
+    value.emplace();
+    object(key, [&](auto& inner) { list(inner, *value); });
+  }
+  template <typename Enum, typename T>
+  void entries(std::map<Enum, T>& map) {
+    constexpr auto kNames = names_of(Enum{});
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+      if (node_->has(kNames[i])) required(kNames[i], map[static_cast<Enum>(i)]);
+    }
+  }
+  template <typename Check>
+  void check(const Check& check) {
+    if (!node_->failed()) check(*node_);
+  }
 
   template <typename T>
   static void read(const JsonNode& node, T& value) {
-    if constexpr (HasMembers<T>) {
-      JsonKeys keys;
-      members(keys, value);
-      keys.expect(node);
-      JsonReader reader(node);
-      if (!node.failed()) members(reader, value);
+    if constexpr (HasOwnForm<T>) {
+      read_value(node, value);
+    } else if constexpr (HasMembers<T>) {
+      read_object(node, [&](auto& archive) { members(archive, value); });
     } else if constexpr (kIsNumber<T> && std::unsigned_integral<T>) {
       value = node.count<T>();
     } else if constexpr (kIsNumber<T>) {
       value = static_cast<T>(
           node.integer(std::numeric_limits<T>::min(), std::numeric_limits<T>::max()));
-    } else if constexpr (std::is_enum_v<T>) {
-      value = node.enumerator<T>();
     } else {
-      read_value(node, value);
+      static_assert(std::is_enum_v<T>, "has neither a list of members nor a form of its own");
+      value = node.enumerator<T>();
     }
   }
   template <typename T>
@@ -182,17 +335,77 @@ class JsonReader {
       read(element, values.emplace_back());
     }
   }
+  template <typename T, std::size_t size>
+  static void read(const JsonNode& node, std::array<T, size>& values) {
+    const std::vector<JsonNode> elements = node.elements(size, size, "elements");
+    for (std::size_t i = 0; i < elements.size(); ++i) read(elements[i], values[i]);
+  }
+  template <IsName Name, typename T>
+  static void read(const JsonNode& node, std::map<Name, T>& map) {
+    if constexpr (std::is_enum_v<Name>) {
+      read_object(node, [&](auto& archive) { archive.entries(map); });
+    } else {
+      for (const std::string& key : node.keys()) read(node[key], map[key]);
+    }
+  }
 
  private:
   const JsonNode* node_;
 };
 
-/// Reads a record from an object. Refuses unknown and missing keys.
-template <HasMembers T>
-T read_members(const JsonNode& node) {
-  T record{};
-  JsonReader::read(node, record);
-  return record;
+template <typename List>
+void read_object(const JsonNode& node, const List& list) {
+  JsonKeys keys;
+  list(keys);
+  keys.expect(node);
+  JsonReader reader(node);
+  if (!node.failed()) list(reader);
 }
+
+/// Reads a record by its list, whatever form of its own it has.
+template <typename T>
+void read_members(const JsonNode& node, T& record) {
+  read_object(node, [&](auto& archive) { members(archive, record); });
+}
+
+/// Reads what write_entries() writes. Refuses a second entry of a key as "a second " and `what`.
+template <typename Key, typename T>
+void read_entries(const JsonNode& node, std::map<Key, T>& map, const char* what) {
+  for (const JsonNode& element : node.elements()) {
+    Key key{};
+    T value{};
+    read_object(element, [&](auto& archive) { members(archive, key, value); });
+    if (node.failed()) return;
+    if (!map.emplace(std::move(key), std::move(value)).second) {
+      element.refuse(std::string("a second ") + what);
+    }
+  }
+}
+
+/// Reads any such value.
+template <typename T>
+T read_as(const JsonNode& node) {
+  T value{};
+  JsonReader::read(node, value);
+  return value;
+}
+
+// --- Views of members ----------------------------------------------------------------------------
+
+/// A whole number that is not negative and at most `most`.
+template <typename T>
+struct UpTo {
+  T& value;
+  std::uint64_t most;
+
+  friend void write_value(nlohmann::json& to, const UpTo& number) {
+    write_value(to, static_cast<std::uint64_t>(number.value));
+  }
+  friend void read_value(const JsonNode& node, UpTo& number) {
+    number.value = static_cast<T>(node.count<std::uint64_t>(number.most));
+  }
+};
+template <typename T>
+UpTo(T&, std::uint64_t) -> UpTo<T>;
 
 }  // namespace rastercheck::cases

@@ -68,13 +68,13 @@ std::string line_of(const EntryKey& key, const EntryFigures& figures) {
   if (figures.cases != CaseCounts()) object["cases"] = entry_json(figures.cases);
   if (figures.classes != ClassCounts()) object["classes"] = entry_json(figures.classes);
   if (figures.worst != Enclosure()) {
-    object["worst"] = enclosure_to_json(figures.worst);
+    object["worst"] = cases::json_of(figures.worst);
   }
   if (figures.histogram != Histogram()) {
-    object["histogram"] = histogram_to_json(figures.histogram);
+    object["histogram"] = cases::json_of(figures.histogram);
   }
   for (const auto& [stage, sum] : figures.stages) {
-    object["stages"][std::string(to_string(stage))] = sum_to_json(sum);
+    object["stages"][std::string(to_string(stage))] = cases::json_of(sum);
   }
   return json_text(object);
 }
@@ -86,7 +86,7 @@ std::string line_of(const CaseNumber& number, const CaseFigures& figures) {
     object["outcome"] = to_string(figures.outcome);
   }
   if (figures.mismatches > 0) object["mismatches"] = figures.mismatches;
-  if (!figures.worst.empty()) object["worst"] = worst_of_case_to_json(figures.worst);
+  if (!figures.worst.empty()) object["worst"] = cases::json_of(figures.worst);
   return json_text(object);
 }
 
@@ -117,7 +117,7 @@ std::string json_text(const BaselineSection& section) {
   if (!key.compiler.empty()) add("compiler", cases::json_string(key.compiler));
   add("records_version", std::to_string(section.records_version));
   add("rules_version", std::to_string(section.rules_version));
-  add("plan", json_text(plan_to_json(section.plan)));
+  add("plan", json_text(cases::json_of(section.plan)));
   add("taken", line_of(section.taken));
   Lines approvals('[');
   for (const Approval& approval : section.approvals) approvals.add(line_of(approval));
@@ -146,7 +146,7 @@ std::string json_text(const BaselineSection& section) {
   add("cases", std::move(cases_by_law).end(']'));
   Lines specimens('[');
   for (const Specimen& specimen : section.specimens) {
-    specimens.add(json_text(specimen_to_json(specimen)));
+    specimens.add(json_text(cases::json_of(specimen)));
   }
   if (!section.specimens.empty()) add("specimens", std::move(specimens).end(']'));
   return text + "\n}";
@@ -184,7 +184,7 @@ std::map<Stage, SignedSum> read_stage_sums(const JsonNode& node) {
   std::map<Stage, SignedSum> stages;
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (node.has(kNames[i])) {
-      stages[static_cast<Stage>(i)] = sum_from_json(node[kNames[i]]);
+      stages[static_cast<Stage>(i)] = cases::read_as<SignedSum>(node[kNames[i]]);
     }
   }
   return stages;
@@ -199,10 +199,10 @@ std::pair<EntryKey, EntryFigures> read_entry_line(const JsonNode& node) {
   if (node.has("cases")) figures.cases = read_entry_counts(node["cases"]);
   if (node.has("classes")) figures.classes = read_entry_classes(node["classes"]);
   if (node.has("worst")) {
-    figures.worst = enclosure_from_json(node["worst"]);
+    figures.worst = cases::read_as<Enclosure>(node["worst"]);
     if (figures.worst.lo < 0) node["worst"].refuse("is a magnitude and must not be below 0");
   }
-  if (node.has("histogram")) figures.histogram = histogram_from_json(node["histogram"]);
+  if (node.has("histogram")) figures.histogram = cases::read_as<Histogram>(node["histogram"]);
   if (node.has("stages")) figures.stages = read_stage_sums(node["stages"]);
   return {std::move(key), std::move(figures)};
 }
@@ -243,7 +243,8 @@ void read_case(const JsonNode& node, const BaselineSection& section, LawCases& l
   }
   if (node.has("mismatches")) figures.mismatches = node["mismatches"].count();
   if (node.has("worst")) {
-    figures.worst = worst_of_case_from_json(node["worst"], number.second, name);
+    figures.worst = cases::read_as<WorstOfCase>(node["worst"]);
+    name_case(figures.worst, number.second, name);
   }
   if (!law.cases.emplace(number, std::move(figures)).second) {
     node.refuse("a second case of the same number");
@@ -294,7 +295,7 @@ BaselineSection read_section(const JsonNode& node) {
   if (node.has("compiler")) section.key.compiler = node["compiler"].text();
   section.records_version = node["records_version"].count();
   section.rules_version = node["rules_version"].count();
-  section.plan = plan_from_json(node["plan"]);
+  section.plan = cases::read_as<Plan>(node["plan"]);
   section.taken = read_taken(node["taken"]);
   for (const JsonNode& one : node["approvals"].elements()) {
     section.approvals.push_back(read_approval(one));
@@ -306,7 +307,8 @@ BaselineSection read_section(const JsonNode& node) {
     }
   }
   read_laws(node, section);
-  if (node.has("specimens")) section.specimens = specimens_from_json(node["specimens"]);
+  if (node.has("specimens"))
+    section.specimens = cases::read_as<std::vector<Specimen>>(node["specimens"]);
   return section;
 }
 

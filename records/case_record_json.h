@@ -16,24 +16,35 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "cases/json_node.h"
+#include "cases/json_members.h"
 #include "records/case_record.h"
 
 namespace rastercheck::records {
 
-nlohmann::json case_record_to_json(const CaseKey& key, const CaseRecord& record);
-nlohmann::json case_records_to_json(const CaseRecordSet& records);
-
+void write_value(nlohmann::json& to, const CaseRecordSet::value_type& one);
 /// An array of such objects, in the order of their keys. Refuses two of one key.
-CaseRecordSet case_records_from_json(const cases::JsonNode& array);
+void write_value(nlohmann::json& to, const CaseRecordSet& records);
+void read_value(const cases::JsonNode& node, CaseRecordSet& records);
 
-/// Its "worst" alone, of a case of that index and name.
-nlohmann::json worst_of_case_to_json(const WorstOfCase& worst);
-WorstOfCase worst_of_case_from_json(const cases::JsonNode& node, std::uint64_t index,
-                                    const std::string& name);
+/// Notes in the errors which case they are of, as files do not repeat it.
+void name_case(WorstOfCase& worst, std::uint64_t index, const std::string& name);
 
 /// A digest as text, and back.
 std::string digest_text(std::uint64_t digest);
 std::uint64_t digest_from_json(const cases::JsonNode& node);
 
+/// A digest among the members of a record.
+template <typename T>
+struct DigestText {
+  T& digest;
+
+  friend void write_value(nlohmann::json& to, const DigestText& view) {
+    cases::write_value(to, digest_text(view.digest));
+  }
+  friend void read_value(const cases::JsonNode& node, DigestText& view) {
+    view.digest = digest_from_json(node);
+  }
+};
+template <typename T>
+DigestText(T&) -> DigestText<T>;
 }  // namespace rastercheck::records

@@ -13,16 +13,17 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "cases/json_node.h"
+#include "cases/json_members.h"
 #include "records/counterexample.h"
 
 namespace rastercheck::records {
 
-nlohmann::json violation_to_json(const Violation& violation);
-nlohmann::json counterexample_to_json(const Counterexample& counterexample);
+void write_value(nlohmann::json& to, const Violation& violation);
+void read_value(const cases::JsonNode& node, Violation& violation);
 
+void write_value(nlohmann::json& to, const Counterexample& counterexample);
 /// Refuses unknown and missing keys, and whatever a case file may not have. Older files have no
 /// "origin": random.
-Counterexample counterexample_from_json(const cases::JsonNode& node);
+void read_value(const cases::JsonNode& node, Counterexample& counterexample);
 
 }  // namespace rastercheck::records

@@ -2,15 +2,15 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "cases/json_node.h"
+#include "cases/json_members.h"
 #include "records/enclosure.h"
 
 namespace rastercheck::records {
 
 /// [lo, hi], each a number that reads back as the same double, or "inf" or "-inf".
-nlohmann::json enclosure_to_json(const Enclosure& enclosure);
+void write_value(nlohmann::json& to, const Enclosure& enclosure);
 
 /// Refuses what is no array of two doubles, and ends in the wrong order.
-Enclosure enclosure_from_json(const cases::JsonNode& node);
+void read_value(const cases::JsonNode& node, Enclosure& enclosure);
 
 }  // namespace rastercheck::records

@@ -23,15 +23,14 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "cases/json_node.h"
+#include "cases/json_members.h"
 #include "records/inspection.h"
 
 namespace rastercheck::records {
 
-nlohmann::json inspection_to_json(const Inspection& inspection);
-
+void write_value(nlohmann::json& to, const Inspection& inspection);
 /// Refuses unknown and missing keys, whatever a case file may not have, and samples that are not
 /// within the part that is inspected.
-Inspection inspection_from_json(const cases::JsonNode& node);
+void read_value(const cases::JsonNode& node, Inspection& inspection);
 
 }  // namespace rastercheck::records

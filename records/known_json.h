@@ -16,22 +16,21 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "cases/json_node.h"
+#include "cases/json_members.h"
 #include "records/known.h"
 
 namespace rastercheck::records {
 
 /// Refuses unknown and missing keys, two entries of one id, entries without a law, a verdict or a
 /// condition, and case files outside the list's folder.
-KnownList known_from_json(const cases::JsonNode& root);
+void read_value(const cases::JsonNode& node, KnownList& list);
+void write_value(nlohmann::json& to, const KnownList& list);
 Result<KnownList> parse_known(std::string_view text, const std::string& file);
 
-nlohmann::json known_to_json(const KnownList& list);
-
 /// Of run.json: a list is written whole.
-nlohmann::json known_of_backend_to_json(const KnownOfBackend& known);
-KnownOfBackend known_of_backend_from_json(const cases::JsonNode& node);
-nlohmann::json unexpected_pass_to_json(const UnexpectedPass& pass);
-UnexpectedPass unexpected_pass_from_json(const cases::JsonNode& node);
+void write_value(nlohmann::json& to, const KnownOfBackend& known);
+void read_value(const cases::JsonNode& node, KnownOfBackend& known);
+void write_value(nlohmann::json& to, const UnexpectedPass& pass);
+void read_value(const cases::JsonNode& node, UnexpectedPass& pass);
 
 }  // namespace rastercheck::records

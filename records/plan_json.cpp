@@ -1,10 +1,10 @@
 #include "records/plan_json.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "cases/contract_json.h"
-#include "cases/json_members.h"
-#include "records/internal/shard_members.h"
 
 namespace rastercheck::records {
 
@@ -12,6 +12,19 @@ template <typename Archive, cases::Either<ContractFile> T>
 void members(Archive& archive, T& contract) {
   archive.required("file", contract.file);
   archive.required("terms", contract.terms);
+}
+
+template <typename Archive, cases::Either<ShardNumber> T>
+void members(Archive& archive, T& number) {
+  archive.required("index", number.index);
+  archive.required("count", number.count);
+  archive.check([&](const cases::JsonNode& node) {
+    if (number.count > kMostShards) {
+      node["count"].refuse(fmt::format("must be at most {}", kMostShards));
+    } else if (number.index == 0 || number.index > number.count) {
+      node["index"].refuse(fmt::format("must be from 1 to {}", number.count));
+    }
+  });
 }
 
 template <typename Archive, cases::Either<Plan> T>
@@ -33,25 +46,17 @@ void members(Archive& archive, T& plan) {
   archive.optional("keeps_cases", plan.keeps_cases);
   archive.optional("timeout", plan.timeout, usual.timeout);
   archive.optional("shard", plan.shard);
+  archive.check([&](const cases::JsonNode& node) {
+    if (plan.scene_size < 1 || plan.scene_size > cases::kMaxSize) {
+      node["scene_size"].refuse("must be from 1 to " + std::to_string(cases::kMaxSize));
+    }
+    if (plan.contract && plan.contract->file.empty()) {
+      node["contract"]["file"].refuse("must be a file");
+    }
+  });
 }
 
-nlohmann::json plan_to_json(const Plan& plan) {
-  nlohmann::json object;
-  cases::write_members(object, plan);
-  return object;
-}
-
-Plan plan_from_json(const cases::JsonNode& node) {
-  const auto plan = cases::read_members<Plan>(node);
-  if (node.failed()) return plan;
-  if (plan.scene_size < 1 || plan.scene_size > cases::kMaxSize) {
-    node["scene_size"].refuse("must be from 1 to " + std::to_string(cases::kMaxSize));
-  }
-  if (plan.contract && plan.contract->file.empty()) {
-    node["contract"]["file"].refuse("must be a file");
-  }
-  if (plan.shard) check_shard_number(*plan.shard, node["shard"]);
-  return plan;
-}
+void write_value(nlohmann::json& to, const Plan& plan) { cases::write_members(to, plan); }
+void read_value(const cases::JsonNode& node, Plan& plan) { cases::read_members(node, plan); }
 
 }  // namespace rastercheck::records

@@ -12,13 +12,13 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "cases/json_node.h"
+#include "cases/json_members.h"
 #include "records/plan.h"
 
 namespace rastercheck::records {
 
-nlohmann::json plan_to_json(const Plan& plan);
+void write_value(nlohmann::json& to, const Plan& plan);
 /// Refuses unknown and missing keys, and what no plan has.
-Plan plan_from_json(const cases::JsonNode& node);
+void read_value(const cases::JsonNode& node, Plan& plan);
 
 }  // namespace rastercheck::records

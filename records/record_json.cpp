@@ -2,143 +2,34 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <map>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <utility>
 
-#include "cases/float_text.h"
 #include "records/enclosure_json.h"
+#include "records/internal/shared_members.h"
 
 namespace rastercheck::records {
 namespace {
 
+using cases::Either;
 using cases::JsonNode;
 using nlohmann::json;
 
-/// The names in "decided_at", and what they are of.
-constexpr auto kLevelNames = std::to_array<std::string_view>(
-    {"samples by filter", "samples by interval", "samples by exact numbers", "values by filter",
-     "values by interval", "values by exact numbers"});
-std::array<std::uint64_t*, kLevelNames.size()> counts_of(Levels& levels) {
-  auto& [samples, values] = levels;
-  return {&samples.filter, &samples.interval, &samples.exact,
-          &values.filter,  &values.interval,  &values.exact};
-}
-
-// Writing.
-
 }  // namespace
 
-json histogram_to_json(const Histogram& histogram) {
+// --- Forms of their own --------------------------------------------------------------------------
+
+void write_value(json& to, const Histogram& histogram) {
   json buckets = json::array();
   for (std::size_t bucket = 0; bucket < Histogram::kBucketCount; ++bucket) {
     const std::uint64_t count = histogram.count_in(bucket);
     if (count > 0) buckets.push_back(json::array({bucket, count}));
   }
-  return {{"buckets", std::move(buckets)}, {"non_finite", histogram.non_finite()}};
+  to = {{"buckets", std::move(buckets)}, {"non_finite", histogram.non_finite()}};
 }
 
-namespace {
-
-json json_of(const ClassCounts& classes) {
-  json object = json::object();
-  for (std::size_t i = 0; i < classes.counts.size(); ++i) {
-    object[std::string(to_string(static_cast<FragmentClass>(i)))] = classes.counts[i];
-  }
-  return object;
-}
-
-json json_of(const WorstError& worst) {
-  json object = error_without_case_to_json(worst);
-  object["case"] = {{"index", worst.case_index}, {"name", worst.case_name}};
-  return object;
-}
-
-}  // namespace
-
-json sum_to_json(const SignedSum& sum) {
-  return {{"lo", fmt::format("{}", sum.lo())},
-          {"hi", fmt::format("{}", sum.hi())},
-          {"count", sum.count()},
-          {"beyond", sum.beyond()}};
-}
-
-namespace {
-
-json json_of(const ErrorSizes& sizes) {
-  json object{{"histogram", histogram_to_json(sizes.histogram)}};
-  const Extremes& extremes = sizes.extremes;
-  if (extremes.most_negative) object["most_negative"] = json_of(*extremes.most_negative);
-  if (extremes.most_positive) object["most_positive"] = json_of(*extremes.most_positive);
-  if (sizes.sum != SignedSum()) object["sum"] = sum_to_json(sizes.sum);
-  return object;
-}
-
-json json_of(const std::map<Stratum, ErrorSizes>& strata) {
-  json object = json::object();
-  for (const auto& [stratum, sizes] : strata) {
-    object[std::string(to_string(stratum))] = json_of(sizes);
-  }
-  return object;
-}
-
-json json_of(const std::map<Stratum, std::map<Stage, SignedSum>>& strata) {
-  json object = json::object();
-  for (const auto& [stratum, stages] : strata) {
-    json& sums = object[std::string(to_string(stratum))] = json::object();
-    for (const auto& [stage, sum] : stages) sums[std::string(to_string(stage))] = sum_to_json(sum);
-  }
-  return object;
-}
-
-json json_of(Levels levels) {
-  const auto counts = counts_of(levels);
-  json object = json::object();
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (*counts[i] > 0) object[std::string(kLevelNames[i])] = *counts[i];
-  }
-  return object;
-}
-
-json json_of(const RecordKey& key, const Record& record) {
-  const CaseCounts& cases = record.cases;
-  const Counts& counts = record.counts;
-  json object{{"law", key.law},
-              {"backend", key.backend},
-              {"attribute_kind", to_string(key.attribute_kind)},
-              {"stratum", key.stratum},
-              {"cases",
-               {{"checked", cases.checked},
-                {"not_applicable", cases.not_applicable},
-                {"violations", cases.violations}}},
-              {"counts",
-               {{"required", counts.required},
-                {"forbidden", counts.forbidden},
-                {"permitted", counts.permitted},
-                {"undecided", counts.undecided}}},
-              {"classes", json_of(record.errors.classes)},
-              {"excess", json_of(record.errors.excess)},
-              {"ideal", json_of(record.errors.ideal)},
-              {"labels", json(record.labels)},
-              {"decided_at", json_of(record.levels)}};
-  if (!record.errors.strata.empty()) object["strata"] = json_of(record.errors.strata);
-  if (!record.errors.stages.empty()) object["stages"] = json_of(record.errors.stages);
-  if (cases.known > 0) object["cases"]["known"] = cases.known;
-  if (!record.known.empty()) object["known"] = record.known;
-  if (!record.not_applicable_because.empty()) {
-    object["not_applicable_because"] = record.not_applicable_because;
-  }
-  return object;
-}
-
-// Reading.
-
-}  // namespace
-
-Histogram histogram_from_json(const JsonNode& node) {
-  Histogram histogram;
+void read_value(const JsonNode& node, Histogram& histogram) {
   node.expect_object({"buckets", "non_finite"});
   histogram.add_non_finite(node["non_finite"].count());
   std::size_t next = 0;  // the least number that the next bucket may have
@@ -149,60 +40,9 @@ Histogram histogram_from_json(const JsonNode& node) {
     histogram.add_to_bucket(bucket, count.count());
     next = bucket + 1;
   }
-  return histogram;
 }
 
 namespace {
-
-ClassCounts read_classes(const JsonNode& node) {
-  constexpr auto kNames = names_of(FragmentClass{});
-  ClassCounts classes;
-  node.expect_object(std::span(kNames).first(classes.counts.size()), {});
-  for (std::size_t i = 0; i < classes.counts.size(); ++i) {
-    classes.counts[i] = node[kNames[i]].count();
-  }
-  return classes;
-}
-
-/// All but the case.
-WorstError read_error(const JsonNode& node) {
-  WorstError worst;
-  worst.error = enclosure_from_json(node["error"]);
-  worst.exact = node["exact"].text();
-  worst.actual = node["actual"].hex_float32();
-  worst.place.triangle = node["triangle"].count<std::uint32_t>();
-  worst.place.x = node["x"].count<std::uint32_t>();
-  worst.place.y = node["y"].count<std::uint32_t>();
-  worst.place.sample = node["sample"].count<std::uint32_t>();
-  if (node.has("attribute")) worst.attribute = node["attribute"].count<std::uint32_t>();
-  return worst;
-}
-
-WorstError read_worst(const JsonNode& node) {
-  node.expect_object({"error", "exact", "actual", "case", "triangle", "x", "y", "sample"},
-                     {"attribute"});
-  node["case"].expect_object({"index", "name"});
-  WorstError worst = read_error(node);
-  worst.case_index = node["case"]["index"].count();
-  worst.case_name = node["case"]["name"].text();
-  return worst;
-}
-
-/// The extremes of a sort of errors, each on the side of zero that its name says.
-Extremes read_extremes(const JsonNode& sizes) {
-  Extremes extremes;
-  if (sizes.has("most_negative")) {
-    const JsonNode node = sizes["most_negative"];
-    extremes.most_negative = read_worst(node);
-    if (!(extremes.most_negative->error.lo < 0)) node["error"].refuse("must be below 0");
-  }
-  if (sizes.has("most_positive")) {
-    const JsonNode node = sizes["most_positive"];
-    extremes.most_positive = read_worst(node);
-    if (!(extremes.most_positive->error.hi > 0)) node["error"].refuse("must be above 0");
-  }
-  return extremes;
-}
 
 /// A whole number as decimal text: no sign but '-', no leading zeros.
 SignedSum::Units read_units(const JsonNode& node) {
@@ -225,7 +65,14 @@ SignedSum::Units read_units(const JsonNode& node) {
 
 }  // namespace
 
-SignedSum sum_from_json(const JsonNode& node) {
+void write_value(json& to, const SignedSum& sum) {
+  to = {{"lo", fmt::format("{}", sum.lo())},
+        {"hi", fmt::format("{}", sum.hi())},
+        {"count", sum.count()},
+        {"beyond", sum.beyond()}};
+}
+
+void read_value(const JsonNode& node, SignedSum& sum) {
   node.expect_object({"lo", "hi", "count", "beyond"});
   const SignedSum::Units lo = read_units(node["lo"]);
   const SignedSum::Units hi = read_units(node["hi"]);
@@ -235,127 +82,108 @@ SignedSum sum_from_json(const JsonNode& node) {
   const SignedSum::Units most = SignedSum::kMostOfTerm * count;
   if (lo < -most) node["lo"].refuse("the sum of so few errors cannot be as low");
   if (hi > most) node["hi"].refuse("the sum of so few errors cannot be as high");
-  return {lo, hi, count, node["beyond"].count()};
+  sum = {lo, hi, count, node["beyond"].count()};
 }
 
-namespace {
+// --- Lists of members ----------------------------------------------------------------------------
 
-ErrorSizes read_sizes(const JsonNode& node) {
-  node.expect_object({"histogram"}, {"most_negative", "most_positive", "sum"});
-  return {histogram_from_json(node["histogram"]), read_extremes(node),
-          node.has("sum") ? sum_from_json(node["sum"]) : SignedSum()};
+/// All but the case, for whoever says that elsewhere.
+template <typename Archive, Either<WorstError> T>
+void members(Archive& archive, T& worst) {
+  archive.required("error", worst.error);
+  archive.required("exact", worst.exact);
+  archive.required("actual", worst.actual);
+  members(archive, worst.place);
+  archive.optional("attribute", worst.attribute);
+  archive.check([&](const JsonNode& node) {
+    if (!std::isfinite(worst.actual)) node["actual"].refuse("must be finite");
+  });
 }
 
-std::map<Stratum, ErrorSizes> read_strata(const JsonNode& node) {
-  constexpr auto kNames = names_of(Stratum{});
-  node.expect_object({}, kNames);
-  std::map<Stratum, ErrorSizes> strata;
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (node.has(kNames[i])) strata[static_cast<Stratum>(i)] = read_sizes(node[kNames[i]]);
+void write_value(json& to, const WorstError& worst) { cases::write_members(to, worst); }
+void read_value(const JsonNode& node, WorstError& worst) { cases::read_members(node, worst); }
+
+/// Each on the side of zero that its name says.
+template <typename Archive, Either<Extremes> T>
+void members(Archive& archive, T& extremes) {
+  const auto with_case = [](auto& inner, auto& worst) {
+    members(inner, worst);
+    inner.object("case", [&](auto& of) {
+      of.required("index", worst.case_index);
+      of.required("name", worst.case_name);
+    });
+  };
+  archive.optional_object("most_negative", extremes.most_negative, with_case);
+  archive.optional_object("most_positive", extremes.most_positive, with_case);
+  archive.check([&](const JsonNode& node) {
+    const auto& [below, above] = extremes;
+    if (below && !(below->error.lo < 0)) node["most_negative"]["error"].refuse("must be below 0");
+    if (above && !(above->error.hi > 0)) node["most_positive"]["error"].refuse("must be above 0");
+  });
+}
+
+template <typename Archive, Either<ErrorSizes> T>
+void members(Archive& archive, T& sizes) {
+  archive.required("histogram", sizes.histogram);
+  members(archive, sizes.extremes);
+  archive.optional("sum", sizes.sum);
+}
+
+template <typename Archive, Either<ClassCounts> T>
+void members(Archive& archive, T& classes) {
+  for (std::size_t i = 0; i < classes.counts.size(); ++i) {
+    archive.required(to_string(static_cast<FragmentClass>(i)), classes.counts[i]);
   }
-  return strata;
 }
 
-std::map<Stratum, std::map<Stage, SignedSum>> read_stages(const JsonNode& node) {
-  constexpr auto kStrata = names_of(Stratum{});
-  constexpr auto kStages = names_of(Stage{});
-  node.expect_object({}, kStrata);
-  std::map<Stratum, std::map<Stage, SignedSum>> strata;
-  for (std::size_t i = 0; i < kStrata.size(); ++i) {
-    if (!node.has(kStrata[i])) continue;
-    const JsonNode stages = node[kStrata[i]];
-    stages.expect_object({}, kStages);
-    std::map<Stage, SignedSum>& sums = strata[static_cast<Stratum>(i)];
-    for (std::size_t k = 0; k < kStages.size(); ++k) {
-      if (stages.has(kStages[k])) sums[static_cast<Stage>(k)] = sum_from_json(stages[kStages[k]]);
-    }
-  }
-  return strata;
+template <typename Archive, Either<CaseCounts> T>
+void members(Archive& archive, T& cases) {
+  archive.required("checked", cases.checked);
+  archive.required("not_applicable", cases.not_applicable);
+  archive.required("violations", cases.violations);
+  archive.optional("known", cases.known);
 }
 
-Levels read_levels(const JsonNode& node) {
-  node.expect_object({}, kLevelNames);
-  Levels levels;
-  const auto counts = counts_of(levels);
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (node.has(kLevelNames[i])) *counts[i] = node[kLevelNames[i]].count();
-  }
-  return levels;
+template <typename Archive, Either<Counts> T>
+void members(Archive& archive, T& counts) {
+  archive.required("required", counts.required);
+  archive.required("forbidden", counts.forbidden);
+  archive.required("permitted", counts.permitted);
+  archive.required("undecided", counts.undecided);
 }
 
-CaseCounts read_cases(const JsonNode& node) {
-  node.expect_object({"checked", "not_applicable", "violations"}, {"known"});
-  return {node["checked"].count(), node["not_applicable"].count(), node["violations"].count(),
-          node.has("known") ? node["known"].count() : 0};
+template <typename Archive, Either<Levels> T>
+void members(Archive& archive, T& levels) {
+  archive.optional("samples by filter", levels.samples.filter);
+  archive.optional("samples by interval", levels.samples.interval);
+  archive.optional("samples by exact numbers", levels.samples.exact);
+  archive.optional("values by filter", levels.values.filter);
+  archive.optional("values by interval", levels.values.interval);
+  archive.optional("values by exact numbers", levels.values.exact);
 }
 
-Counts read_counts(const JsonNode& node) {
-  node.expect_object({"required", "forbidden", "permitted", "undecided"});
-  return {node["required"].count(), node["forbidden"].count(), node["permitted"].count(),
-          node["undecided"].count()};
+template <typename Archive, Either<RecordKey> Key, Either<Record> T>
+void members(Archive& archive, Key& key, T& record) {
+  archive.required("law", key.law);
+  archive.required("backend", key.backend);
+  archive.required("attribute_kind", key.attribute_kind);
+  archive.required("stratum", key.stratum);
+  archive.required("cases", record.cases);
+  archive.required("counts", record.counts);
+  archive.required("classes", record.errors.classes);
+  archive.required("excess", record.errors.excess);
+  archive.required("ideal", record.errors.ideal);
+  archive.optional("strata", record.errors.strata);
+  archive.optional("stages", record.errors.stages);
+  archive.required("labels", record.labels);
+  archive.required("decided_at", record.levels);
+  archive.optional("known", record.known);
+  archive.optional("not_applicable_because", record.not_applicable_because);
 }
 
-RecordKey read_key(const JsonNode& node) {
-  return {node["law"].text(), node["backend"].text(),
-          node["attribute_kind"].enumerator<AttributeKind>(), node["stratum"].text()};
-}
-
-Record read_record(const JsonNode& node) {
-  Record record;
-  record.cases = read_cases(node["cases"]);
-  record.counts = read_counts(node["counts"]);
-  record.errors.excess = read_sizes(node["excess"]);
-  record.errors.ideal = read_sizes(node["ideal"]);
-  record.errors.classes = read_classes(node["classes"]);
-  if (node.has("strata")) record.errors.strata = read_strata(node["strata"]);
-  if (node.has("stages")) record.errors.stages = read_stages(node["stages"]);
-  record.labels = node["labels"].counts_by_name();
-  record.levels = read_levels(node["decided_at"]);
-  if (node.has("known")) record.known = node["known"].counts_by_name();
-  if (node.has("not_applicable_because")) {
-    record.not_applicable_because = node["not_applicable_because"].counts_by_name();
-  }
-  return record;
-}
-
-}  // namespace
-
-json error_without_case_to_json(const WorstError& worst) {
-  json object{{"error", enclosure_to_json(worst.error)},
-              {"exact", worst.exact},
-              {"actual", cases::to_hex(worst.actual)},
-              {"triangle", worst.place.triangle},
-              {"x", worst.place.x},
-              {"y", worst.place.y},
-              {"sample", worst.place.sample}};
-  if (worst.attribute) object["attribute"] = *worst.attribute;
-  return object;
-}
-
-WorstError error_without_case_from_json(const JsonNode& node) {
-  node.expect_object({"error", "exact", "actual", "triangle", "x", "y", "sample"}, {"attribute"});
-  return read_error(node);
-}
-
-json records_to_json(const RecordSet& records) {
-  json array = json::array();
-  for (const auto& [key, record] : records) array.push_back(json_of(key, record));
-  return array;
-}
-
-RecordSet records_from_json(const JsonNode& array) {
-  RecordSet records;
-  for (const JsonNode& node : array.elements()) {
-    node.expect_object({"law", "backend", "attribute_kind", "stratum", "cases", "counts", "classes",
-                        "excess", "ideal", "labels", "decided_at"},
-                       {"strata", "stages", "known", "not_applicable_because"});
-    if (node.failed()) break;
-    RecordKey key = read_key(node);
-    Record record = read_record(node);
-    const bool is_new = records.emplace(std::move(key), std::move(record)).second;
-    if (!is_new) node.refuse("a second record of the same law, backend, kind and stratum");
-  }
-  return records;
+void write_value(json& to, const RecordSet& records) { cases::write_entries(to, records); }
+void read_value(const JsonNode& node, RecordSet& records) {
+  cases::read_entries(node, records, "record of the same law, backend, kind and stratum");
 }
 
 }  // namespace rastercheck::records

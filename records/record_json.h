@@ -34,26 +34,25 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "cases/json_node.h"
+#include "cases/json_members.h"
 #include "records/record.h"
 
 namespace rastercheck::records {
 
 /// The records as a JSON array. Texts are UTF-8 and every `actual` is finite.
-nlohmann::json records_to_json(const RecordSet& records);
-
+void write_value(nlohmann::json& to, const RecordSet& records);
 /// Refuses unknown and missing keys, numbers that their members cannot hold exactly and two records
 /// of one key.
-RecordSet records_from_json(const cases::JsonNode& array);
+void read_value(const cases::JsonNode& node, RecordSet& records);
 
 /// The parts of records that other files keep as well: a "histogram" and a "sum".
-nlohmann::json histogram_to_json(const Histogram& histogram);
-Histogram histogram_from_json(const cases::JsonNode& node);
-nlohmann::json sum_to_json(const SignedSum& sum);
-SignedSum sum_from_json(const cases::JsonNode& node);
+void write_value(nlohmann::json& to, const Histogram& histogram);
+void read_value(const cases::JsonNode& node, Histogram& histogram);
+void write_value(nlohmann::json& to, const SignedSum& sum);
+void read_value(const cases::JsonNode& node, SignedSum& sum);
 
 /// A worst error without its "case", for whoever says that elsewhere.
-nlohmann::json error_without_case_to_json(const WorstError& worst);
-WorstError error_without_case_from_json(const cases::JsonNode& node);
+void write_value(nlohmann::json& to, const WorstError& worst);
+void read_value(const cases::JsonNode& node, WorstError& worst);
 
 }  // namespace rastercheck::records

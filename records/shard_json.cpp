@@ -1,13 +1,9 @@
 #include "records/shard_json.h"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include "cases/case_reader.h"
 #include "cases/case_writer.h"
-#include "cases/json_members.h"
-#include "records/internal/shard_members.h"
 
 namespace rastercheck::records {
 
@@ -27,30 +23,14 @@ void members(Archive& archive, T& shard) {
   archive.optional("known_digest", shard.known_digest);
   archive.optional("scene_digest", shard.scene_digest);
   archive.optional("saved", shard.saved);
+  archive.check([&](const cases::JsonNode& node) {
+    for (std::size_t i = 0; i < shard.saved.size(); ++i) {
+      if (!shard.saved[i].found) node["saved"].elements()[i].refuse("has no 'found'");
+    }
+  });
 }
 
-void check_shard_number(const ShardNumber& number, const cases::JsonNode& node) {
-  if (node.failed()) return;
-  if (number.count > kMostShards) {
-    node["count"].refuse(fmt::format("must be at most {}", kMostShards));
-  } else if (number.index == 0 || number.index > number.count) {
-    node["index"].refuse(fmt::format("must be from 1 to {}", number.count));
-  }
-}
-
-nlohmann::json shard_to_json(const Shard& shard) {
-  nlohmann::json object;
-  cases::write_members(object, shard);
-  return object;
-}
-
-Shard shard_from_json(const cases::JsonNode& node) {
-  auto shard = cases::read_members<Shard>(node);
-  if (node.failed()) return shard;
-  for (std::size_t i = 0; i < shard.saved.size(); ++i) {
-    if (!shard.saved[i].found) node["saved"].elements()[i].refuse("has no 'found'");
-  }
-  return shard;
-}
+void write_value(nlohmann::json& to, const Shard& shard) { cases::write_members(to, shard); }
+void read_value(const cases::JsonNode& node, Shard& shard) { cases::read_members(node, shard); }
 
 }  // namespace rastercheck::records

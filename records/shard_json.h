@@ -11,12 +11,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "cases/json_node.h"
+#include "cases/json_members.h"
 #include "records/shard.h"
 
 namespace rastercheck::records {
 
-nlohmann::json shard_to_json(const Shard& shard);
-Shard shard_from_json(const cases::JsonNode& node);
+void write_value(nlohmann::json& to, const Shard& shard);
+void read_value(const cases::JsonNode& node, Shard& shard);
 
 }  // namespace rastercheck::records

@@ -8,12 +8,13 @@
 #include <utility>
 
 #include "records/inspection.h"
+#include "records/internal/shared_members.h"
 
 namespace rastercheck::records {
 namespace {
 
 using cases::JsonNode;
-using nlohmann::json;
+using cases::UpTo;
 
 constexpr std::string_view kUndrawn = "-";
 constexpr std::size_t kFloatDigits = 8;
@@ -88,62 +89,51 @@ void read_row(const JsonNode& node, Specimen& specimen) {
                   samples, specimen.values_per_sample()));
 }
 
+/// The rows of a specimen that has all else.
+template <typename T>
+struct CropRows {
+  T& specimen;
+
+  friend void write_value(nlohmann::json& to, const CropRows& rows) {
+    to = nlohmann::json::array();
+    for (std::size_t row = 0; row < rows.specimen.height; ++row) {
+      to.push_back(row_text(rows.specimen, row));
+    }
+  }
+  friend void read_value(const JsonNode& node, CropRows& rows) {
+    const std::size_t height = rows.specimen.height;
+    for (const JsonNode& row : node.elements(height, height, "rows")) {
+      if (node.failed()) return;
+      read_row(row, rows.specimen);
+    }
+  }
+};
+template <typename T>
+CropRows(T&) -> CropRows<T>;
+
 }  // namespace
 
-json specimen_to_json(const Specimen& specimen) {
-  json rows = json::array();
-  for (std::size_t row = 0; row < specimen.height; ++row) {
-    rows.push_back(row_text(specimen, row));
-  }
-  json object{{"law", specimen.key.law},
-              {"backend", specimen.key.backend},
-              {"origin", to_string(specimen.key.origin)},
-              {"index", specimen.key.index},
-              {"triangle", specimen.triangle},
-              {"left", specimen.left},
-              {"top", specimen.top},
-              {"width", specimen.width},
-              {"height", specimen.height},
-              {"samples", specimen.samples},
-              {"attributes", specimen.attributes},
-              {"rows", std::move(rows)}};
-  if (!specimen.case_name.empty()) object["name"] = specimen.case_name;
-  return object;
-}
-
-Specimen specimen_from_json(const JsonNode& node) {
-  node.expect_object({"law", "backend", "origin", "index", "triangle", "left", "top", "width",
-                      "height", "samples", "attributes", "rows"},
-                     {"name"});
-  Specimen specimen;
-  if (node.failed()) return specimen;
-  specimen.key = {node["law"].text(), node["backend"].text(), node["origin"].enumerator<Origin>(),
-                  node["index"].count()};
-  if (node.has("name")) specimen.case_name = node["name"].text();
-  specimen.triangle = node["triangle"].count<std::uint32_t>();
+template <typename Archive, cases::Either<Specimen> T>
+void members(Archive& archive, T& specimen) {
   constexpr std::uint32_t kMostPixel = cases::kMaxSize - 1;
-  specimen.left = node["left"].count(kMostPixel);
-  specimen.top = node["top"].count(kMostPixel);
-  specimen.width = node["width"].count(kMostInspected);
-  specimen.height = node["height"].count(kMostInspected);
-  specimen.samples = node["samples"].count(kMostCropSamples);
-  specimen.attributes = node["attributes"].count(static_cast<std::uint32_t>(cases::kMaxAttributes));
-  if (node.failed()) return specimen;
-  if (specimen.sample_count() == 0) node.refuse("must have a sample");
-  for (const JsonNode& row : node["rows"].elements(specimen.height, specimen.height, "rows")) {
-    if (node.failed()) break;
-    read_row(row, specimen);
-  }
-  return specimen;
+  members(archive, specimen.key);
+  archive.optional("name", specimen.case_name);
+  archive.required("triangle", specimen.triangle);
+  archive.required("left", UpTo{specimen.left, kMostPixel});
+  archive.required("top", UpTo{specimen.top, kMostPixel});
+  archive.required("width", UpTo{specimen.width, kMostInspected});
+  archive.required("height", UpTo{specimen.height, kMostInspected});
+  archive.required("samples", UpTo{specimen.samples, kMostCropSamples});
+  archive.required("attributes", UpTo{specimen.attributes, cases::kMaxAttributes});
+  archive.check([&](const JsonNode& node) {
+    if (specimen.sample_count() == 0) node.refuse("must have a sample");
+  });
+  archive.required("rows", CropRows{specimen});
 }
 
-std::vector<Specimen> specimens_from_json(const JsonNode& array) {
-  std::vector<Specimen> specimens;
-  for (const JsonNode& node : array.elements()) {
-    if (node.failed()) break;
-    specimens.push_back(specimen_from_json(node));
-  }
-  return specimens;
+void write_value(nlohmann::json& to, const Specimen& specimen) {
+  cases::write_members(to, specimen);
 }
+void read_value(const JsonNode& node, Specimen& specimen) { cases::read_members(node, specimen); }
 
 }  // namespace rastercheck::records

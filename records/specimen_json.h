@@ -11,19 +11,14 @@
 // hexadecimal digits each, the bits of a float32, with a colon between them.
 
 #include <nlohmann/json_fwd.hpp>
-#include <vector>
 
-#include "cases/json_node.h"
+#include "cases/json_members.h"
 #include "records/specimen.h"
 
 namespace rastercheck::records {
 
-nlohmann::json specimen_to_json(const Specimen& specimen);
-
+void write_value(nlohmann::json& to, const Specimen& specimen);
 /// Refuses unknown and missing keys, parts larger than are kept, and rows of another form.
-Specimen specimen_from_json(const cases::JsonNode& node);
-
-/// An array of them.
-std::vector<Specimen> specimens_from_json(const cases::JsonNode& array);
+void read_value(const cases::JsonNode& node, Specimen& specimen);
 
 }  // namespace rastercheck::records

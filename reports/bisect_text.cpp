@@ -77,7 +77,7 @@ nlohmann::ordered_json to_json(const records::CommitTitle& commit) {
 
 nlohmann::ordered_json to_json(const std::optional<records::WorstError>& worst) {
   if (!worst) return nullptr;
-  return {{"error", records::enclosure_to_json(worst->error)},
+  return {{"error", cases::json_of(worst->error)},
           {"exact", worst->exact},
           {"actual", cases::to_hex(worst->actual)},
           {"triangle", worst->place.triangle},

@@ -73,21 +73,21 @@ records::Run read_document(const JsonNode& root) {
   if (root.failed()) return run;
   // Files from before it was written are of the first.
   run.rules_version = root.has("rules_version") ? root["rules_version"].count() : 1;
-  run.plan = records::plan_from_json(root["plan"]);
+  run.plan = cases::read_as<records::Plan>(root["plan"]);
   if (root.has("sentences")) run.sentences = read_text_by_key(root["sentences"]);
   if (root.has("shard") != run.plan.shard.has_value()) {
     root.refuse("'shard' belongs to a plan with 'shard', and the other way round");
   }
-  if (root.has("shard")) run.shard = records::shard_from_json(root["shard"]);
+  if (root.has("shard")) run.shard = cases::read_as<records::Shard>(root["shard"]);
   if (root.has("cases_left")) run.cases_left = root["cases_left"].count();
   for (const JsonNode& node : root["counterexamples"].elements()) {
     if (root.failed()) return run;
-    run.counterexamples.push_back(records::counterexample_from_json(node));
+    run.counterexamples.push_back(cases::read_as<records::Counterexample>(node));
   }
   if (root.has("inspections")) {
     for (const JsonNode& node : root["inspections"].elements()) {
       if (root.failed()) return run;
-      run.inspections.push_back(records::inspection_from_json(node));
+      run.inspections.push_back(cases::read_as<records::Inspection>(node));
     }
   }
   for (const JsonNode& node : root["unreached"].elements()) {
@@ -97,22 +97,23 @@ records::Run read_document(const JsonNode& root) {
   if (root.has("known")) {
     for (const JsonNode& node : root["known"].elements()) {
       if (root.failed()) return run;
-      run.known.push_back(records::known_of_backend_from_json(node));
+      run.known.push_back(cases::read_as<records::KnownOfBackend>(node));
     }
   }
   if (root.has("unexpected_passes")) {
     for (const JsonNode& node : root["unexpected_passes"].elements()) {
-      run.unexpected.push_back(records::unexpected_pass_from_json(node));
+      run.unexpected.push_back(cases::read_as<records::UnexpectedPass>(node));
     }
   }
   for (const JsonNode& node : root["pictures"].elements()) {
     if (root.failed()) return run;
     run.pictures.push_back(read_picture(node));
   }
-  if (root.has("cases")) run.cases = records::case_records_from_json(root["cases"]);
-  if (root.has("specimens")) run.specimens = records::specimens_from_json(root["specimens"]);
+  if (root.has("cases")) run.cases = cases::read_as<records::CaseRecordSet>(root["cases"]);
+  if (root.has("specimens"))
+    run.specimens = cases::read_as<std::vector<records::Specimen>>(root["specimens"]);
   run.environment = read_text_by_key(root["environment"]);
-  if (!root.failed()) run.records = records::records_from_json(root["records"]);
+  if (!root.failed()) run.records = cases::read_as<records::RecordSet>(root["records"]);
   return run;
 }
 

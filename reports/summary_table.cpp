@@ -17,7 +17,7 @@ namespace {
 
 nlohmann::ordered_json enclosure_json(const std::optional<records::Enclosure>& enclosure) {
   if (!enclosure) return nullptr;
-  return records::enclosure_to_json(*enclosure);
+  return cases::json_of(*enclosure);
 }
 
 nlohmann::ordered_json sizes_json(const records::SizeSummary& sizes) {

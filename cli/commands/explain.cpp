@@ -112,8 +112,7 @@ ExitCode run(const Options& options) {
   const Result<records::Inspection> found = inspect(*c, *request, specification, **backend);
   if (!found) return fail({options.file, found.error().place, found.error().reason});
   if (options.json) {
-    fmt::print("{}\n", records::inspection_to_json(*found).dump(
-                           -1, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", cases::json_line(cases::json_of(*found)));
   } else {
     fmt::print("{}", reports::inspection_text(*found, shown_value(*request)));
     if (!options.quiet) fmt::print("\n{}", reports::inspection_legend());

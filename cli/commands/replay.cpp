@@ -100,7 +100,7 @@ void print_json(const std::vector<Outcome>& outcomes) {
     if (!outcome.check.known.empty()) json["known"] = outcome.check.known;
     if (!outcome.check.is_applicable) json["not_applicable_because"] = outcome.check.why_not;
     for (const records::Violation& v : outcome.check.violations) {
-      json["violations"].push_back(nlohmann::ordered_json(records::violation_to_json(v)));
+      json["violations"].push_back(nlohmann::ordered_json(cases::json_of(v)));
     }
     all.push_back(std::move(json));
   }

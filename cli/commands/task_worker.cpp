@@ -21,7 +21,7 @@ struct Options {
 
 ExitCode run(const Options& options) {
   const Result<records::Plan> plan =
-      cases::read_json(options.plan, "--plan", &records::plan_from_json);
+      cases::read_json(options.plan, "--plan", &cases::read_as<records::Plan>);
   if (!plan) return fail(plan.error());
   std::vector<cases::Case> corpus;
   if (!options.corpus.empty()) {

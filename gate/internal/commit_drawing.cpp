@@ -167,7 +167,7 @@ std::string judged_text(const JudgedCommit& commit) {
 Result<void> write_plan(const BisectPlan& plan) {
   const nlohmann::ordered_json json{{"build", plan.build},
                                     {"program", plan.program},
-                                    {"plan", records::plan_to_json(plan.plan)},
+                                    {"plan", cases::json_of(plan.plan)},
                                     {"jobs", plan.jobs}};
   return cases::write_file(plan.folder + kPlanFile,
                            json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
@@ -182,7 +182,7 @@ Result<BisectPlan> read_plan(const std::string& folder) {
     BisectPlan plan;
     for (const cases::JsonNode& word : root["build"].elements()) plan.build.push_back(word.text());
     plan.program = root["program"].text();
-    plan.plan = records::plan_from_json(root["plan"]);
+    plan.plan = cases::read_as<records::Plan>(root["plan"]);
     plan.jobs = static_cast<int>(root["jobs"].integer(1, std::numeric_limits<int>::max()));
     plan.folder = folder;
     return plan;

@@ -179,7 +179,7 @@ void keep_case(const Law& law, const std::string& specification, const NumberedC
   for (const std::string& label : check.labels) ++alone[key].labels[label];
   alone[key].cases.violations = check.violation_count;
   record.found_digest =
-      fnv1a(std::string(to_string(record.outcome)) + records::records_to_json(alone).dump());
+      fnv1a(std::string(to_string(record.outcome)) + cases::json_of(alone).dump());
   findings.cases->insert_or_assign({name, specification, numbered.origin, numbered.index},
                                    std::move(record));
 }

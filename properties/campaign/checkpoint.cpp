@@ -15,17 +15,14 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cases/case_reader.h"
 #include "cases/case_writer.h"
 #include "cases/json.h"
-#include "cases/json_node.h"
+#include "properties/campaign/internal/findings_members.h"
 #include "properties/draw.h"
-#include "records/case_record_json.h"
-#include "records/counterexample_json.h"
-#include "records/known_json.h"
 #include "records/plan_json.h"
-#include "records/record_json.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -37,64 +34,72 @@ constexpr std::uint64_t kVersion = 2;
 /// Tasks in all: more than any campaign has (campaign.cpp), and few enough for a list.
 constexpr std::uint64_t kMostTasksInAll = std::uint64_t{1} << 28U;
 
-json done_to_json(const std::vector<bool>& is_done) {
-  json ranges = json::array();
-  for (std::size_t i = 0; i < is_done.size(); ++i) {
-    if (!is_done[i]) continue;
-    const std::size_t first = i;
-    while (i < is_done.size() && is_done[i]) ++i;
-    ranges.push_back({first, i});
-  }
-  return ranges;
-}
+/// How many tasks there are, and which of them are done; the first is read before the second.
+template <typename T>
+struct TaskCount {
+  T& is_done;
 
-std::vector<bool> read_done(const JsonNode& root) {
-  const auto tasks = static_cast<std::size_t>(root["tasks"].count(kMostTasksInAll));
-  std::vector<bool> is_done(tasks);
-  for (const JsonNode& range : root["done"].elements()) {
-    const auto [from, to] = range.two_elements("first and last");
-    const auto first = static_cast<std::size_t>(from.count(tasks));
-    const auto last = static_cast<std::size_t>(to.count(tasks));
-    for (std::size_t i = first; i < last; ++i) is_done[i] = true;
+  friend void write_value(json& to, const TaskCount& tasks) { to = tasks.is_done.size(); }
+  friend void read_value(const JsonNode& node, TaskCount& tasks) {
+    tasks.is_done.assign(node.count(kMostTasksInAll), false);
   }
-  return is_done;
-}
+};
+template <typename T>
+TaskCount(T&) -> TaskCount<T>;
+template <typename T>
+struct DoneRanges {
+  T& is_done;
 
-Checkpoint read_checkpoint(const JsonNode& root) {
-  root.expect_format("rastercheck-unfinished");
-  if (root.has("version") && root["version"].count() != kVersion) {
-    root["version"].refuse(fmt::format("version must be {}", kVersion));
-  }
-  root.expect_object({"format", "version", "plan", "corpus_digest", "program", "saved", "tasks",
-                      "done", "records", "counterexamples"},
-                     {"known_digest", "cases", "unexpected"});
-  Checkpoint checkpoint;
-  if (root.failed()) return checkpoint;
-  checkpoint.plan = records::plan_from_json(root["plan"]);
-  checkpoint.corpus_digest = root["corpus_digest"].text();
-  checkpoint.program = root["program"].text();
-  if (root.has("known_digest")) checkpoint.known_digest = root["known_digest"].text();
-  for (const JsonNode& node : root["saved"].elements()) {
-    if (root.failed()) break;
-    checkpoint.saved.push_back(cases::read_case(node));
-    if (!checkpoint.saved.back().found) node.refuse("has no 'found'");
-  }
-  checkpoint.is_done = read_done(root);
-  for (const JsonNode& node : root["counterexamples"].elements()) {
-    if (root.failed()) break;
-    records::Counterexample one = records::counterexample_from_json(node);
-    if (!one.source.found) node.refuse("its case has no 'found'");
-    if (!root.failed()) keep(checkpoint.findings, std::move(one));
-  }
-  if (root.has("unexpected")) {
-    for (const JsonNode& node : root["unexpected"].elements()) {
-      keep(checkpoint.findings, records::unexpected_pass_from_json(node));
+  friend void write_value(json& to, const DoneRanges& done) {
+    const std::vector<bool>& is_done = done.is_done;
+    to = json::array();
+    for (std::size_t i = 0; i < is_done.size(); ++i) {
+      if (!is_done[i]) continue;
+      const std::size_t first = i;
+      while (i < is_done.size() && is_done[i]) ++i;
+      to.push_back({first, i});
     }
   }
-  if (root.has("cases")) {
-    checkpoint.findings.cases = records::case_records_from_json(root["cases"]);
+  friend void read_value(const JsonNode& node, DoneRanges& done) {
+    const std::size_t tasks = done.is_done.size();
+    for (const JsonNode& range : node.elements()) {
+      const auto [from, to] = range.two_elements("first and last");
+      const auto first = from.count<std::size_t>(tasks);
+      const auto last = to.count<std::size_t>(tasks);
+      for (std::size_t i = first; i < last; ++i) done.is_done[i] = true;
+    }
   }
-  if (!root.failed()) checkpoint.findings.records = records::records_from_json(root["records"]);
+};
+template <typename T>
+DoneRanges(T&) -> DoneRanges<T>;
+
+}  // namespace
+
+template <typename Archive, cases::Either<Checkpoint> T>
+void members(Archive& archive, T& checkpoint) {
+  archive.format("rastercheck-unfinished", kVersion);
+  archive.required("plan", checkpoint.plan);
+  archive.required("corpus_digest", checkpoint.corpus_digest);
+  archive.optional("known_digest", checkpoint.known_digest);
+  archive.required("program", checkpoint.program);
+  archive.required("saved", checkpoint.saved);
+  archive.required("tasks", TaskCount{checkpoint.is_done});
+  archive.required("done", DoneRanges{checkpoint.is_done});
+  members(archive, checkpoint.findings);
+  archive.check([&](const JsonNode& node) {
+    for (std::size_t i = 0; i < checkpoint.saved.size(); ++i) {
+      if (!checkpoint.saved[i].found) node["saved"].elements()[i].refuse("has no 'found'");
+    }
+  });
+}
+
+namespace {
+
+Checkpoint read_checkpoint(const JsonNode& root) {
+  auto checkpoint = cases::read_as<Checkpoint>(root);
+  if (root.failed()) return checkpoint;
+  // A file may have them in another order, or twice.
+  merge(checkpoint.findings, std::exchange(checkpoint.findings, {}));
   return checkpoint;
 }
 
@@ -118,32 +123,7 @@ std::string checkpoint_file(const std::string& directory) {
 }
 
 std::string to_json(const Checkpoint& checkpoint) {
-  json saved = json::array();
-  for (const cases::Case& c : checkpoint.saved) {
-    saved.push_back(cases::parse_json(cases::to_json(c), "").value_or(json()));
-  }
-  json counterexamples = json::array();
-  for (const records::Counterexample& one : checkpoint.findings.counterexamples) {
-    counterexamples.push_back(records::counterexample_to_json(one));
-  }
-  json document{{"format", "rastercheck-unfinished"},
-                {"version", kVersion},
-                {"plan", records::plan_to_json(checkpoint.plan)},
-                {"corpus_digest", checkpoint.corpus_digest},
-                {"program", checkpoint.program},
-                {"saved", std::move(saved)},
-                {"tasks", checkpoint.is_done.size()},
-                {"done", done_to_json(checkpoint.is_done)},
-                {"records", records::records_to_json(checkpoint.findings.records)},
-                {"counterexamples", std::move(counterexamples)}};
-  if (!checkpoint.known_digest.empty()) document["known_digest"] = checkpoint.known_digest;
-  if (const auto& cases = checkpoint.findings.cases) {
-    document["cases"] = records::case_records_to_json(*cases);
-  }
-  for (const records::UnexpectedPass& pass : checkpoint.findings.unexpected) {
-    document["unexpected"].push_back(records::unexpected_pass_to_json(pass));
-  }
-  return document.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+  return cases::json_line(cases::json_of(checkpoint)) + "\n";
 }
 
 Result<Checkpoint> parse_checkpoint(std::string_view text, const std::string& file) {

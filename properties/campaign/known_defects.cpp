@@ -173,7 +173,7 @@ std::string digest_of_known(const KnownByBackend& known) {
   std::string all;
   for (const auto& [backend, defects] : known) {
     all += backend + '\n' + defects.driver.name + '\n' + defects.driver.version + '\n' +
-           records::known_to_json(defects.list).dump();
+           cases::json_of(defects.list).dump();
     for (const cases::Case& c : defects.cases) all += cases::to_json(c);
   }
   return known.empty() ? "" : fmt::format("{:016x}", fnv1a(all));

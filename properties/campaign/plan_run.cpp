@@ -21,10 +21,8 @@ bool matches(const std::string& name, const std::string& pattern) {
 
 std::vector<std::string> task_worker_of(const Conduct& conduct, const records::Plan& plan) {
   std::vector<std::string> command = conduct.task_worker;
-  const auto replace = nlohmann::json::error_handler_t::replace;
-  command.insert(command.end(),
-                 {"--plan", records::plan_to_json(plan).dump(-1, ' ', false, replace), "--corpus",
-                  conduct.corpus, "--known", conduct.known});
+  command.insert(command.end(), {"--plan", cases::json_line(cases::json_of(plan)), "--corpus",
+                                 conduct.corpus, "--known", conduct.known});
   return command;
 }
 

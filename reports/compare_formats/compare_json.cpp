@@ -45,7 +45,7 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json json_of(const records::FigureValue& value) {
-  if (value.size) return records::enclosure_to_json(*value.size);
+  if (value.size) return cases::json_of(*value.size);
   if (value.of > 0) return {{"count", value.count}, {"of", value.of}};
   return value.count;
 }
@@ -79,8 +79,8 @@ ordered_json stages_of(const records::EntryChange& entry) {
   object["stages"] = ordered_json::array();
   for (const records::StageChange& stage : entry.stages) {
     ordered_json one{{"stage", to_string(stage.stage)}};
-    if (stage.mean_before) one["mean_before"] = records::enclosure_to_json(*stage.mean_before);
-    if (stage.mean_after) one["mean_after"] = records::enclosure_to_json(*stage.mean_after);
+    if (stage.mean_before) one["mean_before"] = cases::json_of(*stage.mean_before);
+    if (stage.mean_after) one["mean_after"] = cases::json_of(*stage.mean_after);
     if (stage.share_before) one["share_before"] = *stage.share_before;
     if (stage.share_after) one["share_after"] = *stage.share_after;
     object["stages"].push_back(std::move(one));
@@ -101,11 +101,11 @@ ordered_json json_of(const Gate& gate, const records::Comparison& comparison,
   }
   object["mismatches_before"] = growth.mismatches_before;
   object["mismatches_after"] = growth.mismatches_after;
-  if (growth.before) object["before"] = records::error_without_case_to_json(*growth.before);
-  if (growth.after) object["after"] = records::error_without_case_to_json(*growth.after);
+  if (growth.before) object["before"] = cases::json_of(*growth.before);
+  if (growth.after) object["after"] = cases::json_of(*growth.after);
   if (const auto part = part_to_look_at(gate, comparison, growth)) {
     object["part_to_look_at"] = {{"stage", to_string(part->stage)},
-                                 {"error", records::enclosure_to_json(part->error)}};
+                                 {"error", cases::json_of(part->error)}};
   }
   if (!gate.folder.empty()) object["file"] = file_of(comparison, growth);
   object["commands"] = growth_commands(gate, comparison, growth);
@@ -145,7 +145,7 @@ ordered_json json_of(const Gate& gate, const records::Comparison& comparison) {
           {"architecture", comparison.key.architecture},
           {"instruction_set", comparison.key.instruction_set},
           {"compiler", comparison.key.compiler},
-          {"plan", records::plan_to_json(comparison.plan)},
+          {"plan", cases::json_of(comparison.plan)},
           {"before", json_of(comparison.before)},
           {"after", json_of(comparison.after)},
           {"entries", counts_of(comparison)},

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cases/json.h"
 #include "records/case_record_json.h"
 #include "reports/format.h"
 
@@ -15,10 +16,10 @@ using nlohmann::json;
 std::string write(const records::Run& run) {
   std::string text;
   if (!run.cases) return text;
-  for (const auto& [key, record] : *run.cases) {
-    text += records::case_record_to_json(key, record)
-                .dump(-1, ' ', false, json::error_handler_t::replace) +
-            "\n";
+  for (const auto& one : *run.cases) {
+    json line;
+    write_value(line, one);
+    text += cases::json_line(line) + "\n";
   }
   return text;
 }

@@ -66,7 +66,7 @@ std::string lines_of(const std::vector<records::Inspection>& inspections) {
   std::string text = "[";
   for (const records::Inspection& inspection : inspections) {
     text += text.size() > 1 ? ",\n" : "\n";
-    text += text_of(records::inspection_to_json(inspection));
+    text += text_of(cases::json_of(inspection));
   }
   return text + "\n]";
 }
@@ -74,9 +74,11 @@ std::string lines_of(const std::vector<records::Inspection>& inspections) {
 /// The same of case records, of which there may be many, too.
 std::string lines_of(const records::CaseRecordSet& cases) {
   std::string text = "[";
-  for (const auto& [key, record] : cases) {
+  for (const auto& one : cases) {
     text += text.size() > 1 ? ",\n" : "\n";
-    text += text_of(records::case_record_to_json(key, record));
+    json object;
+    write_value(object, one);
+    text += text_of(object);
   }
   return text + "\n]";
 }
@@ -97,19 +99,19 @@ json json_of(const records::UnreachedLabel& label) {
 std::string write(const records::Run& run) {
   json counterexamples = json::array();
   for (const records::Counterexample& counterexample : run.counterexamples) {
-    counterexamples.push_back(records::counterexample_to_json(counterexample));
+    counterexamples.push_back(cases::json_of(counterexample));
   }
   json unreached = json::array();
   for (const records::UnreachedLabel& label : run.unreached) unreached.push_back(json_of(label));
   json known = json::array();
-  for (const auto& one : run.known) known.push_back(records::known_of_backend_to_json(one));
+  for (const auto& one : run.known) known.push_back(cases::json_of(one));
   json unexpected = json::array();
   for (const auto& one : run.unexpected) {
-    unexpected.push_back(records::unexpected_pass_to_json(one));
+    unexpected.push_back(cases::json_of(one));
   }
   json specimens = json::array();
   for (const records::Specimen& specimen : run.specimens) {
-    specimens.push_back(records::specimen_to_json(specimen));
+    specimens.push_back(cases::json_of(specimen));
   }
   json pictures = json::array();
   for (const records::Picture& picture : run.pictures) pictures.push_back(json_of(picture));
@@ -121,11 +123,11 @@ std::string write(const records::Run& run) {
   add("format", "\"rastercheck-run\"");
   add("version", std::to_string(records::kRecordsVersion));
   add("rules_version", std::to_string(run.rules_version));
-  add("plan", text_of(records::plan_to_json(run.plan)));
+  add("plan", text_of(cases::json_of(run.plan)));
   if (!run.sentences.empty()) add("sentences", text_of(run.sentences));
-  if (run.shard) add("shard", text_of(records::shard_to_json(*run.shard)));
+  if (run.shard) add("shard", text_of(cases::json_of(*run.shard)));
   if (run.cases_left > 0) add("cases_left", std::to_string(run.cases_left));
-  add("records", lines_of(records::records_to_json(run.records)));
+  add("records", lines_of(cases::json_of(run.records)));
   if (run.cases) add("cases", lines_of(*run.cases));
   if (!run.specimens.empty()) add("specimens", lines_of(specimens));
   add("counterexamples", lines_of(counterexamples));

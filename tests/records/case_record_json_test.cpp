@@ -44,11 +44,11 @@ CaseRecordSet two_cases() {
 }
 
 Result<CaseRecordSet> read_back(const json& array) {
-  return cases::read_json(array.dump(), "cases", &case_records_from_json);
+  return cases::read_json(array.dump(), "cases", &cases::read_as<CaseRecordSet>);
 }
 
 TEST(CaseRecordJson, IsReadBack) {
-  const json array = case_records_to_json(two_cases());
+  const json array = cases::json_of(two_cases());
   const json& first = array.at(0);
   EXPECT_EQ(first["source"], "0000000000000001");
   EXPECT_EQ(first["found"], "ffffffffffffffff");
@@ -60,13 +60,13 @@ TEST(CaseRecordJson, IsReadBack) {
 
 // What most cases do not have takes no room.
 TEST(CaseRecordJson, LeavesOutWhatThereIsNot) {
-  const json second = case_records_to_json(two_cases()).at(1);
+  const json second = cases::json_of(two_cases()).at(1);
   EXPECT_EQ(second.size(), 8U);
   for (const char* key : {"name", "mismatches", "worst"}) EXPECT_FALSE(second.contains(key)) << key;
 }
 
 TEST(CaseRecordJson, RefusesWhatCannotBe) {
-  const json good = case_records_to_json(two_cases());
+  const json good = cases::json_of(two_cases());
   const auto reason_of = [&good](const auto& damage) {
     json array = good;
     damage(array);

@@ -49,7 +49,7 @@ Counterexample small_counterexample() {
 
 // Kills: any change of the format, which those who read old files would not notice.
 TEST(CounterexampleToJson, WritesTheFormat) {
-  const json written = counterexample_to_json(small_counterexample());
+  const json written = cases::json_of(small_counterexample());
   EXPECT_EQ(written["case"], json::parse(cases::to_json(small_counterexample().source)));
   EXPECT_EQ(written["violation_count"], 12);
   EXPECT_EQ(written["violations"], json::parse(R"([
@@ -65,27 +65,28 @@ TEST(CounterexampleToJson, WritesTheFormat) {
 }
 
 TEST(CounterexampleToJson, LeavesOutWhatThereIsNot) {
-  EXPECT_EQ(counterexample_to_json({}).size(), 4U);
+  EXPECT_EQ(cases::json_of(Counterexample()).size(), 4U);
 }
 
 Result<Counterexample> read(const json& document) {
-  return cases::read_json(json{{"counterexamples", json::array({document})}}.dump(), "run.json",
-                          [](const cases::JsonNode& root) {
-                            return counterexample_from_json(root["counterexamples"].elements()[0]);
-                          });
+  return cases::read_json(
+      json{{"counterexamples", json::array({document})}}.dump(), "run.json",
+      [](const cases::JsonNode& root) {
+        return cases::read_as<Counterexample>(root["counterexamples"].elements()[0]);
+      });
 }
 
 TEST(CounterexampleFromJson, ReadsWhatWasWritten) {
-  const json written = counterexample_to_json(small_counterexample());
+  const json written = cases::json_of(small_counterexample());
   const Result<Counterexample> again = read(written);
   ASSERT_TRUE(again.has_value()) << to_string(again.error());
   EXPECT_EQ(*again, small_counterexample());
-  EXPECT_EQ(counterexample_to_json(*again), written);
+  EXPECT_EQ(cases::json_of(*again), written);
 }
 
 // Kills: older files, which have none of these, that no longer read.
 TEST(CounterexampleFromJson, OriginShrinkingAndCloseUpMayBeMissing) {
-  json document = counterexample_to_json(small_counterexample());
+  json document = cases::json_of(small_counterexample());
   for (const char* key : {"origin", "shrinking", "close_up"}) document.erase(key);
   Counterexample expected = small_counterexample();
   expected.origin = Origin::random;
@@ -95,11 +96,11 @@ TEST(CounterexampleFromJson, OriginShrinkingAndCloseUpMayBeMissing) {
 }
 
 TEST(CounterexampleFromJson, PlacesAreThoseOfTheWholeFile) {
-  json document = counterexample_to_json(small_counterexample());
+  json document = cases::json_of(small_counterexample());
   document["case"]["rules"] = "metal";
   EXPECT_EQ(to_string(read(document).error()),
             "run.json: /counterexamples/0/case/rules: must be opengl, vulkan or d3d");
-  document = counterexample_to_json(small_counterexample());
+  document = cases::json_of(small_counterexample());
   document["violations"][1]["attribute"] = 4294967296;
   EXPECT_EQ(to_string(read(document).error()),
             "run.json: /counterexamples/0/violations/1/attribute: must be an integer from 0 to "

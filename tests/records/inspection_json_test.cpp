@@ -75,7 +75,7 @@ Inspection small_inspection() {
 
 // Kills: any change of the format, which those who read old files would not notice.
 TEST(InspectionToJson, WritesTheFormat) {
-  json written = inspection_to_json(small_inspection());
+  json written = cases::json_of(small_inspection());
   EXPECT_EQ(written["case"], json::parse(cases::to_json(small_inspection().source)));
   written.erase("case");
   EXPECT_EQ(written, json::parse(R"({
@@ -100,7 +100,7 @@ TEST(InspectionToJson, WritesTheFormat) {
 }
 
 TEST(InspectionToJson, LeavesOutWhatThereIsNot) {
-  const json written = inspection_to_json({});
+  const json written = cases::json_of(Inspection());
   for (const char* key : {"kind", "stratum", "attribute", "q_matrix", "coverage_stage"}) {
     EXPECT_FALSE(written.contains(key)) << key;
   }
@@ -110,26 +110,26 @@ TEST(InspectionToJson, LeavesOutWhatThereIsNot) {
 Result<Inspection> read(const json& document) {
   return cases::read_json(json{{"inspections", json::array({document})}}.dump(), "run.json",
                           [](const cases::JsonNode& root) {
-                            return inspection_from_json(root["inspections"].elements()[0]);
+                            return cases::read_as<Inspection>(root["inspections"].elements()[0]);
                           });
 }
 
 TEST(InspectionFromJson, ReadsWhatWasWritten) {
-  const json written = inspection_to_json(small_inspection());
+  const json written = cases::json_of(small_inspection());
   const Result<Inspection> again = read(written);
   ASSERT_TRUE(again.has_value()) << to_string(again.error());
   EXPECT_EQ(*again, small_inspection());
-  EXPECT_EQ(inspection_to_json(*again), written);
+  EXPECT_EQ(cases::json_of(*again), written);
 }
 
 // Kills: a member left out, numbers that lose bits.
 RC_GTEST_PROP(InspectionFromJson, GivesBackAnyInspection, ()) {
   const Inspection inspection = random_inspection();
-  const json written = inspection_to_json(inspection);
+  const json written = cases::json_of(inspection);
   const Result<Inspection> again = read(written);
   RC_ASSERT(again.has_value());
   RC_ASSERT(*again == inspection);
-  RC_ASSERT(inspection_to_json(*again) == written);
+  RC_ASSERT(cases::json_of(*again) == written);
 }
 
 TEST(InspectionFromJson, KeepsWhatIsNoNumber) {
@@ -137,14 +137,14 @@ TEST(InspectionFromJson, KeepsWhatIsNoNumber) {
   InspectedValue& value = inspection.samples[0].values[1];
   for (const char* text : {"nan", "inf", "-inf"}) {
     value.actual = std::stof(text);
-    const json written = inspection_to_json(inspection);
+    const json written = cases::json_of(inspection);
     EXPECT_EQ(written["samples"][0]["values"][1]["actual"], text);
     const float again = read(written).value().samples[0].values[1].actual.value();
     EXPECT_EQ(std::isnan(again), std::isnan(*value.actual));
     EXPECT_TRUE(std::isnan(again) || again == *value.actual) << text;
   }
   value.actual = -std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(inspection_to_json(inspection)["samples"][0]["values"][1]["actual"], "nan");
+  EXPECT_EQ(cases::json_of(inspection)["samples"][0]["values"][1]["actual"], "nan");
 }
 
 /// A fault that is to be refused: the value at a place of a good document is replaced.
@@ -164,7 +164,7 @@ class BadInspection : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(BadInspection, IsRefusedWithItsPlace) {
   const Fault& fault = GetParam();
-  json document = inspection_to_json(small_inspection());
+  json document = cases::json_of(small_inspection());
   const json::json_pointer pointer(fault.pointer);
   if (fault.value.empty()) {
     document[pointer.parent_pointer()].erase(pointer.back());
@@ -185,8 +185,8 @@ const Fault kFaults[] = {
     {"/case/version", "2", "version must be 1"},
     {"/pattern/0", "[1]", "x and y"},
     {"/triangle", "-1", "must be an integer"},
-    {"/q_matrix/2", R"(["1", "2"])", "three fractions"},
-    {"/q_matrix", "[]", "three rows"},
+    {"/q_matrix/2", R"(["1", "2"])", "must have 3 elements, not 2"},
+    {"/q_matrix", "[]", "must have 3 elements, not 0"},
     {"/outlines/0/1/0", R"("far")", "must be a number"},
     {"/width", "33", "must be an integer from 0 to 32"},
     {"/samples/0/more", "1", "unknown key 'more'"},
@@ -196,7 +196,7 @@ const Fault kFaults[] = {
     {"/samples/0/sample", "1", "not in the sample pattern"},
     {"/samples/0/is_drawn", "1", "must be "},
     {"/samples/0/distance", "[1, 0]", "lower end"},
-    {"/samples/0/edges", "[[0, 0]]", "three edges"},
+    {"/samples/0/edges", "[[0, 0]]", "must have 3 elements, not 1"},
     {"/samples/0/values/0/more", "1", "unknown key 'more'"},
     {"/samples/0/values/1/actual", "0.5", "must be a string"},
     {"/samples/0/values/1/actual", R"("0.5")", "must be the hex float"},

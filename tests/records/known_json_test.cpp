@@ -48,7 +48,7 @@ TEST(KnownJson, ReadsAllThereIs) {
 
 TEST(KnownJson, ComesBackAsItWas) {
   const KnownList list = parse_known(kList, "f").value();
-  EXPECT_EQ(parse_known(known_to_json(list).dump(), "f").value(), list);
+  EXPECT_EQ(parse_known(cases::json_of(list).dump(), "f").value(), list);
 }
 
 TEST(KnownJson, TakesEveryFactAndLimitByItsName) {
@@ -111,13 +111,12 @@ TEST(KnownJson, IsRefusedWithAnythingMissingOrUnknown) {
 TEST(KnownJson, OfARunComesBackAsItWas) {
   const KnownOfBackend known{"gl:llvmpipe", "Mesa 23", parse_known(kList, "f").value()};
   EXPECT_EQ(
-      cases::read_json(known_of_backend_to_json(known).dump(), "f", &known_of_backend_from_json)
-          .value(),
+      cases::read_json(cases::json_of(known).dump(), "f", &cases::read_as<KnownOfBackend>).value(),
       known);
   const UnexpectedPass pass{"gl:llvmpipe", "llvmpipe-1", "a law", false};
-  EXPECT_EQ(cases::read_json(unexpected_pass_to_json(pass).dump(), "f", &unexpected_pass_from_json)
-                .value(),
-            pass);
+  EXPECT_EQ(
+      cases::read_json(cases::json_of(pass).dump(), "f", &cases::read_as<UnexpectedPass>).value(),
+      pass);
 }
 
 }  // namespace

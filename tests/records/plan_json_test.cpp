@@ -15,30 +15,30 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 Result<Plan> read(const json& document) {
-  return cases::read_json(document.dump(), "file", &plan_from_json);
+  return cases::read_json(document.dump(), "file", &cases::read_as<Plan>);
 }
 
 TEST(PlanJson, ComesBackAsItWas) {
-  EXPECT_EQ(read(plan_to_json(sample_plan())).value(), sample_plan());
-  EXPECT_EQ(read(plan_to_json({})).value(), Plan());
+  EXPECT_EQ(read(cases::json_of(sample_plan())).value(), sample_plan());
+  EXPECT_EQ(read(cases::json_of(Plan())).value(), Plan());
   Plan large;
   large.seed = std::numeric_limits<std::uint64_t>::max();
-  EXPECT_EQ(read(plan_to_json(large)).value(), large);
+  EXPECT_EQ(read(cases::json_of(large)).value(), large);
   Plan none;
   none.backends = {};
-  EXPECT_EQ(read(plan_to_json(none)).value(), none);
+  EXPECT_EQ(read(cases::json_of(none)).value(), none);
 }
 
 // Kills: keys that are there for nothing.
 TEST(PlanJson, LeavesOutWhatIsAsUsual) {
-  EXPECT_EQ(plan_to_json({}),
+  EXPECT_EQ(cases::json_of(Plan()),
             json::parse(R"({"seed": 0, "cases_per_law": 1000, "backends": ["cpu"]})"));
-  EXPECT_EQ(plan_to_json(sample_plan()).size(), 16U);
+  EXPECT_EQ(cases::json_of(sample_plan()).size(), 16U);
 }
 
 TEST(PlanJson, IsRefusedWithItsPlace) {
   const auto error = [](const char* pointer, const char* value) {
-    json document = plan_to_json(sample_plan());
+    json document = cases::json_of(sample_plan());
     document[json::json_pointer(pointer)] = json::parse(value);
     const Result<Plan> plan = read(document);
     return plan ? "was read" : to_string(plan.error());
@@ -56,7 +56,7 @@ TEST(PlanJson, IsRefusedWithItsPlace) {
   EXPECT_THAT(error("/shard/count", "0"), HasSubstr("file: /shard/index: "));
   EXPECT_THAT(error("/shard/count", "4097"), HasSubstr("file: /shard/count: must be at most 4096"));
   EXPECT_THAT(error("/keeps_cases", "1"), HasSubstr("file: /keeps_cases: must be"));
-  json document = plan_to_json(sample_plan());
+  json document = cases::json_of(sample_plan());
   document.erase("seed");
   EXPECT_THAT(to_string(read(document).error()), HasSubstr("missing key 'seed'"));
 }

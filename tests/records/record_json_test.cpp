@@ -24,7 +24,7 @@ using ::testing::Not;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Result<RecordSet> read(const std::string& text) {
-  return cases::read_json(text, "run.json", &records_from_json);
+  return cases::read_json(text, "run.json", &cases::read_as<RecordSet>);
 }
 
 WorstError small_worst() {
@@ -103,8 +103,8 @@ TEST(RecordsToJson, WritesTheFormat) {
     "labels": {"tie": 4},
     "decided_at": {"samples by filter": 100, "samples by exact numbers": 2, "values by filter": 3,
                    "values by interval": 4, "values by exact numbers": 5}}])");
-  EXPECT_EQ(records_to_json(small_records()), expected);
-  EXPECT_EQ(records_to_json({}), json::array());
+  EXPECT_EQ(cases::json_of(small_records()), expected);
+  EXPECT_EQ(cases::json_of(RecordSet()), json::array());
 }
 
 TEST(RecordsToJson, OrdersRecordsByKey) {
@@ -115,7 +115,7 @@ TEST(RecordsToJson, OrdersRecordsByKey) {
   records[{"a", "cpu", AttributeKind::coverage, "z"}];
   records[{"a", "cpu", AttributeKind::coverage, "y"}];
   std::vector<std::string> order;
-  for (const json& record : records_to_json(records)) {
+  for (const json& record : cases::json_of(records)) {
     order.push_back(record["law"].get<std::string>() + " " + record["backend"].get<std::string>() +
                     " " + record["attribute_kind"].get<std::string>() + " " +
                     record["stratum"].get<std::string>());
@@ -126,15 +126,15 @@ TEST(RecordsToJson, OrdersRecordsByKey) {
 
 TEST(RecordsFromJson, ReadsWhatWasWritten) {
   const RecordSet records = small_records();
-  EXPECT_EQ(read(records_to_json(records).dump()).value(), records);
-  EXPECT_EQ(read(records_to_json(records).dump(2)).value(), records);
+  EXPECT_EQ(read(cases::json_of(records).dump()).value(), records);
+  EXPECT_EQ(read(cases::json_of(records).dump(2)).value(), records);
   EXPECT_EQ(read("[]").value(), RecordSet());
 }
 
 // Records of before there were sums, strata and stages say nothing of them. Kills: old runs and
 // baselines that no longer read.
 TEST(RecordsFromJson, SumsStrataAndStagesMayBeMissing) {
-  json array = records_to_json(small_records());
+  json array = cases::json_of(small_records());
   array[0].erase("strata");
   array[0].erase("stages");
   array[0]["excess"].erase("sum");
@@ -152,7 +152,7 @@ TEST(RecordsFromJson, TakesTheLargestSums) {
   SignedSum& sum = records.begin()->second.errors.ideal.sum;
   const SignedSum::Units most = SignedSum::kMostOfTerm * SignedSum::kMostTerms;
   sum = {-most, most, SignedSum::kMostTerms, std::numeric_limits<std::uint64_t>::max()};
-  json array = records_to_json(records);
+  json array = cases::json_of(records);
   EXPECT_EQ(array[0]["ideal"]["sum"]["lo"], "-85070591730234615865843651857942052864");
   EXPECT_EQ(read(array.dump()).value(), records);
 }
@@ -176,11 +176,11 @@ RC_GTEST_PROP(RecordsFromJson, GivesBackAnyRecords, ()) {
     record.errors.strata[random_stratum()].sum = random_sum();
     record.errors.stages[random_stratum()][random_stage()] = random_sum();
   }
-  const std::string text = records_to_json(records).dump();
+  const std::string text = cases::json_of(records).dump();
   const Result<RecordSet> again = read(text);
   RC_ASSERT(again.has_value());
   RC_ASSERT(again.value() == records);
-  RC_ASSERT(records_to_json(again.value()).dump() == text);
+  RC_ASSERT(cases::json_of(again.value()).dump() == text);
 }
 
 // Kills: "%.15g"; dropping the sign of zero.
@@ -191,7 +191,7 @@ RC_GTEST_PROP(RecordsFromJson, GivesBackAnyDoubleToTheBit, ()) {
   if (end == 0) worst.error = {-1, end};
   RecordSet records;
   keep(records[{}].errors.excess.extremes, worst);
-  const Extremes again = read(records_to_json(records).dump()).value()[{}].errors.excess.extremes;
+  const Extremes again = read(cases::json_of(records).dump()).value()[{}].errors.excess.extremes;
   const Enclosure error =
       again.most_positive ? again.most_positive->error : again.most_negative.value().error;
   RC_ASSERT(std::bit_cast<std::uint64_t>(error.lo) == std::bit_cast<std::uint64_t>(worst.error.lo));
@@ -199,7 +199,7 @@ RC_GTEST_PROP(RecordsFromJson, GivesBackAnyDoubleToTheBit, ()) {
 }
 
 TEST(RecordsFromJson, AWholeNumberMayStandForADouble) {
-  json array = records_to_json(small_records());
+  json array = cases::json_of(small_records());
   array[0]["excess"]["most_negative"]["error"] = {-3, -2};
   const RecordSet records = read(array.dump()).value();
   EXPECT_EQ(records.begin()->second.errors.excess.extremes.most_negative->error,
@@ -223,7 +223,7 @@ class BadRecords : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(BadRecords, AreRefusedOnOneLineWithTheirPlace) {
   const Fault& fault = GetParam();
-  json array = records_to_json(small_records());
+  json array = cases::json_of(small_records());
   const json::json_pointer pointer(fault.pointer);
   if (fault.value.empty()) {
     array[pointer.parent_pointer()].erase(pointer.back());
@@ -322,7 +322,7 @@ INSTANTIATE_TEST_SUITE_P(RecordsFromJson, BadRecords, ::testing::ValuesIn(kFault
 
 // Kills: "the last one wins".
 TEST(RecordsFromJson, TwoRecordsOfOneKeyAreRefused) {
-  json array = records_to_json(small_records());
+  json array = cases::json_of(small_records());
   array.push_back(array[0]);
   const Result<RecordSet> records = read(array.dump());
   ASSERT_FALSE(records.has_value());
@@ -332,7 +332,7 @@ TEST(RecordsFromJson, TwoRecordsOfOneKeyAreRefused) {
 
 TEST(RecordsFromJson, PlacesAreThoseOfTheWholeFile) {
   const auto records = [](const cases::JsonNode& root) {
-    return records_from_json(root["records"]);
+    return cases::read_as<RecordSet>(root["records"]);
   };
   const auto read = cases::read_json(R"({"records": [{"law": 1}]})", "run.json", records);
   ASSERT_FALSE(read.has_value());

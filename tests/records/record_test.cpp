@@ -98,7 +98,7 @@ TEST(Extremes, OfEqualFarEndsTheLargerNearEndWins) {
   EXPECT_EQ(extremes_of({narrow_below, wide_below}).most_negative, narrow_below);
 }
 
-std::string records_to_text(const RecordSet& records) { return records_to_json(records).dump(); }
+std::string records_to_text(const RecordSet& records) { return cases::json_of(records).dump(); }
 
 /// Changes to an error that move it forward or back in the order of places.
 using Change = std::function<void(WorstError&)>;

@@ -14,23 +14,23 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 Result<Shard> read(const json& document) {
-  return cases::read_json(document.dump(), "file", &shard_from_json);
+  return cases::read_json(document.dump(), "file", &cases::read_as<Shard>);
 }
 
 TEST(ShardJson, ComesBackAsItWas) {
-  EXPECT_EQ(read(shard_to_json(sample_shard())).value(), sample_shard());
-  EXPECT_EQ(read(shard_to_json(Shard())).value(), Shard());
+  EXPECT_EQ(read(cases::json_of(sample_shard())).value(), sample_shard());
+  EXPECT_EQ(read(cases::json_of(Shard())).value(), Shard());
 }
 
 // Kills: keys that are there for nothing.
 TEST(ShardJson, LeavesOutWhatThereIsNot) {
-  const json document = shard_to_json(Shard());
+  const json document = cases::json_of(Shard());
   EXPECT_EQ(document.size(), 3U);
 }
 
 TEST(ShardJson, IsRefusedWithItsPlace) {
   const auto error = [](const char* pointer, const char* value) {
-    json document = shard_to_json(sample_shard());
+    json document = cases::json_of(sample_shard());
     document[json::json_pointer(pointer)] = json::parse(value);
     const Result<Shard> shard = read(document);
     return shard ? "was read" : to_string(shard.error());
@@ -38,7 +38,7 @@ TEST(ShardJson, IsRefusedWithItsPlace) {
   EXPECT_THAT(error("/more", "1"), HasSubstr("unknown key"));
   EXPECT_THAT(error("/promises/0", "{}"), HasSubstr("file: /promises/0: missing key"));
   EXPECT_THAT(error("/saved/0/version", "9"), HasSubstr("file: /saved/0/version: "));
-  json document = shard_to_json(sample_shard());
+  json document = cases::json_of(sample_shard());
   document["saved"][0].erase("found");
   EXPECT_THAT(to_string(read(document).error()), HasSubstr("file: /saved/0: has no 'found'"));
 }

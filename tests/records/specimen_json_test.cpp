@@ -33,20 +33,21 @@ Specimen small() {
 }
 
 Result<std::vector<Specimen>> read(const json& document) {
-  return cases::read_json(
-      json{{"specimens", json::array({document})}}.dump(), "run.json",
-      [](const cases::JsonNode& root) { return specimens_from_json(root["specimens"]); });
+  return cases::read_json(json{{"specimens", json::array({document})}}.dump(), "run.json",
+                          [](const cases::JsonNode& root) {
+                            return cases::read_as<std::vector<Specimen>>(root["specimens"]);
+                          });
 }
 
 // Kills: any change of the format, which those who read old baselines would not notice.
 TEST(SpecimenToJson, WritesTheFormat) {
-  EXPECT_EQ(specimen_to_json(small()), json::parse(R"({
+  EXPECT_EQ(cases::json_of(small()), json::parse(R"({
     "law": "law", "backend": "cpu", "origin": "corpus", "index": 7, "name": "a <name>",
     "triangle": 1, "left": 3, "top": 5, "width": 2, "height": 1, "samples": 2, "attributes": 1,
     "rows": ["3f000000:40490fdb 00000000:80000000 - 7fc00001:ff800000"]})"));
   Specimen nameless = small();
   nameless.case_name = "";
-  EXPECT_FALSE(specimen_to_json(nameless).contains("name"));
+  EXPECT_FALSE(cases::json_of(nameless).contains("name"));
 }
 
 RC_GTEST_PROP(SpecimenFromJson, ReadsWhatWasWritten, ()) {
@@ -65,7 +66,7 @@ RC_GTEST_PROP(SpecimenFromJson, ReadsWhatWasWritten, ()) {
       specimen.bits.push_back(is_drawn ? bits : 0);
     }
   }
-  const Result<std::vector<Specimen>> again = read(specimen_to_json(specimen));
+  const Result<std::vector<Specimen>> again = read(cases::json_of(specimen));
   RC_ASSERT(again.has_value());
   RC_ASSERT(*again == std::vector{specimen});
 }
@@ -73,7 +74,7 @@ RC_GTEST_PROP(SpecimenFromJson, ReadsWhatWasWritten, ()) {
 void expect_refused(const std::string& key, const json& value, const std::string& place,
                     const std::string& reason) {
   SCOPED_TRACE(key + " = " + value.dump());
-  json document = specimen_to_json(small());
+  json document = cases::json_of(small());
   document[key] = value;
   const Result<std::vector<Specimen>> specimens = read(document);
   ASSERT_FALSE(specimens.has_value());

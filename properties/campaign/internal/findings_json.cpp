@@ -4,71 +4,47 @@
 #include <utility>
 
 #include "cases/error_json.h"
-#include "cases/json_node.h"
-#include "cases/names.h"
-#include "records/case_record_json.h"
-#include "records/counterexample_json.h"
-#include "records/known_json.h"
-#include "records/record_json.h"
+#include "cases/json.h"
+#include "properties/campaign/internal/findings_members.h"
 
 namespace rastercheck::properties {
 namespace {
 
 using cases::JsonNode;
-using nlohmann::json;
 
 constexpr const char* kWorker = "worker";
+
+template <typename Archive, cases::Either<Findings> T>
+void members_of_line(Archive& archive, T& findings) {
+  members(archive, findings);
+  archive.optional("fault", findings.fault);
+}
 
 /// The findings, or the error that the worker tells instead.
 Result<Findings> read_findings(const JsonNode& root) {
   if (root.has("error")) return tl::unexpected(cases::error_from_json(root));
-  root.expect_object({"records", "counterexamples"}, {"cases", "fault", "unexpected"});
   Findings findings;
-  if (root.failed()) return findings;
-  findings.records = records::records_from_json(root["records"]);
-  if (root.has("cases")) findings.cases = records::case_records_from_json(root["cases"]);
-  for (const JsonNode& node : root["counterexamples"].elements()) {
-    if (root.failed()) break;
-    findings.counterexamples.push_back(records::counterexample_from_json(node));
-    // By it counterexamples are ordered.
-    if (!findings.counterexamples.back().source.found) node.refuse("its case has no 'found'");
-  }
-  if (root.has("unexpected")) {
-    for (const JsonNode& node : root["unexpected"].elements()) {
-      keep(findings, records::unexpected_pass_from_json(node));
-    }
-  }
-  if (root.has("fault")) findings.fault = root["fault"].text();
+  cases::read_object(root, [&](auto& archive) { members_of_line(archive, findings); });
   return findings;
-}
-
-Task read_task(const JsonNode& root) {
-  root.expect_object({"backend", "law", "kind", "first", "last"}, {"subject"});
-  Task task{root["backend"].text(), root["law"].text(), root["kind"].enumerator<TaskKind>(),
-            root["first"].count(), root["last"].count()};
-  if (root.has("subject")) task.subject = records::counterexample_from_json(root["subject"]);
-  return task;
 }
 
 }  // namespace
 
+template <typename Archive, cases::Either<Task> T>
+void members(Archive& archive, T& task) {
+  archive.required("backend", task.backend);
+  archive.required("law", task.law);
+  archive.required("kind", task.kind);
+  archive.required("first", task.first);
+  archive.required("last", task.last);
+  archive.optional("subject", task.subject);
+}
+
 std::string findings_to_line(const Result<Findings>& findings) {
-  json line;
-  if (!findings) {
-    line = cases::error_to_json(findings.error());
-  } else {
-    line["records"] = records::records_to_json(findings->records);
-    if (findings->cases) line["cases"] = records::case_records_to_json(*findings->cases);
-    line["counterexamples"] = json::array();
-    for (const records::Counterexample& one : findings->counterexamples) {
-      line["counterexamples"].push_back(records::counterexample_to_json(one));
-    }
-    for (const records::UnexpectedPass& pass : findings->unexpected) {
-      line["unexpected"].push_back(records::unexpected_pass_to_json(pass));
-    }
-    if (findings->fault) line["fault"] = *findings->fault;
-  }
-  return line.dump(-1, ' ', false, json::error_handler_t::replace);
+  if (!findings) return cases::json_line(cases::error_to_json(findings.error()));
+  nlohmann::json line;
+  cases::write_object(line, [&](auto& archive) { members_of_line(archive, *findings); });
+  return cases::json_line(line);
 }
 
 Result<Findings> findings_from_line(const std::string& line) {
@@ -77,18 +53,10 @@ Result<Findings> findings_from_line(const std::string& line) {
   return *std::move(said);
 }
 
-std::string task_to_line(const Task& task) {
-  json object{{"backend", task.backend},
-              {"law", task.law},
-              {"kind", cases::name_of(task.kind)},
-              {"first", task.first},
-              {"last", task.last}};
-  if (task.subject) object["subject"] = records::counterexample_to_json(*task.subject);
-  return object.dump(-1, ' ', false, json::error_handler_t::replace);
-}
+std::string task_to_line(const Task& task) { return cases::json_line(cases::json_of(task)); }
 
 std::optional<Task> task_from_line(const std::string& line) {
-  Result<Task> task = cases::read_json(line, kWorker, &read_task);
+  Result<Task> task = cases::read_json(line, kWorker, &cases::read_as<Task>);
   if (!task) return std::nullopt;
   // Such a task is about a case of its own, and that one says where it is from.
   const bool has_subject = task->subject && task->subject->source.found;
