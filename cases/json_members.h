@@ -25,6 +25,7 @@
 //   archive.object("driver", [&](auto& inner) {…});         an object that is no record
 //   archive.optional_object("worst", x.worst, [](auto& inner, auto& worst) {…});
 //   archive.entries(x.facts);                               a map's entries as members
+//   archive.list("laws", x.laws, "law of the same name");   a map as a list (write_entries)
 //   archive.check([&](const JsonNode& node) {…});           what only a reader has to check
 
 #include <array>
@@ -64,7 +65,7 @@ void read_value(const JsonNode& node, float& value);
 
 /// A form of its own goes before a list of members: files that nest a record see the one only.
 template <typename T>
-concept HasOwnForm = requires(const JsonNode& node, std::remove_const_t<T>& value) {
+concept ReadsItself = requires(const JsonNode& node, std::remove_const_t<T>& value) {
   read_value(node, value);
 };
 
@@ -76,10 +77,14 @@ concept HasMembers = requires(JsonWriter& writer, const T& value) {
 /// What may be a key.
 template <typename T>
 concept IsName = std::is_enum_v<T> || std::same_as<T, std::string>;
-template <typename Enum>
-requires std::is_enum_v<Enum>
-constexpr std::string_view key_of(Enum name) { return name_of(name); }
-inline std::string_view key_of(const std::string& name) { return name; }
+template <IsName Name>
+constexpr std::string_view key_of(const Name& name) {
+  if constexpr (std::is_enum_v<Name>) {
+    return name_of(name);
+  } else {
+    return name;
+  }
+}
 
 // --- Writing -------------------------------------------------------------------------------------
 
@@ -92,6 +97,10 @@ void write_value(nlohmann::json& to, std::string_view value);
 inline void write_value(nlohmann::json& to, const std::string& value) {
   write_value(to, std::string_view(value));
 }
+template <typename T>
+concept WritesItself = requires(nlohmann::json& to, const T& value) {
+  write_value(to, value);
+};
 /// Gives the member of that key of an object; appends an element to an array.
 nlohmann::json& member_of(nlohmann::json& object, std::string_view key);
 nlohmann::json& element_of(nlohmann::json& array);
@@ -102,6 +111,10 @@ void make_array(nlohmann::json& to);
 /// Writes an object whose members `list` passes to an archive.
 template <typename List>
 void write_object(nlohmann::json& to, const List& list);
+/// Writes a map as a list of objects with the members of key and value: members(archive, key,
+/// value) lists both.
+template <typename Key, typename T>
+void write_entries(nlohmann::json& to, const std::map<Key, T>& map);
 
 class JsonWriter {
  public:
@@ -132,6 +145,14 @@ class JsonWriter {
   void optional_object(std::string_view key, const std::optional<T>& value, const List& list) {
     if (value) object(key, [&](auto& inner) { list(inner, *value); });
   }
+  template <typename T, typename List>
+  void optional_object(std::string_view key, const T& value, const List& list) {
+    if (!(value == T())) object(key, [&](auto& inner) { list(inner, value); });
+  }
+  template <typename Key, typename T>
+  void list(std::string_view key, const std::map<Key, T>& map, const char* /*what*/) {
+    write_entries(member_of(*object_, key), map);
+  }
   template <IsName Name, typename T>
   void entries(const std::map<Name, T>& map) {
     for (const auto& [name, value] : map) required(key_of(name), value);
@@ -141,7 +162,7 @@ class JsonWriter {
 
   template <typename T>
   static void write(nlohmann::json& to, const T& value) {
-    if constexpr (HasOwnForm<T> || std::same_as<T, std::string_view>) {
+    if constexpr (WritesItself<T>) {
       write_value(to, value);
     } else if constexpr (HasMembers<T>) {
       write_object(to, [&](auto& archive) { members(archive, value); });
@@ -189,8 +210,6 @@ void write_members(nlohmann::json& to, const T& record) {
   write_object(to, [&](auto& archive) { members(archive, record); });
 }
 
-/// Writes a map as a list of objects with the members of key and value: members(archive, key,
-/// value) lists both.
 template <typename Key, typename T>
 void write_entries(nlohmann::json& to, const std::map<Key, T>& map) {
   make_array(to);
@@ -236,9 +255,12 @@ class JsonKeys {
     required_.push_back(key);
   }
   template <typename T, typename List>
-  void optional_object(std::string_view key, const std::optional<T>& /*value*/,
-                       const List& /*list*/) {
+  void optional_object(std::string_view key, const T& /*value*/, const List& /*list*/) {
     optional_.push_back(key);
+  }
+  template <typename Key, typename T>
+  void list(std::string_view key, const std::map<Key, T>& /*map*/, const char* /*what*/) {
+    required_.push_back(key);
   }
   template <typename Enum, typename T>
   void entries(const std::map<Enum, T>& /*map*/) {
@@ -262,6 +284,9 @@ class JsonKeys {
 /// Reads an object whose members `list` passes to an archive. Refuses unknown and missing keys.
 template <typename List>
 void read_object(const JsonNode& node, const List& list);
+/// Reads what write_entries() writes. Refuses a second entry of a key as "a second " and `what`.
+template <typename Key, typename T>
+void read_entries(const JsonNode& node, std::map<Key, T>& map, const char* what);
 
 class JsonReader {
  public:
@@ -295,6 +320,14 @@ class JsonReader {
     value.emplace();
     object(key, [&](auto& inner) { list(inner, *value); });
   }
+  template <typename T, typename List>
+  void optional_object(std::string_view key, T& value, const List& list) {
+    if (node_->has(key)) object(key, [&](auto& inner) { list(inner, value); });
+  }
+  template <typename Key, typename T>
+  void list(std::string_view key, std::map<Key, T>& map, const char* what) {
+    if (!node_->failed()) read_entries((*node_)[key], map, what);
+  }
   template <typename Enum, typename T>
   void entries(std::map<Enum, T>& map) {
     constexpr auto kNames = names_of(Enum{});
@@ -309,7 +342,7 @@ class JsonReader {
 
   template <typename T>
   static void read(const JsonNode& node, T& value) {
-    if constexpr (HasOwnForm<T>) {
+    if constexpr (ReadsItself<T>) {
       read_value(node, value);
     } else if constexpr (HasMembers<T>) {
       read_object(node, [&](auto& archive) { members(archive, value); });
@@ -342,6 +375,7 @@ class JsonReader {
   }
   template <IsName Name, typename T>
   static void read(const JsonNode& node, std::map<Name, T>& map) {
+    map.clear();
     if constexpr (std::is_enum_v<Name>) {
       read_object(node, [&](auto& archive) { archive.entries(map); });
     } else {
@@ -368,9 +402,9 @@ void read_members(const JsonNode& node, T& record) {
   read_object(node, [&](auto& archive) { members(archive, record); });
 }
 
-/// Reads what write_entries() writes. Refuses a second entry of a key as "a second " and `what`.
 template <typename Key, typename T>
 void read_entries(const JsonNode& node, std::map<Key, T>& map, const char* what) {
+  map.clear();
   for (const JsonNode& element : node.elements()) {
     Key key{};
     T value{};

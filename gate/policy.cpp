@@ -9,12 +9,10 @@
 #include <cmath>
 
 #include "cases/files.h"
-#include "cases/json_node.h"
+#include "cases/json_members.h"
 
 namespace rastercheck::gate {
 namespace {
-
-using cases::JsonNode;
 
 /// Digits from `first` to before `last` as a number; nothing of what has others.
 std::optional<int> number_in(std::string_view text, std::size_t first, std::size_t last) {
@@ -37,43 +35,6 @@ bool is_day(std::string_view text) {
                                      std::chrono::month(static_cast<unsigned>(*month)),
                                      std::chrono::day(static_cast<unsigned>(*day)))
              .ok();
-}
-
-Allowance read_allowance(const JsonNode& node) {
-  node.expect_object({"reason", "until"}, {"law", "backend", "kind", "stratum", "worst"});
-  Allowance allowance;
-  const auto pattern = [&node](std::string_view key, std::string& into) {
-    if (node.has(key)) into = node[key].text();
-  };
-  pattern("law", allowance.law);
-  pattern("backend", allowance.backend);
-  pattern("kind", allowance.kind);
-  pattern("stratum", allowance.stratum);
-  allowance.reason = node["reason"].text();
-  if (allowance.reason.find_first_not_of(" \t\r\n") == std::string::npos) {
-    node["reason"].refuse("must not be empty");
-  }
-  allowance.until = node["until"].text();
-  if (!is_day(allowance.until)) node["until"].refuse("must be a day, as \"2026-12-31\"");
-  if (node.has("worst")) {
-    allowance.worst = node["worst"].float64();
-    if (!(*allowance.worst >= 0)) node["worst"].refuse("must not be below 0");
-  }
-  return allowance;
-}
-
-Policy read_policy_document(const JsonNode& root) {
-  // These first: of a later version, its unknown keys are not what is wrong.
-  root.expect_format("rastercheck-policy");
-  if (root.has("version") && root["version"].count() != kPolicyVersion) {
-    root["version"].refuse(fmt::format("version must be {}", kPolicyVersion));
-  }
-  root.expect_object({"format", "version", "allow"});
-  Policy policy;
-  for (const JsonNode& node : root["allow"].elements()) {
-    policy.allow.push_back(read_allowance(node));
-  }
-  return policy;
 }
 
 bool matches(const std::string& pattern, std::string_view text) {
@@ -129,6 +90,30 @@ bool apply(const Allowance& allowance, std::vector<records::Comparison>& compari
 
 }  // namespace
 
+template <typename Archive, cases::Either<Allowance> T>
+void members(Archive& archive, T& allowance) {
+  archive.optional("law", allowance.law, "*");
+  archive.optional("backend", allowance.backend, "*");
+  archive.optional("kind", allowance.kind, "*");
+  archive.optional("stratum", allowance.stratum, "*");
+  archive.required("reason", allowance.reason);
+  archive.required("until", allowance.until);
+  archive.optional("worst", allowance.worst);
+  archive.check([&](const cases::JsonNode& node) {
+    if (allowance.reason.find_first_not_of(" \t\r\n") == std::string::npos) {
+      node["reason"].refuse("must not be empty");
+    }
+    if (!is_day(allowance.until)) node["until"].refuse("must be a day, as \"2026-12-31\"");
+    if (allowance.worst && !(*allowance.worst >= 0)) node["worst"].refuse("must not be below 0");
+  });
+}
+
+template <typename Archive, cases::Either<Policy> T>
+void members(Archive& archive, T& policy) {
+  archive.format("rastercheck-policy", kPolicyVersion);
+  archive.required("allow", policy.allow);
+}
+
 records::PolicyReview apply(const Policy& policy, const Day& today,
                             std::vector<records::Comparison>& comparisons) {
   records::PolicyReview review;
@@ -150,7 +135,7 @@ records::PolicyReview apply(const Policy& policy, const Day& today,
 }
 
 Result<Policy> parse_policy(std::string_view text, const std::string& file) {
-  return cases::read_json(text, file, &read_policy_document).map([&file](Policy policy) {
+  return cases::read_json(text, file, &cases::read_as<Policy>).map([&file](Policy policy) {
     policy.file = file;
     return policy;
   });

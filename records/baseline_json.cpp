@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 
 #include "cases/files.h"
-#include "cases/json.h"
-#include "cases/json_node.h"
+#include "cases/json_document.h"
 #include "records/case_record_json.h"
 #include "records/enclosure_json.h"
 #include "records/plan_json.h"
@@ -19,313 +17,191 @@
 namespace rastercheck::records {
 namespace {
 
+using cases::Either;
 using cases::JsonNode;
-using nlohmann::json;
-using nlohmann::ordered_json;
 
-// --- Writing -------------------------------------------------------------------------------------
+constexpr std::string_view kBaselineFormat = "rastercheck-baseline";
 
-template <typename Json>
-std::string json_text(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}  // namespace
+
+template <typename Archive, Either<Taken> T>
+void members(Archive& archive, T& taken) {
+  archive.required("backend", taken.backend);
+  archive.required("version", taken.version);
+  archive.required("commit", taken.commit);
+  archive.required("instruction_set", taken.instruction_set);
+  archive.required("compiler", taken.compiler);
 }
 
-/// A list, each element on a line of its own.
-class Lines {
- public:
-  explicit Lines(char open) : text_(1, open) {}
-  void add(const std::string& line) {
-    text_ += (is_empty_ ? "\n" : ",\n") + line;
-    is_empty_ = false;
-  }
-  std::string end(char close) && { return std::move(text_) + (is_empty_ ? "" : "\n") + close; }
-
- private:
-  std::string text_;
-  bool is_empty_ = true;
-};
-
-ordered_json entry_json(const CaseCounts& counts) {
-  ordered_json object{{"checked", counts.checked}};
-  if (counts.not_applicable > 0) object["not_applicable"] = counts.not_applicable;
-  if (counts.violations > 0) object["violations"] = counts.violations;
-  if (counts.known > 0) object["known"] = counts.known;
-  return object;
+template <typename Archive, Either<Approval> T>
+void members(Archive& archive, T& approval) {
+  archive.required("reason", approval.reason);
+  archive.required("version", approval.version);
+  archive.required("commit", approval.commit);
+  archive.required("changes", approval.changes);
+  archive.check([&](const JsonNode& node) {
+    if (approval.reason.empty()) node["reason"].refuse("must not be empty");
+  });
 }
 
-ordered_json entry_json(const ClassCounts& classes) {
-  ordered_json object = ordered_json::object();
-  for (std::size_t i = 0; i < classes.counts.size(); ++i) {
-    if (classes.counts[i] == 0) continue;
-    object[std::string(to_string(static_cast<FragmentClass>(i)))] = classes.counts[i];
-  }
-  return object;
-}
-
-std::string line_of(const EntryKey& key, const EntryFigures& figures) {
-  ordered_json object{{"law", key.law}, {"kind", to_string(key.kind)}};
-  if (key.stratum) object["stratum"] = to_string(*key.stratum);
-  if (figures.cases != CaseCounts()) object["cases"] = entry_json(figures.cases);
-  if (figures.classes != ClassCounts()) object["classes"] = entry_json(figures.classes);
-  if (figures.worst != Enclosure()) {
-    object["worst"] = cases::json_of(figures.worst);
-  }
-  if (figures.histogram != Histogram()) {
-    object["histogram"] = cases::json_of(figures.histogram);
-  }
-  for (const auto& [stage, sum] : figures.stages) {
-    object["stages"][std::string(to_string(stage))] = cases::json_of(sum);
-  }
-  return json_text(object);
-}
-
-std::string line_of(const CaseNumber& number, const CaseFigures& figures) {
-  ordered_json object{{std::string(to_string(number.first)), number.second},
-                      {"found", digest_text(figures.found_digest)}};
-  if (figures.outcome != CaseOutcome::held) {
-    object["outcome"] = to_string(figures.outcome);
-  }
-  if (figures.mismatches > 0) object["mismatches"] = figures.mismatches;
-  if (!figures.worst.empty()) object["worst"] = cases::json_of(figures.worst);
-  return json_text(object);
-}
-
-std::string line_of(const Approval& approval) {
-  return json_text(ordered_json{{"reason", approval.reason},
-                                {"version", approval.version},
-                                {"commit", approval.commit},
-                                {"changes", approval.changes}});
-}
-
-std::string line_of(const Taken& taken) {
-  return json_text(ordered_json{{"backend", taken.backend},
-                                {"version", taken.version},
-                                {"commit", taken.commit},
-                                {"instruction_set", taken.instruction_set},
-                                {"compiler", taken.compiler}});
-}
-
-std::string json_text(const BaselineSection& section) {
-  std::string text = "{\n";
-  const auto add = [&text](std::string_view key, const std::string& value) {
-    text += fmt::format("{}\"{}\": {}", text.size() > 2 ? ",\n" : "", key, value);
-  };
-  const BaselineKey& key = section.key;
-  add("backend", cases::json_string(key.backend));
-  add("architecture", cases::json_string(key.architecture));
-  if (!key.instruction_set.empty()) add("instruction_set", cases::json_string(key.instruction_set));
-  if (!key.compiler.empty()) add("compiler", cases::json_string(key.compiler));
-  add("records_version", std::to_string(section.records_version));
-  add("rules_version", std::to_string(section.rules_version));
-  add("plan", json_text(cases::json_of(section.plan)));
-  add("taken", line_of(section.taken));
-  Lines approvals('[');
-  for (const Approval& approval : section.approvals) approvals.add(line_of(approval));
-  add("approvals", std::move(approvals).end(']'));
-  Lines entries('[');
-  for (const auto& [of, figures] : section.entries) entries.add(line_of(of, figures));
-  add("entries", std::move(entries).end(']'));
-  Lines laws('[');
-  for (const auto& [law, of] : section.laws) {
-    laws.add(json_text(
-        ordered_json{{"law", law}, {"cases", of.count}, {"digest", digest_text(of.digest)}}));
-  }
-  add("laws", std::move(laws).end(']'));
-  Lines corpus('[');
-  for (const auto& [index, name] : section.corpus) {
-    corpus.add(json_text(ordered_json::array({index, name})));
-  }
-  add("corpus", std::move(corpus).end(']'));
-  Lines cases_by_law('[');
-  for (const auto& [law, of] : section.laws) {
-    Lines each('[');
-    for (const auto& [number, figures] : of.cases) each.add(line_of(number, figures));
-    cases_by_law.add(fmt::format("{{\"law\": {}, \"cases\": {}}}", cases::json_string(law),
-                                 std::move(each).end(']')));
-  }
-  add("cases", std::move(cases_by_law).end(']'));
-  Lines specimens('[');
-  for (const Specimen& specimen : section.specimens) {
-    specimens.add(json_text(cases::json_of(specimen)));
-  }
-  if (!section.specimens.empty()) add("specimens", std::move(specimens).end(']'));
-  return text + "\n}";
-}
-
-// --- Reading -------------------------------------------------------------------------------------
-
-std::vector<std::string> read_text_list(const JsonNode& node) {
-  std::vector<std::string> texts;
-  for (const JsonNode& element : node.elements()) texts.push_back(element.text());
-  return texts;
-}
-
-CaseCounts read_entry_counts(const JsonNode& node) {
-  node.expect_object({"checked"}, {"not_applicable", "violations", "known"});
-  const auto count = [&node](std::string_view key) {
-    return node.has(key) ? node[key].count() : 0;
-  };
-  return {node["checked"].count(), count("not_applicable"), count("violations"), count("known")};
-}
-
-ClassCounts read_entry_classes(const JsonNode& node) {
-  constexpr auto kNames = names_of(FragmentClass{});
-  ClassCounts classes;
-  node.expect_object({}, std::span(kNames).first(classes.counts.size()));
-  for (std::size_t i = 0; i < classes.counts.size(); ++i) {
-    if (node.has(kNames[i])) classes.counts[i] = node[kNames[i]].count();
-  }
-  return classes;
-}
-
-std::map<Stage, SignedSum> read_stage_sums(const JsonNode& node) {
-  constexpr auto kNames = names_of(Stage{});
-  node.expect_object({}, kNames);
-  std::map<Stage, SignedSum> stages;
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (node.has(kNames[i])) {
-      stages[static_cast<Stage>(i)] = cases::read_as<SignedSum>(node[kNames[i]]);
+template <typename Archive, Either<EntryKey> Key, Either<EntryFigures> T>
+void members(Archive& archive, Key& key, T& figures) {
+  archive.required("law", key.law);
+  archive.required("kind", key.kind);
+  archive.optional("stratum", key.stratum);
+  archive.optional_object("cases", figures.cases, [](auto& inner, auto& counts) {
+    inner.required("checked", counts.checked);
+    inner.optional("not_applicable", counts.not_applicable);
+    inner.optional("violations", counts.violations);
+    inner.optional("known", counts.known);
+  });
+  archive.optional_object("classes", figures.classes, [](auto& inner, auto& classes) {
+    for (std::size_t i = 0; i < classes.counts.size(); ++i) {
+      inner.optional(to_string(static_cast<FragmentClass>(i)), classes.counts[i]);
     }
-  }
-  return stages;
-}
-
-std::pair<EntryKey, EntryFigures> read_entry_line(const JsonNode& node) {
-  node.expect_object({"law", "kind"},
-                     {"stratum", "cases", "classes", "worst", "histogram", "stages"});
-  EntryKey key{node["law"].text(), node["kind"].enumerator<AttributeKind>(), std::nullopt};
-  if (node.has("stratum")) key.stratum = node["stratum"].enumerator<Stratum>();
-  EntryFigures figures;
-  if (node.has("cases")) figures.cases = read_entry_counts(node["cases"]);
-  if (node.has("classes")) figures.classes = read_entry_classes(node["classes"]);
-  if (node.has("worst")) {
-    figures.worst = cases::read_as<Enclosure>(node["worst"]);
+  });
+  archive.optional("worst", figures.worst);
+  archive.optional("histogram", figures.histogram);
+  archive.optional_object("stages", figures.stages,
+                          [](auto& inner, auto& stages) { inner.entries(stages); });
+  archive.check([&](const JsonNode& node) {
     if (figures.worst.lo < 0) node["worst"].refuse("is a magnitude and must not be below 0");
-  }
-  if (node.has("histogram")) figures.histogram = cases::read_as<Histogram>(node["histogram"]);
-  if (node.has("stages")) figures.stages = read_stage_sums(node["stages"]);
-  return {std::move(key), std::move(figures)};
+  });
 }
 
-Taken read_taken(const JsonNode& node) {
-  node.expect_object({"backend", "version", "commit", "instruction_set", "compiler"});
-  return {node["backend"].text(), node["version"].text(), node["commit"].text(),
-          node["instruction_set"].text(), node["compiler"].text()};
+/// "laws": what of them is not of single cases.
+template <typename Archive, Either<std::string> Key, Either<LawCases> T>
+void members(Archive& archive, Key& law, T& of) {
+  archive.required("law", law);
+  archive.required("cases", of.count);
+  archive.required("digest", DigestText{of.digest});
 }
 
-Approval read_approval(const JsonNode& node) {
-  node.expect_object({"reason", "version", "commit", "changes"});
-  Approval approval{node["reason"].text(), node["version"].text(), node["commit"].text(),
-                    read_text_list(node["changes"])};
-  if (approval.reason.empty()) node["reason"].refuse("must not be empty");
-  return approval;
-}
-
-void read_case(const JsonNode& node, const BaselineSection& section, LawCases& law) {
-  constexpr std::string_view kCorpus = to_string(Origin::corpus);
-  constexpr std::string_view kRandom = to_string(Origin::random);
-  const bool is_corpus = node.has(kCorpus);
-  node.expect_object({is_corpus ? kCorpus : kRandom, "found"}, {"outcome", "mismatches", "worst"});
-  const CaseNumber number{is_corpus ? Origin::corpus : Origin::random,
-                          node[is_corpus ? kCorpus : kRandom].count()};
-  std::string name;
-  if (const auto known = section.corpus.find(number.second);
-      is_corpus && known != section.corpus.end()) {
-    name = known->second;
-  }
-  CaseFigures figures;
-  figures.found_digest = digest_from_json(node["found"]);
-  if (node.has("outcome")) {
-    figures.outcome = node["outcome"].enumerator<CaseOutcome>();
+/// A reader has to know the number's origin, which is a key.
+template <typename Archive, Either<CaseNumber> Key, Either<CaseFigures> T>
+void members(Archive& archive, Key& number, T& figures) {
+  archive.required(to_string(number.first), number.second);
+  archive.required("found", DigestText{figures.found_digest});
+  archive.optional("outcome", figures.outcome, CaseOutcome::held);
+  archive.optional("mismatches", figures.mismatches);
+  archive.optional("worst", figures.worst);
+  archive.check([&](const JsonNode& node) {
     if (figures.outcome == CaseOutcome::not_applicable) {
       node["outcome"].refuse("must be that of a case that the law says something of");
     }
+  });
+}
+
+namespace {
+
+/// "corpus": [index, name] of its cases.
+template <typename T>
+struct CorpusNames {
+  T& names;
+
+  std::string text() const {
+    cases::JsonLines lines;
+    for (const auto& [index, name] : names) {
+      lines.add(fmt::format("[{},{}]", index, cases::json_string(name)));
+    }
+    return std::move(lines).end();
   }
-  if (node.has("mismatches")) figures.mismatches = node["mismatches"].count();
-  if (node.has("worst")) {
-    figures.worst = cases::read_as<WorstOfCase>(node["worst"]);
-    name_case(figures.worst, number.second, name);
+
+  friend void read_value(const JsonNode& node, CorpusNames& corpus) {
+    for (const JsonNode& one : node.elements()) {
+      const auto [index, name] = one.two_elements("index and name");
+      if (!corpus.names.emplace(index.count(), name.text()).second) {
+        one.refuse("a second case of the same index");
+      }
+    }
   }
+};
+template <typename T>
+CorpusNames(T&) -> CorpusNames<T>;
+
+void read_case(const JsonNode& node, const BaselineSection& section, LawCases& law) {
+  const bool is_corpus = node.has(to_string(Origin::corpus));
+  CaseNumber number{is_corpus ? Origin::corpus : Origin::random, 0};
+  CaseFigures figures;
+  cases::read_object(node, [&](auto& archive) { members(archive, number, figures); });
+  const auto named = is_corpus ? section.corpus.find(number.second) : section.corpus.end();
+  name_case(figures.worst, number.second, named == section.corpus.end() ? "" : named->second);
   if (!law.cases.emplace(number, std::move(figures)).second) {
     node.refuse("a second case of the same number");
   }
 }
 
-void read_laws(const JsonNode& node, BaselineSection& section) {
-  for (const JsonNode& one : node["laws"].elements()) {
-    one.expect_object({"law", "cases", "digest"});
-    LawCases law;
-    law.count = one["cases"].count();
-    law.digest = digest_from_json(one["digest"]);
-    if (!section.laws.emplace(one["law"].text(), law).second) {
-      one.refuse("a second law of the same name");
+/// "cases": the single cases of a section that has its laws and the corpus.
+template <typename T>
+struct CasesByLaw {
+  T& section;
+
+  std::string text() const {
+    cases::JsonLines laws;
+    for (const auto& [law, of] : section.laws) {
+      laws.add(fmt::format("{{\"law\": {}, \"cases\": {}}}", cases::json_string(law),
+                           cases::TextWriter::text_of(of.cases)));
+    }
+    return std::move(laws).end();
+  }
+
+  friend void read_value(const JsonNode& node, CasesByLaw& cases) {
+    for (const JsonNode& one : node.elements()) {
+      one.expect_object({"law", "cases"});
+      if (one.failed()) return;
+      const auto of = cases.section.laws.find(one["law"].text());
+      if (of == cases.section.laws.end()) {
+        one["law"].refuse("is none that \"laws\" has");
+        return;
+      }
+      for (const JsonNode& each : one["cases"].elements()) {
+        if (each.failed()) return;
+        read_case(each, cases.section, of->second);
+      }
     }
   }
-  for (const JsonNode& one : node["corpus"].elements()) {
-    const auto [index, name] = one.two_elements("index and name");
-    if (!section.corpus.emplace(index.count(), name.text()).second) {
-      one.refuse("a second case of the same index");
-    }
-  }
-  for (const JsonNode& one : node["cases"].elements()) {
-    one.expect_object({"law", "cases"});
-    if (one.failed()) return;
-    const auto of = section.laws.find(one["law"].text());
-    if (of == section.laws.end()) {
-      one["law"].refuse("is none that \"laws\" has");
-      return;
-    }
-    for (const JsonNode& each : one["cases"].elements()) {
-      if (each.failed()) return;
-      read_case(each, section, of->second);
-    }
-  }
+};
+template <typename T>
+CasesByLaw(T&) -> CasesByLaw<T>;
+
+}  // namespace
+
+/// In the order of the file.
+template <typename Archive, Either<BaselineSection> T>
+void members(Archive& archive, T& section) {
+  archive.required("backend", section.key.backend);
+  archive.required("architecture", section.key.architecture);
+  archive.optional("instruction_set", section.key.instruction_set);
+  archive.optional("compiler", section.key.compiler);
+  archive.required("records_version", section.records_version);
+  archive.required("rules_version", section.rules_version);
+  archive.required("plan", section.plan);
+  archive.required("taken", section.taken);
+  archive.required("approvals", section.approvals);
+  archive.list("entries", section.entries, "entry of the same law, kind and stratum");
+  archive.list("laws", section.laws, "law of the same name");
+  archive.required("corpus", CorpusNames{section.corpus});
+  archive.required("cases", CasesByLaw{section});
+  archive.optional("specimens", section.specimens);
 }
 
-BaselineSection read_section(const JsonNode& node) {
-  node.expect_object({"backend", "architecture", "records_version", "rules_version", "plan",
-                      "taken", "approvals", "entries", "laws", "corpus", "cases"},
-                     {"instruction_set", "compiler", "specimens"});
-  BaselineSection section;
-  if (node.failed()) return section;
-  // Of files from before names were so, too.
-  section.key.backend = section_name(node["backend"].text());
-  section.key.architecture = node["architecture"].text();
-  if (node.has("instruction_set")) section.key.instruction_set = node["instruction_set"].text();
-  if (node.has("compiler")) section.key.compiler = node["compiler"].text();
-  section.records_version = node["records_version"].count();
-  section.rules_version = node["rules_version"].count();
-  section.plan = cases::read_as<Plan>(node["plan"]);
-  section.taken = read_taken(node["taken"]);
-  for (const JsonNode& one : node["approvals"].elements()) {
-    section.approvals.push_back(read_approval(one));
-  }
-  for (const JsonNode& one : node["entries"].elements()) {
-    if (one.failed()) return section;
-    if (!section.entries.insert(read_entry_line(one)).second) {
-      one.refuse("a second entry of the same law, kind and stratum");
-    }
-  }
-  read_laws(node, section);
-  if (node.has("specimens"))
-    section.specimens = cases::read_as<std::vector<Specimen>>(node["specimens"]);
-  return section;
-}
+namespace {
 
 Baseline read_baseline_document(const JsonNode& root) {
-  // These first: of a later version, its unknown keys are not what is wrong.
-  root.expect_format("rastercheck-baseline");
-  if (root.has("version") && root["version"].count() != kBaselineVersion) {
-    root["version"].refuse(fmt::format("version must be {}", kBaselineVersion));
-  }
-  root.expect_object({"format", "version", "sections"});
+  std::vector<BaselineSection> sections;
+  cases::read_object(root, [&](auto& archive) {
+    archive.format(kBaselineFormat, kBaselineVersion);
+    archive.required("sections", sections);
+  });
   Baseline baseline;
-  for (const JsonNode& node : root["sections"].elements()) {
-    if (root.failed()) break;
-    BaselineSection section = read_section(node);
-    const std::size_t before = baseline.sections.size();
-    put(baseline, std::move(section));
-    if (baseline.sections.size() == before) node.refuse("a second section of the same key");
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    // Of files from before names were so, too.
+    sections[i].key.backend = section_name(sections[i].key.backend);
+    put(baseline, std::move(sections[i]));
+    if (baseline.sections.size() == i) {
+      root["sections"].elements()[i].refuse("a second section of the same key");
+      break;
+    }
   }
   return baseline;
 }
@@ -333,11 +209,12 @@ Baseline read_baseline_document(const JsonNode& root) {
 }  // namespace
 
 std::string to_json(const Baseline& baseline) {
-  Lines sections('[');
-  for (const BaselineSection& section : baseline.sections) sections.add(json_text(section));
-  return fmt::format(
-      "{{\n\"format\": \"rastercheck-baseline\",\n\"version\": {},\n\"sections\": {}\n}}\n",
-      kBaselineVersion, std::move(sections).end(']'));
+  cases::JsonLines sections;
+  for (const BaselineSection& section : baseline.sections) {
+    sections.add(cases::document_of(section));
+  }
+  return fmt::format("{{\n\"format\": \"{}\",\n\"version\": {},\n\"sections\": {}\n}}\n",
+                     kBaselineFormat, kBaselineVersion, std::move(sections).end());
 }
 
 Result<Baseline> parse_baseline(std::string_view text, const std::string& file) {

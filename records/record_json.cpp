@@ -30,6 +30,7 @@ void write_value(json& to, const Histogram& histogram) {
 }
 
 void read_value(const JsonNode& node, Histogram& histogram) {
+  histogram = {};
   node.expect_object({"buckets", "non_finite"});
   histogram.add_non_finite(node["non_finite"].count());
   std::size_t next = 0;  // the least number that the next bucket may have
@@ -181,6 +182,9 @@ void members(Archive& archive, Key& key, T& record) {
   archive.optional("not_applicable_because", record.not_applicable_because);
 }
 
+void write_value(json& to, const RecordSet::value_type& one) {
+  cases::write_object(to, [&](auto& archive) { members(archive, one.first, one.second); });
+}
 void write_value(json& to, const RecordSet& records) { cases::write_entries(to, records); }
 void read_value(const JsonNode& node, RecordSet& records) {
   cases::read_entries(node, records, "record of the same law, backend, kind and stratum");

@@ -39,6 +39,7 @@
 
 namespace rastercheck::records {
 
+void write_value(nlohmann::json& to, const RecordSet::value_type& one);
 /// The records as a JSON array. Texts are UTF-8 and every `actual` is finite.
 void write_value(nlohmann::json& to, const RecordSet& records);
 /// Refuses unknown and missing keys, numbers that their members cannot hold exactly and two records

@@ -1,0 +1,90 @@
+#pragma once
+
+// The members of run.json, in the order of the file. Those of pictures and labels, which it has as
+// single lines, are in the alphabetical order of all its lines.
+
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "cases/json_members.h"
+#include "records/case_record_json.h"
+#include "records/counterexample_json.h"
+#include "records/inspection_json.h"
+#include "records/known_json.h"
+#include "records/plan_json.h"
+#include "records/record_json.h"
+#include "records/run.h"
+#include "records/shard_json.h"
+#include "records/specimen_json.h"
+#include "reports/base64.h"
+
+namespace rastercheck::reports {
+
+/// Bytes as text.
+template <typename T>
+struct Base64Text {
+  T& bytes;
+
+  friend void write_value(nlohmann::json& to, const Base64Text& view) {
+    cases::write_value(to, to_base64(view.bytes));
+  }
+  friend void read_value(const cases::JsonNode& node, Base64Text& view) {
+    Result<std::string> bytes = from_base64(node.text());
+    if (!bytes) node.refuse(bytes.error().reason);
+    view.bytes = std::move(bytes).value_or("");
+  }
+};
+template <typename T>
+Base64Text(T&) -> Base64Text<T>;
+
+}  // namespace rastercheck::reports
+
+namespace rastercheck::records {
+
+template <typename Archive, cases::Either<Picture> T>
+void members(Archive& archive, T& picture) {
+  constexpr int kLargest = std::numeric_limits<int>::max();
+  archive.required("caption", picture.caption);
+  archive.required("height", cases::UpTo{picture.height, kLargest});
+  archive.required("name", picture.name);
+  archive.required("png", reports::Base64Text{picture.png});
+  archive.required("width", cases::UpTo{picture.width, kLargest});
+}
+
+template <typename Archive, cases::Either<UnreachedLabel> T>
+void members(Archive& archive, T& label) {
+  archive.required("backend", label.backend);
+  archive.required("checked", label.checked);
+  archive.required("label", label.label);
+  archive.required("law", label.law);
+  archive.required("least", label.least);
+  archive.required("reached", label.reached);
+}
+
+template <typename Archive, cases::Either<Run> T>
+void members(Archive& archive, T& run) {
+  archive.format("rastercheck-run", kRecordsVersion);
+  archive.added("rules_version", run.rules_version, 1);  // files from before are of the first
+  archive.required("plan", run.plan);
+  archive.optional("sentences", run.sentences);
+  archive.optional("shard", run.shard);
+  archive.optional("cases_left", run.cases_left);
+  archive.required("records", run.records);
+  archive.optional("cases", run.cases);
+  archive.optional("specimens", run.specimens);
+  archive.required("counterexamples", run.counterexamples);
+  archive.optional("inspections", run.inspections);
+  archive.required("unreached", run.unreached);
+  archive.optional("known", run.known);
+  archive.optional("unexpected_passes", run.unexpected);
+  archive.required("pictures", run.pictures);
+  archive.required("environment", run.environment);
+  archive.check([&](const cases::JsonNode& node) {
+    if (run.shard.has_value() != run.plan.shard.has_value()) {
+      node.refuse("'shard' belongs to a plan with 'shard', and the other way round");
+    }
+  });
+}
+
+}  // namespace rastercheck::records
