@@ -53,6 +53,10 @@ inline Result<cases::Fragments> fragments_of(Result<Drawn> drawn) {
 }
 
 /// Draws what all triangles of a case without a camera leave in a framebuffer, in submission order.
+///
+/// A backend that has one refuses what is no valid case (cases::Case), whatever way of drawing it
+/// is asked for, Backend::draw() among them. Triangles of vertices that are not finite, and all of
+/// a viewport without area, may draw nothing instead.
 class PictureDrawer {
  public:
   virtual Result<cases::Picture> draw_picture(const cases::Case& c,
@@ -60,10 +64,6 @@ class PictureDrawer {
 
   /// The same into a picture that is there, of the case's size and not resolved, which is not
   /// cleared. Where it fails the picture is what it was.
-  ///
-  /// Refuses what is no valid case (cases::Case), as all other ways of drawing of such a backend
-  /// do. Triangles of vertices that are not finite, and all of a viewport without area, may draw
-  /// nothing instead.
   virtual Result<void> draw_over(const cases::Case& c, const cases::Pipeline& pipeline,
                                  cases::Picture& picture) = 0;
 
@@ -84,6 +84,7 @@ class Assembler {
   ~Assembler() = default;
 };
 
+/// Transforms vertices and normals.
 class VertexStage {
  public:
   /// The clip positions of a case with a camera, one for each vertex. Coordinates beyond float32
@@ -127,14 +128,15 @@ class Backend {
   /// What it promises itself about coverage and attributes of a case.
   virtual cases::Contract promise(const cases::Case& c) const = 0;
 
-  // What it can do besides; nullptr: it cannot. They live as long as the backend.
+  // What it can do besides; nullptr: it cannot. They live as long as the backend. What they draw is
+  // judged by contract() of the case that was drawn.
   virtual PictureDrawer* picture_drawer() { return nullptr; }
   virtual Assembler* assembler() { return nullptr; }
   virtual VertexStage* vertex_stage() { return nullptr; }
   virtual Tracer* tracer() { return nullptr; }
 
-  /// Holds it to terms of someone else's making from now on, in place of what it promises of these;
-  /// to none, to its own promise.
+  /// Overrides its promise by these terms from now on, as a contract file does; nullopt takes that
+  /// back.
   void hold_to(std::optional<cases::ContractTerms> terms) { terms_ = std::move(terms); }
   const std::optional<cases::ContractTerms>& terms() const { return terms_; }
 

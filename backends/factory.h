@@ -60,7 +60,7 @@ struct BackendFactory {
   std::vector<Listing> list() const;
 };
 
-/// Makes a backend in this process, held to what it promises.
+/// Makes a backend in this process, whose promise nothing overrides.
 Result<std::unique_ptr<Backend>> make_backend(const std::string& specification);
 
 }  // namespace rastercheck::backends

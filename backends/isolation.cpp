@@ -35,10 +35,10 @@ class IsolatedBackend : public Backend {
 
   cases::Contract promise(const cases::Case& c) const override {
     if (remembered_ && remembered_->first == c) return remembered_->second;
-    if (!c.triangles.empty()) return asked_for_contract(c);
+    if (!c.triangles.empty()) return asked_for_promise(c);
     // What laws ask before each case.
     if (of_nothing_ && of_nothing_->first == c) return of_nothing_->second;
-    const cases::Contract said = asked_for_contract(c);
+    const cases::Contract said = asked_for_promise(c);
     if (!withheld_) of_nothing_ = {c, said};
     return said;
   }
@@ -59,12 +59,12 @@ class IsolatedBackend : public Backend {
     return std::move(drawing->drawn.fragments);
   }
 
-  cases::Contract asked_for_contract(const cases::Case& c) const {
+  cases::Contract asked_for_promise(const cases::Case& c) const {
     withheld_.reset();
     std::optional<cases::Contract> said;
     // Twice: a process that had ended already says nothing of this case.
     for (int i = 0; i < 2 && !said; ++i) {
-      const Result<std::string> answer = ask({Question::contract, c});
+      const Result<std::string> answer = ask({Question::promise, c});
       if (answer) said = unpack_contract(*answer);
       if (!said) withheld_ = {c, answer ? nonsense() : answer.error()};
     }

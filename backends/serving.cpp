@@ -127,7 +127,7 @@ class WatchedDrawer {
 };
 
 std::string answer_to(const Request& request, const Backend& backend, WatchedDrawer& drawer) {
-  if (request.question == Question::contract) return pack(backend.promise(request.source));
+  if (request.question == Question::promise) return pack(backend.promise(request.source));
   Result<Drawn> drawn = drawer.draw(request.source);
   if (!drawn) return pack(DrawingAnswer{{}, drawn.error()});
   return pack(DrawingAnswer{*std::move(drawn), std::nullopt});

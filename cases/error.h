@@ -5,9 +5,9 @@
 
 namespace rastercheck {
 
-/// What became of what was asked, for those who treat failures differently.
+/// The kind of a failure, for those who treat some differently.
 enum class Failure {
-  refused,      ///< whatever only the text tells
+  refused,      ///< any other: only the text says what
   unavailable,  ///< what was asked for cannot run here
   unsupported,  ///< a backend does not draw cases of this kind, and does not claim to
   crash,        ///< the process that was asked ended

@@ -37,7 +37,8 @@ constexpr auto names_of(Rounding /*type*/) {
 constexpr auto names_of(Basis /*type*/) {
   return std::to_array<std::string_view>({"ideal", "snapped", "unspecified"});
 }
-/// `unspecified` is a contract's and has no name: a case says who owns a tie.
+/// `unspecified` is a contract's and has no name, as a case says who owns a tie. It has to stay the
+/// last: names are found by an enumerator's number.
 constexpr auto names_of(TieRule /*type*/) {
   return std::to_array<std::string_view>({"top_left", "bottom_left"});
 }

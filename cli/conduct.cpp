@@ -19,7 +19,7 @@ properties::Conduct conduct_of(const records::Plan& plan, const std::string& dir
   conduct.directory = directory;
   conduct.corpus = corpus_folder_of(plan);
   conduct.known = known_folder_of(plan);
-  conduct.backends = properties::backend_factory(plan, worker_program());
+  conduct.backends = properties::factory_for(plan, worker_program());
   conduct.jobs = jobs;
   conduct.task_worker = {kOwnProgram, "task-worker"};
   return conduct;

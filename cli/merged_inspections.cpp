@@ -38,7 +38,7 @@ Result<std::optional<cases::Case>> scene_of(const MergedRun& merged) {
 Result<void> inspect_merged(MergedRun& merged) {
   Run& run = merged.run;
   const records::Plan& plan = run.plan;
-  const backends::BackendFactory backends = properties::backend_factory(plan, worker_program());
+  const backends::BackendFactory backends = properties::factory_for(plan, worker_program());
   const std::string folder = corpus_folder_of(plan);
   Result<std::vector<cases::Case>> corpus = properties::read_corpus(folder);
   if (!corpus) return tl::unexpected(corpus.error());

@@ -32,7 +32,7 @@ std::vector<records::CloserLook> looks_of(const reports::Gate& gate, const Side&
             .value_or(std::vector<cases::Case>());
     std::vector<records::CloserLook> found =
         look_closer(comparison, baseline.sections, current.sections, corpus,
-                    properties::backend_factory(comparison.plan, options.worker));
+                    properties::factory_for(comparison.plan, options.worker));
     std::move(found.begin(), found.end(), std::back_inserter(looks));
   }
   return looks;

@@ -89,9 +89,8 @@ struct Judged {
   std::vector<std::uint32_t> seen_triangles;
 };
 
-/// Judges by the scene's contract. The framebuffer may hold anything: fragments that name no
-/// triangle, pixel or sample of the case, or that come twice, are `extra`; their order does not
-/// matter.
+/// Judges by the scene's contract. What was drawn may be anything: fragments that name no triangle,
+/// pixel or sample of the case, or that come twice, are `extra`; their order does not matter.
 Judged judge(const SceneTruth& scene, const cases::Fragments& drawn,
              const JudgeOptions& options = {}, const JudgeSink& sink = {});
 

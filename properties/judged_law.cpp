@@ -182,10 +182,7 @@ std::string value_text(float value) {
 records::Violation to_violation(const JudgedSample& sample, const JudgedValue* value,
                                 const TriangleTruth* truth, const SceneTruth& scene) {
   records::Violation violation;
-  violation.place.triangle = sample.place.triangle;
-  violation.place.x = sample.place.x;
-  violation.place.y = sample.place.y;
-  violation.place.sample = sample.place.sample;
+  violation.place = sample.place;
   if (value == nullptr || truth == nullptr) {
     describe_coverage(sample, truth, scene, violation);
   } else {
@@ -207,8 +204,8 @@ bool is_alike(const records::Violation& a, const records::Violation& b) {
   return a.fragment_class == b.fragment_class && a.kind == b.kind && a.attribute == b.attribute;
 }
 
-/// Keeps the first ones, and in place of the last that are like others the first of each sort that
-/// comes later: what is known of a driver is not to hide what it is not.
+/// Keeps the first eight. A violation of a new sort takes the place of the last one whose sort is
+/// kept twice, so that what is known of a driver cannot hide what is new.
 void keep(std::vector<records::Violation>& kept, const records::Violation& violation) {
   const auto is_like = [](const records::Violation& one) {
     return [&one](const records::Violation& other) { return is_alike(one, other); };
@@ -225,14 +222,14 @@ void keep(std::vector<records::Violation>& kept, const records::Violation& viola
 
 }  // namespace
 
-void note(Check& check, const records::Violation& violation) {
+void add_judged_violation(Check& check, const records::Violation& violation) {
   ++check.violation_count;
   keep(check.violations, violation);
 }
 
-void report(Check& check, const records::Violation& violation) {
+void add_violation(Check& check, const records::Violation& violation) {
   ++check.judgement.errors[violation.kind].classes[violation.fragment_class];
-  note(check, violation);
+  add_judged_violation(check, violation);
 }
 
 void add_label(Check& check, std::string_view label) {
@@ -259,11 +256,11 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
   const auto see = [&](const JudgedSample& sample, const TriangleTruth* truth) {
     labels.see(sample);
     if (request.counts_coverage && sample.fragment_class != FragmentClass::correct) {
-      note(check, to_violation(sample, nullptr, truth, scene));
+      add_judged_violation(check, to_violation(sample, nullptr, truth, scene));
     }
     for (const JudgedValue& value : sample.values) {
       if (value.fragment_class != FragmentClass::correct) {
-        note(check, to_violation(sample, &value, truth, scene));
+        add_judged_violation(check, to_violation(sample, &value, truth, scene));
       }
     }
   };

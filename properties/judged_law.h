@@ -52,11 +52,11 @@ records::Violation to_violation(const oracle::JudgedSample& sample,
 /// A computed value for readers: decimal and hex float, or "nan", "inf", "-inf".
 std::string value_text(float value);
 
-/// Adds a violation: counted always, kept while few.
-void note(Check& check, const records::Violation& violation);
+/// Adds a violation that the judge has counted in its class: counted always, kept while few.
+void add_judged_violation(Check& check, const records::Violation& violation);
 
-/// The same of one that no judge has counted in its class.
-void report(Check& check, const records::Violation& violation);
+/// The same of one that a law found itself; counts it in its class, too.
+void add_violation(Check& check, const records::Violation& violation);
 
 /// Adds a label that the case reached; they stay in order, each once.
 void add_label(Check& check, std::string_view label);

@@ -108,8 +108,9 @@ struct Law {
 /// more than that share of them; 0 of few cases.
 std::uint64_t least_reached(const Cover& cover, std::uint64_t checked);
 
-/// Whether a backend promises the coverage, basis and tie rule that a case names, and values in
-/// perspective: not one that rounds positions in its own way, or leaves ties open.
+/// Whether a backend promises the coverage, basis and tie rule that a case names (asked of each
+/// API's own ones), and values in perspective: not one that rounds positions in its own way, or
+/// leaves ties open.
 bool draws_what_is_asked_for(backends::Backend& backend);
 
 /// Whether a backend promises that what has no say in a fragment leaves its bits alone

@@ -16,7 +16,7 @@
 namespace rastercheck::backends {
 
 /// What a process is asked about a case.
-enum class Question : std::uint8_t { contract, drawing };
+enum class Question : std::uint8_t { promise, drawing };
 
 struct Request {
   Question question = Question::drawing;

@@ -30,7 +30,7 @@ ExitCode run(const Options& options) {
     corpus = *std::move(read);
   }
   properties::TaskRunner runner(*plan, std::move(corpus), options.known,
-                                properties::backend_factory(*plan, worker_program()));
+                                properties::factory_for(*plan, worker_program()));
   const Result<void> served = properties::serve_tasks(runner);
   if (!served) return fail_internally(served.error());
   return ExitCode::ok;

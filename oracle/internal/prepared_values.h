@@ -30,8 +30,10 @@ struct PreparedValue {
   std::optional<std::uint32_t> attribute;  ///< nothing for the depth
   records::AttributeKind kind = records::AttributeKind::depth;
   ValueMethod method = ValueMethod::exact;
-  bool is_free = false;    ///< not judged
-  bool is_single = false;  ///< excess and ideal error are the same
+  bool is_free = false;  ///< not judged
+  /// The contract leaves no range open, so that one count serves excess and ideal error. Where it
+  /// is false they may still be equal.
+  bool is_single = false;
   bool at_center = false;  ///< evaluated at the pixel's centre, which is not the sample
   /// Surely a mean of the vertices' values, depth within its range; else each value is asked.
   bool is_mean = false;
@@ -40,7 +42,8 @@ struct PreparedValue {
   double bound = 0;
   ValueFilter filter;
   SingleErrors* errors = nullptr;  ///< where it is counted, if by the first two levels
-  /// What a new extreme has to exceed where excess and ideal error differ, of one or the other.
+  // The extremes so far, where excess and ideal error are counted apart: what may exceed either is
+  // left to the exact level.
   const records::Extremes* ideal_extremes = nullptr;
   const records::Extremes* excess_extremes = nullptr;
 };

@@ -96,8 +96,9 @@ class SampleJudge {
 
   std::shared_ptr<const TriangleTruth> truth_;
   std::uint32_t triangle_ = 0;
-  std::size_t pending_ = 0;         ///< how many there are of
-  Batch<std::size_t> fragments_{};  ///< a batch, with
+  // Fragments that wait to be judged together, and what was decided of each.
+  std::size_t pending_ = 0;
+  Batch<std::size_t> fragments_{};
   Batch<records::SampleVerdict> decisions_{};
 };
 

@@ -38,9 +38,11 @@ class JudgedBatch {
     records::AttributeKind kind;
     std::optional<std::uint32_t> attribute;
     Batch<float> actual;
-    Batch<double> lo;  ///< of both errors, of values that are right
+    // An enclosure of a right value's error, excess and ideal alike, where is_by_enclosure says so;
+    // else `exact_` has the value.
+    Batch<double> lo;
     Batch<double> hi;
-    Batch<bool> is_by_enclosure;  ///< they are; else see `exact_`
+    Batch<bool> is_by_enclosure;
   };
   struct Exact {
     std::size_t column;

@@ -246,10 +246,10 @@ std::optional<ValueError> ValueErrors::of(std::optional<std::size_t> attribute, 
   const Point p = at_center ? Scene::center_point(x, y) : scene.sample_point(x, y, sample);
   const Place place = at_center ? Place::center : Place::sample;
   const bool is_centroid = declared.location == cases::Location::centroid;
-  const bool is_single = values_->single_map() != nullptr;
-  if (!is_centroid && (is_single || triangle_->shape == Shape::placed)) {
-    const std::optional<UlpError> error = is_single ? single_excess(subject, p, place, computed)
-                                                    : placed_excess(subject, p, place, computed);
+  const bool has_one_map = values_->single_map() != nullptr;
+  if (!is_centroid && (has_one_map || triangle_->shape == Shape::placed)) {
+    const std::optional<UlpError> error = has_one_map ? single_excess(subject, p, place, computed)
+                                                      : placed_excess(subject, p, place, computed);
     if (!error) return std::nullopt;
     return ValueError{*error, ideal_error(subject, p, computed)};
   }

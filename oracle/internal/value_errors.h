@@ -45,7 +45,8 @@ class ValueErrors {
  private:
   struct Subject {
     Quantity quantity;
-    std::optional<Quantity> perspective;  ///< what `ideal` is about, where that is not the claim
+    /// What the ideal error is about where the contract claims affine values; else nothing.
+    std::optional<Quantity> perspective;
     ScaleExponent scale;
     FractionRange ends;       ///< TriangleValues::ends
     bool is_clamped = false;  ///< depth that the rules clamp
@@ -53,7 +54,7 @@ class ValueErrors {
     mutable std::optional<Reading> ideal;
     mutable std::vector<std::optional<Reading>> corners;
   };
-  enum class Place { sample, center };
+  using Place = TriangleValues::Place;
 
   Subject depth_subject() const;
   Subject attribute_subject(std::size_t attribute) const;

@@ -88,10 +88,7 @@ void keep(records::ErrorSizes& sizes, const UlpError& error, const SceneTruth& s
   worst.actual = value.actual;
   worst.case_index = case_index;
   worst.case_name = scene.source().name;
-  worst.place.triangle = value.place.triangle;
-  worst.place.x = value.place.x;
-  worst.place.y = value.place.y;
-  worst.place.sample = value.place.sample;
+  worst.place = value.place;
   worst.attribute = value.attribute;
   records::keep(sizes.extremes, worst);
 }

@@ -48,6 +48,9 @@ struct OpenValue {
 
 class TriangleValues {
  public:
+  /// Of a pixel: where a value is evaluated.
+  enum class Place { sample, center };
+
   /// The setup must outlive the values.
   explicit TriangleValues(const TriangleSetup& triangle);
 
@@ -100,8 +103,6 @@ class TriangleValues {
   const Region& cut_region(const Point& p) const;
 
  private:
-  enum class Place { sample, center };
-
   std::optional<FractionRange> value_at(const Quantity& quantity, const FractionRange& ends,
                                         const Point& p, Place place) const;
   std::optional<FractionRange> placed_value(const Quantity& quantity, const FractionRange& ends,

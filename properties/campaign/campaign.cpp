@@ -168,8 +168,8 @@ ShrinkLimits shrink_limits(const records::ShrinkBudget& budget,
   return {budget.tries, is_late};
 }
 
-backends::BackendFactory backend_factory(const records::Plan& plan,
-                                         const std::vector<std::string>& worker) {
+backends::BackendFactory factory_for(const records::Plan& plan,
+                                     const std::vector<std::string>& worker) {
   backends::BackendFactory factory;
   if (!worker.empty()) {
     factory.make_foreign = backends::isolated_by(

@@ -89,8 +89,8 @@ std::vector<records::UnreachedLabel> unreached_labels(
 
 /// Makes the backends of a plan: held to its contract, and those that are foreign, with its
 /// time-out, in processes that a command starts (backends::Isolation); without one in this process.
-backends::BackendFactory backend_factory(const records::Plan& plan,
-                                         const std::vector<std::string>& worker);
+backends::BackendFactory factory_for(const records::Plan& plan,
+                                     const std::vector<std::string>& worker);
 
 /// Runs a plan's tasks, one after the other; keeps the backends it has made.
 class TaskRunner {
@@ -109,8 +109,8 @@ class TaskRunner {
   /// What is known of the plan's backends. Fails where one cannot be made, or its list not be read.
   Result<KnownByBackend> known();
 
-  /// What is promised by each of the plan's backends. Of one that cannot be made any more nobody
-  /// knows what it promises or draws, and what is asked of all is asked.
+  /// What is promised by each of the plan's backends. One that cannot be made any more counts as
+  /// promising what every law asks, and as drawing in a way of its own.
   std::vector<records::BackendPromises> promises();
 
  private:

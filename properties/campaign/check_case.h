@@ -59,7 +59,7 @@ std::string verdict_of(const Check& check);
 std::string reason_of(const Law& law, backends::Backend& backend, const Check& check);
 
 /// Adds what a check of a case gave to the findings: its record, and, where the findings keep that,
-/// what the case gave. Whether the law is violated in ways that nothing known explains; the
+/// what the case gave. Returns whether the law is violated in ways that nothing known explains; the
 /// counterexample is not kept yet.
 bool account(const Law& law, const std::string& specification, backends::Backend& backend,
              const NumberedCase& numbered, const Check& check, Findings& findings);

@@ -22,7 +22,7 @@ namespace rastercheck::properties {
 struct Checkpoint {
   records::Plan plan;
   std::string corpus_digest;       ///< of the corpus' cases (digest_of)
-  std::string known_digest;        ///< what of it is of the backends, in a word; empty: nothing
+  std::string known_digest;        ///< of the backends' lists of known defects; empty: none
   std::string program;             ///< version
   std::vector<cases::Case> saved;  ///< counterexamples of earlier runs that are checked again
   /// Of tasks_of() the plan, the corpus and `saved`: whether it is done.

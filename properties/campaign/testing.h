@@ -6,8 +6,8 @@
 //   class MyRasterizer : public rastercheck::backends::Backend { … };
 //   RASTERCHECK_GTEST_SUITE(MyRasterizer)
 //
-// The tests are MyRasterizer.law/whole_pixels_move and so on. What is tried, the environment may
-// change (trial_options in properties/campaign/trial.h).
+// The tests are MyRasterizer.law/whole_pixels_move_the_picture and so on. What is tried, the
+// environment may change (trial_options in properties/campaign/trial.h).
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ inline std::string law_test_name(const testing::TestParamInfo<std::string>& test
 }
 
 /// The body of such a test; `file` and `line` are where it fails.
-inline void test_law(const std::string& law, const std::string& backend, const MakeBackend& make,
+inline void test_law(const std::string& law, const std::string& backend, const MakeTried& make,
                      const char* file, int line) {
   const Law* const known = find_law(law);
   if (known == nullptr) {

@@ -204,7 +204,7 @@ Result<TrialOptions> trial_options(const std::string& corpus) {
   return options;
 }
 
-Trial try_law(const Law& law, const std::string& name, const MakeBackend& make,
+Trial try_law(const Law& law, const std::string& name, const MakeTried& make,
               const TrialOptions& options) {
   std::vector<cases::Case> corpus;
   if (!options.corpus.empty()) {

@@ -16,7 +16,7 @@
 namespace rastercheck::properties {
 
 /// Makes the backend that is tried; nothing where it cannot.
-using MakeBackend = std::function<std::unique_ptr<backends::Backend>()>;
+using MakeTried = std::function<std::unique_ptr<backends::Backend>()>;
 
 struct TrialOptions {
   std::uint64_t seed = 1;
@@ -44,7 +44,7 @@ struct Trial {
 
 /// Tries a law on a backend, called `name` in what is said: the cases of the corpus, then random
 /// ones, as a campaign of that seed checks them, up to the first that fails, which is made smaller.
-Trial try_law(const Law& law, const std::string& name, const MakeBackend& make,
+Trial try_law(const Law& law, const std::string& name, const MakeTried& make,
               const TrialOptions& options);
 
 }  // namespace rastercheck::properties

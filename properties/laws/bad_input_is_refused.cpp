@@ -181,7 +181,7 @@ class RefusalCheck {
         {}, FragmentClass::extra, "refused: " + std::string(fault_->what), std::string(how));
     violation.actual =
         fault_->may_draw_nothing ? std::to_string(count) + " fragments" : "not refused";
-    note(check_, violation);
+    add_judged_violation(check_, violation);
   }
 
   void see_target(const cases::Picture& before, const cases::Picture& after, bool is_refused) {
@@ -195,7 +195,7 @@ class RefusalCheck {
     records::Violation violation =
         violation_at({}, FragmentClass::extra, "a target of the same size", note);
     violation.actual = "one of another size";
-    properties::note(check_, violation);
+    properties::add_judged_violation(check_, violation);
   }
 
   Check finish() { return std::move(check_); }

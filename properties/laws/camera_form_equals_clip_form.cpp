@@ -158,7 +158,7 @@ void check_stage(const Forms& forms, const cases::Case& camera,
       violation.bound = one.bound;
       violation.note = std::string("clip ") + "xyzw"[k] + " of vertex " + std::to_string(v) +
                        ", the matrices distributed otherwise";
-      note(check, violation);
+      add_judged_violation(check, violation);
     }
   }
 }

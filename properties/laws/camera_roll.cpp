@@ -84,7 +84,7 @@ void judge_positions(const cases::Case& c, const std::vector<cases::ClipVertex>&
       violation.bound = one.bound;
       violation.note = fmt::format("clip {} of vertex {}, of the rolled camera and turned back",
                                    "xyzw"[k], vertex);
-      note(check, violation);
+      add_judged_violation(check, violation);
     }
   }
 }

@@ -69,7 +69,8 @@ void find_shared(const cases::Fragments& of_fronts, const cases::Fragments& of_b
   for (std::size_t i = 0; i < of_backs.size(); ++i) {
     const cases::SamplePlace place = of_backs.place_of(i);
     if (!fronts.contains(place.triangle) || !reported.insert(place.triangle).second) continue;
-    report(check, violation_at(place, FragmentClass::extra,
+    add_violation(check,
+                  violation_at(place, FragmentClass::extra,
                                "forbidden: culling back faces leaves some of this triangle too",
                                "drawn with front faces culled"));
   }

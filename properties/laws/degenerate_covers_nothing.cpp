@@ -279,8 +279,8 @@ class DegenerateCheck {
       return;
     }
     const std::string kind = word_of(mixed_->kinds[place.triangle]);
-    report(found_, violation_at(place, FragmentClass::extra, "forbidden: it has no area",
-                                "a triangle that was added: " + kind));
+    add_violation(found_, violation_at(place, FragmentClass::extra, "forbidden: it has no area",
+                                       "a triangle that was added: " + kind));
   }
 
   const Mixed* mixed_;

@@ -272,11 +272,11 @@ class PathsCheck {
                         0x1p-50 * std::abs(product);
     if (off <= most * (1 + 0x1p-50)) return;
     const auto attribute = static_cast<std::uint32_t>(*pair_->quotient_of);
-    report(check, violation_at(place, class_of_wrong(values[m], FragmentClass::beyond_bound),
-                               "the quotient of two smooth attributes, " +
-                                   value_text(values[m + 1]) + " · " + value_text(r),
-                               "drawn with vertices scaled each by another power of two",
-                               {records::AttributeKind::smooth, attribute, values[m]}));
+    add_violation(check, violation_at(place, class_of_wrong(values[m], FragmentClass::beyond_bound),
+                                      "the quotient of two smooth attributes, " +
+                                          value_text(values[m + 1]) + " · " + value_text(r),
+                                      "drawn with vertices scaled each by another power of two",
+                                      {records::AttributeKind::smooth, attribute, values[m]}));
   }
 
   const CasePair* pair_;

@@ -68,7 +68,7 @@ Check judge(const cases::Case& c, const std::vector<Normal>& computed, float bou
       violation.note =
           fmt::format("{} of the unit normal that ({}, {}, {}), position {}, becomes", "xyz"[i],
                       c.positions[vertex].x, c.positions[vertex].y, c.positions[vertex].z, vertex);
-      note(found, violation);
+      add_judged_violation(found, violation);
     }
   }
   found.labels.assign(labels.begin(), labels.end());

@@ -73,7 +73,7 @@ Check judge(const cases::Case& c, const std::vector<cases::ClipVertex>& computed
       violation.error = one.error;
       violation.bound = one.bound;
       violation.note = fmt::format("clip {} of vertex {}, errors in its ulp", "xyzw"[k], vertex);
-      note(found, violation);
+      add_judged_violation(found, violation);
     }
   }
   found.labels.assign(labels.begin(), labels.end());

@@ -73,9 +73,9 @@ bool are_same(const cases::Fragments& a, const cases::Fragments& b) {
 
 TEST(Wire, BringsEveryMemberOfACase) {
   for (const cases::Case& c : {full_case(), cases::Case()}) {
-    const auto request = unpack_request(pack(Request{Question::contract, c}));
+    const auto request = unpack_request(pack(Request{Question::promise, c}));
     ASSERT_TRUE(request);
-    EXPECT_EQ(request->question, Question::contract);
+    EXPECT_EQ(request->question, Question::promise);
     EXPECT_EQ(request->source, c);
   }
 }

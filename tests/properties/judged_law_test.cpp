@@ -23,7 +23,7 @@ TEST(Note, CountsAllAndKeepsTheFirst) {
   for (std::uint32_t i = 0; i < 20; ++i) {
     records::Violation violation;
     violation.place.x = i;
-    note(check, violation);
+    add_judged_violation(check, violation);
   }
   EXPECT_EQ(check.violation_count, 20U);
   ASSERT_EQ(check.violations.size(), records::kMostViolations);
@@ -37,7 +37,7 @@ TEST(Note, KeepsTheFirstOfEachSort) {
     records::Violation violation;
     violation.kind = kind;
     violation.place.x = x;
-    note(check, violation);
+    add_judged_violation(check, violation);
   };
   for (std::uint32_t x = 0; x < 20; ++x) note_of(records::AttributeKind::depth, x);
   note_of(records::AttributeKind::smooth, 20);
@@ -54,7 +54,7 @@ TEST(Merge, AddsCountsViolationsAndLabels) {
   a.labels = {"drawn", "tie"};
   a.judgement.counts.required = 3;
   a.judgement.errors[records::AttributeKind::depth].classes[records::FragmentClass::correct] = 3;
-  for (int i = 0; i < 5; ++i) note(a, {});
+  for (int i = 0; i < 5; ++i) add_judged_violation(a, {});
   Check b = a;
   b.labels = {"clipped", "drawn"};
   b.fault = "a fault";

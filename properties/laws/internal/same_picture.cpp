@@ -43,7 +43,7 @@ Check compare_pictures(const cases::Case& c, const cases::Picture& expected,
       ++correct;
       return;
     }
-    report(check, picture_violation(c, drawn, at, channel, before, note));
+    add_violation(check, picture_violation(c, drawn, at, channel, before, note));
   };
   for (std::size_t at = 0; at < expected.depth.size(); ++at) {
     compare(at, std::nullopt, expected.depth[at], drawn.depth[at]);

@@ -38,7 +38,7 @@ void Tally::pass_required(std::uint32_t triangle) {
   see(triangle);
 }
 
-void Tally::report(const records::Violation& violation) { properties::report(check_, violation); }
+void Tally::report(const records::Violation& violation) { add_violation(check_, violation); }
 
 void Tally::report_passed(const records::Violation& violation) {
   --check_.judgement.errors[violation.kind].classes[FragmentClass::correct];

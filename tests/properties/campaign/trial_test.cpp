@@ -68,7 +68,7 @@ class FailingBackend : public DamagedBackend {
   }
 };
 
-MakeBackend damaged(Damage damage) {
+MakeTried damaged(Damage damage) {
   return [damage = std::move(damage)] { return std::make_unique<DamagedBackend>(damage); };
 }
 
