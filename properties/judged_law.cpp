@@ -248,8 +248,7 @@ void merge(Check& into, const Check& from) {
 }
 
 Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
-                  const cases::Fragments& drawn, const JudgeRequest& request,
-                  const CheckOptions& options) {
+                  const cases::Fragments& drawn, const JudgeRequest& request, std::uint64_t index) {
   const SceneTruth scene(truth_of, contract);
   Check check;
   LabelCollector labels(scene);
@@ -266,7 +265,7 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
   };
   oracle::JudgeOptions judge_options;
   judge_options.judges_values = request.judges_values;
-  judge_options.case_index = options.case_index;
+  judge_options.case_index = index;
   // Of small cases more, as there are other costs.
   judge_options.self_check_one_in = 1024;
   judge_options.shows_ordinary = labels.asks_of_ordinary();
@@ -285,9 +284,9 @@ Result<Check> check_drawn(const cases::ClipCase& c, backends::Backend& backend,
 }
 
 Result<Check> check_judged(const cases::ClipCase& c, backends::Backend& backend,
-                           const JudgeRequest& request, const CheckOptions& options) {
+                           const JudgeRequest& request, std::uint64_t index) {
   return check_drawn(c, backend, [&](const cases::ClipCase& clip, const backends::Drawn& drawn) {
-    return judge_drawn(clip, drawn.contract, drawn.fragments, request, options);
+    return judge_drawn(clip, drawn.contract, drawn.fragments, request, index);
   });
 }
 

@@ -24,12 +24,11 @@ struct JudgeRequest {
 /// Judges what was drawn of `truth_of`, a case without a camera, or of another case with the same
 /// triangles, by the contract.
 Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
-                  const cases::Fragments& drawn, const JudgeRequest& request,
-                  const CheckOptions& options);
+                  const cases::Fragments& drawn, const JudgeRequest& request, std::uint64_t index);
 
 /// Draws the case and judges that. Fails where the backend cannot draw it.
 Result<Check> check_judged(const cases::ClipCase& c, backends::Backend& backend,
-                           const JudgeRequest& request, const CheckOptions& options);
+                           const JudgeRequest& request, std::uint64_t index);
 
 /// Takes a case and what was drawn of it.
 using DrawnCheck = std::function<Check(const cases::ClipCase&, const backends::Drawn&)>;

@@ -73,11 +73,11 @@ bool draws_what_is_asked_for(backends::Backend& backend) {
 bool draws_invariantly(backends::Backend& backend) { return backend.contract({}).is_invariant; }
 
 Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend& backend,
-                        const CheckOptions& options) {
-  if (law.check_given != nullptr) return law.check_given(c, backend, options);
+                        std::uint64_t index) {
+  if (law.check_given != nullptr) return law.check_given(c, backend, index);
   const Result<cases::ClipCase> clip = oracle::to_clip_case(c, "");
   if (!clip) return tl::unexpected(clip.error());
-  return law.check(*clip, backend, options);
+  return law.check(*clip, backend, index);
 }
 
 bool is_promised(const Law& law, backends::Backend& backend) {

@@ -54,13 +54,6 @@ struct Check {
   std::vector<std::string> known = {};
 };
 
-struct KnownDefects;  // known_defects.h
-
-struct CheckOptions {
-  std::uint64_t case_index = 0;         ///< for the records
-  const KnownDefects* known = nullptr;  ///< of what draws; no law looks at it
-};
-
 /// A label that the law's own cases have to reach, or it has not tested what it claims to.
 struct Cover {
   int percent = 0;  ///< of the cases checked, at least
@@ -87,13 +80,13 @@ struct Law {
   std::string_view exceptions;
   Generated (*generate)(Draw& draw) = nullptr;
   /// Draws the case, perhaps changed ones too, and says what is wrong. Fails where the backend
-  /// cannot draw it.
+  /// cannot draw it. `index` is the case's, for the records.
   Result<Check> (*check)(const cases::ClipCase& c, backends::Backend& backend,
-                         const CheckOptions& options) = nullptr;
+                         std::uint64_t index) = nullptr;
   /// In place of `check` of a law that is about cameras, or about what a vertex stage does: takes
   /// the case with its camera, also where clip positions are beyond float32.
   Result<Check> (*check_given)(const cases::Case& c, backends::Backend& backend,
-                               const CheckOptions& options) = nullptr;
+                               std::uint64_t index) = nullptr;
   /// Whether a backend promises at all what the law is about; nullptr: every backend does. Where it
   /// does not, the law says nothing of any case, and that is no fault of a run.
   bool (*is_promised)(backends::Backend& backend) = nullptr;
@@ -120,7 +113,7 @@ bool draws_invariantly(backends::Backend& backend);
 /// What a law finds of a case, which may have a camera. Fails where the backend cannot draw it, and
 /// where it cannot be handed over, as clip positions are beyond float32.
 Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend& backend,
-                        const CheckOptions& options);
+                        std::uint64_t index);
 
 /// Whether the law has something to say of a backend.
 bool is_promised(const Law& law, backends::Backend& backend);

@@ -151,8 +151,8 @@ Outcome check_law(const properties::Law& law, const Input& input, const Drawer& 
   const cases::Case& source = input.source;
   const cases::Found found = source.found.value_or(cases::Found());
   Outcome outcome{input.file, std::string(law.id), input.backend, {}, found.verdict, &source, {}};
-  outcome.check = properties::check_or_note(law, source, *by.backend,
-                                            {found.index, by.known ? &*by.known : nullptr});
+  outcome.check = properties::check_or_note(law, source, *by.backend, found.index,
+                                            by.known ? &*by.known : nullptr);
   if (!outcome.check.is_applicable && outcome.check.why_not.empty()) {
     outcome.check.why_not = properties::reason_of(law, *by.backend, outcome.check);
   }

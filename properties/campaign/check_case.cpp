@@ -73,15 +73,15 @@ std::string reason_of(const Law& law, backends::Backend& backend, const Check& c
 }
 
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
-                    const CheckOptions& options) {
+                    std::uint64_t index, const KnownDefects* known) {
   if (!is_promised(law, backend)) return not_applicable("");
-  Result<Check> checked = check_law(law, c, backend, options);
+  Result<Check> checked = check_law(law, c, backend, index);
   // Positions beyond float32 cannot even be handed over: that is nobody's fault.
   if (!checked && !oracle::to_clip_case(c, "")) {
     return not_applicable("clip positions are beyond float32");
   }
   Check check = checked ? *std::move(checked) : failed_check(checked.error());
-  if (options.known != nullptr) tell_known(*options.known, law, c, check);
+  if (known != nullptr) tell_known(*known, law, c, check);
   return check;
 }
 
@@ -102,7 +102,7 @@ void keep_counterexample(const Law& law, const std::string& specification,
     const std::size_t triangle = check.violations.front().place.triangle;
     if (triangle < numbered.source.triangles.size()) {
       cases::Case one = with_triangles(numbered.source, {{triangle}});
-      const Check alone = check_or_note(law, one, backend, {numbered.index, known});
+      const Check alone = check_or_note(law, one, backend, numbered.index, known);
       if (fails_with(alone, place.verdict)) {
         found = {std::move(one), alone.violation_count, alone.violations, numbered.origin};
       }
@@ -118,7 +118,7 @@ void shrink_counterexample(const Law& law, backends::Backend& backend, const Cou
   const cases::Found place = found.source.found.value_or(cases::Found());
   const auto fails_alike = [&](const cases::Case& c) -> std::optional<Check> {
     if (findings.fault) return std::nullopt;  // There is nothing more to be learnt.
-    Check check = check_or_note(law, c, backend, {place.index, known});
+    Check check = check_or_note(law, c, backend, place.index, known);
     findings.fault = check.fault;
     return fails_with(check, place.verdict) ? std::optional(std::move(check)) : std::nullopt;
   };
@@ -228,7 +228,7 @@ void check_case(const Law& law, const std::string& specification, backends::Back
     account(law, specification, backend, numbered, lost, findings);
     return;
   }
-  const Check check = check_or_note(law, numbered.source, backend, {numbered.index, known});
+  const Check check = check_or_note(law, numbered.source, backend, numbered.index, known);
   if (!account(law, specification, backend, numbered, check, findings)) return;
   keep_counterexample(law, specification, backend, seed, numbered, check, findings, known);
 }
@@ -244,7 +244,7 @@ void check_known_case(const Law& law, const std::string& specification, backends
     check_case(law, specification, backend, seed, numbered, findings, &known);
     return;
   }
-  Check check = check_or_note(law, source, backend, {numbered.index, &known});
+  Check check = check_or_note(law, source, backend, numbered.index, &known);
   const bool is_expected =
       std::find(check.known.begin(), check.known.end(), id) != check.known.end();
   if (!is_expected) check.known.clear();

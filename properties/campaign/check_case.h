@@ -45,10 +45,10 @@ void check_known_case(const Law& law, const std::string& specification, backends
 
 /// A drawing that fails is a violation of whatever was to be checked: what the backend says stands
 /// in its note. Nothing is said of a case that the backend does not support, nor of one with
-/// positions beyond float32, which no backend gets. Violations that nothing in `options.known`
-/// explains come first.
+/// positions beyond float32, which no backend gets. Violations that nothing in `known` explains
+/// come first.
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
-                    const CheckOptions& options);
+                    std::uint64_t index, const KnownDefects* known = nullptr);
 
 /// In a word, how a check of a case that the law speaks of came out: the class of its first
 /// violation, or "held".

@@ -143,7 +143,7 @@ class OverdrawCheck {
 };
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+                    std::uint64_t /*index*/) {
   if (backend.picture_drawer() == nullptr || clip.triangles.size() > kMostTriangles)
     return not_applicable();
   const bool keeps_constants = backend.contract(clip).keeps_constants;

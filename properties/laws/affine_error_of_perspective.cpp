@@ -116,8 +116,7 @@ class AffineErrorCheck {
   Verdicts perspective_;
 };
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
     if (drawn.contract.claims != cases::Claim::affine) return not_applicable();
     return AffineErrorCheck(clip, drawn.contract, drawn.fragments).run();

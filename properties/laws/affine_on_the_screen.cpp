@@ -205,8 +205,7 @@ class AffineCheck {
   bool is_one_plane_ = false;
 };
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
     return AffineCheck(clip, drawn.contract, drawn.fragments, some_direction(clip)).run();
   });

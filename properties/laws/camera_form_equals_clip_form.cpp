@@ -338,7 +338,7 @@ Result<Check> check_forms(const Forms& forms, backends::Backend& backend) {
   return check;
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
+Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint64_t index) {
   const std::optional<Forms> forms = forms_of(c);
   if (!forms) {
     return not_applicable();
@@ -351,7 +351,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   if (contract.is_unspecified()) {
     JudgeRequest request;
     request.counts_coverage = false;
-    merge(*check, judge_drawn(forms->clip, contract, drawn->fragments, request, options));
+    merge(*check, judge_drawn(forms->clip, contract, drawn->fragments, request, index));
     return check;
   }
   merge(*check, RayCheck(*forms, contract).run(drawn->fragments));

@@ -97,7 +97,7 @@ bool is_finite(const cases::ClipVertex& p) {
 /// drawn of them turned back.
 Result<Check> check_picture(const cases::Case& upright, const cases::Case& rolled_clip,
                             const QuarterTurn& turn, backends::Backend& backend,
-                            const CheckOptions& options) {
+                            std::uint64_t index) {
   const auto contract = turned_back(upright, backend.contract(rolled_clip));
   if (!contract) return not_applicable("the contract does not turn with the case");
   const Result<backends::Drawn> before = draw(upright, backend);
@@ -105,13 +105,13 @@ Result<Check> check_picture(const cases::Case& upright, const cases::Case& rolle
   const Result<backends::Drawn> drawn = draw(rolled_clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check check = judge_changed(upright, *contract, before->fragments,
-                              turned_back(upright, drawn->fragments, turn), options);
+                              turned_back(upright, drawn->fragments, turn), index);
   add_to_notes(
       check, [&](const records::Violation& violation) { return turned_note(upright, violation); });
   return check;
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend, const CheckOptions& options) {
+Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint64_t index) {
   if (!c.camera) return not_applicable("the case has no camera");
   cases::Case source = c;
   move_centroids_to_samples(source);
@@ -130,7 +130,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, const Chec
   upright.positions = *positions;
   Check check;
   if (std::all_of(positions->begin(), positions->end(), &is_finite)) {
-    Result<Check> of_picture = check_picture(upright, changed, *turn, backend, options);
+    Result<Check> of_picture = check_picture(upright, changed, *turn, backend, index);
     if (!of_picture || !of_picture->is_applicable) return of_picture;
     check = *std::move(of_picture);
   }

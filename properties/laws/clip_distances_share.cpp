@@ -182,8 +182,7 @@ class SharingCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   clip.depth_test = cases::DepthTest::none;
   if (clip.clip_distance_count == 0) return not_applicable("the case has no clip distances");

@@ -207,7 +207,7 @@ bool is_on_plane(Verdicts& with_l, const cases::SamplePlace& place) {
 }
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+                    std::uint64_t /*index*/) {
   PlaneClipping clipping = clipping_of(clip);
   cases::Contract exact;
   exact.tie_rule = cases::TieRule::unspecified;  // ties of either kind are not forbidden

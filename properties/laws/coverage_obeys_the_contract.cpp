@@ -5,9 +5,8 @@
 namespace rastercheck::properties::coverage_obeys_the_contract_law {
 namespace {
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& options) {
-  return check_judged(c, backend, {.judges_values = false, .counts_coverage = true}, options);
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t index) {
+  return check_judged(c, backend, {.judges_values = false, .counts_coverage = true}, index);
 }
 
 const LawRegistration kRegistration(

@@ -77,7 +77,7 @@ void find_shared(const cases::Fragments& of_fronts, const cases::Fragments& of_b
 }
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+                    std::uint64_t /*index*/) {
   using cases::Cull;
   const Drawings drawings(clip, backend);
   const cases::Case& source = drawings.source();

@@ -289,8 +289,7 @@ class DegenerateCheck {
   Check found_;
 };
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   if (clip.triangles.empty()) return not_applicable();
   if (backend.contract(clip).coverage) clip.depth_test = cases::DepthTest::none;

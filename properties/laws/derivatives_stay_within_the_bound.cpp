@@ -100,8 +100,7 @@ Check find(const cases::Case& c, const backends::Drawn& drawn) {
   return DerivativesCheck(c, drawn.contract, fragments).run();
 }
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   return check_drawn(c, backend, &find);
 }
 

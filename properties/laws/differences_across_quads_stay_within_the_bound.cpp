@@ -154,8 +154,7 @@ bool is_promised(backends::Backend& backend) {
   return backend.picture_drawer() != nullptr && backend.contract({}).quad_share.has_value();
 }
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   if (!is_promised(backend) || clip.attributes.empty()) return not_applicable();
   clip.depth_test = cases::DepthTest::none;

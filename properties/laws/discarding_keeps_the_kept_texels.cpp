@@ -185,8 +185,7 @@ class DiscardCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   if (backend.picture_drawer() == nullptr || clip.attributes.size() < 2) return not_applicable();
   clip.depth_test = cases::DepthTest::none;

@@ -119,7 +119,7 @@ void compare(const cases::Case& c, const DrawnAtOnce& expected, const DrawnAtOnc
 }
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+                    std::uint64_t /*index*/) {
   const Result<DrawnAtOnce> first = draw_all(clip, backend);
   if (!first) return tl::unexpected(first.error());
   const Result<DrawnAtOnce> second = draw_all(clip, backend);

@@ -141,8 +141,7 @@ class EqualDepthCheck {
   std::map<PlaneDepth, std::vector<std::size_t>> planes_;
 };
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
     return drawn.contract.keeps_equal_depth
                ? EqualDepthCheck(clip, drawn.contract, drawn.fragments).run()

@@ -290,7 +290,7 @@ class PathsCheck {
 };
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+                    std::uint64_t /*index*/) {
   const CasePair pair = pair_of(clip);
   const Result<backends::Drawn> equal = draw(pair.equal, backend);
   if (!equal) return tl::unexpected(equal.error());

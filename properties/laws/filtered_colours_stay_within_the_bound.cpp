@@ -155,7 +155,7 @@ bool is_promised(backends::Backend& backend) {
 }
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+                    std::uint64_t /*index*/) {
   if (!is_promised(backend) || clip.attributes.size() < 2) return not_applicable();
   const cases::Pipeline pipeline = pipeline_of(clip);
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);

@@ -200,8 +200,7 @@ std::string_view name_of(const Mirror& mirror) {
   return mirror.is_in_x ? "left and right mirrored" : "up and down mirrored";
 }
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& options) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t index) {
   cases::ClipCase clip = c;
   if (clip.framebuffer.samples > 1) move_centroids_to_samples(clip);
   const std::optional<Mirror> mirror = mirror_of(clip);
@@ -216,7 +215,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
   const Result<backends::Drawn> drawn = draw(*changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check check = judge_changed(clip, *contract, before->fragments,
-                              mirrored_back(clip, drawn->fragments, *mirror), options);
+                              mirrored_back(clip, drawn->fragments, *mirror), index);
   add_to_notes(check, "drawn with " + std::string(name_of(*mirror)));
   add_label(check, name_of(*mirror));
   if (clip.cull != cases::Cull::none && mirror->turns_faces()) {

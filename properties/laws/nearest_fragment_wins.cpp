@@ -122,8 +122,7 @@ class NearestCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   clip.depth_test = cases::DepthTest::none;
   const Result<backends::Drawn> all = draw(clip, backend);

@@ -75,8 +75,7 @@ Check judge(const cases::Case& c, const std::vector<Normal>& computed, float bou
   return found;
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint64_t /*index*/) {
   const std::optional<float> bound = backend.contract(c).normal_bound;
   if (!c.camera || backend.vertex_stage() == nullptr || !bound) return not_applicable();
   const auto computed = transform_normals(c.camera->model, normals_of(c), backend);

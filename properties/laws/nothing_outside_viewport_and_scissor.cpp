@@ -192,7 +192,7 @@ cases::Pipeline pipeline_without_test(const cases::Case& c) {
 }
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+                    std::uint64_t /*index*/) {
   OutsideCheck all(clip);
   const Result<backends::Drawn> drawn = draw(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());

@@ -114,8 +114,7 @@ class OrderCheck {
   Tally tally_;
 };
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   if (clip.triangles.size() < 2) return not_applicable();
   clip.depth_test = cases::DepthTest::none;

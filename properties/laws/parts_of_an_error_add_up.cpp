@@ -192,8 +192,7 @@ class SplitCheck {
   std::optional<Error> error_;
 };
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   clip.depth_test = cases::DepthTest::none;
   const Result<backends::Drawn> drawn = draw(clip, backend);

@@ -134,7 +134,7 @@ ScaledCase scaled_case(const cases::Case& own) {
 }
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+                    std::uint64_t /*index*/) {
   const cases::Case own = with_own_vertices(clip);
   const ScaledCase changed = scaled_case(own);
   if (!changed.is_changed) return not_applicable();

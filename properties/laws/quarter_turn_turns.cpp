@@ -29,8 +29,7 @@
 namespace rastercheck::properties::quarter_turn_turns_law {
 namespace {
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& options) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t index) {
   cases::ClipCase clip = c;
   move_centroids_to_samples(clip);
   const std::optional<QuarterTurn> turn = quarter_turn_of(clip);
@@ -42,8 +41,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
 
   const Result<backends::Drawn> drawn = draw(changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  Check check =
-      judge_drawn(clip, *contract, turned_back(clip, drawn->fragments, *turn), {}, options);
+  Check check = judge_drawn(clip, *contract, turned_back(clip, drawn->fragments, *turn), {}, index);
   add_to_notes(check,
                [&](const records::Violation& violation) { return turned_note(clip, violation); });
   return check;

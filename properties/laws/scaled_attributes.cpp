@@ -333,7 +333,7 @@ class AffinityCheck {
 };
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+                    std::uint64_t /*index*/) {
   std::vector<Affine> maps = maps_of(clip);
   const bool is_changed =
       std::any_of(maps.begin(), maps.end(), [](const Affine& map) { return !map.is_identity(); });

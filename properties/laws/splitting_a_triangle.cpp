@@ -87,7 +87,7 @@ Parted parted(const cases::Case& c) {
 }
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+                    std::uint64_t /*index*/) {
   return check_parted(parted(clip), backend);
 }
 

@@ -154,8 +154,7 @@ std::string note_of(const cases::Case& expanded, const Indexed& indexed,
          fmt::format(", its triangle {} of vertices {}, {}, {}", violation.place.triangle, a, b, c);
 }
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& options) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t index) {
   cases::ClipCase expanded = c;
   const Indexed indexed = indices_of(expanded);
   expanded.triangles = triangles_of(c.rules, indexed);
@@ -163,7 +162,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
   const Result<cases::Fragments> drawn =
       draw_assembled(expanded, indexed.topology, indexed.indices, backend);
   if (!drawn) return tl::unexpected(drawn.error());
-  Check judged = judge_drawn(expanded, backend.contract(expanded), *drawn, {}, options);
+  Check judged = judge_drawn(expanded, backend.contract(expanded), *drawn, {}, index);
   add_to_notes(judged, [&](const records::Violation& violation) {
     return note_of(expanded, indexed, violation);
   });

@@ -135,7 +135,7 @@ class TexelCheck {
 };
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+                    std::uint64_t /*index*/) {
   if (backend.picture_drawer() == nullptr || clip.attributes.size() < 2) return not_applicable();
   const cases::Pipeline pipeline = pipeline_of(clip);
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);

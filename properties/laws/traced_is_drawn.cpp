@@ -220,8 +220,7 @@ class TraceCheck {
   std::optional<Error> error_;
 };
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   if (backend.tracer() == nullptr) return not_applicable();
   clip.depth_test = cases::DepthTest::none;

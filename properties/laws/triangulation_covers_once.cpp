@@ -351,8 +351,7 @@ class CoveredOnce {
   Tally tally_;
 };
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   clip.depth_test = cases::DepthTest::none;
   clip.cull = cases::Cull::none;

@@ -148,8 +148,7 @@ class RangeCheck {
   ValueFindings findings_;
 };
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   return check_drawn(c, backend, [](const cases::Case& clip, const backends::Drawn& drawn) {
     return RangeCheck(clip, drawn.contract, drawn.fragments).run();
   });

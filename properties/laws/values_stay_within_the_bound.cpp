@@ -7,9 +7,8 @@
 namespace rastercheck::properties::values_stay_within_the_bound_law {
 namespace {
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& options) {
-  return check_judged(c, backend, {.judges_values = true, .counts_coverage = false}, options);
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t index) {
+  return check_judged(c, backend, {.judges_values = true, .counts_coverage = false}, index);
 }
 
 const LawRegistration kRegistration(

@@ -57,7 +57,7 @@ void add_labels(const cases::Case& c, const cases::Fragments& drawn, Check& chec
 bool is_promised(backends::Backend& backend) { return !backend.about().same_as.empty(); }
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+                    std::uint64_t /*index*/) {
   const std::vector<std::string> all = backend.about().same_as;
   if (all.empty()) return not_applicable();
   const Result<backends::Drawn> own = draw(clip, backend);

@@ -29,8 +29,7 @@ void rotate(cases::Case& c) {
   for (cases::Triangle& triangle : c.triangles) triangle = {triangle[1], triangle[2], triangle[0]};
 }
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& options) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t index) {
   cases::ClipCase clip = c;
   even_out_flat_attributes(clip);
   const cases::Contract contract = backend.contract(clip);
@@ -38,13 +37,13 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
   rotate(rotated);
   const Result<backends::Drawn> second_first = draw(rotated, backend);
   if (!second_first) return tl::unexpected(second_first.error());
-  Check check = judge_drawn(clip, contract, second_first->fragments, {}, options);
+  Check check = judge_drawn(clip, contract, second_first->fragments, {}, index);
   add_to_notes(check, "drawn in the order second, third, first vertex");
   rotate(rotated);
   const Result<backends::Drawn> third_first = draw(rotated, backend);
   if (!third_first) return tl::unexpected(third_first.error());
   Check changed =
-      judge_changed(clip, contract, second_first->fragments, third_first->fragments, options);
+      judge_changed(clip, contract, second_first->fragments, third_first->fragments, index);
   add_to_notes(changed, "drawn in the order third, first, second vertex");
   merge(check, changed);
   return check;

@@ -80,8 +80,7 @@ Check judge(const cases::Case& c, const std::vector<cases::ClipVertex>& computed
   return found;
 }
 
-Result<Check> check(const cases::Case& c, backends::Backend& backend,
-                    const CheckOptions& /*options*/) {
+Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint64_t /*index*/) {
   const std::optional<float> bound = backend.contract(c).transform_bound;
   if (!c.camera || backend.vertex_stage() == nullptr || !bound) return not_applicable();
   const Result<std::vector<cases::ClipVertex>> computed = transform(c, backend);

@@ -110,8 +110,7 @@ std::string note_of(const Move& move) {
          " rows farther";
 }
 
-Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
-                    const CheckOptions& options) {
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend, std::uint64_t index) {
   const Move move = move_of(clip);
   const std::optional<Moved> moved = moved_by(clip, move);
   if (!moved) return not_applicable();
@@ -129,7 +128,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   for (std::uint16_t& y : drawn->fragments.y) y = moved_back(y, move.dv);
   Check check = judge_changed(
       moved->before, with_origin_away(contract, std::max(std::abs(move.du), std::abs(move.dv))),
-      before->fragments, drawn->fragments, options);
+      before->fragments, drawn->fragments, index);
   add_to_notes(check, note_of(move));
   if (move.du < 0 || move.dv < 0) add_label(check, "partly out of the window");
   if (move.du % 2 != 0 || move.dv % 2 != 0) add_label(check, "odd");

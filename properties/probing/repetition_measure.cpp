@@ -40,7 +40,7 @@ RepetitionCounts count_repetitions(Subject& subject, const char* law_name,
     subject.ask(subject.options().asked);
     subject.ask_of(generated.source);
     subject.ask(back);
-    const Result<Check> check = check_law(*law, generated.source, backend, {});
+    const Result<Check> check = check_law(*law, generated.source, backend, 0);
     ++subject.result.drawings;
     if (!check || !check->is_applicable || check->fault) continue;
     ++counts.checked;

@@ -33,7 +33,7 @@ std::optional<Stage> stage_of(const cases::Case& given, const cases::Case& clip,
 std::optional<Stage> blamed_stage(std::string_view law, const cases::Case& source,
                                   backends::Backend& mutant) {
   Result<cases::ClipCase> clip = oracle::to_clip_case(source, "");
-  const auto check = properties::check_law(*properties::find_law(law), source, mutant, {});
+  const auto check = properties::check_law(*properties::find_law(law), source, mutant, 0);
   if (!clip || !check) return std::nullopt;
   clip->depth_test = cases::DepthTest::none;
   for (const records::Violation& found : check->violations) {

@@ -77,7 +77,7 @@ Result<std::vector<Group>> groups_of(const std::vector<std::string>& names) {
 /// A check that has to be worth something: without a fault.
 Result<properties::Check> check(const properties::Law& law, const cases::Case& c,
                                 backends::Backend& backend, std::uint64_t index) {
-  properties::Check done = properties::check_or_note(law, c, backend, {index});
+  properties::Check done = properties::check_or_note(law, c, backend, index);
   if (done.fault) return tl::unexpected(Error{"case " + std::to_string(index), "", *done.fault});
   return done;
 }

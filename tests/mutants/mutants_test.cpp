@@ -36,7 +36,7 @@ Result<std::optional<Kill>> first_kill(const properties::Law& law, backends::Bac
   for (std::uint64_t index = 0; index < kCases; ++index) {
     properties::Draw draw = draw_of(law, kSeed, index);
     const properties::Generated generated = law.generate(draw);
-    Result<properties::Check> check = properties::check_law(law, generated.source, mutant, {index});
+    Result<properties::Check> check = properties::check_law(law, generated.source, mutant, index);
     if (!check) return tl::unexpected(check.error());
     if (check->fault) return tl::unexpected(Error{"", "", *check->fault});
     if (check->violation_count > 0) return Kill{index, generated.source, *std::move(check)};
@@ -65,7 +65,7 @@ void expect_replays(const properties::Law& law, const std::string& mutant, const
   EXPECT_EQ(*read, saved);
   const auto backend = backends::make_backend(read->found->backend);
   ASSERT_TRUE(backend) << to_string(backend.error());
-  const auto again = properties::check_law(law, *read, **backend, {});
+  const auto again = properties::check_law(law, *read, **backend, 0);
   ASSERT_TRUE(again) << to_string(again.error());
   EXPECT_EQ(again->violation_count, kill.check.violation_count);
   EXPECT_EQ(again->violations, kill.check.violations);

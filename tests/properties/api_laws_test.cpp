@@ -73,7 +73,7 @@ TEST_P(ApiLawsTest, HoldOfWhatTheApisLeaveOpen) {
     for (std::uint64_t index = 0; index < kCases; ++index) {
       Draw draw = draw_of(law, 0, index);
       const Generated made = law.generate(draw);
-      const Check check = check_or_note(law, made.source, driver, {index});
+      const Check check = check_or_note(law, made.source, driver, index);
       checked += check.is_applicable ? 1 : 0;
       ASSERT_FALSE(check.fault.has_value()) << *check.fault;
       EXPECT_EQ(check.violation_count, 0U)
@@ -120,7 +120,7 @@ TEST(ApiLaws, NoticeASixteenthOfAPixel) {
   std::uint64_t violated = 0;
   for (std::uint64_t index = 0; index < 200; ++index) {
     Draw draw = draw_of(law, 0, index);
-    violated += check_or_note(law, law.generate(draw).source, driver, {index}).violation_count > 0;
+    violated += check_or_note(law, law.generate(draw).source, driver, index).violation_count > 0;
   }
   EXPECT_GT(violated, 2U);
 }

@@ -200,7 +200,7 @@ inline void lose_last_corner(const cases::Case& /*c*/, cases::Fragments& drawn) 
 
 /// What the law of that id finds of a case.
 inline Check check_of(std::string_view law, const cases::Case& c, backends::Backend& backend) {
-  return check_law(*find_law(law), c, backend, {}).value();
+  return check_law(*find_law(law), c, backend, 0).value();
 }
 
 /// The same, drawn by a backend that goes wrong so.

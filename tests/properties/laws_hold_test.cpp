@@ -81,7 +81,7 @@ class LawTest : public testing::TestWithParam<LawOfBackend> {
     Draw draw = draw_of(law, parameters_.seed, index);
     if (draw.size() > parameters_.maxSize) return true;
     const Generated made = law.generate(draw);
-    const Check check = check_or_note(law, made.source, backend, {index});
+    const Check check = check_or_note(law, made.source, backend, index);
     if (!check.is_applicable) {
       ++discarded_;
       return discarded_ <= std::int64_t{parameters_.maxDiscardRatio} * parameters_.maxSuccess;
@@ -163,7 +163,7 @@ TEST_P(MethodTest, KeepsWhatItPromises) {
     for (std::uint64_t index = 0; index < kCases; ++index) {
       Draw draw = draw_of(law, parameters.seed, index);
       const Generated made = law.generate(draw);
-      const Check check = check_or_note(law, made.source, *backend, {index});
+      const Check check = check_or_note(law, made.source, *backend, index);
       checked += check.is_applicable ? 1 : 0;
       ASSERT_FALSE(check.fault.has_value()) << *check.fault;
       ASSERT_EQ(check.violation_count, 0U)

@@ -80,11 +80,11 @@ void merge_values(Check& into, Check&& values) {
 
 Check judge_changed(const cases::Case& c, const cases::Contract& contract,
                     const cases::Fragments& before, const cases::Fragments& drawn,
-                    const CheckOptions& options) {
+                    std::uint64_t index) {
   const Difference difference = difference_of(c, before, drawn);
   Check check;
   if (difference.is_in_places) {
-    check = judge_drawn(c, contract, drawn, {.judges_values = false}, options);
+    check = judge_drawn(c, contract, drawn, {.judges_values = false}, index);
   } else {
     check.judgement.counts.required = drawn.size();
     check.judgement.errors[AttributeKind::coverage].classes[FragmentClass::correct] = drawn.size();
@@ -98,7 +98,7 @@ Check judge_changed(const cases::Case& c, const cases::Contract& contract,
   check.labels.assign(labels.begin(), labels.end());
   if (!difference.others.empty()) {
     const cases::Fragments part = part_of(drawn, some_of(difference.others, kMostJudged));
-    merge_values(check, judge_drawn(c, contract, part, {.counts_coverage = false}, options));
+    merge_values(check, judge_drawn(c, contract, part, {.counts_coverage = false}, index));
   }
   return check;
 }

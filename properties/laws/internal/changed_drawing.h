@@ -17,6 +17,6 @@ namespace rastercheck::properties {
 /// "permitted" and other reasons of samples where places differ.
 Check judge_changed(const cases::Case& c, const cases::Contract& contract,
                     const cases::Fragments& before, const cases::Fragments& drawn,
-                    const CheckOptions& options);
+                    std::uint64_t index);
 
 }  // namespace rastercheck::properties

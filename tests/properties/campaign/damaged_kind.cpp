@@ -132,10 +132,9 @@ bool is_unseen(backends::Backend& backend) {
   return dynamic_cast<const UnseenBackend*>(&backend) != nullptr;
 }
 
-Result<Check> check(const cases::ClipCase& c, backends::Backend& backend,
-                    const CheckOptions& options) {
+Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t index) {
   if (!is_unseen(backend)) return not_applicable();
-  return check_judged(c, backend, {}, options);
+  return check_judged(c, backend, {}, index);
 }
 
 const LawRegistration kLaw({.id = "cases-reach-a-label-that-none-has",

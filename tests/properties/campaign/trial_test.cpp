@@ -291,7 +291,7 @@ TEST(TryLaw, FailsWhereTheBackendIsLost) {
 
 TEST(TryLaw, FailsWhereTheOracleDoes) {
   Law law = law_of_squares();
-  law.check = [](const cases::ClipCase&, backends::Backend&, const CheckOptions&) -> Result<Check> {
+  law.check = [](const cases::ClipCase&, backends::Backend&, std::uint64_t) -> Result<Check> {
     Check check;
     check.fault = "two oracles disagree";
     return check;

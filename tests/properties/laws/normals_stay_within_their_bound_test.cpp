@@ -122,7 +122,7 @@ TEST(NormalsBound, SaysNothingWithoutACameraOrAPromise) {
 TEST(NormalsBound, RefusesAnotherNumberOfNormals) {
   DamagedBackend backend({}, "cpu");
   backend.normal_damage = [](const Matrix4&, std::vector<Normal>& world) { world.pop_back(); };
-  const auto check = check_law(*find_law(kLaw), stretched(), backend, {});
+  const auto check = check_law(*find_law(kLaw), stretched(), backend, 0);
   ASSERT_FALSE(check.has_value());
   EXPECT_EQ(check.error().reason, "the backend's normals are not one for each that it was handed");
 }

@@ -38,7 +38,7 @@ inline FoundInOwnCases check_own_cases(std::string_view law, backends::Backend& 
   FoundInOwnCases found;
   for (std::uint64_t i = 0; i < count; ++i) {
     const Generated made = own_case(law, i);
-    const Check check = check_law(*find_law(law), made.source, backend, {i}).value();
+    const Check check = check_law(*find_law(law), made.source, backend, i).value();
     found.applicable += check.is_applicable ? 1 : 0;
     found.violated += check.violation_count > 0 ? 1 : 0;
     found.required += check.judgement.counts.required;

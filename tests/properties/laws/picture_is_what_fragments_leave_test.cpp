@@ -131,7 +131,7 @@ TEST(APicture, ShowsArithmeticThatIsNearlyRight) {
 TEST(APicture, OfAnotherShapeIsAnError) {
   PictureBackend backend;
   backend.picture_damage = [](const Pipeline&, Picture& picture) { picture.depth.pop_back(); };
-  const Result<Check> check = check_law(*find_law(kLaw), square(), backend, {});
+  const Result<Check> check = check_law(*find_law(kLaw), square(), backend, 0);
   ASSERT_FALSE(check.has_value());
   EXPECT_THAT(check.error().reason, HasSubstr("picture does not have"));
 }

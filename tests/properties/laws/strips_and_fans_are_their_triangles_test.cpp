@@ -34,7 +34,7 @@ Found find_in_cases(DamagedBackend& backend, std::uint64_t count) {
   Found found;
   for (std::uint64_t i = 0; i < count; ++i) {
     const Generated made = own_case(kLaw, i);
-    const Check check = check_law(*find_law(kLaw), made.source, backend, {i}).value();
+    const Check check = check_law(*find_law(kLaw), made.source, backend, i).value();
     found.violations += check.violation_count;
     for (const records::Violation& violation : check.violations) found.notes.insert(violation.note);
     found.labels.insert(check.labels.begin(), check.labels.end());
@@ -121,7 +121,7 @@ TEST(StripsAndFans, FindAnotherProvokingVertex) {
   std::set<std::string> wrong;
   for (std::uint64_t i = 0; i < 100; ++i) {
     const Generated made = own_case(kLaw, i);
-    const Check check = check_law(*find_law(kLaw), made.source, backend, {i}).value();
+    const Check check = check_law(*find_law(kLaw), made.source, backend, i).value();
     if (check.violation_count > 0) wrong.insert(made.stratum);
     for (const records::Violation& violation : check.violations) {
       EXPECT_EQ(violation.kind, records::AttributeKind::flat);

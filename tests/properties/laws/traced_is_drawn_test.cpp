@@ -167,7 +167,7 @@ TEST(TracedIsDrawn, PassesOnATraceThatFails) {
     }
   };
   Fails backend;
-  const auto check = check_law(*find_law(kLaw), square(), backend, {});
+  const auto check = check_law(*find_law(kLaw), square(), backend, 0);
   ASSERT_FALSE(check.has_value());
   EXPECT_EQ(check.error().reason, "no traces today");
 }

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 constexpr std::string_view kLaw = "threads-tiles-and-simd-change-no-bit";
 
 Result<Check> checked(DamagedBackend& backend) {
-  return check_law(*find_law(kLaw), square(), backend, {});
+  return check_law(*find_law(kLaw), square(), backend, 0);
 }
 
 TEST(Variants, DrawTheSame) {

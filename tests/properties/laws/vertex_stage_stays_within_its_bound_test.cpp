@@ -122,7 +122,7 @@ TEST(VertexStageBound, SaysNothingWithoutACameraOrAPromise) {
 TEST(VertexStageBound, RefusesAnotherNumberOfPositions) {
   DamagedBackend backend({}, "cpu");
   backend.transform_damage = [](const Case&, std::vector<ClipVertex>& clip) { clip.pop_back(); };
-  const auto check = check_law(*find_law(kLaw), seen_square(), backend, {});
+  const auto check = check_law(*find_law(kLaw), seen_square(), backend, 0);
   ASSERT_FALSE(check.has_value());
   EXPECT_EQ(check.error().reason, "the backend's clip positions are not one for each vertex");
 }
