@@ -2,7 +2,7 @@
 // with an error by every way of drawing it, and a picture that it was to be drawn over stays what
 // it was, to the bit.
 //
-// Why. A backend that draws over pictures promises both (Backend::draws_over), as the rasterizer's
+// Why. A backend that draws pictures promises both (backends::PictureDrawer), as the rasterizer's
 // interface does: arguments are checked before anything is drawn. A case is bad where what it
 // promises does not hold (cases::Case):
 //

@@ -75,8 +75,8 @@ Result<std::vector<Group>> groups_of(const std::vector<std::string>& names) {
 }
 
 /// A check that has to be worth something: without a fault.
-Result<properties::Check> check(const properties::Law& law, const cases::Case& c,
-                                backends::Backend& backend, std::uint64_t index) {
+Result<properties::Check> checked(const properties::Law& law, const cases::Case& c,
+                                  backends::Backend& backend, std::uint64_t index) {
   properties::Check done = properties::check_or_note(law, c, backend, index);
   if (done.fault) return tl::unexpected(Error{"case " + std::to_string(index), "", *done.fault});
   return done;
@@ -87,14 +87,14 @@ Result<properties::Check> check(const properties::Law& law, const cases::Case& c
 Result<void> judge(const properties::Law& law, const cases::Case& c, std::uint64_t index,
                    Group& group) {
   RecordingBackend recording(*group.unharmed);
-  const auto unharmed = check_law(law, c, recording, index);
+  const auto unharmed = checked(law, c, recording, index);
   if (!unharmed) return tl::unexpected(unharmed.error());
   if (unharmed->violation_count > 0) return {};
   for (Mutant& mutant : group.mutants) {
     if (mutant.killed_at) continue;
     mutant.is_spoken_of = mutant.is_spoken_of || unharmed->is_applicable;
     if (recording.is_answered_alike_by(*mutant.backend)) continue;
-    const auto harmed = check_law(law, c, *mutant.backend, index);
+    const auto harmed = checked(law, c, *mutant.backend, index);
     if (!harmed) return tl::unexpected(harmed.error());
     mutant.is_spoken_of = mutant.is_spoken_of || harmed->is_applicable;
     if (harmed->violation_count > 0) mutant.killed_at = index;

@@ -84,7 +84,7 @@ bool fails_cropped(const properties::Law& law, backends::Backend& mutant,
   cases::Case cropped = found.source;
   if (--(cropped.framebuffer.*side) == 0) return false;
   const properties::Check check =
-      properties::check_or_note(law, cropped, mutant, {found.source.found->index});
+      properties::check_or_note(law, cropped, mutant, found.source.found->index);
   return check.is_applicable && properties::verdict_of(check) == found.source.found->verdict;
 }
 
