@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "backends/backend.h"
+#include "cases/json.h"
 #include "cli/terminal.h"
 #include "properties/campaign/findings.h"
 #include "properties/law.h"
@@ -67,6 +68,9 @@ void print_results(const records::Run& run, const std::vector<LawSummary>& rows,
   for (const records::UnexpectedPass& pass : run.unexpected) {
     fmt::print("{}\n", records::unexpected_sentence(pass));
   }
+  for (const records::SceneResult& scene : run.scenes) {
+    fmt::print("{}\n", cases::printable(records::scene_sentence(scene)));
+  }
   if (quiet) return;
   fmt::print("\n{}{}{}", reports::summary_counts(rows), reports::not_checked_text(rows),
              reports::known_text(run));
@@ -75,7 +79,7 @@ void print_results(const records::Run& run, const std::vector<LawSummary>& rows,
   if (run.cases_left > 0) fmt::print("`rastercheck run --resume --output {}` goes on.\n", output);
 }
 
-ExitCode exit_code_of(const std::vector<LawSummary>& rows,
+ExitCode exit_code_of(const records::Run& run, const std::vector<LawSummary>& rows,
                       const std::vector<records::BackendPromises>& promises) {
   if (is_violated(rows)) return ExitCode::violated;
   const auto some = [&rows](const auto& is) { return std::any_of(rows.begin(), rows.end(), is); };
@@ -84,7 +88,10 @@ ExitCode exit_code_of(const std::vector<LawSummary>& rows,
   });
   const bool is_checked =
       some(has_verdict(LawVerdict::held)) || some(has_verdict(LawVerdict::known));
-  return is_missing || !is_checked ? ExitCode::nothing_checked : ExitCode::ok;
+  const bool is_unseen =
+      std::any_of(run.scenes.begin(), run.scenes.end(),
+                  [](const records::SceneResult& scene) { return scene.judged == 0; });
+  return is_missing || is_unseen || !is_checked ? ExitCode::nothing_checked : ExitCode::ok;
 }
 
 ExitCode exit_code_of_shard(const std::vector<LawSummary>& rows) {

@@ -18,8 +18,8 @@ void print_results(const records::Run& run, const std::vector<records::LawSummar
                    const std::string& output, bool quiet);
 
 /// Of a run without faults, and of backends that promise that much. Where several apply: violated,
-/// then nothing checked.
-ExitCode exit_code_of(const std::vector<records::LawSummary>& rows,
+/// then nothing checked, of a law or of the scene that was asked for.
+ExitCode exit_code_of(const records::Run& run, const std::vector<records::LawSummary>& rows,
                       const std::vector<records::BackendPromises>& promises);
 /// Of a shard, which may have nothing to check: violated or ok.
 ExitCode exit_code_of_shard(const std::vector<records::LawSummary>& rows);

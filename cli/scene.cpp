@@ -44,11 +44,10 @@ Result<cases::Case> read_scene(const std::string& file, int size) {
   return scene;
 }
 
-Result<properties::Findings> judge_scene_of(const records::Plan& plan, const cases::Case& scene,
-                                            const backends::BackendFactory& backends, unsigned jobs,
-                                            const properties::KnownByBackend& known,
-                                            std::vector<records::Picture>& pictures) {
-  properties::Findings all;
+Result<JudgedScene> judge_scene_of(const records::Plan& plan, const cases::Case& scene,
+                                   const backends::BackendFactory& backends, unsigned jobs,
+                                   const properties::KnownByBackend& known) {
+  JudgedScene all;
   for (const std::string& specification : plan.backends) {
     auto backend = backends.make(specification);
     if (!backend) return tl::unexpected(backend.error());
@@ -57,20 +56,22 @@ Result<properties::Findings> judge_scene_of(const records::Plan& plan, const cas
         properties::judge_scene(scene, specification, **backend, plan.seed, plan.laws, jobs,
                                 defects == known.end() ? nullptr : &defects->second);
     if (!found) return tl::unexpected(found.error());
+    properties::merge(all.findings, std::move(found->findings));
+    all.results.push_back(found->result);
+    if (!found->drawn) continue;
     const std::string stem =
         std::filesystem::path(scene.name).stem().string() + "-" + specification;
     const Result<records::Picture> drawn =
         picture(stem, fmt::format("{} as {} drew it.", scene.name, specification),
-                reports::draw_picture(found->source, found->drawn));
+                reports::draw_picture(found->source, *found->drawn));
     const Result<records::Picture> errors = picture(
         stem + "-errors",
         "Its errors: the largest of each pixel's attributes against the exact value, in scale ULP.",
         reports::draw_error_map(found->map, found->source.rules));
     if (!drawn) return tl::unexpected(drawn.error());
     if (!errors) return tl::unexpected(errors.error());
-    pictures.push_back(*drawn);
-    pictures.push_back(*errors);
-    properties::merge(all, std::move(found->findings));
+    all.pictures.push_back(*drawn);
+    all.pictures.push_back(*errors);
   }
   return all;
 }

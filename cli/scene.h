@@ -18,11 +18,17 @@ namespace rastercheck::cli {
 /// file if it has no other. A mesh's picture has `size` · `size` pixels.
 Result<cases::Case> read_scene(const std::string& file, int size);
 
-/// Judges the scene with each of the plan's backends, in `jobs` threads, and adds what was drawn
-/// and its error map to the pictures. What is `known` of a backend is counted as known.
-Result<properties::Findings> judge_scene_of(const records::Plan& plan, const cases::Case& scene,
-                                            const backends::BackendFactory& backends, unsigned jobs,
-                                            const properties::KnownByBackend& known,
-                                            std::vector<records::Picture>& pictures);
+/// A scene as all of a plan's backends drew it.
+struct JudgedScene {
+  properties::Findings findings;
+  std::vector<records::SceneResult> results;  ///< backend by backend
+  std::vector<records::Picture> pictures;     ///< what was drawn, and its errors
+};
+
+/// Judges the scene with each of the plan's backends, in `jobs` threads. What is `known` of a
+/// backend is counted as known.
+Result<JudgedScene> judge_scene_of(const records::Plan& plan, const cases::Case& scene,
+                                   const backends::BackendFactory& backends, unsigned jobs,
+                                   const properties::KnownByBackend& known);
 
 }  // namespace rastercheck::cli

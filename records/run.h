@@ -15,6 +15,7 @@
 #include "records/known.h"
 #include "records/plan.h"
 #include "records/record.h"
+#include "records/scene_result.h"
 #include "records/shard.h"
 #include "records/specimen.h"
 
@@ -73,6 +74,8 @@ struct Run {
   std::vector<KnownOfBackend> known;
   /// Known defects that no longer show; in order.
   std::vector<UnexpectedPass> unexpected;
+  /// What became of the plan's scene, backend by backend.
+  std::vector<SceneResult> scenes = {};
   std::vector<Picture> pictures;
   /// All that depends on machine or time: version, compiler, jobs, date, seconds…
   std::map<std::string, std::string> environment;

@@ -77,7 +77,7 @@ ExitCode merge(const Options& options) {
   }
   if (!written) return fail(written.error());
   if (const auto told = tell_github(run, options.output, !options.json); !told) fail(told.error());
-  return exit_code_of(rows, merged->common.promises);
+  return exit_code_of(run, rows, merged->common.promises);
 }
 
 Action set_up(CLI::App& app) {

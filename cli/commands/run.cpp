@@ -206,7 +206,7 @@ ExitCode tell(const RunOptions& options, const records::Run& run,
   // Of shards the merge tells.
   if (run.shard) return exit_code_of_shard(rows);
   if (const auto told = tell_github(run, options.output, !options.json); !told) fail(told.error());
-  return exit_code_of(rows, promises);
+  return exit_code_of(run, rows, promises);
 }
 
 ExitCode run_campaign(RunOptions options, const CLI::App& app) {
@@ -239,10 +239,14 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   conduct.progress = [&bar](const char* what) {
     return [&bar, what](std::uint64_t done, std::uint64_t all) { bar.show(done, all, what); };
   };
-  std::vector<records::Picture> pictures;
+  JudgedScene judged;
   if (work->scene) {
     conduct.judge_scene = [&](const properties::KnownByBackend& known, unsigned jobs) {
-      return judge_scene_of(plan, *work->scene, conduct.backends, jobs, known, pictures);
+      return judge_scene_of(plan, *work->scene, conduct.backends, jobs, known)
+          .map([&judged](JudgedScene&& scene) {
+            judged = std::move(scene);
+            return judged.findings;
+          });
     };
   }
   Result<properties::PlanRun> prepared =
@@ -257,7 +261,8 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
   InterruptWatch::let_it_end();
   if (!carried_out) return fail_internally(carried_out.error());
   records::Run& run = *carried_out;
-  run.pictures = std::move(pictures);
+  run.scenes = std::move(judged.results);
+  run.pictures = std::move(judged.pictures);
   run.shard = shard_of(prepared->start(), prepared->promises(), work->scene);
   const bool is_whole = prepared->is_whole();
   if (run.shard) run.shard->is_whole = is_whole;

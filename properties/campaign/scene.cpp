@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "cases/json.h"
 #include "oracle/judge.h"
 #include "oracle/transform.h"
 #include "properties/campaign/check_case.h"
@@ -45,6 +46,8 @@ class SceneReader {
       note_violation(found_.values, sample, &value, truth);
       is_violated = true;
     }
+    if (is_violated || sample.decision.verdict != records::Verdict::permitted) ++judged_;
+    if (is_violated) ++wrong_;
     if (!is_in_map) return;
     if (is_violated) {
       map_.states[pixel] = PixelState::violated;
@@ -55,6 +58,8 @@ class SceneReader {
   }
 
   records::ErrorMap take_map() { return std::move(map_); }
+  std::uint64_t judged() const { return judged_; }  ///< samples
+  std::uint64_t wrong() const { return wrong_; }    ///< samples
   /// What violates a law: the first violation of each class that is not known.
   struct Few {
     std::string_view law;
@@ -104,6 +109,8 @@ class SceneReader {
   const KnownDefects* known_;
   records::ErrorMap map_;
   std::vector<float> depths_;
+  std::uint64_t judged_ = 0;
+  std::uint64_t wrong_ = 0;
   Found found_;
 };
 
@@ -159,12 +166,15 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
 
   const oracle::SceneTruth truth(result.source, backend.contract(result.source));
   SceneReader reader(truth, known);
+  result.result.file = scene.name;
+  result.result.backend = specification;
+  result.result.triangles = result.source.triangles.size();
   Result<backends::Drawn> drawn = draw(result.source, backend);
   if (!drawn) {
     for (const Law* law : scene_laws(laws)) {
       check_case(*law, specification, backend, seed, numbered, result.findings, known);
     }
-    result.drawn.attribute_count = result.source.attributes.size();
+    result.result.not_judged[cases::one_line(drawn.error().reason)] = result.result.triangles;
     result.map = reader.take_map();
     return result;
   }
@@ -173,12 +183,15 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
   oracle::JudgeOptions options;
   options.jobs = jobs;
   const oracle::Judged judged =
-      oracle::judge(truth, result.drawn, options,
+      oracle::judge(truth, *result.drawn, options,
                     [&reader](const JudgedSample& sample, const oracle::TriangleTruth* triangle) {
                       reader.see(sample, triangle);
                     });
   result.findings.fault = judged.fault;
   result.map = reader.take_map();
+  result.result.fragments = result.drawn->size();
+  result.result.judged = reader.judged();
+  result.result.wrong = reader.wrong();
 
   for (const Law* law : scene_laws(laws)) {
     const bool is_coverage = law->id == kCoverageLaw;

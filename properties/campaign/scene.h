@@ -2,6 +2,7 @@
 
 // A whole scene, such as a mesh, drawn once and every fragment of it judged.
 
+#include <optional>
 #include <string>
 
 #include "backends/backend.h"
@@ -10,6 +11,7 @@
 #include "properties/campaign/findings.h"
 #include "properties/campaign/known_defects.h"
 #include "records/error_map.h"
+#include "records/scene_result.h"
 
 namespace rastercheck::properties {
 
@@ -17,8 +19,10 @@ struct SceneFindings {
   /// Under the laws on coverage and on values, in the stratum "scene NAME". Counterexamples are
   /// named like the stratum, and their index is a triangle's: the corpus may have that scene too.
   Findings findings;
-  cases::Case source;  ///< of clip positions
-  cases::Fragments drawn;
+  records::SceneResult result;  ///< named like the scene
+  cases::Case source;           ///< of clip positions
+  /// Nothing where it could not be drawn.
+  std::optional<cases::Fragments> drawn;
   records::ErrorMap map;
 };
 

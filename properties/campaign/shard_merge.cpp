@@ -225,6 +225,7 @@ Result<void> ShardMerge::add(Run run, const std::string& file) {
   Added& added = added_[run.plan.shard->index];
   added = {file, run.environment, {run.counterexamples, std::move(run.inspections)}};
   if (!run.shard->scene_digest.empty()) scene_digest_ = run.shard->scene_digest;
+  std::move(run.scenes.begin(), run.scenes.end(), std::back_inserter(scenes_));
   std::move(run.pictures.begin(), run.pictures.end(), std::back_inserter(pictures_));
   std::move(run.shard->saved.begin(), run.shard->saved.end(), std::back_inserter(saved_));
   merge(all_, {std::move(run.records), std::move(run.cases), std::move(run.counterexamples),
@@ -234,6 +235,7 @@ Result<void> ShardMerge::add(Run run, const std::string& file) {
   run.cases.reset();
   run.counterexamples.clear();
   run.unexpected.clear();
+  run.scenes.clear();
   run.pictures.clear();
   run.inspections.clear();
   run.specimens.clear();
@@ -268,6 +270,7 @@ Result<MergedRun> ShardMerge::finish() && {
   run.cases = std::move(all_.cases);
   run.counterexamples = std::move(all_.counterexamples);
   run.unexpected = std::move(all_.unexpected);
+  run.scenes = std::move(scenes_);
   run.pictures = std::move(pictures_);
   run.unreached = unreached_labels(run.plan.laws, merged.common.promises, run.records);
   run.environment = merged_environment(environments);

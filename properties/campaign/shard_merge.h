@@ -55,6 +55,7 @@ class ShardMerge {
 
   records::Run first_;  ///< without what it found
   Findings all_;
+  std::vector<records::SceneResult> scenes_;
   std::vector<records::Picture> pictures_;
   std::string scene_digest_;
   std::vector<cases::Case> saved_;

@@ -2,7 +2,7 @@
 //
 //   failure   the law is violated: by class, with the command that replays each counterexample
 //   error     a label that had to be reached was not: the law did not test what it claims to
-//   skipped   the law checked nothing; why
+//   skipped   the law checked nothing, or nothing was judged of a scene, which is a test, too; why
 //
 // Violations that are known of a driver are no failures; a test's output tells of them. Only the
 // properties depend on machine and time: no test has a duration. reports/schema/junit.xsd describes
@@ -44,6 +44,10 @@ struct Outcomes {
     } else if (row.verdict == LawVerdict::not_checked) {
       ++skipped;
     }
+  }
+  void add(const records::SceneResult& scene) {
+    ++tests;
+    if (scene.judged == 0) ++skipped;
   }
   std::string attributes() const {
     return fmt::format(R"(tests="{}" failures="{}" errors="{}" skipped="{}")", tests, failures,
@@ -101,6 +105,16 @@ std::string test_of(const Run& run, const LawSummary& row) {
   return text + "</testcase>\n";
 }
 
+/// The scene as a test: skipped where nothing of it was judged. What is wrong of it fails the laws.
+std::string test_of(const records::SceneResult& scene) {
+  const std::string sentence = html(records::scene_sentence(scene));
+  return fmt::format(
+      "<testcase classname=\"rastercheck.{}\" name=\"scene {}\">\n{}"
+      "<system-out>{}</system-out>\n</testcase>\n",
+      html(scene.backend), html(scene.file),
+      scene.judged == 0 ? fmt::format("<skipped message=\"{}\"/>\n", sentence) : "", sentence);
+}
+
 std::string properties_of(const Run& run) {
   std::string text = "<properties>\n";
   const auto add = [&text](std::string_view name, const std::string& value) {
@@ -123,6 +137,12 @@ std::string write(const Run& run) {
       outcomes.add(row);
       of_all.add(row);
       tests += test_of(run, row);
+    }
+    for (const records::SceneResult& scene : run.scenes) {
+      if (scene.backend != backend) continue;
+      outcomes.add(scene);
+      of_all.add(scene);
+      tests += test_of(scene);
     }
     suites += fmt::format("<testsuite name=\"{}\" {}>\n{}{}</testsuite>\n", html(backend),
                           outcomes.attributes(), properties_of(run), tests);

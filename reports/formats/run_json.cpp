@@ -18,6 +18,8 @@
 //                    "checked": 1000}],
 //     "known": […],             records/known_json.h; only where something is known of a driver
 //     "unexpected_passes": […], the same; only where there are any
+//     "scenes": [{"file": "bunny.obj", "backend": "cpu", "triangles": 69666, "fragments": 51234,
+//                 "judged": 51234, "wrong": 0, "not_judged": {}}],   only where there is a scene
 //     "pictures": [{"name": "…", "caption": "…", "width": 640, "height": 480, "png": "base64…"}],
 //     "environment": {"version": "0.1.0", …}
 //   }

@@ -113,12 +113,15 @@ std::string write(const Run& run) {
   std::string text = fmt::format("# RasterCheck\n\n**{}**\n\n", verdict_sentence(rows));
   for (const std::string& caveat : records::caveats(run)) text += markdown(caveat) + "\n\n";
   text += table_of(rows);
-  if (!run.unreached.empty() || !run.unexpected.empty()) text += "\n";
+  if (!run.unreached.empty() || !run.unexpected.empty() || !run.scenes.empty()) text += "\n";
   for (const records::UnreachedLabel& label : run.unreached) {
     text += fmt::format("- {}\n", markdown(records::unreached_sentence(label)));
   }
   for (const records::UnexpectedPass& pass : run.unexpected) {
     text += fmt::format("- {}\n", markdown(records::unexpected_sentence(pass)));
+  }
+  for (const records::SceneResult& scene : run.scenes) {
+    text += fmt::format("- {}\n", markdown(records::scene_sentence(scene)));
   }
   text += fmt::format("\n{}\n\n{}\n\n", kUnitSentence, kExcessSentence);
   text += counts_of(totals(rows)) + levels_of(totals(rows));

@@ -202,13 +202,20 @@ std::string gaps_of(const Run& run, const std::vector<LawSummary>& rows) {
   return "<section>\n<h2>Not checked</h2>\n<ul class=\"gaps\">\n" + text + "</ul>\n</section>\n";
 }
 
-/// What was drawn of the scene, for a first look; nothing where there was none.
+/// What became of the scene, with a first look at what was drawn; nothing where there was none.
 std::string scene_of(const Run& run) {
-  if (run.plan.scene.empty() || run.pictures.empty()) return "";
-  return fmt::format(
-      "<section>\n<h2>The scene</h2>\n<div class=\"pictures\">\n{}</div>\n"
-      "<p><a href=\"#{}\">All pictures, also of the errors</a></p>\n</section>\n",
-      picture_figure(run.pictures.front()), kPicturesLink);
+  if (run.scenes.empty()) return "";
+  std::string text = "<section>\n<h2>The scene</h2>\n";
+  for (const records::SceneResult& scene : run.scenes) {
+    text += fmt::format("<p>{}</p>\n", html(records::scene_sentence(scene)));
+  }
+  if (!run.pictures.empty()) {
+    text += fmt::format(
+        "<div class=\"pictures\">\n{}</div>\n"
+        "<p><a href=\"#{}\">All pictures, also of the errors</a></p>\n",
+        picture_figure(run.pictures.front()), kPicturesLink);
+  }
+  return text + "</section>\n";
 }
 
 /// How to do it again, and what it was done with.

@@ -52,6 +52,20 @@ void members(Archive& archive, T& picture) {
   archive.required("width", cases::UpTo{picture.width, kLargest});
 }
 
+template <typename Archive, cases::Either<SceneResult> T>
+void members(Archive& archive, T& scene) {
+  archive.required("file", scene.file);
+  archive.required("backend", scene.backend);
+  archive.required("triangles", scene.triangles);
+  archive.required("fragments", scene.fragments);
+  archive.required("judged", scene.judged);
+  archive.required("wrong", scene.wrong);
+  archive.required("not_judged", scene.not_judged);
+  archive.check([&](const cases::JsonNode& node) {
+    if (scene.wrong > scene.judged) node["wrong"].refuse("must not be more than were judged");
+  });
+}
+
 template <typename Archive, cases::Either<UnreachedLabel> T>
 void members(Archive& archive, T& label) {
   archive.required("backend", label.backend);
@@ -78,6 +92,7 @@ void members(Archive& archive, T& run) {
   archive.required("unreached", run.unreached);
   archive.optional("known", run.known);
   archive.optional("unexpected_passes", run.unexpected);
+  archive.optional("scenes", run.scenes);
   archive.required("pictures", run.pictures);
   archive.required("environment", run.environment);
   archive.check([&](const cases::JsonNode& node) {

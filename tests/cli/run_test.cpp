@@ -241,8 +241,8 @@ TEST_F(Run, TakesABackendOnceHoweverOftenItIsNamed) {
                                        "damaged", "--cases", "3", "--property", kCoverage});
   EXPECT_EQ(outcome.code, 1) << outcome;
   EXPECT_EQ(run_json().at("plan").at("backends"), (json{"damaged", "cpu"}));
-  run_damaged({"--backend", "damaged", "--backend", "damaged", "--cases", "0", "--property",
-               kCoverage});
+  run_damaged(
+      {"--backend", "damaged", "--backend", "damaged", "--cases", "0", "--property", kCoverage});
   EXPECT_EQ(run_json().at("plan").at("backends"), json{"damaged"});
   // The corpus' case, once.
   EXPECT_EQ(run_json().at("records").at(0).at("cases").at("checked"), 1);
@@ -451,6 +451,31 @@ TEST_F(Run, JudgesAScene) {
   EXPECT_EQ(run.at("pictures").at(0).at("name"), "roof-cpu");
   EXPECT_EQ(run.at("pictures").at(0).at("width"), 16);
   EXPECT_EQ(run.at("pictures").at(1).at("name"), "roof-cpu-errors");
+  const json& scene = run.at("scenes").at(0);
+  EXPECT_EQ(scene.at("triangles"), 1);
+  EXPECT_GT(scene.at("judged"), 0);
+  EXPECT_EQ(scene.at("wrong"), 0);
+  EXPECT_THAT(outcome.out, HasSubstr("\nScene roof.obj on cpu: 1 triangle, "));
+}
+
+// Kills: a scene that was asked for and is dropped without a word, with an empty picture.
+TEST_F(Run, SaysThatNothingWasJudgedOfAScene) {
+  const std::string mesh = folder_.put("far.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 1\nf 1 2 3\n");
+  const std::string contract = folder_.put(
+      "near.json", R"({"format": "rastercheck-contract", "version": 1, "numbers": {"least": 8}})");
+  const std::vector<std::string> asked{"--cases",    "0",      "--scene",    mesh,
+                                       "--contract", contract, "--property", "cover*"};
+  folder_.put("corpus/far.json", square_case(R"("coverage": "exact", )"));
+  const Outcome outcome = run(asked);
+  EXPECT_EQ(outcome.code, 5) << outcome;
+  EXPECT_THAT(outcome.out,
+              HasSubstr("Scene far.obj on cpu: nothing was judged of its 1 triangle, as it "
+                        "has numbers of magnitudes that"));
+  EXPECT_THAT(run_json().at("pictures"), IsEmpty());
+  EXPECT_EQ(run_json().at("scenes").at(0).at("judged"), 0);
+  EXPECT_THAT(folder_.content("out/summary.md"), HasSubstr("Scene far.obj on cpu"));
+  EXPECT_THAT(folder_.content("out/report.html"), HasSubstr("Scene far.obj on cpu"));
+  EXPECT_THAT(folder_.content("out/junit.xml"), HasSubstr("name=\"scene far.obj\""));
 }
 
 // Kills: two counterexamples of one name, for which a run of minutes ends without a report.

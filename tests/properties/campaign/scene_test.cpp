@@ -62,6 +62,24 @@ TEST(JudgeScene, RecordsTheTwoLawsThatHoldOfEveryCase) {
   EXPECT_FALSE(records.contains(key("constants-stay-constant")));
 }
 
+// Of 64 samples one is missing, one has a wrong value, and one is drawn by both triangles. Kills: a
+// scene's count that takes what is permitted either way for judged.
+TEST(JudgeScene, CountsWhatWasJudgedAndWhatIsWrong) {
+  const cases::Case c = scene();
+  const auto cpu = backends::make_backend("cpu").value();
+  const SceneFindings right = judge_scene(c, "cpu", *cpu, 7, kLaws).value();
+  EXPECT_EQ(right.result, (records::SceneResult{"square", "cpu", 2, 64, 64, 0, {}}));
+  DamagedBackend backend(
+      [](const cases::Case&, cases::Fragments& drawn) {
+        drop(drawn, 0, 1, 1);
+        value(drawn, 0, 2, 3, 1) = 1.5F;
+        add(drawn, 0, 7, 7);
+      },
+      "cpu");
+  const SceneFindings wrong = judge_scene(c, "cpu", backend, 7, kLaws).value();
+  EXPECT_EQ(wrong.result, (records::SceneResult{"square", "cpu", 2, 64, 65, 3, {}}));
+}
+
 TEST(JudgeScene, RecordsOnlyWhatIsAskedFor) {
   const SceneFindings found = judged(scene(), {}, {kCoverage});
   EXPECT_TRUE(found.findings.records.contains(key(kCoverage)));
@@ -147,7 +165,9 @@ TEST(JudgeScene, HoldsADrawingThatFailsAgainstTheBackend) {
   EXPECT_EQ(found.findings.records.at(key(kValues)).cases, (records::CaseCounts{1, 0, 1}));
   ASSERT_THAT(found.findings.counterexamples, SizeIs(2));
   EXPECT_EQ(found.findings.counterexamples[0].violations[0].note, "out of memory");
-  EXPECT_EQ(found.drawn.size(), 0U);
+  EXPECT_FALSE(found.drawn.has_value());
+  EXPECT_EQ(found.result,
+            (records::SceneResult{"square", "damaged", 2, 0, 0, 0, {{"out of memory", 2}}}));
   EXPECT_THAT(found.map.states, SizeIs(64));
 }
 
@@ -162,7 +182,7 @@ TEST(JudgeScene, DrawsAMeshWithItsCamera) {
   const SceneFindings found = judge_scene(mesh, "cpu", *cpu, 7, kLaws).value();
   EXPECT_THAT(found.findings.counterexamples, IsEmpty());
   EXPECT_FALSE(found.source.camera);
-  EXPECT_GT(found.drawn.size(), 0U);
+  EXPECT_GT(found.drawn.value().size(), 0U);
   EXPECT_THAT(found.map.states, testing::Contains(PixelState::correct));
   EXPECT_THAT(found.map.states, testing::Not(testing::Contains(PixelState::violated)));
 }

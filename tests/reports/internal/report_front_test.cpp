@@ -79,11 +79,13 @@ TEST(Front, ShowsTheScene) {
   EXPECT_THAT(page, HasSubstr("<a href=\"#pictures\">"));
   EXPECT_THAT(page, Not(HasSubstr("bunny-error")));
   records::Run run = sample_run();
-  run.plan.scene.clear();
-  EXPECT_THAT(front(run), Not(HasSubstr("<figure>")));
+  run.scenes.clear();
+  EXPECT_THAT(front(run), Not(HasSubstr("<h2>The scene</h2>")));
   run = sample_run();
   run.pictures.clear();
   EXPECT_THAT(front(run), Not(HasSubstr("<figure>")));
+  EXPECT_THAT(front(run),
+              HasSubstr("nothing was judged of its 3 triangles, as it &lt;is&gt; far."));
 }
 
 TEST(Front, SaysHowToDoItAgainAndWhereItWasDone) {

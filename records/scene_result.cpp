@@ -1,0 +1,34 @@
+#include "records/scene_result.h"
+
+#include <fmt/format.h>
+
+namespace rastercheck::records {
+namespace {
+
+std::string counted(std::uint64_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string scene_sentence(const SceneResult& scene) {
+  std::string text = fmt::format("Scene {} on {}: ", scene.file, scene.backend);
+  if (scene.judged > 0) {
+    text += fmt::format("{}, {}; {} judged, {}", counted(scene.triangles, "triangle"),
+                        counted(scene.fragments, "fragment"), counted(scene.judged, "sample"),
+                        scene.wrong == 0 ? "all right" : fmt::format("{} wrong", scene.wrong));
+  } else if (scene.not_judged.empty()) {
+    text += fmt::format("nothing was judged of its {}: none has a sample that has to be drawn",
+                        counted(scene.triangles, "triangle"));
+  } else {
+    text += fmt::format("nothing was judged of its {}", counted(scene.triangles, "triangle"));
+  }
+  for (const auto& [why, triangles] : scene.not_judged) {
+    const bool are_all = triangles == scene.triangles;
+    text += are_all ? ", as " + why
+                    : fmt::format("; {} not judged, as {}", counted(triangles, "triangle"), why);
+  }
+  return text + ".";
+}
+
+}  // namespace rastercheck::records

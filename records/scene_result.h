@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace rastercheck::records {
+
+/// What became of a scene that was asked for, on one backend: how much of it was judged.
+struct SceneResult {
+  std::string file;             ///< the scene's name
+  std::string backend;          ///< specification
+  std::uint64_t triangles = 0;  ///< of the scene
+  std::uint64_t fragments = 0;  ///< drawn
+  /// Samples of a triangle, drawn or missing, that the contract does not leave open.
+  std::uint64_t judged = 0;
+  /// Those of them that are missing or too much, or have a value that is wrong.
+  std::uint64_t wrong = 0;
+  /// Triangles of which nothing was judged, by why.
+  std::map<std::string, std::uint64_t> not_judged = {};
+  bool operator==(const SceneResult&) const = default;
+};
+
+/// "Scene bunny.obj on cpu: 69,666 triangles, 51,234 fragments; 51,234 samples judged, all right.";
+/// of one of which nothing was judged, why.
+std::string scene_sentence(const SceneResult& scene);
+
+}  // namespace rastercheck::records
