@@ -17,6 +17,10 @@ bool is_well_formed(const cases::Fragments& drawn, const cases::Case& c) {
           drawn.derivatives.size() == size * drawn.attribute_count * 2);
 }
 
+bool is_well_formed(const backends::Drawn& drawn, const cases::Case& c) {
+  return is_well_formed(drawn.fragments, c);
+}
+
 /// The same of a picture; textures have four channels.
 bool is_well_formed(const cases::Picture& picture, const cases::Case& c,
                     const cases::Pipeline& pipeline) {
@@ -42,9 +46,6 @@ Error no_promise() {
           Failure::unsupported};
 }
 
-const cases::Fragments& fragments_of(const backends::Drawn& drawn) { return drawn.fragments; }
-const cases::Fragments& fragments_of(const cases::Fragments& drawn) { return drawn; }
-
 /// What `call()` draws of a case without a camera, watched.
 template <typename Call>
 auto drawn_by(const cases::Case& c, backends::Backend& backend, const Call& call)
@@ -54,7 +55,7 @@ auto drawn_by(const cases::Case& c, backends::Backend& backend, const Call& call
   const backends::FloatingPointModes modes;
   auto drawn = call();
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
-  if (drawn && !is_well_formed(fragments_of(*drawn), c)) {
+  if (drawn && !is_well_formed(*drawn, c)) {
     return tl::unexpected(Error{"", "",
                                 "the backend's fragments do not have the case's attributes, or its "
                                 "arrays differ in length"});

@@ -51,12 +51,12 @@ struct DoneRanges {
   T& is_done;
 
   friend void write_value(json& to, const DoneRanges& done) {
-    const std::vector<bool>& is_done = done.is_done;
+    const std::vector<bool>& tasks = done.is_done;
     to = json::array();
-    for (std::size_t i = 0; i < is_done.size(); ++i) {
-      if (!is_done[i]) continue;
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      if (!tasks[i]) continue;
       const std::size_t first = i;
-      while (i < is_done.size() && is_done[i]) ++i;
+      while (i < tasks.size() && tasks[i]) ++i;
       to.push_back({first, i});
     }
   }

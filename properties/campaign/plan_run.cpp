@@ -135,7 +135,7 @@ Result<void> PlanRun::check_all() {
   }
   auto dispatched = std::async(std::launch::async, check_cases);
   Result<Findings> of_scene = conduct_.judge_scene(known_, jobs);
-  const Result<void> checked = dispatched.get();
+  Result<void> checked = dispatched.get();
   if (!of_scene) return tl::unexpected(of_scene.error());
   campaign_.add_scene(*std::move(of_scene));
   return checked;

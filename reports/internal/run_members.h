@@ -30,9 +30,9 @@ struct Base64Text {
     cases::write_value(to, to_base64(view.bytes));
   }
   friend void read_value(const cases::JsonNode& node, Base64Text& view) {
-    Result<std::string> bytes = from_base64(node.text());
-    if (!bytes) node.refuse(bytes.error().reason);
-    view.bytes = std::move(bytes).value_or("");
+    Result<std::string> read = from_base64(node.text());
+    if (!read) node.refuse(read.error().reason);
+    view.bytes = std::move(read).value_or("");
   }
 };
 template <typename T>

@@ -11,7 +11,6 @@
 namespace rastercheck::properties {
 namespace {
 
-using records::AttributeKind;
 using records::FragmentClass;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
