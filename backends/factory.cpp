@@ -13,11 +13,10 @@ std::vector<BackendKind>& registry() {
   return kinds;
 }
 
-/// What a specification begins with, up to a colon, and what follows that.
-std::pair<std::string, std::string> kind_and_options(const std::string& specification) {
+/// What follows the colon of a specification.
+std::string options_of(const std::string& specification) {
   const std::size_t colon = specification.find(':');
-  if (colon == std::string::npos) return {specification, ""};
-  return {specification.substr(0, colon), specification.substr(colon + 1)};
+  return colon == std::string::npos ? "" : specification.substr(colon + 1);
 }
 
 tl::unexpected<Error> no_such_kind(const std::string& specification, const std::string& kind) {
@@ -43,12 +42,13 @@ BackendRegistration::BackendRegistration(const BackendKind& kind) {
 }
 
 Result<std::unique_ptr<Backend>> BackendFactory::make(const std::string& specification) const {
-  const auto [kind, options] = kind_and_options(specification);
+  const std::string kind = specification.substr(0, specification.find(':'));
   const auto found = std::find_if(registry().begin(), registry().end(),
                                   [&kind](const BackendKind& other) { return other.kind == kind; });
   if (found == registry().end()) return no_such_kind(specification, kind);
-  Result<std::unique_ptr<Backend>> backend =
-      found->is_foreign && make_foreign ? make_foreign(specification) : found->make(options);
+  Result<std::unique_ptr<Backend>> backend = found->is_foreign && make_foreign
+                                                 ? make_foreign(specification)
+                                                 : found->make(options_of(specification));
   if (backend) (*backend)->hold_to(terms);
   return backend;
 }
