@@ -55,7 +55,7 @@ class IsolatedBackend : public Backend {
     if (!drawing) return tl::unexpected(nonsense());
     crashes_ = 0;
     if (drawing->problem) return tl::unexpected(*drawing->problem);
-    remembered_ = {c, drawing->drawn.contract};
+    if (!remembered_ || remembered_->first != c) remembered_ = {c, drawing->drawn.contract};
     return std::move(drawing->drawn.fragments);
   }
 

@@ -8,8 +8,8 @@
 
 namespace rastercheck::cases {
 
-/// A case as it is drawn: its positions are clip coordinates, and it has no camera. What is changed
-/// of it afterwards changes nothing of the case that it was made from.
+/// A case as it is drawn: its positions are clip coordinates, and it has no camera. Later changes
+/// of it do not reach given().
 class ClipCase : public Case {
  public:
   /// A case without a camera, as it stands.

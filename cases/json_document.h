@@ -11,8 +11,8 @@
 //   {"reason":"…","version":"…"}]
 //   }
 //
-// A type with a form of its own has its keys in alphabetical order, as everywhere. One that has
-// text() writes itself.
+// A type with a form of its own is written on one line, its keys in alphabetical order. One that
+// has text() writes itself.
 
 #include <map>
 #include <optional>

@@ -63,7 +63,8 @@ inline void read_value(const JsonNode& node, std::string& value) { value = node.
 /// Takes "nan", "inf" and "-inf", too.
 void read_value(const JsonNode& node, float& value);
 
-/// A form of its own goes before a list of members: files that nest a record see the one only.
+/// A type's own form takes precedence over its list of members: files that nest a record see the
+/// form only.
 template <typename T>
 concept ReadsItself = requires(const JsonNode& node, std::remove_const_t<T>& value) {
   read_value(node, value);
@@ -270,8 +271,8 @@ class JsonKeys {
   template <typename Check>
   void check(const Check& /*check*/) {}
 
-  /// Refuses a document of another format or version, then unknown and missing keys: those of a
-  /// later version are not what is wrong.
+  /// Refuses a document of another format or version first, then unknown and missing keys: the keys
+  /// of a later version are not its fault.
   void expect(const JsonNode& node) const;
 
  private:

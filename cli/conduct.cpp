@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/command.h"
 #include "cli/corpus_folder.h"
 #include "cli/environment.h"
 #include "cli/isolation.h"
@@ -22,6 +23,7 @@ properties::Conduct conduct_of(const records::Plan& plan, const std::string& dir
   conduct.backends = properties::factory_for(plan, worker_program());
   conduct.jobs = jobs;
   conduct.task_worker = {kOwnProgram, "task-worker"};
+  conduct.warn = [](const Error& error) { fail(error); };
   return conduct;
 }
 
@@ -45,7 +47,7 @@ Result<records::Run> run_plan(const records::Plan& asked_for, const std::string&
   if (!prepared) return tl::unexpected(prepared.error());
   Result<records::Run> run = prepared->carry_out();
   prepared->remove_checkpoint();
-  if (!run) return run;
+  if (!run || run->cases_left > 0) return run;
   properties::look_closely(*run, {prepared->corpus(), {}, prepared->known(), nullptr},
                            conduct.backends);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

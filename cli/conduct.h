@@ -13,8 +13,9 @@ namespace rastercheck::cli {
 /// and the folders that the plan means; what is found on the way is kept in `directory`.
 properties::Conduct conduct_of(const records::Plan& plan, const std::string& directory, int jobs);
 
-/// Carries out a plan without a scene, whose patterns still have to choose the laws, and looks
-/// closely at what it gave, as `rastercheck run` does. `directory` is there.
+/// Carries out a plan that has no scene, and whose laws are still to be chosen by its patterns, and
+/// looks closely at what it gave, as `rastercheck run` does; not where it is ended early, which
+/// Run::cases_left tells. `directory` has to be there.
 Result<records::Run> run_plan(const records::Plan& plan, const std::string& directory, int jobs,
                               const properties::IsToEnd& is_to_end);
 

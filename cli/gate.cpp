@@ -8,7 +8,6 @@
 #include "cli/command.h"
 #include "cli/corpus_folder.h"
 #include "cli/github.h"
-#include "cli/isolation.h"
 #include "cli/output.h"
 #include "gate/hold.h"
 #include "reports/compare_format.h"
@@ -36,7 +35,8 @@ Result<void> check_comparison_files(const std::string& folder,
 ExitCode hold_against(const gate::Side& baseline, const gate::Side& current,
                       const GateOptions& options) {
   const Result<reports::Gate> gate = gate::hold(
-      baseline, current, {options.policy, options.output, corpus_folder(), worker_program()});
+      baseline, current,
+      {options.policy, options.output, corpus_folder(), worker_program(), options.timeout});
   if (!gate) return fail(gate.error());
   if (options.prints && options.json) {
     const Result<reports::CompareFormat> format = reports::find_compare_format("json");

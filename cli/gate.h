@@ -7,6 +7,7 @@
 
 #include "cases/error.h"
 #include "cli/exit_code.h"
+#include "cli/isolation.h"
 #include "gate/policy.h"
 #include "gate/side.h"
 
@@ -18,6 +19,7 @@ struct GateOptions {
   bool json = false;   ///< prints compare.json instead of text
   bool quiet = false;
   bool prints = true;
+  double timeout = kDefaultTimeout;  ///< seconds, of foreign backends that draw once more
 };
 
 /// The policy of a file; of none, which has no name, one that allows nothing.

@@ -22,8 +22,8 @@
 
 namespace rastercheck::gate {
 
-/// Carries out a plan, whose patterns still have to choose the laws, in a folder that is there and
-/// by so many processes; what is found until it is to end.
+/// Carries out a plan, whose laws are still to be chosen by its patterns, in a folder that is there
+/// and by so many processes, until `is_to_end`.
 using DrawPlan =
     std::function<Result<records::Run>(const records::Plan& plan, const std::string& folder,
                                        int jobs, const std::function<bool()>& is_to_end)>;
@@ -34,7 +34,7 @@ struct BisectPlan {
   std::vector<std::string> build;  ///< the command that makes what is judged
   /// The rastercheck that draws and judges, where that is what is built; empty: `draw` does.
   std::string program;
-  DrawPlan draw;
+  DrawPlan draw;  ///< used where `program` is empty
   /// What is drawn of each commit. Files and folders that are named are taken as they are now,
   /// whatever is checked out; corpus and known defects are named, unless the latter are ignored.
   records::Plan plan;

@@ -30,9 +30,11 @@ std::vector<records::CloserLook> looks_of(const reports::Gate& gate, const Side&
     const std::vector<cases::Case> corpus =
         properties::read_corpus(corpus_of(comparison, options.corpus))
             .value_or(std::vector<cases::Case>());
+    records::Plan plan = comparison.plan;
+    plan.timeout = options.timeout;  // which changes nothing of what is drawn
     std::vector<records::CloserLook> found =
         look_closer(comparison, baseline.sections, current.sections, corpus,
-                    properties::factory_for(comparison.plan, options.worker));
+                    properties::factory_for(plan, options.worker));
     std::move(found.begin(), found.end(), std::back_inserter(looks));
   }
   return looks;

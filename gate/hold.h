@@ -8,6 +8,7 @@
 #include "cases/error.h"
 #include "gate/policy.h"
 #include "gate/side.h"
+#include "records/plan.h"
 #include "reports/compare_format.h"
 
 namespace rastercheck::gate {
@@ -18,6 +19,7 @@ struct HoldOptions {
   std::string corpus;  ///< folder of the corpus, of comparisons whose options name none
   /// What starts a process that draws with a foreign backend (backends::Isolation).
   std::vector<std::string> worker;
+  double timeout = records::kDefaultTimeout;  ///< seconds that such a process has for a draw
 };
 
 /// Holds one side against the other. Where there is a folder, draws again and looks at what came

@@ -118,8 +118,8 @@ Result<Check> check_law(const Law& law, const cases::Case& c, backends::Backend&
 /// Whether the law has something to say of a backend.
 bool is_promised(const Law& law, backends::Backend& backend);
 
-/// What a backend promises of these laws; `name` is its own in the records. Of nullptr as much as
-/// nobody knows of one that there is not: all laws, and nothing of how it draws.
+/// What a backend promises of these laws; `name` is its own in the records. Of nullptr, a backend
+/// that cannot be made: all laws, and to draw in a way of its own.
 records::BackendPromises promises_of(const std::string& name, backends::Backend* backend,
                                      std::span<const std::string> laws);
 

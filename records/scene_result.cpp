@@ -16,7 +16,9 @@ std::string scene_sentence(const SceneResult& scene) {
   if (scene.judged > 0) {
     text += fmt::format("{}, {}; {} judged, {}", counted(scene.triangles, "triangle"),
                         counted(scene.fragments, "fragment"), counted(scene.judged, "sample"),
-                        scene.wrong == 0 ? "all right" : fmt::format("{} wrong", scene.wrong));
+                        scene.wrong == 0 ? "all right"
+                                         : fmt::format("{} wrong{}", scene.wrong,
+                                                       scene.is_known ? ", in known ways" : ""));
   } else if (scene.not_judged.empty()) {
     text += fmt::format("nothing was judged of its {}: none has a sample that has to be drawn",
                         counted(scene.triangles, "triangle"));

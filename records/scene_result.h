@@ -14,15 +14,16 @@ struct SceneResult {
   std::uint64_t fragments = 0;  ///< drawn
   /// Samples of a triangle, drawn or missing, that the contract does not leave open.
   std::uint64_t judged = 0;
-  /// Those of them that are missing or too much, or have a value that is wrong.
+  /// Those of them that are missing or too much, or have a wrong value, as far as laws ask.
   std::uint64_t wrong = 0;
+  bool is_known = false;  ///< all that is wrong is known of the driver
   /// Triangles of which nothing was judged, by why.
   std::map<std::string, std::uint64_t> not_judged = {};
   bool operator==(const SceneResult&) const = default;
 };
 
-/// "Scene bunny.obj on cpu: 69,666 triangles, 51,234 fragments; 51,234 samples judged, all right.";
-/// of one of which nothing was judged, why.
+/// One sentence for people, such as "Scene bunny.obj on cpu: 69666 triangles, 51234 fragments;
+/// 51234 samples judged, all right."; where nothing was judged, it says why.
 std::string scene_sentence(const SceneResult& scene);
 
 }  // namespace rastercheck::records

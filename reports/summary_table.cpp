@@ -137,6 +137,17 @@ std::string summary_json(const records::Run& run, const std::vector<records::Law
                             {"unreached", unreached},
                             {"verdict", to_string(row.verdict)}});
   }
+  if (!run.scenes.empty()) json["scenes"] = nlohmann::ordered_json::array();
+  for (const records::SceneResult& scene : run.scenes) {
+    json["scenes"].push_back({{"file", scene.file},
+                              {"backend", scene.backend},
+                              {"triangles", scene.triangles},
+                              {"fragments", scene.fragments},
+                              {"judged", scene.judged},
+                              {"wrong", scene.wrong},
+                              {"is_known", scene.is_known},
+                              {"not_judged", scene.not_judged}});
+  }
   return json.dump();
 }
 

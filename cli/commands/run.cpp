@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "backends/factory.h"
 #include "cases/contract_json.h"
@@ -174,8 +175,9 @@ ExitCode hold_run(const RunOptions& options, const std::optional<RunGate>& gate,
   if (!current) return fail(current.error());
   gate::set_commit(*current, commit_of(""));
   if (!options.json) fmt::print("\n");
-  return hold_against(gate->baseline, *current,
-                      {gate->policy, options.output, false, options.quiet, !options.json});
+  return hold_against(
+      gate->baseline, *current,
+      {gate->policy, options.output, false, options.quiet, !options.json, run.plan.timeout});
 }
 
 /// Ends a run whose results cannot be written: what it found is on the terminal already.
@@ -231,11 +233,11 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
     return code;
   }
   ProgressBar bar(options.quiet);
-  conduct.warn = [](const Error& error) { fail(error); };
   conduct.is_over = [end = end_of(options, start)] {
     return is_interrupted() || Clock::now() >= end;
   };
   conduct.fail_fast = options.fail_fast;
+  conduct.on_found = &InterruptWatch::let_it_end;
   conduct.progress = [&bar](const char* what) {
     return [&bar, what](std::uint64_t done, std::uint64_t all) { bar.show(done, all, what); };
   };
@@ -245,7 +247,7 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
       return judge_scene_of(plan, *work->scene, conduct.backends, jobs, known)
           .map([&judged](JudgedScene&& scene) {
             judged = std::move(scene);
-            return judged.findings;
+            return std::exchange(judged.findings, {});
           });
     };
   }
@@ -258,7 +260,6 @@ ExitCode run_campaign(RunOptions options, const CLI::App& app) {
                              kGraceSeconds,
                              "rastercheck: ended before its reports were written. " + goes_on);
   Result<records::Run> carried_out = prepared->carry_out();
-  InterruptWatch::let_it_end();
   if (!carried_out) return fail_internally(carried_out.error());
   records::Run& run = *carried_out;
   run.scenes = std::move(judged.results);

@@ -254,9 +254,9 @@ void check_known_case(const Law& law, const std::string& specification, backends
     return;
   }
   if (!check.is_applicable || is_expected) return;
-  const bool is_stale = known.is_same_version();
-  keep(findings, records::UnexpectedPass{specification, id, std::string(law.id), is_stale});
-  if (!is_stale) return;
+  const bool is_same_version = known.is_same_version();
+  keep(findings, records::UnexpectedPass{specification, id, std::string(law.id), is_same_version});
+  if (!is_same_version) return;  // else the list is stale
   ++findings
         .records[{std::string(law.id), specification, records::AttributeKind::coverage,
                   numbered.stratum}]

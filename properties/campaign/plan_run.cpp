@@ -90,6 +90,7 @@ PlanRun::PlanRun(Checkpoint start, TaskRunner runner, KnownByBackend known, Cond
 
 Result<records::Run> PlanRun::carry_out() {
   const Result<void> found = find();
+  conduct_.on_found();
   campaign_.save();
   if (!found) return tl::unexpected(found.error());
   const Findings& findings = campaign_.findings();

@@ -34,10 +34,11 @@ struct Conduct {
   /// and `--known` with what is here are added.
   std::vector<std::string> task_worker = {};
   Warn warn = [](const Error& /*error*/) {};
-  IsToEnd is_over = [] {
-    return false;
-  };                       ///< ends it early, and has to be callable from any thread
-  bool fail_fast = false;  ///< a violation does, too
+  /// Ends it early; called from any thread.
+  IsToEnd is_over = [] { return false; };
+  bool fail_fast = false;  ///< a violation ends it, too
+  /// Called when all is found, or it has ended, before that is kept in the checkpoint.
+  std::function<void()> on_found = [] {};
   /// Makes what is told of the cases, or counterexamples, that are done.
   std::function<Progress(const char* what)> progress = [](const char* /*what*/) {
     return Progress();

@@ -22,8 +22,13 @@ using records::PixelState;
 /// Gathers what the judge says of a scene into its map and its first violations.
 class SceneReader {
  public:
-  SceneReader(const oracle::SceneTruth& scene, const KnownDefects* known)
-      : scene_(&scene), known_(known) {
+  /// `laws`: those that are asked for.
+  SceneReader(const oracle::SceneTruth& scene, const KnownDefects* known,
+              const std::vector<std::string>& laws)
+      : scene_(&scene),
+        known_(known),
+        asks_of_coverage_(std::find(laws.begin(), laws.end(), kCoverageLaw) != laws.end()),
+        asks_of_values_(std::find(laws.begin(), laws.end(), kValuesLaw) != laws.end()) {
     const cases::FramebufferSize& size = scene.source().framebuffer;
     map_.width = size.width;
     map_.height = size.height;
@@ -40,14 +45,16 @@ class SceneReader {
     const std::size_t pixel =
         sample.place.y * static_cast<std::size_t>(map_.width) + sample.place.x;
     bool is_violated = sample.fragment_class != FragmentClass::correct;
+    bool is_wrong = is_violated && asks_of_coverage_;
     if (is_violated) note_violation(found_.coverage, sample, nullptr, truth);
     for (const JudgedValue& value : sample.values) {
       if (value.fragment_class == FragmentClass::correct) continue;
       note_violation(found_.values, sample, &value, truth);
       is_violated = true;
+      is_wrong = is_wrong || asks_of_values_;
     }
     if (is_violated || sample.decision.verdict != records::Verdict::permitted) ++judged_;
-    if (is_violated) ++wrong_;
+    if (is_wrong) ++wrong_;
     if (!is_in_map) return;
     if (is_violated) {
       map_.states[pixel] = PixelState::violated;
@@ -107,6 +114,8 @@ class SceneReader {
 
   const oracle::SceneTruth* scene_;
   const KnownDefects* known_;
+  bool asks_of_coverage_;
+  bool asks_of_values_;
   records::ErrorMap map_;
   std::vector<float> depths_;
   std::uint64_t judged_ = 0;
@@ -165,7 +174,7 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
   numbered.source.name = numbered.stratum;
 
   const oracle::SceneTruth truth(result.source, backend.contract(result.source));
-  SceneReader reader(truth, known);
+  SceneReader reader(truth, known, laws);
   result.result.file = scene.name;
   result.result.backend = specification;
   result.result.triangles = result.source.triangles.size();
@@ -192,6 +201,7 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
   result.result.fragments = result.drawn->size();
   result.result.judged = reader.judged();
   result.result.wrong = reader.wrong();
+  result.result.is_known = result.result.wrong > 0;
 
   for (const Law* law : scene_laws(laws)) {
     const bool is_coverage = law->id == kCoverageLaw;
@@ -201,6 +211,7 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
     check.violations = few.violations;
     check.violation_count = few.violations.size() + few.known.size();
     if (few.violations.empty()) check.known.assign(few.known.begin(), few.known.end());
+    if (!few.violations.empty()) result.result.is_known = false;
     account(*law, specification, backend, numbered, check, result.findings);
     keep_violations(*law, specification, backend, seed, numbered, few.violations, result.findings,
                     known);

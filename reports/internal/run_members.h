@@ -60,6 +60,7 @@ void members(Archive& archive, T& scene) {
   archive.required("fragments", scene.fragments);
   archive.required("judged", scene.judged);
   archive.required("wrong", scene.wrong);
+  archive.optional("is_known", scene.is_known);
   archive.required("not_judged", scene.not_judged);
   archive.check([&](const cases::JsonNode& node) {
     if (scene.wrong > scene.judged) node["wrong"].refuse("must not be more than were judged");

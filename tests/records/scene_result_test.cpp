@@ -6,7 +6,7 @@ namespace rastercheck::records::scene_result_test {
 namespace {
 
 TEST(SceneSentence, SaysHowMuchWasJudged) {
-  SceneResult scene{"bunny.obj", "cpu", 69666, 51234, 51240, 0, {}};
+  SceneResult scene{"bunny.obj", "cpu", 69666, 51234, 51240, 0, false, {}};
   EXPECT_EQ(scene_sentence(scene),
             "Scene bunny.obj on cpu: 69666 triangles, 51234 fragments; 51240 samples judged, all "
             "right.");
@@ -14,20 +14,22 @@ TEST(SceneSentence, SaysHowMuchWasJudged) {
   EXPECT_EQ(scene_sentence(scene),
             "Scene bunny.obj on cpu: 69666 triangles, 51234 fragments; 51240 samples judged, 6 "
             "wrong.");
+  scene.is_known = true;
+  EXPECT_NE(scene_sentence(scene).find("6 wrong, in known ways."), std::string::npos);
 }
 
 // Kills: a scene of which nothing was judged, and that looks as if all of it were right.
 TEST(SceneSentence, SaysWhyNothingWasJudged) {
   const SceneResult left_out{
-      "bunny.obj", "gl:llvmpipe", 69666, 0, 0, 0, {{"it is too far", 69666}}};
+      "bunny.obj", "gl:llvmpipe", 69666, 0, 0, 0, false, {{"it is too far", 69666}}};
   EXPECT_EQ(scene_sentence(left_out),
             "Scene bunny.obj on gl:llvmpipe: nothing was judged of its 69666 triangles, as it "
             "is too far.");
-  const SceneResult in_parts{"a", "cpu", 5, 9, 9, 0, {{"it is far", 1}, {"it is near", 2}}};
+  const SceneResult in_parts{"a", "cpu", 5, 9, 9, 0, false, {{"it is far", 1}, {"it is near", 2}}};
   EXPECT_EQ(scene_sentence(in_parts),
             "Scene a on cpu: 5 triangles, 9 fragments; 9 samples judged, all right; 1 triangle not "
             "judged, as it is far; 2 triangles not judged, as it is near.");
-  const SceneResult unseen{"a", "cpu", 2, 0, 0, 0, {}};
+  const SceneResult unseen{"a", "cpu", 2, 0, 0, 0, false, {}};
   EXPECT_EQ(
       scene_sentence(unseen),
       "Scene a on cpu: nothing was judged of its 2 triangles: none has a sample that has to be "

@@ -68,7 +68,7 @@ TEST(JudgeScene, CountsWhatWasJudgedAndWhatIsWrong) {
   const cases::Case c = scene();
   const auto cpu = backends::make_backend("cpu").value();
   const SceneFindings right = judge_scene(c, "cpu", *cpu, 7, kLaws).value();
-  EXPECT_EQ(right.result, (records::SceneResult{"square", "cpu", 2, 64, 64, 0, {}}));
+  EXPECT_EQ(right.result, (records::SceneResult{"square", "cpu", 2, 64, 64, 0, false, {}}));
   DamagedBackend backend(
       [](const cases::Case&, cases::Fragments& drawn) {
         drop(drawn, 0, 1, 1);
@@ -77,7 +77,7 @@ TEST(JudgeScene, CountsWhatWasJudgedAndWhatIsWrong) {
       },
       "cpu");
   const SceneFindings wrong = judge_scene(c, "cpu", backend, 7, kLaws).value();
-  EXPECT_EQ(wrong.result, (records::SceneResult{"square", "cpu", 2, 64, 65, 3, {}}));
+  EXPECT_EQ(wrong.result, (records::SceneResult{"square", "cpu", 2, 64, 65, 3, false, {}}));
 }
 
 TEST(JudgeScene, RecordsOnlyWhatIsAskedFor) {
@@ -167,7 +167,7 @@ TEST(JudgeScene, HoldsADrawingThatFailsAgainstTheBackend) {
   EXPECT_EQ(found.findings.counterexamples[0].violations[0].note, "out of memory");
   EXPECT_FALSE(found.drawn.has_value());
   EXPECT_EQ(found.result,
-            (records::SceneResult{"square", "damaged", 2, 0, 0, 0, {{"out of memory", 2}}}));
+            (records::SceneResult{"square", "damaged", 2, 0, 0, 0, false, {{"out of memory", 2}}}));
   EXPECT_THAT(found.map.states, SizeIs(64));
 }
 

@@ -121,7 +121,7 @@ TEST(ShardMerge, TakesWhatOnlyTheFirstHas) {
   records::Run first = shard(1);
   first.shard->scene_digest = "00000000000000ff";
   first.shard->saved = {square()};
-  first.scenes = {{"bunny", "cpu", 3, 2, 2, 1, {}}};
+  first.scenes = {{"bunny", "cpu", 3, 2, 2, 1, false, {}}};
   first.pictures = {{"bunny", "A bunny.", 1, 1, "png"}};
   const MergedRun all = merged({shard(3), first, shard(2)}).value();
   EXPECT_EQ(all.common.scene_digest, "00000000000000ff");
