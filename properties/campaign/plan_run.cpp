@@ -143,7 +143,7 @@ Result<void> PlanRun::check_all() {
 }
 
 Result<void> PlanRun::find() {
-  if (const Result<void> checked = check_all(); !checked) return checked;
+  if (Result<void> checked = check_all(); !checked) return checked;
   if (campaign_.findings().fault) return {};
   return campaign_.shrink(
       [this](const std::vector<Task>& tasks, const TaskDone& done) {
