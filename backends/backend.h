@@ -41,7 +41,7 @@ struct About {
   bool operator==(const About&) const = default;
 };
 
-/// What was drawn of a case, and the contract by which it is judged.
+/// Holds the fragments of a case together with the contract that judges them.
 struct Drawn {
   cases::Contract contract;
   cases::Fragments fragments;

@@ -35,7 +35,7 @@ struct BisectPlan {
   /// The rastercheck that draws and judges, where that is what is built; empty: `draw` does.
   std::string program;
   DrawPlan draw;  ///< used where `program` is empty
-  /// What is drawn of each commit. Files and folders that are named are taken as they are now,
+  /// Says what to draw of each commit. Files and folders that it names are taken as they are now,
   /// whatever is checked out; corpus and known defects are named, unless the latter are ignored.
   records::Plan plan;
   int jobs = 1;

@@ -19,8 +19,8 @@ namespace rastercheck::properties {
 /// not fit the case or each other.
 Result<backends::Drawn> draw(const cases::Case& c, backends::Backend& backend);
 
-/// The same of a list, strip or fan of the case's vertices. The backend has to have an assembler,
-/// as it has to have a vertex stage, or a picture drawer, for what follows.
+/// Draws a list, strip or fan of the case's vertices, watched as by draw(). The backend has to have
+/// an assembler, as it has to have a vertex stage, or a picture drawer, for what follows.
 Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                         std::span<const std::uint32_t> indices,
                                         backends::Backend& backend);

@@ -54,7 +54,7 @@ std::string value_text(float value);
 /// Adds a violation that the judge has counted in its class: counted always, kept while few.
 void add_judged_violation(Check& check, const records::Violation& violation);
 
-/// The same of one that a law found itself; counts it in its class, too.
+/// Adds a violation that a law found itself, and counts it in its class, too.
 void add_violation(Check& check, const records::Violation& violation);
 
 /// Adds a label that the case reached; they stay in order, each once.

@@ -195,7 +195,7 @@ Baseline read_baseline_document(const JsonNode& root) {
   });
   Baseline baseline;
   for (std::size_t i = 0; i < sections.size(); ++i) {
-    // Of files from before names were so, too.
+    // Files from before had names in the same form.
     sections[i].key.backend = section_name(sections[i].key.backend);
     put(baseline, std::move(sections[i]));
     if (baseline.sections.size() == i) {

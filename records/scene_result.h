@@ -14,7 +14,8 @@ struct SceneResult {
   std::uint64_t fragments = 0;  ///< drawn
   /// Samples of a triangle, drawn or missing, that the contract does not leave open.
   std::uint64_t judged = 0;
-  /// Those of them that are missing or too much, or have a wrong value, as far as laws ask.
+  /// Counts the judged samples that are missing or too much, or have a wrong value, as far as laws
+  /// ask.
   std::uint64_t wrong = 0;
   bool is_known = false;  ///< all that is wrong is known of the driver
   /// Triangles of which nothing was judged, by why.

@@ -47,7 +47,7 @@ std::string joined(const std::vector<std::string>& words) {
   return cases::printable(line);
 }
 
-/// What is drawn of a commit: cases as they are, which a comparison needs, and none made smaller.
+/// Keeps what each case gave, which a comparison needs, and makes no counterexample smaller.
 records::Plan plan_of_commit(const BisectPlan& plan) {
   records::Plan drawn = plan.plan;
   drawn.keeps_cases = true;

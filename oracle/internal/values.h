@@ -48,7 +48,7 @@ struct OpenValue {
 
 class TriangleValues {
  public:
-  /// Of a pixel: where a value is evaluated.
+  /// Where in a pixel a value is evaluated.
   enum class Place { sample, center };
 
   /// The setup must outlive the values.

@@ -106,10 +106,11 @@ class TaskRunner {
   /// found is then of a part of the task.
   Result<Findings> run(const Task& task, const IsToEnd& is_to_end = {});
 
-  /// What is known of the plan's backends. Fails where one cannot be made, or its list not be read.
+  /// Reads what is known of the plan's backends. Fails where one cannot be made, or its list not be
+  /// read.
   Result<KnownByBackend> known();
 
-  /// What is promised by each of the plan's backends. One that cannot be made any more counts as
+  /// Asks each of the plan's backends what it promises. One that cannot be made any more counts as
   /// promising what every law asks, and as drawing in a way of its own.
   std::vector<records::BackendPromises> promises();
 

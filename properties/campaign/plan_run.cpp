@@ -26,7 +26,7 @@ std::vector<std::string> task_worker_of(const Conduct& conduct, const records::P
   return command;
 }
 
-/// What there is of a run before it begins.
+/// Makes the run as it is before anything is checked.
 records::Run planned(const records::Plan& plan, const KnownByBackend& known) {
   records::Run run;
   run.plan = plan;

@@ -30,8 +30,8 @@ struct Conduct {
   std::string known;      ///< folder of what is known of drivers; empty: nothing is
   backends::BackendFactory backends = {};
   int jobs = 1;  ///< processes that work side by side
-  /// Of several: program and first arguments of one that calls serve_tasks(); `--plan`, `--corpus`
-  /// and `--known` with what is here are added.
+  /// Starts one of several such processes: a program that calls serve_tasks(), and its first
+  /// arguments. `--plan`, `--corpus` and `--known` are added.
   std::vector<std::string> task_worker = {};
   Warn warn = [](const Error& /*error*/) {};
   /// Ends it early; called from any thread.

@@ -35,8 +35,7 @@ records::Violation violation_at(const cases::SamplePlace& place,
                                 records::FragmentClass fragment_class, const std::string& exact,
                                 const std::string& note);
 
-/// What is expected where two drawings, the second held against the first, do not have a fragment
-/// each, for violation_at().
+/// Say in a violation what was expected where only one of two drawings has a fragment.
 inline constexpr const char* kNotDrawnBefore = "forbidden: it was not drawn";
 inline constexpr const char* kDrawnTwice = "forbidden: more than once";
 inline constexpr const char* kDrawnBefore = "required: it was drawn";

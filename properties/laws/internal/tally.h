@@ -35,7 +35,7 @@ class Tally {
   /// A required sample that the triangle drew.
   void pass_required(std::uint32_t triangle);
   void report(const records::Violation& violation);
-  /// Of a value that was taken to be right before.
+  /// Reports a value that was counted as right before.
   void report_passed(const records::Violation& violation);
   /// A part of an error, in the unit of its kind.
   void add_part(records::AttributeKind kind, records::Stratum stratum,
