@@ -1,11 +1,11 @@
-// The bounds of api_promise(). Throughout, δ is the error of one operation, relative to its result.
-// What is counted is of first order in δ; kRest makes up for the rest, but for the quotient of
-// section 3, and for computing the bounds themselves in double.
+// The bounds of api_promise(), triangle by triangle. Throughout, δ is the error of one operation,
+// relative to its result. What is counted is of first order in δ; kRest makes up for the rest, but
+// for quotients of section 3, and for computing the bounds themselves in double.
 //
 // What is taken for granted of an implementation: it clips only by planes that a given vertex is
 // beyond, computes positions and weights by the formulas below or better ones, and the products on
-// the way to them have room in its numbers. Of clipped triangles K is that of the whole, as if
-// their pieces were set up by its planes.
+// the way to them have room in its numbers. Pieces of clipped triangles are set up by the planes of
+// the whole.
 //
 // 1. Window positions. X = x · (1/w) · W/2 + (x0 + W/2) is five operations: three for the product,
 //    one for the centre, one for the sum, which is off by δ|X|. So |ΔX| <= 4δ |x/w W/2| +
@@ -26,19 +26,35 @@
 //    as much of its clip distances, and its w by ω = planes · kClipping δ max|w|/w_least of itself,
 //    alike z and attributes.
 //
-// 3. Attributes. With window positions X/w, the weight of vertex i is an area, a sum of products of
-//    coordinates. Evaluated as A u + B v + C with coefficients that are differences of products,
-//    each of its terms has seen at most 2 · 5 operations on the way to two positions, the product,
-//    the difference, the product with u and two sums: 15δ. Divided by w_i and multiplied by r_i,
-//    and summed: 4δ more in the numerator, 3δ in the denominator; the quotient 2δ. All errors of
-//    both sums are of terms whose magnitudes sum to K times the denominator (cases::ValueBound), so
+// 3. Values. Where w > 0 at all vertices they are those of planes over the window's triangle, with
+//    the errors that internal/plane_error.cpp derives. Position errors, which move vertices, are
+//    made up for by coverage and basis, which leave values open between placements.
+//
+//    Where some w <= 0 there is no such triangle; evaluated by planes about the window's origin, in
+//    clip space, the weight of vertex i is a sum of terms each of which has seen at most 2 · 5
+//    operations on the way to two positions, the product, the difference, the product with u and
+//    two sums: 15δ. Multiplied by r_i and summed: 4δ more in the numerator, 3δ in the denominator;
+//    the quotient 2δ. All errors of both sums are of terms whose magnitudes sum to K times the
+//    denominator (cases::ValueBound), so
 //
 //      |Δr| <= (19 + 18) δ K / (1 − 18 δ K) max|r| + 2δ |r|,
 //
 //    and 37 / (1 − 18 δ K) <= 55 as long as 55 δ K <= 1; beyond that nothing is promised.
+//
 //    An ulp(max|r|) is at least 2^-24 max|r|. Of depth the same, with the K of affine weights, and
 //    three operations for the depth range. Weights of vertices whose w is off by ω are off by ω:
 //    r, a mean of the values there, by 2ω of their range, and by ω max|r| for these.
+//
+// 4. `conformance`. Khronos' verifier (VK-GL-CTS, framework/common/tcuRasterizationVerifier.cpp,
+//    TriangleInterpolator) takes a colour for right that the weights anywhere in a square give,
+//    each weight from its least to its greatest there: one subpixel around the centre, or with
+//    several samples the pixel; rounded outwards to 8 bits. So values may be off by 1/255 of the
+//    largest and by as much as weights differ over such a square. It looks at no depth, nor at
+//    triangles with w <= 0: these are held to what `spec` says.
+//
+// 5. `ieee`. δ is 2^-24, the half unit of a float32 that is rounded to nearest. Planes may be
+//    evaluated about a point as far away as the window's origin, as Mesa's drivers do it. Triangles
+//    with some w <= 0 are held to what `spec` says: how these are cut and set up differs too much.
 
 #include "backends/api_promise.h"
 
@@ -47,17 +63,17 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
+
+#include "backends/internal/plane_error.h"
 
 namespace rastercheck::backends {
 namespace {
 
-/// What the specifications call about one part in 10^5.
-constexpr double kOperation = 1e-5;
 constexpr double kRest = 1.01;
-/// The same in units of the last place, of which 2^24 make up a number.
-constexpr double kOperationInUlps = kRest * kOperation * 0x1p24;
 
+/// Counts operations.
 constexpr double kPosition = 4;
 constexpr double kCentre = 2;
 /// 4δ of t and 3δ of the sum, each of twice the greatest number.
@@ -72,12 +88,26 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// All digits of a number, in units of the last.
 constexpr float kAllDigits = 0x1p24F;
 
-/// Products and quotients of two such numbers lie within 2^-32 and 2^32; those of window positions,
-/// which the specifications do not write down, are taken to have room as well.
-constexpr cases::MagnitudeRange kNumbers{0x1p-16F, 0x1p16F};
+/// Steps of the colours that Khronos' verifier looks at.
+constexpr double kSteps = 255;
 
-/// No number but 0.
-constexpr cases::MagnitudeRange kNone{std::numeric_limits<float>::max(), 0};
+/// What is assumed of single operations.
+struct Arithmetic {
+  double operation = 0;  ///< δ
+  cases::MagnitudeRange numbers;
+};
+
+/// "About one part in 10^5", in numbers up to 2^32: products and quotients of two of these lie
+/// within 2^-32 and 2^32; those of window positions, which the specifications do not write down,
+/// are taken to have room as well.
+constexpr Arithmetic kSpecified{1e-5, {0x1p-16F, 0x1p16F}};
+/// Products of three of these, and of a window position, are normal float32 numbers. Larger ones
+/// are farther apart than pixels.
+constexpr Arithmetic kFloat32{0x1p-24, {0x1p-30F, 0x1p24F}};
+
+const Arithmetic& arithmetic_of(cases::DriverPromise promise) {
+  return promise == cases::DriverPromise::ieee ? kFloat32 : kSpecified;
+}
 
 /// A vertex in clip space with its clip distances.
 struct Vertex {
@@ -195,128 +225,265 @@ double condition_of(const cases::Viewport& viewport, const std::array<Vertex, 3>
   return sizes / std::fabs(determinant);
 }
 
-/// How far off the numbers of a case's triangles may be, the most of all.
-struct Errors {
-  double position = 0;      ///< of given vertices, pixels
-  double new_position = 0;  ///< of new ones, pixels
-  double cut_at_sides = 0;  ///< of those of triangles that the viewport's sides cut
-  double new_weight = 0;    ///< ω, of itself
-  double condition = 0;     ///< K of depth
-  int planes = 0;           ///< that cut a triangle
-  bool divides_by_zero = false;
+/// A triangle of a case, and what is promised of it.
+class OneTriangle {
+ public:
+  OneTriangle(const cases::Case& c, const ApiLimits& limits, cases::DriverPromise promised,
+              const cases::Triangle& indices);
 
-  void add(const cases::Case& c, const std::array<Vertex, 3>& triangle);
+  cases::TrianglePromise promise();
 
  private:
-  void add_positions(const cases::Viewport& viewport, std::span<const Vertex> vertices);
+  /// Whether no vertex is behind the eye.
+  bool is_before_the_eye() const {
+    return std::all_of(vertices_.begin(), vertices_.end(), [](const Vertex& v) { return v.w > 0; });
+  }
+  /// Whether its positions are numbers that something is promised of; distances have been seen to.
+  bool has_numbers() const {
+    return std::all_of(vertices_.begin(), vertices_.end(), [this](const Vertex& v) {
+      const auto has = [this](double number) {
+        return arithmetic_.numbers.has(static_cast<float>(number));
+      };
+      return has(v.x) && has(v.y) && has(v.z) && has(v.w);
+    });
+  }
+  void add_positions(std::span<const Vertex> vertices);
+  void add_new_vertices(const Clipped& clipped, double least_w);
+  void set_values(double of_weights);
+  void set_values_by_planes(bool is_cut);
+  bool extrapolates(cases::Interpolation interpolation) const;
+
+  const cases::Case* case_;
+  ApiLimits limits_;
+  cases::DriverPromise promised_;
+  Arithmetic arithmetic_;
+  std::array<Vertex, 3> vertices_;
+  double position_ = 0;      ///< error of given vertices, pixels
+  double new_position_ = 0;  ///< of new ones, pixels
+  double cut_at_sides_ = 0;  ///< of those of a triangle that the viewport's sides cut
+  double new_weight_ = 0;    ///< ω, of itself
+  cases::TrianglePromise promise_;
 };
 
-void Errors::add(const cases::Case& c, const std::array<Vertex, 3>& triangle) {
-  const Clipped clipped = clipped_to_view(c, triangle);
-  const cases::Viewport& viewport = c.viewport;
-  const double of_weights = condition_of(viewport, triangle);
-  // Of no more area than numbers tell: values have no digits left, and an edge may pass through the
-  // eye, where cutting it divides 0 by 0.
-  const bool has_area = kPerCondition * kOperation * of_weights < 1;
-  if (clipped.polygon.empty() && has_area) return;
-  add_positions(viewport, triangle);
-  add_positions(viewport, clipped.polygon);
-  condition = has_area ? std::max(condition, of_weights) : kInfinity;
-  double least_w = kInfinity;
-  for (const Vertex& v : clipped.polygon) least_w = std::min(least_w, v.w);
-  if (!has_area && clipped.planes > 0) least_w = 0;
-  planes = std::max(planes, clipped.planes);
-  if (!(least_w > 0)) {
-    divides_by_zero = true;
-    return;
+OneTriangle::OneTriangle(const cases::Case& c, const ApiLimits& limits,
+                         cases::DriverPromise promised, const cases::Triangle& indices)
+    : case_(&c), limits_(limits), promised_(promised), arithmetic_(arithmetic_of(promised)) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const cases::ClipVertex& p = c.positions[indices[i]];
+    vertices_[i] = {double{p.x}, double{p.y}, double{p.z}, double{p.w}, {}};
+    const auto distances = c.clip_distances_of(indices[i]);
+    std::copy(distances.begin(), distances.end(), vertices_[i].distances.begin());
   }
-  if (clipped.planes == 0) return;
-  const double greatest_w = greatest(triangle, [](const Vertex& v) { return v.w; });
-  const double x = greatest(triangle, [](const Vertex& v) { return v.x; });
-  const double y = greatest(triangle, [](const Vertex& v) { return v.y; });
-  const double share = clipped.planes * kClipping * kOperation / least_w;
-  const double pixels = share *
-                        std::max((x + greatest_w) * std::fabs(double{viewport.width}),
-                                 (y + greatest_w) * std::fabs(double{viewport.height})) /
-                        2;
-  new_position = std::max(new_position, pixels);
-  if (clipped.is_cut_at_the_sides) cut_at_sides = std::max(cut_at_sides, pixels);
-  const double z = greatest(triangle, [](const Vertex& v) { return v.z; });
-  new_weight = std::max(new_weight, share * std::max(greatest_w, z));
+  if (!is_before_the_eye()) arithmetic_ = kSpecified;
 }
 
-void Errors::add_positions(const cases::Viewport& viewport, std::span<const Vertex> vertices) {
-  const auto error = [](double number, double w, double origin, double extent) {
+/// A float32 that is no less.
+float no_less(double bound) {
+  return std::nextafter(static_cast<float>(bound), std::numeric_limits<float>::max());
+}
+
+/// An error that is a share of the largest value, in ulp of that.
+float in_ulps(double share, double more = 0.5) {
+  const double ulps = share * kRest * 0x1p24 + more;
+  return ulps < double{kAllDigits} ? no_less(ulps) : kAllDigits;
+}
+
+cases::TrianglePromise OneTriangle::promise() {
+  if (!has_numbers()) {
+    promise_.is_made = false;
+    return promise_;
+  }
+  const Clipped clipped = clipped_to_view(*case_, vertices_);
+  const double of_weights = condition_of(case_->viewport, vertices_);
+  // Of no more area than numbers tell: an edge may pass through the eye, where cutting it divides 0
+  // by 0.
+  const bool has_area = kPerCondition * arithmetic_.operation * of_weights < 1;
+  const bool is_hidden = clipped.polygon.empty() && has_area;
+  if (!is_hidden) {
+    add_positions(vertices_);
+    add_positions(clipped.polygon);
+    double least_w = kInfinity;
+    for (const Vertex& v : clipped.polygon) least_w = std::min(least_w, v.w);
+    if (!has_area && clipped.planes > 0 && !is_before_the_eye()) least_w = 0;
+    if (!(least_w > 0)) {
+      // "Division by zero produces an unspecified result": anything may be drawn, and anywhere.
+      promise_.is_made = false;
+      return promise_;
+    }
+    if (clipped.planes > 0) add_new_vertices(clipped, least_w);
+  }
+  const double units = std::ldexp(kRest, limits_.subpixel_bits);
+  // A new vertex is rounded to the grid as well, and takes the edges along that it lies on, those
+  // of given vertices among them, by a unit whichever way these are rounded.
+  const double rounded = clipped.is_cut_at_the_sides ? 1 : 0;
+  const double position = (position_ + cut_at_sides_) * units + rounded;
+  const double new_position = (position_ + new_position_) * units + 1;
+  if (!(std::max(position, new_position) < double{cases::kMaxPositionError})) {
+    promise_.is_made = false;  // it may be drawn anywhere
+    return promise_;
+  }
+  promise_.position_error = no_less(position);
+  promise_.clip_tolerance = double{no_less(new_position)};
+  promise_.side_tolerance = cut_at_sides_ * units;
+  // What the first plane cuts has exact distances.
+  if (clipped.planes > 1) {
+    promise_.clip_error = kRest * clipped.planes * kClipping * arithmetic_.operation;
+  }
+  if (is_before_the_eye()) {
+    set_values_by_planes(clipped.planes > 0);
+  } else {
+    set_values(has_area ? of_weights : kInfinity);
+  }
+  return promise_;
+}
+
+void OneTriangle::add_positions(std::span<const Vertex> vertices) {
+  const cases::Viewport& viewport = case_->viewport;
+  const auto error = [this](double number, double w, double origin, double extent) {
     const double ndc = number / w * extent / 2;
-    return kOperation * (kPosition * std::fabs(ndc) + kCentre * std::fabs(origin + extent / 2));
+    return arithmetic_.operation *
+           (kPosition * std::fabs(ndc) + kCentre * std::fabs(origin + extent / 2));
   };
   for (const Vertex& v : vertices) {
     if (v.w <= 0) continue;  // it is cut off
-    position = std::max({position, error(v.x, v.w, double{viewport.x}, double{viewport.width}),
-                         error(v.y, v.w, double{viewport.y}, double{viewport.height})});
+    position_ = std::max({position_, error(v.x, v.w, double{viewport.x}, double{viewport.width}),
+                          error(v.y, v.w, double{viewport.y}, double{viewport.height})});
   }
 }
 
-Errors errors_of(const cases::Case& c) {
-  Errors errors;
-  for (const cases::Triangle& indices : c.triangles) {
-    std::array<Vertex, 3> triangle;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const cases::ClipVertex& p = c.positions[indices[i]];
-      triangle[i] = {double{p.x}, double{p.y}, double{p.z}, double{p.w}, {}};
-      const auto distances = c.clip_distances_of(indices[i]);
-      std::copy(distances.begin(), distances.end(), triangle[i].distances.begin());
-    }
-    errors.add(c, triangle);
-  }
-  return errors;
+void OneTriangle::add_new_vertices(const Clipped& clipped, double least_w) {
+  const cases::Viewport& viewport = case_->viewport;
+  const double greatest_w = greatest(vertices_, [](const Vertex& v) { return v.w; });
+  const double x = greatest(vertices_, [](const Vertex& v) { return v.x; });
+  const double y = greatest(vertices_, [](const Vertex& v) { return v.y; });
+  const double share = clipped.planes * kClipping * arithmetic_.operation / least_w;
+  new_position_ = share *
+                  std::max((x + greatest_w) * std::fabs(double{viewport.width}),
+                           (y + greatest_w) * std::fabs(double{viewport.height})) /
+                  2;
+  if (clipped.is_cut_at_the_sides) cut_at_sides_ = new_position_;
+  const double z = greatest(vertices_, [](const Vertex& v) { return v.z; });
+  new_weight_ = share * std::max(greatest_w, z);
 }
 
-/// A bound that is no less in float32; of what has none, the greatest that a contract has.
-float no_less(double bound, float greatest) {
-  if (!(bound < double{greatest})) return greatest;
-  return std::nextafter(static_cast<float>(bound), greatest);
+/// `of_weights`: K of depth.
+void OneTriangle::set_values(double of_weights) {
+  const double new_weights = kNewWeights * new_weight_;
+  cases::ValueBound value;
+  // Of a triangle without area the constant is all that counts.
+  value.constant = of_weights < kInfinity ? in_ulps(kQuotient * arithmetic_.operation + new_weights)
+                                          : kAllDigits;
+  value.per_condition = in_ulps(kPerCondition * arithmetic_.operation, 0);
+  promise_.bounds = {value, value, {}};
+  promise_.bounds.depth.constant = in_ulps(
+      (kPerCondition * of_weights + kQuotient + kDepthRange) * arithmetic_.operation + new_weights);
+}
+
+/// Whether values of an attribute that varies so may be asked for outside the triangle.
+bool OneTriangle::extrapolates(cases::Interpolation interpolation) const {
+  return case_->framebuffer.samples > 1 &&
+         std::any_of(case_->attributes.begin(), case_->attributes.end(),
+                     [interpolation](const cases::Attribute& attribute) {
+                       return attribute.interpolation == interpolation &&
+                              attribute.location == cases::Location::center;
+                     });
+}
+
+/// The farthest that the window's origin may be from a place of the triangle's box, along each
+/// axis.
+std::array<double, 2> from_origin(const WindowTriangle& triangle) {
+  const auto farthest = [](const std::array<double, 3>& at) {
+    return std::max({std::fabs(at[0]), std::fabs(at[1]), std::fabs(at[2])});
+  };
+  return {farthest(triangle.x), farthest(triangle.y)};
+}
+
+void OneTriangle::set_values_by_planes(bool is_cut) {
+  const cases::Viewport& viewport = case_->viewport;
+  WindowTriangle window;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vertex& v = vertices_[i];
+    window.x[i] = (v.x / v.w + 1) * double{viewport.width} / 2 + double{viewport.x};
+    window.y[i] = (v.y / v.w + 1) * double{viewport.height} / 2 + double{viewport.y};
+    window.w[i] = v.w;
+  }
+  // A vertex is rounded to a neighbour on the grid from where it is computed; a new one is as far
+  // off as the tolerance.
+  const double unit = std::ldexp(1.0, -limits_.subpixel_bits);
+  const double reach =
+      std::max(1 + double{promise_.position_error}, promise_.clip_tolerance) * unit;
+  Evaluation evaluation{arithmetic_.operation, {}, reach, 0};
+  if (promised_ == cases::DriverPromise::ieee) evaluation.away = from_origin(window);
+  // Pieces of a cut triangle hold samples that lie outside the triangle as its vertices are placed:
+  // by as much as these are moved one way and new ones the other.
+  const double outside = is_cut ? reach : 0;
+  WindowTriangle flat = window;
+  flat.w = {1, 1, 1};
+  const double open = kNewWeights * new_weight_ + weight_change(window, reach, outside);
+  const double open_affine = kNewWeights * new_weight_ + weight_change(flat, reach, outside);
+  const auto error_of = [&](bool extrapolates) {
+    // A sample's place is at most half a pixel from the centre.
+    evaluation.beyond = std::max(outside, extrapolates ? 0.5 : 0);
+    return plane_error(window, evaluation);
+  };
+  const PlaneError smooth = error_of(extrapolates(cases::Interpolation::smooth));
+  const PlaneError noperspective = error_of(extrapolates(cases::Interpolation::noperspective));
+  const PlaneError depth = error_of(false);
+  promise_.bounds.smooth = {in_ulps(smooth.constant + open), in_ulps(smooth.per_horizon, 0)};
+  promise_.bounds.noperspective = {in_ulps(noperspective.affine + open_affine)};
+  promise_.bounds.depth = {
+      in_ulps(depth.affine + (kQuotient + kDepthRange) * arithmetic_.operation + open_affine)};
+  if (promised_ != cases::DriverPromise::conformance) return;
+  const double around = case_->framebuffer.samples > 1 ? 1 : unit;
+  promise_.bounds.smooth = {in_ulps(1 / kSteps + open + weight_change(window, reach, around))};
+  promise_.bounds.noperspective = {
+      in_ulps(1 / kSteps + open_affine + weight_change(flat, reach, around))};
+}
+
+/// The weakest of two promises.
+void weaken(cases::ValueBound& all, const cases::ValueBound& one) {
+  all.constant = std::max(all.constant, one.constant);
+  all.per_horizon = std::max(all.per_horizon, one.per_horizon);
+  all.per_condition = std::max(all.per_condition, one.per_condition);
 }
 
 }  // namespace
 
-cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits) {
+cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits,
+                            cases::DriverPromise promised) {
+  const Arithmetic& arithmetic = arithmetic_of(promised);
   cases::Contract contract = cases::contract_of(c);
-  contract.numbers = kNumbers;
+  contract.numbers = arithmetic.numbers;
   contract.basis = cases::Basis::unspecified;
   contract.tie_rule = cases::TieRule::unspecified;
   contract.is_on_grid = false;
   contract.keeps_sign_of_zero = false;
   contract.is_invariant = false;
-  if (!cases::makes_promises_of(contract, c)) return contract;
-
-  const Errors errors = errors_of(c);
-  if (errors.divides_by_zero) {
-    // "Division by zero produces an unspecified result": anything may be drawn, and anywhere.
-    contract.numbers = kNone;
-    return contract;
+  contract.coverage = cases::Snapping{limits.subpixel_bits, cases::Rounding::unspecified, 0};
+  // Of no triangle: the least that is left open of any.
+  contract.bounds = {{in_ulps(kQuotient * arithmetic.operation), in_ulps(arithmetic.operation, 0)},
+                     {in_ulps(arithmetic.operation)},
+                     {in_ulps(kDepthRange * arithmetic.operation)}};
+  std::vector<cases::TrianglePromise> triangles;
+  triangles.reserve(c.triangles.size());
+  for (std::size_t t = 0; t < c.triangles.size(); ++t) {
+    cases::TrianglePromise promise;
+    if (cases::promise_of(contract, c, t).is_made) {
+      promise = OneTriangle(c, limits, promised, c.triangles[t]).promise();
+    } else {
+      promise.is_made = false;
+    }
+    triangles.push_back(promise);
+    if (!promise.is_made) continue;
+    contract.coverage->position_error =
+        std::max(contract.coverage->position_error, promise.position_error);
+    contract.clip_tolerance = std::max(contract.clip_tolerance, promise.clip_tolerance);
+    contract.clip_error = std::max(contract.clip_error, promise.clip_error);
+    weaken(contract.bounds.smooth, promise.bounds.smooth);
+    weaken(contract.bounds.noperspective, promise.bounds.noperspective);
+    weaken(contract.bounds.depth, promise.bounds.depth);
   }
-  const double units = std::ldexp(kRest, limits.subpixel_bits);
-  contract.coverage = cases::Snapping{
-      limits.subpixel_bits, cases::Rounding::unspecified,
-      no_less((errors.position + errors.cut_at_sides) * units, cases::kMaxPositionError)};
-  contract.clip_tolerance = double{
-      no_less((errors.position + errors.new_position) * units + 1, cases::kMaxPositionError)};
-  // What the first plane cuts has exact distances.
-  if (errors.planes > 1) contract.clip_error = kRest * errors.planes * kClipping * kOperation;
-
-  const double new_weights = kNewWeights * errors.new_weight / kOperation;
-  cases::ValueBound value;
-  // Of a triangle without area the constant is all that counts.
-  const double of_values = errors.condition < kInfinity ? kQuotient + new_weights : kInfinity;
-  value.constant = no_less(of_values * kOperationInUlps + 0.5, kAllDigits);
-  value.per_condition = static_cast<float>(kPerCondition * kOperationInUlps);
-  contract.bounds = {value, value, {}};
-  contract.bounds.depth.constant =
-      no_less((kPerCondition * errors.condition + kQuotient + kDepthRange + new_weights) *
-                      kOperationInUlps +
-                  0.5,
-              kAllDigits);
+  contract.triangles = std::move(triangles);
   return contract;
 }
 

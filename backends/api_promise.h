@@ -16,17 +16,15 @@
 //
 // Nothing here knows what a driver does in fact: probing measures that.
 
+#include "backends/backend.h"
 #include "cases/case.h"
 #include "cases/contract.h"
+#include "cases/driver_promise.h"
 
 namespace rastercheck::backends {
 
-/// What an implementation says of itself that its promises depend on.
-struct ApiLimits {
-  int subpixel_bits = 4;  ///< GL_SUBPIXEL_BITS, subPixelPrecisionBits
-};
-
 /// The contract of a case without a camera.
-cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits);
+cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits,
+                            cases::DriverPromise promise);
 
 }  // namespace rastercheck::backends

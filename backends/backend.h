@@ -13,6 +13,7 @@
 #include "cases/case.h"
 #include "cases/contract.h"
 #include "cases/contract_terms.h"
+#include "cases/driver_promise.h"
 #include "cases/error.h"
 #include "cases/fragments.h"
 #include "cases/picture.h"
@@ -27,11 +28,25 @@ struct Driver {
   bool operator==(const Driver&) const = default;
 };
 
+/// What a driver of OpenGL or Vulkan says of itself that its promises depend on.
+struct ApiLimits {
+  int subpixel_bits = 4;     ///< GL_SUBPIXEL_BITS, subPixelPrecisionBits
+  bool is_software = false;  ///< it draws with the processor
+  bool operator==(const ApiLimits&) const = default;
+
+  /// What it is held to unless the user says otherwise.
+  cases::DriverPromise usual_promise() const {
+    return is_software ? cases::DriverPromise::ieee : cases::DriverPromise::conformance;
+  }
+};
+
 /// What a backend says of itself.
 struct About {
   /// One line about what is drawn with: name and version of a driver or plugin, say. May be empty.
   std::string description = {};
   std::optional<Driver> driver = std::nullopt;  ///< nothing of what is no driver
+  /// Of a driver that promises what its API does; nothing of what promises something of its own.
+  std::optional<ApiLimits> api = std::nullopt;
   /// Whether there are kinds of cases that it does not draw (Failure::unsupported): laws about
   /// these check nothing then, and labels are not reached, which is no fault of a run.
   bool has_limits = false;
@@ -139,6 +154,13 @@ class Backend {
   /// back.
   void hold_to(std::optional<cases::ContractTerms> terms) { terms_ = std::move(terms); }
   const std::optional<cases::ContractTerms>& terms() const { return terms_; }
+
+  /// The promise of its API that it is held to; nothing of what promises something of its own.
+  std::optional<cases::DriverPromise> driver_promise() const {
+    const std::optional<ApiLimits> api = about().api;
+    if (!api) return std::nullopt;
+    return terms_ && terms_->promise ? *terms_->promise : api->usual_promise();
+  }
 
   /// What it is held to: decides the verdicts.
   cases::Contract contract(const cases::Case& c) const {

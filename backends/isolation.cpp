@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "backends/api_promise.h"
 #include "backends/internal/worker_process.h"
 
 namespace rastercheck::backends {
@@ -34,6 +35,7 @@ class IsolatedBackend : public Backend {
   }
 
   cases::Contract promise(const cases::Case& c) const override {
+    if (const auto& api = greeting_.about.api) return api_promise(c, *api, *driver_promise());
     if (remembered_ && remembered_->first == c) return remembered_->second;
     if (!c.triangles.empty()) return asked_for_promise(c);
     // What laws ask before each case.

@@ -1,6 +1,7 @@
 #include "cases/contract.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "cases/case.h"
 
@@ -11,22 +12,49 @@ bool Contract::is_affine(Interpolation declared) const {
          (declared == Interpolation::smooth && claims == Claim::affine);
 }
 
-bool makes_promises_of(const Contract& contract, const Case& c) {
+TrianglePromise promise_of(const Contract& contract, const Case& c, std::size_t triangle) {
+  TrianglePromise promise;
+  if (contract.triangles.empty()) {
+    promise.position_error = contract.coverage ? contract.coverage->position_error : 0;
+    promise.clip_tolerance = contract.clip_tolerance;
+    promise.clip_error = contract.clip_error;
+    promise.bounds = contract.bounds;
+  } else {
+    promise = contract.triangles[triangle];
+  }
+  if (c.camera) return promise;
   const auto has = [&contract](float number) { return contract.numbers.has(number); };
-  const auto has_value = [&](std::size_t vertex, std::size_t attribute) {
-    // Of flat ones nothing is computed.
-    return c.attributes[attribute].interpolation == Interpolation::flat ||
-           has(c.attributes_of(vertex)[attribute]);
-  };
-  for (std::size_t i = 0; i < c.positions.size(); ++i) {
-    const ClipVertex& p = c.positions[i];
-    if (!has(p.x) || !has(p.y) || !has(p.z) || !has(p.w)) return false;
+  for (const std::uint32_t vertex : c.triangles[triangle]) {
+    const ClipVertex& p = c.positions[vertex];
+    const auto distances = c.clip_distances_of(vertex);
+    promise.is_made = promise.is_made && has(p.x) && has(p.y) && has(p.z) && has(p.w) &&
+                      std::all_of(distances.begin(), distances.end(), has);
+  }
+  return promise;
+}
+
+bool promises_values_of(const Contract& contract, const Case& c, std::size_t triangle,
+                        std::size_t attribute) {
+  // Of flat ones nothing is computed.
+  if (c.attributes[attribute].interpolation == Interpolation::flat) return true;
+  const Triangle& vertices = c.triangles[triangle];
+  return std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t vertex) {
+    return contract.numbers.has(c.attributes_of(vertex)[attribute]);
+  });
+}
+
+bool promises_depth_range_of(const Contract& contract, const Case& c) {
+  return contract.numbers.has(c.viewport.min_depth) && contract.numbers.has(c.viewport.max_depth);
+}
+
+bool promises_all_of(const Contract& contract, const Case& c) {
+  for (std::size_t t = 0; t < c.triangles.size(); ++t) {
+    if (!promise_of(contract, c, t).is_made) return false;
     for (std::size_t a = 0; a < c.attributes.size(); ++a) {
-      if (!has_value(i, a)) return false;
+      if (!promises_values_of(contract, c, t, a)) return false;
     }
   }
-  return std::all_of(c.clip_distances.begin(), c.clip_distances.end(), has) &&
-         has(c.viewport.min_depth) && has(c.viewport.max_depth);
+  return promises_depth_range_of(contract, c);
 }
 
 Contract contract_of(const Case& c) {

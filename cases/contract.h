@@ -3,8 +3,10 @@
 // What a backend promises about coverage and attributes (RULES §3). A Contract decides verdicts.
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "cases/coverage.h"
 
@@ -91,6 +93,21 @@ struct MagnitudeRange {
   }
 };
 
+/// What is promised of one triangle. Its members mean what those of the same name in Snapping and
+/// Contract do, if there are any.
+struct TrianglePromise {
+  /// Whether anything is; otherwise it may be drawn anywhere, and with any values.
+  bool is_made = true;
+  float position_error = 0;
+  double clip_tolerance = 1;
+  double clip_error = 0;
+  /// How far from the viewport's sides samples may be missing, in grid units, of one that is cut
+  /// there. Only where coverage is snapped.
+  double side_tolerance = 0;
+  ValueBounds bounds;
+  bool operator==(const TrianglePromise&) const = default;
+};
+
 /// From one pixel to the next 1/w may fall to a share of this and differences still mean something.
 inline constexpr float kMostQuadHorizon = 0x1p16F;
 
@@ -166,9 +183,13 @@ struct Contract {
   std::optional<float> quad_share;
   /// Of filtered textures. Nothing: it has none, or promises nothing of them.
   std::optional<TextureBounds> texture_bounds;
-  /// Of cases with a clip position, clip distance, attribute value (but flat ones) or end of the
-  /// depth range beyond these nothing is promised (makes_promises_of).
+  /// Nothing is promised of a triangle with a clip position or clip distance beyond these, of a
+  /// value of an attribute, unless it is flat, that one of the triangle's vertices has beyond them,
+  /// and of a case whose depth range ends beyond them.
   MagnitudeRange numbers;
+  /// Overrides the members above, triangle by triangle, of a backend that promises more of one than
+  /// of another; these are then no less than any triangle's. Empty: all are promised the same.
+  std::vector<TrianglePromise> triangles;
   bool operator==(const Contract&) const = default;
 
   /// Whether values of attributes declared so are claimed to be linear in window space.
@@ -181,8 +202,21 @@ struct Contract {
   }
 };
 
-/// Whether a contract promises anything of a case without a camera.
-bool makes_promises_of(const Contract& contract, const Case& c);
+/// What a contract promises of a triangle (an index into the case's). Numbers are not looked at of
+/// a case with a camera, whose clip positions are nobody's yet.
+TrianglePromise promise_of(const Contract& contract, const Case& c, std::size_t triangle);
+
+/// Whether a contract promises anything of an attribute's values on a triangle of which it does.
+bool promises_values_of(const Contract& contract, const Case& c, std::size_t triangle,
+                        std::size_t attribute);
+
+/// Whether a contract promises anything of a case without a camera whose triangles have numbers
+/// that it makes promises of.
+bool promises_depth_range_of(const Contract& contract, const Case& c);
+
+/// Whether a contract promises something of each triangle, and each value, of a case without a
+/// camera.
+bool promises_all_of(const Contract& contract, const Case& c);
 
 /// The contract a Case asks for itself: what `oracle` prints and what `cpu` draws.
 Contract contract_of(const Case& c);

@@ -115,11 +115,12 @@ void check_contract_header(const JsonNode& root) {
   if (root.has("version") && root["version"].integer(0, std::numeric_limits<int>::max()) != 1) {
     root["version"].refuse("version must be 1");
   }
-  root.expect_object({"format", "version"},
-                     {"name", "coverage", "is_on_grid", "basis", "tie_rule", "guard_band",
-                      "clip_tolerance", "clip_error", "claims", "bounds", "keeps_equal_depth",
-                      "keeps_constants", "keeps_vertex_values", "keeps_sign_of_zero",
-                      "is_invariant", "derivative_bound", "quad_share", "numbers"});
+  root.expect_object(
+      {"format", "version"},
+      {"name", "promise", "coverage", "is_on_grid", "basis", "tie_rule", "guard_band",
+       "clip_tolerance", "clip_error", "claims", "bounds", "keeps_equal_depth", "keeps_constants",
+       "keeps_vertex_values", "keeps_sign_of_zero", "is_invariant", "derivative_bound",
+       "quad_share", "numbers"});
 }
 
 // Writing.
@@ -132,6 +133,7 @@ std::string text_of(const std::optional<float>& bound) {
   return bound ? text_of(*bound) : quoted(kNone);
 }
 std::string text_of(Basis basis) { return quoted(name_of(basis)); }
+std::string text_of(DriverPromise promise) { return quoted(name_of(promise)); }
 std::string text_of(Claim claim) { return quoted(name_of(claim)); }
 std::string text_of(TieRule rule) {
   return quoted(rule == TieRule::unspecified ? kUnspecified : name_of(rule));
@@ -205,6 +207,7 @@ std::string to_json(const ContractTerms& terms) {
   all.add("format", quoted("rastercheck-contract"));
   all.add("version", "1");
   if (!terms.name.empty()) all.add("name", json_string(terms.name));
+  all.add("promise", terms.promise);
   all.add("coverage", terms.coverage);
   all.add("is_on_grid", terms.is_on_grid);
   all.add_asked("basis", terms.basis);
@@ -235,6 +238,8 @@ ContractTerms read_contract_terms(const JsonNode& root) {
   check_contract_header(root);
   if (root.failed()) return terms;
   if (root.has("name")) terms.name = root["name"].text();
+  read_term(root, "promise", terms.promise,
+            [](const JsonNode& node) { return node.enumerator<DriverPromise>(); });
   if (root.has("coverage")) terms.coverage = read_coverage_term(root["coverage"]);
   const auto boolean = [](const JsonNode& node) { return node.boolean(); };
   read_term(root, "is_on_grid", terms.is_on_grid, boolean);

@@ -15,6 +15,16 @@ void keep(const Term<Promise>& term, const Promise& asked, Promise& own) {
   own = named == nullptr ? asked : *named;
 }
 
+/// Terms take the place of what a backend promises of single triangles, too.
+void keep(const ContractTerms& terms, const Coverage& coverage, TrianglePromise& own) {
+  if (terms.coverage) own.position_error = coverage ? coverage->position_error : 0;
+  keep(terms.clip_tolerance, own.clip_tolerance);
+  keep(terms.clip_error, own.clip_error);
+  keep(terms.smooth, own.bounds.smooth);
+  keep(terms.noperspective, own.bounds.noperspective);
+  keep(terms.depth, own.bounds.depth);
+}
+
 Coverage coverage_of(const CoverageTerm& term, const Contract& own, const Case& c) {
   if (!term) return own.coverage;
   if (const auto* named = std::get_if<Coverage>(&*term)) return *named;
@@ -46,6 +56,7 @@ Contract with_terms(Contract own, const ContractTerms& terms, const Case& c) {
   keep(terms.derivative_bound, own.derivative_bound);
   keep(terms.quad_share, own.quad_share);
   keep(terms.numbers, own.numbers);
+  for (TrianglePromise& of_triangle : own.triangles) keep(terms, own.coverage, of_triangle);
   return own;
 }
 

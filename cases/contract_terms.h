@@ -9,6 +9,7 @@
 
 #include "cases/case.h"
 #include "cases/contract.h"
+#include "cases/driver_promise.h"
 
 namespace rastercheck::cases {
 
@@ -31,6 +32,8 @@ using CoverageTerm = std::optional<std::variant<AsAsked, AskedGrid, Coverage>>;
 
 struct ContractTerms {
   std::string name;  ///< for people
+  /// Of what its API promises, which; of drivers alone.
+  std::optional<DriverPromise> promise;
   CoverageTerm coverage;
   std::optional<bool> is_on_grid;
   Term<Basis> basis;  ///< ideal wherever coverage is exact

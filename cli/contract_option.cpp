@@ -14,9 +14,33 @@ CLI::Option* add_contract(CLI::App& app, std::string& file) {
       ->type_name(kFile);
 }
 
-Result<std::optional<cases::ContractTerms>> read_terms(const std::string& file) {
-  if (file.empty()) return std::nullopt;
-  return cases::read_contract(file);
+CLI::Option* add_promise(CLI::App& app, std::optional<cases::DriverPromise>& promise) {
+  return app
+      .add_option_function<std::string>(
+          "--promise",
+          [&promise](const std::string& name) {
+            promise = cases::from_name<cases::DriverPromise>(name);
+          },
+          "What drivers are held to: spec, the text of OpenGL and Vulkan; conformance, what Khronos' "
+          "tests hold every driver to; ieee, float32 arithmetic. Usual: ieee of those that draw with "
+          "the processor, else conformance")
+      ->check(CLI::IsMember(std::vector<std::string>{"spec", "conformance", "ieee"}))
+      ->type_name("NAME");
+}
+
+Result<std::optional<cases::ContractTerms>> read_terms(
+    const std::string& file, std::optional<cases::DriverPromise> promise) {
+  std::optional<cases::ContractTerms> terms;
+  if (!file.empty()) {
+    Result<cases::ContractTerms> read = cases::read_contract(file);
+    if (!read) return tl::unexpected(read.error());
+    terms = *std::move(read);
+  }
+  if (promise) {
+    if (!terms) terms.emplace();
+    terms->promise = promise;
+  }
+  return terms;
 }
 
 }  // namespace rastercheck::cli

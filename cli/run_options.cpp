@@ -80,6 +80,7 @@ Result<void> take_case_set(const CLI::App& app, const gate::CaseSet& set, RunOpt
       .and_then(settled("--cases", plan.cases_per_law, then.cases_per_law))
       .and_then(settled("--property", plan.properties, then.properties))
       .and_then(settled("--contract", options.contract, contract))
+      .and_then(settled("--promise", plan.promise, then.promise))
       .and_then(settled("--known", plan.known, then.known))
       .and_then(settled("--no-known", plan.ignores_known, then.ignores_known));
 }

@@ -8,6 +8,8 @@ struct PixelBox {
   int y0 = 0;
   int x1 = 0;
   int y1 = 0;
+
+  bool holds(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
 };
 
 }  // namespace rastercheck::oracle

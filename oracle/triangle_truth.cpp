@@ -4,6 +4,7 @@
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/scene.h"
 #include "oracle/internal/triangle_setup.h"
+#include "oracle/internal/value_bound.h"
 #include "oracle/internal/value_errors.h"
 #include "oracle/internal/values.h"
 
@@ -21,12 +22,14 @@ std::optional<ValueRange> to_public(const std::optional<OpenValue>& value) {
 SceneTruth::SceneTruth(cases::Case source, const cases::Contract& contract)
     : source_(std::move(source)),
       contract_(contract),
-      scene_(std::make_unique<Scene>(source_, contract_)) {}
+      scene_(std::make_unique<Scene>(source_, contract_)) {
+  if (contract_.triangles.size() != source_.triangles.size()) contract_.triangles.clear();
+}
 
 SceneTruth::~SceneTruth() = default;
 
 TriangleTruth::TriangleTruth(const SceneTruth& scene, std::size_t triangle)
-    : setup_(std::make_unique<TriangleSetup>(scene.scene(), scene.source().triangles[triangle])) {}
+    : setup_(std::make_unique<TriangleSetup>(scene.scene(), triangle)) {}
 
 TriangleTruth::~TriangleTruth() = default;
 
@@ -78,8 +81,8 @@ std::optional<ValueRange> TriangleTruth::attribute(std::size_t attribute, int x,
   return to_public(values().attribute(attribute, x, y, sample));
 }
 
-bool TriangleTruth::is_value_free(std::size_t attribute) const {
-  return setup_->has_nonpositive_w && setup_->scene->is_affine(attribute);
+bool TriangleTruth::is_value_free(std::optional<std::size_t> attribute) const {
+  return why_free(*setup_, attribute).has_value();
 }
 
 const TriangleValues& TriangleTruth::values() const {

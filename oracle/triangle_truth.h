@@ -29,6 +29,7 @@ class ValueErrors;
 /// case with a camera are projection · view · model · position without rounding.
 class SceneTruth {
  public:
+  /// Promises of single triangles count only where they are one for each of the case's.
   SceneTruth(cases::Case source, const cases::Contract& contract);
   SceneTruth(const SceneTruth&) = delete;
   SceneTruth& operator=(const SceneTruth&) = delete;
@@ -120,10 +121,11 @@ class TriangleTruth {
   std::optional<ValueRange> depth(int x, int y, int sample) const;
   std::optional<ValueRange> attribute(std::size_t attribute, int x, int y, int sample) const;
 
-  /// Whether the APIs leave an attribute's value open, so that an implementation may give any
-  /// (RULES §3): noperspective where some w_i <= 0, and smooth that is claimed to be the same.
-  /// `attribute` gives the continuation then.
-  bool is_value_free(std::size_t attribute) const;
+  /// Whether an implementation may give an attribute, or the depth where `attribute` is nothing, any
+  /// value: the APIs leave it open (RULES §3), of noperspective where some w_i <= 0, and of smooth
+  /// that is claimed to be the same; or the contract promises nothing of it. `attribute` gives the
+  /// continuation then.
+  bool is_value_free(std::optional<std::size_t> attribute) const;
 
   /// The most that a value may be beyond what the contract leaves open, in scale ULP: of an
   /// attribute, or of the depth where `attribute` is nothing. Nothing where no bound is promised,

@@ -36,18 +36,34 @@ std::vector<Point> locations(const TriangleSetup& triangle, const cases::Attribu
 
 }  // namespace
 
-cases::ValueBound bound_of(const cases::Contract& contract, const cases::Case& source,
-                           std::optional<std::size_t> attribute) {
-  if (!attribute) return contract.bounds.depth;
-  switch (source.attributes[*attribute].interpolation) {
+cases::ValueBound bound_of(const TriangleSetup& triangle, std::optional<std::size_t> attribute) {
+  const cases::ValueBounds& bounds = triangle.promise.bounds;
+  if (!attribute) return bounds.depth;
+  switch (triangle.scene->source().attributes[*attribute].interpolation) {
     case cases::Interpolation::smooth:
-      return contract.bounds.smooth;
+      return bounds.smooth;
     case cases::Interpolation::noperspective:
-      return contract.bounds.noperspective;
+      return bounds.noperspective;
     case cases::Interpolation::flat:
       break;
   }
   return {0, 0};
+}
+
+std::optional<records::NotJudged> why_free(const TriangleSetup& triangle,
+                                           std::optional<std::size_t> attribute) {
+  using records::NotJudged;
+  if (!triangle.promise.is_made) return NotJudged::not_promised;
+  const cases::ValueBound bound = bound_of(triangle, attribute);
+  if (bound.constant >= kAllDigits) return NotJudged::without_bound;
+  if (!attribute) return std::nullopt;
+  if (bound.per_condition >= kAllDigits) return NotJudged::without_bound;  // as K >= 1
+  const Scene& scene = *triangle.scene;
+  if (!cases::promises_values_of(scene.contract(), scene.source(), triangle.index, *attribute)) {
+    return NotJudged::not_promised;
+  }
+  const bool is_open = triangle.has_nonpositive_w && scene.is_affine(*attribute);
+  return is_open ? std::optional(NotJudged::left_free) : std::nullopt;
 }
 
 std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const Point& p) {
@@ -111,8 +127,7 @@ Field range_in_ulps(const TriangleSetup& triangle, std::size_t attribute) {
 }  // namespace
 
 double least_bound(const TriangleSetup& triangle, std::optional<std::size_t> attribute) {
-  const cases::ValueBound bound =
-      bound_of(triangle.scene->contract(), triangle.scene->source(), attribute);
+  const cases::ValueBound bound = bound_of(triangle, attribute);
   if (!attribute) return bound.constant;
   // K >= 1, as |E_i| <= |E|_i.
   Field least = exact_field(bound.constant);
@@ -126,7 +141,7 @@ double least_bound(const TriangleSetup& triangle, std::optional<std::size_t> att
 std::optional<Rational> TriangleTruth::value_bound(std::optional<std::size_t> attribute, int x,
                                                    int y, int sample) const {
   const cases::Case& source = setup_->scene->source();
-  const cases::ValueBound bound = bound_of(setup_->scene->contract(), source, attribute);
+  const cases::ValueBound bound = bound_of(*setup_, attribute);
   if (bound.constant >= kAllDigits) return std::nullopt;
   Field fixed = exact_field(bound.constant);
   if (!attribute) return to_rational(fixed);

@@ -48,10 +48,8 @@ Error no_promise() {
 
 /// What `call()` draws of a case without a camera, watched.
 template <typename Call>
-auto drawn_by(const cases::Case& c, backends::Backend& backend, const Call& call)
-    -> decltype(call()) {
+auto drawn_by(const cases::Case& c, const Call& call) -> decltype(call()) {
   assert(!c.camera);
-  if (!cases::makes_promises_of(backend.contract(c), c)) return tl::unexpected(no_promise());
   const backends::FloatingPointModes modes;
   auto drawn = call();
   if (modes.have_changed()) return tl::unexpected(left_other_modes());
@@ -66,14 +64,22 @@ auto drawn_by(const cases::Case& c, backends::Backend& backend, const Call& call
 }  // namespace
 
 Result<backends::Drawn> draw(const cases::Case& c, backends::Backend& backend) {
-  return drawn_by(c, backend, [&] { return backend.draw(c); });
+  if (!cases::promises_depth_range_of(backend.contract(c), c)) {
+    return tl::unexpected(no_promise());
+  }
+  return drawn_by(c, [&] { return backend.draw(c); });
+}
+
+Result<backends::Drawn> draw_promised(const cases::Case& c, backends::Backend& backend) {
+  if (!cases::promises_all_of(backend.contract(c), c)) return tl::unexpected(no_promise());
+  return drawn_by(c, [&] { return backend.draw(c); });
 }
 
 Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                         std::span<const std::uint32_t> indices,
                                         backends::Backend& backend) {
-  return drawn_by(c, backend,
-                  [&] { return backend.assembler()->draw_assembled(c, topology, indices); });
+  if (!cases::promises_all_of(backend.contract(c), c)) return tl::unexpected(no_promise());
+  return drawn_by(c, [&] { return backend.assembler()->draw_assembled(c, topology, indices); });
 }
 
 Result<std::vector<cases::ClipVertex>> transform(const cases::Case& c, backends::Backend& backend) {

@@ -14,13 +14,17 @@
 
 namespace rastercheck::properties {
 
-/// Draws a case without a camera. A backend fails that returns with another rounding mode or, on
-/// x86, with another FTZ or DAZ than it was called with (they are put back), or with arrays that do
-/// not fit the case or each other.
+/// Draws a case without a camera, for the judge, which knows what the contract promises nothing of.
+/// A backend fails that returns with another rounding mode or, on x86, with another FTZ or DAZ than
+/// it was called with (they are put back), or with arrays that do not fit the case or each other.
 Result<backends::Drawn> draw(const cases::Case& c, backends::Backend& backend);
 
-/// Draws a list, strip or fan of the case's vertices, watched as by draw(). The backend has to have
-/// an assembler, as it has to have a vertex stage, or a picture drawer, for what follows.
+/// Draws a case for other questions than the judge's; fails where the contract does not promise
+/// something of all its triangles and values.
+Result<backends::Drawn> draw_promised(const cases::Case& c, backends::Backend& backend);
+
+/// Draws a list, strip or fan of the case's vertices, as by draw_promised(). The backend has to
+/// have an assembler, as it has to have a vertex stage, or a picture drawer, for what follows.
 Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                         std::span<const std::uint32_t> indices,
                                         backends::Backend& backend);

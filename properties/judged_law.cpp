@@ -278,16 +278,16 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
 
 Result<Check> check_drawn(const cases::ClipCase& c, backends::Backend& backend,
                           const DrawnCheck& find) {
-  const Result<backends::Drawn> drawn = draw(c, backend);
+  const Result<backends::Drawn> drawn = draw_promised(c, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   return find(c, *drawn);
 }
 
 Result<Check> check_judged(const cases::ClipCase& c, backends::Backend& backend,
                            const JudgeRequest& request, std::uint64_t index) {
-  return check_drawn(c, backend, [&](const cases::ClipCase& clip, const backends::Drawn& drawn) {
-    return judge_drawn(clip, drawn.contract, drawn.fragments, request, index);
-  });
+  const Result<backends::Drawn> drawn = draw(c, backend);
+  if (!drawn) return tl::unexpected(drawn.error());
+  return judge_drawn(c, drawn->contract, drawn->fragments, request, index);
 }
 
 }  // namespace rastercheck::properties

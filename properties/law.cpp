@@ -90,6 +90,7 @@ records::BackendPromises promises_of(const std::string& name, backends::Backend*
   promises.backend = name;
   if (backend == nullptr) return promises;
   promises.has_limits = backend->about().has_limits;
+  promises.promise = backend->driver_promise();
   promises.draws_what_is_asked_for = draws_what_is_asked_for(*backend);
   for (const std::string& law_name : laws) {
     const Law* law = find_law(law_name);

@@ -75,6 +75,19 @@ constexpr std::string_view to_string(FragmentClass fragment_class) {
   return cases::name_of(fragment_class);
 }
 
+/// Why what was drawn is judged by no law: of coverage a fragment, else a value of one.
+enum class NotJudged {
+  not_promised,   ///< the triangle, or the attribute, has numbers that no promise is made of
+  without_bound,  ///< its bound would let any number pass
+  left_free,      ///< the rules let it be any number
+  undefined,      ///< the rules say nothing of it: 1/w <= 0 where it is evaluated
+};
+constexpr auto names_of(NotJudged /*type*/) {
+  return std::to_array<std::string_view>(
+      {"not promised", "without bound", "left free", "undefined"});
+}
+constexpr std::string_view to_string(NotJudged why) { return cases::name_of(why); }
+
 /// How many fragments, or values of them, came out in each class.
 struct ClassCounts {
   /// [FragmentClass], up to those that fragments have
@@ -173,6 +186,9 @@ struct ErrorStatistics {
   /// that triangle has no value.
   ErrorSizes ideal;
   ClassCounts classes;
+  /// How many were drawn and not judged, by why; these are in no class and have no errors. Only
+  /// fragments of coverage are in a class all the same, as `correct`.
+  std::map<NotJudged, std::uint64_t> not_judged;
   /// `ideal` by what makes a fragment hard; only strata that have one.
   std::map<Stratum, ErrorSizes> strata;
   /// Magnitudes of the parts of errors, by what makes a fragment hard and the stage that made them

@@ -22,6 +22,7 @@ class Words {
 
 void add_contract(Words& words, const Plan& plan) {
   if (plan.contract) words.value(true, "--contract", plan.contract->file);
+  if (plan.promise) words.value(true, "--promise", std::string(to_string(*plan.promise)));
 }
 
 void add_known(Words& words, const Plan& plan) {
@@ -35,6 +36,16 @@ void add_timeout(Words& words, const Plan& plan) {
 
 }  // namespace
 
+std::optional<cases::ContractTerms> terms_of(const Plan& plan) {
+  std::optional<cases::ContractTerms> terms;
+  if (plan.contract) terms = plan.contract->terms;
+  if (plan.promise) {
+    if (!terms) terms.emplace();
+    terms->promise = plan.promise;
+  }
+  return terms;
+}
+
 Plan frozen(const Plan& plan) {
   Plan frozen;
   frozen.seed = plan.seed;
@@ -42,6 +53,7 @@ Plan frozen(const Plan& plan) {
   frozen.backends = {};
   frozen.properties = plan.properties;
   frozen.contract = plan.contract;
+  frozen.promise = plan.promise;
   frozen.corpus = plan.corpus;
   frozen.known = plan.known;
   frozen.ignores_known = plan.ignores_known;

@@ -41,6 +41,8 @@ struct Plan {
       {};                ///< file of a mesh or a case, which is drawn and judged, too; empty: none
   int scene_size = 512;  ///< width and height of a mesh's picture, pixels
   std::optional<ContractFile> contract = std::nullopt;
+  /// What drivers are held to; nothing: what is usual of each.
+  std::optional<cases::DriverPromise> promise = std::nullopt;
   std::string corpus = {};     ///< folder of case files; empty: that which comes with the program
   std::string known = {};      ///< folder of lists of known defects; empty: likewise
   bool ignores_known = false;  ///< what is known of drivers counts as any other violation
@@ -52,8 +54,11 @@ struct Plan {
   bool operator==(const Plan&) const = default;
 };
 
+/// What all backends are held to; nothing where the plan does not say.
+std::optional<cases::ContractTerms> terms_of(const Plan& plan);
+
 /// Keeps what decides which cases are frozen and what they are held to: seed, cases, patterns,
-/// contract, corpus and known defects. Everything else gets its usual value.
+/// contract, promise, corpus and known defects. Everything else gets its usual value.
 Plan frozen(const Plan& plan);
 
 /// Gives the command-line options of `rastercheck run` that ask for the same, except backends,

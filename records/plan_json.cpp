@@ -38,6 +38,7 @@ void members(Archive& archive, T& plan) {
   archive.optional("scene", plan.scene);
   archive.optional("scene_size", plan.scene_size, usual.scene_size);
   archive.optional("contract", plan.contract);
+  archive.optional("promise", plan.promise);
   archive.optional("corpus", plan.corpus);
   archive.optional("known", plan.known);
   archive.optional("ignores_known", plan.ignores_known);

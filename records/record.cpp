@@ -121,6 +121,7 @@ void merge(ErrorStatistics& into, const ErrorStatistics& from) {
   merge(into.excess, from.excess);
   merge(into.ideal, from.ideal);
   merge(into.classes, from.classes);
+  for (const auto& [why, count] : from.not_judged) into.not_judged[why] += count;
   for (const auto& [stratum, sizes] : from.strata) merge(into.strata[stratum], sizes);
   for (const auto& [stratum, stages] : from.stages) {
     for (const auto& [stage, sum] : stages) into.stages[stratum][stage].merge(sum);

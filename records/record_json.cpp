@@ -172,6 +172,8 @@ void members(Archive& archive, Key& key, T& record) {
   archive.required("cases", record.cases);
   archive.required("counts", record.counts);
   archive.required("classes", record.errors.classes);
+  archive.optional_object("not_judged", record.errors.not_judged,
+                          [](auto& inner, auto& counts) { inner.entries(counts); });
   archive.required("excess", record.errors.excess);
   archive.required("ideal", record.errors.ideal);
   archive.optional("strata", record.errors.strata);

@@ -4,10 +4,12 @@
 // to agree on before they are put together.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cases/case.h"
+#include "cases/driver_promise.h"
 
 namespace rastercheck::records {
 
@@ -28,6 +30,8 @@ std::string to_string(const ShardNumber& number);
 struct BackendPromises {
   std::string backend;      ///< as given on the command line
   bool has_limits = false;  ///< it does not draw every case
+  /// What a driver is held to; nothing of what is no driver.
+  std::optional<cases::DriverPromise> promise = std::nullopt;
   /// It promises the coverage, basis and tie rule that a case names, and values in perspective.
   bool draws_what_is_asked_for = false;
   std::vector<std::string> unpromised;  ///< laws about what it does not promise, in their order

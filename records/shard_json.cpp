@@ -11,6 +11,7 @@ template <typename Archive, cases::Either<BackendPromises> T>
 void members(Archive& archive, T& promises) {
   archive.required("backend", promises.backend);
   archive.required("has_limits", promises.has_limits);
+  archive.optional("promise", promises.promise);
   archive.required("draws_what_is_asked_for", promises.draws_what_is_asked_for);
   archive.required("unpromised", promises.unpromised);
 }

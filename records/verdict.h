@@ -20,6 +20,7 @@ enum class Reason {
               ///< or on the far border of the viewport
   nonpositive_w,  ///< permitted: the same, of a triangle cut because some w <= 0
   depth,          ///< permitted: which of several fragments is nearest is left open
+  not_promised,   ///< permitted: the contract promises nothing of the triangle
   outside,        ///< forbidden: beyond an edge, or on one that does not own it
   clipped,        ///< forbidden: beyond a clip plane or a clip distance
   viewport,       ///< forbidden: outside the viewport, scissor or framebuffer
@@ -39,7 +40,7 @@ constexpr auto names_of(Verdict /*type*/) {
 }
 constexpr auto names_of(Reason /*type*/) {
   return std::to_array<std::string_view>({"inside", "tie", "snapping", "clip edge", "w <= 0",
-                                          "depth", "outside", "clipped", "viewport", "culled",
+                                          "depth", "not promised", "outside", "clipped", "viewport", "culled",
                                           "degenerate"});
 }
 constexpr std::string_view to_string(Verdict verdict) { return cases::name_of(verdict); }

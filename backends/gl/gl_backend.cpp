@@ -19,6 +19,19 @@
 namespace rastercheck::backends {
 namespace {
 
+/// Mesa's drivers that draw with the processor.
+constexpr std::array<std::string_view, 2> kSoftware = {"llvmpipe", "softpipe"};
+
+/// Whether a driver of that name draws with the processor; ANGLE's names say what is below it.
+bool is_software(std::string_view renderer) {
+  constexpr std::string_view kSwiftShader = "SwiftShader";
+  return std::any_of(kSoftware.begin(), kSoftware.end(),
+                     [renderer](std::string_view name) {
+                       return renderer.find(name) != std::string_view::npos;
+                     }) ||
+         renderer.find(kSwiftShader) != std::string_view::npos;
+}
+
 class GlBackend : public Backend {
  public:
   GlBackend(gl::Context context, gl::CaseDrawer drawer)
@@ -27,10 +40,11 @@ class GlBackend : public Backend {
   About about() const override {
     return {.description = context_.renderer(),
             .driver = gl::driver_of(context_.renderer_name(), context_.version()),
+            .api = ApiLimits{drawer_.subpixel_bits(), is_software(context_.renderer_name())},
             .has_limits = true};
   }
   cases::Contract promise(const cases::Case& c) const override {
-    return api_promise(c, {.subpixel_bits = drawer_.subpixel_bits()});
+    return api_promise(c, *about().api, *driver_promise());
   }
 
  private:
@@ -39,9 +53,6 @@ class GlBackend : public Backend {
   gl::Context context_;
   gl::CaseDrawer drawer_;
 };
-
-/// Mesa's drivers that draw with the processor.
-constexpr std::array<std::string_view, 2> kSoftware = {"llvmpipe", "softpipe"};
 
 /// Before Mesa reads them; of the last, whoever starts the program has a say.
 void choose_driver(const std::string& name) {

@@ -67,12 +67,16 @@ void members(Archive& archive, T& c) {
           c.front_face, c.scissor, c.depth_test, c.depth_clamp, c.attributes, c.camera, c.positions,
           c.attribute_values, c.clip_distances, c.clip_distance_count, c.triangles, c.found);
 }
+template <typename Archive, cases::Either<cases::TrianglePromise> T>
+void members(Archive& archive, T& p) {
+  archive(p.is_made, p.position_error, p.clip_tolerance, p.clip_error, p.side_tolerance, p.bounds);
+}
 template <typename Archive, cases::Either<cases::Contract> T>
 void members(Archive& archive, T& c) {
   archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.guard_band, c.is_on_grid, c.clip_tolerance,
           c.clip_error, c.claims, c.bounds, c.keeps_equal_depth, c.keeps_constants,
           c.keeps_sign_of_zero, c.is_invariant, c.keeps_vertex_values, c.derivative_bound,
-          c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds);
+          c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds, c.triangles);
 }
 template <typename Archive, cases::Either<cases::Fragments> T>
 void members(Archive& archive, T& f) {
@@ -86,9 +90,13 @@ template <typename Archive, cases::Either<Driver> T>
 void members(Archive& archive, T& d) {
   archive(d.name, d.version);
 }
+template <typename Archive, cases::Either<ApiLimits> T>
+void members(Archive& archive, T& l) {
+  archive(l.subpixel_bits, l.is_software);
+}
 template <typename Archive, cases::Either<About> T>
 void members(Archive& archive, T& a) {
-  archive(a.description, a.driver, a.has_limits, a.same_as);
+  archive(a.description, a.driver, a.api, a.has_limits, a.same_as);
 }
 template <typename Archive, cases::Either<Greeting> T>
 void members(Archive& archive, T& g) {
@@ -240,6 +248,13 @@ std::optional<T> unpacked(std::string_view bytes) {
   return unpacker.is_whole() ? std::optional(std::move(value)) : std::nullopt;
 }
 
+void add_sizes(const cases::ValueBounds& bounds, std::vector<double>& sizes) {
+  for (const cases::ValueBound& bound : {bounds.smooth, bounds.noperspective, bounds.depth}) {
+    sizes.insert(sizes.end(),
+                 {bound.constant, bound.per_horizon, bound.per_condition, bound.range_share});
+  }
+}
+
 /// Whether its numbers are those that a contract may have.
 bool has_meaning(const cases::Contract& c) {
   std::vector<double> sizes{c.numbers.least,
@@ -251,10 +266,15 @@ bool has_meaning(const cases::Contract& c) {
                             c.transform_bound.value_or(0),
                             c.normal_bound.value_or(0),
                             c.quad_share.value_or(0)};
-  for (const cases::ValueBound& bound : {c.bounds.smooth, c.bounds.noperspective, c.bounds.depth}) {
-    sizes.insert(sizes.end(),
-                 {bound.constant, bound.per_horizon, bound.per_condition, bound.range_share});
+  add_sizes(c.bounds, sizes);
+  bool is_placeable = true;
+  for (const cases::TrianglePromise& promise : c.triangles) {
+    add_sizes(promise.bounds, sizes);
+    sizes.insert(sizes.end(), {promise.clip_tolerance, promise.clip_error, promise.side_tolerance});
+    is_placeable = is_placeable && promise.position_error >= 0 &&
+                   promise.position_error <= cases::kMaxPositionError;
   }
+  if (!is_placeable) return false;
   if (c.texture_bounds) {
     const cases::TextureBounds& bounds = *c.texture_bounds;
     sizes.insert(sizes.end(), {bounds.coordinate_share, bounds.coordinate_constant, bounds.bilinear,

@@ -35,10 +35,13 @@ class VulkanBackend : public Backend {
         drawing_(std::move(drawing)) {}
 
   About about() const override {
-    return {.description = device_->description(), .driver = device_->driver(), .has_limits = true};
+    return {.description = device_->description(),
+            .driver = device_->driver(),
+            .api = ApiLimits{device_->limits().subpixel_bits, device_->is_software()},
+            .has_limits = true};
   }
   cases::Contract promise(const cases::Case& c) const override {
-    return api_promise(c, {.subpixel_bits = device_->limits().subpixel_bits});
+    return api_promise(c, *about().api, *driver_promise());
   }
 
  private:

@@ -118,6 +118,7 @@ Action set_up(CLI::App& app) {
       ->type_name("N")
       ->capture_default_str();
   add_contract(app, options->contract);
+  add_promise(app, plan.promise);
   app.add_option("--corpus", plan.corpus,
                  "Folder of case files that every property is checked on first; without it the "
                  "one that comes with the program")

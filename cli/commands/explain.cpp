@@ -35,6 +35,7 @@ struct Options {
   std::string backend;
   std::string attribute;
   std::string contract;
+  std::optional<cases::DriverPromise> promise;
   double timeout = kDefaultTimeout;
   bool all = false;
   bool json = false;
@@ -96,7 +97,7 @@ Result<records::Inspection> inspect(const cases::Case& c, const properties::Focu
 }
 
 ExitCode run(const Options& options) {
-  const auto terms = read_terms(options.contract);
+  const auto terms = read_terms(options.contract, options.promise);
   if (!terms) return fail(terms.error());
   const Result<cases::Case> c = cases::read_case(options.file);
   if (!c) return fail(c.error());
@@ -145,6 +146,7 @@ Action set_up(CLI::App& app) {
                  "Only this value: an attribute's name, or depth")
       ->type_name("NAME");
   add_contract(app, options->contract);
+  add_promise(app, options->promise);
   add_timeout(app, options->timeout);
   app.add_flag("--all", options->all, "Even if the framebuffer has more than 2^26 samples");
   app.add_flag("--json", options->json, "Prints it as JSON, with the pixels around");

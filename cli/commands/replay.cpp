@@ -31,6 +31,7 @@ struct Options {
   std::string backend;
   KnownOption known;
   std::string contract;
+  std::optional<cases::DriverPromise> promise;
   double timeout = kDefaultTimeout;
   bool json = false;
   bool quiet = false;
@@ -192,7 +193,7 @@ Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs,
 }
 
 ExitCode run(const Options& options) {
-  const auto terms = read_terms(options.contract);
+  const auto terms = read_terms(options.contract, options.promise);
   if (!terms) return fail(terms.error());
   const backends::BackendFactory factory = backend_factory(options.timeout, *terms);
   const Result<std::vector<Input>> inputs = read_inputs(options);
@@ -228,6 +229,7 @@ Action set_up(CLI::App& app) {
       ->type_name(kBackend);
   add_known(app, options->known);
   add_contract(app, options->contract);
+  add_promise(app, options->promise);
   add_timeout(app, options->timeout);
   app.add_flag("--json", options->json, "Prints the result as JSON");
   app.add_flag("-q,--quiet", options->quiet, "Prints verdicts only");

@@ -321,6 +321,7 @@ Action set_up(CLI::App& app) {
       ->type_name("N")
       ->capture_default_str();
   add_contract(app, options->contract);
+  add_promise(app, plan.promise);
   app.add_option("--corpus", plan.corpus,
                  "Folder of case files that every property is checked on first; without it the "
                  "one that comes with the program")
@@ -363,7 +364,7 @@ Action set_up(CLI::App& app) {
                    "Goes on with the interrupted run in the folder --output, with the options that "
                    "it was begun with");
   for (const char* settled : {"--backend", "--property", "--cases", "--seed", "--scene",
-                              "--scene-size", "--contract", "--corpus", "--known", "--no-known",
+                              "--scene-size", "--contract", "--promise", "--corpus", "--known", "--no-known",
                               "--shrink-tries", "--shrink-seconds", "--keep-cases"}) {
     resume->excludes(settled);
     rerun->excludes(settled);

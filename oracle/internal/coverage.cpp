@@ -297,7 +297,7 @@ SampleVerdict decide_cut(const TriangleSetup& triangle, const Point& p) {
     if (!functional.is_violated) continue;
     const int where = side_within(functional.outer, triangle.tolerance, p);
     if (where < 0) return {Verdict::forbidden, Reason::clipped};
-    const bool is_near = where == 0 || (scene.contract().clip_error > 0 &&
+    const bool is_near = where == 0 || (triangle.promise.clip_error > 0 &&
                                         side_within(functional.inner, triangle.tolerance, p) <= 0);
     near_cut = near_cut || is_near;
   }
@@ -322,6 +322,7 @@ Field signed_square_distance(const Line& line, const Ring& value) {
 }  // namespace
 
 std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle) {
+  if (!triangle.promise.is_made || triangle.has_open_sides) return std::nullopt;
   const int orientation = triangle.ideal.orientation();
   if (triangle.shape == Shape::exact) {
     const bool is_drawn = orientation != 0 && !triangle.scene->is_culled(orientation);
@@ -344,6 +345,7 @@ std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle)
 }
 
 SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p) {
+  if (!triangle.promise.is_made) return {Verdict::permitted, Reason::not_promised};
   switch (triangle.shape) {
     case Shape::exact:
       return decide_exact(triangle, p);
@@ -357,15 +359,21 @@ SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p) {
 
 SampleVerdict decide(const TriangleSetup& triangle, int x, int y, int sample) {
   const Scene& scene = *triangle.scene;
-  const PixelBox& box = scene.pixels();
-  if (x < box.x0 || x >= box.x1 || y < box.y0 || y >= box.y1) {
+  if (!triangle.promise.is_made) {
+    return scene.target_pixels().holds(x, y)
+               ? SampleVerdict{Verdict::permitted, Reason::not_promised}
+               : SampleVerdict{Verdict::forbidden, Reason::viewport};
+  }
+  if (!scene.pixels().holds(x, y)) {
     return {Verdict::forbidden, Reason::viewport};
   }
   const Point p = scene.sample_point(x, y, sample);
   const ViewportSide side = scene.viewport_side(p);
   if (side == ViewportSide::outside) return {Verdict::forbidden, Reason::viewport};
   const SampleVerdict decision = decide_point(triangle, p);
-  if (side == ViewportSide::far_border && decision.verdict == Verdict::required) {
+  const bool is_at_side = side == ViewportSide::far_border ||
+                          (triangle.has_open_sides && scene.is_within(triangle.side_reach, p));
+  if (is_at_side && decision.verdict == Verdict::required) {
     return {Verdict::permitted, Reason::clip_edge};
   }
   return decision;

@@ -27,8 +27,8 @@ struct CoverageBoundary {
   bool has_bands;
 };
 
-/// Nothing where no map's edges say so much: of a triangle that was snapped and cut, or one whose
-/// facing is open.
+/// Nothing where no map's edges say so much: of a triangle that was snapped and cut, one whose
+/// facing or whose samples at the viewport's sides are open, or one of which nothing is promised.
 std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle);
 
 /// The signed distance from a point to the boundary that decides it, in pixels: the least over all

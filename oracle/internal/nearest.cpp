@@ -18,11 +18,12 @@ using records::Verdict;
 constexpr double kFarthest = std::numeric_limits<double>::infinity();
 constexpr double kNoDepth = std::numeric_limits<double>::quiet_NaN();
 
-/// The most that a computed depth may be off, in depth.
-Field depth_slack(const Scene& scene) {
+/// The most that a computed depth of a triangle may be off, in depth.
+Field depth_slack(const TriangleSetup& triangle) {
+  const Scene& scene = *triangle.scene;
   const Field largest(std::max(scene.least_depth(), scene.greatest_depth()));
   const Rational unit = ulp(to_rational(largest));
-  return exact_field(scene.contract().bounds.depth.constant) * to_field(unit);
+  return exact_field(triangle.promise.bounds.depth.constant) * to_field(unit);
 }
 
 bool is_required(const records::SampleVerdict& decision) {
@@ -42,11 +43,7 @@ PreparedTriangles::Prepared PreparedTriangles::of(std::uint32_t triangle) {
 }
 
 NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles)
-    : scene_(&scene),
-      y0_(y0),
-      y1_(y1),
-      triangles_(&triangles),
-      both_slacks_(enclose(depth_slack(scene.scene()) * Field(2)).hi) {
+    : scene_(&scene), y0_(y0), y1_(y1), triangles_(&triangles) {
   const cases::FramebufferSize& size = scene.source().framebuffer;
   samples_.resize(static_cast<std::size_t>(y1 - y0) * static_cast<std::size_t>(size.width) *
                       static_cast<std::size_t>(size.samples),
@@ -54,18 +51,26 @@ NearestBand::NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriang
 }
 
 Enclosure NearestBand::depth_of(const PreparedTriangles::Prepared& triangle,
-                                const DepthFilter& filter, int x, int y, int s) const {
+                                const DepthFilter& filter, double slack, int x, int y,
+                                int s) const {
   const auto pattern = scene_->scene().pattern();
-  if (const auto depth = filter.at(x, y, pattern[static_cast<std::size_t>(s)])) return *depth;
-  const std::optional<ValueRange> depth = triangle.truth->depth(x, y, s);
-  if (!depth) return {kNoDepth, kNoDepth};
-  return {depth->lo.enclosure().lo, depth->hi.enclosure().hi};
+  std::optional<Enclosure> depth = filter.at(x, y, pattern[static_cast<std::size_t>(s)]);
+  if (!depth) {
+    const std::optional<ValueRange> exact = triangle.truth->depth(x, y, s);
+    if (!exact) return {kNoDepth, kNoDepth};
+    depth = {exact->lo.enclosure().lo, exact->hi.enclosure().hi};
+  }
+  return {std::nextafter(depth->lo - slack, -kFarthest),
+          std::nextafter(depth->hi + slack, kFarthest)};
 }
 
 void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
   const PreparedTriangles::Prepared prepared = triangles_->of(triangle);
   if (prepared.filter->is_empty()) return;
-  const DepthFilter depths(prepared.truth->setup(), *prepared.filter);
+  const TriangleSetup& setup = prepared.truth->setup();
+  const DepthFilter depths(setup, *prepared.filter);
+  const double slack =
+      prepared.truth->is_value_free(std::nullopt) ? kNoDepth : enclose(depth_slack(setup)).hi;
   const cases::FramebufferSize& size = scene_->source().framebuffer;
   const PixelBox& box = prepared.filter->box();
   for (int y = std::max(y0_, box.y0); y < std::min(y1_, box.y1); ++y) {
@@ -73,7 +78,8 @@ void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
     Sample* const samples =
         samples_.data() + static_cast<std::ptrdiff_t>(y - y0_) * size.width * size.samples;
     row_.for_each_covered([&](int x, int s, const records::SampleVerdict& decision) {
-      add(samples[x * size.samples + s], {triangle, decision, depth_of(prepared, depths, x, y, s)});
+      add(samples[x * size.samples + s],
+          {triangle, decision, depth_of(prepared, depths, slack, x, y, s)});
     });
   }
 }
@@ -84,17 +90,16 @@ void NearestBand::add(Sample& sample, const Covering& covering) const {
   if (covering.depth.lo > sample.horizon) return;
   sample.coverings.push_back(covering);
   if (!is_required(covering.decision)) return;
-  const double horizon = std::nextafter(covering.depth.hi + both_slacks_, kFarthest);
-  if (!(horizon < sample.horizon)) return;
-  sample.horizon = horizon;
+  if (!(covering.depth.hi < sample.horizon)) return;
+  sample.horizon = covering.depth.hi;
   std::erase_if(sample.coverings,
-                [horizon](const Covering& other) { return other.depth.lo > horizon; });
+                [&sample](const Covering& other) { return other.depth.lo > sample.horizon; });
 }
 
 /// A covering that is compared exactly with others.
 struct NearestBand::Rival {
   const Covering* covering = nullptr;
-  /// The depths that a backend may compute; nothing where the rules leave it undefined.
+  /// The depths that a backend may compute; nothing where any is right.
   std::optional<FieldRange> depth;
 
   bool is_surely_nearer_than(const Rival& other) const {
@@ -113,11 +118,13 @@ void NearestBand::resolve(const Sample& sample, int y, int x, int s,
     candidates.push_back({only.triangle, only.decision});
     return;
   }
-  const Field slack = depth_slack(scene_->scene());
   std::vector<Rival> rivals;
   for (const Covering& covering : sample.coverings) {
     rivals.push_back({&covering, std::nullopt});
-    const auto depth = triangles_->of(covering.triangle).truth->depth(x, y, s);
+    const auto truth = triangles_->of(covering.triangle).truth;
+    if (truth->is_value_free(std::nullopt)) continue;
+    const auto depth = truth->depth(x, y, s);
+    const Field slack = depth_slack(truth->setup());
     if (depth) rivals.back().depth = {to_field(depth->lo) - slack, to_field(depth->hi) + slack};
   }
   for (const Rival& a : rivals) {

@@ -58,7 +58,9 @@ class NearestBand {
   /// Rows y0 <= y < y1. All must outlive it.
   NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles);
 
-  /// Adds a triangle that may cover pixels of the band.
+  /// Adds a triangle of which the contract promises something, and that may cover pixels of the
+  /// band. One of which it promises nothing may hide others anywhere, but need not: what it says of
+  /// others stays, unless that one is what is drawn.
   void add(std::uint32_t triangle, records::LevelCounts& levels);
 
   /// Calls take for each sample that something may cover, by y, x, sample. Depths are compared as
@@ -72,7 +74,7 @@ class NearestBand {
   struct Covering {
     std::uint32_t triangle = 0;
     records::SampleVerdict decision;
-    /// Around its depths; not a number where the rules leave them undefined.
+    /// Around the depths that a backend may compute; not a number where any is right.
     records::Enclosure depth;
   };
   struct Sample {
@@ -85,14 +87,13 @@ class NearestBand {
 
   void add(Sample& sample, const Covering& covering) const;
   records::Enclosure depth_of(const PreparedTriangles::Prepared& triangle,
-                              const DepthFilter& filter, int x, int y, int s) const;
+                              const DepthFilter& filter, double slack, int x, int y, int s) const;
   void resolve(const Sample& sample, int y, int x, int s, std::vector<Candidate>& candidates);
 
   const SceneTruth* scene_;
   int y0_;
   int y1_;
   PreparedTriangles* triangles_;
-  double both_slacks_;  ///< at least what two computed depths may be off together
   std::vector<Sample> samples_;
   CoverageRow row_;
 };

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "oracle/internal/floating_point.h"
+#include "oracle/internal/triangle_judge.h"
 
 namespace rastercheck::oracle {
 namespace {
@@ -31,7 +32,13 @@ NearestJudge::NearestJudge(const JudgeContext& context, const JudgeSink& sink)
   const std::size_t triangles = context.scene->source().triangles.size();
   rows_.reserve(triangles);
   for (std::size_t t = 0; t < triangles; ++t) {
-    const PixelBox pixels = TriangleTruth(*context.scene, t).pixels();
+    const TriangleTruth truth(*context.scene, t);
+    if (!truth.setup().promise.is_made) {
+      rows_.emplace_back(std::uint16_t{0}, std::uint16_t{0});
+      ++unpromised_;
+      continue;
+    }
+    const PixelBox pixels = truth.pixels();
     const int past = pixels.x0 < pixels.x1 ? std::max(pixels.y0, pixels.y1) : pixels.y0;
     rows_.emplace_back(pixels.y0, past);
   }
@@ -46,7 +53,9 @@ Judged NearestJudge::run() {
     judge_band(y0, std::min(y0 + rows, size.height), band, turns);
   });
   take_the_rest();
-  return findings_.finish(*context_);
+  Judged judged = findings_.finish(*context_);
+  judged.judgement.counts.permitted += unpromised_ * samples_of_unpromised(*context_->scene);
+  return judged;
 }
 
 /// The fragments of a band, beside the answers.
@@ -67,7 +76,7 @@ class NearestJudge::Band {
     answers.for_each_answer([this](int y, int x, int s, auto candidates, bool is_required) {
       judge_sample({y, x, s}, candidates, is_required);
     });
-    while (!fragments_.empty()) take_unasked(FragmentClass::extra);
+    while (!fragments_.empty()) take_unanswered();
     judge_values();
   }
 
@@ -109,7 +118,7 @@ class NearestJudge::Band {
   }
 
   void judge_sample(const Sample& where, std::span<const Candidate> candidates, bool is_required) {
-    while (!fragments_.empty() && next_sample() < where) take_unasked(FragmentClass::extra);
+    while (!fragments_.empty() && next_sample() < where) take_unanswered();
     for (const Candidate& candidate : candidates) samples_.count(candidate.decision.verdict, 1);
     if (!is_next(where)) {
       if (is_required) take_missing(where, candidates.front());
@@ -119,13 +128,45 @@ class NearestJudge::Band {
     const auto candidate =
         std::find_if(candidates.begin(), candidates.end(),
                      [drawn](const Candidate& c) { return c.triangle == drawn; });
-    if (candidate == candidates.end()) {
-      take_unasked(is_required ? FragmentClass::wrong_triangle : FragmentClass::extra);
-    } else {
+    if (candidate != candidates.end()) {
       right_.push_back({drawn, take_next(), candidate->decision});
+    } else if (!take_if_unpromised()) {
+      take_unasked(is_required ? FragmentClass::wrong_triangle : FragmentClass::extra);
     }
     // More than one fragment of a sample: the depth test leaves one.
     while (is_next(where)) take_unasked(FragmentClass::extra);
+  }
+
+  /// What the contract says of the next fragment where it promises nothing of its triangle;
+  /// forbidden where it does.
+  records::SampleVerdict unpromised_verdict() {
+    const cases::SamplePlace place = context_->drawn->place_of(fragments_.front());
+    const cases::Case& source = context_->scene->source();
+    if (place.triangle >= source.triangles.size() ||
+        std::cmp_greater_equal(place.sample, source.framebuffer.samples)) {
+      return {};
+    }
+    const PreparedTriangles::Prepared triangle = triangles_.of(place.triangle);
+    if (triangle.truth->setup().promise.is_made) return {};
+    return triangle.truth->judge(static_cast<int>(place.x), static_cast<int>(place.y),
+                                 static_cast<int>(place.sample));
+  }
+
+  /// Takes the next fragment, at a sample where every triangle of which something is promised is
+  /// forbidden, and all others there.
+  void take_unanswered() {
+    const Sample where = next_sample();
+    take_if_unpromised();
+    while (is_next(where)) take_unasked(FragmentClass::extra);
+  }
+
+  /// Takes the next fragment if the contract leaves it open whether its triangle is drawn there.
+  bool take_if_unpromised() {
+    const records::SampleVerdict verdict = unpromised_verdict();
+    if (verdict.verdict == records::Verdict::forbidden) return false;
+    const std::uint32_t triangle = context_->drawn->triangle[fragments_.front()];
+    right_.push_back({triangle, take_next(), verdict});
+    return true;
   }
 
   /// Triangle by triangle, which is how values are judged quickly.

@@ -31,6 +31,7 @@ class NearestJudge {
   const JudgeSink* sink_;
   std::vector<std::size_t> order_;  ///< fragments, by y, x, sample, triangle
   std::vector<std::pair<std::uint16_t, std::uint16_t>> rows_;  ///< of a triangle: first and past
+  std::uint64_t unpromised_ = 0;    ///< triangles of which the contract promises nothing
   SampleJudge::Findings findings_;  ///< written by the band whose turn it is
 };
 

@@ -79,8 +79,8 @@ PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute)
   PreparedValue value;
   value.attribute = attribute;
   value.kind = kind_of(source, attribute);
-  value.is_free = attribute && truth_->is_value_free(*attribute);
-  if (value.is_free) return value;
+  value.why_free = why_free(*triangle_, attribute);
+  if (value.why_free) return value;
   value.bound = least_bound(*triangle_, attribute);
 
   cases::Attribute declared;  // of the depth: at the sample

@@ -30,7 +30,7 @@ struct PreparedValue {
   std::optional<std::uint32_t> attribute;  ///< nothing for the depth
   records::AttributeKind kind = records::AttributeKind::depth;
   ValueMethod method = ValueMethod::exact;
-  bool is_free = false;  ///< not judged
+  std::optional<records::NotJudged> why_free;  ///< where it is not judged
   /// The contract leaves no range open, so that one count serves excess and ideal error. Where it
   /// is false they may still be equal.
   bool is_single = false;

@@ -75,7 +75,11 @@ void SampleJudge::flush() {
   const std::span<const std::size_t> fragments(fragments_.data(), pending_);
   const JudgedBatch* judged =
       context_->options->judges_values ? &values_.judge(fragments) : nullptr;
-  findings_.statistics.of(AttributeKind::coverage).classes[FragmentClass::correct] += pending_;
+  records::ErrorStatistics& coverage = findings_.statistics.of(AttributeKind::coverage);
+  coverage.classes[FragmentClass::correct] += pending_;
+  if (!truth_->setup().promise.is_made) {
+    coverage.not_judged[records::NotJudged::not_promised] += pending_;
+  }
   see_triangle(triangle_);
   for (const std::size_t fragment : fragments) {
     const cases::SamplePlace place = context_->drawn->place_of(fragment);

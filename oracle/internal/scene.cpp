@@ -1,6 +1,7 @@
 #include "oracle/internal/scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rastercheck::oracle {
 namespace {
@@ -115,7 +116,8 @@ Scene::Scene(const cases::Case& c, const cases::Contract& contract)
   // A sample on the far border lies in a pixel that may begin there: closed ranges.
   const auto [left, right] = touched_pixels(viewport_lo_.u, viewport_hi_.u);
   const auto [low, high] = touched_pixels(viewport_lo_.v, viewport_hi_.v);
-  pixels_ = intersection(framebuffer_pixels(c), {left, low, right, high});
+  target_pixels_ = framebuffer_pixels(c);
+  pixels_ = intersection(target_pixels_, {left, low, right, high});
   // Samples lie at least 1/16 before the far sides of their pixel, so a pixel that ends with the
   // viewport has none on its border.
   const auto [inner_left, inner_right] = held_pixels(viewport_lo_.u, viewport_hi_.u);
@@ -159,6 +161,20 @@ ViewportSide Scene::viewport_side(const Point& p) const {
     return conventions_.far_border_permitted ? ViewportSide::far_border : ViewportSide::outside;
   }
   return ViewportSide::inside;
+}
+
+bool Scene::is_within(const Ring& distance, const Point& p) const {
+  return p.u - viewport_lo_.u <= distance || viewport_hi_.u - p.u <= distance ||
+         p.v - viewport_lo_.v <= distance || viewport_hi_.v - p.v <= distance;
+}
+
+bool Scene::has_samples_within(const Ring& distance) const {
+  // Samples lie at multiples of 1/16 inside their pixels.
+  const Ring least(0x1p-4);
+  const auto is_whole = [](float number) { return std::floor(number) == number; };
+  const cases::Viewport& v = case_->viewport;
+  return distance >= least || !is_whole(v.x) || !is_whole(v.y) || !is_whole(v.width) ||
+         !is_whole(v.height);
 }
 
 bool Scene::is_culled(int orientation) const {

@@ -58,6 +58,12 @@ class Scene {
   static Point center_point(int x, int y);
 
   ViewportSide viewport_side(const Point& p) const;
+  /// Whether a point in the viewport is no farther than that from one of its sides, in pixels.
+  bool is_within(const Ring& distance, const Point& p) const;
+  /// Whether there may be samples that are.
+  bool has_samples_within(const Ring& distance) const;
+  /// The pixels of the framebuffer that the scissor lets be drawn.
+  const PixelBox& target_pixels() const { return target_pixels_; }
   /// The pixels that can hold samples in or on the viewport, framebuffer and scissor.
   const PixelBox& pixels() const { return pixels_; }
   /// Those of them all of whose samples lie in the viewport.
@@ -96,6 +102,7 @@ class Scene {
   std::span<const cases::SamplePosition> pattern_;
   Point viewport_lo_;
   Point viewport_hi_;
+  PixelBox target_pixels_;
   PixelBox pixels_;
   PixelBox inner_pixels_;
   int tie_sign_;  ///< ±1: what B is to be multiplied by where A = 0

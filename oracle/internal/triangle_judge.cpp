@@ -52,6 +52,13 @@ std::size_t FragmentOrder::lower_bound(const cases::SamplePlace& place) const {
   return first;
 }
 
+std::uint64_t samples_of_unpromised(const SceneTruth& scene) {
+  const PixelBox& box = scene.scene().target_pixels();
+  if (box.x1 <= box.x0 || box.y1 <= box.y0) return 0;
+  return static_cast<std::uint64_t>(box.x1 - box.x0) * static_cast<std::uint64_t>(box.y1 - box.y0) *
+         scene.scene().pattern().size();
+}
+
 void TriangleJudge::judge(std::uint32_t triangle, std::size_t first, std::size_t last) {
   triangle_ = triangle;
   const auto truth = std::make_shared<const TriangleTruth>(*context_->scene, triangle);
@@ -59,6 +66,7 @@ void TriangleJudge::judge(std::uint32_t triangle, std::size_t first, std::size_t
   const TriangleSetup& setup = truth->setup();
   filter_.emplace(setup, setup.pixels(), context_->options->first_level);
   samples_->begin(truth, triangle, *filter_);
+  if (!setup.promise.is_made) return judge_unpromised(first, last);
   if (!filter_->is_empty()) {
     const PixelBox& box = filter_->box();
     for (int y = box.y0; y < box.y1; ++y) {
@@ -72,6 +80,26 @@ void TriangleJudge::judge(std::uint32_t triangle, std::size_t first, std::size_t
   }
   while (first < last) take_extra(first++, {});
   samples_->flush();
+}
+
+/// Any of its samples may be drawn: only those that are have to be looked at.
+void TriangleJudge::judge_unpromised(std::size_t first, std::size_t last) {
+  const cases::Fragments& drawn = *context_->drawn;
+  for (std::size_t i = first; i < last; ++i) {
+    const std::size_t fragment = (*order_)[i];
+    const bool is_repeated = i > first && order_->place(i) == order_->place(i - 1);
+    const SampleVerdict decision =
+        drawn.sample[fragment] < context_->scene->source().framebuffer.samples
+            ? truth_->judge(drawn.x[fragment], drawn.y[fragment], drawn.sample[fragment])
+            : SampleVerdict{};
+    if (is_repeated || decision.verdict == Verdict::forbidden) {
+      take_extra(i, decision);
+    } else {
+      samples_->take_drawn(fragment, decision);
+    }
+  }
+  samples_->flush();
+  samples_->count(Verdict::permitted, samples_of_unpromised(*context_->scene));
 }
 
 void TriangleJudge::judge_row(int y, std::size_t first, std::size_t last) {

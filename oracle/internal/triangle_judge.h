@@ -28,6 +28,9 @@ class FragmentOrder {
   std::vector<std::size_t> order_;  ///< empty where they come by place, as they should
 };
 
+/// How many samples a triangle may cover of which the contract promises nothing.
+std::uint64_t samples_of_unpromised(const SceneTruth& scene);
+
 class TriangleJudge {
  public:
   TriangleJudge(const JudgeContext& context, const FragmentOrder& order, SampleJudge& samples)
@@ -37,6 +40,7 @@ class TriangleJudge {
   void judge(std::uint32_t triangle, std::size_t first, std::size_t last);
 
  private:
+  void judge_unpromised(std::size_t first, std::size_t last);
   void judge_row(int y, std::size_t first, std::size_t last);
   bool is_just_what_is_required(std::size_t first, std::size_t last) const;
   void walk_row(int y, std::size_t first, std::size_t last);

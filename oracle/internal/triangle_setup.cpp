@@ -16,14 +16,22 @@ std::array<RingVector3, 3> window_columns(const Scene& scene, const cases::Trian
 
 }  // namespace
 
-TriangleSetup::TriangleSetup(const Scene& owner, const cases::Triangle& triangle)
-    : scene(&owner), indices(triangle), columns(window_columns(owner, triangle)), ideal(columns) {
+TriangleSetup::TriangleSetup(const Scene& owner, std::size_t triangle)
+    : scene(&owner),
+      index(triangle),
+      promise(cases::promise_of(owner.contract(), owner.source(), triangle)),
+      indices(owner.source().triangles[triangle]),
+      columns(window_columns(owner, indices)),
+      ideal(columns) {
   for (const RingVector3& column : columns) {
     has_nonpositive_w = has_nonpositive_w || sign_of(column[2]) <= 0;
   }
+  if (!promise.is_made) return;
   set_up_clipping();
-  const cases::Contract& contract = scene->contract();
-  if (contract.coverage) set_up_snapping(*contract.coverage);
+  if (!scene->contract().coverage) return;
+  cases::Snapping snapping = *scene->contract().coverage;
+  snapping.position_error = promise.position_error;
+  set_up_snapping(snapping);
 }
 
 template <typename Take>
@@ -98,7 +106,7 @@ Line TriangleSetup::widened(const Line& line, const Ring& more) const {
 const std::vector<ClipFunctional>& TriangleSetup::clip_functionals() const {
   if (clip_functionals_) return *clip_functionals_;
   clip_functionals_.emplace();
-  const Ring share(scene->contract().coverage ? scene->contract().clip_error : 0.0);
+  const Ring share(scene->contract().coverage ? promise.clip_error : 0.0);
   for_each_clip_plane([&](const std::array<Ring, 3>& values, bool zero_is_tie, bool is_user) {
     const bool violated =
         std::any_of(values.begin(), values.end(), [](const Ring& v) { return sign_of(v) < 0; });
@@ -141,9 +149,11 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
     }
   }
   const Ring unit(std::ldexp(1.0, -snapping.subpixel_bits));
+  side_reach = Ring(promise.side_tolerance) * unit;
+  has_open_sides = promise.side_tolerance > 0 && scene->has_samples_within(side_reach);
   reach = candidate_radius(snapping) * unit;
   if (shape == Shape::cut) {
-    tolerance = Ring(scene->contract().clip_tolerance) * unit;
+    tolerance = Ring(promise.clip_tolerance) * unit;
     reach = std::max(reach, tolerance);
     may_turn = ideal.orientation() == 0 || !is_deeper_than_reach();
   } else {
@@ -199,7 +209,7 @@ std::vector<HomogeneousPoint> TriangleSetup::corners_beside(std::size_t edge) co
     for (std::size_t i = 0; i < polygon.size(); ++i) all.push_back(polygon.vertex(i));
   };
   take(clipped_to_triangle(guard_band_of(*scene)));
-  if (scene->contract().clip_error > 0) {  // as near to the edge as they may come
+  if (promise.clip_error > 0) {  // as near to the edge as they may come
     ConvexRegion least = guard_band_of(*scene);
     for (std::size_t i = 0; i < 3; ++i) least.clip(ideal.edge(i));
     for (const ClipFunctional& functional : clip_functionals()) {
@@ -291,6 +301,7 @@ FieldRange TriangleSetup::extent(Eigen::Index axis) const {
 }
 
 PixelBox TriangleSetup::pixels() const {
+  if (!promise.is_made) return scene->target_pixels();
   const PixelBox all = scene->pixels();
   if (has_nonpositive_w) return all;  // some of it may lie anywhere, up to infinity
   const double spread = near_double(reach);

@@ -38,9 +38,13 @@ enum class Shape {
 inline constexpr long kMostPlacements = 729;
 
 struct TriangleSetup {
-  TriangleSetup(const Scene& scene, const cases::Triangle& indices);
+  /// `triangle` is an index into the case's.
+  TriangleSetup(const Scene& scene, std::size_t triangle);
 
   const Scene* scene;
+  std::size_t index;  ///< into the case's triangles
+  /// Where it is not made, shape is `exact`, and nothing is set up but `ideal`.
+  cases::TrianglePromise promise;
   cases::Triangle indices;
   std::array<RingVector3, 3> columns;  ///< (X, Y, w) of each vertex
   ProjectiveMap ideal;                 ///< the map of the exact positions
@@ -78,6 +82,10 @@ struct TriangleSetup {
   /// vertices are placed, and they run round it the same way; one that is farther outside some edge
   /// is outside.
   std::array<Ring, 3> edge_bands;
+  /// Whether samples near the viewport's sides may be missing, so near that there may be some.
+  bool has_open_sides = false;
+  /// How near, in pixels.
+  Ring side_reach;
   bool has_nonpositive_w = false;
   /// Shape cut: no point of the polygon is farther than `reach` from all its sides, so that moving
   /// its corners may turn it round.

@@ -6,12 +6,17 @@
 #include "cases/case.h"
 #include "cases/contract.h"
 #include "oracle/internal/triangle_setup.h"
+#include "records/judgement.h"
 
 namespace rastercheck::oracle {
 
 /// What the contract promises of an attribute, or of the depth where there is none; 0 of flat ones.
-cases::ValueBound bound_of(const cases::Contract& contract, const cases::Case& source,
-                           std::optional<std::size_t> attribute);
+cases::ValueBound bound_of(const TriangleSetup& triangle, std::optional<std::size_t> attribute);
+
+/// Why any value of an attribute, or of the depth where there is none, is right all over a triangle
+/// that is drawn; nothing where it is not.
+std::optional<records::NotJudged> why_free(const TriangleSetup& triangle,
+                                           std::optional<std::size_t> attribute);
 
 /// A number that the bound at every place where an attribute, or the depth, is judged reaches: what
 /// is found within it needs no further question.

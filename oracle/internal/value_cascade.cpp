@@ -290,7 +290,11 @@ const JudgedBatch& ValueCascade::judge(std::span<const std::size_t> fragments) {
   judged_.is_wrong_.fill(false);
   std::size_t column = 0;
   for (const PreparedValue& value : prepared_.values()) {
-    if (!value.is_free) judge_column(value, column++, fragments);
+    if (value.why_free) {
+      statistics_->of(value.kind).not_judged[*value.why_free] += fragments.size();
+    } else {
+      judge_column(value, column++, fragments);
+    }
   }
   judged_.columns_.resize(column);
   return judged_;

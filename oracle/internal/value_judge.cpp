@@ -21,14 +21,17 @@ std::array<int, 3> sample_of(const ComputedValue& value) {
           static_cast<int>(value.place.sample)};
 }
 
-/// Whether |excess| is within what the contract promises, exactly.
-bool is_within(const UlpError& excess, const cases::ValueBound& bound, const TriangleTruth& truth,
-               const ComputedValue& value) {
+/// Whether |excess| is within what the contract promises, exactly; nothing where it promises
+/// nothing there.
+std::optional<bool> is_within(const UlpError& excess, const TriangleTruth& truth,
+                              const ComputedValue& value) {
   if (excess.is_zero()) return true;
+  const cases::ValueBound bound = bound_of(truth.setup(), value.attribute);
   if (records::magnitude_bound(excess.enclosure()) <= double{bound.constant}) return true;
   const auto [x, y, sample] = sample_of(value);
   const std::optional<Rational> most = truth.value_bound(value.attribute, x, y, sample);
-  return !most || magnitude(excess.value()) <= to_field(*most);
+  if (!most) return std::nullopt;
+  return magnitude(excess.value()) <= to_field(*most);
 }
 
 bool is_flat(const cases::Case& source, const ComputedValue& value) {
@@ -46,10 +49,8 @@ bool is_other_zero(const cases::Case& source, const ComputedValue& value) {
   });
 }
 
-FragmentClass class_of(const SceneTruth& scene, const TriangleTruth& truth,
-                       const ComputedValue& value, const UlpError& excess,
-                       const cases::ValueBound& bound) {
-  const bool is_right = is_within(excess, bound, truth, value);
+FragmentClass class_of(const SceneTruth& scene, const ComputedValue& value, const UlpError& excess,
+                       bool is_right) {
   if (std::isinf(value.actual)) {
     // Everything from 2^128 on has to come out infinite.
     const records::Enclosure error = excess.enclosure();
@@ -139,26 +140,31 @@ std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTr
                                        const ComputedValue& value, std::uint64_t case_index,
                                        records::Stratum stratum, bool is_single,
                                        ValueStatistics& statistics) {
-  if (value.attribute && truth.is_value_free(*value.attribute)) return std::nullopt;
   JudgedValue judged;
   judged.kind = kind_of(scene.source(), value.attribute);
   judged.attribute = value.attribute;
   judged.actual = value.actual;
+  records::ErrorStatistics& of_kind = statistics.of(judged.kind);
+  const auto not_judged = [&of_kind](records::NotJudged why) {
+    ++of_kind.not_judged[why];
+    return std::nullopt;
+  };
   if (std::isnan(value.actual)) {
     const auto [x, y, sample] = sample_of(value);
-    const bool is_any_promised = range_of(truth, value).has_value() &&
-                                 truth.value_bound(value.attribute, x, y, sample).has_value();
-    if (!is_any_promised) return std::nullopt;
+    if (!range_of(truth, value)) return not_judged(records::NotJudged::undefined);
+    if (!truth.value_bound(value.attribute, x, y, sample)) {
+      return not_judged(records::NotJudged::without_bound);
+    }
     judged.fragment_class = FragmentClass::not_a_number;
-    ++statistics.of(judged.kind).classes[judged.fragment_class];
+    ++of_kind.classes[judged.fragment_class];
     return judged;
   }
 
   const std::optional<ValueError> errors = errors_of(truth, value);
-  if (!errors) return std::nullopt;
-  const cases::ValueBound bound = bound_of(scene.contract(), scene.source(), value.attribute);
-  judged.fragment_class = class_of(scene, truth, value, errors->excess, bound);
-  records::ErrorStatistics& of_kind = statistics.of(judged.kind);
+  if (!errors) return not_judged(records::NotJudged::undefined);
+  const std::optional<bool> is_right = is_within(errors->excess, truth, value);
+  if (!is_right) return not_judged(records::NotJudged::without_bound);
+  judged.fragment_class = class_of(scene, value, errors->excess, *is_right);
   ++of_kind.classes[judged.fragment_class];
   if (std::isinf(value.actual)) return judged;
 

@@ -26,9 +26,9 @@ ComputedValue computed_value(const cases::Fragments& drawn, std::size_t fragment
 /// The kind of the attribute, or of the depth where there is none.
 records::AttributeKind kind_of(const cases::Case& source, std::optional<std::uint32_t> attribute);
 
-/// Judges the value and adds it to the statistics of its kind. Nothing where the rules leave it
-/// free or undefined; then nothing is added. `is_single`: where the value has both errors, they are
-/// the same.
+/// Judges the value, which is not free, and adds it to the statistics of its kind. Nothing where it
+/// is not judged, being undefined or without a bound, which is counted as well. `is_single`: where
+/// the value has both errors, they are the same.
 std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTruth& truth,
                                        const ComputedValue& value, std::uint64_t case_index,
                                        records::Stratum stratum, bool is_single,

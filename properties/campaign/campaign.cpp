@@ -175,7 +175,7 @@ backends::BackendFactory factory_for(const records::Plan& plan,
     factory.make_foreign = backends::isolated_by(
         {.command = worker, .timeout = std::chrono::duration<double>(plan.timeout)});
   }
-  if (plan.contract) factory.terms = plan.contract->terms;
+  factory.terms = records::terms_of(plan);
   return factory;
 }
 

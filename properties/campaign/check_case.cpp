@@ -254,6 +254,7 @@ void check_known_case(const Law& law, const std::string& specification, backends
     return;
   }
   if (!check.is_applicable || is_expected) return;
+  if (backend.terms()) return;  // Entries are of what it is held to usually.
   const bool is_same_version = known.is_same_version();
   keep(findings, records::UnexpectedPass{specification, id, std::string(law.id), is_same_version});
   if (!is_same_version) return;  // else the list is stale

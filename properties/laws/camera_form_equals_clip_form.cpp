@@ -345,7 +345,7 @@ Result<Check> check(const cases::Case& c, backends::Backend& backend, std::uint6
   }
   Result<Check> check = check_forms(*forms, backend);
   if (!check || check->fault) return check;
-  const Result<backends::Drawn> drawn = draw(forms->clip, backend);
+  const Result<backends::Drawn> drawn = draw_promised(forms->clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   const cases::Contract& contract = drawn->contract;
   if (contract.is_unspecified()) {

@@ -100,9 +100,9 @@ Result<Check> check_picture(const cases::Case& upright, const cases::Case& rolle
                             std::uint64_t index) {
   const auto contract = turned_back(upright, backend.contract(rolled_clip));
   if (!contract) return not_applicable("the contract does not turn with the case");
-  const Result<backends::Drawn> before = draw(upright, backend);
+  const Result<backends::Drawn> before = draw_promised(upright, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<backends::Drawn> drawn = draw(rolled_clip, backend);
+  const Result<backends::Drawn> drawn = draw_promised(rolled_clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check check = judge_changed(upright, *contract, before->fragments,
                               turned_back(upright, drawn->fragments, turn), index);

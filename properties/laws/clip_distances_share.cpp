@@ -68,7 +68,7 @@ class JudgedDrawing {
  public:
   /// The case must outlive it.
   static Result<JudgedDrawing> make(const cases::Case& c, backends::Backend& backend) {
-    const Result<backends::Drawn> drawn = draw(c, backend);
+    const Result<backends::Drawn> drawn = draw_promised(c, backend);
     if (!drawn) return tl::unexpected(drawn.error());
     return JudgedDrawing(c, drawn->contract, drawn->fragments);
   }

@@ -39,7 +39,7 @@ class Drawings {
     cases::Case changed = case_;
     changed.cull = cull;
     if (is_turned_round) changed.front_face = turned_round(changed.front_face);
-    return backends::fragments_of(draw(changed, *backend_));
+    return backends::fragments_of(draw_promised(changed, *backend_));
   }
   const cases::Case& source() const { return case_; }
 

@@ -294,9 +294,9 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   if (clip.triangles.empty()) return not_applicable();
   if (backend.contract(clip).coverage) clip.depth_test = cases::DepthTest::none;
   const Mixed with = mixed(clip);
-  const Result<backends::Drawn> before = draw(clip, backend);
+  const Result<backends::Drawn> before = draw_promised(clip, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<backends::Drawn> drawn = draw(with.source, backend);
+  const Result<backends::Drawn> drawn = draw_promised(with.source, backend);
   if (!drawn) return tl::unexpected(drawn.error());
 
   const cases::Contract& contract = drawn->contract;

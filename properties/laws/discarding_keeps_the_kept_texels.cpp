@@ -190,7 +190,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   if (backend.picture_drawer() == nullptr || clip.attributes.size() < 2) return not_applicable();
   clip.depth_test = cases::DepthTest::none;
   const cases::Pipeline pipeline = pipeline_of(clip);
-  const Result<backends::Drawn> fragments = draw(clip, backend);
+  const Result<backends::Drawn> fragments = draw_promised(clip, backend);
   if (!fragments) return tl::unexpected(fragments.error());
   const Result<cases::Picture> picture = draw_picture(clip, backend, pipeline);
   if (!picture) return tl::unexpected(picture.error());

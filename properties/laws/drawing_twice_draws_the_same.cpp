@@ -89,7 +89,7 @@ struct DrawnAtOnce {
 };
 
 Result<DrawnAtOnce> draw_all(const cases::Case& c, backends::Backend& backend) {
-  Result<backends::Drawn> fragments = draw(c, backend);
+  Result<backends::Drawn> fragments = draw_promised(c, backend);
   if (!fragments) return tl::unexpected(fragments.error());
   DrawnAtOnce drawing{std::move(fragments->fragments), std::nullopt};
   if (backend.picture_drawer() == nullptr) return drawing;

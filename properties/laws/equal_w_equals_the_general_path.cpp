@@ -292,9 +292,9 @@ class PathsCheck {
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
   const CasePair pair = pair_of(clip);
-  const Result<backends::Drawn> equal = draw(pair.equal, backend);
+  const Result<backends::Drawn> equal = draw_promised(pair.equal, backend);
   if (!equal) return tl::unexpected(equal.error());
-  const Result<backends::Drawn> general = draw(pair.general, backend);
+  const Result<backends::Drawn> general = draw_promised(pair.general, backend);
   if (!general) return tl::unexpected(general.error());
   return PathsCheck(pair, backend).run(equal->fragments, general->fragments);
 }

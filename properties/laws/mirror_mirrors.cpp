@@ -210,9 +210,9 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   const auto contract = mirrored_back(clip, backend.contract(*changed), *mirror);
   if (!contract) return not_applicable("the contract is not the same in a mirror");
 
-  const Result<backends::Drawn> before = draw(clip, backend);
+  const Result<backends::Drawn> before = draw_promised(clip, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<backends::Drawn> drawn = draw(*changed, backend);
+  const Result<backends::Drawn> drawn = draw_promised(*changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check check = judge_changed(clip, *contract, before->fragments,
                               mirrored_back(clip, drawn->fragments, *mirror), index);

@@ -125,10 +125,10 @@ class NearestCheck {
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   clip.depth_test = cases::DepthTest::none;
-  const Result<backends::Drawn> all = draw(clip, backend);
+  const Result<backends::Drawn> all = draw_promised(clip, backend);
   if (!all) return tl::unexpected(all.error());
   clip.depth_test = cases::DepthTest::less;
-  const Result<backends::Drawn> tested = draw(clip, backend);
+  const Result<backends::Drawn> tested = draw_promised(clip, backend);
   if (!tested) return tl::unexpected(tested.error());
   return NearestCheck(clip, all->fragments).run(tested->fragments);
 }

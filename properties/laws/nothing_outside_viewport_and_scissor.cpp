@@ -194,7 +194,7 @@ cases::Pipeline pipeline_without_test(const cases::Case& c) {
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
   OutsideCheck all(clip);
-  const Result<backends::Drawn> drawn = draw(clip, backend);
+  const Result<backends::Drawn> drawn = draw_promised(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   all.see(drawn->fragments);
   if (backend.picture_drawer() != nullptr) {

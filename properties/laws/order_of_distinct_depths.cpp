@@ -118,14 +118,14 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   cases::ClipCase clip = c;
   if (clip.triangles.size() < 2) return not_applicable();
   clip.depth_test = cases::DepthTest::none;
-  const Result<backends::Drawn> all = draw(clip, backend);
+  const Result<backends::Drawn> all = draw_promised(clip, backend);
   if (!all) return tl::unexpected(all.error());
   clip.depth_test = cases::DepthTest::less;
-  const Result<backends::Drawn> forward = draw(clip, backend);
+  const Result<backends::Drawn> forward = draw_promised(clip, backend);
   if (!forward) return tl::unexpected(forward.error());
   cases::Case reversed = clip;
   std::reverse(reversed.triangles.begin(), reversed.triangles.end());
-  Result<backends::Drawn> backward = draw(reversed, backend);
+  Result<backends::Drawn> backward = draw_promised(reversed, backend);
   if (!backward) return tl::unexpected(backward.error());
   const auto count = static_cast<std::uint32_t>(clip.triangles.size());
   for (std::uint32_t& triangle : backward->fragments.triangle) {

@@ -138,9 +138,9 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   const cases::Case own = with_own_vertices(clip);
   const ScaledCase changed = scaled_case(own);
   if (!changed.is_changed) return not_applicable();
-  const Result<backends::Drawn> before = draw(own, backend);
+  const Result<backends::Drawn> before = draw_promised(own, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<backends::Drawn> drawn = draw(changed.source, backend);
+  const Result<backends::Drawn> drawn = draw_promised(changed.source, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check check = compare_drawings(own, before->fragments, drawn->fragments,
                                  "all coordinates times a power of two");

@@ -39,7 +39,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   const auto contract = turned_back(clip, backend.contract(changed));
   if (!contract) return not_applicable("the contract does not turn with the case");
 
-  const Result<backends::Drawn> drawn = draw(changed, backend);
+  const Result<backends::Drawn> drawn = draw_promised(changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check check = judge_drawn(clip, *contract, turned_back(clip, drawn->fragments, *turn), {}, index);
   add_to_notes(check,

@@ -344,9 +344,9 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
   if (backend.contract(changed) != contract) {
     return not_applicable("the contract promises something else of the changed case");
   }
-  const Result<backends::Drawn> before = draw(clip, backend);
+  const Result<backends::Drawn> before = draw_promised(clip, backend);
   if (!before) return tl::unexpected(before.error());
-  const Result<backends::Drawn> drawn = draw(changed, backend);
+  const Result<backends::Drawn> drawn = draw_promised(changed, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   return AffinityCheck(clip, contract, std::move(maps), before->fragments, drawn->fragments).run();
 }

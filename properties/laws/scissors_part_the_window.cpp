@@ -136,12 +136,12 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   cases::ClipCase clip = c;
   const Parting parting = parting_of(clip);
   clip.scissor = parting.whole;
-  const Result<backends::Drawn> whole = draw(clip, backend);
+  const Result<backends::Drawn> whole = draw_promised(clip, backend);
   if (!whole) return tl::unexpected(whole.error());
   PartingCheck all(clip, parting, whole->fragments);
   for (const cases::Scissor& part : parting.parts) {
     clip.scissor = part;
-    const Result<backends::Drawn> drawn = draw(clip, backend);
+    const Result<backends::Drawn> drawn = draw_promised(clip, backend);
     if (!drawn) return tl::unexpected(drawn.error());
     all.see(part, drawn->fragments);
   }

@@ -222,7 +222,7 @@ class SharedEdgeCheck {
 Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::uint64_t /*index*/) {
   cases::ClipCase clip = c;
   clip.depth_test = cases::DepthTest::none;
-  const Result<backends::Drawn> drawn = draw(clip, backend);
+  const Result<backends::Drawn> drawn = draw_promised(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   return SharedEdgeCheck(clip, drawn->contract, drawn->fragments).run();
 }

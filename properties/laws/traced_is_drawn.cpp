@@ -224,7 +224,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   cases::ClipCase clip = c;
   if (backend.tracer() == nullptr) return not_applicable();
   clip.depth_test = cases::DepthTest::none;
-  const Result<backends::Drawn> drawn = draw(clip, backend);
+  const Result<backends::Drawn> drawn = draw_promised(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   return TraceCheck(clip, backend, drawn->fragments).run();
 }

@@ -364,7 +364,7 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   if (!screen || !is_triangulation(clip, contract, verdicts)) {
     return not_applicable();
   }
-  const Result<backends::Drawn> drawn = draw(clip, backend);
+  const Result<backends::Drawn> drawn = draw_promised(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   Check found = CoveredOnce(clip, contract, *screen, verdicts).run(drawn->fragments);
   if (!planes->empty()) add_label(found, "half of the screen");

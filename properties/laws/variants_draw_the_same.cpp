@@ -60,7 +60,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
   const std::vector<std::string> all = backend.about().same_as;
   if (all.empty()) return not_applicable();
-  const Result<backends::Drawn> own = draw(clip, backend);
+  const Result<backends::Drawn> own = draw_promised(clip, backend);
   if (!own) return tl::unexpected(own.error());
   const cases::Pipeline pipeline = pipeline_of(clip);
   std::optional<cases::Picture> picture;
@@ -74,7 +74,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
     const auto variant = backends::make_backend(specification);
     if (!variant) return tl::unexpected(variant.error());
     (*variant)->hold_to(backend.terms());
-    const Result<backends::Drawn> drawn = draw(clip, **variant);
+    const Result<backends::Drawn> drawn = draw_promised(clip, **variant);
     if (!drawn) return tl::unexpected(drawn.error());
     const std::string note = specification + " draws the other";
     merge(check, compare_drawings(clip, drawn->fragments, own->fragments, note));

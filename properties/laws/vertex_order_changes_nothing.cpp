@@ -35,12 +35,12 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   const cases::Contract contract = backend.contract(clip);
   cases::Case rotated = clip;
   rotate(rotated);
-  const Result<backends::Drawn> second_first = draw(rotated, backend);
+  const Result<backends::Drawn> second_first = draw_promised(rotated, backend);
   if (!second_first) return tl::unexpected(second_first.error());
   Check check = judge_drawn(clip, contract, second_first->fragments, {}, index);
   add_to_notes(check, "drawn in the order second, third, first vertex");
   rotate(rotated);
-  const Result<backends::Drawn> third_first = draw(rotated, backend);
+  const Result<backends::Drawn> third_first = draw_promised(rotated, backend);
   if (!third_first) return tl::unexpected(third_first.error());
   Check changed =
       judge_changed(clip, contract, second_first->fragments, third_first->fragments, index);

@@ -120,9 +120,9 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend, std
     return not_applicable("the contract rounds moved positions otherwise");
   }
 
-  const Result<backends::Drawn> before = draw(moved->before, backend);
+  const Result<backends::Drawn> before = draw_promised(moved->before, backend);
   if (!before) return tl::unexpected(before.error());
-  Result<backends::Drawn> drawn = draw(moved->after, backend);
+  Result<backends::Drawn> drawn = draw_promised(moved->after, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   for (std::uint16_t& x : drawn->fragments.x) x = moved_back(x, move.du);
   for (std::uint16_t& y : drawn->fragments.y) y = moved_back(y, move.dv);

@@ -84,7 +84,7 @@ cases::Case with_scaled_values(cases::Case c, int exponent) {
 /// The greatest error of smooth values, in scale ULP; a value that is no number is infinitely off.
 double worst_smooth(const Subject& subject, const DrawnCase& drawn) {
   cases::ContractTerms lax = subject.result.terms;
-  lax.smooth = cases::ValueBound{0x1p100F};
+  lax.smooth = cases::ValueBound{0x1.fffffep23F};  // from 2^24 on nothing is judged
   records::Judgement judged = subject.judgement(drawn, lax);
   const records::ErrorStatistics& errors = judged.errors[records::AttributeKind::smooth];
   double worst = 0;

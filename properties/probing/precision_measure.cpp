@@ -33,8 +33,8 @@ constexpr std::array kKinds{AttributeKind::smooth, AttributeKind::noperspective,
 constexpr std::array<std::string_view, 6> kShown{"ordinary", "slivers", "through-eye",
                                                  "clipping", "huge",    "tiny"};
 
-/// Above every error that is a number.
-constexpr float kUnbounded = 0x1p127F;
+/// The most with which values are judged at all; errors beyond it are measured as well.
+constexpr float kUnbounded = 0x1.fffffep23F;
 
 double largest_error(const records::ErrorSizes& sizes) {
   double worst = 0;
@@ -83,7 +83,7 @@ DrawnByGenerator draw_all(Subject& subject, const Progress& progress) {
       MeasureDraw draw(subject, name, static_cast<std::uint64_t>(i));
       cases::Case c = generator.make(draw);
       subject.ask_of(c);
-      if (!cases::makes_promises_of(subject.contract(c), c)) continue;
+      if (!cases::promises_all_of(subject.contract(c), c)) continue;
       std::optional<DrawnCase> drawn = subject.drawn(c);
       // By rules that it does not draw, it may draw by others.
       const cases::Rules rules = subject.base().rules;

@@ -48,7 +48,7 @@ Result<void> Subject::choose_rules() {
     rules_ = rules;
     cases::Case c = base();
     add_triangle(c, {-1, -1, 0.5F, 1}, {1, -1, 0.5F, 1}, {0, 1, 0.5F, 1});
-    const Result<backends::Drawn> first = properties::draw(c, *backend_);
+    const Result<backends::Drawn> first = draw_promised(c, *backend_);
     ++result.drawings;
     if (first) return {};
     if (chosen) chosen = tl::unexpected(first.error());
@@ -75,7 +75,7 @@ void Subject::ask_of(cases::Case& c) const {
 
 std::optional<cases::Fragments> Subject::draw(const cases::Case& c) {
   if (backend_->is_lost()) return std::nullopt;
-  Result<backends::Drawn> drawn = properties::draw(c, *backend_);
+  Result<backends::Drawn> drawn = draw_promised(c, *backend_);
   if (drawn) {
     ++result.drawings;
     return std::move(drawn->fragments);

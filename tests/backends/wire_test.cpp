@@ -100,7 +100,8 @@ TEST(Wire, BringsDrawingsAndErrors) {
   EXPECT_EQ(to_string(*failed->problem), "a: b: c");
   EXPECT_EQ(failed->problem->failure, Failure::unsupported);
 
-  const About about{"who", Driver{"what", "1.0"}, true, {"another", "and another"}};
+  const About about{
+      "who", Driver{"what", "1.0"}, ApiLimits{8, true}, true, {"another", "and another"}};
   const auto greeting = unpack_greeting(pack(Greeting{about, std::nullopt}));
   ASSERT_TRUE(greeting);
   EXPECT_EQ(greeting->about, about);
@@ -123,7 +124,8 @@ TEST(Wire, RefusesEveryPart) {
 // Each byte in turn made 255. Refused are: whether there is a coverage, its rounding, basis, tie
 // rule, grid, claim, five promises, and whether each of five bounds is there, 16; the four bytes
 // of subpixel_bits; and the last byte of each number, which is negative then: position error, guard
-// band, clip tolerance and error, 12 of bounds, four, five of textures, and two magnitudes, 27.
+// band, clip tolerance and error, 12 of bounds, four, five of textures, and two magnitudes, 27; and
+// the eight of how many triangles there are promises of.
 TEST(Wire, RefusesWhatNoContractSays) {
   const std::string contract = pack(full_contract());
   int refused = 0;
@@ -132,7 +134,7 @@ TEST(Wire, RefusesWhatNoContractSays) {
     broken[i] = '\xff';
     if (!unpack_contract(broken)) ++refused;
   }
-  EXPECT_EQ(refused, 16 + 4 + 27);
+  EXPECT_EQ(refused, 16 + 4 + 27 + 8);
 }
 
 // Kills: a comparison that is true of no number.

@@ -28,13 +28,14 @@ class PromisesTest : public testing::Test {
     contract_.numbers = {0.5F, 2};
     case_.viewport = {0, 0, 64, 64, 1, 1};
     case_.attributes = {{"smooth"}, {"flat", Interpolation::flat}};
-    case_.positions = {{1, 1, 1, 1}};
-    case_.attribute_values = {1, 1};
-    case_.clip_distances = {1};
+    case_.positions = {{1, 1, 1, 1}, {1, 1, 1, 1}};
+    case_.attribute_values = {1, 1, 1, 1};
+    case_.clip_distances = {1, 1};
     case_.clip_distance_count = 1;
+    case_.triangles = {{0, 0, 0}, {1, 1, 1}};
   }
 
-  bool are_made() const { return makes_promises_of(contract_, case_); }
+  bool are_made() const { return promises_all_of(contract_, case_); }
 
   Contract contract_;
   Case case_;
@@ -53,6 +54,28 @@ TEST_F(PromisesTest, DependOnEveryNumberThatIsComputedWith) {
   }
   case_.attribute_values[1] = 4;
   EXPECT_TRUE(are_made());
+}
+
+TEST_F(PromisesTest, AreOfTheTrianglesAndValuesThatHaveTheNumbers) {
+  case_.positions[0].z = 4;
+  EXPECT_FALSE(promise_of(contract_, case_, 0).is_made);
+  EXPECT_TRUE(promise_of(contract_, case_, 1).is_made);
+  case_.positions[0].z = 1;
+  case_.attribute_values[0] = 4;
+  EXPECT_TRUE(promise_of(contract_, case_, 0).is_made);
+  EXPECT_FALSE(promises_values_of(contract_, case_, 0, 0));
+  EXPECT_TRUE(promises_values_of(contract_, case_, 1, 0));
+  EXPECT_TRUE(promises_depth_range_of(contract_, case_));
+}
+
+TEST_F(PromisesTest, AreThoseOfTheTriangleWhereThereAreSuch) {
+  contract_.clip_tolerance = 3;
+  EXPECT_EQ(promise_of(contract_, case_, 1).clip_tolerance, 3);
+  contract_.triangles.resize(2);
+  contract_.triangles[1].clip_tolerance = 2;
+  contract_.triangles[1].bounds.depth.constant = 7;
+  EXPECT_EQ(promise_of(contract_, case_, 1), contract_.triangles[1]);
+  EXPECT_EQ(promise_of(contract_, case_, 0), TrianglePromise());
 }
 
 }  // namespace

@@ -466,12 +466,13 @@ TEST(CascadeValues, AreUndefinedFromTheHorizonOn) {
     for (const Level level : kLevels) {
       const records::Judgement judgement = judge(scene, drawn, from(level)).judgement;
       for (const AttributeKind kind : {AttributeKind::smooth, AttributeKind::noperspective}) {
-        const auto errors = judgement.errors.find(kind);
+        const records::ErrorStatistics& errors = judgement.errors.at(kind);
         // With the triangle moved right the centre lies to the left of the horizon.
-        ASSERT_EQ(errors != judgement.errors.end(), du < 0) << du;
-        if (du >= 0) continue;
-        EXPECT_EQ(errors->second.excess.histogram.count_in(Histogram::kZeroBucket), 1U) << du;
-        EXPECT_EQ(errors->second.excess.histogram.count(), 1U) << du;
+        const bool is_judged = du < 0;
+        EXPECT_EQ(errors.not_judged.contains(records::NotJudged::undefined), !is_judged) << du;
+        EXPECT_EQ(errors.excess.histogram.count_in(Histogram::kZeroBucket), is_judged ? 1U : 0U)
+            << du;
+        EXPECT_EQ(errors.excess.histogram.count(), is_judged ? 1U : 0U) << du;
       }
     }
   }

@@ -16,7 +16,7 @@ TEST(HorizonRatio, IsTheGreatestInverseWOverThatOfThePoint) {
       small_case(cases::Rules::vulkan, 4, 4, {{{-1, 1, 0, 1}, {1, 1, 0, 1}, {-4, -4, 0, 4}}},
                  {{{0}, {1}, {0}}});
   const SceneTruth truth(c, cases::contract_of(c));
-  const TriangleSetup setup(truth.scene(), c.triangles[0]);
+  const TriangleSetup setup(truth.scene(), 0);
   EXPECT_EQ(horizon_ratio(setup, {Ring(0.5), Ring(0.5)}).value(), Field(32, 11));
   EXPECT_EQ(horizon_ratio(setup, {Ring(0.5), Ring(4)}).value(), Field(1));
   EXPECT_FALSE(horizon_ratio(setup, {Ring(0.5), Ring(-4)}).has_value());
@@ -31,7 +31,7 @@ TEST(HorizonRatio, OfATriangleThroughTheEyeGoesToItsClippedCorners) {
   cases::Contract contract = cases::contract_of(c);
   contract.guard_band = 16;
   const SceneTruth truth(c, contract);
-  const TriangleSetup setup(truth.scene(), c.triangles[0]);
+  const TriangleSetup setup(truth.scene(), 0);
   EXPECT_EQ(horizon_ratio(setup, {Ring(2), Ring(5)}).value(), Field(7) / Field(3, 2));
 }
 
@@ -81,7 +81,7 @@ cases::Case in_perspective(float largest) {
 TEST(Condition, IsWhatTheWeightsAreMadeOfOverWhatTheyAre) {
   const cases::Case c = in_perspective(3);
   const SceneTruth truth(c, cases::contract_of(c));
-  const TriangleSetup setup(truth.scene(), c.triangles[0]);
+  const TriangleSetup setup(truth.scene(), 0);
   const Point p{Ring(1), Ring(1)};
   EXPECT_EQ(condition(setup, false, p).value(), Field(60, 7));
   EXPECT_EQ(condition(setup, true, p).value(), Field(9));

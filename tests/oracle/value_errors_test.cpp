@@ -95,7 +95,7 @@ RC_GTEST_PROP(ValueErrors, AreThoseOfTheRange, ()) {
   if (*rc::gen::inRange(0, 8) == 0) c.attributes[0].location = cases::Location::centroid;
   const cases::Contract contract = random_contract();
   const SceneTruth truth(c, contract);
-  expect_errors_of_ranges(TriangleSetup(truth.scene(), c.triangles[0]));
+  expect_errors_of_ranges(TriangleSetup(truth.scene(), 0));
 }
 
 /// Ordinary triangles: all w positive, most of the target covered.
@@ -110,7 +110,7 @@ RC_GTEST_PROP(ValueErrors, AreThoseOfTheRangeOfOrdinaryTriangles, ()) {
   }
   const cases::Contract contract = random_contract();
   const SceneTruth truth(c, contract);
-  expect_errors_of_ranges(TriangleSetup(truth.scene(), c.triangles[0]));
+  expect_errors_of_ranges(TriangleSetup(truth.scene(), 0));
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ class Driver : public backends::Backend {
 
   backends::About about() const override { return {.has_limits = true}; }
   cases::Contract promise(const cases::Case& c) const override {
-    return backends::api_promise(c, {way_.coverage ? way_.coverage->subpixel_bits : 8});
+    return backends::api_promise(c, {way_.coverage ? way_.coverage->subpixel_bits : 8},
+                                 cases::DriverPromise::spec);
   }
 
  private:

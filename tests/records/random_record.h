@@ -126,6 +126,7 @@ struct Observation {
   bool is_violation = false;
   std::string known;    ///< an entry's id; empty: none
   std::string why_not;  ///< why the law says nothing of another case
+  std::optional<NotJudged> not_judged;
 };
 
 inline Observation random_observation() {
@@ -138,6 +139,8 @@ inline Observation random_observation() {
   observation.stratum = random_stratum();
   observation.levels.samples = random_levels();
   observation.levels.values = random_levels();
+  observation.not_judged = one_of<std::optional<NotJudged>>(
+      {std::nullopt, NotJudged::not_promised, NotJudged::undefined});
   observation.label = one_of<std::string>({"tie", "w <= 0", "clipped"});
   observation.is_violation = *rc::gen::arbitrary<bool>();
   observation.known = one_of<std::string>({"", "driver-1", "driver-2"});
@@ -161,6 +164,7 @@ inline void add(RecordSet& records, const Observation& observation) {
   errors.ideal.sum.add(observation.worst.error);
   errors.strata[observation.stratum] = errors.ideal;
   ++errors.classes[observation.fragment_class];
+  if (observation.not_judged) ++errors.not_judged[*observation.not_judged];
   add(records, observation.key, judgement);
 
   RecordKey key = observation.key;

@@ -12,7 +12,8 @@ inline Shard sample_shard() {
   shard.corpus_digest = "0123456789abcdef";
   shard.known_digest = "fedcba9876543210";
   shard.scene_digest = "00000000000000ff";
-  shard.promises = {{"cpu", false, true, {}}, {"plugin:\"x\"", true, false, {"a law", "b"}}};
+  shard.promises = {{"cpu", false, {}, true, {}},
+                    {"gl", true, cases::DriverPromise::ieee, false, {"a law", "b"}}};
   cases::Case& saved = shard.saved.emplace_back();
   saved.framebuffer = {8, 8, 1};
   saved.viewport = {0, 0, 8, 8, 0, 1};

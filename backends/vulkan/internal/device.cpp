@@ -258,6 +258,10 @@ std::string Device::description() const {
                      VK_API_VERSION_PATCH(api));
 }
 
+bool Device::is_software() const {
+  return impl_->properties.device.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+}
+
 Result<Device> Device::create(Instance instance, const DeviceChoice& choice) {
   const Result<VkPhysicalDevice> physical = choose(instance.get(), choice);
   if (!physical) return tl::unexpected(physical.error());

@@ -45,6 +45,8 @@ class Device {
   /// Device, driver and version of the API, on one line.
   std::string description() const;
   Driver driver() const;
+  /// Whether it draws with the processor.
+  bool is_software() const;
   /// Instance::take_messages.
   std::string take_messages();
 

@@ -155,9 +155,9 @@ std::uint32_t add_mixed(cases::Case& c, const std::array<std::uint32_t, 3>& vert
 }
 
 Result<Check> check_parted(const Parted& parted, backends::Backend& backend) {
-  const Result<backends::Drawn> whole = draw(parted.whole, backend);
+  const Result<backends::Drawn> whole = draw_promised(parted.whole, backend);
   if (!whole) return tl::unexpected(whole.error());
-  Result<backends::Drawn> parts = draw(parted.parts, backend);
+  Result<backends::Drawn> parts = draw_promised(parted.parts, backend);
   if (!parts) return tl::unexpected(parts.error());
   // A triangle that the parts do not have becomes one that the whole does not have either.
   const auto nowhere = static_cast<std::uint32_t>(parted.whole.triangles.size());

@@ -39,7 +39,7 @@ records::Run shard(std::uint64_t index) {
   run.plan.shard = {index, 3};
   records::Shard& of_run = run.shard.emplace();
   of_run.corpus_digest = "0123456789abcdef";
-  of_run.promises = {{"cpu", false, true, {}}};
+  of_run.promises = {{"cpu", false, {}, true, {}}};
   records::Record& record =
       run.records[{kLaw, "cpu", records::AttributeKind::coverage, "ordinary"}];
   record.cases.checked = 1000;
