@@ -364,8 +364,8 @@ Action set_up(CLI::App& app) {
                    "Goes on with the interrupted run in the folder --output, with the options that "
                    "it was begun with");
   for (const char* settled : {"--backend", "--property", "--cases", "--seed", "--scene",
-                              "--scene-size", "--contract", "--promise", "--corpus", "--known", "--no-known",
-                              "--shrink-tries", "--shrink-seconds", "--keep-cases"}) {
+                              "--scene-size", "--contract", "--promise", "--corpus", "--known",
+                              "--no-known", "--shrink-tries", "--shrink-seconds", "--keep-cases"}) {
     resume->excludes(settled);
     rerun->excludes(settled);
   }
