@@ -21,8 +21,10 @@ CLI::Option* add_promise(CLI::App& app, std::optional<cases::DriverPromise>& pro
           [&promise](const std::string& name) {
             promise = cases::from_name<cases::DriverPromise>(name);
           },
-          "What drivers are held to: spec, the text of OpenGL and Vulkan; conformance, what Khronos' "
-          "tests hold every driver to; ieee, float32 arithmetic. Usual: ieee of those that draw with "
+          "What drivers are held to: spec, the text of OpenGL and Vulkan; conformance, what "
+          "Khronos' "
+          "tests hold every driver to; ieee, float32 arithmetic. Usual: ieee of those that draw "
+          "with "
           "the processor, else conformance")
       ->check(CLI::IsMember(std::vector<std::string>{"spec", "conformance", "ieee"}))
       ->type_name("NAME");

@@ -47,12 +47,32 @@ std::string unexpected_sentence(const UnexpectedPass& pass) {
                          : "a warning, as the list was made for another version of the driver.");
 }
 
+namespace {
+
+const char* words_of(cases::DriverPromise promise) {
+  switch (promise) {
+    case cases::DriverPromise::spec:
+      return "what the text of its API promises";
+    case cases::DriverPromise::conformance:
+      return "what Khronos' tests hold every driver to";
+    case cases::DriverPromise::ieee:
+      break;
+  }
+  return "float32 arithmetic, which no API promises: what is violated is worse than that";
+}
+
+}  // namespace
+
 std::vector<std::string> caveats(const Run& run) {
   std::vector<std::string> all;
   if (run.shard) all.push_back(shard_sentence(run));
   if (run.plan.contract) {
     all.push_back(fmt::format("Held to the contract of {}, not to what the backends promise.",
                               run.plan.contract->file));
+  }
+  for (const auto& [backend, promise] : run.held_to) {
+    all.push_back(fmt::format("{} is held to {} (--promise {}).", backend, words_of(promise),
+                              to_string(promise)));
   }
   if (run.cases_left > 0) {
     all.push_back(

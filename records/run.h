@@ -70,6 +70,8 @@ struct Run {
   std::vector<Inspection> inspections = {};
   /// Ordered by (law, backend, label).
   std::vector<UnreachedLabel> unreached;
+  /// Which promise of their API drivers were held to, by backend.
+  std::map<std::string, cases::DriverPromise> held_to = {};
   /// What was known of the backends' drivers, where there are lists.
   std::vector<KnownOfBackend> known;
   /// Known defects that no longer show; in order.

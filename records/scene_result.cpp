@@ -25,6 +25,11 @@ std::string scene_sentence(const SceneResult& scene) {
   } else {
     text += fmt::format("nothing was judged of its {}", counted(scene.triangles, "triangle"));
   }
+  if (!scene.values_not_judged.empty()) {
+    text += fmt::format("; {} judged", counted(scene.values, "value"));
+    for (const auto& [why, count] : scene.values_not_judged)
+      text += fmt::format(", {} {}", count, why);
+  }
   for (const auto& [why, triangles] : scene.not_judged) {
     const bool are_all = triangles == scene.triangles;
     text += are_all ? ", as " + why

@@ -20,6 +20,9 @@ struct SceneResult {
   bool is_known = false;  ///< all that is wrong is known of the driver
   /// Triangles of which nothing was judged, by why.
   std::map<std::string, std::uint64_t> not_judged = {};
+  std::uint64_t values = 0;  ///< judged
+  /// Fragments and values that were drawn and not judged, by why.
+  std::map<std::string, std::uint64_t> values_not_judged = {};
   bool operator==(const SceneResult&) const = default;
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 namespace rastercheck::records {
@@ -99,6 +98,7 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
     if (key.law == law && key.backend == backend) merge(by_kind[key.attribute_kind], record);
   }
   std::uint64_t correct_fragments = 0;
+  bool has_values = false;
   for (const auto& [kind, record] : by_kind) {
     merge(row.cases, record.cases);
     merge(row.counts, record.counts);
@@ -109,11 +109,12 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
     for (const auto& [why, cases] : record.not_applicable_because) {
       row.not_applicable_because[why] += cases;
     }
+    add(row.judged, kind, record.errors);
     if (kind == AttributeKind::coverage) {
-      const auto& classes = record.errors.classes.counts;
-      row.fragments = std::accumulate(classes.begin(), classes.end(), std::uint64_t{0});
       correct_fragments = record.errors.classes[FragmentClass::correct];
+      for (const auto& [why, count] : record.errors.not_judged) correct_fragments -= count;
     } else {
+      has_values = true;
       take_in(row.ideal, record.errors.ideal);
       take_in(row.excess, record.errors.excess);
       append_precision(row.precision, kind, record.errors);
@@ -125,7 +126,11 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
   std::copy_if(
       run.unreached.begin(), run.unreached.end(), std::back_inserter(row.unreached),
       [&](const UnreachedLabel& label) { return label.law == law && label.backend == backend; });
-  row.verdict = verdict_of(row.cases, correct_fragments);
+  row.judged.asked = row.cases.checked + row.cases.not_applicable;
+  row.judged.applicable = row.cases.checked;
+  // Of a law on values it says nothing that fragments are where they should be.
+  const bool is_any_judged = !has_values || row.judged.values > 0 || row.judged.not_judged.empty();
+  row.verdict = verdict_of(row.cases, is_any_judged ? correct_fragments : 0);
   if (row.verdict != LawVerdict::violated && !row.unreached.empty()) {
     row.verdict = LawVerdict::not_checked;
   }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "records/judged.h"
 #include "records/run.h"
 
 namespace rastercheck::records {
@@ -76,7 +77,7 @@ struct LawSummary {
   std::string law;
   std::string backend;
   CaseCounts cases;
-  std::uint64_t fragments = 0;  ///< judged for coverage: drawn, or missing
+  Judged judged;
   Counts counts;
   ClassCounts classes;  ///< over all kinds, coverage included
   SizeSummary ideal;    ///< against the exact triangle

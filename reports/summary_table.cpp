@@ -47,6 +47,14 @@ nlohmann::ordered_json precision_json(const std::vector<records::Precision>& row
   return json;
 }
 
+nlohmann::ordered_json judged_json(const records::Judged& judged) {
+  return {{"asked", judged.asked},
+          {"applicable", judged.applicable},
+          {"fragments", judged.fragments},
+          {"values", judged.values},
+          {"not_judged", judged.not_judged}};
+}
+
 nlohmann::ordered_json levels_json(const records::LevelCounts& levels) {
   return {{"filter", levels.filter}, {"interval", levels.interval}, {"exact", levels.exact}};
 }
@@ -57,12 +65,13 @@ std::string summary_table(const std::vector<records::LawSummary>& rows, bool qui
                           std::optional<std::size_t> columns) {
   std::vector<std::vector<std::string>> cells;
   if (!quiet) {
-    cells.push_back({"law", "backend", "cases", "fragments", "worst ULP", "p99 ULP",
+    cells.push_back({"law", "backend", "cases", "fragments", "not judged", "worst ULP", "p99 ULP",
                      "beyond contract", "verdict"});
   }
   for (const records::LawSummary& row : rows) {
     cells.push_back(
-        {row.law, row.backend, std::to_string(row.cases.checked), std::to_string(row.fragments),
+        {row.law, row.backend, std::to_string(row.cases.checked),
+         std::to_string(row.judged.fragments), not_judged_share(row.judged),
          number_text(row.ideal.worst), at_most_text(row.ideal.p99), number_text(row.excess.worst),
          row.verdict == records::LawVerdict::known ? verdict_text(row)
                                                    : std::string(to_string(row.verdict))});
@@ -90,6 +99,19 @@ std::string known_text(const records::Run& run) {
   std::string all;
   for (const auto& [backend, text] : by_backend) {
     all += fmt::format("Known defects of {}: {}.\n", backend, text);
+  }
+  return all;
+}
+
+std::string not_judged_text(const std::vector<records::LawSummary>& rows) {
+  std::map<std::string, records::Judged> by_backend;
+  for (const records::LawSummary& row : rows) records::merge(by_backend[row.backend], row.judged);
+  std::string all;
+  for (const auto& [backend, judged] : by_backend) {
+    if (judged.not_judged.empty()) continue;
+    all += fmt::format("Not judged on {}: {} of fragments and values of all laws, {}.\n",
+                       cases::printable(backend), not_judged_share(judged),
+                       records::not_judged_words(judged));
   }
   return all;
 }
@@ -123,7 +145,7 @@ std::string summary_json(const records::Run& run, const std::vector<records::Law
                             {"known", row.cases.known},
                             {"known_defects", row.known},
                             {"not_applicable_because", row.not_applicable_because},
-                            {"fragments", row.fragments},
+                            {"judged", judged_json(row.judged)},
                             {"required", row.counts.required},
                             {"forbidden", row.counts.forbidden},
                             {"permitted", row.counts.permitted},
@@ -143,10 +165,12 @@ std::string summary_json(const records::Run& run, const std::vector<records::Law
                               {"backend", scene.backend},
                               {"triangles", scene.triangles},
                               {"fragments", scene.fragments},
+                              {"values", scene.values},
                               {"judged", scene.judged},
                               {"wrong", scene.wrong},
                               {"is_known", scene.is_known},
-                              {"not_judged", scene.not_judged}});
+                              {"not_judged", scene.not_judged},
+                              {"values_not_judged", scene.values_not_judged}});
   }
   return json.dump();
 }

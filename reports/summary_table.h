@@ -25,6 +25,9 @@ std::string summary_counts(const std::vector<records::LawSummary>& rows);
 /// none was.
 std::string known_text(const records::Run& run);
 
+/// A line for each backend of whose fragments and values some were not judged, and why not.
+std::string not_judged_text(const std::vector<records::LawSummary>& rows);
+
 /// Which laws checked nothing, by backend and reason, a line for each; empty where there is none.
 std::string not_checked_text(const std::vector<records::LawSummary>& rows);
 

@@ -100,6 +100,9 @@ Result<records::Run> PlanRun::carry_out() {
   run.cases = findings.cases;
   run.counterexamples = findings.counterexamples;
   run.unexpected = findings.unexpected;
+  for (const records::BackendPromises& of_backend : promises_) {
+    if (of_backend.promise) run.held_to[of_backend.backend] = *of_backend.promise;
+  }
   run.cases_left = campaign_.cases_left();
   // Whether a shard reaches a label says nothing of all shards.
   if (!start_.plan.shard)

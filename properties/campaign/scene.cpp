@@ -10,6 +10,7 @@
 #include "oracle/transform.h"
 #include "properties/campaign/check_case.h"
 #include "properties/judged_law.h"
+#include "records/judged.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -202,6 +203,10 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
   result.result.judged = reader.judged();
   result.result.wrong = reader.wrong();
   result.result.is_known = result.result.wrong > 0;
+  records::Judged all;
+  for (const auto& [kind, errors] : judged.judgement.errors) records::add(all, kind, errors);
+  result.result.values = all.values;
+  result.result.values_not_judged = std::move(all.not_judged);
 
   for (const Law* law : scene_laws(laws)) {
     const bool is_coverage = law->id == kCoverageLaw;

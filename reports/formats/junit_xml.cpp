@@ -98,8 +98,11 @@ std::string test_of(const Run& run, const LawSummary& row) {
                                  html(row.backend), html(row.law));
   text += outcome_of(run, row);
   text += fmt::format(
-      "<system-out>{} checked, {}; worst {} scale ULP{}</system-out>\n",
-      counted(row.cases.checked, "case", "cases"), counted(row.fragments, "fragment", "fragments"),
+      "<system-out>{} checked, {} and {} judged{}; worst {} scale ULP{}</system-out>\n",
+      counted(row.cases.checked, "case", "cases"),
+      counted(row.judged.fragments, "fragment", "fragments"),
+      counted(row.judged.values, "value", "values"),
+      row.judged.not_judged.empty() ? "" : ", not: " + records::not_judged_words(row.judged),
       html(number_text(row.ideal.worst)),
       row.cases.known == 0 ? "" : ", " + counted(row.cases.known, "known case", "known cases"));
   return text + "</testcase>\n";

@@ -28,11 +28,13 @@ std::string verdict_of(const LawSummary& row) {
 
 std::string table_of(const std::vector<LawSummary>& rows) {
   std::string text =
-      "| law | backend | cases | fragments | worst ULP | p99 ULP | beyond contract | verdict |\n"
-      "|---|---|--:|--:|--:|--:|--:|---|\n";
+      "| law | backend | cases | fragments | not judged | worst ULP | p99 ULP | beyond contract | "
+      "verdict |\n"
+      "|---|---|--:|--:|--:|--:|--:|--:|---|\n";
   for (const LawSummary& row : rows) {
-    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", markdown(row.law),
-                        markdown(row.backend), grouped(row.cases.checked), grouped(row.fragments),
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", markdown(row.law),
+                        markdown(row.backend), grouped(row.cases.checked),
+                        grouped(row.judged.fragments), not_judged_share(row.judged),
                         markdown(number_text(row.ideal.worst)), at_most_text(row.ideal.p99),
                         markdown(number_text(row.excess.worst)), verdict_of(row));
   }

@@ -59,7 +59,8 @@ std::string table_of(const Run& run, const std::vector<LawSummary>& rows) {
       "<th>verdict</th><th class=\"number\">worst<br><small>scale ULP</small></th>"
       "<th class=\"number\">p99<br><small>scale ULP</small></th>"
       "<th class=\"number\">beyond<br>contract<br><small>scale ULP</small></th>"
-      "<th class=\"number\">cases</th><th class=\"number\">fragments</th></tr></thead>\n<tbody>\n";
+      "<th class=\"number\">cases</th><th class=\"number\">fragments</th>"
+      "<th class=\"number\">not<br>judged</th></tr></thead>\n<tbody>\n";
   for (const LawSummary& row : by_urgency(rows)) {
     const std::string law = fmt::format("<a href=\"#{}\">{}</a>", law_link(row.law), html(row.law));
     text += "<tr>" + cell(law) + cell(html(row.backend)) + cell(verdict_word(row)) +
@@ -67,7 +68,8 @@ std::string table_of(const Run& run, const std::vector<LawSummary>& rows) {
             number_cell("p99 ULP", at_most_text(row.ideal.p99)) +
             number_cell("beyond contract", number_text(row.excess.worst)) +
             number_cell("cases", grouped(row.cases.checked)) +
-            number_cell("fragments", grouped(row.fragments)) + "</tr>\n";
+            number_cell("fragments", grouped(row.judged.fragments)) +
+            number_cell("not judged", not_judged_share(row.judged)) + "</tr>\n";
   }
   return text + "</tbody>\n</table>\n";
 }
@@ -162,7 +164,13 @@ std::string run_figures(const Run& run, const std::vector<LawSummary>& rows,
 
 std::string facts_of(const LawSummary& total) {
   const records::Counts& counts = total.counts;
-  return "<dl class=\"facts\">\n" + definition("fragments checked", grouped(total.fragments)) +
+  return "<dl class=\"facts\">\n" +
+         definition("fragments judged", grouped(total.judged.fragments)) +
+         (total.judged.not_judged.empty()
+              ? ""
+              : definition("not judged", fmt::format("{} of fragments and values: {}",
+                                                     not_judged_share(total.judged),
+                                                     records::not_judged_words(total.judged)))) +
          definition("samples", fmt::format("{} required, {} forbidden, {} permitted, {} undecided",
                                            grouped(counts.required), grouped(counts.forbidden),
                                            grouped(counts.permitted), grouped(counts.undecided))) +

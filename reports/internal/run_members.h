@@ -58,10 +58,12 @@ void members(Archive& archive, T& scene) {
   archive.required("backend", scene.backend);
   archive.required("triangles", scene.triangles);
   archive.required("fragments", scene.fragments);
+  archive.required("values", scene.values);
   archive.required("judged", scene.judged);
   archive.required("wrong", scene.wrong);
   archive.optional("is_known", scene.is_known);
   archive.required("not_judged", scene.not_judged);
+  archive.optional("values_not_judged", scene.values_not_judged);
   archive.check([&](const cases::JsonNode& node) {
     if (scene.wrong > scene.judged) node["wrong"].refuse("must not be more than were judged");
   });
@@ -91,6 +93,7 @@ void members(Archive& archive, T& run) {
   archive.required("counterexamples", run.counterexamples);
   archive.optional("inspections", run.inspections);
   archive.required("unreached", run.unreached);
+  archive.optional("held_to", run.held_to);
   archive.optional("known", run.known);
   archive.optional("unexpected_passes", run.unexpected);
   archive.optional("scenes", run.scenes);

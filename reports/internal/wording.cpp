@@ -132,6 +132,14 @@ std::string verdict_sentence(const std::vector<LawSummary>& rows) {
   return "Nothing was checked.";
 }
 
+std::string not_judged_share(const records::Judged& judged) {
+  const double percent = 100 * judged.share_not_judged();
+  if (percent == 0) return "–";
+  if (percent < 1) return "< 1%";
+  // Never all of what some was judged of.
+  return fmt::format("{}%", static_cast<int>(percent));
+}
+
 LawSummary totals(const std::vector<LawSummary>& rows) {
   LawSummary total;
   for (const LawSummary& row : rows) {
@@ -139,7 +147,7 @@ LawSummary totals(const std::vector<LawSummary>& rows) {
     records::merge(total.counts, row.counts);
     records::merge(total.classes, row.classes);
     records::merge(total.levels, row.levels);
-    total.fragments += row.fragments;
+    records::merge(total.judged, row.judged);
     total.ideal.values += row.ideal.values;
     total.excess.values += row.excess.values;
   }

@@ -72,6 +72,9 @@ std::string verdict_sentence(const std::vector<records::LawSummary>& rows);
 /// "violated in 3 cases", "known in 2 cases", "held", "not checked".
 std::string verdict_text(const records::LawSummary& row);
 
+/// "12%" of fragments and values, "< 1%", or a dash where all were judged.
+std::string not_judged_share(const records::Judged& judged);
+
 /// All rows together; of sizes and labels nothing.
 records::LawSummary totals(const std::vector<records::LawSummary>& rows);
 

@@ -86,9 +86,25 @@ TEST(Summarize, CountsFragmentsByTheirCoverage) {
     classes[FragmentClass::missing] = 3;
   }
   const LawSummary row = summary_of(records);
-  EXPECT_EQ(row.fragments, 13U);
+  EXPECT_EQ(row.judged.fragments, 13U);
   EXPECT_EQ(row.classes[FragmentClass::correct], 20U);
   EXPECT_EQ(row.classes[FragmentClass::missing], 6U);
+}
+
+// Kills: a law on values that holds because none of them was judged.
+TEST(Summarize, HoldsOnlyWhereSomethingWasJudged) {
+  RecordSet records;
+  Record& coverage = records[{"law", "cpu", AttributeKind::coverage, ""}];
+  coverage.cases = {1, 0, 0};
+  coverage.errors.classes[FragmentClass::correct] = 10;
+  EXPECT_EQ(summary_of(records).verdict, LawVerdict::held);
+  Record& depth = records[{"law", "cpu", AttributeKind::depth, ""}];
+  depth.errors.not_judged[NotJudged::without_bound] = 10;
+  EXPECT_EQ(summary_of(records).verdict, LawVerdict::not_checked);
+  depth.errors.classes[FragmentClass::correct] = 1;
+  EXPECT_EQ(summary_of(records).verdict, LawVerdict::held);
+  coverage.errors.not_judged[NotJudged::not_promised] = 10;
+  EXPECT_EQ(summary_of(records).verdict, LawVerdict::not_checked);
 }
 
 TEST(Summarize, TheWorstIsTheLargestMagnitudeOfAllKinds) {

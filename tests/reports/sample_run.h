@@ -86,6 +86,7 @@ inline void add_sample_records(records::RecordSet& into, const std::string& law,
   Record smooth;
   smooth.errors.classes[FragmentClass::correct] = 12000;
   smooth.errors.classes[FragmentClass::beyond_bound] = violations;
+  smooth.errors.not_judged[records::NotJudged::not_promised] = 1234;
   for (const double error : {0.0, 0.001, 0.125, 0.25, 0.375, 0.5}) {
     const std::size_t bucket = Histogram::bucket_of(error);
     smooth.errors.ideal.histogram.add_to_bucket(bucket, 2000);

@@ -21,7 +21,8 @@ records::LawSummary row() {
   row.law = "constants-stay-constant";
   row.backend = "cpu";
   row.cases = {12, 3, 1};
-  row.fragments = 1000;
+  row.judged.fragments = 1000;
+  row.judged.not_judged["left free"] = 250;
   row.counts = {1, 2, 3, 4};
   row.levels.samples = {3, 1, 0};
   row.ideal.worst = {0.5, 0.5};
@@ -33,7 +34,7 @@ records::LawSummary row() {
 // Kills: an upper bound that is rounded down.
 TEST(SummaryTable, HasARowForEachLawAndBackend) {
   EXPECT_EQ(summary_table({row()}, true, {}),
-            "constants-stay-constant  cpu  12  1000  0.5  ≤ 0.459  –  violated\n");
+            "constants-stay-constant  cpu  12  1000  20%  0.5  ≤ 0.459  –  violated\n");
   EXPECT_THAT(summary_table({row()}, false, {}), StartsWith("law  "));
 }
 
@@ -42,6 +43,14 @@ TEST(KnownText, CountsTheCasesOfWhatWasSeen) {
   EXPECT_EQ(known_text(run), "");
   add_known_defects(run);
   EXPECT_EQ(known_text(run), "Known defects of cpu: driver-1 in 3 cases.\n");
+}
+
+TEST(NotJudgedText, AddsUpLawsOfABackend) {
+  EXPECT_EQ(not_judged_text({row(), row()}),
+            "Not judged on cpu: 20% of fragments and values of all laws, 500 left free.\n");
+  records::LawSummary all = row();
+  all.judged.not_judged.clear();
+  EXPECT_EQ(not_judged_text({all}), "");
 }
 
 TEST(NotCheckedText, GathersLawsByReason) {

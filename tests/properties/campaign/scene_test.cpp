@@ -68,7 +68,7 @@ TEST(JudgeScene, CountsWhatWasJudgedAndWhatIsWrong) {
   const cases::Case c = scene();
   const auto cpu = backends::make_backend("cpu").value();
   const SceneFindings right = judge_scene(c, "cpu", *cpu, 7, kLaws).value();
-  EXPECT_EQ(right.result, (records::SceneResult{"square", "cpu", 2, 64, 64, 0, false, {}}));
+  EXPECT_EQ(right.result, (records::SceneResult{"square", "cpu", 2, 64, 64, 0, false, {}, 256}));
   DamagedBackend backend(
       [](const cases::Case&, cases::Fragments& drawn) {
         drop(drawn, 0, 1, 1);
@@ -77,7 +77,7 @@ TEST(JudgeScene, CountsWhatWasJudgedAndWhatIsWrong) {
       },
       "cpu");
   const SceneFindings wrong = judge_scene(c, "cpu", backend, 7, kLaws).value();
-  EXPECT_EQ(wrong.result, (records::SceneResult{"square", "cpu", 2, 64, 65, 3, false, {}}));
+  EXPECT_EQ(wrong.result, (records::SceneResult{"square", "cpu", 2, 64, 65, 3, false, {}, 252}));
 }
 
 TEST(JudgeScene, RecordsOnlyWhatIsAskedFor) {

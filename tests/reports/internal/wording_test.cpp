@@ -145,12 +145,12 @@ TEST(VerdictSentence, TellsKnownDefects) {
 
 TEST(Totals, AddsRows) {
   LawSummary row = row_with(3, 1);
-  row.fragments = 10;
+  row.judged.fragments = 10;
   row.counts = {1, 2, 3, 4};
   row.levels = {{1, 2, 3}, {4, 5, 6}};
   const LawSummary total = totals({row, row, row_with(5, 0)});
   EXPECT_EQ(total.cases, (records::CaseCounts{11, 0, 2}));
-  EXPECT_EQ(total.fragments, 20U);
+  EXPECT_EQ(total.judged.fragments, 20U);
   EXPECT_EQ(total.counts, (records::Counts{2, 4, 6, 8}));
   EXPECT_EQ(total.levels, (records::Levels{{2, 4, 6}, {8, 10, 12}}));
   EXPECT_EQ(total.verdict, LawVerdict::violated);
