@@ -59,13 +59,13 @@
 namespace rastercheck::backends {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kWithoutEnd = std::numeric_limits<double>::infinity();
 
 constexpr double kArea = 5;
 constexpr double kAffine = 2 * 13 + kArea;
 constexpr double kNumerator = 2 * 15 + kArea;
 constexpr double kDenominator = 2 * 14 + kArea;
-constexpr double kQuotient = 2;
+constexpr double kDivision = 2;
 
 double extent(const std::array<double, 3>& at) {
   const auto [least, greatest] = std::minmax({at[0], at[1], at[2]});
@@ -142,7 +142,7 @@ Moved moved(const WindowTriangle& t, double reach, double beyond) {
 }  // namespace
 
 PlaneError plane_error(const WindowTriangle& triangle, const Evaluation& evaluation) {
-  constexpr PlaneError kNothing{kInfinity, kInfinity, kInfinity};
+  constexpr PlaneError kNothing{kWithoutEnd, kWithoutEnd, kWithoutEnd};
   const Moved m = moved(triangle, evaluation.reach, evaluation.beyond);
   if (!(m.area > 0)) return kNothing;
   double sizes = m.sizes;
@@ -156,16 +156,16 @@ PlaneError plane_error(const WindowTriangle& triangle, const Evaluation& evaluat
   error.affine = kAffine * lost * outside / (1 - kArea * lost);
   const double least =
       m.least_inverse_w - (evaluation.beyond + evaluation.reach) * m.inverse_w_change;
-  const double horizon = least > 0 ? m.most_inverse_w / least : kInfinity;  // g, at most
+  const double horizon = least > 0 ? m.most_inverse_w / least : kWithoutEnd;  // g, at most
   const double left = 1 - kArea * lost - kDenominator * lost * horizon;
   if (!(left > 0)) {
-    error.constant = error.per_horizon = kInfinity;
+    error.constant = error.per_horizon = kWithoutEnd;
     return error;
   }
-  error.constant = kQuotient * evaluation.operation * outside;
+  error.constant = kDivision * evaluation.operation * outside;
   error.per_horizon = (kNumerator + kDenominator * outside) * lost / left;
   if (evaluation.beyond > 0) {  // The greatest g there may be less than it is where vertices are.
-    error.constant = kQuotient * evaluation.operation * outside * horizon +
+    error.constant = kDivision * evaluation.operation * outside * horizon +
                      (kNumerator + kDenominator * outside * horizon) * lost * horizon / left;
     error.per_horizon = 0;
   } else {
@@ -178,9 +178,9 @@ PlaneError plane_error(const WindowTriangle& triangle, const Evaluation& evaluat
 
 double weight_change(const WindowTriangle& triangle, double reach, double distance) {
   const Moved m = moved(triangle, reach, distance);
-  if (!(m.area > 0)) return kInfinity;
+  if (!(m.area > 0)) return kWithoutEnd;
   const double least = m.least_inverse_w - (distance + reach) * m.inverse_w_change;
-  if (!(least > 0)) return kInfinity;
+  if (!(least > 0)) return kWithoutEnd;
   // λ_i = b_i q_i / M: |∂λ_i| <= |∂b_i| q_i / M + |λ_i| |∂M| / M, and Σ |λ_i| <= x q / M.
   const double outside = 1 + distance * m.weight_change();
   const double horizon = m.most_inverse_w / least;

@@ -104,7 +104,7 @@ def complete(document):
     """The same with the keys that it lacks."""
     document["plan"] |= {
         "contract": {"file": "mine.json", "terms": {"format": "rastercheck-contract", "version": 1}},
-        "corpus": "a folder", "known": "another", "ignores_known": True, "scene_size": 640,
+        "promise": "spec", "corpus": "a folder", "known": "another", "ignores_known": True, "scene_size": 640,
         "shrink_tries": 5, "shrink_seconds": 2.5, "keeps_cases": True,
         "shard": {"index": 2, "count": 7}}
     document["cases_left"] = 3
@@ -115,8 +115,9 @@ def complete(document):
     document["shard"] = {
         "is_whole": True, "corpus_digest": "c", "known_digest": "k",
         "scene_digest": "s", "saved": [copy.deepcopy(document["counterexamples"][0]["case"])],
-        "promises": [{"backend": "cpu", "has_limits": False, "draws_what_is_asked_for": True,
+        "promises": [{"backend": "cpu", "has_limits": False, "promise": "ieee", "draws_what_is_asked_for": True,
                       "unpromised": ["a"]}]}
+    document["held_to"] = {"cpu": "ieee"}
     document["unexpected_passes"] = [
         {"backend": "cpu", "id": "driver-2", "law": "a", "is_same_version": False}]
     document["known"] = [{"backend": "cpu", "driver_version": "Mesa 23", "list": {
