@@ -4,6 +4,7 @@
 // a vertex stage, traces) are interfaces of their own, which a backend may not have.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -155,6 +156,10 @@ class Backend {
   void hold_to(std::optional<cases::ContractTerms> terms) { terms_ = std::move(terms); }
   const std::optional<cases::ContractTerms>& terms() const { return terms_; }
 
+  /// Has it call `tell` whenever part of a drawing is done that takes long: whoever waits for it
+  /// knows then that it goes on.
+  void tell_progress(std::function<void()> tell) { tell_ = std::move(tell); }
+
   /// The promise of its API that it is held to; nothing of what promises something of its own.
   std::optional<cases::DriverPromise> driver_promise() const {
     const std::optional<ApiLimits> api = about().api;
@@ -176,11 +181,17 @@ class Backend {
   }
 
  protected:
+  /// Says that part of a drawing is done.
+  void go_on() const {
+    if (tell_) tell_();
+  }
+
   /// What draw() draws.
   virtual Result<cases::Fragments> draw_fragments(const cases::Case& c) = 0;
 
  private:
   std::optional<cases::ContractTerms> terms_;
+  std::function<void()> tell_;
 };
 
 }  // namespace rastercheck::backends

@@ -26,7 +26,8 @@ struct Isolation {
   /// Program and arguments of a process that calls serve_backend(); the backend's specification and
   /// `--seconds` and `--memory` with the limits below are added.
   std::vector<std::string> command;
-  /// How long an answer may take. Processor time is limited to as much on each processor.
+  /// How long a process may be silent that is asked: until it answers, or says that it goes on
+  /// (Backend::tell_progress()). Processor time is limited to as much on each processor.
   std::chrono::duration<double> timeout{10};
   /// Bytes that a process may take.
   std::uint64_t memory = std::uint64_t{4} << 30;

@@ -153,6 +153,11 @@ Result<void> serve_backend(const std::string& specification, const ServingLimits
     greeting.problem = backend.error();
   }
   if (!channel->send(pack(greeting), {}) || !backend) return {};
+  (*backend)->tell_progress([&] {
+    channel->beat();
+    // As much for the next part. Where that fails, the time that is left has to do.
+    static_cast<void>(cases::limit_processor_time_from_now(time_of_all));
+  });
   WatchedDrawer drawer(**backend, limits.seconds);
   while (const std::optional<std::string> asked = channel->receive(kMostBytes, {})) {
     const std::optional<Request> request = unpack_request(*asked);

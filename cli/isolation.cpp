@@ -12,8 +12,10 @@ namespace rastercheck::cli {
 void add_timeout(CLI::App& app, double& seconds) {
   // A day: more than anyone waits for, and no trouble to count in.
   constexpr double kLongest = 86400;
-  app.add_option("--timeout", seconds,
-                 "Seconds that a driver or plugin may take for a draw, which then counts as failed")
+  app.add_option(
+         "--timeout", seconds,
+         "Seconds that a driver or plugin may be silent while it draws, before it counts as "
+         "hanging")
       ->check(CLI::Range(0.001, kLongest))
       ->type_name("SECONDS")
       ->capture_default_str();

@@ -320,7 +320,8 @@ Result<void> CaseDrawer::Impl::draw_batch(const Batches& plan, std::size_t first
   return {};
 }
 
-Result<cases::Fragments> CaseDrawer::draw(const cases::Case& c) {
+Result<cases::Fragments> CaseDrawer::draw(const cases::Case& c,
+                                          const std::function<void()>& go_on) {
   cases::Fragments drawn;
   drawn.attribute_count = c.attributes.size();
   impl_->complaint.clear();
@@ -330,6 +331,7 @@ Result<cases::Fragments> CaseDrawer::draw(const cases::Case& c) {
   for (std::size_t first = 0; first < c.triangles.size(); first += of_batch) {
     const Result<void> done = impl_->draw_batch(*plan, first, drawn);
     if (!done) return tl::unexpected(done.error());
+    go_on();
   }
   if (const Result<void> quiet = impl_->complain(); !quiet) return tl::unexpected(quiet.error());
   return drawn;

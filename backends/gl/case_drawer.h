@@ -2,6 +2,7 @@
 
 // Cases through OpenGL.
 
+#include <functional>
 #include <memory>
 
 #include "backends/gl/context.h"
@@ -28,7 +29,9 @@ class CaseDrawer {
   int subpixel_bits() const;
 
   /// Failure::unsupported where the context lacks something that the case needs.
-  Result<cases::Fragments> draw(const cases::Case& c);
+  /// Calls `go_on` after each batch of layers.
+  Result<cases::Fragments> draw(
+      const cases::Case& c, const std::function<void()>& go_on = [] {});
 
  private:
   struct Impl;

@@ -48,7 +48,9 @@ class GlBackend : public Backend {
   }
 
  private:
-  Result<cases::Fragments> draw_fragments(const cases::Case& c) override { return drawer_.draw(c); }
+  Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
+    return drawer_.draw(c, [this] { go_on(); });
+  }
 
   gl::Context context_;
   gl::CaseDrawer drawer_;

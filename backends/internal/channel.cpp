@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -62,7 +63,22 @@ SharedMemory::~SharedMemory() {
   if (data_ != nullptr) ::munmap(data_, size_);
 }
 
-std::size_t Channel::memory_size() { return sizeof(PartHeader) + kPartSize; }
+/// The beats stand behind the part.
+std::size_t Channel::memory_size() {
+  return sizeof(PartHeader) + kPartSize + sizeof(std::uint64_t);
+}
+
+namespace {
+
+std::atomic_ref<std::uint64_t> beats_of(const SharedMemory& memory) {
+  std::byte* const at = memory.data() + sizeof(PartHeader) + kPartSize;
+  return std::atomic_ref(*reinterpret_cast<std::uint64_t*>(at));
+}
+
+}  // namespace
+
+void Channel::beat() const { ++beats_of(memory_); }
+std::uint64_t Channel::beats() const { return beats_of(memory_); }
 
 bool Channel::ring() const {
   const char stroke = 0;

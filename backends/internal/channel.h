@@ -59,6 +59,11 @@ class Channel {
   /// Shared, for the other end.
   int memory() const { return memory_.file(); }
 
+  /// Says that work goes on, without a message.
+  void beat() const;
+  /// How often either end has.
+  std::uint64_t beats() const;
+
   /// False where the other end is gone, or `wait` says so.
   bool send(std::string_view message, const Wait& wait) const;
   /// The next message, of `most` bytes at most; nothing where there is none.

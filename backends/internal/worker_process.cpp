@@ -129,6 +129,11 @@ Result<std::string> WorkerProcess::receive(std::string_view doing, std::uint64_t
 /// Until the bell rings, or nobody is there to ring it; hears what is said meanwhile.
 bool WorkerProcess::wait() {
   for (;;) {
+    // The limit is for silence.
+    if (const std::uint64_t beats = channel_.beats(); beats != beats_) {
+      beats_ = beats;
+      deadline_ = deadline();
+    }
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now());
     is_late_ = left.count() <= 0;
     if (is_late_) return false;

@@ -51,6 +51,7 @@ class WorkerProcess {
   Channel channel_;
   LogTail log_;
   Clock::time_point deadline_;
+  std::uint64_t beats_ = 0;  ///< of the channel, when last looked at
   bool is_late_ = false;
   Greeting greeting_;
 };

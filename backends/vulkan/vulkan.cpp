@@ -48,7 +48,7 @@ class VulkanBackend : public Backend {
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
     const std::string missing = vulkan::lacks(device_->limits(), c);
     if (!missing.empty()) return fail({"", "", "it lacks " + missing, Failure::unsupported});
-    Result<cases::Fragments> drawn = drawing_.draw(c);
+    Result<cases::Fragments> drawn = drawing_.draw(c, [this] { go_on(); });
     const std::string said = device_->take_messages();
     if (!said.empty()) return fail({"", "", "the validation layer says: " + cases::one_line(said)});
     if (!drawn) return fail(drawn.error());

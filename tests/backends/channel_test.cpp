@@ -50,13 +50,25 @@ TEST(Channel, BringsMessagesOfAnyLength) {
   EXPECT_EQ(echoed(""), "");
   EXPECT_EQ(echoed("a"), "a");
   const std::size_t whole = Channel::memory_size();
-  for (const std::size_t size : {whole - 17, whole - 16, whole - 15, 3 * whole + 5}) {
+  for (const std::size_t size : {whole - 25, whole - 24, whole - 23, 3 * whole + 5}) {
     std::string message(size, '\0');
     for (std::size_t i = 0; i < size; ++i) message[i] = static_cast<char>(i * 31 >> 3U);
     const auto back = echoed(message);
     ASSERT_TRUE(back);
     EXPECT_TRUE(*back == message) << size;
   }
+}
+
+// The beats stand behind the longest part. Kills: a part that overwrites them.
+TEST(Channel, CountsBeatsOfTheOtherEndBesideMessages) {
+  const Ends ends = make_ends();
+  EXPECT_EQ(ends.ours.beats(), 0U);
+  ends.theirs.beat();
+  ends.theirs.beat();
+  std::thread other([&ends] { ends.theirs.send(std::string(Channel::memory_size(), '\xff'), {}); });
+  EXPECT_TRUE(ends.ours.receive(kPlenty, {}));
+  other.join();
+  EXPECT_EQ(ends.ours.beats(), 2U);
 }
 
 TEST(Channel, TakesNoMoreThanItWants) {

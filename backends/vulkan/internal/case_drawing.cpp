@@ -343,7 +343,8 @@ Result<CaseDrawing> CaseDrawing::create(const Device& device) {
                                             *std::move(commands)));
 }
 
-Result<cases::Fragments> CaseDrawing::draw(const cases::Case& c) {
+Result<cases::Fragments> CaseDrawing::draw(const cases::Case& c,
+                                           const std::function<void()>& go_on) {
   CaseFragments fragments(c);
   if (c.triangles.empty()) return fragments.take();
   if (c.triangles.size() >= kMaxTriangles) {
@@ -381,6 +382,7 @@ Result<cases::Fragments> CaseDrawing::draw(const cases::Case& c) {
         const Result<void> added = fragments.add(**target, i, some[i], pass, is_first);
         if (!added) return tl::unexpected(added.error());
       }
+      go_on();
     }
     if (!fragments.is_complete()) return other_coverage();
   }

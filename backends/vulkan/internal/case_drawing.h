@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "backends/vulkan/internal/device.h"
@@ -23,7 +24,8 @@ class CaseDrawing {
   ~CaseDrawing();
 
   /// Fails as Failure::unsupported where the case takes more memory than there is for one.
-  Result<cases::Fragments> draw(const cases::Case& c);
+  /// Calls `go_on` after each batch of layers.
+  Result<cases::Fragments> draw(const cases::Case& c, const std::function<void()>& go_on = [] {});
 
  private:
   struct Impl;
