@@ -4,8 +4,9 @@
 //
 // What is taken for granted of an implementation: it clips only by planes that a given vertex is
 // beyond, computes positions and weights by the formulas below or better ones, and the products on
-// the way to them have room in its numbers. Pieces of clipped triangles are set up by the planes of
-// the whole.
+// the way to them have room in its numbers. Pieces of clipped triangles are set up as if by the
+// planes of the whole: where an implementation sets up each piece by itself, this may be too
+// strict.
 //
 // 1. Window positions. X = x · (1/w) · W/2 + (x0 + W/2) is five operations: three for the product,
 //    one for the centre, one for the sum, which is off by δ|X|. So |ΔX| <= 4δ |x/w W/2| +
@@ -47,10 +48,11 @@
 //
 // 4. `conformance`. Khronos' verifier (VK-GL-CTS, framework/common/tcuRasterizationVerifier.cpp,
 //    TriangleInterpolator) takes a colour for right that the weights anywhere in a square give,
-//    each weight from its least to its greatest there: one subpixel around the centre, or with
-//    several samples the pixel; rounded outwards to 8 bits. So values may be off by 1/255 of the
-//    largest and by as much as weights differ over such a square. It looks at no depth, nor at
-//    triangles with w <= 0: these are held to what `spec` says.
+//    each weight for itself from its least to its greatest there: two subpixels wide around the
+//    centre, or with several samples the pixel. What it allows is rounded outwards to 8 bits, and
+//    the colour that it looks at was rounded to 8. So values may be off by 1.5/255 of the largest
+//    and by as much as weights differ over such a square. It looks at no depth, nor at triangles
+//    with w <= 0: these are held to what `spec` says.
 //
 // 5. `ieee`. δ is 2^-24, the half unit of a float32 that is rounded to nearest. Planes may be
 //    evaluated about a point as far away as the window's origin, as Mesa's drivers do it. Triangles
@@ -90,6 +92,9 @@ constexpr float kAllDigits = 0x1p24F;
 
 /// Steps of the colours that Khronos' verifier looks at.
 constexpr double kSteps = 255;
+/// By how many of them a colour may be off: the verifier rounds what it allows outwards, by less
+/// than one, and what it is held against has been rounded to the nearest.
+constexpr double kRounded = 1.5;
 
 /// What is assumed of single operations.
 struct Arithmetic {
@@ -238,17 +243,21 @@ class OneTriangle {
   bool is_before_the_eye() const {
     return std::all_of(vertices_.begin(), vertices_.end(), [](const Vertex& v) { return v.w > 0; });
   }
-  /// Whether its positions are numbers that something is promised of; distances have been seen to.
+  /// Whether its positions and distances are numbers that something is promised of.
   bool has_numbers() const {
     return std::all_of(vertices_.begin(), vertices_.end(), [this](const Vertex& v) {
       const auto has = [this](double number) {
         return arithmetic_.numbers.has(static_cast<float>(number));
       };
-      return has(v.x) && has(v.y) && has(v.z) && has(v.w);
+      return has(v.x) && has(v.y) && has(v.z) && has(v.w) &&
+             std::all_of(v.distances.begin(), v.distances.end(), has);
     });
   }
+  /// Whether its attributes' values are numbers that `spec` promises something of.
+  bool has_values_of_spec() const;
   void add_positions(std::span<const Vertex> vertices);
   void add_new_vertices(const Clipped& clipped, double least_w);
+  double depth_scale() const;
   void set_values(double of_weights);
   void set_values_by_planes(bool is_cut);
   bool extrapolates(cases::Interpolation interpolation) const;
@@ -257,6 +266,7 @@ class OneTriangle {
   ApiLimits limits_;
   cases::DriverPromise promised_;
   Arithmetic arithmetic_;
+  cases::Triangle indices_;
   std::array<Vertex, 3> vertices_;
   double position_ = 0;      ///< error of given vertices, pixels
   double new_position_ = 0;  ///< of new ones, pixels
@@ -267,7 +277,11 @@ class OneTriangle {
 
 OneTriangle::OneTriangle(const cases::Case& c, const ApiLimits& limits,
                          cases::DriverPromise promised, const cases::Triangle& indices)
-    : case_(&c), limits_(limits), promised_(promised), arithmetic_(arithmetic_of(promised)) {
+    : case_(&c),
+      limits_(limits),
+      promised_(promised),
+      arithmetic_(arithmetic_of(promised)),
+      indices_(indices) {
   for (std::size_t i = 0; i < 3; ++i) {
     const cases::ClipVertex& p = c.positions[indices[i]];
     vertices_[i] = {double{p.x}, double{p.y}, double{p.z}, double{p.w}, {}};
@@ -324,7 +338,8 @@ cases::TrianglePromise OneTriangle::promise() {
   }
   promise_.position_error = no_less(position);
   promise_.clip_tolerance = double{no_less(new_position)};
-  promise_.side_tolerance = cut_at_sides_ * units;
+  // New vertices lie beside the side as far as they do beside an edge.
+  if (clipped.is_cut_at_the_sides) promise_.side_tolerance = promise_.clip_tolerance;
   // What the first plane cuts has exact distances.
   if (clipped.planes > 1) {
     promise_.clip_error = kRest * clipped.planes * kClipping * arithmetic_.operation;
@@ -332,9 +347,17 @@ cases::TrianglePromise OneTriangle::promise() {
   if (is_before_the_eye()) {
     set_values_by_planes(clipped.planes > 0);
   } else {
-    set_values(has_area ? of_weights : kInfinity);
+    set_values(has_area && has_values_of_spec() ? of_weights : kInfinity);
   }
   return promise_;
+}
+
+bool OneTriangle::has_values_of_spec() const {
+  return std::all_of(indices_.begin(), indices_.end(), [this](std::uint32_t vertex) {
+    const auto values = case_->attributes_of(vertex);
+    return std::all_of(values.begin(), values.end(),
+                       [](float value) { return kSpecified.numbers.has(value); });
+  });
 }
 
 void OneTriangle::add_positions(std::span<const Vertex> vertices) {
@@ -366,6 +389,21 @@ void OneTriangle::add_new_vertices(const Clipped& clipped, double least_w) {
   new_weight_ = share * std::max(greatest_w, z);
 }
 
+/// How much larger the vertices' depths are than the range that errors of depth are measured by.
+double OneTriangle::depth_scale() const {
+  const double n = double{case_->viewport.min_depth};
+  const double f = double{case_->viewport.max_depth};
+  const double range = std::max(n, f);
+  double most = range;
+  for (const Vertex& v : vertices_) {
+    if (v.w == 0) continue;
+    const double z = v.z / v.w;
+    const double share = case_->rules == cases::Rules::opengl ? (z + 1) / 2 : z;
+    most = std::max(most, std::fabs(n + (f - n) * share));
+  }
+  return range > 0 ? most / range : 1;
+}
+
 /// `of_weights`: K of depth.
 void OneTriangle::set_values(double of_weights) {
   const double new_weights = kNewWeights * new_weight_;
@@ -375,8 +413,10 @@ void OneTriangle::set_values(double of_weights) {
                                           : kAllDigits;
   value.per_condition = in_ulps(kPerCondition * arithmetic_.operation, 0);
   promise_.bounds = {value, value, {}};
-  promise_.bounds.depth.constant = in_ulps(
-      (kPerCondition * of_weights + kQuotient + kDepthRange) * arithmetic_.operation + new_weights);
+  promise_.bounds.depth.constant =
+      in_ulps(depth_scale() *
+              ((kPerCondition * of_weights + kQuotient + kDepthRange) * arithmetic_.operation +
+               new_weights));
 }
 
 /// Whether values of an attribute that varies so may be asked for outside the triangle.
@@ -389,13 +429,18 @@ bool OneTriangle::extrapolates(cases::Interpolation interpolation) const {
                      });
 }
 
-/// The farthest that the window's origin may be from a place of the triangle's box, along each
-/// axis.
-std::array<double, 2> from_origin(const WindowTriangle& triangle) {
-  const auto farthest = [](const std::array<double, 3>& at) {
-    return std::max({std::fabs(at[0]), std::fabs(at[1]), std::fabs(at[2])});
+/// The farthest that a corner of the framebuffer, whichever is taken for the window's origin, may
+/// be from a place of the triangle's box, along each axis.
+std::array<double, 2> from_origin(const WindowTriangle& triangle,
+                                  const cases::FramebufferSize& size) {
+  const auto farthest = [](const std::array<double, 3>& at, int extent) {
+    double most = 0;
+    for (const double place : at) {
+      most = std::max({most, std::fabs(place), std::fabs(extent - place)});
+    }
+    return most;
   };
-  return {farthest(triangle.x), farthest(triangle.y)};
+  return {farthest(triangle.x, size.width), farthest(triangle.y, size.height)};
 }
 
 void OneTriangle::set_values_by_planes(bool is_cut) {
@@ -413,7 +458,9 @@ void OneTriangle::set_values_by_planes(bool is_cut) {
   const double reach =
       std::max(1 + double{promise_.position_error}, promise_.clip_tolerance) * unit;
   Evaluation evaluation{arithmetic_.operation, {}, reach, 0};
-  if (promised_ == cases::DriverPromise::ieee) evaluation.away = from_origin(window);
+  if (promised_ == cases::DriverPromise::ieee) {
+    evaluation.away = from_origin(window, case_->framebuffer);
+  }
   // Pieces of a cut triangle hold samples that lie outside the triangle as its vertices are placed:
   // by as much as these are moved one way and new ones the other.
   const double outside = is_cut ? reach : 0;
@@ -423,7 +470,7 @@ void OneTriangle::set_values_by_planes(bool is_cut) {
   const double open_affine = kNewWeights * new_weight_ + weight_change(flat, reach, outside);
   const auto error_of = [&](bool extrapolates) {
     // A sample's place is at most half a pixel from the centre.
-    evaluation.beyond = std::max(outside, extrapolates ? 0.5 : 0);
+    evaluation.beyond = std::max(2 * outside, extrapolates ? 0.5 : 0);
     return plane_error(window, evaluation);
   };
   const PlaneError smooth = error_of(extrapolates(cases::Interpolation::smooth));
@@ -432,12 +479,14 @@ void OneTriangle::set_values_by_planes(bool is_cut) {
   promise_.bounds.smooth = {in_ulps(smooth.constant + open), in_ulps(smooth.per_horizon, 0)};
   promise_.bounds.noperspective = {in_ulps(noperspective.affine + open_affine)};
   promise_.bounds.depth = {
-      in_ulps(depth.affine + (kQuotient + kDepthRange) * arithmetic_.operation + open_affine)};
+      in_ulps(depth_scale() *
+              (depth.affine + (kQuotient + kDepthRange) * arithmetic_.operation + open_affine))};
   if (promised_ != cases::DriverPromise::conformance) return;
   const double around = case_->framebuffer.samples > 1 ? 1 : unit;
-  promise_.bounds.smooth = {in_ulps(1 / kSteps + open + weight_change(window, reach, around))};
+  promise_.bounds.smooth = {
+      in_ulps(kRounded / kSteps + open + weight_change(window, reach, around))};
   promise_.bounds.noperspective = {
-      in_ulps(1 / kSteps + open_affine + weight_change(flat, reach, around))};
+      in_ulps(kRounded / kSteps + open_affine + weight_change(flat, reach, around))};
 }
 
 /// The weakest of two promises.

@@ -15,6 +15,11 @@ namespace {
 constexpr int kMostCrashes = 20;
 constexpr int kMostHangs = 10;
 
+/// Whether a contract's promises of single triangles are of the case's.
+bool fits(const cases::Contract& contract, const cases::Case& c) {
+  return contract.triangles.empty() || contract.triangles.size() == c.triangles.size();
+}
+
 /// Stands for a backend in another process.
 class IsolatedBackend : public Backend {
  public:
@@ -54,7 +59,9 @@ class IsolatedBackend : public Backend {
     const Result<std::string> answer = ask({Question::drawing, c});
     if (!answer) return tl::unexpected(answer.error());
     std::optional<DrawingAnswer> drawing = unpack_drawing(*answer);
-    if (!drawing) return tl::unexpected(nonsense());
+    if (!drawing || (!drawing->problem && !fits(drawing->drawn.contract, c))) {
+      return tl::unexpected(nonsense());
+    }
     crashes_ = 0;
     if (drawing->problem) return tl::unexpected(*drawing->problem);
     if (!remembered_ || remembered_->first != c) remembered_ = {c, drawing->drawn.contract};
@@ -68,6 +75,7 @@ class IsolatedBackend : public Backend {
     for (int i = 0; i < 2 && !said; ++i) {
       const Result<std::string> answer = ask({Question::promise, c});
       if (answer) said = unpack_contract(*answer);
+      if (said && !fits(*said, c)) said.reset();
       if (!said) withheld_ = {c, answer ? nonsense() : answer.error()};
     }
     if (!said) return cases::contract_of(c);  // There is no telling why: the case's drawing does.

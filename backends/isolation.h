@@ -27,7 +27,8 @@ struct Isolation {
   /// `--seconds` and `--memory` with the limits below are added.
   std::vector<std::string> command;
   /// How long a process may be silent that is asked: until it answers, or says that it goes on
-  /// (Backend::tell_progress()). Processor time is limited to as much on each processor.
+  /// (Backend::tell_progress()). Processor time is limited to as much on each processor. Nothing
+  /// limits the time of all parts together.
   std::chrono::duration<double> timeout{10};
   /// Bytes that a process may take.
   std::uint64_t memory = std::uint64_t{4} << 30;

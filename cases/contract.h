@@ -101,8 +101,8 @@ struct TrianglePromise {
   float position_error = 0;
   double clip_tolerance = 1;
   double clip_error = 0;
-  /// How far from the viewport's sides samples may be missing, in grid units, of one that is cut
-  /// there. Only where coverage is snapped.
+  /// How far inside the viewport's sides samples may be missing, and how far outside drawn, in grid
+  /// units, of one that is cut there. Only where coverage is snapped.
   double side_tolerance = 0;
   ValueBounds bounds;
   bool operator==(const TrianglePromise&) const = default;

@@ -2,6 +2,7 @@
 
 #include "cases/contract_json.h"
 #include "cli/command.h"
+#include "records/plan.h"
 
 namespace rastercheck::cli {
 
@@ -15,6 +16,7 @@ CLI::Option* add_contract(CLI::App& app, std::string& file) {
 }
 
 CLI::Option* add_promise(CLI::App& app, std::optional<cases::DriverPromise>& promise) {
+  constexpr auto names = names_of(cases::DriverPromise{});
   return app
       .add_option_function<std::string>(
           "--promise",
@@ -26,7 +28,7 @@ CLI::Option* add_promise(CLI::App& app, std::optional<cases::DriverPromise>& pro
           "tests hold every driver to; ieee, float32 arithmetic. Usual: ieee of those that draw "
           "with "
           "the processor, else conformance")
-      ->check(CLI::IsMember(std::vector<std::string>{"spec", "conformance", "ieee"}))
+      ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())))
       ->type_name("NAME");
 }
 
@@ -38,11 +40,7 @@ Result<std::optional<cases::ContractTerms>> read_terms(
     if (!read) return tl::unexpected(read.error());
     terms = *std::move(read);
   }
-  if (promise) {
-    if (!terms) terms.emplace();
-    terms->promise = promise;
-  }
-  return terms;
+  return records::with_promise(std::move(terms), promise);
 }
 
 }  // namespace rastercheck::cli

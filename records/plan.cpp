@@ -39,10 +39,14 @@ void add_timeout(Words& words, const Plan& plan) {
 std::optional<cases::ContractTerms> terms_of(const Plan& plan) {
   std::optional<cases::ContractTerms> terms;
   if (plan.contract) terms = plan.contract->terms;
-  if (plan.promise) {
-    if (!terms) terms.emplace();
-    terms->promise = plan.promise;
-  }
+  return with_promise(std::move(terms), plan.promise);
+}
+
+std::optional<cases::ContractTerms> with_promise(std::optional<cases::ContractTerms> terms,
+                                                 std::optional<cases::DriverPromise> promise) {
+  if (!promise) return terms;
+  if (!terms) terms.emplace();
+  terms->promise = promise;
   return terms;
 }
 
@@ -76,6 +80,12 @@ std::vector<std::string> option_words(const Plan& plan) {
   }
   words.flag(plan.keeps_cases, "--keep-cases");
   add_timeout(words, plan);
+  return std::move(words).take();
+}
+
+std::vector<std::string> contract_words(const Plan& plan) {
+  Words words;
+  add_contract(words, plan);
   return std::move(words).take();
 }
 

@@ -54,6 +54,10 @@ struct Plan {
   bool operator==(const Plan&) const = default;
 };
 
+/// The terms with this promise of drivers in place of their own, if one is given.
+std::optional<cases::ContractTerms> with_promise(std::optional<cases::ContractTerms> terms,
+                                                 std::optional<cases::DriverPromise> promise);
+
 /// What all backends are held to; nothing where the plan does not say.
 std::optional<cases::ContractTerms> terms_of(const Plan& plan);
 
@@ -64,6 +68,8 @@ Plan frozen(const Plan& plan);
 /// Gives the command-line options of `rastercheck run` that ask for the same, except backends,
 /// cases, seed, scene and shard. For people to read and repeat.
 std::vector<std::string> option_words(const Plan& plan);
+/// Gives those of them that say what backends are held to.
+std::vector<std::string> contract_words(const Plan& plan);
 /// Gives those options that `rastercheck replay` takes, too.
 std::vector<std::string> replay_words(const Plan& plan);
 

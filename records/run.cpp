@@ -71,8 +71,9 @@ std::vector<std::string> caveats(const Run& run) {
                               run.plan.contract->file));
   }
   for (const auto& [backend, promise] : run.held_to) {
-    all.push_back(fmt::format("{} is held to {} (--promise {}).", backend, words_of(promise),
-                              to_string(promise)));
+    all.push_back(fmt::format("{}{} is held to {} (--promise {}).",
+                              run.plan.contract ? "Where that says nothing, " : "", backend,
+                              words_of(promise), to_string(promise)));
   }
   if (run.cases_left > 0) {
     all.push_back(

@@ -40,8 +40,8 @@ constexpr auto names_of(Verdict /*type*/) {
 }
 constexpr auto names_of(Reason /*type*/) {
   return std::to_array<std::string_view>({"inside", "tie", "snapping", "clip edge", "w <= 0",
-                                          "depth", "not promised", "outside", "clipped", "viewport", "culled",
-                                          "degenerate"});
+                                          "depth", "not promised", "outside", "clipped", "viewport",
+                                          "culled", "degenerate"});
 }
 constexpr std::string_view to_string(Verdict verdict) { return cases::name_of(verdict); }
 constexpr std::string_view to_string(Reason reason) { return cases::name_of(reason); }

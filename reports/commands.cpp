@@ -53,8 +53,7 @@ std::string explain_command(const records::Run& run, const std::string& file,
   std::string command = fmt::format(
       "rastercheck explain {} --pixel {},{} --sample {} --triangle {}", shell_word(file),
       place.place.x, place.place.y, place.place.sample, place.place.triangle);
-  if (run.plan.contract) command += " --contract " + shell_word(run.plan.contract->file);
-  return command;
+  return command + words(records::contract_words(run.plan));
 }
 
 std::string command_line(const std::vector<std::string>& all) { return words(all).substr(1); }

@@ -24,12 +24,10 @@ constexpr std::array<std::string_view, 2> kSoftware = {"llvmpipe", "softpipe"};
 
 /// Whether a driver of that name draws with the processor; ANGLE's names say what is below it.
 bool is_software(std::string_view renderer) {
-  constexpr std::string_view kSwiftShader = "SwiftShader";
-  return std::any_of(kSoftware.begin(), kSoftware.end(),
-                     [renderer](std::string_view name) {
-                       return renderer.find(name) != std::string_view::npos;
-                     }) ||
-         renderer.find(kSwiftShader) != std::string_view::npos;
+  constexpr std::array<std::string_view, 3> kNames{"llvmpipe", "softpipe", "SwiftShader"};
+  return std::any_of(kNames.begin(), kNames.end(), [renderer](std::string_view name) {
+    return renderer.find(name) != std::string_view::npos;
+  });
 }
 
 class GlBackend : public Backend {

@@ -33,18 +33,19 @@
 // What is linear in clip space is N/M with N = Σ b_i r_i/w_i, M = Σ b_i/w_i, of which 1/w_i is an
 // operation, its product with r_i another. By the same count, with q the greatest 1/w_i,
 //
-//   |ΔN| <= (2 · 15 + 5) δ k q max|r| / (1 − 5 δ k),  |ΔM| <= (2 · 14 + 5) δ k q / (1 − 5 δ k),
+//   |ΔN| <= (2 · 15 + 5 x) δ k q max|r| / (1 − 5 δ k),  |ΔM| <= (2 · 14 + 5) δ k q / (1 − 5 δ k),
 //
-// and the quotient is two operations more. Where M = q/g, and |r| <= x max|r|,
+// with |N| <= x q max|r|, and the quotient is two operations more. Where M = q/g, and |r| <= y
+// max|r|,
 //
-//   |Δr| <= (35 + 33 x) δ k g / (1 − 5 δ k − 33 δ k g) max|r| + 2 δ x max|r|.
+//   |Δr| <= (30 + 5 x + 33 y) δ k g / (1 − 5 δ k − 33 δ k g) max|r| + 2 δ y max|r|.
 //
-// Inside the triangle x = 1, and g is at most q over the least 1/w_i. Moved vertices have another
-// 1/w at the same place, off by reach |∇(1/w)| at most, which is made up for in g.
+// Inside the triangle x = y = 1, and g is at most q over the least 1/w_i. Moved vertices have
+// another 1/w at the same place, off by reach |∇(1/w)| at most, which is made up for in g.
 //
 // Outside it, by h along each axis, a weight may be less than 0 by ν_i = h (|a_i| + |b_i|)/D, so
 // what is linear in window space is at most x max|r|, x = 1 + Σ ν_i; N is at most x q max|r|, so
-// that |r| <= x g max|r|; and 1/w may be less than the least 1/w_i by h |∇(1/w)|, which bounds g.
+// that y = x g; and 1/w may be less than the least 1/w_i by h |∇(1/w)|, which bounds g.
 //
 // D, S and the gradients are of the moved triangle: its relative positions differ by at most twice
 // the reach from the exact ones.
@@ -63,7 +64,7 @@ constexpr double kWithoutEnd = std::numeric_limits<double>::infinity();
 
 constexpr double kArea = 5;
 constexpr double kAffine = 2 * 13 + kArea;
-constexpr double kNumerator = 2 * 15 + kArea;
+constexpr double kNumerator = 2 * 15;  // and kArea of N itself
 constexpr double kDenominator = 2 * 14 + kArea;
 constexpr double kDivision = 2;
 
@@ -163,10 +164,11 @@ PlaneError plane_error(const WindowTriangle& triangle, const Evaluation& evaluat
     return error;
   }
   error.constant = kDivision * evaluation.operation * outside;
-  error.per_horizon = (kNumerator + kDenominator * outside) * lost / left;
+  const double numerator = kNumerator + kArea * outside;
+  error.per_horizon = (numerator + kDenominator * outside) * lost / left;
   if (evaluation.beyond > 0) {  // The greatest g there may be less than it is where vertices are.
     error.constant = kDivision * evaluation.operation * outside * horizon +
-                     (kNumerator + kDenominator * outside * horizon) * lost * horizon / left;
+                     (numerator + kDenominator * outside * horizon) * lost * horizon / left;
     error.per_horizon = 0;
   } else {
     // Of moved vertices 1/w at a place is at least 1/w − reach |∇(1/w)|.
@@ -181,8 +183,9 @@ double weight_change(const WindowTriangle& triangle, double reach, double distan
   if (!(m.area > 0)) return kWithoutEnd;
   const double least = m.least_inverse_w - (distance + reach) * m.inverse_w_change;
   if (!(least > 0)) return kWithoutEnd;
-  // λ_i = b_i q_i / M: |∂λ_i| <= |∂b_i| q_i / M + |λ_i| |∂M| / M, and Σ |λ_i| <= x q / M.
-  const double outside = 1 + distance * m.weight_change();
+  // λ_i = b_i q_i / M: |∂λ_i| <= |∂b_i| q_i / M + |λ_i| |∂M| / M, and |λ_i| <= (1 + ν_i) q / M.
+  // Each is taken where it is greatest.
+  const double outside = 3 + distance * m.weight_change();
   const double horizon = m.most_inverse_w / least;
   return distance * horizon * (m.weight_change() + outside * m.inverse_w_change / least);
 }

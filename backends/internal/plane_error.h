@@ -39,7 +39,7 @@ struct PlaneError {
 PlaneError plane_error(const WindowTriangle& triangle, const Evaluation& evaluation);
 
 /// The most by which the weights of a triangle's vertices, those in clip space, differ between two
-/// places that are `distance` pixels apart along each axis, all three together: Σ |λ_i(p) −
+/// places that are `distance` pixels apart along each axis, each for itself: Σ max |λ_i(p) −
 /// λ_i(q)|. Infinite where there is no telling.
 double weight_change(const WindowTriangle& triangle, double reach, double distance);
 

@@ -167,7 +167,7 @@ Error WorkerProcess::loss(std::string_view doing) {
   const bool is_late = is_late_ && !has_ended;
   std::string how = to_string(end);
   if (is_late) {
-    how = fmt::format("did not answer within {} s", isolation_.timeout.count());
+    how = fmt::format("was silent for {} s (--timeout)", isolation_.timeout.count());
   } else if (end.signal == SIGXCPU) {
     how = fmt::format("took more processor time than {} s of wall time can have",
                       isolation_.timeout.count());

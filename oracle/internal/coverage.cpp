@@ -357,6 +357,26 @@ SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p) {
   return decide_cut(triangle, p);
 }
 
+namespace {
+
+/// Of a triangle that may be drawn a little beside the viewport's sides, and not quite up to them.
+SampleVerdict decide_beside(const TriangleSetup& triangle, int x, int y, int sample) {
+  const Scene& scene = *triangle.scene;
+  const Point p = scene.sample_point(x, y, sample);
+  const ViewportSide side = scene.viewport_side(p);
+  const bool is_open = scene.is_within(triangle.side_reach, p);
+  const bool is_outside = side == ViewportSide::outside && !is_open;
+  if (is_outside || !scene.target_pixels().holds(x, y)) {
+    return {Verdict::forbidden, Reason::viewport};
+  }
+  const SampleVerdict decision = decide_point(triangle, p);
+  const bool is_certain = side == ViewportSide::inside && !is_open;
+  if (is_certain || decision.verdict != Verdict::required) return decision;
+  return {Verdict::permitted, Reason::clip_edge};
+}
+
+}  // namespace
+
 SampleVerdict decide(const TriangleSetup& triangle, int x, int y, int sample) {
   const Scene& scene = *triangle.scene;
   if (!triangle.promise.is_made) {
@@ -364,16 +384,13 @@ SampleVerdict decide(const TriangleSetup& triangle, int x, int y, int sample) {
                ? SampleVerdict{Verdict::permitted, Reason::not_promised}
                : SampleVerdict{Verdict::forbidden, Reason::viewport};
   }
-  if (!scene.pixels().holds(x, y)) {
-    return {Verdict::forbidden, Reason::viewport};
-  }
+  if (triangle.has_open_sides) return decide_beside(triangle, x, y, sample);
+  if (!scene.pixels().holds(x, y)) return {Verdict::forbidden, Reason::viewport};
   const Point p = scene.sample_point(x, y, sample);
   const ViewportSide side = scene.viewport_side(p);
   if (side == ViewportSide::outside) return {Verdict::forbidden, Reason::viewport};
   const SampleVerdict decision = decide_point(triangle, p);
-  const bool is_at_side = side == ViewportSide::far_border ||
-                          (triangle.has_open_sides && scene.is_within(triangle.side_reach, p));
-  if (is_at_side && decision.verdict == Verdict::required) {
+  if (side == ViewportSide::far_border && decision.verdict == Verdict::required) {
     return {Verdict::permitted, Reason::clip_edge};
   }
   return decision;

@@ -59,8 +59,8 @@ class NearestBand {
   NearestBand(const SceneTruth& scene, int y0, int y1, PreparedTriangles& triangles);
 
   /// Adds a triangle of which the contract promises something, and that may cover pixels of the
-  /// band. One of which it promises nothing may hide others anywhere, but need not: what it says of
-  /// others stays, unless that one is what is drawn.
+  /// band. Others are not added: a sample that shows one is not judged further, and all other
+  /// samples are judged as if it were absent.
   void add(std::uint32_t triangle, records::LevelCounts& levels);
 
   /// Calls take for each sample that something may cover, by y, x, sample. Depths are compared as

@@ -164,17 +164,33 @@ ViewportSide Scene::viewport_side(const Point& p) const {
 }
 
 bool Scene::is_within(const Ring& distance, const Point& p) const {
-  return p.u - viewport_lo_.u <= distance || viewport_hi_.u - p.u <= distance ||
-         p.v - viewport_lo_.v <= distance || viewport_hi_.v - p.v <= distance;
+  const auto is_near = [&distance](const Ring& side, const Ring& at) {
+    return magnitude(at - side) <= distance;
+  };
+  const auto is_between = [&distance](const Ring& lo, const Ring& hi, const Ring& at) {
+    return at >= lo - distance && at <= hi + distance;
+  };
+  const bool is_beside = is_between(viewport_lo_.u, viewport_hi_.u, p.u) &&
+                         is_between(viewport_lo_.v, viewport_hi_.v, p.v);
+  return is_beside && (is_near(viewport_lo_.u, p.u) || is_near(viewport_hi_.u, p.u) ||
+                       is_near(viewport_lo_.v, p.v) || is_near(viewport_hi_.v, p.v));
 }
 
-bool Scene::has_samples_within(const Ring& distance) const {
-  // Samples lie at multiples of 1/16 inside their pixels.
-  const Ring least(0x1p-4);
-  const auto is_whole = [](float number) { return std::floor(number) == number; };
+bool Scene::has_samples_within(double distance) const {
   const cases::Viewport& v = case_->viewport;
-  return distance >= least || !is_whole(v.x) || !is_whole(v.y) || !is_whole(v.width) ||
-         !is_whole(v.height);
+  const auto is_near = [distance](double side, int sixteenths) {
+    const double from = side - sixteenths / 16.0;
+    const double beyond = from - std::floor(from);
+    // Rounding is far less than this, of a side on the grid of float32.
+    constexpr double kSlack = 0x1p-20;
+    return std::min(beyond, 1 - beyond) <= distance + kSlack;
+  };
+  return std::any_of(pattern_.begin(), pattern_.end(), [&](const cases::SamplePosition& sample) {
+    const double x = double{v.x};
+    const double y = double{v.y};
+    return is_near(x, sample.x) || is_near(x + double{v.width}, sample.x) || is_near(y, sample.y) ||
+           is_near(y + double{v.height}, sample.y);
+  });
 }
 
 bool Scene::is_culled(int orientation) const {

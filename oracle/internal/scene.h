@@ -58,10 +58,11 @@ class Scene {
   static Point center_point(int x, int y);
 
   ViewportSide viewport_side(const Point& p) const;
-  /// Whether a point in the viewport is no farther than that from one of its sides, in pixels.
+  /// Whether a point, inside the viewport or outside, is no farther than that from one of its
+  /// sides, in pixels.
   bool is_within(const Ring& distance, const Point& p) const;
   /// Whether there may be samples that are.
-  bool has_samples_within(const Ring& distance) const;
+  bool has_samples_within(double distance) const;
   /// The pixels of the framebuffer that the scissor lets be drawn.
   const PixelBox& target_pixels() const { return target_pixels_; }
   /// The pixels that can hold samples in or on the viewport, framebuffer and scissor.

@@ -150,7 +150,7 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
   }
   const Ring unit(std::ldexp(1.0, -snapping.subpixel_bits));
   side_reach = Ring(promise.side_tolerance) * unit;
-  has_open_sides = promise.side_tolerance > 0 && scene->has_samples_within(side_reach);
+  has_open_sides = promise.side_tolerance > 0 && scene->has_samples_within(near_double(side_reach));
   reach = candidate_radius(snapping) * unit;
   if (shape == Shape::cut) {
     tolerance = Ring(promise.clip_tolerance) * unit;
@@ -302,7 +302,7 @@ FieldRange TriangleSetup::extent(Eigen::Index axis) const {
 
 PixelBox TriangleSetup::pixels() const {
   if (!promise.is_made) return scene->target_pixels();
-  const PixelBox all = scene->pixels();
+  const PixelBox all = has_open_sides ? scene->target_pixels() : scene->pixels();
   if (has_nonpositive_w) return all;  // some of it may lie anywhere, up to infinity
   const double spread = near_double(reach);
   const auto touched = [spread](const std::array<double, 3>& at, int most) -> std::pair<int, int> {

@@ -107,7 +107,7 @@ Checkpoint read_checkpoint(const JsonNode& root) {
 
 std::vector<Task> tasks_of(const Checkpoint& checkpoint, std::size_t corpus_size,
                            const KnownByBackend& known) {
-  const bool is_held_to_own = !checkpoint.plan.contract.has_value();
+  const bool is_held_to_own = !checkpoint.plan.contract && !checkpoint.plan.promise;
   return tasks_of(checkpoint.plan, corpus_size, checkpoint.saved,
                   is_held_to_own ? known : KnownByBackend{});
 }

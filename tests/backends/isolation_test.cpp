@@ -94,7 +94,7 @@ TEST(Isolation, WaitsNoLongerThanItMay) {
   const auto hung = make_isolated_backend("some", script("sleep 1000; true"));
   ASSERT_FALSE(hung);
   EXPECT_THAT(to_string(hung.error()),
-              HasSubstr("did not answer within 0.3 s when it was started"));
+              HasSubstr("was silent for 0.3 s (--timeout) when it was started"));
 }
 
 // Kills: a pipe that nobody reads from, whose writer waits for ever.
@@ -214,7 +214,7 @@ TEST(Isolation, OfADrawingThatTakesTooLongIsAHang) {
   const auto hung = (*backend)->draw(c);
   ASSERT_FALSE(hung);
   EXPECT_EQ(hung.error().failure, Failure::hang);
-  EXPECT_THAT(to_string(hung.error()), HasSubstr("did not answer within 0.2 s while it drew"));
+  EXPECT_THAT(to_string(hung.error()), HasSubstr("was silent for 0.2 s (--timeout) while it drew"));
 }
 
 }  // namespace

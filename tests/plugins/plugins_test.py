@@ -29,7 +29,7 @@ RANDOM_CASES = 5
 FAULTS = [
     ("crash", "crash", "its process ended by signal Segmentation fault while it drew; its last words: "
                        "the plugin touched address 0x0, which is none of its arrays"),
-    ("hang", "hang", "its process did not answer within 0.2 s while it drew"),
+    ("hang", "hang", "its process was silent for 0.2 s (--timeout) while it drew"),
     ("out_of_bounds", "crash", "the plugin touched output->coverage beyond its end, by 1 byte"),
     ("before_the_beginning", "failed", "draw() wrote before the beginning of output->coverage"),
     ("says_and_aborts", "crash", "its process ended by signal Aborted while it drew; its last words: "
