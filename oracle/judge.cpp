@@ -90,7 +90,7 @@ class AloneJudge {
   AloneJudge(const JudgeContext& context, const JudgeSink& sink)
       : context_(&context), sink_(&sink), order_(*context.drawn) {}
 
-  Judged run() {
+  JudgedDrawing run() {
     const std::vector<Chunk> chunks = chunks_of(context_->scene->source(), order_);
     Turns turns(chunks.size(), context_->options->jobs);
     turns.run([&](std::size_t i) { judge(chunks[i], i, turns); });
@@ -151,12 +151,12 @@ std::uint64_t forbidden_samples(const cases::Case& source, const records::Counts
 
 }  // namespace
 
-Judged judge(const SceneTruth& scene, const cases::Fragments& drawn, const JudgeOptions& options,
-             const JudgeSink& sink) {
+JudgedDrawing judge(const SceneTruth& scene, const cases::Fragments& drawn,
+                    const JudgeOptions& options, const JudgeSink& sink) {
   const JudgeContext context(scene, drawn, options);
-  Judged judged = scene.source().depth_test == cases::DepthTest::none
-                      ? AloneJudge(context, sink).run()
-                      : NearestJudge(context, sink).run();
+  JudgedDrawing judged = scene.source().depth_test == cases::DepthTest::none
+                             ? AloneJudge(context, sink).run()
+                             : NearestJudge(context, sink).run();
   records::Counts& counts = judged.judgement.counts;
   counts.forbidden = forbidden_samples(scene.source(), counts);
   return judged;

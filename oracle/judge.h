@@ -80,7 +80,7 @@ struct JudgeOptions {
   unsigned jobs = 1;  ///< threads; the result is the same for any number
 };
 
-struct Judged {
+struct JudgedDrawing {
   records::Judgement judgement;
   /// A difference between oracle and referee: a fault of the oracle, whose answers are then worth
   /// nothing. One line.
@@ -91,7 +91,7 @@ struct Judged {
 
 /// Judges by the scene's contract. What was drawn may be anything: fragments that name no triangle,
 /// pixel or sample of the case, or that come twice, are `extra`; their order does not matter.
-Judged judge(const SceneTruth& scene, const cases::Fragments& drawn,
-             const JudgeOptions& options = {}, const JudgeSink& sink = {});
+JudgedDrawing judge(const SceneTruth& scene, const cases::Fragments& drawn,
+                    const JudgeOptions& options = {}, const JudgeSink& sink = {});
 
 }  // namespace rastercheck::oracle

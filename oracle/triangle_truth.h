@@ -121,10 +121,10 @@ class TriangleTruth {
   std::optional<ValueRange> depth(int x, int y, int sample) const;
   std::optional<ValueRange> attribute(std::size_t attribute, int x, int y, int sample) const;
 
-  /// Whether an implementation may give an attribute, or the depth where `attribute` is nothing, any
-  /// value: the APIs leave it open (RULES §3), of noperspective where some w_i <= 0, and of smooth
-  /// that is claimed to be the same; or the contract promises nothing of it. `attribute` gives the
-  /// continuation then.
+  /// Whether an implementation may give an attribute, or the depth where `attribute` is nothing,
+  /// any value: the APIs leave it open (RULES §3), of noperspective where some w_i <= 0, and of
+  /// smooth that is claimed to be the same; or the contract promises nothing of it. `attribute`
+  /// gives the continuation then.
   bool is_value_free(std::optional<std::size_t> attribute) const;
 
   /// The most that a value may be beyond what the contract leaves open, in scale ULP: of an

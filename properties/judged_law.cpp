@@ -269,7 +269,7 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
   // Of small cases more, as there are other costs.
   judge_options.self_check_one_in = 1024;
   judge_options.shows_ordinary = labels.asks_of_ordinary();
-  oracle::Judged judged = oracle::judge(scene, drawn, judge_options, see);
+  oracle::JudgedDrawing judged = oracle::judge(scene, drawn, judge_options, see);
   check.judgement = std::move(judged.judgement);
   check.labels = labels.labels({judged.seen_triangles.begin(), judged.seen_triangles.end()});
   check.fault = std::move(judged.fault);

@@ -44,7 +44,7 @@ NearestJudge::NearestJudge(const JudgeContext& context, const JudgeSink& sink)
   }
 }
 
-Judged NearestJudge::run() {
+JudgedDrawing NearestJudge::run() {
   const cases::FramebufferSize& size = context_->scene->source().framebuffer;
   const int rows = rows_of_band(size);
   Turns turns(static_cast<std::size_t>((size.height + rows - 1) / rows), context_->options->jobs);
@@ -53,7 +53,7 @@ Judged NearestJudge::run() {
     judge_band(y0, std::min(y0 + rows, size.height), band, turns);
   });
   take_the_rest();
-  Judged judged = findings_.finish(*context_);
+  JudgedDrawing judged = findings_.finish(*context_);
   judged.judgement.counts.permitted += unpromised_ * samples_of_unpromised(*context_->scene);
   return judged;
 }

@@ -19,7 +19,7 @@ class NearestJudge {
  public:
   NearestJudge(const JudgeContext& context, const JudgeSink& sink);
 
-  Judged run();
+  JudgedDrawing run();
 
  private:
   class Band;

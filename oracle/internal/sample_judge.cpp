@@ -145,8 +145,8 @@ void SampleJudge::Findings::merge(Findings&& other, const JudgeContext& context)
                         other.seen_triangles.end());
 }
 
-Judged SampleJudge::Findings::finish(const JudgeContext& context) {
-  Judged judged;
+JudgedDrawing SampleJudge::Findings::finish(const JudgeContext& context) {
+  JudgedDrawing judged;
   judged.judgement =
       statistics.finish([&context](SingleErrors& errors) { context.settle(errors); });
   judged.fault = std::move(fault);

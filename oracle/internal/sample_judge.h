@@ -76,7 +76,7 @@ class SampleJudge {
     std::vector<std::uint32_t> seen_triangles;
 
     void merge(Findings&& other, const JudgeContext& context);
-    Judged finish(const JudgeContext& context);
+    JudgedDrawing finish(const JudgeContext& context);
   };
   Findings finish();
 

@@ -192,7 +192,7 @@ Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& s
 
   oracle::JudgeOptions options;
   options.jobs = jobs;
-  const oracle::Judged judged =
+  const oracle::JudgedDrawing judged =
       oracle::judge(truth, *result.drawn, options,
                     [&reader](const JudgedSample& sample, const oracle::TriangleTruth* triangle) {
                       reader.see(sample, triangle);

@@ -221,7 +221,7 @@ std::string wrong_verdict(const SceneTruth& scene) {
                                     std::to_string(s.place.sample));
       }
     };
-    const Judged judged = judge(scene, all, options, see);
+    const JudgedDrawing judged = judge(scene, all, options, see);
     if (!wrong.empty()) return wrong;
     if (judged.fault) return at_level(level, *judged.fault);
   }

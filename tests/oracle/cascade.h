@@ -20,7 +20,7 @@ inline JudgeOptions from(Level level, unsigned jobs = 1) {
 
 /// What a judgement gives, and the samples that it handed out, in their order.
 struct Outcome {
-  Judged judged;
+  JudgedDrawing judged;
   std::vector<JudgedSample> samples;
 };
 Outcome outcome_of(const SceneTruth& scene, const cases::Fragments& drawn,

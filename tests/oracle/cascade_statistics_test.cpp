@@ -198,7 +198,7 @@ void expect_layers(int width, int height, std::uint32_t layers, std::uint32_t wo
     std::size_t seen = 0;
     std::size_t unordered = 0;
     std::array<std::uint32_t, 4> before{};
-    const Judged judged =
+    const JudgedDrawing judged =
         judge(scene, drawn, from(Level::filter, jobs), [&](const JudgedSample& s, const auto*) {
           const std::array<std::uint32_t, 4> place{s.place.triangle, s.place.y, s.place.x,
                                                    s.place.sample};

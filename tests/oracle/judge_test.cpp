@@ -303,7 +303,7 @@ TEST(JudgedInfinity, IsRightWhereTheExactValueIsBeyondFloat) {
 RC_GTEST_PROP(Judged, AFaultlessDrawingIsCorrect, ()) {
   const cases::Case c = random_exact_case();
   const SceneTruth scene(c, cases::contract_of(c));
-  const Judged judged = judge(scene, perfect(scene), {.self_check_one_in = 1});
+  const JudgedDrawing judged = judge(scene, perfect(scene), {.self_check_one_in = 1});
   RC_ASSERT(!judged.fault);
   for (const auto& [kind, errors] : judged.judgement.errors) {
     for (std::size_t i = 1; i < errors.classes.counts.size(); ++i) {
@@ -352,7 +352,7 @@ TEST(JudgeOfAClaim, HoldsValuesAgainstItAndTellsTheErrorOfPerspective) {
   JudgeOptions options;
   options.self_check_one_in = 1;
   std::optional<JudgedValue> judged;
-  const Judged result =
+  const JudgedDrawing result =
       judge(scene, drawn, options, [&](const JudgedSample& sample, const TriangleTruth*) {
         for (const JudgedValue& value : sample.values) {
           if (value.attribute) judged = value;

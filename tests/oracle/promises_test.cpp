@@ -71,7 +71,7 @@ TEST(TrianglePromise, WhatIsNotMadeIsCountedAndAllElseJudged) {
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 4; ++x) draw(drawn, 1, x, y, 0.75F, x == 2 && y == 1 ? 3.0F : 2.0F);
   }
-  Judged judged = judge(scene, drawn);
+  JudgedDrawing judged = judge(scene, drawn);
   records::ErrorStatistics& coverage = judged.judgement.errors[AttributeKind::coverage];
   EXPECT_EQ(coverage.classes[FragmentClass::correct], 17U);
   EXPECT_EQ(coverage.not_judged[NotJudged::not_promised], 1U);
@@ -100,7 +100,7 @@ TEST(TrianglePromise, UnderADepthTestWhatShowsOthersStaysJudged) {
       }
     }
   }
-  Judged judged = judge(scene, drawn);
+  JudgedDrawing judged = judge(scene, drawn);
   records::ErrorStatistics& coverage = judged.judgement.errors[AttributeKind::coverage];
   EXPECT_EQ(coverage.classes[FragmentClass::correct], 15U);
   EXPECT_EQ(coverage.classes[FragmentClass::missing], 1U);

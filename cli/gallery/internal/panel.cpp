@@ -213,13 +213,13 @@ Result<reports::GalleryPicture> judged_picture(const DrawnScene& drawn, const Sh
   oracle::JudgeOptions coverage_only;
   coverage_only.judges_values = false;
   const oracle::SceneTruth promised(drawn.scene, drawn.contract);
-  const oracle::Judged covered = oracle::judge(
+  const oracle::JudgedDrawing covered = oracle::judge(
       promised, drawn.fragments, coverage_only,
       [&reader](const oracle::JudgedSample& sample, const oracle::TriangleTruth* /*truth*/) {
         reader.see_coverage(sample);
       });
   const oracle::SceneTruth exact(drawn.scene, cases::contract_of(drawn.scene));
-  const oracle::Judged judged = oracle::judge(
+  const oracle::JudgedDrawing judged = oracle::judge(
       exact, drawn.fragments, {},
       [&reader](const oracle::JudgedSample& sample, const oracle::TriangleTruth* /*truth*/) {
         reader.see_values(sample);
