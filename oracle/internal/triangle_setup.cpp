@@ -169,15 +169,15 @@ std::size_t TriangleSetup::corner_count() const {
   return extreme_columns_[0].size() * extreme_columns_[1].size() * extreme_columns_[2].size();
 }
 
-const ProjectiveMap& TriangleSetup::corner(std::size_t index) const {
-  std::optional<ProjectiveMap>& map = corners_[index];
+const ProjectiveMap& TriangleSetup::corner(std::size_t number) const {
+  std::optional<ProjectiveMap>& map = corners_[number];
   if (!map) {
-    // Three digits of the index, one per vertex. The second and third count from the first, so that
-    // the lowest indices have all three alike.
+    // Three digits of the number, one per vertex. The second and third count from the first, so
+    // that the lowest indices have all three alike.
     const auto& choices = extreme_columns_;
-    const std::size_t first = index % choices[0].size();
-    const std::size_t second = index / choices[0].size() % choices[1].size();
-    const std::size_t third = index / choices[0].size() / choices[1].size();
+    const std::size_t first = number % choices[0].size();
+    const std::size_t second = number / choices[0].size() % choices[1].size();
+    const std::size_t third = number / choices[0].size() / choices[1].size();
     map.emplace(std::array{choices[0][first], choices[1][(first + second) % choices[1].size()],
                            choices[2][(first + third) % choices[2].size()]});
   }

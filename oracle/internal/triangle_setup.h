@@ -68,7 +68,7 @@ struct TriangleSetup {
   std::size_t corner_count() const;
   /// Shape placed: the map of an extreme placement, made when first asked for. The first few are
   /// those that move all vertices the same way, so that among them values differ most.
-  const ProjectiveMap& corner(std::size_t index) const;
+  const ProjectiveMap& corner(std::size_t number) const;
   /// Shape placed: the maps of all placements, made when first asked for; nullptr where they are
   /// more than kMostPlacements, or where vertices need not be on grid points.
   const std::vector<ProjectiveMap>* placements() const;

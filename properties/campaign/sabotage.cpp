@@ -115,6 +115,7 @@ template <typename Difference>
 std::optional<Fragments> add_to_values(const Drawing& drawing, const Difference& difference) {
   const Case& c = *drawing.source;
   std::vector<NearTriangle> triangles;
+  triangles.reserve(c.triangles.size());
   for (std::size_t t = 0; t < c.triangles.size(); ++t) triangles.emplace_back(c, t);
   const Fragments& drawn = *drawing.fragments;
   return with_values(drawing, [&](std::size_t i, std::size_t a, float value) {

@@ -89,10 +89,11 @@ class SharedEdgeCheck {
  public:
   SharedEdgeCheck(const cases::Case& c, cases::Contract contract, const cases::Fragments& drawn)
       : case_(&c),
-        contract_(contract),
+        contract_(std::move(contract)),
         samples_(samples_by_triangle(c, drawn)),
         state_(c),
         tally_(c) {
+    contract_.triangles.clear();  // it is asked of other triangles
     state_.attributes.clear();
     state_.attribute_values.clear();
     state_.clip_distances.clear();
