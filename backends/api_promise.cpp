@@ -75,7 +75,7 @@ namespace {
 
 constexpr double kRest = 1.01;
 
-/// Counts operations.
+// Numbers of operations.
 constexpr double kPosition = 4;
 constexpr double kCentre = 2;
 /// 4δ of t and 3δ of the sum, each of twice the greatest number.
@@ -96,7 +96,7 @@ constexpr double kSteps = 255;
 /// than one, and what it is held against has been rounded to the nearest.
 constexpr double kRounded = 1.5;
 
-/// What is assumed of single operations.
+/// Says how precise single operations are assumed to be, and of which numbers.
 struct Arithmetic {
   double operation = 0;  ///< δ
   cases::MagnitudeRange numbers;
@@ -309,8 +309,8 @@ cases::TrianglePromise OneTriangle::promise() {
   }
   const Clipped clipped = clipped_to_view(*case_, vertices_);
   const double of_weights = condition_of(case_->viewport, vertices_);
-  // Of no more area than numbers tell: an edge may pass through the eye, where cutting it divides 0
-  // by 0.
+  // An edge of a triangle whose area is lost in rounding may pass through the eye, where cutting it
+  // divides 0 by 0.
   const bool has_area = kPerCondition * arithmetic_.operation * of_weights < 1;
   const bool is_hidden = clipped.polygon.empty() && has_area;
   if (!is_hidden) {
@@ -340,7 +340,7 @@ cases::TrianglePromise OneTriangle::promise() {
   promise_.clip_tolerance = double{no_less(new_position)};
   // New vertices lie beside the side as far as they do beside an edge.
   if (clipped.is_cut_at_the_sides) promise_.side_tolerance = promise_.clip_tolerance;
-  // What the first plane cuts has exact distances.
+  // The first plane cuts by exact distances.
   if (clipped.planes > 1) {
     promise_.clip_error = kRest * clipped.planes * kClipping * arithmetic_.operation;
   }
@@ -408,7 +408,7 @@ double OneTriangle::depth_scale() const {
 void OneTriangle::set_values(double of_weights) {
   const double new_weights = kNewWeights * new_weight_;
   cases::ValueBound value;
-  // Of a triangle without area the constant is all that counts.
+  // Only the constant counts for a triangle without area.
   value.constant = of_weights < kInfinity ? in_ulps(kQuotient * arithmetic_.operation + new_weights)
                                           : kAllDigits;
   value.per_condition = in_ulps(kPerCondition * arithmetic_.operation, 0);
@@ -509,7 +509,7 @@ cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits,
   contract.keeps_sign_of_zero = false;
   contract.is_invariant = false;
   contract.coverage = cases::Snapping{limits.subpixel_bits, cases::Rounding::unspecified, 0};
-  // Of no triangle: the least that is left open of any.
+  // A case without triangles leaves open what any triangle leaves open at least.
   contract.bounds = {{in_ulps(kQuotient * arithmetic.operation), in_ulps(arithmetic.operation, 0)},
                      {in_ulps(arithmetic.operation)},
                      {in_ulps(kDepthRange * arithmetic.operation)}};

@@ -29,7 +29,7 @@ struct Driver {
   bool operator==(const Driver&) const = default;
 };
 
-/// What a driver of OpenGL or Vulkan says of itself that its promises depend on.
+/// Describes a driver of OpenGL or Vulkan as far as its promises depend on it.
 struct ApiLimits {
   int subpixel_bits = 4;     ///< GL_SUBPIXEL_BITS, subPixelPrecisionBits
   bool is_software = false;  ///< it draws with the processor
@@ -46,7 +46,7 @@ struct About {
   /// One line about what is drawn with: name and version of a driver or plugin, say. May be empty.
   std::string description = {};
   std::optional<Driver> driver = std::nullopt;  ///< nothing of what is no driver
-  /// Of a driver that promises what its API does; nothing of what promises something of its own.
+  /// Set for a driver that promises what its API does, and empty for what makes its own promises.
   std::optional<ApiLimits> api = std::nullopt;
   /// Whether there are kinds of cases that it does not draw (Failure::unsupported): laws about
   /// these check nothing then, and labels are not reached, which is no fault of a run.

@@ -93,8 +93,8 @@ struct MagnitudeRange {
   }
 };
 
-/// What is promised of one triangle. Its members mean what those of the same name in Snapping and
-/// Contract do, if there are any.
+/// Holds what is promised of one triangle. Its members mean what those of the same name in Snapping
+/// and Contract do, if there are any.
 struct TrianglePromise {
   /// Whether anything is; otherwise it may be drawn anywhere, and with any values.
   bool is_made = true;
@@ -202,8 +202,8 @@ struct Contract {
   }
 };
 
-/// What a contract promises of a triangle (an index into the case's). Numbers are not looked at of
-/// a case with a camera, whose clip positions are nobody's yet.
+/// Gives what a contract promises of a triangle (an index into the case's). Numbers are not looked
+/// at of a case with a camera, whose clip positions are nobody's yet.
 TrianglePromise promise_of(const Contract& contract, const Case& c, std::size_t triangle);
 
 /// Whether a contract promises anything of an attribute's values on a triangle of which it does.

@@ -32,7 +32,7 @@ using CoverageTerm = std::optional<std::variant<AsAsked, AskedGrid, Coverage>>;
 
 struct ContractTerms {
   std::string name;  ///< for people
-  /// Of what its API promises, which; of drivers alone.
+  /// Chooses among the promises of an API; counts for drivers alone.
   std::optional<DriverPromise> promise;
   CoverageTerm coverage;
   std::optional<bool> is_on_grid;

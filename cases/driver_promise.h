@@ -10,10 +10,11 @@
 namespace rastercheck::cases {
 
 enum class DriverPromise {
-  /// What the text of both APIs promises: single operations accurate to one part in 10^5. Assumes
+  /// The text of both APIs: single operations accurate to one part in 10^5. Assumes
   /// that values are evaluated about a point of the triangle's bounding box.
   spec,
-  /// What every driver that passed Khronos' conformance tests was held to: colours of 8 bits.
+  /// The tolerance of Khronos' conformance tests, which every driver met that passed them: colours
+  /// of 8 bits.
   conformance,
   /// No promise but a hypothesis: single operations rounded as IEEE 754 float32 has it.
   ieee,

@@ -20,7 +20,7 @@ struct Judged {
 
   /// Fragments and values.
   std::uint64_t all_not_judged() const;
-  /// Of all fragments and values that were drawn, or missing, those that were not judged; 0 to 1.
+  /// Divides those that were not judged by all that were drawn or are missing; 0 to 1.
   double share_not_judged() const;
 };
 

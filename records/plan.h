@@ -58,7 +58,7 @@ struct Plan {
 std::optional<cases::ContractTerms> with_promise(std::optional<cases::ContractTerms> terms,
                                                  std::optional<cases::DriverPromise> promise);
 
-/// What all backends are held to; nothing where the plan does not say.
+/// Gives what all backends are held to; nothing where the plan does not say.
 std::optional<cases::ContractTerms> terms_of(const Plan& plan);
 
 /// Keeps what decides which cases are frozen and what they are held to: seed, cases, patterns,

@@ -30,7 +30,7 @@ std::string to_string(const ShardNumber& number);
 struct BackendPromises {
   std::string backend;      ///< as given on the command line
   bool has_limits = false;  ///< it does not draw every case
-  /// What a driver is held to; nothing of what is no driver.
+  /// The promise that a driver is held to; empty for what is no driver.
   std::optional<cases::DriverPromise> promise = std::nullopt;
   /// It promises the coverage, basis and tie rule that a case names, and values in perspective.
   bool draws_what_is_asked_for = false;

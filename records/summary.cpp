@@ -128,7 +128,7 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
       [&](const UnreachedLabel& label) { return label.law == law && label.backend == backend; });
   row.judged.asked = row.cases.checked + row.cases.not_applicable;
   row.judged.applicable = row.cases.checked;
-  // Of a law on values it says nothing that fragments are where they should be.
+  // Fragments in their places do not make a law on values hold.
   const bool is_any_judged = !has_values || row.judged.values > 0 || row.judged.not_judged.empty();
   row.verdict = verdict_of(row.cases, is_any_judged ? correct_fragments : 0);
   if (row.verdict != LawVerdict::violated && !row.unreached.empty()) {

@@ -23,15 +23,16 @@
 // with that 1, two sums 2, the quotient by D, be it a reciprocal and a product, 2: 9. D itself:
 // relative positions 1, product 1, difference 1, two sums 2: 5 on terms that sum to S at most.
 //
-// What is linear in window space, r = Σ r_i e_i / D, sees a product with r_i or with a difference
-// of two values, that difference, and two sums: 4 more. Values may be evaluated from differences to
-// one vertex, r_0 + b_1 (r_1 − r_0) + b_2 (r_2 − r_0), or by a gradient made of such; a difference
-// is at most 2 max|r|, so the sizes of such terms sum to 2 S max|r| at most. Altogether
+// A value that is linear in window space, r = Σ r_i e_i / D, sees a product with r_i or with a
+// difference of two values, that difference, and two sums: 4 more. Values may be evaluated from
+// differences to one vertex, r_0 + b_1 (r_1 − r_0) + b_2 (r_2 − r_0), or by a gradient made of
+// such; a difference is at most 2 max|r|, so the sizes of such terms sum to 2 S max|r| at most.
+// Altogether
 //
 //   |Δr| <= (2 · 13 + 5) δ k / (1 − 5 δ k) max|r|.
 //
-// What is linear in clip space is N/M with N = Σ b_i r_i/w_i, M = Σ b_i/w_i, of which 1/w_i is an
-// operation, its product with r_i another. By the same count, with q the greatest 1/w_i,
+// A value that is linear in clip space is N/M with N = Σ b_i r_i/w_i, M = Σ b_i/w_i, of which 1/w_i
+// is an operation, its product with r_i another. By the same count, with q the greatest 1/w_i,
 //
 //   |ΔN| <= (2 · 15 + 5 x) δ k q max|r| / (1 − 5 δ k),  |ΔM| <= (2 · 14 + 5) δ k q / (1 − 5 δ k),
 //
@@ -73,7 +74,7 @@ double extent(const std::array<double, 3>& at) {
   return greatest - least;
 }
 
-/// What is known of a triangle whose vertices may have been moved.
+/// Bounds the numbers of a triangle whose vertices may have been moved.
 struct Moved {
   double area = 0;              ///< D, at least
   double sizes = 0;             ///< S, at most, of P in the bounding box

@@ -15,7 +15,7 @@ struct WindowTriangle {
   std::array<double, 3> w{};
 };
 
-/// What is assumed of how values are evaluated.
+/// Says how values are assumed to be evaluated.
 struct Evaluation {
   double operation = 0;  ///< δ: how far the result of one may be off, as a share of it
   /// How far from the triangle's bounding box the point may lie, along each axis, that planes are
@@ -30,8 +30,8 @@ struct Evaluation {
 /// promised.
 struct PlaneError {
   double affine = 0;  ///< of what is linear in window space, depths among it
-  /// Of what is linear in clip space: at a place where 1/w is 1/g of the vertices' greatest,
-  /// constant + per_horizon · g.
+  /// Bounds values that are linear in clip space: at a place where 1/w is 1/g of the vertices'
+  /// greatest, constant + per_horizon · g.
   double constant = 0;
   double per_horizon = 0;
 };

@@ -359,7 +359,8 @@ SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p) {
 
 namespace {
 
-/// Of a triangle that may be drawn a little beside the viewport's sides, and not quite up to them.
+/// Decides for a triangle that may be drawn a little beside the viewport's sides, or not quite up
+/// to them.
 SampleVerdict decide_beside(const TriangleSetup& triangle, int x, int y, int sample) {
   const Scene& scene = *triangle.scene;
   const Point p = scene.sample_point(x, y, sample);

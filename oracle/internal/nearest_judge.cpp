@@ -137,7 +137,7 @@ class NearestJudge::Band {
     while (is_next(where)) take_unasked(FragmentClass::extra);
   }
 
-  /// What the contract says of the next fragment where it promises nothing of its triangle;
+  /// Gives the verdict of the next fragment where the contract promises nothing of its triangle;
   /// forbidden where it does.
   records::SampleVerdict unpromised_verdict() {
     const cases::SamplePlace place = context_->drawn->place_of(fragments_.front());

@@ -16,7 +16,7 @@
 
 namespace rastercheck::properties {
 
-/// What is drawn, and by what more of it can be drawn.
+/// Holds a right drawing, and what draws more in the same way.
 struct Drawing {
   const cases::ClipCase* source = nullptr;
   const cases::Fragments* fragments = nullptr;
@@ -27,7 +27,7 @@ struct Drawing {
 /// A defect of a backend.
 struct Sabotage {
   std::string_view name;
-  /// What a backend with the defect had drawn; nothing where it would have drawn the same.
+  /// Gives what a backend with the defect would have drawn; nothing where it would be the same.
   std::optional<cases::Fragments> (*apply)(const Drawing& drawing);
 };
 

@@ -1,4 +1,4 @@
-// What the judge notices of defects under each promise of a driver: docs/sensitivity.md.
+// Measures what the judge notices of defects under each promise of a driver: docs/sensitivity.md.
 //
 //   rastercheck-sensitivity [FRAMES]
 //

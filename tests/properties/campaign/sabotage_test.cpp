@@ -33,7 +33,7 @@ class SabotageTest : public testing::Test {
     if (!drawn) return std::nullopt;
     return std::move(drawn->fragments);
   }
-  /// What a defect makes of the case.
+  /// Draws the case with a defect.
   std::optional<cases::Fragments> damaged(const Sabotage& sabotage) const {
     const cases::ClipCase c(case_);
     const auto right = drawn(c);
