@@ -16,7 +16,7 @@ CLI::Option* add_contract(CLI::App& app, std::string& file);
 CLI::Option* add_promise(CLI::App& app, std::optional<cases::DriverPromise>& promise);
 
 /// Reads that file, if there is one, and puts the promise in place of its own.
-Result<std::optional<cases::ContractTerms>> read_terms(
-    const std::string& file, std::optional<cases::DriverPromise> promise);
+Result<std::optional<cases::ContractTerms>> read_terms(const std::string& file,
+                                                       std::optional<cases::DriverPromise> promise);
 
 }  // namespace rastercheck::cli

@@ -48,7 +48,8 @@ struct Check {
   std::uint64_t violation_count = 0;
   std::vector<records::Violation> violations;  ///< records::kMostViolations, of each sort the first
   std::vector<std::string> labels;             ///< what the case reached, each once
-  /// A fault of the oracle itself (oracle::JudgedDrawing::fault), or of the harness: nothing else counts.
+  /// A fault of the oracle itself (oracle::JudgedDrawing::fault), or of the harness: nothing else
+  /// counts.
   std::optional<std::string> fault;
   /// Entries of what is known of the driver that all violations kept are of; else empty.
   std::vector<std::string> known = {};

@@ -25,7 +25,8 @@ class CaseDrawing {
 
   /// Fails as Failure::unsupported where the case takes more memory than there is for one.
   /// Calls `go_on` after each batch of layers.
-  Result<cases::Fragments> draw(const cases::Case& c, const std::function<void()>& go_on = [] {});
+  Result<cases::Fragments> draw(
+      const cases::Case& c, const std::function<void()>& go_on = [] {});
 
  private:
   struct Impl;
