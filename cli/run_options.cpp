@@ -82,7 +82,8 @@ Result<void> take_case_set(const CLI::App& app, const gate::CaseSet& set, RunOpt
       .and_then(settled("--contract", options.contract, contract))
       .and_then(settled("--promise", plan.promise, then.promise))
       .and_then(settled("--known", plan.known, then.known))
-      .and_then(settled("--no-known", plan.ignores_known, then.ignores_known));
+      .and_then(settled("--no-known", plan.ignores_known, then.ignores_known))
+      .and_then(settled("--power", plan.power, then.power));
 }
 
 Result<void> take_failed(RunOptions& options) {

@@ -72,8 +72,8 @@ void print_results(const records::Run& run, const std::vector<LawSummary>& rows,
     fmt::print("{}\n", cases::printable(records::scene_sentence(scene)));
   }
   if (quiet) return;
-  fmt::print("\n{}{}{}{}", reports::summary_counts(rows), reports::not_judged_text(rows),
-             reports::not_checked_text(rows), reports::known_text(run));
+  fmt::print("\n{}{}{}{}{}", reports::summary_counts(rows), reports::not_judged_text(rows),
+             reports::power_text(rows), reports::not_checked_text(rows), reports::known_text(run));
   print_counterexamples(run, rows, output);
   for (const std::string& caveat : records::caveats(run)) fmt::print("{}\n", caveat);
   if (run.cases_left > 0) fmt::print("`rastercheck run --resume --output {}` goes on.\n", output);

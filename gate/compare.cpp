@@ -111,7 +111,8 @@ class FigureComparer {
   void count(records::Figure figure, std::uint64_t before, std::uint64_t after,
              records::FragmentClass of = records::FragmentClass::correct) {
     if (before == after) return;
-    const bool is_more_worse = figure != records::Figure::checked;
+    const bool is_more_worse =
+        figure != records::Figure::checked && figure != records::Figure::noticed;
     add(figure, (after > before) == is_more_worse, {std::nullopt, before, 0},
         {std::nullopt, after, 0}, of);
   }
@@ -149,6 +150,10 @@ std::vector<records::FigureChange> figure_changes(const records::EntryFigures& b
   compare.count(records::Figure::violations, before.cases.violations, after.cases.violations);
   compare.count(records::Figure::known, before.cases.known, after.cases.known);
   compare.count(records::Figure::checked, before.cases.checked, after.cases.checked);
+  // Drawings differ where more or fewer are right without a defect.
+  if (before.power.drawings == after.power.drawings) {
+    compare.count(records::Figure::noticed, before.power.noticed, after.power.noticed);
+  }
   for (std::size_t i = 0; i < before.classes.counts.size(); ++i) {
     const auto fragment_class = static_cast<records::FragmentClass>(i);
     if (fragment_class == records::FragmentClass::correct) continue;

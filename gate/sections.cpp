@@ -41,7 +41,10 @@ void add_entries(std::map<records::EntryKey, records::EntryFigures>& entries,
                  const std::string& law, AttributeKind kind, const records::Record& record) {
   records::EntryFigures all = figures_of(record.errors.ideal);
   all.classes = record.errors.classes;
-  if (kind == AttributeKind::coverage) all.cases = record.cases;
+  if (kind == AttributeKind::coverage) {
+    all.cases = record.cases;
+    all.power = records::total(record.power);
+  }
   std::map<records::Stratum, records::EntryFigures> strata;
   for (const auto& [stratum, sizes] : record.errors.strata) strata[stratum] = figures_of(sizes);
   for (const auto& [stratum, stages] : record.errors.stages) {

@@ -49,6 +49,7 @@ struct EntryKey {
 /// Certified figures of the frozen cases; all else (quantiles, shares) follows from them.
 struct EntryFigures {
   CaseCounts cases;     ///< of the law; of kind `coverage` only
+  Noticed power;        ///< of all defects together; likewise
   ClassCounts classes;  ///< of all strata together only
   Histogram histogram;  ///< of magnitudes of errors against the exact triangle
   Enclosure worst;      ///< the largest magnitude; 0 without one

@@ -55,6 +55,7 @@ void members(Archive& archive, Key& key, T& figures) {
     inner.optional("violations", counts.violations);
     inner.optional("known", counts.known);
   });
+  archive.optional("power", figures.power);
   archive.optional_object("classes", figures.classes, [](auto& inner, auto& classes) {
     for (std::size_t i = 0; i < classes.counts.size(); ++i) {
       inner.optional(to_string(static_cast<FragmentClass>(i)), classes.counts[i]);

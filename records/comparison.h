@@ -21,12 +21,14 @@ constexpr auto names_of(Change /*type*/) {
 }
 constexpr std::string_view to_string(Change change) { return cases::name_of(change); }
 
-/// A figure of an entry that is compared. Of `checked` less is worse, of all others more.
+/// A figure of an entry that is compared. Of `checked` and `noticed` less is worse, of all others
+/// more.
 enum class Figure {
   violations,  ///< cases violated in ways that are not known
   known,       ///< cases violated in known ways only
   checked,     ///< cases that the law says something of: others are not looked at any more
   mismatches,  ///< of one class, FigureChange::fragment_class
+  noticed,     ///< of as many drawings that were made wrong on purpose
   worst,       ///< the largest magnitude
   misrounded,  ///< the share of values off by more than kRoundingError
   p999,
@@ -39,8 +41,8 @@ enum class Figure {
 };
 constexpr auto names_of(Figure /*type*/) {
   return std::to_array<std::string_view>({"violations", "known violations", "cases checked",
-                                          "mismatches", "worst", "misrounded", "p99.9", "p99",
-                                          "p50", "cases that grew"});
+                                          "mismatches", "defects noticed", "worst", "misrounded",
+                                          "p99.9", "p99", "p50", "cases that grew"});
 }
 constexpr std::string_view to_string(Figure figure) { return cases::name_of(figure); }
 

@@ -61,6 +61,7 @@ Plan frozen(const Plan& plan) {
   frozen.corpus = plan.corpus;
   frozen.known = plan.known;
   frozen.ignores_known = plan.ignores_known;
+  frozen.power = plan.power;
   return frozen;
 }
 
@@ -78,6 +79,7 @@ std::vector<std::string> option_words(const Plan& plan) {
   if (plan.shrinking.seconds) {
     words.value(true, "--shrink-seconds", fmt::format("{}", *plan.shrinking.seconds));
   }
+  words.value(plan.power != usual.power, "--power", std::to_string(plan.power));
   words.flag(plan.keeps_cases, "--keep-cases");
   add_timeout(words, plan);
   return std::move(words).take();

@@ -155,6 +155,7 @@ void merge(Record& into, const Record& from) {
     into.not_applicable_because[why] += cases;
   }
   merge(into.levels, from.levels);
+  merge(into.power, from.power);
 }
 
 void merge(RecordSet& into, const RecordSet& from) {

@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 
+#include "records/defect.h"
 #include "records/judgement.h"
 
 namespace rastercheck::records {
@@ -45,8 +46,8 @@ struct CaseCounts {
   bool operator==(const CaseCounts&) const = default;
 };
 
-/// What belongs to a law's cases and not to one kind of value (cases, counts, labels, levels)
-/// stands in the record of kind `coverage`, so that sums over kinds count it once.
+/// What belongs to a law's cases and not to one kind of value (cases, counts, labels, levels,
+/// power) stands in the record of kind `coverage`, so that sums over kinds count it once.
 struct Record {
   CaseCounts cases;
   Counts counts;
@@ -56,6 +57,7 @@ struct Record {
   /// Why → cases that the law says nothing of. Files from before there were reasons have none.
   std::map<std::string, std::uint64_t> not_applicable_because;
   Levels levels;
+  Power power;  ///< what was noticed of drawings of the law's cases that were made wrong
   bool operator==(const Record&) const = default;
 };
 

@@ -163,6 +163,20 @@ void members(Archive& archive, T& levels) {
   archive.optional("values by exact numbers", levels.values.exact);
 }
 
+template <typename Archive, Either<Noticed> T>
+void members(Archive& archive, T& noticed) {
+  archive.required("drawings", noticed.drawings);
+  archive.required("noticed", noticed.noticed);
+  archive.check([&](const JsonNode& node) {
+    if (noticed.noticed > noticed.drawings) {
+      node["noticed"].refuse("must not be more than there are drawings");
+    }
+  });
+}
+
+void write_value(json& to, const Noticed& noticed) { cases::write_members(to, noticed); }
+void read_value(const JsonNode& node, Noticed& noticed) { cases::read_members(node, noticed); }
+
 template <typename Archive, Either<RecordKey> Key, Either<Record> T>
 void members(Archive& archive, Key& key, T& record) {
   archive.required("law", key.law);
@@ -182,6 +196,8 @@ void members(Archive& archive, Key& key, T& record) {
   archive.required("decided_at", record.levels);
   archive.optional("known", record.known);
   archive.optional("not_applicable_because", record.not_applicable_because);
+  archive.optional_object("power", record.power,
+                          [](auto& inner, auto& power) { inner.entries(power); });
 }
 
 void write_value(json& to, const RecordSet::value_type& one) {

@@ -29,8 +29,10 @@
 // parts of errors by the stage that made them (judgement.h). "cases" has "known" where some were
 // violated in known ways only; "known": {"llvmpipe-3": 5} says of which entries (known.h). Why a
 // law says nothing of cases is in "not_applicable_because": {"its contract lacks 8 samples": 7}.
-// All three are absent where there are none. The float32 of "actual" is a hex float, as in all
-// files. Objects list their keys alphabetically, so that equal records give equal bytes.
+// "power" has how many drawings of its cases were made wrong, and of how many that was noticed:
+// {"values NaN": {"drawings": 4, "noticed": 4}}. All four are absent where there are none. The
+// float32 of "actual" is a hex float, as in all files. Objects list their keys alphabetically, so
+// that equal records give equal bytes.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -46,11 +48,13 @@ void write_value(nlohmann::json& to, const RecordSet& records);
 /// of one key.
 void read_value(const cases::JsonNode& node, RecordSet& records);
 
-/// The parts of records that other files keep as well: a "histogram" and a "sum".
+/// The parts of records that other files keep as well: a "histogram", a "sum", what was noticed.
 void write_value(nlohmann::json& to, const Histogram& histogram);
 void read_value(const cases::JsonNode& node, Histogram& histogram);
 void write_value(nlohmann::json& to, const SignedSum& sum);
 void read_value(const cases::JsonNode& node, SignedSum& sum);
+void write_value(nlohmann::json& to, const Noticed& noticed);
+void read_value(const cases::JsonNode& node, Noticed& noticed);
 
 /// A worst error without its "case", for whoever says that elsewhere.
 void write_value(nlohmann::json& to, const WorstError& worst);

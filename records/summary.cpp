@@ -104,6 +104,7 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
     merge(row.counts, record.counts);
     merge(row.classes, record.errors.classes);
     merge(row.levels, record.levels);
+    merge(row.power, record.power);
     for (const auto& [label, cases] : record.labels) row.labels[label] += cases;
     for (const auto& [id, cases] : record.known) row.known[id] += cases;
     for (const auto& [why, cases] : record.not_applicable_because) {
@@ -151,6 +152,14 @@ std::vector<LawSummary> summarize(const Run& run) {
       rows.push_back(summarize(run, law, backend));
   }
   return rows;
+}
+
+std::map<std::string, Power> power_by_backend(const std::vector<LawSummary>& rows) {
+  std::map<std::string, Power> all;
+  for (const LawSummary& row : rows) {
+    if (!row.power.empty()) merge(all[row.backend], row.power);
+  }
+  return all;
 }
 
 LawVerdict verdict_of(const std::vector<LawSummary>& rows) {

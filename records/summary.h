@@ -87,6 +87,7 @@ struct LawSummary {
   /// Of laws that split errors: of each kind all of them, then its strata, each by stage.
   std::vector<StageMean> stages;
   Levels levels;  ///< of the oracle, by what each decided
+  Power power;
   std::map<std::string, std::uint64_t> labels;
   std::map<std::string, std::uint64_t> known;                   ///< id → cases violated so
   std::map<std::string, std::uint64_t> not_applicable_because;  ///< why → cases
@@ -97,6 +98,9 @@ struct LawSummary {
 /// In the order of the run's laws, and of each its backends. A pair without records was not
 /// checked.
 std::vector<LawSummary> summarize(const Run& run);
+
+/// What all laws together noticed on each backend; only backends that were asked.
+std::map<std::string, Power> power_by_backend(const std::vector<LawSummary>& rows);
 
 /// Of all rows together: violated where one is, not checked where none was checked, known where
 /// none of those that were checked held.

@@ -55,6 +55,15 @@ nlohmann::ordered_json judged_json(const records::Judged& judged) {
           {"not_judged", judged.not_judged}};
 }
 
+nlohmann::ordered_json power_json(const records::Power& power) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [defect, noticed] : power) {
+    json[std::string(to_string(defect))] = {{"drawings", noticed.drawings},
+                                            {"noticed", noticed.noticed}};
+  }
+  return json;
+}
+
 nlohmann::ordered_json levels_json(const records::LevelCounts& levels) {
   return {{"filter", levels.filter}, {"interval", levels.interval}, {"exact", levels.exact}};
 }
@@ -116,6 +125,16 @@ std::string not_judged_text(const std::vector<records::LawSummary>& rows) {
   return all;
 }
 
+std::string power_text(const std::vector<records::LawSummary>& rows) {
+  std::string all;
+  for (const auto& [backend, power] : records::power_by_backend(rows)) {
+    const records::Noticed sum = records::total(power);
+    all += fmt::format("Made wrong on purpose on {}: {}, {} noticed.\n", cases::printable(backend),
+                       counted(sum.drawings, "drawing", "drawings"), grouped(sum.noticed));
+  }
+  return all;
+}
+
 std::string not_checked_text(const std::vector<records::LawSummary>& rows) {
   std::map<std::pair<std::string, std::string>, std::string> laws;  // by backend and reason
   for (const records::LawSummary& row : rows) {
@@ -155,6 +174,7 @@ std::string summary_json(const records::Run& run, const std::vector<records::Law
                             {"ideal_error", sizes_json(row.ideal)},
                             {"beyond_contract", sizes_json(row.excess)},
                             {"precision", precision_json(row.precision)},
+                            {"power", power_json(row.power)},
                             {"labels", row.labels},
                             {"unreached", unreached},
                             {"verdict", to_string(row.verdict)}});

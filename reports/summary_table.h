@@ -28,6 +28,9 @@ std::string known_text(const records::Run& run);
 /// A line for each backend of whose fragments and values some were not judged, and why not.
 std::string not_judged_text(const std::vector<records::LawSummary>& rows);
 
+/// A line for each backend of which drawings were made wrong on purpose, and how many were noticed.
+std::string power_text(const std::vector<records::LawSummary>& rows);
+
 /// Which laws checked nothing, by backend and reason, a line for each; empty where there is none.
 std::string not_checked_text(const std::vector<records::LawSummary>& rows);
 

@@ -341,6 +341,12 @@ Action set_up(CLI::App& app) {
       ->check(CLI::Range(kLeastSeconds, kMostSeconds))
       ->type_name("SECONDS");
   add_timeout(app, plan.timeout);
+  app.add_option("--power", plan.power,
+                 "Makes the drawing of one in N random cases wrong in all ways, to see what is "
+                 "noticed; 0 of none")
+      ->transform(whole_number())
+      ->type_name("N")
+      ->capture_default_str();
   app.add_flag("--keep-cases", plan.keeps_cases,
                "Keeps what each case gave in run.json, for a baseline and for --format cases");
   add_early_ends(app, *options);
@@ -363,9 +369,10 @@ Action set_up(CLI::App& app) {
       app.add_flag("--resume", options->resume,
                    "Goes on with the interrupted run in the folder --output, with the options that "
                    "it was begun with");
-  for (const char* settled : {"--backend", "--property", "--cases", "--seed", "--scene",
-                              "--scene-size", "--contract", "--promise", "--corpus", "--known",
-                              "--no-known", "--shrink-tries", "--shrink-seconds", "--keep-cases"}) {
+  for (const char* settled :
+       {"--backend", "--property", "--cases", "--seed", "--scene", "--scene-size", "--contract",
+        "--promise", "--corpus", "--known", "--no-known", "--shrink-tries", "--shrink-seconds",
+        "--power", "--keep-cases"}) {
     resume->excludes(settled);
     rerun->excludes(settled);
   }

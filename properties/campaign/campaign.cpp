@@ -7,6 +7,7 @@
 
 #include "backends/factory.h"
 #include "backends/isolation.h"
+#include "properties/campaign/power.h"
 #include "properties/draw.h"
 
 namespace rastercheck::properties {
@@ -238,8 +239,13 @@ Result<Findings> TaskRunner::run(const Task& task, const IsToEnd& is_to_end) {
   }
   for (std::uint64_t i = task.first; i < task.last && !findings.fault; ++i) {
     if (is_to_end && is_to_end()) break;
-    check_case(*law, task.backend, backend, plan_.seed, numbered_case(task, *law, i), findings,
-               known);
+    const NumberedCase numbered = numbered_case(task, *law, i);
+    const bool is_held =
+        check_case(*law, task.backend, backend, plan_.seed, numbered, findings, known);
+    if (!is_held || task.kind != TaskKind::random || !is_sabotaged(plan_, *law, i)) continue;
+    const records::RecordKey key{task.law, task.backend, records::AttributeKind::coverage,
+                                 numbered.stratum};
+    measure_power(plan_, *law, backend, numbered.source, findings.records[key].power);
   }
   return findings;
 }

@@ -30,8 +30,8 @@ struct NumberedCase {
 /// that suffices, if one does, else the case. What the case gave is kept as well where the findings
 /// keep that. One that is violated in ways only that are `known`
 /// is counted as known instead. A backend that is lost (Backend::is_lost) is not asked any more:
-/// each of its cases fails.
-void check_case(const Law& law, const std::string& specification, backends::Backend& backend,
+/// each of its cases fails. Returns whether the law says something of the case and held.
+bool check_case(const Law& law, const std::string& specification, backends::Backend& backend,
                 std::uint64_t seed, const NumberedCase& numbered, Findings& findings,
                 const KnownDefects* known = nullptr);
 
@@ -71,7 +71,8 @@ void keep_counterexample(const Law& law, const std::string& specification,
                          const KnownDefects* known = nullptr);
 
 /// The counterexample made as small as it gets while the law finds the same class of violation, one
-/// that is not known, and looked at closely. `findings` gets it, and a fault where the oracle
+/// that is not known, and looked at closely. One of several triangles that the backend hangs at
+/// stays as it was found. `findings` gets it, and a fault where the oracle
 /// failed meanwhile.
 void shrink_counterexample(const Law& law, backends::Backend& backend,
                            const records::Counterexample& found, const ShrinkLimits& limits,

@@ -3,16 +3,16 @@
 // Defects given to a right drawing on purpose, so that it can be measured how much of them the
 // judge notices under a contract.
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
-#include <string_view>
 
 #include "cases/case.h"
 #include "cases/clip_case.h"
 #include "cases/contract.h"
 #include "cases/fragments.h"
+#include "properties/judged_law.h"
+#include "records/defect.h"
 
 namespace rastercheck::properties {
 
@@ -24,17 +24,25 @@ struct Drawing {
   std::function<std::optional<cases::Fragments>(const cases::Case&)> draw;
 };
 
+/// What of a drawing is looked at, or changed, if it is not both.
+inline constexpr JudgeRequest kCoverageAlone{.judges_values = false};
+inline constexpr JudgeRequest kValuesAlone{.counts_coverage = false};
+
 /// A defect of a backend.
 struct Sabotage {
-  std::string_view name;
-  /// Gives what a backend with the defect would have drawn; nothing where it would be the same.
-  std::optional<cases::Fragments> (*apply)(const Drawing& drawing);
+  records::Defect defect = records::Defect::values_nan;
+  /// Gives what a backend with the defect would have drawn; nothing where it would be the same, or
+  /// cannot be told.
+  std::optional<cases::Fragments> (*apply)(const Drawing& drawing) = nullptr;
+  /// What of a drawing it may change.
+  JudgeRequest changes = {};
 };
 
+/// All defects, in their order.
 std::span<const Sabotage> sabotages();
 
-/// Whether the judge finds anything wrong with a drawing, in its coverage or its values.
-bool is_noticed(const cases::ClipCase& source, const cases::Contract& contract,
-                const cases::Fragments& drawn);
+/// Whether the judge finds anything wrong with a drawing, of what is asked for.
+bool has_wrong(const cases::ClipCase& source, const cases::Contract& contract,
+               const cases::Fragments& drawn, const JudgeRequest& request = {});
 
 }  // namespace rastercheck::properties

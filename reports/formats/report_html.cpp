@@ -14,6 +14,7 @@
 #include "reports/internal/report_findings.h"
 #include "reports/internal/report_front.h"
 #include "reports/internal/report_laws.h"
+#include "reports/internal/report_power.h"
 #include "reports/internal/report_style.h"
 #include "reports/internal/viewer.h"
 #include "reports/internal/wording.h"
@@ -56,8 +57,8 @@ std::string write(const Run& run) {
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
       "<title>RasterCheck: {}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
       viewer_policy(), html(verdict_sentence(rows)), kReportStyle, kViewerStyle);
-  text += front_of(run, rows) + findings_of(run) + laws_of(run, rows) + pictures_of(run) +
-          known_of(run) + "</main>\n";
+  text += front_of(run, rows) + findings_of(run) + power_of(rows) + laws_of(run, rows) +
+          pictures_of(run) + known_of(run) + "</main>\n";
   return text + viewer_scripts() + "</body>\n</html>\n";
 }
 

@@ -14,7 +14,7 @@
 #include <random>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include "backends/api_promise.h"
 #include "backends/factory.h"
@@ -32,9 +32,10 @@ using rastercheck::cases::Contract;
 using rastercheck::cases::DriverPromise;
 using rastercheck::cases::Fragments;
 using rastercheck::properties::Drawing;
-using rastercheck::properties::is_noticed;
+using rastercheck::properties::has_wrong;
 using rastercheck::properties::Sabotage;
 using rastercheck::properties::sabotages;
+using rastercheck::records::Defect;
 
 constexpr int kSubpixelBits = 8;
 
@@ -160,8 +161,7 @@ int main(int argc, char** argv) {
     return std::move(drawn->fragments);
   };
   Frames frames;
-  std::map<std::string, Row> rows;
-  std::vector<std::string> order;
+  std::map<std::pair<Defect, std::string>, Row> rows;
   for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
     for (int i = 0; i < count; ++i) {
       const bool is_flat = i % 2 == 0;
@@ -171,7 +171,7 @@ int main(int argc, char** argv) {
       std::array<Contract, kContracts.size()> contracts;
       for (std::size_t k = 0; k < contracts.size(); ++k) {
         contracts[k] = contract_of(c, k);
-        if (is_noticed(c, contracts[k], *right)) {
+        if (has_wrong(c, contracts[k], *right)) {
           fmt::print(stderr, "a right frame is wrong by {}\n", kContracts[k]);
           return 1;
         }
@@ -179,14 +179,14 @@ int main(int argc, char** argv) {
       for (const Sabotage& sabotage : sabotages()) {
         const std::optional<Fragments> wrong = sabotage.apply({&c, &*right, draw});
         if (!wrong) continue;
-        std::string name(sabotage.name);
-        if (name == "affine for perspective") name += is_flat ? ", w 1 to 1.1" : ", w 1 to 4";
-        if (!rows.contains(name)) order.push_back(name);
-        Row& row = rows[name];
+        std::string name(to_string(sabotage.defect));
+        if (sabotage.defect == Defect::values_affine)
+          name += is_flat ? ", w 1 to 1.1" : ", w 1 to 4";
+        Row& row = rows[{sabotage.defect, name}];
         ++row.frames;
         ++row.of_kind[kind];
         for (std::size_t k = 0; k < contracts.size(); ++k) {
-          if (!is_noticed(c, contracts[k], *wrong)) continue;
+          if (!has_wrong(c, contracts[k], *wrong, sabotage.changes)) continue;
           ++row.noticed[k];
           if (k == 0) ++row.by_ieee[kind];
         }
@@ -196,9 +196,8 @@ int main(int argc, char** argv) {
   fmt::print("| defect | frames | ieee | conformance | spec | exact |");
   for (const std::string_view kind : kKinds) fmt::print(" ieee: {} |", kind);
   fmt::print("\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
-  for (const std::string& name : order) {
-    const Row& row = rows[name];
-    fmt::print("| {} | {} |", name, row.frames);
+  for (const auto& [defect, row] : rows) {
+    fmt::print("| {} | {} |", defect.second, row.frames);
     for (const int noticed : row.noticed) fmt::print(" {} |", share(noticed, row.frames));
     for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
       fmt::print(" {} |", share(row.by_ieee[kind], row.of_kind[kind]));

@@ -167,6 +167,24 @@ TEST(Compare, SeesViolationsAndCasesThatAreNoLongerChecked) {
             records::Figure::checked);
 }
 
+// Kills: a test that got weaker called better, or not seen.
+TEST(Compare, FewerDefectsNoticedAreWorse) {
+  const records::FigureChange change = only_change(
+      records::kSampleCoverage, [](records::EntryFigures& figures) { --figures.power.noticed; });
+  EXPECT_EQ(change.figure, records::Figure::noticed);
+  EXPECT_EQ(change.change, records::Change::worse);
+}
+
+// As many of more drawings: those before had other defects, or were not drawn rightly.
+TEST(Compare, DefectsOfOtherDrawingsAreNotCompared) {
+  const records::BaselineSection before = records::sample_section();
+  records::BaselineSection after = before;
+  ++after.entries[records::kSampleCoverage].power.drawings;
+  --after.entries[records::kSampleCoverage].power.noticed;
+  EXPECT_EQ(entry_of(compared(before, after), records::kSampleCoverage).change,
+            records::Change::same);
+}
+
 // More samples drawn where a contract leaves that open are neither better nor worse.
 TEST(Compare, CallsMoreCorrectFragmentsTheSame) {
   const records::BaselineSection before = records::sample_section();

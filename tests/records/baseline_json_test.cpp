@@ -56,6 +56,7 @@ TEST(BaselineJson, HasAnEntryALine) {
   const std::string text = to_json(sample_baseline());
   EXPECT_THAT(text, HasSubstr("\n{\"law\":\"values are <within> bounds\",\"kind\":\"coverage\","
                               "\"cases\":{\"checked\":20,\"not_applicable\":3},"
+                              "\"power\":{\"drawings\":7,\"noticed\":6},"
                               "\"classes\":{\"correct\":4}},\n"));
   EXPECT_THAT(text, HasSubstr("\n{\"corpus\":0,\"found\":\"0000000000000009\"},\n{\"random\":12,"));
   EXPECT_LT(text.find("\"entries\": ["), text.find("\"cases\": ["));

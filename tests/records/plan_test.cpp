@@ -16,8 +16,8 @@ TEST(OptionWords, AreOfWhatIsNotAsUsual) {
   EXPECT_THAT(option_words(sample_plan()),
               ElementsAre("--property", "*edge*", "--property", "--known", "--scene-size", "640",
                           "--contract", "lax.json", "--corpus", "a folder", "--no-known", "--known",
-                          "lists", "--shrink-tries", "5", "--shrink-seconds", "2.5", "--keep-cases",
-                          "--timeout", "0.5"));
+                          "lists", "--shrink-tries", "5", "--shrink-seconds", "2.5", "--power",
+                          "5", "--keep-cases", "--timeout", "0.5"));
 }
 
 // Kills: a size without a scene, which `run` takes for nothing.
@@ -44,6 +44,7 @@ TEST(Frozen, IsWhatDecidesTheCasesAndWhatTheyAreHeldTo) {
   expected.corpus = "a folder";
   expected.known = "lists";
   expected.ignores_known = true;
+  expected.power = 5;
   EXPECT_EQ(frozen(sample_plan()), expected);
   EXPECT_EQ(frozen(frozen(sample_plan())), expected);
 }

@@ -127,6 +127,7 @@ struct Observation {
   std::string known;    ///< an entry's id; empty: none
   std::string why_not;  ///< why the law says nothing of another case
   std::optional<NotJudged> not_judged;
+  std::optional<Defect> defect;  ///< given to a drawing, and noticed where it is a violation
 };
 
 inline Observation random_observation() {
@@ -141,6 +142,8 @@ inline Observation random_observation() {
   observation.levels.values = random_levels();
   observation.not_judged = one_of<std::optional<NotJudged>>(
       {std::nullopt, NotJudged::not_promised, NotJudged::undefined});
+  observation.defect =
+      one_of<std::optional<Defect>>({std::nullopt, Defect::moved_half, Defect::depth_nan});
   observation.label = one_of<std::string>({"tie", "w <= 0", "clipped"});
   observation.is_violation = *rc::gen::arbitrary<bool>();
   observation.known = one_of<std::string>({"", "driver-1", "driver-2"});
@@ -173,6 +176,9 @@ inline void add(RecordSet& records, const Observation& observation) {
   ++record.cases.checked;
   record.cases.violations += observation.is_violation ? 1 : 0;
   ++record.labels[observation.label];
+  if (observation.defect) {
+    merge(record.power[*observation.defect], {1, observation.is_violation ? 1U : 0U});
+  }
   if (!observation.known.empty()) {
     ++record.cases.known;
     ++record.known[observation.known];

@@ -269,7 +269,9 @@ TEST(Merge, AddsEveryCount) {
   a.errors.excess.sum = {-5, 6, 7, 8};
   a.labels = {{"tie", 1}, {"clipped", 2}};
   a.levels = {{1, 2, 3}, {4, 5, 6}};
+  a.power = {{Defect::crack, {5, 2}}, {Defect::depth_90, {1, 1}}};
   Record b = a;
+  b.power = {{Defect::crack, {7, 7}}, {Defect::depth_nan, {2, 0}}};
   b.labels = {{"tie", 10}, {"w <= 0", 3}};
   merge(a, b);
   EXPECT_EQ(a.cases, (CaseCounts{2, 4, 6}));
@@ -281,6 +283,10 @@ TEST(Merge, AddsEveryCount) {
   EXPECT_EQ(a.labels,
             (std::map<std::string, std::uint64_t>{{"tie", 11}, {"clipped", 2}, {"w <= 0", 3}}));
   EXPECT_EQ(a.levels, (Levels{{2, 4, 6}, {8, 10, 12}}));
+  EXPECT_EQ(
+      a.power,
+      (Power{{Defect::crack, {12, 9}}, {Defect::depth_90, {1, 1}}, {Defect::depth_nan, {2, 0}}}));
+  EXPECT_EQ(total(a.power), (Noticed{15, 10}));
 }
 
 TEST(Merge, KeepsRecordsOfDifferentKeysApart) {

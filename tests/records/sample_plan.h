@@ -13,6 +13,7 @@ inline Plan sample_plan() {
   plan.known = "lists";
   plan.ignores_known = true;
   plan.shrinking = {5, 2.5};
+  plan.power = 5;
   plan.keeps_cases = true;
   plan.timeout = 0.5;
   plan.shard = {2, 7};

@@ -47,6 +47,7 @@ inline BaselineSection sample_section() {
   EntryFigures& coverage = section.entries[kSampleCoverage];
   coverage.cases = {20, 3, 0, 0};
   coverage.classes[FragmentClass::correct] = 4;
+  coverage.power = {7, 6};
   EntryFigures values;
   for (const double error : {0.0, 0.25, 0.5, 0.625}) values.histogram.add(error);
   values.worst = {0.625, 0.625};

@@ -43,6 +43,20 @@ LawSummary summary_of(const RecordSet& records) {
   return summarize(run).front();
 }
 
+// Kills: defects of one law or stratum only; backends taken together.
+TEST(PowerByBackend, AddsUpLawsAndStrata) {
+  records::Run run = small_run();
+  const auto power_of = [&run](const char* law, const char* backend, const char* stratum) -> auto& {
+    return run.records[{law, backend, AttributeKind::coverage, stratum}].power;
+  };
+  power_of("a", "cpu", "grid")[Defect::crack] = {3, 1};
+  power_of("a", "cpu", "sliver")[Defect::crack] = {1, 1};
+  power_of("b", "cpu", "grid")[Defect::values_nan] = {2, 2};
+  const auto all = power_by_backend(summarize(run));
+  EXPECT_EQ(all, (std::map<std::string, Power>{
+                     {"cpu", {{Defect::crack, {4, 2}}, {Defect::values_nan, {2, 2}}}}}));
+}
+
 // Kills: the order of the records, which is that of names.
 TEST(Summarize, HasARowForEveryLawAndBackendInTheOrderOfTheRun) {
   std::vector<std::string> order;

@@ -48,7 +48,7 @@ BASELINE = {
             "compiler": "GNU 12.2.0", "records_version": 3, "rules_version": 1,
             "plan": {
                 "seed": 1, "cases_per_law": 100, "properties": ["*"], "corpus": "c", "known": "k",
-                "ignores_known": True,
+                "ignores_known": True, "power": 5,
             },
             "taken": {
                 "backend": "cpu", "version": "0.1.0", "commit": "", "instruction_set": "avx2",
@@ -61,6 +61,7 @@ BASELINE = {
                 {
                     "law": "a law", "kind": "coverage", "stratum": "sliver",
                     "cases": {"checked": 3, "not_applicable": 1, "violations": 1, "known": 1},
+                    "power": {"drawings": 7, "noticed": 6},
                     "classes": {name: 1 for name in CLASSES},
                     "worst": [0.5, 0.75],
                     "histogram": {"buckets": [[0, 1], [482, 2]], "non_finite": 1},

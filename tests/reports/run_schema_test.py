@@ -105,9 +105,10 @@ def complete(document):
     document["plan"] |= {
         "contract": {"file": "mine.json", "terms": {"format": "rastercheck-contract", "version": 1}},
         "promise": "spec", "corpus": "a folder", "known": "another", "ignores_known": True, "scene_size": 640,
-        "shrink_tries": 5, "shrink_seconds": 2.5, "keeps_cases": True,
+        "shrink_tries": 5, "shrink_seconds": 2.5, "power": 5, "keeps_cases": True,
         "shard": {"index": 2, "count": 7}}
     document["cases_left"] = 3
+    document["records"][0]["power"] = {"values NaN": {"drawings": 5, "noticed": 4}}
     document["specimens"] = [
         {"law": "a", "backend": "cpu", "origin": "random", "index": 3, "name": "b", "triangle": 0,
          "left": 1, "top": 2, "width": 2, "height": 1, "samples": 1, "attributes": 1,

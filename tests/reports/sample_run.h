@@ -78,9 +78,11 @@ inline void add_sample_records(records::RecordSet& into, const std::string& law,
   coverage.errors.classes[FragmentClass::missing] = violations;
   coverage.labels = {{"tie", 4}, {"<clipped>", 57}};
   coverage.levels = {{2999000, 999, 1}, {12000, 0, 0}};
+  coverage.power = {{Defect::moved_256th, {30, 29}}, {Defect::values_nan, {29, 29}}};
   into[{law, backend, AttributeKind::coverage, "grid"}] = coverage;
   coverage.cases = {400, 0, 0};
   coverage.labels = {{"tie", 1}};
+  coverage.power.clear();
   into[{law, backend, AttributeKind::coverage, "sliver"}] = coverage;
 
   Record smooth;

@@ -53,6 +53,14 @@ TEST(NotJudgedText, AddsUpLawsOfABackend) {
   EXPECT_EQ(not_judged_text({all}), "");
 }
 
+TEST(PowerText, AddsUpLawsOfABackend) {
+  EXPECT_EQ(power_text({row()}), "");
+  records::LawSummary some = row();
+  some.power = {{records::Defect::crack, {900, 4}}, {records::Defect::values_nan, {200, 200}}};
+  EXPECT_EQ(power_text({row(), some}),
+            "Made wrong on purpose on cpu: 1,100 drawings, 204 noticed.\n");
+}
+
 TEST(NotCheckedText, GathersLawsByReason) {
   records::LawSummary none;
   none.law = "a law";

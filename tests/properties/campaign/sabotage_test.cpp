@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include "backends/api_promise.h"
@@ -15,17 +13,22 @@
 namespace rastercheck::properties::sabotage_test {
 namespace {
 
-/// A triangle of 24 pixels in a window of 32, drawn exactly.
+using records::Defect;
+
+/// Two triangles of 24 pixels that share an edge, with 4 samples, drawn exactly.
 class SabotageTest : public testing::Test {
  protected:
   SabotageTest() : backend_(*backends::make_backend("cpu")) {
-    case_.framebuffer = {32, 32, 1};
+    case_.framebuffer = {32, 32, 4};
     case_.viewport = {0, 0, 32, 32, 0, 1};
     case_.rules = cases::Rules::vulkan;
-    case_.attributes = {{"r"}};
-    case_.positions = {{-0.75F, -0.75F, 0.25F, 1}, {1.5F, -1.5F, 1, 2}, {-0.5F, 0.75F, 0.75F, 1}};
-    case_.attribute_values = {0.25F, 1, 0.5F};
-    case_.triangles = {{0, 1, 2}};
+    case_.attributes = {{"r"}, {"s", cases::Interpolation::smooth, cases::Location::center}};
+    case_.positions = {{-0.75F, -0.71F, 0.25F, 1},
+                       {1.5F, -1.53F, 1, 2},
+                       {-0.52F, 0.75F, 0.75F, 1},
+                       {0.81F, 0.62F, 0.5F, 1}};
+    case_.attribute_values = {0.25F, 1, 1, 0.5F, 0.5F, 0.75F, 0.125F, 0.25F};
+    case_.triangles = {{0, 1, 2}, {2, 1, 3}};
   }
 
   std::optional<cases::Fragments> drawn(const cases::Case& c) const {
@@ -39,12 +42,7 @@ class SabotageTest : public testing::Test {
     const auto right = drawn(c);
     return sabotage.apply({&c, &*right, [this](const cases::Case& other) { return drawn(other); }});
   }
-  static const Sabotage& of(std::string_view name) {
-    for (const Sabotage& one : sabotages()) {
-      if (one.name == name) return one;
-    }
-    throw std::invalid_argument(std::string(name));
-  }
+  static const Sabotage& of(Defect defect) { return sabotages()[static_cast<std::size_t>(defect)]; }
 
   std::unique_ptr<backends::Backend> backend_;
   cases::Case case_;
@@ -52,33 +50,60 @@ class SabotageTest : public testing::Test {
 
 TEST_F(SabotageTest, ARightDrawingIsNotNoticed) {
   const cases::ClipCase c(case_);
-  EXPECT_FALSE(is_noticed(c, cases::contract_of(c), *drawn(c)));
+  EXPECT_FALSE(has_wrong(c, cases::contract_of(c), *drawn(c)));
 }
 
 TEST_F(SabotageTest, AllChangeTheDrawingAndAreNoticedByAnExactContract) {
   const cases::ClipCase c(case_);
   for (const Sabotage& sabotage : sabotages()) {
     const auto wrong = damaged(sabotage);
-    ASSERT_TRUE(wrong) << sabotage.name;
-    EXPECT_TRUE(is_noticed(c, cases::contract_of(c), *wrong)) << sabotage.name;
+    ASSERT_TRUE(wrong) << to_string(sabotage.defect);
+    EXPECT_TRUE(has_wrong(c, cases::contract_of(c), *wrong, sabotage.changes))
+        << to_string(sabotage.defect);
   }
+}
+
+TEST_F(SabotageTest, AreInTheOrderOfTheirDefects) {
+  for (std::size_t i = 0; i < sabotages().size(); ++i) {
+    EXPECT_EQ(sabotages()[i].defect, static_cast<Defect>(i));
+  }
+}
+
+// Kills: a sample that is not there given to the judge twice, or one lost that others stand for.
+TEST_F(SabotageTest, OneSampleIsOne) {
+  const std::size_t count = drawn(cases::ClipCase(case_))->size();
+  EXPECT_EQ(damaged(of(Defect::extra_16th))->size(), count + 1);
+  EXPECT_EQ(damaged(of(Defect::missing_16th))->size(), count - 1);
+}
+
+// Kills: what is not looked at noticed all the same.
+TEST_F(SabotageTest, OnlyWhatIsWatchedIsNoticed) {
+  const cases::ClipCase c(case_);
+  const auto contract = cases::contract_of(c);
+  const auto nan = damaged(of(Defect::values_nan));
+  EXPECT_FALSE(has_wrong(c, contract, *nan, kCoverageAlone));
+  EXPECT_TRUE(has_wrong(c, contract, *nan, kValuesAlone));
+  const auto cracked = damaged(of(Defect::crack));
+  EXPECT_TRUE(has_wrong(c, contract, *cracked, kCoverageAlone));
+  EXPECT_FALSE(has_wrong(c, contract, *cracked, kValuesAlone));
 }
 
 // With one w affine values are the right ones, but for rounding.
 TEST_F(SabotageTest, AffineIsForPerspectiveOnly) {
   case_.positions[1] = {0.75F, -0.75F, 0.5F, 1};
+  case_.triangles = {{0, 1, 2}};
   const cases::ClipCase c(case_);
-  const auto wrong = damaged(of("affine for perspective"));
-  EXPECT_TRUE(!wrong || !is_noticed(c, cases::contract_of(c), *wrong));
+  const auto wrong = damaged(of(Defect::values_affine));
+  EXPECT_TRUE(!wrong || !has_wrong(c, cases::contract_of(c), *wrong));
 }
 
 // Kills: a defect that needs values and claims to have changed a drawing without.
 TEST_F(SabotageTest, WithoutAttributesThereAreNoWrongValues) {
   case_.attributes.clear();
   case_.attribute_values.clear();
-  EXPECT_FALSE(damaged(of("values × 0.97")));
-  EXPECT_FALSE(damaged(of("values NaN")));
-  EXPECT_TRUE(damaged(of("depth × 0.9")));
+  EXPECT_FALSE(damaged(of(Defect::values_97)));
+  EXPECT_FALSE(damaged(of(Defect::values_nan)));
+  EXPECT_TRUE(damaged(of(Defect::depth_90)));
 }
 
 // The smallest triangles that `spec` has to say something of, and what drivers must not draw there.
@@ -89,13 +114,15 @@ TEST_F(SabotageTest, NoNumbersAreNoticedInTrianglesOfFourPixelsUnderEveryPromise
     return cases::ClipVertex{x / 512 - 1, y / 512 - 1, 0.5F, 1};
   };
   case_.positions = {at(1000, 1000), at(1004, 1000), at(1000, 1004)};
+  case_.attribute_values.resize(6);
+  case_.triangles = {{0, 1, 2}};
   const cases::ClipCase c(case_);
   for (const auto promise : {cases::DriverPromise::spec, cases::DriverPromise::conformance,
                              cases::DriverPromise::ieee}) {
     const cases::Contract contract = backends::api_promise(c, {8}, promise);
-    EXPECT_FALSE(is_noticed(c, contract, *drawn(c)));
-    for (const char* const name : {"values NaN", "values 12345"}) {
-      EXPECT_TRUE(is_noticed(c, contract, *damaged(of(name)))) << name;
+    EXPECT_FALSE(has_wrong(c, contract, *drawn(c)));
+    for (const Defect defect : {Defect::values_nan, Defect::values_12345}) {
+      EXPECT_TRUE(has_wrong(c, contract, *damaged(of(defect)))) << to_string(defect);
     }
   }
 }

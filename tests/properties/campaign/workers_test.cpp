@@ -27,7 +27,8 @@ constexpr const char* kCoverage = "coverage-obeys-the-contract";
 const records::Plan kSmall{7, 25, {"cpu", "damaged"}, {kCoverage, "constants-stay-constant"}};
 
 /// The part of that plan which a worker needs.
-constexpr const char* kPlan = R"({"seed": 7, "cases_per_law": 25})";
+constexpr const char* kPlan = R"({"seed": 7, "cases_per_law": 25, "laws":
+    ["coverage-obeys-the-contract", "constants-stay-constant"]})";
 
 /// Whether every process is gone, and none left a zombie.
 bool has_no_children() { return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
