@@ -64,6 +64,8 @@ struct Counterexample {
   /// mean.
   std::vector<std::string> close_up = {};
   bool operator==(const Counterexample&) const = default;
+
+  bool is_shrunk() const { return shrinking && shrinking->tries > 0; }
 };
 
 /// At most so many violations of a case are kept.

@@ -11,6 +11,7 @@
 #include "cases/names.h"
 #include "records/enclosure.h"
 #include "reports/internal/exact_text.h"
+#include "reports/internal/wording.h"
 #include "reports/text_table.h"
 
 namespace rastercheck::reports {
@@ -19,7 +20,7 @@ namespace {
 using records::Counterexample;
 using records::Violation;
 
-/// Vertices and triangles that are shown; of more the file is to be looked at.
+/// Vertices, or triangles, of a case that shows them; of one with more the file is to be looked at.
 constexpr std::size_t kMostShown = 12;
 constexpr int kMeasureDigits = 6;  ///< of errors and distances, at most
 
@@ -83,7 +84,7 @@ std::string history_text(const Counterexample& one) {
       break;
   }
   if (!one.source.name.empty()) text += fmt::format(", “{}”", cases::printable(one.source.name));
-  if (!one.shrinking || one.shrinking->tries == 0) return text + "; as it was found";
+  if (!one.is_shrunk()) return text + "; as it was found";
   return text + fmt::format("; shrunk in {} tries{}", one.shrinking->tries,
                             one.shrinking->is_least ? "" : ", which might go on");
 }
@@ -179,6 +180,11 @@ std::string violations_text(std::span<const Violation> violations, std::uint64_t
 
 std::string case_text(const cases::Case& c) {
   std::string text = state_text(c);
+  if (c.positions.size() > kMostShown || c.triangles.size() > kMostShown) {
+    return text + fmt::format("  {} and {}: see the file\n",
+                              counted(c.positions.size(), "vertex", "vertices"),
+                              counted(c.triangles.size(), "triangle", "triangles"));
+  }
   std::vector<std::vector<std::string>> rows{{"  vertex", "x", "y", "z", "w"}};
   if (!c.camera) {
     const char* where = c.coverage ? "grid" : "window";
@@ -190,7 +196,7 @@ std::string case_text(const cases::Case& c) {
   for (std::size_t i = 0; i < c.clip_distance_count; ++i) {
     rows[0].push_back(fmt::format("distance {}", i));
   }
-  for (std::size_t vertex = 0; vertex < std::min(c.positions.size(), kMostShown); ++vertex) {
+  for (std::size_t vertex = 0; vertex < c.positions.size(); ++vertex) {
     const cases::ClipVertex& p = c.positions[vertex];
     std::vector<std::string> row{fmt::format("  {}", vertex)};
     for (const float number : {p.x, p.y, p.z, p.w}) row.push_back(number_text(number));
@@ -203,15 +209,11 @@ std::string case_text(const cases::Case& c) {
     rows.push_back(std::move(row));
   }
   text += text_table(rows);
-  if (c.positions.size() > kMostShown) {
-    text += fmt::format("  … {} vertices in all\n", c.positions.size());
-  }
   text += c.triangles.size() == 1 ? "  triangle" : "  triangles";
-  for (std::size_t i = 0; i < std::min(c.triangles.size(), kMostShown); ++i) {
+  for (std::size_t i = 0; i < c.triangles.size(); ++i) {
     const cases::Triangle& t = c.triangles[i];
     text += fmt::format("{} {} {} {}", i > 0 ? "," : "", t[0], t[1], t[2]);
   }
-  if (c.triangles.size() > kMostShown) text += fmt::format(" … {} in all", c.triangles.size());
   return text + "\n";
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -16,6 +17,7 @@
 #include "cli/contract_option.h"
 #include "cli/isolation.h"
 #include "cli/known_option.h"
+#include "cli/progress.h"
 #include "cli/terminal.h"
 #include "oracle/transform.h"
 #include "properties/campaign/check_case.h"
@@ -44,7 +46,6 @@ struct Outcome {
   std::string backend;
   properties::Check check;
   std::string found;  ///< the verdict the file was saved with; empty where it says none
-  const cases::Case* source = nullptr;
   std::vector<std::string> close_up;  ///< of the first violation
 
   std::string verdict() const {
@@ -85,7 +86,6 @@ void print_outcome(const Outcome& outcome, bool quiet) {
   fmt::print("{}",
              reports::violations_text(check.violations, check.violation_count, terminal_columns()));
   for (const std::string& line : outcome.close_up) fmt::print("    {}\n", line);
-  fmt::print("{}", reports::case_text(*outcome.source));
 }
 
 void print_json(const std::vector<Outcome>& outcomes) {
@@ -151,7 +151,7 @@ Result<Drawer> make_drawer(const backends::BackendFactory& factory,
 Outcome check_law(const properties::Law& law, const Input& input, const Drawer& by) {
   const cases::Case& source = input.source;
   const cases::Found found = source.found.value_or(cases::Found());
-  Outcome outcome{input.file, std::string(law.id), input.backend, {}, found.verdict, &source, {}};
+  Outcome outcome{input.file, std::string(law.id), input.backend, {}, found.verdict, {}};
   outcome.check = properties::check_or_note(law, source, *by.backend, found.index,
                                             by.known ? &*by.known : nullptr);
   if (!outcome.check.is_applicable && outcome.check.why_not.empty()) {
@@ -178,16 +178,29 @@ Result<Drawers> make_drawers(const backends::BackendFactory& factory,
   return made;
 }
 
+/// What was found of all laws of all inputs, and told as it was found unless it is to be JSON.
 /// Fails where the oracle does.
-Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs,
-                                          const Drawers& drawers) {
+Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs, const Drawers& drawers,
+                                          const Options& options) {
   std::vector<Outcome> outcomes;
+  std::uint64_t all = 0;
+  for (const Input& input : inputs) all += input.laws.size();
   for (const Input& input : inputs) {
+    bool is_shown = false;
     for (const properties::Law* law : input.laws) {
-      outcomes.push_back(check_law(*law, input, drawers.at(input.backend)));
-      const std::optional<std::string>& fault = outcomes.back().check.fault;
-      if (fault) return tl::unexpected(Error{input.file, "", *fault});
+      {
+        // Gone before anything is printed.
+        ProgressBar bar(options.quiet || all == 1);
+        bar.show(outcomes.size(), all, "checks");
+        outcomes.push_back(check_law(*law, input, drawers.at(input.backend)));
+      }
+      const Outcome& outcome = outcomes.back();
+      if (outcome.check.fault) return tl::unexpected(Error{input.file, "", *outcome.check.fault});
+      if (options.json) continue;
+      print_outcome(outcome, options.quiet);
+      is_shown = is_shown || (!options.quiet && outcome.check.violation_count > 0);
     }
+    if (is_shown) fmt::print("{}", reports::case_text(input.source));
   }
   return outcomes;
 }
@@ -204,14 +217,10 @@ ExitCode run(const Options& options) {
     return code;
   const Result<Drawers> drawers = make_drawers(factory, *inputs, options.known.folder());
   if (!drawers) return fail(drawers.error());
-  const Result<std::vector<Outcome>> checked = check_inputs(*inputs, *drawers);
+  const Result<std::vector<Outcome>> checked = check_inputs(*inputs, *drawers, options);
   if (!checked) return fail_internally(checked.error());
   const std::vector<Outcome>& outcomes = *checked;
-  if (options.json) {
-    print_json(outcomes);
-  } else {
-    for (const Outcome& outcome : outcomes) print_outcome(outcome, options.quiet);
-  }
+  if (options.json) print_json(outcomes);
   const auto is_violated = [](const Outcome& o) { return o.is_violated(); };
   const auto is_checked = [](const Outcome& o) { return o.check.is_applicable; };
   if (std::any_of(outcomes.begin(), outcomes.end(), is_violated)) return ExitCode::violated;

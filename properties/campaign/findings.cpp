@@ -31,6 +31,18 @@ auto place_of(const Counterexample& one) {
   return place_of(*one.source.found, one.origin, one.source.name);
 }
 
+bool is_hang(const cases::Found& found) {
+  return found.verdict == to_string(records::FragmentClass::hang);
+}
+
+/// The one that a backend hung at, whatever the law.
+template <typename All>
+auto hang_of(All& all, const std::string& backend) {
+  return std::find_if(all.begin(), all.end(), [&backend](const Counterexample& one) {
+    return one.source.found->backend == backend && is_hang(*one.source.found);
+  });
+}
+
 /// Two that were found in the same place are saved ones, named alike by whoever saved them.
 bool comes_before(const Counterexample& a, const Counterexample& b) {
   if (place_of(a) != place_of(b)) return place_of(a) < place_of(b);
@@ -58,6 +70,10 @@ bool is_of_rounding(const Counterexample& one) {
 bool is_kept(const Findings& findings, const cases::Found& found, records::Origin origin,
              const std::string& name) {
   const auto& all = findings.counterexamples;
+  if (is_hang(found)) {
+    const auto hang = hang_of(all, found.backend);
+    return hang == all.end() || !(place_of(*hang) < place_of(found, origin, name));
+  }
   const auto place = std::lower_bound(all.begin(), all.end(), found, &is_in_earlier_bucket);
   if (place == all.end() || bucket_of(*place->source.found) != bucket_of(found)) return true;
   return !(place_of(*place) < place_of(found, origin, name));
@@ -66,6 +82,11 @@ bool is_kept(const Findings& findings, const cases::Found& found, records::Origi
 void keep(Findings& findings, Counterexample counterexample) {
   auto& all = findings.counterexamples;
   const cases::Found& found = *counterexample.source.found;
+  if (is_hang(found)) {
+    const auto hang = hang_of(all, found.backend);
+    if (hang != all.end() && comes_before(*hang, counterexample)) return;
+    if (hang != all.end()) all.erase(hang);
+  }
   const auto place = std::lower_bound(all.begin(), all.end(), found, &is_in_earlier_bucket);
   if (place == all.end() || bucket_of(*place->source.found) != bucket_of(found)) {
     all.insert(place, std::move(counterexample));

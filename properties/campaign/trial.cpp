@@ -89,7 +89,7 @@ std::string history_text(const Counterexample& one, const std::string& name) {
                          ? fmt::format("case {} of the corpus", found.index)
                          : fmt::format("case {} of seed {}", found.index, found.seed);
   if (!name.empty()) text += fmt::format(", “{}”", cases::printable(name));
-  if (!one.shrinking || one.shrinking->tries == 0) return text + ", as it was found";
+  if (!one.is_shrunk()) return text + ", as it was found";
   return text + fmt::format(", shrunk in {} tries", one.shrinking->tries);
 }
 

@@ -216,7 +216,7 @@ std::string counterexample_section(const Run& run, const Counterexample& counter
       is_open);
   if (!counterexample.source.name.empty()) {
     // The name is that of the case it was made of, which need not show in it any more.
-    text += fmt::format("<p>{}“{}”</p>\n", counterexample.shrinking ? "Made smaller from " : "",
+    text += fmt::format("<p>{}“{}”</p>\n", counterexample.is_shrunk() ? "Made smaller from " : "",
                         html(counterexample.source.name));
   }
   if (shown != nullptr) text += inspection_of(*shown);

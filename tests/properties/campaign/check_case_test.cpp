@@ -171,6 +171,26 @@ TEST(CheckCase, TellsFailuresApart) {
   }
 }
 
+// Kills: minutes of time-outs for a case that hangs only as it is large.
+TEST(ShrinkCounterexample, LeavesALargeCaseThatHangsAsItWasFound) {
+  FailingBackend backend(Failure::hang, 100);
+  records::Counterexample large;
+  large.source = square();
+  large.source.found = cases::Found{std::string(kCoverageLaw), "failing", "hang", 1, 2};
+  large.violation_count = 1;
+  large.violations.emplace_back().fragment_class = records::FragmentClass::hang;
+  Findings findings;
+  shrink_counterexample(*find_law(kCoverageLaw), backend, large, {1000, {}}, findings);
+  EXPECT_EQ(backend.left(), 100);
+  ASSERT_THAT(findings.counterexamples, SizeIs(1));
+  EXPECT_EQ(findings.counterexamples[0].source, large.source);
+  EXPECT_FALSE(findings.counterexamples[0].is_shrunk());
+
+  large.source = with_triangles(large.source, std::vector<std::size_t>{0});
+  shrink_counterexample(*find_law(kCoverageLaw), backend, large, {2, {}}, findings);
+  EXPECT_LT(backend.left(), 100);
+}
+
 TEST(CheckCase, SaysNothingOfWhatABackendDoesNotSupport) {
   FailingBackend backend(Failure::unsupported, 100);
   const Findings findings = check_square(backend);

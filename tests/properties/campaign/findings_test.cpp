@@ -42,6 +42,29 @@ TEST(Merge, KeepsTheFirstOfEachWayToFail) {
   EXPECT_THAT(kept, ElementsAre("axe1", "axm1", "aye1", "aym1", "bxe1", "bxm1", "bye1", "bym1"));
 }
 
+// Kills: one counterexample of each law where a driver hangs at all that is large.
+TEST(Merge, KeepsOneHangOfABackend) {
+  Findings all;
+  for (const std::uint64_t index : {9U, 3U, 8U}) {
+    for (const char* law : {"b", "a"}) {
+      for (const char* backend : {"y", "x"}) {
+        const cases::Found found{law, backend, "hang", 1, index};
+        const bool was_to_be_kept = is_kept(all, found, records::Origin::random, "");
+        const Findings before = all;
+        merge(all, found_one(found));
+        EXPECT_TRUE(was_to_be_kept || all == before);
+      }
+    }
+  }
+  merge(all, found_one({"b", "x", "missing", 1, 30}));
+  std::vector<std::string> kept;
+  for (const Counterexample& one : all.counterexamples) {
+    const cases::Found& found = *one.source.found;
+    kept.push_back(found.law + found.backend + found.verdict[0] + std::to_string(found.index));
+  }
+  EXPECT_THAT(kept, ElementsAre("axh3", "ayh3", "bxm30"));
+}
+
 // Kills: a random case in the place of one that has a name and a sentence.
 TEST(Merge, TakesTheCorpusBeforeSavedCasesAndTheseBeforeOthers) {
   using records::Origin;
