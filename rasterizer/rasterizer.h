@@ -75,12 +75,19 @@ enum class ColorFormat {
   rgba8,
 };
 
-/// The vertices' window positions rounded to the nearest point of a grid, ties to even, before
-/// edges are set up (RULES §3).
-struct Snapping {
-  int subpixel_bits = 8;  ///< a grid of 2^-subpixel_bits pixels, 4…16
+/// Where a position goes that is as near to two points of a grid, along each axis.
+enum class Rounding {
+  nearest_even,  ///< to the even one
+  half_up,       ///< to the larger one
 };
-inline constexpr int kLeastSubpixelBits = 4;
+
+/// The vertices' window positions rounded to the nearest point of a grid, before edges are set up
+/// (RULES §3).
+struct Snapping {
+  int subpixel_bits = 8;  ///< a grid of 2^-subpixel_bits pixels, 0…16
+  Rounding rounding = Rounding::nearest_even;
+};
+inline constexpr int kLeastSubpixelBits = 0;
 inline constexpr int kMostSubpixelBits = 16;
 /// Snapped vertices lie within this many pixels of the window's origin along x and along y; beyond
 /// it, and beyond depth planes and clip distances, triangles are clipped, which makes new vertices.
@@ -178,7 +185,7 @@ enum class Error {
   sample_count,          ///< not 1, 2, 4, 8 or 16
   viewport,              ///< a number that is not finite, or depths outside [0, 1]
   scissor,               ///< a negative size
-  subpixel_bits,         ///< not 4…16
+  subpixel_bits,         ///< not 0…16
   attribute_count,       ///< more than kMaxAttributes, or other than the framebuffer's
   clip_distance_count,   ///< more than kMaxClipDistances
   attribute_values,      ///< not one value for each vertex and attribute

@@ -124,8 +124,10 @@ ras::ColorFormat format(cases::ColorFormat format) {
   return format == cases::ColorFormat::rgba8 ? ras::ColorFormat::rgba8 : ras::ColorFormat::float32;
 }
 
-int subpixel_bits(const cases::Snapping& snapping) {
-  return std::clamp(snapping.subpixel_bits, ras::kLeastSubpixelBits, ras::kMostSubpixelBits);
+ras::Snapping snapping(const cases::Snapping& asked_for) {
+  return {asked_for.subpixel_bits, asked_for.rounding == cases::Rounding::half_up
+                                       ? ras::Rounding::half_up
+                                       : ras::Rounding::nearest_even};
 }
 
 ras::State state_of(const cases::Case& c) {
@@ -145,7 +147,7 @@ ras::State state_of(const cases::Case& c) {
     s.attributes.push_back(qualifier(attribute));
   }
   s.clip_distance_count = c.clip_distance_count;
-  if (c.coverage) s.snapping = ras::Snapping{subpixel_bits(*c.coverage)};
+  if (c.coverage) s.snapping = snapping(*c.coverage);
   s.basis = c.basis == cases::Basis::ideal ? ras::Basis::ideal : ras::Basis::snapped;
   return s;
 }

@@ -23,10 +23,8 @@ rasterizer::ColorFormat format(cases::ColorFormat format);
 rasterizer::Wrap wrap(cases::Wrap wrap);
 rasterizer::Filter filter(cases::Filter filter);
 
-/// The grid that the rasterizer snaps to where a case asks for one: of its subpixel bits the
-/// nearest number that the rasterizer has. Rounding is to nearest even, whatever the case says;
-/// contracts name both.
-int subpixel_bits(const cases::Snapping& snapping);
+/// The grid that a case asks for; to nearest even where it leaves the rounding open.
+rasterizer::Snapping snapping(const cases::Snapping& asked_for);
 
 /// All but the depth test.
 rasterizer::State state_of(const cases::Case& c);

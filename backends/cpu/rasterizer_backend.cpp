@@ -42,7 +42,11 @@ cases::Contract production_contract(const cases::Case& c, ras::Precision precisi
   cases::Contract contract;
   contract.tie_rule = c.fill_rule;
   if (c.coverage) {
-    contract.coverage = cases::Snapping{subpixel_bits(*c.coverage)};
+    contract.coverage = c.coverage;
+    contract.coverage->position_error = 0;
+    if (c.coverage->rounding == cases::Rounding::unspecified) {
+      contract.coverage->rounding = cases::Rounding::nearest_even;
+    }
     contract.basis = c.basis == cases::Basis::ideal ? cases::Basis::ideal : cases::Basis::snapped;
     contract.guard_band = ras::kGuardBand;
   }

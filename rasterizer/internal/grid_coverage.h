@@ -24,7 +24,7 @@ class GridCoverage {
   /// The setting's state has a snapping.
   explicit GridCoverage(const DrawSetting& setting)
       : setting_(setting),
-        bits_(setting.state.snapping->subpixel_bits),
+        bits_(unit_bits(*setting.state.snapping)),
         grid_(grid_of(setting.state)),
         frame_(grid_frame(setting.window, bits_)) {}
 

@@ -37,22 +37,22 @@ Wide signed_area(std::span<const GridPiece> pieces) {
   return area;
 }
 
-GridPoint grid_sample(int x, int y, const SampleOffset& offset, int subpixel_bits) {
-  const auto units = [subpixel_bits](int pixel, double part) {
-    constexpr int kPatternBits = 4;  // offsets are sixteenths of a pixel, and a unit is no more
+GridPoint grid_sample(int x, int y, const SampleOffset& offset, int unit_bits) {
+  const auto units = [unit_bits](int pixel, double part) {
+    constexpr int kPatternBits = 4;  // offsets are sixteenths of a pixel
     const auto sixteenths = static_cast<std::int64_t>(part * (1 << kPatternBits));
-    return (std::int64_t{pixel} << subpixel_bits) + (sixteenths << (subpixel_bits - kPatternBits));
+    return (std::int64_t{pixel} << unit_bits) + (sixteenths << (unit_bits - kPatternBits));
   };
   return {units(x, offset.x), units(y, offset.y)};
 }
 
 PixelRange covered_pixels(const GridPiece& piece, const PixelRange& columns, int y,
-                          const SampleOffset& offset, int subpixel_bits, int tie_sign) {
+                          const SampleOffset& offset, int unit_bits, int tie_sign) {
   PixelRange covered = columns;
-  const GridPoint first = grid_sample(0, y, offset, subpixel_bits);
+  const GridPoint first = grid_sample(0, y, offset, unit_bits);
   for (const GridLine& edge : piece.edges) {
     const Wide at_first = edge.at(first);
-    const std::int64_t step = edge.a * (std::int64_t{1} << subpixel_bits);
+    const std::int64_t step = edge.a * (std::int64_t{1} << unit_bits);
     if (step > 0) {  // at_first + step · x >= 0
       covered.begin = held_to(covered, ceiling_quotient(-at_first, step));
     } else if (step < 0) {  // at_first + step · x > 0
@@ -64,7 +64,7 @@ PixelRange covered_pixels(const GridPiece& piece, const PixelRange& columns, int
   return covered;
 }
 
-PixelBox touched_pixels(std::span<const GridCorner> corners, int subpixel_bits,
+PixelBox touched_pixels(std::span<const GridCorner> corners, int unit_bits,
                         const PixelBox& within) {
   const auto range = [&](auto coordinate, const PixelRange& most) {
     std::int64_t low = corners[0].at.*coordinate;
@@ -74,8 +74,7 @@ PixelBox touched_pixels(std::span<const GridCorner> corners, int subpixel_bits,
       high = std::max(high, corner.at.*coordinate);
     }
     // Samples lie in [i, i + 1) pixels; a right shift rounds down.
-    return PixelRange{held_to(most, low >> subpixel_bits),
-                      held_to(most, (high >> subpixel_bits) + 1)};
+    return PixelRange{held_to(most, low >> unit_bits), held_to(most, (high >> unit_bits) + 1)};
   };
   return {range(&GridPoint::x, within.columns), range(&GridPoint::y, within.rows)};
 }

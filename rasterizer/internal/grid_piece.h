@@ -37,15 +37,14 @@ void grid_pieces(std::span<const GridCorner> corners, std::vector<GridPiece>& ou
 Wide signed_area(std::span<const GridPiece> pieces);
 
 /// A sample in grid units.
-GridPoint grid_sample(int x, int y, const SampleOffset& offset, int subpixel_bits);
+GridPoint grid_sample(int x, int y, const SampleOffset& offset, int unit_bits);
 
 /// The pixels of a row whose sample the piece owns. `tie_sign`: where a normal has a = 0, a sample
 /// on the edge is inside iff tie_sign · b > 0.
 PixelRange covered_pixels(const GridPiece& piece, const PixelRange& columns, int y,
-                          const SampleOffset& offset, int subpixel_bits, int tie_sign);
+                          const SampleOffset& offset, int unit_bits, int tie_sign);
 
 /// The pixels that a polygon may cover samples of.
-PixelBox touched_pixels(std::span<const GridCorner> corners, int subpixel_bits,
-                        const PixelBox& within);
+PixelBox touched_pixels(std::span<const GridCorner> corners, int unit_bits, const PixelBox& within);
 
 }  // namespace rastercheck::rasterizer

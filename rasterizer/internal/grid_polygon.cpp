@@ -203,12 +203,17 @@ class Clipping {
 
   /// The nearest point to twice a window coordinate.
   std::int64_t nearest_point(double twice_window) const {
-    const double position = std::ldexp(twice_window, grid_.subpixel_bits - 1);
+    const auto& [bits, rounding] = grid_.snapping;
+    const double position = std::ldexp(twice_window, bits - 1);
     const double below = std::floor(position);
     const double rest = position - below;
-    const auto point = static_cast<std::int64_t>(below);
-    if (rest == 0.5) return point % 2 == 0 ? point : point + 1;
-    return rest < 0.5 ? point : point + 1;
+    auto point = static_cast<std::int64_t>(below);
+    if (rest == 0.5) {
+      point = tie_point(rounding, point);
+    } else if (rest > 0.5) {
+      ++point;
+    }
+    return point << (grid_.unit_bits - bits);
   }
 
   const Grid& grid_;

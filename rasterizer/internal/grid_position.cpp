@@ -1,5 +1,6 @@
 #include "rasterizer/internal/grid_position.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rastercheck::rasterizer {
@@ -38,9 +39,11 @@ bool is_within(const GridAxis& axis, float coordinate, float w) {
   return compare(axis, coordinate, w, kTwice) <= 0 && compare(axis, coordinate, w, -kTwice) >= 0;
 }
 
-std::int64_t snapped(const GridAxis& axis, int bits, float coordinate, float w) {
+/// In units of 2^-b pixels.
+std::int64_t nearest_point(const GridAxis& axis, const Snapping& snapping, float coordinate,
+                           float w) {
   // Half grid units for a unit of N / w.
-  const double half_units = std::ldexp(1.0, bits - 1);
+  const double half_units = std::ldexp(1.0, snapping.subpixel_bits - 1);
   Approximate n = approximate_numerator(axis, coordinate, w);
   if (n.error * half_units > 0.125 * double{w}) {  // the terms cancel
     ExactSum sum;
@@ -61,16 +64,31 @@ std::int64_t snapped(const GridAxis& axis, int bits, float coordinate, float w) 
   add_window_numerator(sum, axis, coordinate, w, 2 * half_units);
   sum.add_product(-(2 * below + 1), w);
   const int side = sum.sign();
-  if (side == 0) return point % 2 == 0 ? point : point + 1;
+  if (side == 0) return tie_point(snapping.rounding, point);
   return side > 0 ? point + 1 : point;
+}
+
+std::int64_t snapped(const Grid& grid, const GridAxis& axis, float coordinate, float w) {
+  return nearest_point(axis, grid.snapping, coordinate, w)
+         << (grid.unit_bits - grid.snapping.subpixel_bits);
 }
 
 }  // namespace
 
+int unit_bits(const Snapping& snapping) {
+  constexpr int kPatternBits = 4;
+  return std::max(snapping.subpixel_bits, kPatternBits);
+}
+
+std::int64_t tie_point(Rounding rounding, std::int64_t below) {
+  return rounding == Rounding::nearest_even && below % 2 == 0 ? below : below + 1;
+}
+
 Grid grid_of(const State& state) {
   const Viewport& viewport = state.viewport;
   Grid grid;
-  grid.subpixel_bits = state.snapping->subpixel_bits;
+  grid.snapping = *state.snapping;
+  grid.unit_bits = unit_bits(grid.snapping);
   grid.x = {viewport.size.x, 2 * double{viewport.origin.x}, viewport.size.x};
   grid.y = {viewport.size.y, 2 * double{viewport.origin.y}, viewport.size.y};
   if (state.convention == Convention::d3d) grid.y.slope = -grid.y.slope;
@@ -95,8 +113,8 @@ bool is_within_guard_band(const Grid& grid, const glm::vec4& position) {
 }
 
 GridPoint snapped(const Grid& grid, const glm::vec4& position) {
-  return {snapped(grid.x, grid.subpixel_bits, position.x, position.w),
-          snapped(grid.y, grid.subpixel_bits, position.y, position.w)};
+  return {snapped(grid, grid.x, position.x, position.w),
+          snapped(grid, grid.y, position.y, position.w)};
 }
 
 }  // namespace rastercheck::rasterizer

@@ -1,6 +1,6 @@
 #pragma once
 
-// Window positions on the subpixel grid (RULES §3, `snapped`): exactly rounded, ties to even.
+// Window positions on the subpixel grid (RULES §3, `snapped`): exactly rounded.
 //
 // Twice a vertex's window position times its w is a sum of three products of two floats,
 //
@@ -9,6 +9,9 @@
 // so that it lies on the grid point k where N 2^(b−1) / w rounds to k. In double that is off by a
 // few 2^-53 of its terms; where it comes too close to the middle between two points, the sign of
 // N 2^b − (2k + 1) w, a sum without rounding, decides.
+//
+// Points are counted in units of 2^-u pixels, u the larger of b and 4: samples, whose offsets are
+// sixteenths of a pixel, are such points, too.
 
 #include <cstdint>
 #include <glm/vec4.hpp>
@@ -18,8 +21,7 @@
 
 namespace rastercheck::rasterizer {
 
-/// A point of the grid in units of 2^-b pixels. Within the guard band both are at most 2^31 in
-/// size.
+/// A point in units of 2^-u pixels. Within the guard band both are at most 2^31 in size.
 struct GridPoint {
   std::int64_t x = 0;
   std::int64_t y = 0;
@@ -36,8 +38,16 @@ struct GridAxis {
 struct Grid {
   GridAxis x;
   GridAxis y;
-  int subpixel_bits = 0;
+  Snapping snapping;
+  int unit_bits = 0;  ///< u
 };
+
+/// u of a snapping.
+int unit_bits(const Snapping& snapping);
+
+/// The point, of the two that a position lies in the middle between, that it goes to. All are
+/// counted in units of 2^-b pixels.
+std::int64_t tie_point(Rounding rounding, std::int64_t below);
 
 Grid grid_of(const State& state);
 

@@ -5,6 +5,7 @@
 
 #include "rasterizer/internal/discard.h"
 #include "rasterizer/internal/exact_values.h"
+#include "rasterizer/internal/grid_position.h"
 #include "rasterizer/internal/weights.h"
 
 namespace rastercheck::rasterizer {
@@ -34,18 +35,23 @@ bool has_one_box(const DrawSetting& setting) {
   return true;
 }
 
+/// Kernels round vertices to even points, which have to be a unit apart.
+bool is_snapped_by_kernels(const State& state) {
+  const auto& [bits, rounding] = *state.snapping;
+  return state.basis == Basis::snapped && rounding == Rounding::nearest_even &&
+         bits == unit_bits(*state.snapping) && bits <= kMostKernelBits;
+}
+
 }  // namespace
 
 std::optional<KernelSetting> kernel_setting(const DrawSetting& setting, int tile_columns) {
   const State& state = setting.state;
   const bool snaps = state.snapping.has_value();
   const SampleFrame frame =
-      snaps ? grid_frame(setting.window, state.snapping->subpixel_bits) : setting.frame;
-  const bool is_drawn =
-      is_at_samples(setting) && has_one_box(setting) && state.clip_distance_count == 0 &&
-      frame.u.is_exact && frame.v.is_exact && frame.t > 0 &&
-      (!snaps ||
-       (state.basis == Basis::snapped && state.snapping->subpixel_bits <= kMostKernelBits));
+      snaps ? grid_frame(setting.window, unit_bits(*state.snapping)) : setting.frame;
+  const bool is_drawn = is_at_samples(setting) && has_one_box(setting) &&
+                        state.clip_distance_count == 0 && frame.u.is_exact && frame.v.is_exact &&
+                        frame.t > 0 && (!snaps || is_snapped_by_kernels(state));
   if (!is_drawn) return std::nullopt;
   KernelSetting out;
   out.samples = setting.pattern.size();

@@ -15,6 +15,7 @@
 #include "rasterizer/internal/coverage.h"
 #include "rasterizer/internal/draw_setting.h"
 #include "rasterizer/internal/float_kernels.h"
+#include "rasterizer/internal/grid_position.h"
 #include "rasterizer/trace.h"
 
 namespace rastercheck::rasterizer {
@@ -79,7 +80,7 @@ class RecordingTap {
     trace_->v = address_.y + offset.y;
     polygon_ = coverage.polygon();
     if (setting.state.snapping) {
-      units_of_a_pixel_ = std::ldexp(1.0, setting.state.snapping->subpixel_bits);
+      units_of_a_pixel_ = std::ldexp(1.0, unit_bits(*setting.state.snapping));
     }
     if (polygon_ != nullptr) set_corners(coverage.corners_at(trace_->u, trace_->v));
     set_part(parts[coverage.part_at(trace_->u, trace_->v)]);

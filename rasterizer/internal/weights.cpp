@@ -30,11 +30,11 @@ double certain_determinant(const std::array<glm::vec4, 3>& p, const EdgeFunction
   return sum > size * (1 / kCertainDeterminant) ? sum : 0;
 }
 
-AxisFrame grid_axis(const PixelRange& pixels, int subpixel_bits) {
+AxisFrame grid_axis(const PixelRange& pixels, int unit_bits) {
   AxisFrame axis;
-  axis.scale = std::ldexp(1.0, subpixel_bits - 1);
+  axis.scale = std::ldexp(1.0, unit_bits - 1);
   axis.is_exact = true;
-  axis.greatest = std::ldexp(static_cast<double>(std::max(pixels.end, 1)), subpixel_bits);
+  axis.greatest = std::ldexp(static_cast<double>(std::max(pixels.end, 1)), unit_bits);
   return axis;
 }
 
@@ -54,10 +54,10 @@ ExactSum exact_product(Wide line, double first, double second) {
 
 }  // namespace
 
-SampleFrame grid_frame(const DrawBounds& bounds, int subpixel_bits) {
+SampleFrame grid_frame(const DrawBounds& bounds, int unit_bits) {
   SampleFrame frame;
-  frame.u = grid_axis(bounds.columns, subpixel_bits);
-  frame.v = grid_axis(bounds.rows, subpixel_bits);
+  frame.u = grid_axis(bounds.columns, unit_bits);
+  frame.v = grid_axis(bounds.rows, unit_bits);
   frame.t = 1;
   return frame;
 }

@@ -27,7 +27,7 @@
 namespace rastercheck::rasterizer {
 
 /// The frame of placed weights: U = x, V = y in grid units, T = 1.
-SampleFrame grid_frame(const DrawBounds& bounds, int subpixel_bits);
+SampleFrame grid_frame(const DrawBounds& bounds, int unit_bits);
 
 /// How many times a determinant in double the sum of its terms' sizes may be: 8u of them are then
 /// below 2^-33 of it.

@@ -258,7 +258,7 @@ TEST(Derivatives, AreWithinTheBoundOfSlivers) {
 /// those of triangles that clipping left whole, and of cut ones.
 void expect_snapped(Random& random, const State& state, const SmallMesh& mesh,
                     const TargetSize& size, std::array<int, 2>& samples, int& certain) {
-  const int bits = state.snapping->subpixel_bits;
+  const int bits = unit_bits(*state.snapping);
   const SampleFrame frame = grid_frame(draw_bounds(state, size), bits);
   GridPolygon polygon;
   grid_polygon(state, grid_of(state), {mesh.positions[0], mesh.positions[1], mesh.positions[2]}, {},
@@ -308,7 +308,7 @@ TEST(Derivatives, OfSnappedPiecesAreWithinTheBound) {
   for (int i = 0; i < 8'000 && !::testing::Test::HasFailure(); ++i) {
     RandomDraw draw = random_draw(random);
     draw.state.clip_distance_count = 0;
-    draw.state.snapping = Snapping{random.pick({4, 8, 16})};
+    draw.state.snapping = Snapping{random.pick({1, 4, 8, 16})};
     draw.state.basis = Basis::snapped;
     if (draw.state.viewport.size.x == 0 || draw.state.viewport.size.y == 0) continue;
     expect_snapped(random, draw.state, draw.mesh, draw.size, samples, certain);
@@ -384,7 +384,7 @@ TEST(Derivatives, OfDrawsAreThoseAtTheAttributesPlaces) {
     draw.state.derivatives = true;
     draw.state.precision = random.pick({Precision::float64, Precision::float32});
     fragments += expect_draw(draw);
-    draw.state.snapping = Snapping{random.pick({4, 8, 16})};
+    draw.state.snapping = Snapping{random.pick({1, 4, 8, 16})};
     snapped += expect_draw(draw);
   }
   EXPECT_GT(fragments, 5'000U);

@@ -37,7 +37,8 @@ State random_kernel_state(Random& random, const TargetSize& size) {
     state.attributes.push_back({is_mixed ? any : I::smooth, Location::sample});
   }
   if (random.one_in(3)) {
-    state.snapping = Snapping{random.between(kLeastSubpixelBits, kMostKernelBits)};
+    constexpr int kLeastKernelBits = 4;
+    state.snapping = Snapping{random.between(kLeastKernelBits, kMostKernelBits)};
     state.basis = Basis::snapped;
   }
   return state;
@@ -215,6 +216,10 @@ TEST(FrameKernels, DrawWhatTheyAreMadeFor) {
   state.basis = Basis::snapped;
   EXPECT_TRUE(is_drawn(state, {8, 8, 1}));
   state.snapping = Snapping{kMostKernelBits + 1};
+  EXPECT_FALSE(is_drawn(state, {8, 8, 1}));
+  state.snapping = Snapping{3};
+  EXPECT_FALSE(is_drawn(state, {8, 8, 1}));
+  state.snapping = Snapping{8, Rounding::half_up};
   EXPECT_FALSE(is_drawn(state, {8, 8, 1}));
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,7 +14,7 @@
 namespace rastercheck::rasterizer::grid_position_test {
 namespace {
 
-/// A window position in grid units, as RULES §1 define it.
+/// A window position in spacings of the grid, as RULES §1 define it.
 std::array<Rational, 2> position_in_units(const State& state, const glm::vec4& p) {
   const Viewport& viewport = state.viewport;
   const Rational w = p.w;
@@ -22,19 +23,20 @@ std::array<Rational, 2> position_in_units(const State& state, const glm::vec4& p
                      Rational(viewport.origin.x) + Rational(viewport.size.x) / 2;
   const Rational y = turn * Rational(p.y) * Rational(viewport.size.y) / 2 / w +
                      Rational(viewport.origin.y) + Rational(viewport.size.y) / 2;
-  const Rational unit = power_of_two(state.snapping->subpixel_bits);
-  return {Rational(x * unit), Rational(y * unit)};
+  const Rational points = power_of_two(state.snapping->subpixel_bits);
+  return {Rational(x * points), Rational(y * points)};
 }
 
-/// The nearest whole number, the even one of two.
-mpz_class nearest_even(const Rational& value) {
+/// The nearest whole number, of two the one that the rounding names.
+mpz_class nearest(const Rational& value, Rounding rounding) {
   mpz_class below;
   mpz_fdiv_q(below.get_mpz_t(), value.get_num_mpz_t(), value.get_den_mpz_t());
   const Rational rest = value - Rational(below);
   const Rational half(1, 2);
   if (rest < half) return below;
   if (rest > half) return below + 1;
-  return below % 2 == 0 ? below : mpz_class(below + 1);
+  const bool is_lower = rounding == Rounding::nearest_even && below % 2 == 0;
+  return is_lower ? below : mpz_class(below + 1);
 }
 
 bool is_within(const State& state, const glm::vec4& p) {
@@ -52,13 +54,17 @@ void expect_exact(const State& state, const glm::vec4& p, int& within) {
   ++within;
   const auto at = position_in_units(state, p);
   const GridPoint point = snapped(grid, p);
-  EXPECT_EQ(mpz_class(point.x), nearest_even(at[0])) << p.x << " " << p.w;
-  EXPECT_EQ(mpz_class(point.y), nearest_even(at[1])) << p.y << " " << p.w;
+  // Units of 2^-4 pixels at the most.
+  const int units = 1 << std::max(4 - state.snapping->subpixel_bits, 0);
+  const Rounding rounding = state.snapping->rounding;
+  EXPECT_EQ(mpz_class(point.x), nearest(at[0], rounding) * units) << p.x << " " << p.w;
+  EXPECT_EQ(mpz_class(point.y), nearest(at[1], rounding) * units) << p.y << " " << p.w;
 }
 
 State random_grid_state(Random& random) {
   State state = small_state(64, 64, random.pick({Convention::vulkan, Convention::d3d}));
-  state.snapping = Snapping{random.between(kLeastSubpixelBits, kMostSubpixelBits)};
+  state.snapping = Snapping{random.between(kLeastSubpixelBits, kMostSubpixelBits),
+                            random.pick({Rounding::nearest_even, Rounding::half_up})};
   switch (random.between(0, 3)) {
     case 0:
       break;
@@ -89,14 +95,17 @@ TEST(GridPosition, IsTheNearestGridPoint) {
   EXPECT_GT(within, 20'000);
 }
 
-// Kills: rounding a quotient in double; rounding halves up.
-TEST(GridPosition, HalvesGoToTheEvenPointAndNeighboursOfHalvesDoNot) {
+// Kills: rounding a quotient in double; rounding halves up where they go to the even point, or away
+// from zero.
+TEST(GridPosition, HalvesGoWhereTheRoundingSaysAndNeighboursOfHalvesDoNot) {
   Random random(2);
   int within = 0;
   int ties = 0;
   for (int i = 0; i < 60'000; ++i) {
     State state = small_state(64, 64);
-    state.snapping = Snapping{random.between(4, 10)};
+    state.snapping =
+        Snapping{random.between(0, 10), random.pick({Rounding::nearest_even, Rounding::half_up})};
+    if (random.one_in(2)) state.viewport.origin.x = -32;
     // (n + 1/2) units, times a w of few bits, so that the float is exact or nearly so.
     const auto units = static_cast<double>(1 << state.snapping->subpixel_bits);
     const double u = (random.between(0, static_cast<int>(64 * units)) + 0.5) / units;

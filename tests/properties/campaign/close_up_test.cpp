@@ -71,7 +71,7 @@ TEST(CloseUp, SaysWhereTheViolationIsNotInThePicture) {
 // Kills: a case that asks for one rounding, judged by another without a word.
 TEST(CloseUp, SaysWhereTheContractIsNotWhatTheCaseAsksFor) {
   cases::Case c = square();
-  c.coverage = cases::Snapping{7, cases::Rounding::half_up, 0};
+  c.coverage = cases::Snapping{7, cases::Rounding::unspecified, 0};
   DamagedBackend backend([](const cases::Case&, cases::Fragments& d) { drop(d, 0, 2, 1); }, "cpu");
   EXPECT_EQ(close_up(c, backend, at(0, 2, 1)).back(),
             "Judged by what the backend promises, not by what the case asks: coverage snapped to 7 "
