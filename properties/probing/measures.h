@@ -28,6 +28,8 @@ void measure_grid(Subject& subject, Sight& sight);
 void measure_ties(Subject& subject, const Sight& sight);
 /// From which positions attributes, depth and facing come.
 void measure_basis(Subject& subject, const Sight& sight);
+/// By which arithmetic values are evaluated.
+void measure_evaluation(Subject& subject);
 /// What becomes of triangles cut by the near and far planes and by w = 0.
 void measure_clipping(Subject& subject);
 /// How far out vertices may lie.

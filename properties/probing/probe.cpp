@@ -29,6 +29,7 @@ Result<records::Probe> probe(const std::string& name, backends::Backend& backend
   measure_grid(subject, sight);
   measure_ties(subject, sight);
   measure_basis(subject, sight);
+  measure_evaluation(subject);
   measure_clipping(subject);
   measure_reach(subject);
   measure_numbers(subject);

@@ -4,10 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "backends/factory.h"
@@ -222,6 +225,85 @@ TEST(ProbeOfBent, FindsThePositionError) {
   // In powers of two, and from positions a few fractions of a unit apart: 1/8 at least.
   EXPECT_THAT(measured(probe, "position error"),
               ::testing::AnyOf("0.125 grid units", "0.25 grid units"));
+}
+
+/// Draws a case's first attribute by arithmetic of its own: a function of the case, its triangle
+/// and the middle of a pixel.
+Bending valued(
+    std::function<std::optional<float>(const Case&, const cases::Triangle&, float, float)> value) {
+  auto seen = std::make_shared<Case>();
+  Bending bending;
+  bending.before = [seen](Case c) {
+    *seen = c;
+    return c;
+  };
+  bending.after = [seen, value = std::move(value)](Fragments& drawn) {
+    for (std::size_t i = 0; i < drawn.size() && drawn.attribute_count > 0; ++i) {
+      const std::optional<float> own =
+          value(*seen, seen->triangles[drawn.triangle[i]], static_cast<float>(drawn.x[i]) + 0.5F,
+                static_cast<float>(drawn.y[i]) + 0.5F);
+      if (own) drawn.attributes[i * drawn.attribute_count] = *own;
+    }
+  };
+  return bending;
+}
+
+/// Of a right triangle at w = 1, legs along the axes, a plane in float32 about (px, py).
+std::optional<float> by_plane(const Case& c, const cases::Triangle& t, float x, float y, float px,
+                              float py) {
+  if (c.framebuffer.width != 1024) return std::nullopt;
+  const auto window = [&c](std::uint32_t vertex) {
+    const cases::ClipVertex& p = c.positions[vertex];
+    return std::array{(p.x + 1) * c.viewport.width / 2, (p.y + 1) * c.viewport.height / 2};
+  };
+  const auto r = [&](std::size_t i) { return c.attributes_of(t[i])[0]; };
+  const auto [x0, y0] = window(t[0]);
+  const float a = (r(1) - r(0)) / (window(t[1])[0] - x0);
+  const float b = (r(2) - r(0)) / (window(t[2])[1] - y0);
+  const float at_point = r(0) - a * (x0 - px) - b * (y0 - py);
+  return at_point + a * (x - px) + b * (y - py);
+}
+
+TEST(ProbeOfBent, FindsWherePlanesAreEvaluated) {
+  constexpr const char* kRow = "planes of smooth attributes";
+  EXPECT_EQ(measured(probed("cpu", ask(Coverage())), kRow),
+            "about a point of the triangle, or better");
+  const auto about_origin = [](const Case& c, const cases::Triangle& t, float x, float y) {
+    return by_plane(c, t, x, y, 0, 0);
+  };
+  EXPECT_EQ(measured(probe_of(valued(about_origin), ask(Coverage())), kRow),
+            "as about the window's origin");
+  // The corner of a tile of 64 pixels: 32 away on average, where 16 or 64 is as near.
+  const auto about_tile = [](const Case& c, const cases::Triangle& t, float x, float y) {
+    return by_plane(c, t, x, y, std::floor(x / 64) * 64, std::floor(y / 64) * 64);
+  };
+  EXPECT_THAT(
+      measured(probe_of(valued(about_tile), ask(Coverage())), kRow),
+      ::testing::AnyOf("as about a point 16 pixels away", "as about a point 64 pixels away"));
+}
+
+// Kills: a reciprocal taken for a division.
+TEST(ProbeOfBent, FindsHowValuesAreDivided) {
+  constexpr const char* kRow = "division by 1/w";
+  const auto divided_by = [](float (*divide)(float r, float w)) {
+    const auto value = [divide](const Case& c, const cases::Triangle& t, float,
+                                float) -> std::optional<float> {
+      const float w = c.positions[t[0]].w;
+      const float r = c.attributes_of(t[0])[0];
+      const bool is_plain = c.positions[t[1]].w == w && c.positions[t[2]].w == w &&
+                            c.attributes_of(t[1])[0] == r && c.attributes_of(t[2])[0] == r;
+      if (!is_plain) return std::nullopt;
+      return divide(r, w);
+    };
+    return measured(probe_of(valued(value), ask(Coverage())), kRow);
+  };
+  EXPECT_EQ(measured(probed("cpu", ask(Coverage())), kRow), "the value itself");
+  EXPECT_EQ(divided_by([](float r, float w) { return r * (1 / w) / (1 / w); }),
+            "r (1/w) divided by 1/w");
+  EXPECT_EQ(divided_by([](float r, float w) { return r / w * (1 / (1 / w)); }),
+            "r/w times a reciprocal of 1/w");
+  EXPECT_EQ(divided_by([](float r, float w) { return r * (1 + 0x1p-20F) * w / w; }),
+            "none of the forms tried");
 }
 
 TEST(ProbeOfBent, FindsTrianglesThatAreLeftOut) {
