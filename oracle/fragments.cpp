@@ -8,7 +8,8 @@ namespace rastercheck::oracle {
 namespace {
 
 /// Every fragment, each triangle as if drawn alone.
-void for_each_alone(const SceneTruth& scene, const FragmentSink& sink) {
+template <typename Sink>
+void for_each_alone(const SceneTruth& scene, const Sink& sink) {
   const int samples = scene.source().framebuffer.samples;
   for (std::size_t t = 0; t < scene.source().triangles.size(); ++t) {
     const TriangleTruth truth(scene, t);
@@ -70,7 +71,8 @@ Fragment fragment_at(const SceneTruth& scene, const TriangleTruth& truth, std::s
   return fragment;
 }
 
-void for_each_fragment(const SceneTruth& scene, const FragmentSink& sink) {
+void for_each_fragment(const SceneTruth& scene,
+                       const std::function<bool(const Fragment&, const TriangleTruth&)>& sink) {
   if (scene.source().depth_test == cases::DepthTest::none) return for_each_alone(scene, sink);
 
   std::vector<Fragment> all;

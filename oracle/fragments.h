@@ -26,12 +26,11 @@ struct Fragment {
 Fragment fragment_at(const SceneTruth& scene, const TriangleTruth& truth, std::size_t triangle,
                      int x, int y, int sample, const records::SampleVerdict& decision);
 
-/// Takes each fragment, with the truth of its triangle for further questions; false stops.
-using FragmentSink = std::function<bool(const Fragment&, const TriangleTruth&)>;
-
-/// Hands every required or permitted fragment of the scene to the sink, ordered by triangle, y, x,
-/// sample: each triangle as if drawn alone, or, with the case's depth test `less`, only what may be
-/// the nearest of its sample. Without a depth test nothing is stored; with it, all fragments are.
-void for_each_fragment(const SceneTruth& scene, const FragmentSink& sink);
+/// Hands every required or permitted fragment of the scene to the sink, with the truth of its
+/// triangle for further questions; one that returns false stops. Ordered by triangle, y, x, sample:
+/// each triangle as if drawn alone, or, with the case's depth test `less`, only what may be the
+/// nearest of its sample. Without a depth test nothing is stored; with it, all fragments are.
+void for_each_fragment(const SceneTruth& scene,
+                       const std::function<bool(const Fragment&, const TriangleTruth&)>& sink);
 
 }  // namespace rastercheck::oracle

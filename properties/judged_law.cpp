@@ -276,8 +276,9 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
   return check;
 }
 
-Result<Check> check_drawn(const cases::ClipCase& c, backends::Backend& backend,
-                          const DrawnCheck& find) {
+Result<Check> check_drawn(
+    const cases::ClipCase& c, backends::Backend& backend,
+    const std::function<Check(const cases::ClipCase&, const backends::Drawn&)>& find) {
   const Result<backends::Drawn> drawn = draw_promised(c, backend);
   if (!drawn) return tl::unexpected(drawn.error());
   return find(c, *drawn);

@@ -30,12 +30,10 @@ Check judge_drawn(const cases::Case& truth_of, const cases::Contract& contract,
 Result<Check> check_judged(const cases::ClipCase& c, backends::Backend& backend,
                            const JudgeRequest& request, std::uint64_t index);
 
-/// Takes a case and what was drawn of it.
-using DrawnCheck = std::function<Check(const cases::ClipCase&, const backends::Drawn&)>;
-
 /// Draws the case, and says what is found of that. Fails where the backend cannot draw it.
-Result<Check> check_drawn(const cases::ClipCase& c, backends::Backend& backend,
-                          const DrawnCheck& find);
+Result<Check> check_drawn(
+    const cases::ClipCase& c, backends::Backend& backend,
+    const std::function<Check(const cases::ClipCase&, const backends::Drawn&)>& find);
 
 /// What a law finds of a case that it says nothing of; why, unless it is plain from `exceptions` or
 /// from what the law is about (Check::why_not).

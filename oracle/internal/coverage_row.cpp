@@ -41,11 +41,11 @@ void CoverageRow::decide_open(const TriangleTruth& truth, const TriangleFilter& 
   const auto pattern = truth.setup().scene->pattern();
   {
     const UpwardRounding upward;
-    for (Open& open : open_) {
+    for (OpenSample& open : open_) {
       open.decision = filter.decide(open.x, y, pattern[static_cast<std::size_t>(open.sample)]);
     }
   }
-  for (Open& open : open_) {
+  for (OpenSample& open : open_) {
     ++(open.decision ? levels.interval : levels.exact);
     if (!open.decision) open.decision = truth.judge(open.x, y, open.sample);
     const records::SampleVerdict& decision = *open.decision;
@@ -60,9 +60,9 @@ void CoverageRow::decide_open(const TriangleTruth& truth, const TriangleFilter& 
     }
     const bool is_ordinary =
         decision.verdict == Verdict::required && decision.reason == Reason::inside;
-    if (!is_ordinary) special_.push_back({open.x, open.sample, decision});
+    if (!is_ordinary) special_.push_back(open);
   }
-  std::sort(special_.begin(), special_.end(), [](const Special& a, const Special& b) {
+  std::sort(special_.begin(), special_.end(), [](const OpenSample& a, const OpenSample& b) {
     return a.x != b.x ? a.x < b.x : a.sample < b.sample;
   });
 }

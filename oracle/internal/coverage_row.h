@@ -15,11 +15,11 @@ namespace rastercheck::oracle {
 /// The verdicts of a row of pixels.
 class CoverageRow {
  public:
-  /// A sample that is not strictly inside or outside: required by a tie, or permitted.
-  struct Special {
+  /// A sample that doubles do not decide.
+  struct OpenSample {
     int x = 0;
     int sample = 0;
-    records::SampleVerdict decision;
+    std::optional<records::SampleVerdict> decision;  ///< nothing until it is decided
   };
 
   /// Sets the verdicts of all samples of row y of the filter's box, which is a row of that box.
@@ -32,8 +32,9 @@ class CoverageRow {
     const auto bit = static_cast<std::size_t>(x - x0_);
     return (verdicts_[static_cast<std::size_t>(sample)].required[bit / 64] >> (bit % 64) & 1U) != 0;
   }
-  /// By x, then sample.
-  const std::vector<Special>& special() const { return special_; }
+  /// Samples that are not strictly inside or outside: required by a tie, or permitted. By x, then
+  /// sample.
+  const std::vector<OpenSample>& special() const { return special_; }
   /// Calls take(x, sample, decision) for each required or permitted sample, by x, then sample.
   template <typename Take>
   void for_each_covered(const Take& take) const {
@@ -41,7 +42,7 @@ class CoverageRow {
     for (int x = x0_; x < x1_; ++x) {
       for (int s = 0; s < samples(); ++s) {
         if (next != special_.end() && next->x == x && next->sample == s) {
-          take(x, s, next++->decision);
+          take(x, s, *next++->decision);
         } else if (is_required(x, s)) {
           take(x, s, records::SampleVerdict{records::Verdict::required, records::Reason::inside});
         }
@@ -53,19 +54,14 @@ class CoverageRow {
   std::uint64_t permitted() const { return permitted_; }  ///< how many samples
 
  private:
-  struct Open {
-    int x = 0;
-    int sample = 0;
-    std::optional<records::SampleVerdict> decision;
-  };
   void decide_open(const TriangleTruth& truth, const TriangleFilter& filter, int y,
                    records::LevelCounts& levels);
 
   int x0_ = 0;
   int x1_ = 0;
   std::vector<RowVerdicts> verdicts_;  ///< [sample]
-  std::vector<Open> open_;             ///< what the first level left open
-  std::vector<Special> special_;
+  std::vector<OpenSample> open_;       ///< what the first level left open
+  std::vector<OpenSample> special_;
   std::uint64_t required_ = 0;
   std::uint64_t permitted_ = 0;
 };

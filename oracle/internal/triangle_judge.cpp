@@ -108,7 +108,7 @@ void TriangleJudge::judge_row(int y, std::size_t first, std::size_t last) {
   samples_->count(Verdict::permitted, row_.permitted());
   if (row_.required() == 0 && row_.permitted() == 0 && first == last) return;
   const bool hides_ties =
-      row_.special().empty() || !samples_->shows(row_.special().front().decision);
+      row_.special().empty() || !samples_->shows(*row_.special().front().decision);
   if (row_.permitted() > 0 || !hides_ties || !is_just_what_is_required(first, last)) {
     return walk_row(y, first, last);
   }
@@ -149,7 +149,7 @@ void TriangleJudge::walk_row(int y, std::size_t first, std::size_t last) {
           special != row_.special().end() && special->x == x && special->sample == s;
       SampleVerdict decision;
       if (is_special) {
-        decision = special++->decision;
+        decision = *special++->decision;
       } else if (row_.is_required(x, s)) {
         decision = kInside;
       }

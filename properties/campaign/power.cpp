@@ -1,6 +1,7 @@
 #include "properties/campaign/power.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,25 @@ namespace {
 
 bool has_law(const records::Plan& plan, std::string_view law) {
   return std::find(plan.laws.begin(), plan.laws.end(), law) != plan.laws.end();
+}
+
+/// Every so-many-th fragment, about 16 of them.
+cases::Fragments some_of(const cases::Fragments& drawn) {
+  constexpr std::size_t kSome = 16;
+  const std::size_t count = drawn.attribute_count;
+  cases::Fragments some;
+  some.attribute_count = count;
+  const std::size_t step = std::max<std::size_t>(drawn.size() / kSome, 1);
+  for (std::size_t i = 0; i < drawn.size(); i += step) {
+    some.triangle.push_back(drawn.triangle[i]);
+    some.x.push_back(drawn.x[i]);
+    some.y.push_back(drawn.y[i]);
+    some.sample.push_back(drawn.sample[i]);
+    some.depth.push_back(drawn.depth[i]);
+    const auto values = drawn.attributes_of(i);
+    some.attributes.insert(some.attributes.end(), values.begin(), values.end());
+  }
+  return some;
 }
 
 }  // namespace
@@ -43,16 +63,20 @@ void measure_power(const records::Plan& plan, const Law& law, backends::Backend&
   const auto is_wrong = [&](const cases::Fragments& fragments, const JudgeRequest& request) {
     return has_wrong(*c, drawn->contract, fragments, request);
   };
+  // Most defects of values are in all of them, and each wrong one takes exact numbers.
+  const auto has_wrong_values = [&is_wrong](const cases::Fragments& fragments) {
+    return is_wrong(some_of(fragments), kValuesAlone) || is_wrong(fragments, kValuesAlone);
+  };
   const bool is_of_coverage = law.id == kCoverageLaw;
   for (const Sabotage& sabotage : sabotages()) {
     if (sabotage.changes.counts_coverage != is_of_coverage) continue;
     const std::optional<cases::Fragments> wrong = sabotage.apply(right);
     if (!wrong) continue;
-    bool is_noticed = is_wrong(*wrong, is_of_coverage ? kCoverageAlone : kValuesAlone);
+    bool is_noticed = is_of_coverage ? is_wrong(*wrong, kCoverageAlone) : has_wrong_values(*wrong);
     // The case's law says nothing of how right values were.
     if (!is_noticed && is_of_coverage && sabotage.changes.judges_values &&
         has_law(plan, kValuesLaw)) {
-      is_noticed = is_wrong(*wrong, kValuesAlone) && !is_wrong(drawn->fragments, kValuesAlone);
+      is_noticed = has_wrong_values(*wrong) && !is_wrong(drawn->fragments, kValuesAlone);
     }
     records::merge(power[sabotage.defect], {1, is_noticed ? std::uint64_t{1} : 0});
   }
