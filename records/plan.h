@@ -17,7 +17,7 @@ namespace rastercheck::records {
 inline constexpr double kDefaultTimeout = 10;
 
 /// Of 1,000 cases enough that most defects have their share, at a few percent of what a run costs.
-inline constexpr std::uint64_t kUsualPower = 10;
+inline constexpr std::uint64_t kUsualPower = 15;
 
 /// How long one counterexample may be made smaller.
 struct ShrinkBudget {

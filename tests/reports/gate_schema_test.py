@@ -192,6 +192,8 @@ def is_out_of_order(document):
             buckets = [bucket for bucket, _ in value["buckets"]]
             if buckets != sorted(set(buckets)):
                 return True
+        if "noticed" in value and number(value["noticed"]) > number(value["drawings"]):
+            return True
         if "beyond" in value and "lo" in value:
             lo, hi, most = int(value["lo"]), int(value["hi"]), value["count"] << 72
             if lo > hi or lo < -most or hi > most:
