@@ -293,6 +293,18 @@ void add_early_ends(CLI::App& app, RunOptions& options) {
       ->type_name("SECONDS");
 }
 
+void add_shrinking(CLI::App& app, records::ShrinkBudget& shrinking) {
+  app.add_option("--shrink-tries", shrinking.tries,
+                 "Smaller cases that are tried of each counterexample; 0 leaves it as it is found")
+      ->transform(whole_number())
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--shrink-seconds", shrinking.seconds,
+                 "Seconds for making each counterexample smaller; no limit without it")
+      ->check(CLI::Range(kLeastSeconds, kMostSeconds))
+      ->type_name("SECONDS");
+}
+
 Action set_up(CLI::App& app) {
   const auto options = std::make_shared<RunOptions>();
   records::Plan& plan = options->plan;
@@ -331,15 +343,7 @@ Action set_up(CLI::App& app) {
       ->type_name(kFolder)
       ->capture_default_str();
   add_formats(app, options->formats);
-  app.add_option("--shrink-tries", plan.shrinking.tries,
-                 "Smaller cases that are tried of each counterexample; 0 leaves it as it is found")
-      ->transform(whole_number())
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--shrink-seconds", plan.shrinking.seconds,
-                 "Seconds for making each counterexample smaller; no limit without it")
-      ->check(CLI::Range(kLeastSeconds, kMostSeconds))
-      ->type_name("SECONDS");
+  add_shrinking(app, plan.shrinking);
   add_timeout(app, plan.timeout);
   app.add_option("--power", plan.power,
                  "Makes the drawing of one in N random cases wrong in all ways, to see what is "

@@ -16,8 +16,8 @@ TEST(OptionWords, AreOfWhatIsNotAsUsual) {
   EXPECT_THAT(option_words(sample_plan()),
               ElementsAre("--property", "*edge*", "--property", "--known", "--scene-size", "640",
                           "--contract", "lax.json", "--corpus", "a folder", "--no-known", "--known",
-                          "lists", "--shrink-tries", "5", "--shrink-seconds", "2.5", "--power",
-                          "5", "--keep-cases", "--timeout", "0.5"));
+                          "lists", "--shrink-tries", "5", "--shrink-seconds", "2.5", "--power", "5",
+                          "--keep-cases", "--timeout", "0.5"));
 }
 
 // Kills: a size without a scene, which `run` takes for nothing.
