@@ -75,7 +75,7 @@ enum class ColorFormat {
   rgba8,
 };
 
-/// Where a position goes that is as near to two points of a grid, along each axis.
+/// Says where a position goes that is as near to two points of a grid, along each axis.
 enum class Rounding {
   nearest_even,  ///< to the even one
   half_up,       ///< to the larger one

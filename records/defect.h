@@ -12,7 +12,7 @@
 
 namespace rastercheck::records {
 
-/// What a drawing may be given. A scale ULP is the unit of errors (RULES §5).
+/// Names a way in which a drawing is made wrong. A scale ULP is the unit of errors (RULES §5).
 enum class Defect {
   moved_half,  ///< all vertices moved right
   moved_16th,
@@ -85,7 +85,7 @@ constexpr auto names_of(Defect /*type*/) {
 }
 constexpr std::string_view to_string(Defect defect) { return cases::name_of(defect); }
 
-/// How many drawings were given a defect that changed them, and of how many it was noticed.
+/// Counts drawings that were given a defect which changed them, and those where it was noticed.
 struct Noticed {
   std::uint64_t drawings = 0;
   std::uint64_t noticed = 0;
@@ -95,7 +95,7 @@ struct Noticed {
 /// Fewer drawings say little of how often a defect is noticed.
 inline constexpr std::uint64_t kEnoughDrawings = 30;
 
-/// What laws would have noticed; only defects that changed a drawing.
+/// Has only defects that changed a drawing.
 using Power = std::map<Defect, Noticed>;
 
 inline void merge(Noticed& into, const Noticed& from) {

@@ -16,7 +16,7 @@ namespace rastercheck::records {
 /// Seconds that a foreign backend has for one drawing, unless others are given.
 inline constexpr double kDefaultTimeout = 10;
 
-/// Of 1,000 cases enough that most defects have their share, at a few percent of what a run costs.
+/// Gives most defects their 30 drawings in 1,000 cases, for a few percent of what a run costs.
 inline constexpr std::uint64_t kUsualPower = 15;
 
 /// How long one counterexample may be made smaller.
@@ -50,7 +50,7 @@ struct Plan {
   std::string known = {};      ///< folder of lists of known defects; empty: likewise
   bool ignores_known = false;  ///< what is known of drivers counts as any other violation
   ShrinkBudget shrinking = {};
-  /// Of one in so many random cases of two laws the drawing is made wrong, to see what is noticed
+  /// The drawing of one in so many random cases of two laws is made wrong, to see what is noticed
   /// (properties/campaign/power.h); 0: of none.
   std::uint64_t power = kUsualPower;
   bool keeps_cases = false;          ///< whether what each case gave is kept (CaseRecord)

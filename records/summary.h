@@ -99,7 +99,7 @@ struct LawSummary {
 /// checked.
 std::vector<LawSummary> summarize(const Run& run);
 
-/// What all laws together noticed on each backend; only backends that were asked.
+/// Adds up what all laws noticed on each backend; only backends that were asked.
 std::map<std::string, Power> power_by_backend(const std::vector<LawSummary>& rows);
 
 /// Of all rows together: violated where one is, not checked where none was checked, known where

@@ -178,7 +178,7 @@ Result<Drawers> make_drawers(const backends::BackendFactory& factory,
   return made;
 }
 
-/// What was found of all laws of all inputs, and told as it was found unless it is to be JSON.
+/// Checks all laws of all inputs, and prints what it finds as it goes unless it is to be JSON.
 /// Fails where the oracle does.
 Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs, const Drawers& drawers,
                                           const Options& options) {

@@ -249,7 +249,7 @@ std::optional<Fragments> crack(const Drawing& drawing) {
   const Fragments& drawn = *drawing.fragments;
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   const auto edge_of = [](const cases::Triangle& triangle, std::size_t i) {
-    // Of a list, as of two it returns references.
+    // minmax() of two numbers returns references to them; of a list it returns copies.
     return std::minmax({triangle[(i + 1) % 3], triangle[(i + 2) % 3]});
   };
   for (const cases::Triangle& triangle : c.triangles) {

@@ -24,7 +24,7 @@ struct Drawing {
   std::function<std::optional<cases::Fragments>(const cases::Case&)> draw;
 };
 
-/// What of a drawing is looked at, or changed, if it is not both.
+/// Say that only which samples are drawn, or only values, are looked at or changed.
 inline constexpr JudgeRequest kCoverageAlone{.judges_values = false};
 inline constexpr JudgeRequest kValuesAlone{.counts_coverage = false};
 
@@ -34,7 +34,7 @@ struct Sabotage {
   /// Gives what a backend with the defect would have drawn; nothing where it would be the same, or
   /// cannot be told.
   std::optional<cases::Fragments> (*apply)(const Drawing& drawing) = nullptr;
-  /// What of a drawing it may change.
+  /// Says what it may change of a drawing.
   JudgeRequest changes = {};
 };
 

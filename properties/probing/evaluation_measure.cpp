@@ -44,7 +44,7 @@ struct RightTriangle {
            along_y / kLeg * (double{values[2]} - double{values[0]});
   }
 
-  /// The same in float32, as a plane about a point so far away along both axes.
+  /// Evaluates a float32 plane about a point so far away along both axes.
   float by_plane(float along_x, float along_y, float away_x, float away_y) const {
     const float slope_x = (values[1] - values[0]) / float{kLeg};
     const float slope_y = (values[2] - values[0]) / float{kLeg};

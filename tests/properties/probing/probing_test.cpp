@@ -246,7 +246,7 @@ Bending valued(
   return bending;
 }
 
-/// Of a right triangle at w = 1, legs along the axes, a plane in float32 about (px, py).
+/// Evaluates a float32 plane about (px, py) of a right triangle at w = 1, legs along the axes.
 std::optional<float> by_plane(const Case& c, const cases::Triangle& t, float x, float y, float px,
                               float py) {
   if (c.framebuffer.width != 1024) return std::nullopt;
