@@ -132,6 +132,92 @@ void ValueErrors(const ValueFilter& value, const BatchWeights& weights,
   }
 }
 
+void ShiftSamples(const std::array<Shift, kShifts>& shifts, std::span<const FilterLine> guards,
+                  const BatchWeights& weights, const Batch<double>& x, const Batch<double>& y,
+                  int count, BatchShifts& shifted) {
+  const Doubles d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto not_a_number = hn::Set(d, std::numeric_limits<double>::quiet_NaN());
+  for (int k = 0; k < count; k += lanes) {
+    const auto u = hn::LoadU(d, x.data() + k);
+    const auto v = hn::LoadU(d, y.data() + k);
+    auto is_known = hn::FirstN(d, static_cast<std::size_t>(lanes));
+    for (const FilterLine& guard : guards) {
+      const auto row = hn::Add(hn::Mul(hn::Set(d, guard.b), v), hn::Set(d, guard.c));
+      const auto inside = hn::Add(hn::Mul(hn::Set(d, guard.a), u), row);
+      is_known = hn::And(is_known, hn::Gt(inside, hn::Set(d, guard.band)));
+    }
+    const auto e0 = hn::LoadU(d, weights.e[0].data() + k);
+    const auto e1 = hn::LoadU(d, weights.e[1].data() + k);
+    const auto e2 = hn::LoadU(d, weights.e[2].data() + k);
+    const auto store = [&](double fixed, const std::array<double, 3>& per_weight,
+                           Batch<double>& into) HWY_ATTR {
+      auto shift = hn::Add(hn::Set(d, fixed), hn::Mul(hn::Set(d, per_weight[0]), e0));
+      shift = hn::Add(shift, hn::Mul(hn::Set(d, per_weight[1]), e1));
+      shift = hn::Add(shift, hn::Mul(hn::Set(d, per_weight[2]), e2));
+      hn::StoreU(hn::IfThenElse(is_known, shift, not_a_number), d, into.data() + k);
+    };
+    for (std::size_t i = 0; i < kShifts; ++i) {
+      store(shifts[i].fixed_x, shifts[i].per_weight_x, shifted.x[i]);
+      store(shifts[i].fixed_y, shifts[i].per_weight_y, shifted.y[i]);
+    }
+  }
+}
+
+void FindBetweenReadings(const ValueFilter& value, const ShiftedReadings& readings,
+                         const BatchWeights& weights, const BatchShifts& shifts,
+                         const Batch<double>& computed, int count,
+                         std::array<std::uint64_t, kBatchSize / 64>& is_between) {
+  const Doubles d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto sixteen_u = hn::Set(d, 0x1p-49);
+  const auto zero = hn::Zero(d);
+  const bool has_unshifted = readings.has_unshifted;
+  is_between = {};
+  for (int k = 0; k < count; k += lanes) {
+    const auto f = hn::LoadU(d, computed.data() + k);
+    auto here = zero;
+    auto along_x = zero;
+    auto along_y = zero;
+    auto error = zero;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto e = hn::LoadU(d, weights.e[i].data() + k);
+      const auto difference = hn::Sub(hn::Mul(f, hn::Set(d, value.p[i])), hn::Set(d, value.s[i]));
+      const auto g = hn::Mul(difference, hn::Set(d, value.t[i]));
+      const auto e_error =
+          hn::Add(hn::Set(d, readings.edge_error[i]), hn::Mul(sixteen_u, hn::Abs(e)));
+      here = hn::Add(here, hn::Mul(g, e));
+      along_x = hn::Add(along_x, hn::Mul(g, hn::Set(d, readings.edges[i].a)));
+      along_y = hn::Add(along_y, hn::Mul(g, hn::Set(d, readings.edges[i].b)));
+      error = hn::Add(error, hn::Mul(hn::Abs(g), e_error));
+    }
+    // For products that underflow, as in ValueErrors.
+    error = hn::Add(error, hn::IfThenElseZero(hn::Gt(error, zero), hn::Set(d, 0x1p-900)));
+    auto least = here;
+    auto greatest = here;
+    if (!has_unshifted) {
+      least = hn::Set(d, std::numeric_limits<double>::infinity());
+      greatest = hn::Neg(least);
+    }
+    for (std::size_t i = 0; i < kShifts; ++i) {
+      const auto by_x = hn::Mul(along_x, hn::LoadU(d, shifts.x[i].data() + k));
+      const auto by_y = hn::Mul(along_y, hn::LoadU(d, shifts.y[i].data() + k));
+      const auto there = hn::Sub(hn::Sub(here, by_x), by_y);
+      least = hn::Min(least, there);
+      greatest = hn::Max(greatest, there);
+    }
+    const auto some_below = hn::Ge(greatest, error);
+    const auto some_above = hn::Le(least, hn::Neg(error));
+    const auto is_asked =
+        hn::And(hn::Ge(f, hn::Set(d, readings.least)), hn::Le(f, hn::Set(d, readings.greatest)));
+    const auto shift = hn::LoadU(d, shifts.x[0].data() + k);
+    const auto is_known =
+        hn::And(hn::Eq(shift, shift), hn::FirstN(d, static_cast<std::size_t>(count - k)));
+    const auto all = hn::And(hn::And(some_below, some_above), hn::And(is_asked, is_known));
+    is_between[static_cast<std::size_t>(k) / 64] |= bits_of(d, all) << (k % 64);
+  }
+}
+
 void CountErrors(const ErrorLimits& limits, const Batch<double>& lo, const Batch<double>& hi,
                  int count, CountedErrors& counted) {
   const Doubles d;
@@ -206,6 +292,8 @@ namespace rastercheck::oracle {
 HWY_EXPORT(ClassifyRow);
 HWY_EXPORT(WeighSamples);
 HWY_EXPORT(ValueErrors);
+HWY_EXPORT(ShiftSamples);
+HWY_EXPORT(FindBetweenReadings);
 HWY_EXPORT(CountErrors);
 
 void classify_row(std::span<const FilterLine> lines, double x, double y, int count,
@@ -221,6 +309,20 @@ void weigh_samples(const std::array<FilterLine, 3>& edges, const Batch<double>& 
 void value_errors(const ValueFilter& value, const BatchWeights& weights,
                   const Batch<double>& computed, int count, Batch<double>& lo, Batch<double>& hi) {
   HWY_DYNAMIC_DISPATCH(ValueErrors)(value, weights, computed, count, lo, hi);
+}
+
+void shift_samples(const std::array<Shift, kShifts>& shifts, std::span<const FilterLine> guards,
+                   const BatchWeights& weights, const Batch<double>& x, const Batch<double>& y,
+                   int count, BatchShifts& shifted) {
+  HWY_DYNAMIC_DISPATCH(ShiftSamples)(shifts, guards, weights, x, y, count, shifted);
+}
+
+void find_between_readings(const ValueFilter& value, const ShiftedReadings& readings,
+                           const BatchWeights& weights, const BatchShifts& shifts,
+                           const Batch<double>& computed, int count,
+                           std::array<std::uint64_t, kBatchSize / 64>& is_between) {
+  HWY_DYNAMIC_DISPATCH(FindBetweenReadings)
+  (value, readings, weights, shifts, computed, count, is_between);
 }
 
 void count_errors(const ErrorLimits& limits, const Batch<double>& lo, const Batch<double>& hi,

@@ -9,7 +9,10 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
+
+#include "records/enclosure.h"
 
 namespace rastercheck::oracle {
 
@@ -85,6 +88,61 @@ struct ValueFilter {
 ///                                                         (proofs/value.g, proofs/quotient.g)
 void value_errors(const ValueFilter& value, const BatchWeights& weights,
                   const Batch<double>& computed, int count, Batch<double>& lo, Batch<double>& hi);
+
+/// Where a contract leaves the placement of vertices open (placement_filter.h): how far a sample is
+/// shifted, in pixels, as a function of its weights: fixed + Σ per_weight_i E_i along each axis.
+struct Shift {
+  double fixed_x = 0;
+  double fixed_y = 0;
+  std::array<double, 3> per_weight_x{};
+  std::array<double, 3> per_weight_y{};
+};
+
+/// As many as a triangle's samples have.
+inline constexpr std::size_t kShifts = 4;
+
+/// The shifts of a batch's samples; NaN where a sample is not farther inside some guard than its
+/// band.
+struct alignas(64) BatchShifts {
+  std::array<Batch<double>, kShifts> x;
+  std::array<Batch<double>, kShifts> y;
+};
+
+/// The shifts of the first `count` samples (x[k], y[k]), whose weights these are.
+void shift_samples(const std::array<Shift, kShifts>& shifts, std::span<const FilterLine> guards,
+                   const BatchWeights& weights, const Batch<double>& x, const Batch<double>& y,
+                   int count, BatchShifts& shifted);
+
+/// What is asked of a value besides the readings that shifted samples give.
+struct ShiftedReadings {
+  static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+  std::array<FilterLine, 3> edges;  ///< a and b count
+  /// What E_i may be off by at a shifted sample.
+  std::array<double, 3> edge_error{};
+  bool has_unshifted = false;  ///< the sample itself gives a reading as well
+  double least = 0;            ///< a value below this is not asked about
+  double greatest = 0;         ///< nor one above
+  /// What readings but that of the sample itself are cut down to; infinite where they are not.
+  records::Enclosure least_end{-kUnbounded, -kUnbounded};
+  records::Enclosure greatest_end{kUnbounded, kUnbounded};
+};
+
+/// Bit k: computed[k] certainly lies between two readings of its value. With g_i as in ValueFilter,
+///
+///   G(p) = Σ g_i E_i(p)        is >= 0 where the reading at p is at most the computed value,
+///                              and <= 0 where it is at least that;
+///
+/// G is affine in p, and at a shifted sample p − s it is G(p) less what each axis adds. What is
+/// computed of that is off by at most
+///
+///   H = fl(Σ |g_i| (edge_error_i + 16u |e_i|)).                        (proofs/shifted.g)
+///
+/// Nothing is said (bit 0) of samples whose shifts are NaN.
+void find_between_readings(const ValueFilter& value, const ShiftedReadings& readings,
+                           const BatchWeights& weights, const BatchShifts& shifts,
+                           const Batch<double>& computed, int count,
+                           std::array<std::uint64_t, kBatchSize / 64>& is_between);
 
 /// What errors have to keep for nothing else to be asked of them.
 struct ErrorLimits {

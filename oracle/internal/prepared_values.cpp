@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "oracle/internal/float_ulp.h"
 #include "oracle/internal/value_bound.h"
@@ -13,8 +14,25 @@ namespace {
 using records::AttributeKind;
 using records::Stratum;
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 /// 1/ulp(magnitude), a power of two.
 double units_of(float magnitude) { return std::ldexp(1.0, -ulp_exponent(magnitude)); }
+
+/// The least and the greatest value at a vertex, s/p.
+void set_ends(const ValueFilter& filter, ShiftedReadings& readings) {
+  readings.least_end = {kInfinity, kInfinity};
+  readings.greatest_end = {-kInfinity, -kInfinity};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double at_vertex = filter.s[i] / filter.p[i];
+    const bool is_exact = std::fma(at_vertex, filter.p[i], -filter.s[i]) == 0;
+    const double slack = is_exact ? 0 : std::abs(at_vertex) * 0x1p-50;
+    readings.least_end.lo = std::min(readings.least_end.lo, at_vertex - slack);
+    readings.least_end.hi = std::min(readings.least_end.hi, at_vertex + slack);
+    readings.greatest_end.lo = std::max(readings.greatest_end.lo, at_vertex - slack);
+    readings.greatest_end.hi = std::max(readings.greatest_end.hi, at_vertex + slack);
+  }
+}
 
 }  // namespace
 
@@ -44,11 +62,18 @@ void PreparedValues::prepare(const TriangleTruth& truth, const TriangleFilter& c
   coverage_ = &coverage;
   stratum_ = stratum_of(*triangle_);
   map_ = triangle_->value_map();
+  is_open_ = map_ == nullptr;
+  // The ideal error is against the exact triangle, but for cut ones whose basis is snapped: these
+  // have none.
+  const bool has_ideal =
+      triangle_->shape == Shape::placed || scene_->contract().basis == cases::Basis::unspecified;
+  if (is_open_ && has_ideal) map_ = &triangle_->ideal;
   // With a camera w is no float32, and what follows counts on that.
   const bool is_filtered = map_ != nullptr && map_->orientation() != 0 &&
                            !scene_->source().camera && first_level_ != Level::exact;
   if (!is_filtered) map_ = nullptr;
   if (map_ != nullptr) set_edges();
+  set_shifts();
 
   const std::size_t attributes = scene_->source().attributes.size();
   values_.resize(1 + attributes);
@@ -56,6 +81,21 @@ void PreparedValues::prepare(const TriangleTruth& truth, const TriangleFilter& c
   for (std::uint32_t a = 0; a < attributes; ++a) values_[1 + a] = make_value(a);
   has_center_ = std::any_of(values_.begin(), values_.end(),
                             [](const PreparedValue& value) { return value.at_center; });
+}
+
+void PreparedValues::set_shifts() {
+  sample_shifts_.reset();
+  center_shifts_.reset();
+  if (!is_open_ || map_ == nullptr || first_level_ != Level::filter) return;
+  const PixelBox& box = coverage_->box();
+  sample_shifts_ = placement_filter(*triangle_, edges_, box, false);
+  const cases::Case& source = scene_->source();
+  const bool has_center =
+      source.framebuffer.samples > 1 &&
+      std::any_of(source.attributes.begin(), source.attributes.end(), [](const auto& attribute) {
+        return attribute.location == cases::Location::center;
+      });
+  if (has_center) center_shifts_ = placement_filter(*triangle_, edges_, box, true);
 }
 
 /// Sets the edges of the values' map, or gives that map up.
@@ -86,10 +126,10 @@ PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute)
   cases::Attribute declared;  // of the depth: at the sample
   if (attribute) declared = source.attributes[*attribute];
   const bool is_flat = declared.interpolation == cases::Interpolation::flat;
-  const bool is_open = declared.location == cases::Location::centroid && !is_flat;
+  const bool is_centroid = declared.location == cases::Location::centroid && !is_flat;
   const bool is_claimed_otherwise =
       value.kind == AttributeKind::smooth && scene_->contract().claims != cases::Claim::perspective;
-  value.is_single = !is_open && !is_claimed_otherwise && !scene_->contract().is_unspecified();
+  value.is_single = !is_centroid && !is_claimed_otherwise && !scene_->contract().is_unspecified();
   value.errors = &statistics_->single(value.kind, stratum_);
   if (!value.is_single) {
     records::ErrorStatistics& of_kind = statistics_->of(value.kind);
@@ -98,11 +138,12 @@ PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute)
   }
   if (is_flat) {
     set_flat_filter(value);
-  } else if (map_ != nullptr && !is_open && !is_claimed_otherwise) {
+  } else if (map_ != nullptr && !is_centroid && !is_claimed_otherwise) {
     value.at_center =
         declared.location == cases::Location::center && source.framebuffer.samples > 1;
     value.is_mean = !value.at_center && coverage_->edges_of(map_) != nullptr;
-    value.method = set_filter(value) ? ValueMethod::map : ValueMethod::exact;
+    const bool is_known = set_filter(value) && (!is_open_ || set_readings(value));
+    value.method = is_known ? ValueMethod::map : ValueMethod::exact;
   }
   return value;
 }
@@ -155,6 +196,28 @@ bool PreparedValues::set_filter(PreparedValue& value) const {
     if (!filter.is_perspective) filter.t[i] = source.positions[vertex].w;
   }
   set_attribute_scale(value);
+  return true;
+}
+
+/// False where doubles do not know where samples may be shifted to.
+bool PreparedValues::set_readings(PreparedValue& value) const {
+  const std::optional<PlacementFilter>& shifts = value.at_center ? center_shifts_ : sample_shifts_;
+  if (!shifts) return false;
+  ShiftedReadings& readings = value.readings;
+  readings.edges = edges_;
+  readings.edge_error = shifts->edge_error;
+  readings.has_unshifted = scene_->contract().basis == cases::Basis::unspecified;
+  if (triangle_->shape == Shape::placed && !value.at_center) set_ends(value.filter, readings);
+  readings.least = readings.least_end.hi;
+  readings.greatest = readings.greatest_end.lo;
+  if (!value.attribute && scene_->scene().clamps_depth()) {
+    const auto& viewport = scene_->source().viewport;
+    const auto [near, far] = std::minmax<double>(viewport.min_depth, viewport.max_depth);
+    readings.least = std::max(readings.least, near);
+    readings.greatest = std::min(readings.greatest, far);
+  }
+  value.is_open = true;
+  value.errors = &statistics_->single(value.kind, stratum_, Excess::zero);
   return true;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "oracle/internal/filter_kernels.h"
+#include "oracle/internal/placement_filter.h"
 #include "oracle/internal/triangle_filter.h"
 #include "oracle/internal/triangle_setup.h"
 #include "oracle/internal/value_statistics.h"
@@ -34,6 +35,9 @@ struct PreparedValue {
   /// The contract leaves no range open, so that one count serves excess and ideal error. Where it
   /// is false they may still be equal.
   bool is_single = false;
+  /// The contract leaves a range open: the first two levels know the ideal error, and of the range
+  /// what `readings` say.
+  bool is_open = false;
   bool at_center = false;  ///< evaluated at the pixel's centre, which is not the sample
   /// Surely a mean of the vertices' values, depth within its range; else each value is asked.
   bool is_mean = false;
@@ -41,6 +45,7 @@ struct PreparedValue {
   Zero only_zero = Zero::none;  ///< what all three vertices have
   double bound = 0;
   ValueFilter filter;
+  ShiftedReadings readings;
   SingleErrors* errors = nullptr;  ///< where it is counted, if by the first two levels
   // The extremes so far, where excess and ideal error are counted apart: what may exceed either is
   // left to the exact level.
@@ -69,9 +74,15 @@ class PreparedValues {
   /// The depth, then the attributes.
   const std::vector<PreparedValue>& values() const { return values_; }
   bool has_center() const { return has_center_; }  ///< some value is `at_center`
+  /// Where samples, and the centres of pixels with several, are shifted to, as the contract leaves
+  /// it open; nothing where it does not, or no value asks.
+  const std::optional<PlacementFilter>& sample_shifts() const { return sample_shifts_; }
+  const std::optional<PlacementFilter>& center_shifts() const { return center_shifts_; }
 
  private:
   void set_edges();
+  void set_shifts();
+  bool set_readings(PreparedValue& value) const;
   PreparedValue make_value(std::optional<std::uint32_t> attribute) const;
   void set_flat_filter(PreparedValue& value) const;
   void set_attribute_scale(PreparedValue& value) const;
@@ -90,6 +101,9 @@ class PreparedValues {
   std::array<FilterLine, 3> edges_{};
   std::vector<PreparedValue> values_;
   bool has_center_ = false;
+  bool is_open_ = false;  ///< the map is the exact triangle's, one of several
+  std::optional<PlacementFilter> sample_shifts_;
+  std::optional<PlacementFilter> center_shifts_;
 };
 
 }  // namespace rastercheck::oracle

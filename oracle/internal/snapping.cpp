@@ -1,6 +1,7 @@
 #include "oracle/internal/snapping.h"
 
 #include <cmath>
+#include <optional>
 
 namespace rastercheck::oracle {
 namespace {
@@ -45,10 +46,53 @@ Ring pixels_of(long coordinate, int subpixel_bits) {
   return {std::ldexp(static_cast<double>(coordinate), -subpixel_bits)};
 }
 
+namespace {
+
+/// The floor of a number within `slack` of this one; nothing where there may be several.
+std::optional<long> certain_floor(double value, double slack) {
+  const double below = std::floor(value - slack);
+  if (below != std::floor(value + slack) || !(std::abs(below) < 0x1p62)) return std::nullopt;
+  return static_cast<long>(below);
+}
+
+/// What candidates() says of numerator/w, w > 0, from doubles; nothing where these are not sure.
+std::optional<GridRange> near_candidates(const Ring& numerator, const Ring& w,
+                                         const cases::Snapping& snapping) {
+  const double near_numerator = near_double(numerator);
+  const double near_w = near_double(w);
+  if (!has_normal_products(near_numerator, numerator) || !has_normal_products(near_w, w)) {
+    return std::nullopt;
+  }
+  const double in_units = std::ldexp(near_numerator / near_w, snapping.subpixel_bits);
+  const double radius = near_double(candidate_radius(snapping));
+  // 2^-51 of numerator and w each, and as much for the quotient, the radius and their sum.
+  const double slack = (std::abs(in_units) + radius) * 0x1p-48;
+  const bool is_single =
+      snapping.rounding != cases::Rounding::unspecified && snapping.position_error == 0;
+  if (is_single) {
+    // No tie is certain: both roundings to nearest are the floor of the number and a half.
+    const std::optional<long> rounded = certain_floor(in_units + 0.5, slack);
+    if (!rounded) return std::nullopt;
+    return GridRange{*rounded, *rounded};
+  }
+  const std::optional<long> below = certain_floor(in_units - radius, slack);
+  const std::optional<long> last = certain_floor(in_units + radius, slack);
+  if (!below || !last) return std::nullopt;
+  // Neither end is a whole number, so that it does not matter whether the range is closed.
+  return GridRange{*below + 1, *last};
+}
+
+GridRange candidates_of(const Ring& numerator, const Ring& w, const cases::Snapping& snapping) {
+  const std::optional<GridRange> near = near_candidates(numerator, w, snapping);
+  return near ? *near : candidates(quotient(numerator, w), snapping);
+}
+
+}  // namespace
+
 SnappedVertex snap(const RingVector3& window_column, const cases::Snapping& snapping) {
   const Ring& w = window_column[2];
-  return {candidates(quotient(window_column[0], w), snapping),
-          candidates(quotient(window_column[1], w), snapping), w};
+  return {candidates_of(window_column[0], w, snapping),
+          candidates_of(window_column[1], w, snapping), w};
 }
 
 std::vector<RingVector3> placed_columns(const SnappedVertex& vertex, int subpixel_bits,

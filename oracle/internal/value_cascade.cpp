@@ -36,13 +36,13 @@ std::vector<JudgedValue> JudgedBatch::values_of(std::size_t lane) const {
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     const Column& column = columns_[c];
     if (column.is_by_enclosure[lane]) {
+      const Enclosure ideal{column.lo[lane], column.hi[lane]};
       values.push_back({column.kind, column.attribute, FragmentClass::correct, column.actual[lane],
-                        Enclosure{column.lo[lane], column.hi[lane]},
-                        Enclosure{column.lo[lane], column.hi[lane]}});
+                        column.is_open ? Enclosure{} : ideal, ideal});
       continue;
     }
-    for (const Exact& exact : exact_) {
-      if (exact.column == c && exact.lane == lane) values.push_back(exact.value);
+    for (const OneValue& one : one_by_one_) {
+      if (one.column == c && one.lane == lane) values.push_back(one.value);
     }
   }
   return values;
@@ -79,8 +79,23 @@ void ValueCascade::gather(std::span<const std::size_t> fragments) {
   if (prepared_.map() == nullptr) return;
   const int count = static_cast<int>(fragments.size());
   weigh_samples(prepared_.edges(), x_, y_, count, at_sample_);
-  if (prepared_.has_center())
+  if (prepared_.has_center()) {
     weigh_samples(prepared_.edges(), center_x_, center_y_, count, at_center_);
+  }
+  if (const std::optional<PlacementFilter>& shifts = prepared_.sample_shifts()) {
+    shift_samples(shifts->shifts, shifts->guards, at_sample_, x_, y_, count, sample_shifts_);
+  }
+  if (const std::optional<PlacementFilter>& shifts = prepared_.center_shifts()) {
+    shift_samples(shifts->shifts, shifts->guards, at_center_, center_x_, center_y_, count,
+                  center_shifts_);
+  }
+}
+
+/// Which of a column's first `count` values certainly lie within what the contract leaves open.
+void ValueCascade::find_between(const PreparedValue& prepared, int count) {
+  find_between_readings(
+      prepared.filter, prepared.readings, prepared.at_center ? at_center_ : at_sample_,
+      prepared.at_center ? center_shifts_ : sample_shifts_, computed_, count, is_between_);
 }
 
 /// Enclosures of the errors of a column's first `count` values, by the first level; NaN where it
@@ -106,13 +121,16 @@ void ValueCascade::filter_column(const PreparedValue& prepared, int count,
   std::copy_n(actual.begin(), lanes, computed_.begin());
   value_errors(prepared.filter, prepared.at_center ? at_center_ : at_sample_, computed_, count, lo_,
                hi_);
+  if (prepared.is_open) find_between(prepared, count);
 }
 
 /// The first level's enclosures end strictly beyond their errors, unless these are 0: an error that
 /// keeps the limits is less than an extreme.
 ErrorLimits ValueCascade::limits_of(const PreparedValue& prepared) {
-  if (prepared.is_single) {
-    return {prepared.bound, prepared.errors->least(), prepared.errors->most()};
+  if (prepared.is_single || prepared.is_open) {
+    // An excess of 0 is within every bound.
+    return {prepared.is_open ? kMostSummed : prepared.bound, prepared.errors->least(),
+            prepared.errors->most()};
   }
   const records::Extremes& ideal = *prepared.ideal_extremes;
   const records::Extremes& excess = *prepared.excess_extremes;
@@ -151,6 +169,9 @@ void ValueCascade::count_filtered(const PreparedValue& prepared, int count,
   std::copy_n(hi_.begin(), lanes, column.hi.begin());
   const bool is_plain = prepared.only_zero == PreparedValue::Zero::none && !prepared.is_clamped &&
                         (prepared.is_mean || prepared.method == ValueMethod::copy);
+  for (std::size_t k = 0; prepared.is_open && k < lanes; ++k) {
+    if (!is_between(k)) lo_[k] = kNaN;
+  }
   for (std::size_t k = 0; !is_plain && k < lanes; ++k) {
     if (!is_certain(prepared, column.actual[k], {lo_[k], hi_[k]})) lo_[k] = kNaN;
   }
@@ -184,7 +205,7 @@ bool ValueCascade::take(const PreparedValue& prepared, float actual, const Enclo
   if (!is_within) return false;
   if (error.hi >= limits.most || error.lo <= limits.least) {
     const cases::SamplePlace place = drawn_->place_of(fragment);
-    if (!prepared.is_single) {
+    if (!prepared.is_single && !prepared.is_open) {
       if (may_be_extreme(*prepared.ideal_extremes, error, place) ||
           may_be_extreme(*prepared.excess_extremes, error, place)) {
         return false;
@@ -199,6 +220,43 @@ bool ValueCascade::take(const PreparedValue& prepared, float actual, const Enclo
   prepared.errors->sizes.histogram.add_to_bucket(records::Histogram::bucket_of(most), 1);
   prepared.errors->sizes.sum.add(error);
   ++statistics_->levels().values.interval;
+  return true;
+}
+
+/// Counts what the first level knows to lie outside of what the contract leaves open, and by how
+/// much, if that decides all; `ideal` is its ideal error.
+bool ValueCascade::take_beyond(const PreparedValue& prepared, JudgedBatch::Column& column,
+                               std::size_t lane, const Enclosure& ideal, std::size_t fragment) {
+  const float actual = column.actual[lane];
+  const std::optional<Enclosure> excess =
+      excess_of(*(prepared.at_center ? prepared_.center_shifts() : prepared_.sample_shifts()),
+                prepared.filter, prepared.readings, prepared.at_center ? at_center_ : at_sample_,
+                prepared.at_center ? center_shifts_ : sample_shifts_, lane, actual, ideal);
+  if (!excess) return false;
+  const cases::SamplePlace place = drawn_->place_of(fragment);
+  records::ErrorStatistics& of_kind = statistics_->of(prepared.kind);
+  const auto is_known = [&](const Enclosure& error, const records::Extremes& extremes) {
+    const double most = std::max(std::abs(error.lo), std::abs(error.hi));
+    return most <= kMostSummed && records::Histogram::share_bucket(least_magnitude(error), most) &&
+           is_certain(prepared, actual, error) && !may_be_extreme(extremes, error, place);
+  };
+  const bool is_right = std::max(std::abs(excess->lo), std::abs(excess->hi)) <= prepared.bound;
+  if (!is_right || !is_known(*excess, *prepared.excess_extremes) ||
+      !is_known(ideal, *prepared.ideal_extremes)) {
+    return false;
+  }
+  const auto count = [](records::ErrorSizes& sizes, const Enclosure& error) {
+    sizes.histogram.add(std::max(std::abs(error.lo), std::abs(error.hi)));
+    sizes.sum.add(error);
+  };
+  count(of_kind.excess, *excess);
+  count(of_kind.ideal, ideal);
+  count(of_kind.strata[prepared_.stratum()], ideal);
+  ++statistics_->levels().values.filter;
+  judged_.one_by_one_.push_back(
+      {static_cast<std::size_t>(&column - judged_.columns_.data()),
+       lane,
+       {prepared.kind, prepared.attribute, FragmentClass::correct, actual, *excess, ideal}});
   return true;
 }
 
@@ -240,7 +298,7 @@ void ValueCascade::judge_exactly(const PreparedValue& prepared, std::size_t colu
   ++statistics_->levels().values.exact;
   judged_.is_wrong_[lane] =
       judged_.is_wrong_[lane] || judged->fragment_class != FragmentClass::correct;
-  judged_.exact_.push_back({column, lane, *judged});
+  judged_.one_by_one_.push_back({column, lane, *judged});
 }
 
 void ValueCascade::judge_column(const PreparedValue& prepared, std::size_t index,
@@ -248,6 +306,7 @@ void ValueCascade::judge_column(const PreparedValue& prepared, std::size_t index
   JudgedBatch::Column& column = judged_.columns_[index];
   column.kind = prepared.kind;
   column.attribute = prepared.attribute;
+  column.is_open = prepared.is_open;
   for (std::size_t k = 0; k < fragments.size(); ++k) {
     column.actual[k] = prepared.attribute ? drawn_->attributes_of(fragments[k])[*prepared.attribute]
                                           : drawn_->depth[fragments[k]];
@@ -258,9 +317,20 @@ void ValueCascade::judge_column(const PreparedValue& prepared, std::size_t index
   count_filtered(prepared, count, column);
   std::uint64_t decided = fragments.size() - open_.size();
 
+  if (prepared.is_open) {
+    // What does not lie between readings the second level knows no better.
+    decided += std::erase_if(open_, [&](std::size_t k) {
+      return !is_between(k) &&
+             take_beyond(prepared, column, k, {column.lo[k], column.hi[k]}, fragments[k]);
+    });
+    for (const std::size_t k : open_) {
+      if (!is_between(k)) column.lo[k] = column.hi[k] = kNaN;
+    }
+  }
   if (!open_.empty() && prepared.method == ValueMethod::map) {
     const UpwardRounding upward;
     for (const std::size_t k : open_) {
+      if (prepared.is_open && !is_between(k)) continue;
       const Enclosure error = by_interval(prepared, k, column.actual[k]);
       column.lo[k] = error.lo;
       column.hi[k] = error.hi;
@@ -286,7 +356,7 @@ const JudgedBatch& ValueCascade::judge(std::span<const std::size_t> fragments) {
   }
   gather(fragments);
   judged_.columns_.resize(prepared_.values().size());
-  judged_.exact_.clear();
+  judged_.one_by_one_.clear();
   judged_.is_wrong_.fill(false);
   std::size_t column = 0;
   for (const PreparedValue& value : prepared_.values()) {

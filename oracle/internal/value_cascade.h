@@ -38,19 +38,20 @@ class JudgedBatch {
     records::AttributeKind kind;
     std::optional<std::uint32_t> attribute;
     Batch<float> actual;
-    // An enclosure of a right value's error, excess and ideal alike, where is_by_enclosure says so;
-    // else `exact_` has the value.
+    // An enclosure of a right value's error, excess and ideal alike unless it is_open, where
+    // is_by_enclosure says so; else `one_by_one_` has the value.
     Batch<double> lo;
     Batch<double> hi;
     Batch<bool> is_by_enclosure;
+    bool is_open = false;  ///< enclosures are of ideal errors; excesses are 0
   };
-  struct Exact {
+  struct OneValue {
     std::size_t column;
     std::size_t lane;
     JudgedValue value;
   };
   std::vector<Column> columns_;
-  std::vector<Exact> exact_;
+  std::vector<OneValue> one_by_one_;
   Batch<bool> is_wrong_{};
 };
 
@@ -72,7 +73,11 @@ class ValueCascade {
   void gather(std::span<const std::size_t> fragments);
   void judge_column(const PreparedValue& prepared, std::size_t index,
                     std::span<const std::size_t> fragments);
+  void find_between(const PreparedValue& prepared, int count);
   void filter_column(const PreparedValue& prepared, int count, const Batch<float>& actual);
+  bool is_between(std::size_t lane) const {
+    return (is_between_[lane / 64] >> (lane % 64) & 1U) != 0;
+  }
   static ErrorLimits limits_of(const PreparedValue& prepared);
   bool is_certain(const PreparedValue& prepared, float actual,
                   const records::Enclosure& error) const;
@@ -81,12 +86,16 @@ class ValueCascade {
             std::size_t fragment);
   records::Enclosure by_interval(const PreparedValue& prepared, std::size_t lane,
                                  float actual) const;
+  bool take_beyond(const PreparedValue& prepared, JudgedBatch::Column& column, std::size_t lane,
+                   const records::Enclosure& ideal, std::size_t fragment);
   void judge_exactly(const PreparedValue& prepared, std::size_t column, std::size_t lane,
                      std::size_t fragment);
 
   // What wants the widest alignment comes first, what wants the least last.
   BatchWeights at_sample_{};
   BatchWeights at_center_{};
+  BatchShifts sample_shifts_{};
+  BatchShifts center_shifts_{};
   mutable std::optional<std::array<IntervalLine, 3>> interval_edges_;
 
   const SceneTruth* scene_;
@@ -107,6 +116,7 @@ class ValueCascade {
   Batch<double> lo_{};  ///< of a column's errors
   Batch<double> hi_{};
   CountedErrors counted_{};
+  std::array<std::uint64_t, kBatchSize / 64> is_between_{};  ///< of a column's values
   Level first_level_;
   bool is_prepared_ = false;  ///< prepared_ is of this triangle
 };

@@ -45,26 +45,30 @@ void SingleErrors::merge(SingleErrors&& other) {
   }
 }
 
-SingleErrors& ValueStatistics::single(AttributeKind kind, Stratum stratum) {
-  auto& errors = single_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(stratum)];
+SingleErrors& ValueStatistics::single(AttributeKind kind, Stratum stratum, Excess excess) {
+  auto& errors = single_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(stratum)]
+                        [static_cast<std::size_t>(excess)];
   if (!errors) errors = std::make_unique<SingleErrors>();
   return *errors;
 }
 
 void ValueStatistics::merge(ValueStatistics&& other, const Settle& settle) {
   records::merge(judgement_, other.judgement_);
-  other.for_each_single([&](AttributeKind kind, Stratum stratum, SingleErrors& errors) {
-    SingleErrors& into = single(kind, stratum);
+  const auto take_over = [&](AttributeKind kind, Stratum stratum, Excess excess,
+                             SingleErrors& errors) {
+    SingleErrors& into = single(kind, stratum, excess);
     into.merge(std::move(errors));
     if (into.has_many_candidates()) settle(into);
-  });
+  };
+  other.for_each_single(take_over);
 }
 
 records::Judgement ValueStatistics::finish(const Settle& settle) {
-  for_each_single([&](AttributeKind kind, Stratum stratum, SingleErrors& errors) {
+  const auto put = [&](AttributeKind kind, Stratum stratum, Excess excess, SingleErrors& errors) {
     settle(errors);
-    put_in_place(kind, stratum, errors.sizes);
-  });
+    put_in_place(kind, stratum, excess, errors.sizes);
+  };
+  for_each_single(put);
   for (auto& [kind, errors] : judgement_.errors) {
     std::erase_if(errors.strata,
                   [](const auto& stratum) { return stratum.second == records::ErrorSizes{}; });
@@ -72,11 +76,17 @@ records::Judgement ValueStatistics::finish(const Settle& settle) {
   return std::move(judgement_);
 }
 
-void ValueStatistics::put_in_place(AttributeKind kind, Stratum stratum,
+void ValueStatistics::put_in_place(AttributeKind kind, Stratum stratum, Excess excess,
                                    const records::ErrorSizes& sizes) {
   if (sizes == records::ErrorSizes{}) return;
   records::ErrorStatistics& errors = of(kind);
-  records::merge(errors.excess, sizes);
+  if (excess == Excess::ideal) {
+    records::merge(errors.excess, sizes);
+  } else {
+    const std::uint64_t count = sizes.sum.count();
+    errors.excess.histogram.add_to_bucket(0, count);
+    errors.excess.sum.add(0, 0, count);
+  }
   records::merge(errors.ideal, sizes);
   records::merge(errors.strata[stratum], sizes);
 }

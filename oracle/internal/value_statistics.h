@@ -3,9 +3,10 @@
 // Where the errors of one judgement are counted.
 //
 // Mostly the contract leaves no value open; then a value's excess is its ideal error, and is
-// counted once, by kind and stratum, and put into all three places at the end. Of such errors the
-// extremes are looked for among enclosures, and only what may be the largest at the end is computed
-// exactly.
+// counted once, by kind and stratum, and put into all three places at the end. So is the ideal
+// error of a value that certainly lies within what is left open: its excess is 0. Of such errors
+// the extremes are looked for among enclosures, and only what may be the largest at the end is
+// computed exactly.
 
 #include <array>
 #include <functional>
@@ -40,7 +41,10 @@ struct ExtremeLimit {
   void take(double error_size, const cases::SamplePlace& error_place);
 };
 
-/// Errors that are both excess and ideal, of one kind and stratum.
+/// What the excess of a value is, whose ideal error is counted.
+enum class Excess { ideal, zero };
+
+/// Ideal errors of one kind and stratum, from which the excess follows.
 class SingleErrors {
  public:
   records::ErrorSizes sizes;
@@ -73,7 +77,8 @@ class ValueStatistics {
   records::Judgement& judgement() { return judgement_; }
   records::ErrorStatistics& of(records::AttributeKind kind) { return judgement_.errors[kind]; }
   records::Levels& levels() { return judgement_.levels; }
-  SingleErrors& single(records::AttributeKind kind, records::Stratum stratum);
+  SingleErrors& single(records::AttributeKind kind, records::Stratum stratum,
+                       Excess excess = Excess::ideal);
 
   /// Settles the candidates of errors: computes them exactly (settle_extremes in value_judge.h).
   using Settle = std::function<void(SingleErrors&)>;
@@ -92,17 +97,21 @@ class ValueStatistics {
   void for_each_single(const Take& take) {
     for (std::size_t kind = 0; kind < kKinds; ++kind) {
       for (std::size_t stratum = 0; stratum < kStrata; ++stratum) {
-        if (!single_[kind][stratum]) continue;
-        take(static_cast<records::AttributeKind>(kind), static_cast<records::Stratum>(stratum),
-             *single_[kind][stratum]);
+        for (const Excess excess : {Excess::ideal, Excess::zero}) {
+          const auto& errors = single_[kind][stratum][static_cast<std::size_t>(excess)];
+          if (!errors) continue;
+          take(static_cast<records::AttributeKind>(kind), static_cast<records::Stratum>(stratum),
+               excess, *errors);
+        }
       }
     }
   }
-  void put_in_place(records::AttributeKind kind, records::Stratum stratum,
+  void put_in_place(records::AttributeKind kind, records::Stratum stratum, Excess excess,
                     const records::ErrorSizes& sizes);
 
   records::Judgement judgement_;
-  std::array<std::array<std::unique_ptr<SingleErrors>, kStrata>, kKinds> single_;
+  using BothExcesses = std::array<std::unique_ptr<SingleErrors>, 2>;
+  std::array<std::array<BothExcesses, kStrata>, kKinds> single_;
 };
 
 }  // namespace rastercheck::oracle

@@ -10,6 +10,7 @@
 #include <functional>
 #include <string>
 
+#include "backends/api_promise.h"
 #include "backends/backend.h"
 #include "backends/factory.h"
 #include "cases/mesh.h"
@@ -71,14 +72,17 @@ void set_rate(benchmark::State& bench, const char* what, double count) {
                                             benchmark::Counter::kIsRate);
 }
 
-void judge(benchmark::State& bench, const MakeCase& make, const std::string& specification,
-           const oracle::JudgeOptions& options) {
-  const Drawn drawn = draw(make, specification);
+void judge(benchmark::State& bench, const Drawn& drawn, const oracle::JudgeOptions& options) {
   for (auto _ : bench) {
     const oracle::SceneTruth truth(drawn.source, drawn.contract);
     benchmark::DoNotOptimize(oracle::judge(truth, drawn.framebuffer, options));
   }
   set_rate(bench, "fragments_per_second", static_cast<double>(drawn.framebuffer.size()));
+}
+
+void judge_drawing_of(benchmark::State& bench, const MakeCase& make,
+                      const std::string& specification, const oracle::JudgeOptions& options) {
+  judge(bench, draw(make, specification), options);
 }
 
 /// A figure of this process in KiB; what Linux tells in /proc.
@@ -109,9 +113,25 @@ void judge_frame(benchmark::State& bench, const MakeCase& make,
   set_rate(bench, "fragments_per_second", static_cast<double>(drawn.framebuffer.size()));
 }
 
+/// What OpenGL promises of an implementation in software, such as Mesa's llvmpipe.
+cases::Contract api_contract(const cases::Case& source) {
+  backends::ApiLimits limits;
+  limits.subpixel_bits = 8;
+  limits.is_software = true;
+  return backends::api_promise(source, limits, limits.usual_promise());
+}
+
+/// As judge(), of what `cpu` drew, held against what an API promises.
+void judge_by_api(benchmark::State& bench, const MakeCase& make) {
+  Drawn drawn = draw(make, "cpu");
+  drawn.contract = api_contract(drawn.source);
+  judge(bench, drawn, {});
+}
+
 /// Verdicts alone, of all samples of the triangles' boxes.
-void judge_coverage(benchmark::State& bench, const MakeCase& make, oracle::Level first) {
-  const Drawn drawn = draw(make, "cpu");
+void judge_coverage(benchmark::State& bench, const MakeCase& make, const std::string& specification,
+                    oracle::Level first) {
+  const Drawn drawn = draw(make, specification);
   oracle::JudgeOptions options;
   options.judges_values = false;
   options.first_level = first;
@@ -278,31 +298,35 @@ const bool kRegistered = [] {
   const MakeCase small = random_case(10, 72);
   for (const auto& [suffix, make] : {std::pair{"", large}, std::pair{"_72px", small}}) {
     const std::string end(suffix);
-    add("coverage/filter" + end, judge_coverage, make, Level::filter);
-    add("coverage/interval" + end, judge_coverage, make, Level::interval);
-    add("errors/filter" + end, judge, make, "cpu", from(Level::filter));
-    add("errors/interval" + end, judge, make, "cpu", from(Level::interval));
+    add("coverage/filter" + end, judge_coverage, make, "cpu", Level::filter);
+    add("coverage/interval" + end, judge_coverage, make, "cpu", Level::interval);
+    add("errors/filter" + end, judge_drawing_of, make, "cpu", from(Level::filter));
+    add("errors/interval" + end, judge_drawing_of, make, "cpu", from(Level::interval));
     add("errors/float64" + end, check_in_float64, make);
+    add("errors/placements" + end, judge_drawing_of, make, "method:rational-linear",
+        from(Level::filter));
+    add("errors/api" + end, judge_by_api, make);
   }
-  add("coverage/exact_72px", judge_coverage, small, Level::exact);
-  add("errors/exact_72px", judge, small, "cpu", from(Level::exact));
+  add("coverage/exact_72px", judge_coverage, small, "cpu", Level::exact);
+  add("errors/exact_72px", judge_drawing_of, small, "cpu", from(Level::exact));
   add("errors/gmpq_72px", judge_by_gmpq, small);
-  add("errors/grid_8px", judge, grid, "cpu", from(Level::filter));
-  add("errors/placements_72px", judge, small, "method:rational-linear", from(Level::filter));
+  add("errors/grid_8px", judge_drawing_of, grid, "cpu", from(Level::filter));
+  add("coverage/placements_72px", judge_coverage, small, "method:rational-linear", Level::filter);
+  add("errors/api_bunny", judge_by_api, bunny);
   add("setup", set_up, random_case(5000, 8));
   // Both slopes: the same triangles four times as large, and four times as many.
-  add("linear/triangles:2000/fragments:64000", judge, random_case(2000, 8), "cpu",
+  add("linear/triangles:2000/fragments:64000", judge_drawing_of, random_case(2000, 8), "cpu",
       from(Level::filter));
-  add("linear/triangles:2000/fragments:256000", judge, random_case(2000, 16), "cpu",
+  add("linear/triangles:2000/fragments:256000", judge_drawing_of, random_case(2000, 16), "cpu",
       from(Level::filter));
-  add("linear/triangles:2000/fragments:1024000", judge, random_case(2000, 32), "cpu",
+  add("linear/triangles:2000/fragments:1024000", judge_drawing_of, random_case(2000, 32), "cpu",
       from(Level::filter));
-  add("linear/triangles:8000/fragments:256000", judge, random_case(8000, 8), "cpu",
+  add("linear/triangles:8000/fragments:256000", judge_drawing_of, random_case(8000, 8), "cpu",
       from(Level::filter));
-  add("linear/triangles:32000/fragments:1024000", judge, random_case(32000, 8), "cpu",
+  add("linear/triangles:32000/fragments:1024000", judge_drawing_of, random_case(32000, 8), "cpu",
       from(Level::filter));
-  add("bunny/threads:1", judge, bunny, "cpu", from(Level::filter, 1));
-  add("bunny/threads:2", judge, bunny, "cpu", from(Level::filter, 2));
+  add("bunny/threads:1", judge_drawing_of, bunny, "cpu", from(Level::filter, 1));
+  add("bunny/threads:2", judge_drawing_of, bunny, "cpu", from(Level::filter, 2));
   const auto all = [] { return frame(cases::DepthTest::none); };
   const auto nearest = [] { return frame(cases::DepthTest::less); };
   for (const unsigned threads : {1U, 2U}) {
