@@ -130,7 +130,7 @@ PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute)
   const bool is_claimed_otherwise =
       value.kind == AttributeKind::smooth && scene_->contract().claims != cases::Claim::perspective;
   value.is_single = !is_centroid && !is_claimed_otherwise && !scene_->contract().is_unspecified();
-  value.errors = &statistics_->single(value.kind, stratum_);
+  value.errors = &statistics_->enclosed(value.kind, stratum_);
   if (!value.is_single) {
     records::ErrorStatistics& of_kind = statistics_->of(value.kind);
     value.ideal_extremes = &of_kind.strata[stratum_].extremes;
@@ -217,7 +217,8 @@ bool PreparedValues::set_readings(PreparedValue& value) const {
     readings.greatest = std::min(readings.greatest, far);
   }
   value.is_open = true;
-  value.errors = &statistics_->single(value.kind, stratum_, Excess::zero);
+  value.errors = &statistics_->enclosed(value.kind, stratum_, Meaning::ideal);
+  value.excesses = &statistics_->enclosed(value.kind, stratum_, Meaning::excess);
   return true;
 }
 

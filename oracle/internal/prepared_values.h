@@ -46,7 +46,9 @@ struct PreparedValue {
   double bound = 0;
   ValueFilter filter;
   ShiftedReadings readings;
-  SingleErrors* errors = nullptr;  ///< where it is counted, if by the first two levels
+  /// Where what lies beyond an open range is counted, too.
+  EnclosedErrors* excesses = nullptr;
+  EnclosedErrors* errors = nullptr;  ///< where it is counted, if by the first two levels
   // The extremes so far, where excess and ideal error are counted apart: what may exceed either is
   // left to the exact level.
   const records::Extremes* ideal_extremes = nullptr;

@@ -49,7 +49,7 @@ std::optional<std::string> JudgeContext::self_check(const cases::SamplePlace& pl
                             static_cast<int>(place.y), static_cast<int>(place.sample));
 }
 
-void JudgeContext::settle(SingleErrors& errors) const {
+void JudgeContext::settle(EnclosedErrors& errors) const {
   settle_extremes(*scene, *drawn, options->case_index, errors);
 }
 
@@ -139,7 +139,7 @@ SampleJudge::Findings SampleJudge::finish() {
 
 void SampleJudge::Findings::merge(Findings&& other, const JudgeContext& context) {
   statistics.merge(std::move(other.statistics),
-                   [&context](SingleErrors& errors) { context.settle(errors); });
+                   [&context](EnclosedErrors& errors) { context.settle(errors); });
   if (!fault) fault = std::move(other.fault);
   seen_triangles.insert(seen_triangles.end(), other.seen_triangles.begin(),
                         other.seen_triangles.end());
@@ -148,7 +148,7 @@ void SampleJudge::Findings::merge(Findings&& other, const JudgeContext& context)
 JudgedDrawing SampleJudge::Findings::finish(const JudgeContext& context) {
   JudgedDrawing judged;
   judged.judgement =
-      statistics.finish([&context](SingleErrors& errors) { context.settle(errors); });
+      statistics.finish([&context](EnclosedErrors& errors) { context.settle(errors); });
   judged.fault = std::move(fault);
   keep_one_of_each(seen_triangles);
   judged.seen_triangles = std::move(seen_triangles);

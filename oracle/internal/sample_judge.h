@@ -30,7 +30,7 @@ class JudgeContext {
 
   /// Holds the exact triangle's answer at a sample against the referee; one line where they differ.
   std::optional<std::string> self_check(const cases::SamplePlace& place) const;
-  void settle(SingleErrors& errors) const;
+  void settle(EnclosedErrors& errors) const;
 
  private:
   mutable std::once_flag is_made_;

@@ -38,7 +38,7 @@ std::vector<JudgedValue> JudgedBatch::values_of(std::size_t lane) const {
     if (column.is_by_enclosure[lane]) {
       const Enclosure ideal{column.lo[lane], column.hi[lane]};
       values.push_back({column.kind, column.attribute, FragmentClass::correct, column.actual[lane],
-                        column.is_open ? Enclosure{} : ideal, ideal});
+                        column.is_open ? column.excess[lane] : ideal, ideal});
       continue;
     }
     for (const OneValue& one : one_by_one_) {
@@ -203,18 +203,13 @@ bool ValueCascade::take(const PreparedValue& prepared, float actual, const Enclo
                          records::Histogram::share_bucket(least_magnitude(error), most) &&
                          is_certain(prepared, actual, error);
   if (!is_within) return false;
-  if (error.hi >= limits.most || error.lo <= limits.least) {
+  if (prepared.is_single || prepared.is_open) {
+    note(prepared, *prepared.errors, error, fragment);
+  } else if (error.hi >= limits.most || error.lo <= limits.least) {
     const cases::SamplePlace place = drawn_->place_of(fragment);
-    if (!prepared.is_single && !prepared.is_open) {
-      if (may_be_extreme(*prepared.ideal_extremes, error, place) ||
-          may_be_extreme(*prepared.excess_extremes, error, place)) {
-        return false;
-      }
-    } else if (prepared.errors->may_be_extreme(error, place)) {
-      prepared.errors->note({error, place, fragment, prepared.attribute});
-      if (prepared.errors->has_many_candidates()) {
-        settle_extremes(*scene_, *drawn_, case_index_, *prepared.errors);
-      }
+    if (may_be_extreme(*prepared.ideal_extremes, error, place) ||
+        may_be_extreme(*prepared.excess_extremes, error, place)) {
+      return false;
     }
   }
   prepared.errors->sizes.histogram.add_to_bucket(records::Histogram::bucket_of(most), 1);
@@ -223,40 +218,46 @@ bool ValueCascade::take(const PreparedValue& prepared, float actual, const Enclo
   return true;
 }
 
-/// Counts what the first level knows to lie outside of what the contract leaves open, and by how
-/// much, if that decides all; `ideal` is its ideal error.
-bool ValueCascade::take_beyond(const PreparedValue& prepared, JudgedBatch::Column& column,
-                               std::size_t lane, const Enclosure& ideal, std::size_t fragment) {
-  const float actual = column.actual[lane];
-  const std::optional<Enclosure> excess =
-      excess_of(*(prepared.at_center ? prepared_.center_shifts() : prepared_.sample_shifts()),
-                prepared.filter, prepared.readings, prepared.at_center ? at_center_ : at_sample_,
-                prepared.at_center ? center_shifts_ : sample_shifts_, lane, actual, ideal);
-  if (!excess) return false;
+/// Notes an error that may be an extreme.
+void ValueCascade::note(const PreparedValue& prepared, EnclosedErrors& errors,
+                        const Enclosure& error, std::size_t fragment) {
+  if (error.hi < errors.most() && error.lo > errors.least()) return;
   const cases::SamplePlace place = drawn_->place_of(fragment);
-  records::ErrorStatistics& of_kind = statistics_->of(prepared.kind);
-  const auto is_known = [&](const Enclosure& error, const records::Extremes& extremes) {
+  if (!errors.may_be_extreme(error, place)) return;
+  errors.note({error, place, fragment, prepared.attribute});
+  if (errors.has_many_candidates()) settle_extremes(*scene_, *drawn_, case_index_, errors);
+}
+
+/// Counts what the first level knows to lie outside of what the contract leaves open, and by how
+/// much, if that decides all; the column has its ideal error.
+bool ValueCascade::take_beyond(const PreparedValue& prepared, JudgedBatch::Column& column,
+                               std::size_t lane, std::size_t fragment) {
+  const float actual = column.actual[lane];
+  const Enclosure ideal{column.lo[lane], column.hi[lane]};
+  const std::optional<PlacementFilter>& placements =
+      prepared.at_center ? prepared_.center_shifts() : prepared_.sample_shifts();
+  const std::optional<Enclosure> excess = excess_of(
+      *placements, prepared.filter, prepared.readings, prepared.at_center ? at_center_ : at_sample_,
+      prepared.at_center ? center_shifts_ : sample_shifts_, lane, actual, ideal);
+  if (!excess) return false;
+  // Written so that NaN is not.
+  const auto is_known = [&](const Enclosure& error, double most_allowed) {
     const double most = std::max(std::abs(error.lo), std::abs(error.hi));
-    return most <= kMostSummed && records::Histogram::share_bucket(least_magnitude(error), most) &&
-           is_certain(prepared, actual, error) && !may_be_extreme(extremes, error, place);
+    return most <= most_allowed && records::Histogram::share_bucket(least_magnitude(error), most) &&
+           is_certain(prepared, actual, error);
   };
-  const bool is_right = std::max(std::abs(excess->lo), std::abs(excess->hi)) <= prepared.bound;
-  if (!is_right || !is_known(*excess, *prepared.excess_extremes) ||
-      !is_known(ideal, *prepared.ideal_extremes)) {
+  if (!is_known(*excess, std::min(prepared.bound, kMostSummed)) || !is_known(ideal, kMostSummed)) {
     return false;
   }
-  const auto count = [](records::ErrorSizes& sizes, const Enclosure& error) {
-    sizes.histogram.add(std::max(std::abs(error.lo), std::abs(error.hi)));
-    sizes.sum.add(error);
+  const auto count = [&](EnclosedErrors& errors, const Enclosure& error) {
+    note(prepared, errors, error, fragment);
+    errors.sizes.histogram.add(std::max(std::abs(error.lo), std::abs(error.hi)));
+    errors.sizes.sum.add(error);
   };
-  count(of_kind.excess, *excess);
-  count(of_kind.ideal, ideal);
-  count(of_kind.strata[prepared_.stratum()], ideal);
+  count(*prepared.excesses, *excess);
+  count(*prepared.errors, ideal);
   ++statistics_->levels().values.filter;
-  judged_.one_by_one_.push_back(
-      {static_cast<std::size_t>(&column - judged_.columns_.data()),
-       lane,
-       {prepared.kind, prepared.attribute, FragmentClass::correct, actual, *excess, ideal}});
+  column.excess[lane] = *excess;
   return true;
 }
 
@@ -307,6 +308,7 @@ void ValueCascade::judge_column(const PreparedValue& prepared, std::size_t index
   column.kind = prepared.kind;
   column.attribute = prepared.attribute;
   column.is_open = prepared.is_open;
+  if (column.is_open) column.excess.fill({});
   for (std::size_t k = 0; k < fragments.size(); ++k) {
     column.actual[k] = prepared.attribute ? drawn_->attributes_of(fragments[k])[*prepared.attribute]
                                           : drawn_->depth[fragments[k]];
@@ -320,8 +322,8 @@ void ValueCascade::judge_column(const PreparedValue& prepared, std::size_t index
   if (prepared.is_open) {
     // What does not lie between readings the second level knows no better.
     decided += std::erase_if(open_, [&](std::size_t k) {
-      return !is_between(k) &&
-             take_beyond(prepared, column, k, {column.lo[k], column.hi[k]}, fragments[k]);
+      column.is_by_enclosure[k] = !is_between(k) && take_beyond(prepared, column, k, fragments[k]);
+      return column.is_by_enclosure[k];
     });
     for (const std::size_t k : open_) {
       if (!is_between(k)) column.lo[k] = column.hi[k] = kNaN;

@@ -43,7 +43,8 @@ class JudgedBatch {
     Batch<double> lo;
     Batch<double> hi;
     Batch<bool> is_by_enclosure;
-    bool is_open = false;  ///< enclosures are of ideal errors; excesses are 0
+    bool is_open = false;              ///< enclosures are of ideal errors
+    Batch<records::Enclosure> excess;  ///< then
   };
   struct OneValue {
     std::size_t column;
@@ -86,8 +87,10 @@ class ValueCascade {
             std::size_t fragment);
   records::Enclosure by_interval(const PreparedValue& prepared, std::size_t lane,
                                  float actual) const;
+  void note(const PreparedValue& prepared, EnclosedErrors& errors, const records::Enclosure& error,
+            std::size_t fragment);
   bool take_beyond(const PreparedValue& prepared, JudgedBatch::Column& column, std::size_t lane,
-                   const records::Enclosure& ideal, std::size_t fragment);
+                   std::size_t fragment);
   void judge_exactly(const PreparedValue& prepared, std::size_t column, std::size_t lane,
                      std::size_t fragment);
 

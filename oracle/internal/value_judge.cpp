@@ -174,7 +174,7 @@ std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTr
   judged.excess = errors->excess.enclosure();
   if (errors->ideal) judged.ideal = errors->ideal->enclosure();
   if (errors->ideal && is_single) {
-    add_to(statistics.single(judged.kind, stratum).sizes, *errors->ideal);
+    add_to(statistics.enclosed(judged.kind, stratum).sizes, *errors->ideal);
     return judged;
   }
   add(of_kind.excess, errors->excess, scene, value, case_index,
@@ -187,7 +187,7 @@ std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTr
 }
 
 void settle_extremes(const SceneTruth& scene, const cases::Fragments& drawn,
-                     std::uint64_t case_index, SingleErrors& errors) {
+                     std::uint64_t case_index, EnclosedErrors& errors) {
   std::optional<TriangleTruth> truth;
   std::optional<std::uint32_t> prepared;
   for (const ExtremeCandidate& candidate : errors.candidates()) {
@@ -198,8 +198,13 @@ void settle_extremes(const SceneTruth& scene, const cases::Fragments& drawn,
     }
     const std::optional<ValueError> error = errors_of(*truth, value);
     if (!error || !error->ideal) continue;  // cannot be: it was enclosed
-    keep(errors.sizes, *error->ideal, scene, value, case_index,
-         [&] { return text_of(*error->ideal); });
+    if (errors.meaning == Meaning::excess) {
+      keep(errors.sizes, error->excess, scene, value, case_index,
+           [&] { return to_string(range_of(*truth, value)); });
+    } else {
+      keep(errors.sizes, *error->ideal, scene, value, case_index,
+           [&] { return text_of(*error->ideal); });
+    }
   }
   errors.settled();
 }

@@ -36,6 +36,6 @@ std::optional<JudgedValue> judge_value(const SceneTruth& scene, const TriangleTr
 
 /// Computes the candidates' errors exactly, and keeps those that are extremes.
 void settle_extremes(const SceneTruth& scene, const cases::Fragments& drawn,
-                     std::uint64_t case_index, SingleErrors& errors);
+                     std::uint64_t case_index, EnclosedErrors& errors);
 
 }  // namespace rastercheck::oracle

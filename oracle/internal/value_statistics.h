@@ -3,10 +3,10 @@
 // Where the errors of one judgement are counted.
 //
 // Mostly the contract leaves no value open; then a value's excess is its ideal error, and is
-// counted once, by kind and stratum, and put into all three places at the end. So is the ideal
-// error of a value that certainly lies within what is left open: its excess is 0. Of such errors
-// the extremes are looked for among enclosures, and only what may be the largest at the end is
-// computed exactly.
+// counted once, by kind and stratum, and put into all three places at the end. Where a range is
+// open the ideal error is counted, and of what lies beyond the range the excess as well; that of
+// all others is 0. Of such errors the extremes are looked for among enclosures, and only what may
+// be the largest at the end is computed exactly.
 
 #include <array>
 #include <functional>
@@ -41,12 +41,15 @@ struct ExtremeLimit {
   void take(double error_size, const cases::SamplePlace& error_place);
 };
 
-/// What the excess of a value is, whose ideal error is counted.
-enum class Excess { ideal, zero };
+/// What an enclosed error is: excess and ideal alike, or one of them.
+enum class Meaning { both, ideal, excess };
 
-/// Ideal errors of one kind and stratum, from which the excess follows.
-class SingleErrors {
+/// Errors of one kind and stratum that enclosures are enough for.
+class EnclosedErrors {
  public:
+  explicit EnclosedErrors(Meaning what) : meaning(what) {}
+
+  Meaning meaning;
   records::ErrorSizes sizes;
 
   /// Errors strictly between these cannot be an extreme; at most and at least 0.
@@ -57,7 +60,7 @@ class SingleErrors {
   }
   /// Notes an error that may be an extreme.
   void note(const ExtremeCandidate& candidate);
-  void merge(SingleErrors&& other);
+  void merge(EnclosedErrors&& other);
   const std::vector<ExtremeCandidate>& candidates() const { return candidates_; }
   /// More than this would be slow to carry about: it is time to settle.
   bool has_many_candidates() const { return candidates_.size() >= 64; }
@@ -77,11 +80,11 @@ class ValueStatistics {
   records::Judgement& judgement() { return judgement_; }
   records::ErrorStatistics& of(records::AttributeKind kind) { return judgement_.errors[kind]; }
   records::Levels& levels() { return judgement_.levels; }
-  SingleErrors& single(records::AttributeKind kind, records::Stratum stratum,
-                       Excess excess = Excess::ideal);
+  EnclosedErrors& enclosed(records::AttributeKind kind, records::Stratum stratum,
+                           Meaning meaning = Meaning::both);
 
   /// Settles the candidates of errors: computes them exactly (settle_extremes in value_judge.h).
-  using Settle = std::function<void(SingleErrors&)>;
+  using Settle = std::function<void(EnclosedErrors&)>;
 
   /// Adds what was judged after this.
   void merge(ValueStatistics&& other, const Settle& settle);
@@ -94,24 +97,23 @@ class ValueStatistics {
   static constexpr std::size_t kStrata = names_of(records::Stratum{}).size();
 
   template <typename Take>
-  void for_each_single(const Take& take) {
+  void for_each_enclosed(const Take& take) {
     for (std::size_t kind = 0; kind < kKinds; ++kind) {
       for (std::size_t stratum = 0; stratum < kStrata; ++stratum) {
-        for (const Excess excess : {Excess::ideal, Excess::zero}) {
-          const auto& errors = single_[kind][stratum][static_cast<std::size_t>(excess)];
+        for (const auto& errors : enclosed_[kind][stratum]) {
           if (!errors) continue;
           take(static_cast<records::AttributeKind>(kind), static_cast<records::Stratum>(stratum),
-               excess, *errors);
+               *errors);
         }
       }
     }
   }
-  void put_in_place(records::AttributeKind kind, records::Stratum stratum, Excess excess,
-                    const records::ErrorSizes& sizes);
+  void put_in_place(records::AttributeKind kind, records::Stratum stratum,
+                    const EnclosedErrors& enclosed);
 
   records::Judgement judgement_;
-  using BothExcesses = std::array<std::unique_ptr<SingleErrors>, 2>;
-  std::array<std::array<BothExcesses, kStrata>, kKinds> single_;
+  using OfMeanings = std::array<std::unique_ptr<EnclosedErrors>, 3>;
+  std::array<std::array<OfMeanings, kStrata>, kKinds> enclosed_;
 };
 
 }  // namespace rastercheck::oracle
