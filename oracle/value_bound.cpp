@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "oracle/internal/coverage.h"
+#include "oracle/internal/float_ulp.h"
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/ulp_error.h"
 #include "oracle/internal/values.h"
@@ -128,14 +130,23 @@ Field range_in_ulps(const TriangleSetup& triangle, std::size_t attribute) {
 
 double least_bound(const TriangleSetup& triangle, std::optional<std::size_t> attribute) {
   const cases::ValueBound bound = bound_of(triangle, attribute);
-  if (!attribute) return bound.constant;
   // K >= 1, as |E_i| <= |E|_i.
-  Field least = exact_field(bound.constant);
-  if (triangle.ideal.orientation() != 0) least += exact_field(bound.per_condition);
+  const double per_condition = triangle.ideal.orientation() != 0 ? bound.per_condition : 0;
+  if (!attribute || (per_condition == 0 && bound.range_share == 0)) return bound.constant;
+  double range = 0;
   if (bound.range_share > 0) {
-    least += exact_field(bound.range_share) * range_in_ulps(triangle, *attribute);
+    const cases::Case& source = triangle.scene->source();
+    std::array<float, 3> values{};
+    float largest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      values[i] = source.attributes_of(triangle.indices[i])[*attribute];
+      largest = std::max(largest, std::abs(values[i]));
+    }
+    const auto [lo, hi] = std::minmax({values[0], values[1], values[2]});
+    range = std::ldexp(double{hi} - double{lo}, -ulp_exponent(largest));
   }
-  return enclose(least).lo;
+  // Five roundings.
+  return (bound.constant + per_condition + bound.range_share * range) * (1 - 0x1p-48);
 }
 
 std::optional<Rational> TriangleTruth::value_bound(std::optional<std::size_t> attribute, int x,
