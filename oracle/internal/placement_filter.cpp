@@ -196,7 +196,7 @@ NearestSum nearest_sum(const PlacementFilter& filter, const ValueFilter& value,
     least = std::min(least, there);
     greatest = std::max(greatest, there);
   }
-  const auto [flat, steep] = std::minmax(std::abs(along_x), std::abs(along_y));
+  const auto [flat, steep] = std::minmax({std::abs(along_x), std::abs(along_y)});
   const bool is_at_the_four = is_deep && flat > filter.least_slope * steep + slopes * kRounding;
   const bool is_above = least > 0;
   const double nearest = is_above ? least : -greatest;

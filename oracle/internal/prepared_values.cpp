@@ -74,6 +74,7 @@ void PreparedValues::prepare(const TriangleTruth& truth, const TriangleFilter& c
   if (!is_filtered) map_ = nullptr;
   if (map_ != nullptr) set_edges();
   set_shifts();
+  set_centroids();
 
   const std::size_t attributes = scene_->source().attributes.size();
   values_.resize(1 + attributes);
@@ -81,6 +82,16 @@ void PreparedValues::prepare(const TriangleTruth& truth, const TriangleFilter& c
   for (std::uint32_t a = 0; a < attributes; ++a) values_[1 + a] = make_value(a);
   has_center_ = std::any_of(values_.begin(), values_.end(),
                             [](const PreparedValue& value) { return value.at_center; });
+}
+
+void PreparedValues::set_centroids() {
+  centroids_.reset();
+  const bool is_asked =
+      map_ != nullptr && first_level_ == Level::filter &&
+      !scene_->scene().conventions().centroid_is_a_sample &&
+      std::any_of(scene_->source().attributes.begin(), scene_->source().attributes.end(),
+                  [](const auto& a) { return a.location == cases::Location::centroid; });
+  if (is_asked) centroids_ = CentroidFilter::make(*triangle_, *map_, edges_, coverage_->box());
 }
 
 void PreparedValues::set_shifts() {
@@ -138,7 +149,10 @@ PreparedValue PreparedValues::make_value(std::optional<std::uint32_t> attribute)
   }
   if (is_flat) {
     set_flat_filter(value);
-  } else if (map_ != nullptr && !is_centroid && !is_claimed_otherwise) {
+  } else if (is_centroid) {
+    const bool is_known = centroids_ && !is_claimed_otherwise && set_filter(value);
+    value.method = is_known ? ValueMethod::centroid : ValueMethod::exact;
+  } else if (map_ != nullptr && !is_claimed_otherwise) {
     value.at_center =
         declared.location == cases::Location::center && source.framebuffer.samples > 1;
     value.is_mean = !value.at_center && coverage_->edges_of(map_) != nullptr;
@@ -212,7 +226,7 @@ bool PreparedValues::set_readings(PreparedValue& value) const {
   readings.greatest = readings.greatest_end.lo;
   if (!value.attribute && scene_->scene().clamps_depth()) {
     const auto& viewport = scene_->source().viewport;
-    const auto [near, far] = std::minmax<double>(viewport.min_depth, viewport.max_depth);
+    const auto [near, far] = std::minmax({double{viewport.min_depth}, double{viewport.max_depth}});
     readings.least = std::max(readings.least, near);
     readings.greatest = std::min(readings.greatest, far);
   }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "oracle/internal/centroid_filter.h"
 #include "oracle/internal/filter_kernels.h"
 #include "oracle/internal/placement_filter.h"
 #include "oracle/internal/triangle_filter.h"
@@ -20,9 +21,9 @@
 
 namespace rastercheck::oracle {
 
-/// How the first two levels know a value: by the triangle's one map, as a copy of a vertex's, or
-/// not at all.
-enum class ValueMethod { exact, copy, map };
+/// How the first two levels know a value: by the triangle's one map, as a copy of a vertex's, as
+/// one of those that a pixel holds, or not at all.
+enum class ValueMethod { exact, copy, map, centroid };
 
 /// A value of the triangle's fragments.
 struct PreparedValue {
@@ -75,6 +76,8 @@ class PreparedValues {
   const std::array<FilterLine, 3>& edges() const { return edges_; }
   /// The depth, then the attributes.
   const std::vector<PreparedValue>& values() const { return values_; }
+  /// What asks for the values that pixels hold; nothing where none does.
+  std::optional<CentroidFilter>& centroids() { return centroids_; }
   bool has_center() const { return has_center_; }  ///< some value is `at_center`
   /// Where samples, and the centres of pixels with several, are shifted to, as the contract leaves
   /// it open; nothing where it does not, or no value asks.
@@ -84,6 +87,7 @@ class PreparedValues {
  private:
   void set_edges();
   void set_shifts();
+  void set_centroids();
   bool set_readings(PreparedValue& value) const;
   PreparedValue make_value(std::optional<std::uint32_t> attribute) const;
   void set_flat_filter(PreparedValue& value) const;
@@ -106,6 +110,7 @@ class PreparedValues {
   bool is_open_ = false;  ///< the map is the exact triangle's, one of several
   std::optional<PlacementFilter> sample_shifts_;
   std::optional<PlacementFilter> center_shifts_;
+  std::optional<CentroidFilter> centroids_;
 };
 
 }  // namespace rastercheck::oracle

@@ -29,6 +29,12 @@ bool may_be_extreme(const records::Extremes& seen, const Enclosure& error,
          limit_of(seen.most_negative).lets(-error.lo, place);
 }
 
+/// Whether all vertices have the same zero, and the value is the other one.
+bool is_other_zero(const PreparedValue& prepared, float actual) {
+  return prepared.only_zero != PreparedValue::Zero::none && actual == 0 &&
+         std::signbit(actual) != (prepared.only_zero == PreparedValue::Zero::negative);
+}
+
 }  // namespace
 
 std::vector<JudgedValue> JudgedBatch::values_of(std::size_t lane) const {
@@ -37,8 +43,10 @@ std::vector<JudgedValue> JudgedBatch::values_of(std::size_t lane) const {
     const Column& column = columns_[c];
     if (column.is_by_enclosure[lane]) {
       const Enclosure ideal{column.lo[lane], column.hi[lane]};
-      values.push_back({column.kind, column.attribute, FragmentClass::correct, column.actual[lane],
-                        column.is_open ? column.excess[lane] : ideal, ideal});
+      JudgedValue& value = values.emplace_back(
+          JudgedValue{column.kind, column.attribute, FragmentClass::correct, column.actual[lane],
+                      column.is_open ? column.excess[lane] : ideal, ideal});
+      if (!column.has_ideal) value.ideal.reset();
       continue;
     }
     for (const OneValue& one : one_by_one_) {
@@ -142,10 +150,7 @@ ErrorLimits ValueCascade::limits_of(const PreparedValue& prepared) {
 /// What is asked besides the error's size.
 bool ValueCascade::is_certain(const PreparedValue& prepared, float actual,
                               const Enclosure& error) const {
-  if (prepared.only_zero != PreparedValue::Zero::none && actual == 0 &&
-      std::signbit(actual) != (prepared.only_zero == PreparedValue::Zero::negative)) {
-    return false;
-  }
+  if (is_other_zero(prepared, actual)) return false;
   if (prepared.method == ValueMethod::copy) return true;
   const ValueFilter& filter = prepared.filter;
   const double most = std::max(std::abs(error.lo), std::abs(error.hi));
@@ -228,6 +233,25 @@ void ValueCascade::note(const PreparedValue& prepared, EnclosedErrors& errors,
   if (errors.has_many_candidates()) settle_extremes(*scene_, *drawn_, case_index_, errors);
 }
 
+/// Counts what the first level knows to be a value of its pixel: its excess is 0.
+void ValueCascade::take_centroids(const PreparedValue& prepared,
+                                  std::span<const std::size_t> fragments,
+                                  JudgedBatch::Column& column) {
+  CentroidFilter& pixels = *prepared_.centroids();
+  for (std::size_t k = 0; k < fragments.size(); ++k) {
+    const cases::SamplePlace place = drawn_->place_of(fragments[k]);
+    column.is_by_enclosure[k] = !is_other_zero(prepared, column.actual[k]) &&
+                                pixels.holds(static_cast<int>(place.x), static_cast<int>(place.y),
+                                             prepared.filter, column.actual[k]);
+    if (!column.is_by_enclosure[k]) open_.push_back(k);
+  }
+  const std::uint64_t decided = fragments.size() - open_.size();
+  records::ErrorSizes& excess = statistics_->of(prepared.kind).excess;
+  excess.histogram.add_to_bucket(0, decided);
+  excess.sum.add(0, 0, decided);
+  statistics_->levels().values.filter += decided;
+}
+
 /// Counts what the first level knows to lie outside of what the contract leaves open, and by how
 /// much, if that decides all; the column has its ideal error.
 bool ValueCascade::take_beyond(const PreparedValue& prepared, JudgedBatch::Column& column,
@@ -307,16 +331,21 @@ void ValueCascade::judge_column(const PreparedValue& prepared, std::size_t index
   JudgedBatch::Column& column = judged_.columns_[index];
   column.kind = prepared.kind;
   column.attribute = prepared.attribute;
-  column.is_open = prepared.is_open;
+  column.has_ideal = prepared.method != ValueMethod::centroid;
+  column.is_open = prepared.is_open || !column.has_ideal;
   if (column.is_open) column.excess.fill({});
   for (std::size_t k = 0; k < fragments.size(); ++k) {
     column.actual[k] = prepared.attribute ? drawn_->attributes_of(fragments[k])[*prepared.attribute]
                                           : drawn_->depth[fragments[k]];
   }
-  const int count = static_cast<int>(fragments.size());
-  filter_column(prepared, count, column.actual);
   open_.clear();
-  count_filtered(prepared, count, column);
+  if (prepared.method == ValueMethod::centroid) {
+    take_centroids(prepared, fragments, column);
+  } else {
+    const int count = static_cast<int>(fragments.size());
+    filter_column(prepared, count, column.actual);
+    count_filtered(prepared, count, column);
+  }
   std::uint64_t decided = fragments.size() - open_.size();
 
   if (prepared.is_open) {
@@ -340,6 +369,7 @@ void ValueCascade::judge_column(const PreparedValue& prepared, std::size_t index
   }
   for (const std::size_t k : open_) {
     column.is_by_enclosure[k] =
+        column.has_ideal &&
         take(prepared, column.actual[k], {column.lo[k], column.hi[k]}, fragments[k]);
     if (column.is_by_enclosure[k]) {
       ++decided;

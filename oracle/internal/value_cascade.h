@@ -43,6 +43,7 @@ class JudgedBatch {
     Batch<double> lo;
     Batch<double> hi;
     Batch<bool> is_by_enclosure;
+    bool has_ideal = true;             ///< enclosures are of ideal errors
     bool is_open = false;              ///< enclosures are of ideal errors
     Batch<records::Enclosure> excess;  ///< then
   };
@@ -79,6 +80,8 @@ class ValueCascade {
   bool is_between(std::size_t lane) const {
     return (is_between_[lane / 64] >> (lane % 64) & 1U) != 0;
   }
+  void take_centroids(const PreparedValue& prepared, std::span<const std::size_t> fragments,
+                      JudgedBatch::Column& column);
   static ErrorLimits limits_of(const PreparedValue& prepared);
   bool is_certain(const PreparedValue& prepared, float actual,
                   const records::Enclosure& error) const;

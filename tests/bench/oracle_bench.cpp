@@ -276,6 +276,16 @@ oracle::JudgeOptions from(oracle::Level first, unsigned jobs = 1) {
   return options;
 }
 
+/// The same with four samples a pixel, of which attributes are centroids.
+MakeCase centroids(int count, float side) {
+  return [=] {
+    cases::Case c = to_case(random_triangles(count, side));
+    c.framebuffer.samples = 4;
+    for (cases::Attribute& a : c.attributes) a.location = cases::Location::centroid;
+    return c;
+  };
+}
+
 /// A whole frame: 1920 × 1080, 100,000 triangles, four attributes.
 cases::Case frame(cases::DepthTest depth_test) {
   cases::Case c = to_case(random_triangles(100'000, 8), 1920, 1080);
@@ -313,6 +323,8 @@ const bool kRegistered = [] {
   add("errors/grid_8px", judge_drawing_of, grid, "cpu", from(Level::filter));
   add("coverage/placements_72px", judge_coverage, small, "method:rational-linear", Level::filter);
   add("errors/api_bunny", judge_by_api, bunny);
+  add("errors/centroids_72px", judge_drawing_of, centroids(10, 72), "cpu", from(Level::filter));
+  add("errors/api_centroids_72px", judge_by_api, centroids(10, 72));
   add("setup", set_up, random_case(5000, 8));
   // Both slopes: the same triangles four times as large, and four times as many.
   add("linear/triangles:2000/fragments:64000", judge_drawing_of, random_case(2000, 8), "cpu",

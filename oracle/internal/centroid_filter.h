@@ -1,0 +1,54 @@
+#pragma once
+
+// The first level's inner bound of a centroid where the rules name no place for it (OpenGL,
+// Vulkan): every value is permitted that the triangle has somewhere in the pixel. A value between
+// those at the corners of what the triangle covers of the pixel is one of them, as that is convex
+// and the value continuous there.
+//
+// The pixel is cut in doubles, by each line moved inwards by four times its band
+// (filter_kernels.h). A corner made by a cut lies between two others as its computed weights say,
+// but for the rounding of its position and the errors of the line at those two: less than the line
+// was moved. So every corner lies inside, certainly.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "oracle/internal/filter_kernels.h"
+#include "oracle/internal/triangle_setup.h"
+
+namespace rastercheck::oracle {
+
+class CentroidFilter {
+ public:
+  /// Of a triangle's map, which is its one or, where the contract leaves several, the exact one;
+  /// `edges` are its, about the corner of `box`, which holds all pixels that will be asked for.
+  /// Nothing where doubles say too little of it.
+  static std::optional<CentroidFilter> make(const TriangleSetup& triangle, const ProjectiveMap& map,
+                                            const std::array<FilterLine, 3>& edges,
+                                            const PixelBox& box);
+
+  /// Whether a computed value certainly is one that the triangle has in pixel (x, y).
+  bool holds(int x, int y, const ValueFilter& value, double computed);
+
+ private:
+  /// A pixel has four corners, each line adds one at most.
+  static constexpr std::size_t kMostLines = 20;
+  using Corners = std::array<std::array<double, 2>, 4 + kMostLines>;
+
+  CentroidFilter(const std::array<FilterLine, 3>& edges, const PixelBox& box)
+      : edges_(edges), box_(box) {}
+  void cut_pixel(int x, int y);
+
+  std::array<FilterLine, 3> edges_;
+  PixelBox box_;
+  std::vector<FilterLine> lines_;  ///< inside is above the band
+
+  // The pixel asked for last: several samples and attributes ask for the same.
+  std::optional<std::array<int, 2>> pixel_;
+  std::size_t count_ = 0;                                        ///< of its corners
+  std::array<std::array<double, 3>, 4 + kMostLines> weights_{};  ///< [corner]: E_i
+};
+
+}  // namespace rastercheck::oracle
