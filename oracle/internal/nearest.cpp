@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "oracle/internal/float_ulp.h"
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/scene.h"
 #include "oracle/ulp.h"
@@ -18,7 +19,14 @@ using records::Verdict;
 constexpr double kFarthest = std::numeric_limits<double>::infinity();
 constexpr double kNoDepth = std::numeric_limits<double>::quiet_NaN();
 
-/// The most that a computed depth of a triangle may be off, in depth.
+/// The most that a computed depth of a triangle may be off, in depth; a float32 times a power of 2.
+double near_depth_slack(const TriangleSetup& triangle) {
+  const cases::Viewport& viewport = triangle.scene->source().viewport;
+  const float largest = std::max(viewport.min_depth, viewport.max_depth);
+  return std::ldexp(double{triangle.promise.bounds.depth.constant}, ulp_exponent(largest));
+}
+
+/// The same, exactly.
 Field depth_slack(const TriangleSetup& triangle) {
   const Scene& scene = *triangle.scene;
   const Field largest(std::max(scene.least_depth(), scene.greatest_depth()));
@@ -32,7 +40,7 @@ bool is_required(const records::SampleVerdict& decision) {
 
 }  // namespace
 
-PreparedTriangles::Prepared PreparedTriangles::of(std::uint32_t triangle) {
+const PreparedTriangles::Prepared& PreparedTriangles::of(std::uint32_t triangle) {
   const auto found = prepared_.find(triangle);
   if (found != prepared_.end()) return found->second;
   if (prepared_.size() == kMost) prepared_.clear();
@@ -65,12 +73,12 @@ Enclosure NearestBand::depth_of(const PreparedTriangles::Prepared& triangle,
 }
 
 void NearestBand::add(std::uint32_t triangle, records::LevelCounts& levels) {
-  const PreparedTriangles::Prepared prepared = triangles_->of(triangle);
+  const PreparedTriangles::Prepared& prepared = triangles_->of(triangle);
   if (prepared.filter->is_empty()) return;
   const TriangleSetup& setup = prepared.truth->setup();
   const DepthFilter depths(setup, *prepared.filter);
   const double slack =
-      prepared.truth->is_value_free(std::nullopt) ? kNoDepth : enclose(depth_slack(setup)).hi;
+      prepared.truth->is_value_free(std::nullopt) ? kNoDepth : near_depth_slack(setup);
   const cases::FramebufferSize& size = scene_->source().framebuffer;
   const PixelBox& box = prepared.filter->box();
   for (int y = std::max(y0_, box.y0); y < std::min(y1_, box.y1); ++y) {
@@ -92,8 +100,10 @@ void NearestBand::add(Sample& sample, const Covering& covering) const {
   if (!is_required(covering.decision)) return;
   if (!(covering.depth.hi < sample.horizon)) return;
   sample.horizon = covering.depth.hi;
-  std::erase_if(sample.coverings,
-                [&sample](const Covering& other) { return other.depth.lo > sample.horizon; });
+  const auto behind =
+      std::remove_if(sample.coverings.begin(), sample.coverings.end(),
+                     [&sample](const Covering& other) { return other.depth.lo > sample.horizon; });
+  sample.coverings.erase(behind, sample.coverings.end());
 }
 
 /// A covering that is compared exactly with others.

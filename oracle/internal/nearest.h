@@ -2,12 +2,13 @@
 
 // Which fragment a depth test `less` may leave at each sample (oracle/judge.h).
 
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "oracle/internal/coverage_row.h"
@@ -29,15 +30,15 @@ class PreparedTriangles {
 
   PreparedTriangles(const SceneTruth& scene, Level first) : scene_(&scene), first_level_(first) {}
 
-  /// Prepares it if it is not.
-  Prepared of(std::uint32_t triangle);
+  /// Prepares it if it is not. The answer holds until the next call.
+  const Prepared& of(std::uint32_t triangle);
 
  private:
-  static constexpr std::size_t kMost = 4096;
+  static constexpr std::size_t kMost = 8192;
 
   const SceneTruth* scene_;
   Level first_level_;
-  std::map<std::uint32_t, Prepared> prepared_;
+  std::unordered_map<std::uint32_t, Prepared> prepared_;
 };
 
 /// The answers for a band of rows. What the depth test cannot leave is forgotten as soon as that is
@@ -78,7 +79,7 @@ class NearestBand {
     records::Enclosure depth;
   };
   struct Sample {
-    std::vector<Covering> coverings;  ///< that are not surely behind a required one
+    boost::container::small_vector<Covering, 1> coverings;  ///< not surely behind a required one
     bool is_required = false;
     /// What is deeper is surely behind a required one.
     double horizon = 0;

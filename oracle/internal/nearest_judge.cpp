@@ -1,6 +1,8 @@
 #include "oracle/internal/nearest_judge.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -15,33 +17,87 @@ using records::FragmentClass;
 /// Rows of a band: few enough for their samples to be held at a time, and enough for triangles not
 /// to be set up for each row.
 int rows_of_band(const cases::FramebufferSize& size) {
-  constexpr int kSamples = 32768;
-  return std::clamp(kSamples / (size.width * size.samples), 1, 16);
+  constexpr int kSamples = 65536;
+  return std::clamp(kSamples / (size.width * size.samples), 1, 64);
+}
+
+/// Rows that hold all samples that a triangle may cover, the first and the one past the last: by
+/// doubles, which need no exact set-up.
+std::pair<std::uint16_t, std::uint16_t> rows_of(const SceneTruth& scene, std::size_t triangle) {
+  const cases::Case& source = scene.source();
+  const std::pair<std::uint16_t, std::uint16_t> all(0, source.framebuffer.height);
+  if (source.camera) return all;
+  const cases::Contract& contract = scene.contract();
+  double spread = 1;  // pixels; for what lies beyond a whole row
+  if (contract.coverage) {
+    const cases::TrianglePromise promise = cases::promise_of(contract, source, triangle);
+    spread +=
+        std::ldexp(1 + promise.position_error + promise.clip_tolerance + promise.side_tolerance,
+                   -contract.coverage->subpixel_bits);
+  }
+  const double half = source.viewport.height / 2.0;
+  const double middle = source.viewport.y + half;
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (const std::uint32_t vertex : source.triangles[triangle]) {
+    const cases::ClipVertex& p = source.positions[vertex];
+    if (!(exact_double(p.w) > 0)) return all;
+    // Either way up: half of the viewport's height is of either sign.
+    const double share = exact_double(p.y) / exact_double(p.w) * half;
+    const double slack = (std::abs(share) + std::abs(middle)) * 0x1p-40;
+    const bool is_turned = source.rules == cases::Rules::d3d;
+    const double v = middle + (is_turned ? -share : share);
+    least = std::min(least, v - slack);
+    greatest = std::max(greatest, v + slack);
+  }
+  // Written so that NaN gives all.
+  if (!(greatest - least < 0x1p30)) return all;
+  const auto row = [&all](double v) {
+    return static_cast<std::uint16_t>(
+        std::clamp(std::floor(v), 0.0, static_cast<double>(all.second)));
+  };
+  return {row(least - spread), row(greatest + spread + 1)};
 }
 
 }  // namespace
 
 NearestJudge::NearestJudge(const JudgeContext& context, const JudgeSink& sink)
     : context_(&context), sink_(&sink), order_(context.drawn->size()) {
-  const auto key = [&drawn = *context.drawn](std::size_t i) {
-    return std::tuple(drawn.y[i], drawn.x[i], drawn.sample[i], drawn.triangle[i]);
-  };
-  std::iota(order_.begin(), order_.end(), std::size_t{0});
-  std::stable_sort(order_.begin(), order_.end(),
-                   [&key](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  // By row, in the order that they were drawn in; bands sort their own.
+  const std::vector<std::uint16_t>& rows = context.drawn->y;
+  row_begins_.resize(std::size_t{std::numeric_limits<std::uint16_t>::max()} + 2);
+  for (const std::uint16_t y : rows) ++row_begins_[std::size_t{y} + 1];
+  std::partial_sum(row_begins_.begin(), row_begins_.end(), row_begins_.begin());
+  std::vector<std::size_t> next(row_begins_.begin(), row_begins_.end() - 1);
+  for (std::size_t i = 0; i < rows.size(); ++i) order_[next[rows[i]]++] = i;
+
   const std::size_t triangles = context.scene->source().triangles.size();
   rows_.reserve(triangles);
   for (std::size_t t = 0; t < triangles; ++t) {
-    const TriangleTruth truth(*context.scene, t);
-    if (!truth.setup().promise.is_made) {
-      rows_.emplace_back(std::uint16_t{0}, std::uint16_t{0});
-      ++unpromised_;
-      continue;
-    }
-    const PixelBox pixels = truth.pixels();
-    const int past = pixels.x0 < pixels.x1 ? std::max(pixels.y0, pixels.y1) : pixels.y0;
-    rows_.emplace_back(pixels.y0, past);
+    rows_.push_back(rows_of(*context.scene, t));
+    const cases::TrianglePromise promise =
+        cases::promise_of(context.scene->contract(), context.scene->source(), t);
+    if (promise.is_made) continue;
+    rows_.back() = {0, 0};
+    ++unpromised_;
   }
+}
+
+/// The fragments of some rows, by y, x, sample, triangle.
+std::span<const std::size_t> NearestJudge::sorted_rows(std::size_t y0, std::size_t y1) {
+  const cases::Fragments& drawn = *context_->drawn;
+  const std::span<std::size_t> fragments(order_.data() + row_begins_[y0],
+                                         row_begins_[y1] - row_begins_[y0]);
+  const auto goes_before = [&drawn](std::size_t a, std::size_t b) {
+    const auto place = [&drawn](std::size_t i) {
+      return std::uint64_t{drawn.y[i]} << 24 | std::uint64_t{drawn.x[i]} << 8 | drawn.sample[i];
+    };
+    const std::uint64_t of_a = place(a);
+    const std::uint64_t of_b = place(b);
+    return of_a != of_b ? of_a < of_b : drawn.triangle[a] < drawn.triangle[b];
+  };
+  std::stable_sort(fragments.begin(), fragments.end(), goes_before);
+  return fragments;
 }
 
 JudgedDrawing NearestJudge::run() {
@@ -210,12 +266,8 @@ class NearestJudge::Band {
 
 void NearestJudge::judge_band(int y0, int y1, std::size_t index, Turns& turns) {
   const DefaultFloatingPoint floating_point;
-  const auto from_row = [this](int y) {
-    return std::partition_point(order_.begin(), order_.end(), [this, y](std::size_t fragment) {
-      return context_->drawn->y[fragment] < y;
-    });
-  };
-  Band band(*context_, {from_row(y0), from_row(y1)}, bool{*sink_});
+  Band band(*context_, sorted_rows(static_cast<std::size_t>(y0), static_cast<std::size_t>(y1)),
+            bool{*sink_});
   NearestBand answers(*context_->scene, y0, y1, band.triangles());
   for (std::uint32_t t = 0; t < rows_.size(); ++t) {
     if (rows_[t].first < y1 && rows_[t].second > y0) {
@@ -233,10 +285,9 @@ void NearestJudge::judge_band(int y0, int y1, std::size_t index, Turns& turns) {
 void NearestJudge::take_the_rest() {
   const DefaultFloatingPoint floating_point;
   const int height = context_->scene->source().framebuffer.height;
-  const auto rest = std::partition_point(
-      order_.begin(), order_.end(),
-      [this, height](std::size_t fragment) { return context_->drawn->y[fragment] < height; });
-  Band band(*context_, {rest, order_.end()}, bool{*sink_});
+  const std::span<const std::size_t> rest =
+      sorted_rows(static_cast<std::size_t>(height), row_begins_.size() - 1);
+  Band band(*context_, rest, bool{*sink_});
   NearestBand nothing(*context_->scene, height, height, band.triangles());
   band.judge(nothing);
   band.let_out(*sink_);

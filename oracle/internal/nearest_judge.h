@@ -26,10 +26,12 @@ class NearestJudge {
 
   void judge_band(int y0, int y1, std::size_t index, Turns& turns);
   void take_the_rest();
+  std::span<const std::size_t> sorted_rows(std::size_t y0, std::size_t y1);
 
   const JudgeContext* context_;
   const JudgeSink* sink_;
-  std::vector<std::size_t> order_;  ///< fragments, by y, x, sample, triangle
+  std::vector<std::size_t> order_;  ///< fragments, by row; of a band that was asked for, sorted
+  std::vector<std::size_t> row_begins_;  ///< [y]: where in order_ a row begins; one more at the end
   std::vector<std::pair<std::uint16_t, std::uint16_t>> rows_;  ///< of a triangle: first and past
   std::uint64_t unpromised_ = 0;    ///< triangles of which the contract promises nothing
   SampleJudge::Findings findings_;  ///< written by the band whose turn it is
