@@ -27,16 +27,19 @@ struct Membership {
 
 constexpr Membership kOutside{.possible = false, .sure = false};
 
-/// A boundary's answer for a point.
-Membership side(const Line& boundary, const Point& p, const Scene& scene) {
-  const int sign = boundary.sign_at(p);
+/// A boundary's answer for a point where it has that sign, its inward normal those.
+Membership side(int sign, int sign_a, int sign_b, const Scene& scene) {
   if (sign > 0) return {};
   if (sign < 0) return kOutside;
   if (scene.contract().tie_rule == cases::TieRule::unspecified) {
     return {.possible = true, .sure = false, .tie = true};
   }
-  const bool inside = scene.owns_tie(sign_of(boundary.a), sign_of(boundary.b));
+  const bool inside = scene.owns_tie(sign_a, sign_b);
   return {.possible = inside, .sure = inside, .tie = true};
+}
+
+Membership side(const Line& boundary, const Point& p, const Scene& scene) {
+  return side(boundary.sign_at(p), sign_of(boundary.a), sign_of(boundary.b), scene);
 }
 
 Membership side(const ClipFunctional& functional, const Point& p, const Scene& scene) {
@@ -95,37 +98,28 @@ Membership kept_by_culling(const TriangleSetup& triangle, int orientation_when_p
           .sure = by_ideal.sure && by_snapped.sure};
 }
 
-/// Whether p lies outside the closed convex hull of the points: iff some line through p and one of
-/// them has all of them on one closed side, and those on the line itself on one side of p.
-bool is_outside_hull(const Point& p, const std::vector<Point>& points) {
-  const auto separates = [&p, &points](const Point& pivot, int direction) {
-    const Ring du = pivot.u - p.u;
-    const Ring dv = pivot.v - p.v;
-    if (sign_of(du) == 0 && sign_of(dv) == 0) return false;
-    return std::all_of(points.begin(), points.end(), [&](const Point& q) {
-      const Ring qu = q.u - p.u;
-      const Ring qv = q.v - p.v;
-      const int across = direction * sign_of(du * qv - dv * qu);
-      return across > 0 || (across == 0 && sign_of(du * qu + dv * qv) > 0);
+/// Whether p lies outside the closed convex hull of the points that the vertices may be placed on:
+/// iff some line through p and one of them has all of them on one closed side, and those on the
+/// line itself on one side of p.
+bool is_outside_hull(const Point& p, const TriangleSetup::Placements& placements) {
+  std::vector<std::array<double, 2>> points;
+  for (const auto& of_vertex : placements.points) {
+    points.insert(points.end(), of_vertex.begin(), of_vertex.end());
+  }
+  const NearPoint near = near_point(p);
+  const auto is_beside = [&p](const std::array<double, 2>& a, const std::array<double, 2>& b) {
+    return sign_of((Ring(a[0]) - p.u) * (Ring(b[0]) - p.u) +
+                   (Ring(a[1]) - p.v) * (Ring(b[1]) - p.v)) > 0;
+  };
+  const auto separates = [&](const std::array<double, 2>& pivot, int direction) {
+    return std::all_of(points.begin(), points.end(), [&](const std::array<double, 2>& q) {
+      const int across = direction * turn_of(pivot, q, p, near);
+      return across > 0 || (across == 0 && is_beside(pivot, q));
     });
   };
-  return std::any_of(points.begin(), points.end(), [&separates](const Point& pivot) {
+  return std::any_of(points.begin(), points.end(), [&separates](const auto& pivot) {
     return separates(pivot, 1) || separates(pivot, -1);
   });
-}
-
-/// The corners of the boxes that hold the three vertices' placements, in pixels.
-std::vector<Point> box_corners(const TriangleSetup& triangle) {
-  const int bits = triangle.scene->contract().coverage->subpixel_bits;
-  std::vector<Point> corners;
-  for (const auto& vertex : triangle.snapped) {
-    for (const long x : {vertex->x.first, vertex->x.last}) {
-      for (const long y : {vertex->y.first, vertex->y.last}) {
-        corners.push_back({pixels_of(x, bits), pixels_of(y, bits)});
-      }
-    }
-  }
-  return corners;
 }
 
 /// |line(p)| against tolerance · (|A| + |B|), the most that the line changes when it is moved by
@@ -159,60 +153,81 @@ std::optional<SampleVerdict> decide_by_distance(const TriangleSetup& triangle, c
                   : SampleVerdict{Verdict::forbidden, Reason::culled};
 }
 
-/// The three conditions of a point inside the triangle, without ties.
-bool strictly_inside(const ProjectiveMap& map, const Point& p) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (map.edge(i).sign_at(p) <= 0) return false;
+/// What all placements say of a point, and of facing.
+Membership over_placements(const TriangleSetup& triangle,
+                           const TriangleSetup::Placements& placements, const Point& p) {
+  const Scene& scene = *triangle.scene;
+  const NearPoint near = near_point(p);
+  // [edge][orientation > 0][first end · count + second end]: each pair of ends is asked once.
+  std::array<std::array<std::vector<Membership>, 2>, 3> sides;
+  for (std::size_t edge = 0; edge < 3; ++edge) {
+    for (const auto& a : placements.points[(edge + 1) % 3]) {
+      for (const auto& b : placements.points[(edge + 2) % 3]) {
+        const int turn = turn_of(a, b, p, near);
+        const int sign_a = (a[1] > b[1]) - (a[1] < b[1]);
+        const int sign_b = (b[0] > a[0]) - (b[0] < a[0]);
+        sides[edge][0].push_back(side(-turn, -sign_a, -sign_b, scene));
+        sides[edge][1].push_back(side(turn, sign_a, sign_b, scene));
+      }
+    }
   }
-  return map.orientation() != 0;
+  const std::array<std::size_t, 3> count{placements.points[0].size(), placements.points[1].size(),
+                                         placements.points[2].size()};
+  Membership all{.possible = false, .sure = true};
+  auto orientation = placements.orientations.begin();
+  for (std::size_t i = 0; i < count[0]; ++i) {
+    for (std::size_t j = 0; j < count[1]; ++j) {
+      for (std::size_t k = 0; k < count[2]; ++k, ++orientation) {
+        Membership one = kOutside;
+        if (*orientation != 0) {
+          const std::size_t is_front = *orientation > 0 ? 1 : 0;
+          one = sides[0][is_front][j * count[2] + k];
+          one &= sides[1][is_front][k * count[0] + i];
+          one &= sides[2][is_front][i * count[1] + j];
+          all.tie = all.tie || one.tie;
+          if (one.possible) one &= kept_by_culling(triangle, *orientation);
+        }
+        all.possible = all.possible || one.possible;
+        all.sure = all.sure && one.sure;
+      }
+    }
+  }
+  return all;
 }
 
-/// What the boxes of the placements settle without looking at each: an edge function is affine in
-/// every vertex coordinate, so its least value over the boxes is taken at corners, and whatever is
-/// covered in some placement lies in the hull of the boxes.
-std::optional<SampleVerdict> decide_by_boxes(const TriangleSetup& triangle, const Point& p) {
-  const int orientation = triangle.corner(0).orientation();
-  bool inside_all = true;
-  for (std::size_t k = 0; inside_all && k < triangle.corner_count(); ++k) {
-    const ProjectiveMap& map = triangle.corner(k);
-    inside_all = map.orientation() == orientation && strictly_inside(map, p) &&
-                 kept_by_culling(triangle, map.orientation()).sure;
-  }
-  if (inside_all) return SampleVerdict{Verdict::required, Reason::inside};
-  if (is_outside_hull(p, box_corners(triangle))) {
-    return SampleVerdict{Verdict::forbidden, Reason::outside};
-  }
-  // The determinant is affine in every coordinate too: if no corner turns the other way, none does.
-  bool ever_drawn = false;
-  for (std::size_t k = 0; !ever_drawn && k < triangle.corner_count(); ++k) {
-    const int turns = triangle.corner(k).orientation();
-    ever_drawn = turns != 0 && kept_by_culling(triangle, turns).possible;
-  }
-  if (!ever_drawn) return SampleVerdict{Verdict::forbidden, Reason::culled};
-  return std::nullopt;
+/// What the extreme placements and their hull settle: an edge function is affine in every vertex
+/// coordinate, so its least value is taken at one of them, and whatever is covered in some
+/// placement lies in the hull of the points. The determinant is affine in every coordinate, too: if
+/// none turns the other way, none between does.
+SampleVerdict decide_by_extremes(const TriangleSetup& triangle,
+                                 const TriangleSetup::Placements& placements,
+                                 const Membership& extremes, const Point& p) {
+  const std::vector<int>& turns = placements.orientations;
+  const bool turn_alike =
+      std::all_of(turns.begin(), turns.end(), [&turns](int turn) { return turn == turns.front(); });
+  if (extremes.sure && !extremes.tie && turn_alike) return {Verdict::required, Reason::inside};
+  if (is_outside_hull(p, placements)) return {Verdict::forbidden, Reason::outside};
+  const bool may_be_drawn = std::any_of(turns.begin(), turns.end(), [&triangle](int turn) {
+    return turn != 0 && kept_by_culling(triangle, turn).possible;
+  });
+  if (!may_be_drawn) return {Verdict::forbidden, Reason::culled};
+  if (!placements.are_all) return {Verdict::permitted, Reason::snapping};
+  if (!extremes.possible) return {Verdict::forbidden, Reason::outside};
+  return {extremes.sure ? Verdict::required : Verdict::permitted,
+          extremes.sure ? Reason::tie : Reason::snapping};
 }
 
 SampleVerdict decide_placed(const TriangleSetup& triangle, const Point& p) {
   const bool several = triangle.corner_count() > 1;
   if (several) {
     if (const auto decision = decide_by_distance(triangle, p)) return *decision;
-    if (const auto decision = decide_by_boxes(triangle, p)) return *decision;
   }
-  const std::vector<ProjectiveMap>* placements = triangle.placements();
-  if (placements == nullptr) return {Verdict::permitted, Reason::snapping};
-  bool possible = false;
-  bool sure = true;
-  bool tie = false;
-  for (const ProjectiveMap& placement : *placements) {
-    Membership drawn = inside_edges(placement, p, *triangle.scene);
-    tie = tie || drawn.tie;
-    if (drawn.possible) drawn &= kept_by_culling(triangle, placement.orientation());
-    possible = possible || drawn.possible;
-    sure = sure && drawn.sure;
-  }
-  if (!possible) return {Verdict::forbidden, Reason::outside};
-  if (sure) return {Verdict::required, tie ? Reason::tie : Reason::inside};
-  const bool only_ties = !several && triangle.ideal.orientation() != 0;
+  const TriangleSetup::Placements& placements = triangle.placements();
+  const Membership over_all = over_placements(triangle, placements, p);
+  if (several) return decide_by_extremes(triangle, placements, over_all, p);
+  if (!over_all.possible) return {Verdict::forbidden, Reason::outside};
+  if (over_all.sure) return {Verdict::required, over_all.tie ? Reason::tie : Reason::inside};
+  const bool only_ties = triangle.ideal.orientation() != 0;
   return {Verdict::permitted, only_ties ? Reason::tie : Reason::snapping};
 }
 

@@ -3,6 +3,7 @@
 // Lines in window space as affine functionals, and the points that they are asked at. Which side of
 // a line a point is on doubles mostly tell for certain; else exact numbers do.
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -69,6 +70,11 @@ class Line {
   };
   mutable std::optional<Near> near_;  ///< made when first asked for; a, b and c then stay
 };
+
+/// Which way one turns at b on the way from a to b to p: the sign of (b − a) × (p − a). a and b are
+/// points of a subpixel grid, with coordinates of at most 32 bits; `near` is near_point(p).
+int turn_of(const std::array<double, 2>& a, const std::array<double, 2>& b, const Point& p,
+            const NearPoint& near);
 
 /// How much a line changes where a point moves by `reach` along both axes.
 Ring band_of(const Line& line, const Ring& reach);

@@ -95,32 +95,28 @@ SnappedVertex snap(const RingVector3& window_column, const cases::Snapping& snap
           candidates_of(window_column[1], w, snapping), w};
 }
 
-std::vector<RingVector3> placed_columns(const SnappedVertex& vertex, int subpixel_bits,
-                                        bool corners_only) {
+std::vector<std::array<double, 2>> placed_points(const SnappedVertex& vertex, int subpixel_bits,
+                                                 bool corners_only) {
   const auto step = [corners_only](const GridRange& range) {
     return corners_only ? std::max(range.count() - 1, 1L) : 1L;
   };
-  std::vector<RingVector3> columns;
+  std::vector<std::array<double, 2>> points;
   for (long y = vertex.y.first; y <= vertex.y.last; y += step(vertex.y)) {
     for (long x = vertex.x.first; x <= vertex.x.last; x += step(vertex.x)) {
-      columns.emplace_back(pixels_of(x, subpixel_bits) * vertex.w,
-                           pixels_of(y, subpixel_bits) * vertex.w, vertex.w);
+      points.push_back({std::ldexp(static_cast<double>(x), -subpixel_bits),
+                        std::ldexp(static_cast<double>(y), -subpixel_bits)});
     }
   }
-  return columns;
+  return points;
 }
 
-std::vector<ProjectiveMap> placed_maps(const std::array<std::vector<RingVector3>, 3>& columns) {
-  std::vector<ProjectiveMap> maps;
-  maps.reserve(columns[0].size() * columns[1].size() * columns[2].size());
-  for (const RingVector3& first : columns[0]) {
-    for (const RingVector3& second : columns[1]) {
-      for (const RingVector3& third : columns[2]) {
-        maps.emplace_back(std::array{first, second, third});
-      }
-    }
+std::vector<RingVector3> placed_columns(const SnappedVertex& vertex, int subpixel_bits,
+                                        bool corners_only) {
+  std::vector<RingVector3> columns;
+  for (const auto& [x, y] : placed_points(vertex, subpixel_bits, corners_only)) {
+    columns.emplace_back(Ring(x) * vertex.w, Ring(y) * vertex.w, vertex.w);
   }
-  return maps;
+  return columns;
 }
 
 }  // namespace rastercheck::oracle

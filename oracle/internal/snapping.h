@@ -7,7 +7,6 @@
 
 #include "cases/contract.h"
 #include "oracle/internal/number.h"
-#include "oracle/internal/projective_map.h"
 
 namespace rastercheck::oracle {
 
@@ -45,7 +44,8 @@ SnappedVertex snap(const RingVector3& window_column, const cases::Snapping& snap
 std::vector<RingVector3> placed_columns(const SnappedVertex& vertex, int subpixel_bits,
                                         bool corners_only);
 
-/// The maps of every combination of the three vertices' columns.
-std::vector<ProjectiveMap> placed_maps(const std::array<std::vector<RingVector3>, 3>& columns);
+/// The same points in pixels; exact, as a coordinate has 32 bits at most.
+std::vector<std::array<double, 2>> placed_points(const SnappedVertex& vertex, int subpixel_bits,
+                                                 bool corners_only);
 
 }  // namespace rastercheck::oracle

@@ -273,24 +273,30 @@ bool TriangleSetup::has_certain_orientation() const {
   return true;
 }
 
-const std::vector<ProjectiveMap>* TriangleSetup::placements() const {
-  // Where all corners of the boxes agree all positions between do, as every coordinate enters
-  // alone and linearly; but a point may be covered for some position between and at no corner.
-  if (!scene->contract().is_on_grid && corner_count() > 1) return nullptr;
+const TriangleSetup::Placements& TriangleSetup::placements() const {
+  if (placements_) return *placements_;
+  placements_.emplace();
   // In double, because the product of six counts may exceed a long.
   double count = 1;
   for (const auto& vertex : snapped) {
     count *= static_cast<double>(vertex->x.count()) * static_cast<double>(vertex->y.count());
   }
-  if (count > kMostPlacements) return nullptr;
-  if (!placements_) {
-    std::array<std::vector<RingVector3>, 3> columns_of;
-    for (std::size_t i = 0; i < 3; ++i) {
-      columns_of[i] = placed_columns(*snapped[i], scene->contract().coverage->subpixel_bits, false);
-    }
-    placements_ = placed_maps(columns_of);
+  placements_->are_all =
+      count <= kMostPlacements && (scene->contract().is_on_grid || corner_count() == 1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    placements_->points[i] = placed_points(*snapped[i], scene->contract().coverage->subpixel_bits,
+                                           !placements_->are_all);
   }
-  return &*placements_;
+  const auto& [first, second, third] = placements_->points;
+  for (const auto& a : first) {
+    for (const auto& b : second) {
+      for (const auto& c : third) {
+        placements_->orientations.push_back(
+            turn_of(a, b, {Ring(c[0]), Ring(c[1])}, {c[0], c[1], true}));
+      }
+    }
+  }
+  return *placements_;
 }
 
 FieldRange TriangleSetup::extent(Eigen::Index axis) const {

@@ -69,9 +69,16 @@ struct TriangleSetup {
   /// Shape placed: the map of an extreme placement, made when first asked for. The first few are
   /// those that move all vertices the same way, so that among them values differ most.
   const ProjectiveMap& corner(std::size_t number) const;
-  /// Shape placed: the maps of all placements, made when first asked for; nullptr where they are
-  /// more than kMostPlacements, or where vertices need not be on grid points.
-  const std::vector<ProjectiveMap>* placements() const;
+  /// Shape placed: the points that the vertices may be placed on, found when first asked for.
+  struct Placements {
+    /// Else these are the extreme ones only: there are more combinations than kMostPlacements, or
+    /// vertices need not be on grid points.
+    bool are_all = true;
+    std::array<std::vector<std::array<double, 2>>, 3> points;
+    /// Which way each combination turns: −1, 0 or 1; vertex 2 counts fastest, then 1.
+    std::vector<int> orientations;
+  };
+  const Placements& placements() const;
 
   /// Shape cut: how far a boundary that was cut may be off, per axis, in pixels.
   Ring tolerance;
@@ -147,7 +154,7 @@ struct TriangleSetup {
   mutable std::optional<NearPositions> near_positions_;
   mutable std::optional<std::vector<ClipFunctional>> clip_functionals_;
   mutable std::vector<std::optional<ProjectiveMap>> corners_;
-  mutable std::optional<std::vector<ProjectiveMap>> placements_;
+  mutable std::optional<Placements> placements_;
   mutable std::array<std::optional<std::vector<SnappedEdge>>, 3> snapped_edges_;
 };
 

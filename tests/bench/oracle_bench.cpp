@@ -113,18 +113,19 @@ void judge_frame(benchmark::State& bench, const MakeCase& make,
   set_rate(bench, "fragments_per_second", static_cast<double>(drawn.framebuffer.size()));
 }
 
-/// What OpenGL promises of an implementation in software, such as Mesa's llvmpipe.
-cases::Contract api_contract(const cases::Case& source) {
+/// What OpenGL promises of an implementation in software: Mesa's llvmpipe has 8 bits,
+/// SwiftShader 4.
+cases::Contract api_contract(const cases::Case& source, int subpixel_bits) {
   backends::ApiLimits limits;
-  limits.subpixel_bits = 8;
+  limits.subpixel_bits = subpixel_bits;
   limits.is_software = true;
   return backends::api_promise(source, limits, limits.usual_promise());
 }
 
 /// As judge(), of what `cpu` drew, held against what an API promises.
-void judge_by_api(benchmark::State& bench, const MakeCase& make) {
+void judge_by_api(benchmark::State& bench, const MakeCase& make, int subpixel_bits) {
   Drawn drawn = draw(make, "cpu");
-  drawn.contract = api_contract(drawn.source);
+  drawn.contract = api_contract(drawn.source, subpixel_bits);
   judge(bench, drawn, {});
 }
 
@@ -315,16 +316,17 @@ const bool kRegistered = [] {
     add("errors/float64" + end, check_in_float64, make);
     add("errors/placements" + end, judge_drawing_of, make, "method:rational-linear",
         from(Level::filter));
-    add("errors/api" + end, judge_by_api, make);
+    add("errors/api" + end, judge_by_api, make, 8);
   }
   add("coverage/exact_72px", judge_coverage, small, "cpu", Level::exact);
   add("errors/exact_72px", judge_drawing_of, small, "cpu", from(Level::exact));
   add("errors/gmpq_72px", judge_by_gmpq, small);
   add("errors/grid_8px", judge_drawing_of, grid, "cpu", from(Level::filter));
   add("coverage/placements_72px", judge_coverage, small, "method:rational-linear", Level::filter);
-  add("errors/api_bunny", judge_by_api, bunny);
+  add("errors/api_bunny", judge_by_api, bunny, 8);
+  add("errors/api_bunny_4bits", judge_by_api, bunny, 4);
   add("errors/centroids_72px", judge_drawing_of, centroids(10, 72), "cpu", from(Level::filter));
-  add("errors/api_centroids_72px", judge_by_api, centroids(10, 72));
+  add("errors/api_centroids_72px", judge_by_api, centroids(10, 72), 8);
   add("setup", set_up, random_case(5000, 8));
   // Both slopes: the same triangles four times as large, and four times as many.
   add("linear/triangles:2000/fragments:64000", judge_drawing_of, random_case(2000, 8), "cpu",
