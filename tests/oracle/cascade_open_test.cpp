@@ -29,8 +29,8 @@ cases::ClipVertex open_vertex(bool is_on_grid, int size) {
 cases::Snapping open_snapping() {
   cases::Snapping snapping;
   snapping.subpixel_bits = one_of({0, 2, 4, 8, 8, 12});
-  snapping.rounding = one_of({cases::Rounding::unspecified, cases::Rounding::unspecified,
-                              cases::Rounding::nearest_even});
+  snapping.rounding = one_of(
+      {cases::Rounding::unspecified, cases::Rounding::unspecified, cases::Rounding::nearest_even});
   snapping.position_error = one_of({0.0F, 0.0F, 0.01F, 0.75F});
   return snapping;
 }
@@ -54,11 +54,17 @@ cases::Case open_case() {
          one_of({cases::Interpolation::smooth, cases::Interpolation::noperspective}),
          one_of({cases::Location::sample, cases::Location::center, cases::Location::centroid})});
   }
-  for (int vertex = 0; vertex < 3; ++vertex) {
-    const float varying = ordinary_float(4);
+  // Of one that varies along one axis only, other placements than the extreme ones of that axis may
+  // have extreme values.
+  const auto is_along_x = *rc::gen::inRange(0, 3) == 0;
+  const auto is_zero = *rc::gen::inRange(0, 5) == 0;
+  for (std::size_t vertex = 0; vertex < 3; ++vertex) {
+    const cases::ClipVertex& p = made.positions[vertex];
+    const float varying = is_along_x ? p.x / p.w : ordinary_float(4);
     const float almost_constant = 3 + 0x1p-21F * static_cast<float>(*rc::gen::inRange(0, 3));
     const auto any = *rc::gen::inRange(0, 5) == 0 ? random_float(4) : ordinary_float(1);
-    made.attribute_values.insert(made.attribute_values.end(), {varying, almost_constant, any});
+    made.attribute_values.insert(made.attribute_values.end(),
+                                 {varying, almost_constant, is_zero ? 0.0F : any});
   }
   made.coverage = open_snapping();
   made.basis = one_of({cases::Basis::unspecified, cases::Basis::unspecified, cases::Basis::snapped,
@@ -69,6 +75,7 @@ cases::Case open_case() {
 cases::Contract open_contract(const cases::Case& c) {
   cases::Contract contract = cases::contract_of(c);
   contract.is_on_grid = *rc::gen::arbitrary<bool>();
+  contract.keeps_sign_of_zero = *rc::gen::arbitrary<bool>();
   contract.bounds.smooth = one_of<cases::ValueBound>({{0.5F, 0}, {8, 0}, {300, 0}, {0.5F, 0.25F}});
   contract.bounds.noperspective.constant = one_of({0.5F, 4.0F, 1000.0F});
   contract.bounds.depth.constant = one_of({0.5F, 1.0F, 50.0F});
@@ -80,6 +87,7 @@ float near_end(const std::optional<ValueRange>& range, Dice& dice) {
   if (!range) return 0;
   const float lo = range->lo.nearest_float();
   const float hi = range->hi.nearest_float();
+  if (lo == 0 && hi == 0) return dice.pick({0.0F, -0.0F});
   const int steps = dice.pick({0, 0, -1, 1, -2, 2, -3, 3, -7, 9, 40, -60, 700});
   switch (dice.between(0, 2)) {
     case 0:
