@@ -8,6 +8,11 @@
 namespace rastercheck::oracle {
 namespace {
 
+/// How far lines are moved inwards, in bands. A band is at least 8u of the line's terms. Computed
+/// values are off by one at most, in a cut at either end; each of up to kMostLines cuts rounds a
+/// position once along each axis, by u of what the line's terms are. That is less than 6 bands.
+constexpr double kBandsInwards = 16;
+
 double at(const FilterLine& line, const std::array<double, 2>& p) {
   return line.a * p[0] + (line.b * p[1] + line.c);
 }
@@ -54,7 +59,7 @@ std::optional<CentroidFilter> CentroidFilter::make(const TriangleSetup& triangle
     add({Ring(0), Ring(-1), scene.viewport_hi().v});
   }
   if (!are_known || lines.size() > kMostLines) return std::nullopt;
-  for (FilterLine& line : lines) line.band *= 4;
+  for (FilterLine& line : lines) line.band *= kBandsInwards;
   return filter;
 }
 
@@ -75,6 +80,11 @@ void CentroidFilter::cut_pixel(int x, int y) {
     Corners rest{};
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count_; ++i) {
+      // Rounded corners need not be convex: nothing is said of a pixel that gets too many.
+      if (kept + 2 > rest.size()) {
+        count_ = 0;
+        return;
+      }
       const std::size_t next = i + 1 == count_ ? 0 : i + 1;
       if (depths[i] >= 0) rest[kept++] = corners[i];
       if ((depths[i] >= 0) == (depths[next] >= 0)) continue;

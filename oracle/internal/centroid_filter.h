@@ -5,16 +5,16 @@
 // those at the corners of what the triangle covers of the pixel is one of them, as that is convex
 // and the value continuous there.
 //
-// The pixel is cut in doubles, by each line moved inwards by four times its band
-// (filter_kernels.h). A corner made by a cut lies between two others as its computed weights say,
-// but for the rounding of its position and the errors of the line at those two: less than the line
-// was moved. So every corner lies inside, certainly.
+// The pixel is cut in doubles, by each line moved inwards by more than all that may be wrong: the
+// line's values at the two corners that a new one lies between, and the rounding of its position in
+// this cut and those that follow. So every corner lies inside, certainly.
 
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
+#include "cases/case.h"
 #include "oracle/internal/filter_kernels.h"
 #include "oracle/internal/triangle_setup.h"
 
@@ -33,8 +33,9 @@ class CentroidFilter {
   bool holds(int x, int y, const ValueFilter& value, double computed);
 
  private:
-  /// A pixel has four corners, each line adds one at most.
-  static constexpr std::size_t kMostLines = 20;
+  /// The triangle's edges, the viewport's sides, and all planes that cut it: two of depth and
+  /// cases::kMaxClipDistances; each adds one corner to the pixel's four.
+  static constexpr std::size_t kMostLines = 3 + 4 + 2 + cases::kMaxClipDistances;
   using Corners = std::array<std::array<double, 2>, 4 + kMostLines>;
 
   CentroidFilter(const std::array<FilterLine, 3>& edges, const PixelBox& box)

@@ -195,26 +195,26 @@ Membership over_placements(const TriangleSetup& triangle,
   return all;
 }
 
-/// What the extreme placements and their hull settle: an edge function is affine in every vertex
-/// coordinate, so its least value is taken at one of them, and whatever is covered in some
-/// placement lies in the hull of the points. The determinant is affine in every coordinate, too: if
-/// none turns the other way, none between does.
-SampleVerdict decide_by_extremes(const TriangleSetup& triangle,
-                                 const TriangleSetup::Placements& placements,
-                                 const Membership& extremes, const Point& p) {
+/// What the placements that were looked at say together. If they are the extreme ones only: an edge
+/// function is affine in every vertex coordinate, so its least value is taken at one of them, and
+/// whatever is covered in some placement lies in the hull of the points. The determinant is affine
+/// in every coordinate, too: if none turns the other way, none between does.
+SampleVerdict decide_by_placements(const TriangleSetup& triangle,
+                                   const TriangleSetup::Placements& placements,
+                                   const Membership& over_them, const Point& p) {
   const std::vector<int>& turns = placements.orientations;
   const bool turn_alike =
       std::all_of(turns.begin(), turns.end(), [&turns](int turn) { return turn == turns.front(); });
-  if (extremes.sure && !extremes.tie && turn_alike) return {Verdict::required, Reason::inside};
+  if (over_them.sure && !over_them.tie && turn_alike) return {Verdict::required, Reason::inside};
   if (is_outside_hull(p, placements)) return {Verdict::forbidden, Reason::outside};
   const bool may_be_drawn = std::any_of(turns.begin(), turns.end(), [&triangle](int turn) {
     return turn != 0 && kept_by_culling(triangle, turn).possible;
   });
   if (!may_be_drawn) return {Verdict::forbidden, Reason::culled};
   if (!placements.are_all) return {Verdict::permitted, Reason::snapping};
-  if (!extremes.possible) return {Verdict::forbidden, Reason::outside};
-  return {extremes.sure ? Verdict::required : Verdict::permitted,
-          extremes.sure ? Reason::tie : Reason::snapping};
+  if (!over_them.possible) return {Verdict::forbidden, Reason::outside};
+  return {over_them.sure ? Verdict::required : Verdict::permitted,
+          over_them.sure ? Reason::tie : Reason::snapping};
 }
 
 SampleVerdict decide_placed(const TriangleSetup& triangle, const Point& p) {
@@ -224,7 +224,7 @@ SampleVerdict decide_placed(const TriangleSetup& triangle, const Point& p) {
   }
   const TriangleSetup::Placements& placements = triangle.placements();
   const Membership over_all = over_placements(triangle, placements, p);
-  if (several) return decide_by_extremes(triangle, placements, over_all, p);
+  if (several) return decide_by_placements(triangle, placements, over_all, p);
   if (!over_all.possible) return {Verdict::forbidden, Reason::outside};
   if (over_all.sure) return {Verdict::required, over_all.tie ? Reason::tie : Reason::inside};
   const bool only_ties = triangle.ideal.orientation() != 0;

@@ -211,8 +211,10 @@ void FindBetweenReadings(const ValueFilter& value, const ShiftedReadings& readin
     const auto is_asked =
         hn::And(hn::Ge(f, hn::Set(d, readings.least)), hn::Le(f, hn::Set(d, readings.greatest)));
     const auto shift = hn::LoadU(d, shifts.x[0].data() + k);
-    const auto is_known =
-        hn::And(hn::Eq(shift, shift), hn::FirstN(d, static_cast<std::size_t>(count - k)));
+    // Where D is not certain to be positive the sample itself may have no reading.
+    const auto reciprocal = hn::LoadU(d, weights.reciprocal.data() + k);
+    const auto has_readings = hn::And(hn::Eq(shift, shift), hn::Eq(reciprocal, reciprocal));
+    const auto is_known = hn::And(has_readings, hn::FirstN(d, static_cast<std::size_t>(count - k)));
     const auto all = hn::And(hn::And(some_below, some_above), hn::And(is_asked, is_known));
     is_between[static_cast<std::size_t>(k) / 64] |= bits_of(d, all) << (k % 64);
   }

@@ -101,8 +101,7 @@ struct Shift {
 /// As many as a triangle's samples have.
 inline constexpr std::size_t kShifts = 4;
 
-/// The shifts of a batch's samples; NaN where a sample is not farther inside some guard than its
-/// band.
+/// The shifts of a batch's samples; NaN unless every guard is above its band at the sample.
 struct alignas(64) BatchShifts {
   std::array<Batch<double>, kShifts> x;
   std::array<Batch<double>, kShifts> y;
@@ -138,7 +137,7 @@ struct ShiftedReadings {
 ///
 ///   H = fl(Σ |g_i| (edge_error_i + 16u |e_i|)).                        (proofs/shifted.g)
 ///
-/// Nothing is said (bit 0) of samples whose shifts are NaN.
+/// Nothing is said (bit 0) of samples whose shifts or reciprocal are NaN.
 void find_between_readings(const ValueFilter& value, const ShiftedReadings& readings,
                            const BatchWeights& weights, const BatchShifts& shifts,
                            const Batch<double>& computed, int count,

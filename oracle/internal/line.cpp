@@ -46,13 +46,12 @@ int Line::sign_at(const Point& p) const {
 
 int turn_of(const std::array<double, 2>& a, const std::array<double, 2>& b, const Point& p,
             const NearPoint& near) {
-  // Exact: differences of numbers on one grid.
-  const double along_x = b[0] - a[0];
+  const double along_x = b[0] - a[0];  // exact: differences of numbers on one grid
   const double along_y = b[1] - a[1];
   const double to_x = near.u - a[0];
   const double to_y = near.v - a[1];
   const double turn = along_x * to_y - along_y * to_x;
-  // 2^-48 of u and v, and four roundings of 2^-53 each.
+  // u and v are off by 2^-51 of themselves, and there are four roundings of 2^-53 each.
   const double error = (std::abs(along_x) * (std::abs(near.v) + std::abs(to_y)) +
                         std::abs(along_y) * (std::abs(near.u) + std::abs(to_x))) *
                        0x1p-47;

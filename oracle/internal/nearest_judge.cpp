@@ -47,11 +47,11 @@ std::pair<std::uint16_t, std::uint16_t> rows_of(const SceneTruth& scene, std::si
     const double slack = (std::abs(share) + std::abs(middle)) * 0x1p-40;
     const bool is_turned = source.rules == cases::Rules::d3d;
     const double v = middle + (is_turned ? -share : share);
+    if (!std::isfinite(v)) return all;
     least = std::min(least, v - slack);
     greatest = std::max(greatest, v + slack);
   }
-  // Written so that NaN gives all.
-  if (!(greatest - least < 0x1p30)) return all;
+
   const auto row = [&all](double v) {
     return static_cast<std::uint16_t>(
         std::clamp(std::floor(v), 0.0, static_cast<double>(all.second)));

@@ -15,7 +15,8 @@ using records::Enclosure;
 constexpr double kRounding = 0x1p-40;
 constexpr double kUp = 1 + kRounding;
 
-/// The most that ρ may be.
+/// The most that ρ may be: triangles that are moved by more of their height are few, and for these
+/// what is between and what beyond is often open.
 constexpr double kMostMoved = 0.25;
 
 /// A number for which near_double() stands, rounded away from zero.
@@ -107,15 +108,15 @@ std::optional<PlacementFilter> filter_of_placed(const TriangleSetup& triangle,
     for (std::size_t i = 0; i < 3; ++i) placed[i] = {(*moves)[k % 2][i][0], (*moves)[k / 2][i][1]};
     filter.shifts[k] = shift_of(placed, edges, determinant);
   }
-  const double weights = 1 + 2 * moved * (at_center ? 1 + 0.5 / reach * kUp : 1);  // S
+  const double negative = 2 * moved * (at_center ? 1 + 0.5 / reach * kUp : 1) * kUp;  // S − 1
+  const double weights = (1 + negative) * kUp;                                        // S
   const double shifted = weights / (1 - moved) * kUp;  // |p − q|, as a share of reach
   for (std::size_t i = 0; i < 3; ++i) {
     const double of_shift = bands[i] * shifted * (edge_share + kRounding);
     filter.edge_error[i] = (edges[i].band + of_shift) * kUp;
-    filter.edge_change[i] = bands[i] * (2 * moved * shifted + (weights - 1)) * kUp;
+    filter.edge_change[i] = bands[i] * (2 * moved * shifted + negative) * kUp;
     filter.least_weight[i] = (bands[i] * shifted + edges[i].band) * kUp;
   }
-  filter.least_slope = 3 * moved * kUp;
   const Line& inverse_w = triangle.ideal.inverse_w();
   filter.divisor_change = upper(band_of(inverse_w, triangle.reach)) * shifted * kUp;
   // Nothing is defined at a centre where some placement has 1/w <= 0.
@@ -174,7 +175,6 @@ NearestSum nearest_sum(const PlacementFilter& filter, const ValueFilter& value,
   double here = 0;
   double along_x = 0;
   double along_y = 0;
-  double slopes = 0;
   double error = 0x1p-900;  // for products that underflow, as in the kernel
   double change = 0;
   bool is_deep = true;
@@ -184,7 +184,6 @@ NearestSum nearest_sum(const PlacementFilter& filter, const ValueFilter& value,
     here += g * e;
     along_x += g * readings.edges[i].a;
     along_y += g * readings.edges[i].b;
-    slopes += std::abs(g) * (std::abs(readings.edges[i].a) + std::abs(readings.edges[i].b));
     error += std::abs(g) * (readings.edge_error[i] + 0x1p-49 * std::abs(e));
     change += std::abs(g) * filter.edge_change[i];
     is_deep = is_deep && e > filter.least_weight[i];
@@ -196,12 +195,9 @@ NearestSum nearest_sum(const PlacementFilter& filter, const ValueFilter& value,
     least = std::min(least, there);
     greatest = std::max(greatest, there);
   }
-  const auto [flat, steep] = std::minmax({std::abs(along_x), std::abs(along_y)});
-  const bool is_at_the_four = is_deep && flat > filter.least_slope * steep + slopes * kRounding;
   const bool is_above = least > 0;
   const double nearest = is_above ? least : -greatest;
-  return {{nearest - error * kUp - (is_at_the_four ? 0 : change * kUp), nearest + error * kUp},
-          is_above};
+  return {{nearest - error * kUp - (is_deep ? 0 : change * kUp), nearest + error * kUp}, is_above};
 }
 
 }  // namespace
@@ -219,6 +215,7 @@ std::optional<Enclosure> excess_of(const PlacementFilter& filter, const ValueFil
                                    const ShiftedReadings& readings, const BatchWeights& weights,
                                    const BatchShifts& shifts, std::size_t lane, double computed,
                                    const Enclosure& ideal) {
+  if (std::isnan(shifts.x[0][lane])) return std::nullopt;
   const NearestSum sum = nearest_sum(filter, value, readings, weights, shifts, lane, computed);
   const double weight = weights.e[0][lane] + weights.e[1][lane] + weights.e[2][lane];
   const double weight_error = (weights.error[lane] + filter.divisor_change) * kUp;

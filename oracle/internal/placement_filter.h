@@ -28,13 +28,16 @@
 // placement turns the triangle round, or has 1/w <= 0 at a sample, all that lies between the
 // vertices' values is permitted there, so only such values are asked about.
 //
-// Beyond. How G(q) (filter_kernels.h) changes with a coordinate of δ_i has the sign of
-// −α_i(q) ∇G·(1 + A)^-1 e, e being the axis: where all α_i(q) > 0 and the sign of the product is
-// certain for all placements, one of the four has the least G, and one the greatest. The entries of
-// (1 + A)^-1 − 1 are at most ρ/(1 − ρ), and ρ <= 1/4. Elsewhere another placement may have less. Σ
-// α_i δ_i at q and at p differ by at most reach S ρ/(1 − ρ); at p the four have the least but for
-// what negative α_i, whose sum is at least −(S − 1)/2, make of δ_i that differ by up to 2 reach:
-// together
+// Beyond. How G(q) (filter_kernels.h) changes with the x of a δ_i has the sign of
+//
+//   −α_i(q) (G_x (1 + A_yy) − G_y A_yx),
+//
+// G_x and G_y being its slopes, and alike with y. The second factor is the same for all vertices,
+// and depends on the y of their δ only. So where all α_i(q) > 0, whichever y they have, G is least
+// where all x are moved the same way, and alike the y: among the four placements. Elsewhere another
+// one may have less. Σ α_i δ_i at q and at p differ by at most reach S ρ/(1 − ρ); at p the four
+// have the least but for what negative α_i, whose sum is at least −(S − 1)/2, make of δ_i that
+// differ by up to 2 reach: together
 //
 //   Σ |g_i| band_i (2 S ρ/(1 − ρ) + S − 1)
 //
@@ -65,10 +68,8 @@ struct PlacementFilter {
   std::vector<FilterLine> guards;
   /// What E_i may be off by at a shifted sample, the band of `edges` included.
   std::array<double, 3> edge_error{};
-  /// Below this, shifts that the kernel does not look at may count: E_i, and the lesser of what G
-  /// changes by along the axes as a share of the greater.
+  /// Where some E_i is less, placements that the kernel does not look at may count.
   std::array<double, 3> least_weight{};
-  double least_slope = 0;
   /// How much less or more E_i then has to be taken for.
   std::array<double, 3> edge_change{};
   /// What Σ E_i may change by from a sample to where it is shifted.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "oracle/internal/float_ulp.h"
 #include "oracle/internal/value_bound.h"
@@ -14,15 +13,13 @@ namespace {
 using records::AttributeKind;
 using records::Stratum;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// 1/ulp(magnitude), a power of two.
 double units_of(float magnitude) { return std::ldexp(1.0, -ulp_exponent(magnitude)); }
 
 /// The least and the greatest value at a vertex, s/p.
 void set_ends(const ValueFilter& filter, ShiftedReadings& readings) {
-  readings.least_end = {kInfinity, kInfinity};
-  readings.greatest_end = {-kInfinity, -kInfinity};
+  readings.least_end = {ShiftedReadings::kUnbounded, ShiftedReadings::kUnbounded};
+  readings.greatest_end = {-ShiftedReadings::kUnbounded, -ShiftedReadings::kUnbounded};
   for (std::size_t i = 0; i < 3; ++i) {
     const double at_vertex = filter.s[i] / filter.p[i];
     const bool is_exact = std::fma(at_vertex, filter.p[i], -filter.s[i]) == 0;

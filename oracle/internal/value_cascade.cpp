@@ -30,7 +30,7 @@ bool may_be_extreme(const records::Extremes& seen, const Enclosure& error,
 }
 
 /// Whether all vertices have the same zero, and the value is the other one.
-bool is_other_zero(const PreparedValue& prepared, float actual) {
+bool is_wrong_zero(const PreparedValue& prepared, float actual) {
   return prepared.only_zero != PreparedValue::Zero::none && actual == 0 &&
          std::signbit(actual) != (prepared.only_zero == PreparedValue::Zero::negative);
 }
@@ -150,7 +150,7 @@ ErrorLimits ValueCascade::limits_of(const PreparedValue& prepared) {
 /// What is asked besides the error's size.
 bool ValueCascade::is_certain(const PreparedValue& prepared, float actual,
                               const Enclosure& error) const {
-  if (is_other_zero(prepared, actual)) return false;
+  if (is_wrong_zero(prepared, actual)) return false;
   if (prepared.method == ValueMethod::copy) return true;
   const ValueFilter& filter = prepared.filter;
   const double most = std::max(std::abs(error.lo), std::abs(error.hi));
@@ -240,7 +240,7 @@ void ValueCascade::take_centroids(const PreparedValue& prepared,
   CentroidFilter& pixels = *prepared_.centroids();
   for (std::size_t k = 0; k < fragments.size(); ++k) {
     const cases::SamplePlace place = drawn_->place_of(fragments[k]);
-    column.is_by_enclosure[k] = !is_other_zero(prepared, column.actual[k]) &&
+    column.is_by_enclosure[k] = !is_wrong_zero(prepared, column.actual[k]) &&
                                 pixels.holds(static_cast<int>(place.x), static_cast<int>(place.y),
                                              prepared.filter, column.actual[k]);
     if (!column.is_by_enclosure[k]) open_.push_back(k);

@@ -43,9 +43,9 @@ class JudgedBatch {
     Batch<double> lo;
     Batch<double> hi;
     Batch<bool> is_by_enclosure;
-    bool has_ideal = true;             ///< enclosures are of ideal errors
-    bool is_open = false;              ///< enclosures are of ideal errors
-    Batch<records::Enclosure> excess;  ///< then
+    bool has_ideal = true;             ///< else it has no ideal error, and lo and hi mean nothing
+    bool is_open = false;              ///< the excess is not the ideal error
+    Batch<records::Enclosure> excess;  ///< only where it is_open
   };
   struct OneValue {
     std::size_t column;

@@ -85,7 +85,10 @@ void ValueStatistics::put_in_place(AttributeKind kind, Stratum stratum,
   records::merge(errors.ideal, sizes);
   records::merge(errors.strata[stratum], sizes);
   if (enclosed.meaning == Meaning::both) return;
-  const std::uint64_t beyond = this->enclosed(kind, stratum, Meaning::excess).sizes.sum.count();
+  const auto& excesses =
+      enclosed_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(stratum)]
+               [static_cast<std::size_t>(Meaning::excess)];
+  const std::uint64_t beyond = excesses ? excesses->sizes.sum.count() : 0;
   const std::uint64_t within = sizes.sum.count() - beyond;
   errors.excess.histogram.add_to_bucket(0, within);
   errors.excess.sum.add(0, 0, within);

@@ -15,8 +15,15 @@ using cases::Snapping;
 using records::Reason;
 using records::Verdict;
 
+/// The candidates, of which snap(), asked of a vertex at that place, has to say the same.
 std::pair<long, long> range(double coordinate, const Snapping& snapping) {
   const GridRange r = candidates(Field(coordinate), snapping);
+  for (const double w : {1.0, 3.0, 0x1.fffffep-3, 0x1p-100}) {
+    const SnappedVertex vertex =
+        snap(RingVector3(Ring(coordinate) * Ring(w), Ring(0), Ring(w)), snapping);
+    EXPECT_EQ(vertex.x.first, r.first) << coordinate << " of " << w;
+    EXPECT_EQ(vertex.x.last, r.last) << coordinate << " of " << w;
+  }
   return {r.first, r.last};
 }
 
@@ -33,6 +40,16 @@ TEST(Candidates, OfAnUnspecifiedRoundingAreTheNeighbours) {
   EXPECT_EQ(range(0.53125, {4, Rounding::unspecified, 0}), std::pair(8L, 9L));
   EXPECT_EQ(range(0.5, {4, Rounding::unspecified, 0}), std::pair(8L, 8L));  // on the grid
   EXPECT_EQ(range(0.5, {4, Rounding::unspecified, 0.25F}), std::pair(7L, 9L));
+}
+
+// As near to a tie and to the grid as a double is.
+TEST(Candidates, BesideATieAreThoseOfItsSide) {
+  const Snapping named{4, Rounding::nearest_even, 0};
+  EXPECT_EQ(range(0.53125 - 0x1p-54, named), std::pair(8L, 8L));
+  EXPECT_EQ(range(0.53125 + 0x1p-53, named), std::pair(9L, 9L));
+  const Snapping unspecified{4, Rounding::unspecified, 0};
+  EXPECT_EQ(range(0.5 - 0x1p-54, unspecified), std::pair(7L, 8L));
+  EXPECT_EQ(range(0.5 + 0x1p-53, unspecified), std::pair(8L, 9L));
 }
 
 TEST(Candidates, OfAPositionErrorAreAllWithinHalfAUnitMore) {
