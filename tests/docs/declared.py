@@ -12,6 +12,7 @@ NOT_RUN = {
     r"\bcpack -G DEB\b": "writes to the build; test packaging.contents looks at what it makes",
     r"^scripts/(kill-matrix|fuzz)\b": "builds all mutants, or runs for hours",
     r"\bscene\.json$": "takes six minutes",
+    r"--corpus large\b": "judges 110 million fragments",
     r"^scripts/bench-table ": "wants what minutes of rastercheck-bench have written",
 }
 
