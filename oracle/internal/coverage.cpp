@@ -101,7 +101,7 @@ Membership kept_by_culling(const TriangleSetup& triangle, int orientation_when_p
 /// Whether p lies outside the closed convex hull of the points that the vertices may be placed on:
 /// iff some line through p and one of them has all of them on one closed side, and those on the
 /// line itself on one side of p.
-bool is_outside_hull(const Point& p, const TriangleSetup::Placements& placements) {
+bool is_outside_hull(const Point& p, const Placements& placements) {
   std::vector<std::array<double, 2>> points;
   for (const auto& of_vertex : placements.points) {
     points.insert(points.end(), of_vertex.begin(), of_vertex.end());
@@ -154,8 +154,8 @@ std::optional<SampleVerdict> decide_by_distance(const TriangleSetup& triangle, c
 }
 
 /// What all placements say of a point, and of facing.
-Membership over_placements(const TriangleSetup& triangle,
-                           const TriangleSetup::Placements& placements, const Point& p) {
+Membership over_placements(const TriangleSetup& triangle, const Placements& placements,
+                           const Point& p) {
   const Scene& scene = *triangle.scene;
   const NearPoint near = near_point(p);
   // [edge][orientation > 0][first end · count + second end]: each pair of ends is asked once.
@@ -199,8 +199,7 @@ Membership over_placements(const TriangleSetup& triangle,
 /// function is affine in every vertex coordinate, so its least value is taken at one of them, and
 /// whatever is covered in some placement lies in the hull of the points. The determinant is affine
 /// in every coordinate, too: if none turns the other way, none between does.
-SampleVerdict decide_by_placements(const TriangleSetup& triangle,
-                                   const TriangleSetup::Placements& placements,
+SampleVerdict decide_by_placements(const TriangleSetup& triangle, const Placements& placements,
                                    const Membership& over_them, const Point& p) {
   const std::vector<int>& turns = placements.orientations;
   const bool turn_alike =
@@ -222,7 +221,7 @@ SampleVerdict decide_placed(const TriangleSetup& triangle, const Point& p) {
   if (several) {
     if (const auto decision = decide_by_distance(triangle, p)) return *decision;
   }
-  const TriangleSetup::Placements& placements = triangle.placements();
+  const Placements& placements = triangle.placements();
   const Membership over_all = over_placements(triangle, placements, p);
   if (several) return decide_by_placements(triangle, placements, over_all, p);
   if (!over_all.possible) return {Verdict::forbidden, Reason::outside};

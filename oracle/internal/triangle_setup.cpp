@@ -273,7 +273,7 @@ bool TriangleSetup::has_certain_orientation() const {
   return true;
 }
 
-const TriangleSetup::Placements& TriangleSetup::placements() const {
+const Placements& TriangleSetup::placements() const {
   if (placements_) return *placements_;
   placements_.emplace();
   // In double, because the product of six counts may exceed a long.

@@ -37,6 +37,16 @@ enum class Shape {
 /// More placements than this are not enumerated: three candidates per axis and vertex give 729.
 inline constexpr long kMostPlacements = 729;
 
+/// The points that the vertices of a triangle of shape placed may be placed on.
+struct Placements {
+  /// Else these are the extreme ones only: there are more combinations than kMostPlacements, or
+  /// vertices need not be on grid points.
+  bool are_all = true;
+  std::array<std::vector<std::array<double, 2>>, 3> points;
+  /// Which way each combination turns: −1, 0 or 1; vertex 2 counts fastest, then 1.
+  std::vector<int> orientations;
+};
+
 struct TriangleSetup {
   /// `triangle` is an index into the case's.
   TriangleSetup(const Scene& scene, std::size_t triangle);
@@ -69,15 +79,7 @@ struct TriangleSetup {
   /// Shape placed: the map of an extreme placement, made when first asked for. The first few are
   /// those that move all vertices the same way, so that among them values differ most.
   const ProjectiveMap& corner(std::size_t number) const;
-  /// Shape placed: the points that the vertices may be placed on, found when first asked for.
-  struct Placements {
-    /// Else these are the extreme ones only: there are more combinations than kMostPlacements, or
-    /// vertices need not be on grid points.
-    bool are_all = true;
-    std::array<std::vector<std::array<double, 2>>, 3> points;
-    /// Which way each combination turns: −1, 0 or 1; vertex 2 counts fastest, then 1.
-    std::vector<int> orientations;
-  };
+  /// Shape placed: found when first asked for.
   const Placements& placements() const;
 
   /// Shape cut: how far a boundary that was cut may be off, per axis, in pixels.
