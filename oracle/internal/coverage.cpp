@@ -153,7 +153,7 @@ std::optional<SampleVerdict> decide_by_distance(const TriangleSetup& triangle, c
                   : SampleVerdict{Verdict::forbidden, Reason::culled};
 }
 
-/// What all placements say of a point, and of facing.
+/// Says what all placements make of a point, and of facing.
 Membership over_placements(const TriangleSetup& triangle, const Placements& placements,
                            const Point& p) {
   const Scene& scene = *triangle.scene;
@@ -195,7 +195,7 @@ Membership over_placements(const TriangleSetup& triangle, const Placements& plac
   return all;
 }
 
-/// What the placements that were looked at say together. If they are the extreme ones only: an edge
+/// Decides by the placements that were looked at. If they are the extreme ones only: an edge
 /// function is affine in every vertex coordinate, so its least value is taken at one of them, and
 /// whatever is covered in some placement lies in the hull of the points. The determinant is affine
 /// in every coordinate, too: if none turns the other way, none between does.

@@ -112,7 +112,7 @@ void shift_samples(const std::array<Shift, kShifts>& shifts, std::span<const Fil
                    const BatchWeights& weights, const Batch<double>& x, const Batch<double>& y,
                    int count, BatchShifts& shifted);
 
-/// What is asked of a value besides the readings that shifted samples give.
+/// Holds what is asked of a value besides the readings that shifted samples give.
 struct ShiftedReadings {
   static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 

@@ -26,7 +26,7 @@ double near_depth_slack(const TriangleSetup& triangle) {
   return std::ldexp(double{triangle.promise.bounds.depth.constant}, ulp_exponent(largest));
 }
 
-/// The same, exactly.
+/// Gives it exactly.
 Field depth_slack(const TriangleSetup& triangle) {
   const Scene& scene = *triangle.scene;
   const Field largest(std::max(scene.least_depth(), scene.greatest_depth()));

@@ -225,7 +225,7 @@ std::optional<Enclosure> excess_of(const PlacementFilter& filter, const ValueFil
   const double divisor = value.is_perspective ? weight : value.determinant;
   const double divisor_error = value.is_perspective ? weight_error : value.determinant_error;
 
-  // Of what lies below, all signs are turned.
+  // Turns all signs of what lies below.
   Enclosure excess = widened(sum.size.lo / (divisor + divisor_error) * value.units,
                              sum.size.hi / (divisor - divisor_error) * value.units);
   const Enclosure end = sum.is_above ? readings.greatest_end : negated(readings.least_end);

@@ -62,7 +62,7 @@
 
 namespace rastercheck::oracle {
 
-/// What is known of one triangle, and of the points where its values are evaluated.
+/// Knows one triangle, and the points where its values are evaluated.
 struct PlacementFilter {
   std::array<Shift, kShifts> shifts;
   std::vector<FilterLine> guards;

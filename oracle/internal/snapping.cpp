@@ -55,7 +55,8 @@ std::optional<long> certain_floor(double value, double slack) {
   return static_cast<long>(below);
 }
 
-/// What candidates() says of numerator/w, w > 0, from doubles; nothing where these are not sure.
+/// Gives what candidates() says of numerator/w, w > 0, from doubles; nothing where these are not
+/// sure.
 std::optional<GridRange> near_candidates(const Ring& numerator, const Ring& w,
                                          const cases::Snapping& snapping) {
   const double near_numerator = near_double(numerator);

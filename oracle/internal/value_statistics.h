@@ -41,7 +41,7 @@ struct ExtremeLimit {
   void take(double error_size, const cases::SamplePlace& error_place);
 };
 
-/// What an enclosed error is: excess and ideal alike, or one of them.
+/// Says what an enclosed error is: excess and ideal alike, or one of them.
 enum class Meaning { both, ideal, excess };
 
 /// Errors of one kind and stratum that enclosures are enough for.

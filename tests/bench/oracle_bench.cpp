@@ -113,7 +113,7 @@ void judge_frame(benchmark::State& bench, const MakeCase& make,
   set_rate(bench, "fragments_per_second", static_cast<double>(drawn.framebuffer.size()));
 }
 
-/// What OpenGL promises of an implementation in software: Mesa's llvmpipe has 8 bits,
+/// Gives what OpenGL promises of an implementation in software: Mesa's llvmpipe has 8 bits,
 /// SwiftShader 4.
 cases::Contract api_contract(const cases::Case& source, int subpixel_bits) {
   backends::ApiLimits limits;
@@ -277,7 +277,7 @@ oracle::JudgeOptions from(oracle::Level first, unsigned jobs = 1) {
   return options;
 }
 
-/// The same with four samples a pixel, of which attributes are centroids.
+/// Makes the same case with four samples a pixel, of which attributes are centroids.
 MakeCase centroids(int count, float side) {
   return [=] {
     cases::Case c = to_case(random_triangles(count, side));
