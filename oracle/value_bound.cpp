@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "oracle/internal/coverage.h"
-#include "oracle/internal/float_ulp.h"
 #include "oracle/internal/rational_number.h"
 #include "oracle/internal/ulp_error.h"
 #include "oracle/internal/values.h"
@@ -133,19 +131,8 @@ double least_bound(const TriangleSetup& triangle, std::optional<std::size_t> att
   // K >= 1, as |E_i| <= |E|_i.
   const double per_condition = triangle.ideal.orientation() != 0 ? bound.per_condition : 0;
   if (!attribute || (per_condition == 0 && bound.range_share == 0)) return bound.constant;
-  double range = 0;
-  if (bound.range_share > 0) {
-    const cases::Case& source = triangle.scene->source();
-    std::array<float, 3> values{};
-    float largest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      values[i] = source.attributes_of(triangle.indices[i])[*attribute];
-      largest = std::max(largest, std::abs(values[i]));
-    }
-    const auto [lo, hi] = std::minmax({values[0], values[1], values[2]});
-    range = std::ldexp(double{hi} - double{lo}, -ulp_exponent(largest));
-  }
-  // Five roundings.
+  const double range = bound.range_share > 0 ? enclose(range_in_ulps(triangle, *attribute)).lo : 0;
+  // Rounds down by more than the four roundings.
   return (bound.constant + per_condition + bound.range_share * range) * (1 - 0x1p-48);
 }
 

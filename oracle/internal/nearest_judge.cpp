@@ -21,16 +21,16 @@ int rows_of_band(const cases::FramebufferSize& size) {
   return std::clamp(kSamples / (size.width * size.samples), 1, 64);
 }
 
-/// Rows that hold all samples that a triangle may cover, the first and the one past the last: by
-/// doubles, which need no exact set-up.
-std::pair<std::uint16_t, std::uint16_t> rows_of(const SceneTruth& scene, std::size_t triangle) {
+/// Gives rows that hold all samples that a triangle may cover, the first and the one past the last:
+/// by doubles, which need no exact set-up.
+std::pair<std::uint16_t, std::uint16_t> rows_of(const SceneTruth& scene, std::size_t triangle,
+                                                const cases::TrianglePromise& promise) {
   const cases::Case& source = scene.source();
   const std::pair<std::uint16_t, std::uint16_t> all(0, source.framebuffer.height);
   if (source.camera) return all;
   const cases::Contract& contract = scene.contract();
   double spread = 1;  // pixels; for what lies beyond a whole row
   if (contract.coverage) {
-    const cases::TrianglePromise promise = cases::promise_of(contract, source, triangle);
     spread +=
         std::ldexp(1 + promise.position_error + promise.clip_tolerance + promise.side_tolerance,
                    -contract.coverage->subpixel_bits);
@@ -44,6 +44,7 @@ std::pair<std::uint16_t, std::uint16_t> rows_of(const SceneTruth& scene, std::si
     if (!(exact_double(p.w) > 0)) return all;
     // Either way up: half of the viewport's height is of either sign.
     const double share = exact_double(p.y) / exact_double(p.w) * half;
+    // Far more than the roundings, in any mode.
     const double slack = (std::abs(share) + std::abs(middle)) * 0x1p-40;
     const bool is_turned = source.rules == cases::Rules::d3d;
     const double v = middle + (is_turned ? -share : share);
@@ -74,12 +75,14 @@ NearestJudge::NearestJudge(const JudgeContext& context, const JudgeSink& sink)
   const std::size_t triangles = context.scene->source().triangles.size();
   rows_.reserve(triangles);
   for (std::size_t t = 0; t < triangles; ++t) {
-    rows_.push_back(rows_of(*context.scene, t));
     const cases::TrianglePromise promise =
         cases::promise_of(context.scene->contract(), context.scene->source(), t);
-    if (promise.is_made) continue;
-    rows_.back() = {0, 0};
-    ++unpromised_;
+    if (promise.is_made) {
+      rows_.push_back(rows_of(*context.scene, t, promise));
+    } else {
+      rows_.emplace_back(std::uint16_t{0}, std::uint16_t{0});
+      ++unpromised_;
+    }
   }
 }
 

@@ -54,8 +54,7 @@ cases::Case open_case() {
          one_of({cases::Interpolation::smooth, cases::Interpolation::noperspective}),
          one_of({cases::Location::sample, cases::Location::center, cases::Location::centroid})});
   }
-  // Of one that varies along one axis only, other placements than the extreme ones of that axis may
-  // have extreme values.
+  // Has one vary along one axis only, so that moves along the other hardly change it.
   const auto is_along_x = *rc::gen::inRange(0, 3) == 0;
   const auto is_zero = *rc::gen::inRange(0, 5) == 0;
   for (std::size_t vertex = 0; vertex < 3; ++vertex) {
