@@ -10,6 +10,7 @@
 #include "tests/oracle/cascade.h"
 #include "tests/oracle/drawing.h"
 #include "tests/oracle/random_case.h"
+#include "tests/simd_targets.h"
 
 namespace rastercheck::oracle::cascade_open_test {
 namespace {
@@ -153,6 +154,26 @@ double filtered_share(const cases::Case& c) {
 TEST(CascadeOpen, DoublesDecideWhatLiesWithin) {
   EXPECT_GT(filtered_share(ordinary_case(cases::Basis::unspecified, 0)), 0.4);
   EXPECT_GT(filtered_share(ordinary_case(cases::Basis::snapped, 0.5F)), 0.4);
+}
+
+// Every level's answers are the same to the bit whichever vectors the filter computes with.
+TEST(CascadeOpen, AllTargetsGiveTheSameBits) {
+  cases::Case c = ordinary_case(cases::Basis::unspecified, 0.5F);
+  c.framebuffer = {32, 32, 4};
+  c.viewport.width = 32;
+  c.viewport.height = 32;
+  c.attributes[0].location = cases::Location::center;
+  c.attributes[1].location = cases::Location::centroid;
+  const SceneTruth scene(c, cases::contract_of(c));
+  Dice dice(1);
+  const cases::Fragments drawn = drawn_at_ends(scene, dice);
+  const Outcome best = outcome_of(scene, drawn, {});
+  EXPECT_GT(best.judged.judgement.levels.values.filter, 1'000U);
+  for (const std::int64_t target : all_targets()) {
+    const OnTarget on_target(target);
+    EXPECT_EQ(difference_in_bits(best, outcome_of(scene, drawn, {})), "")
+        << hwy::TargetName(target);
+  }
 }
 
 }  // namespace
