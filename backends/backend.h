@@ -3,6 +3,7 @@
 // Anything that can draw a case. What only some backends can do besides (pictures, strips and fans,
 // a vertex stage, traces) are interfaces of their own, which a backend may not have.
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "cases/case.h"
 #include "cases/contract.h"
 #include "cases/contract_terms.h"
+#include "cases/draw_by.h"
 #include "cases/driver_promise.h"
 #include "cases/error.h"
 #include "cases/fragments.h"
@@ -54,6 +56,8 @@ struct About {
   /// Specifications of backends that promise to draw the same bits as this one, fragments and
   /// pictures, derivatives aside where either has none. Empty: none does.
   std::vector<std::string> same_as = {};
+  /// What WaysOfDrawing has; empty where there is none.
+  std::vector<cases::DrawBy> ways = {};
   bool operator==(const About&) const = default;
 };
 
@@ -129,6 +133,20 @@ class Tracer {
   ~Tracer() = default;
 };
 
+/// Draws fragments in several ways, which should give the same bits.
+class WaysOfDrawing {
+ public:
+  /// Those there are, without DrawBy::frame, which is a way for cases to ask for a depth test.
+  virtual std::vector<cases::DrawBy> ways() const = 0;
+
+  /// What Backend::draw() draws, in one of these ways; Failure::unsupported where that way does not
+  /// draw such cases.
+  virtual Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way) = 0;
+
+ protected:
+  ~WaysOfDrawing() = default;
+};
+
 class Backend {
  public:
   Backend() = default;
@@ -150,11 +168,16 @@ class Backend {
   virtual Assembler* assembler() { return nullptr; }
   virtual VertexStage* vertex_stage() { return nullptr; }
   virtual Tracer* tracer() { return nullptr; }
+  virtual WaysOfDrawing* ways_of_drawing() { return nullptr; }
 
   /// Overrides its promise by these terms from now on, as a contract file does; nullopt takes that
   /// back.
   void hold_to(std::optional<cases::ContractTerms> terms) { terms_ = std::move(terms); }
   const std::optional<cases::ContractTerms>& terms() const { return terms_; }
+
+  /// Has it draw in this way from now on, where it has that way and the way draws such cases;
+  /// without one, each case in the way that takes least.
+  void prefer(std::optional<cases::DrawBy> way) { preferred_ = way; }
 
   /// Has it call `tell` whenever part of a drawing is done that takes long: whoever waits for it
   /// knows then that it goes on.
@@ -175,7 +198,7 @@ class Backend {
   /// Draws a case without a camera (oracle/transform.h rounds one away). The error names what of
   /// the case cannot be drawn.
   Result<Drawn> draw(const cases::Case& c) {
-    return draw_fragments(c).map([&](cases::Fragments&& fragments) {
+    return draw_as_preferred(c).map([&](cases::Fragments&& fragments) {
       return Drawn{contract(c), std::move(fragments)};
     });
   }
@@ -190,7 +213,18 @@ class Backend {
   virtual Result<cases::Fragments> draw_fragments(const cases::Case& c) = 0;
 
  private:
+  Result<cases::Fragments> draw_as_preferred(const cases::Case& c) {
+    WaysOfDrawing* const ways = preferred_ ? ways_of_drawing() : nullptr;
+    if (ways == nullptr) return draw_fragments(c);
+    const std::vector<cases::DrawBy> all = ways->ways();
+    if (std::find(all.begin(), all.end(), *preferred_) == all.end()) return draw_fragments(c);
+    Result<cases::Fragments> drawn = ways->draw_by(c, *preferred_);
+    if (drawn || drawn.error().failure != Failure::unsupported) return drawn;
+    return draw_fragments(c);
+  }
+
   std::optional<cases::ContractTerms> terms_;
+  std::optional<cases::DrawBy> preferred_;
   std::function<void()> tell_;
 };
 

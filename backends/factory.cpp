@@ -49,7 +49,10 @@ Result<std::unique_ptr<Backend>> BackendFactory::make(const std::string& specifi
   Result<std::unique_ptr<Backend>> backend = found->is_foreign && make_foreign
                                                  ? make_foreign(specification)
                                                  : found->make(options_of(specification));
-  if (backend) (*backend)->hold_to(terms);
+  if (backend) {
+    (*backend)->hold_to(terms);
+    (*backend)->prefer(draw_by);
+  }
   return backend;
 }
 

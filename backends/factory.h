@@ -14,6 +14,7 @@
 
 #include "backends/backend.h"
 #include "cases/contract_terms.h"
+#include "cases/draw_by.h"
 #include "cases/error.h"
 
 namespace rastercheck::backends {
@@ -50,6 +51,8 @@ struct BackendFactory {
   MakeBackend make_foreign = {};
   /// What all are held to (Backend::hold_to()).
   std::optional<cases::ContractTerms> terms = std::nullopt;
+  /// How those that have several ways draw (Backend::prefer()).
+  std::optional<cases::DrawBy> draw_by = std::nullopt;
 
   /// Makes the backend of a specification. The error's file is the specification; its failure is
   /// `unavailable` where the backend is one that there is, and that cannot run here.

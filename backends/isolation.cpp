@@ -21,7 +21,7 @@ bool fits(const cases::Contract& contract, const cases::Case& c) {
 }
 
 /// Stands for a backend in another process.
-class IsolatedBackend : public Backend {
+class IsolatedBackend : public Backend, public WaysOfDrawing {
  public:
   IsolatedBackend(std::string specification, const Isolation& isolation, WorkerProcess process)
       : specification_(std::move(specification)),
@@ -30,6 +30,12 @@ class IsolatedBackend : public Backend {
         process_(std::move(process)) {}
 
   About about() const override { return greeting_.about; }
+
+  WaysOfDrawing* ways_of_drawing() override { return ways().empty() ? nullptr : this; }
+  std::vector<cases::DrawBy> ways() const override { return greeting_.about.ways; }
+  Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way) override {
+    return draw_in(c, way);
+  }
 
   std::optional<Error> is_lost() const override {
     if (crashes_ < kMostCrashes && hangs_ < kMostHangs) return std::nullopt;
@@ -52,11 +58,15 @@ class IsolatedBackend : public Backend {
 
  private:
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
+    return draw_in(c, std::nullopt);
+  }
+
+  Result<cases::Fragments> draw_in(const cases::Case& c, std::optional<cases::DrawBy> way) {
     if (const auto withheld = std::exchange(withheld_, std::nullopt);
         withheld && withheld->first == c) {
       return tl::unexpected(withheld->second);
     }
-    const Result<std::string> answer = ask({Question::drawing, c});
+    const Result<std::string> answer = ask({Question::drawing, c, way});
     if (!answer) return tl::unexpected(answer.error());
     std::optional<DrawingAnswer> drawing = unpack_drawing(*answer);
     if (!drawing || (!drawing->problem && !fits(drawing->drawn.contract, c))) {

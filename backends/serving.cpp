@@ -76,16 +76,24 @@ class WatchedDrawer {
   WatchedDrawer(Backend& backend, double seconds)
       : backend_(&backend), longest_(seconds / kShareOfTime), longest_together_(seconds / 2) {}
 
-  Result<Drawn> draw(const cases::Case& c) {
+  Result<Drawn> draw(const cases::Case& c, std::optional<cases::DrawBy> way) {
     const auto start = std::chrono::steady_clock::now();
-    Result<Drawn> drawn = backend_->draw(c);
+    Result<Drawn> drawn = draw_in(c, way);
     if (!drawn || !std::has_single_bit(++drawings_)) return drawn;
     if (std::chrono::steady_clock::now() - start > longest_) return drawn;
-    if (const Result<void> kept = check_memory(c); !kept) return tl::unexpected(kept.error());
+    if (const Result<void> kept = check_memory(c, way); !kept) return tl::unexpected(kept.error());
     return drawn;
   }
 
  private:
+  /// Draws in a way that is not only preferred: one that does not draw such cases says so.
+  Result<Drawn> draw_in(const cases::Case& c, std::optional<cases::DrawBy> way) {
+    if (!way || backend_->ways_of_drawing() == nullptr) return backend_->draw(c);
+    return backend_->ways_of_drawing()->draw_by(c, *way).map([&](cases::Fragments&& fragments) {
+      return Drawn{backend_->contract(c), std::move(fragments)};
+    });
+  }
+
   /// How often at least: caches fill in the first of them. Drawings that have taken memory so many
   /// times in a row at the end are suspected, and go on until one has not, which is no leak, or
   /// this many have: a driver's threads take some for a while, as their work comes to be shared
@@ -96,7 +104,7 @@ class WatchedDrawer {
   /// Of the time for an answer, what a drawing may take: all together is not to take half of it.
   static constexpr double kShareOfTime = 20;
 
-  Result<void> check_memory(const cases::Case& c) {
+  Result<void> check_memory(const cases::Case& c, std::optional<cases::DrawBy> way) {
     const auto start = std::chrono::steady_clock::now();
     const auto may_go_on = [&](int growing) {
       return growing >= kSuspected && growing < kLeaking &&
@@ -106,7 +114,7 @@ class WatchedDrawer {
     std::size_t growth = 0;
     int growing = 0;
     for (int i = 0; i < kRepetitions || may_go_on(growing); ++i) {
-      if (const auto again = backend_->draw(c); !again) return tl::unexpected(again.error());
+      if (const auto again = draw_in(c, way); !again) return tl::unexpected(again.error());
       const std::size_t after = memory_in_use();
       growing = after > before ? growing + 1 : 0;
       growth = after - before;
@@ -128,7 +136,7 @@ class WatchedDrawer {
 
 std::string answer_to(const Request& request, const Backend& backend, WatchedDrawer& drawer) {
   if (request.question == Question::promise) return pack(backend.promise(request.source));
-  Result<Drawn> drawn = drawer.draw(request.source);
+  Result<Drawn> drawn = drawer.draw(request.source, request.way);
   if (!drawn) return pack(DrawingAnswer{{}, drawn.error()});
   return pack(DrawingAnswer{*std::move(drawn), std::nullopt});
 }

@@ -5,6 +5,7 @@
 
 #include "backends/factory.h"
 #include "backends/isolation.h"
+#include "cases/names.h"
 #include "cli/own_program.h"
 
 namespace rastercheck::cli {
@@ -19,6 +20,16 @@ void add_timeout(CLI::App& app, double& seconds) {
       ->check(CLI::Range(0.001, kLongest))
       ->type_name("SECONDS")
       ->capture_default_str();
+}
+
+CLI::Option* add_draw_by(CLI::App& app, std::optional<cases::DrawBy>& way,
+                         std::span<const std::string_view> names) {
+  return app
+      .add_option_function<std::string>(
+          "--draw-by",
+          [&way](const std::string& name) { way = cases::from_name<cases::DrawBy>(name); })
+      ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())))
+      ->type_name("WAY");
 }
 
 std::vector<std::string> worker_program() { return {kOwnProgram, "worker"}; }

@@ -2,11 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "backends/factory.h"
 #include "cases/contract_terms.h"
+#include "cases/draw_by.h"
 #include "records/plan.h"
 
 namespace rastercheck::cli {
@@ -16,6 +19,10 @@ using records::kDefaultTimeout;
 
 /// The option `--timeout` of commands that draw.
 void add_timeout(CLI::App& app, double& seconds);
+
+/// The option `--draw-by` of commands that draw; nothing without it. It has no description yet.
+CLI::Option* add_draw_by(CLI::App& app, std::optional<cases::DrawBy>& way,
+                         std::span<const std::string_view> names);
 
 /// This program and the arguments that make it draw with a foreign backend (backends/isolation.h).
 std::vector<std::string> worker_program();

@@ -47,6 +47,9 @@ Result<records::Plan> make_plan(const RunOptions& options) {
     return tl::unexpected(
         Error{"--shard", "", "needs --seed: all shards have to be of the same campaign"});
   }
+  if (options.plan.draw_by == cases::DrawBy::frame && options.plan.scene.empty()) {
+    return tl::unexpected(Error{"--draw-by", "", "frame is a way of drawing a scene: it needs --scene"});
+  }
   records::Plan plan = options.plan;
   plan.shard = *shard;
   plan.seed = options.seed ? *options.seed : std::random_device()();
@@ -81,6 +84,7 @@ Result<void> take_case_set(const CLI::App& app, const gate::CaseSet& set, RunOpt
       .and_then(settled("--property", plan.properties, then.properties))
       .and_then(settled("--contract", options.contract, contract))
       .and_then(settled("--promise", plan.promise, then.promise))
+      .and_then(settled("--draw-by", plan.draw_by, then.draw_by))
       .and_then(settled("--known", plan.known, then.known))
       .and_then(settled("--no-known", plan.ignores_known, then.ignores_known))
       .and_then(settled("--power", plan.power, then.power));

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cases/names.h"
+
 namespace rastercheck::records {
 namespace {
 
@@ -23,6 +25,12 @@ class Words {
 void add_contract(Words& words, const Plan& plan) {
   if (plan.contract) words.value(true, "--contract", plan.contract->file);
   if (plan.promise) words.value(true, "--promise", std::string(to_string(*plan.promise)));
+}
+
+void add_draw_by(Words& words, const Plan& plan) {
+  if (plan.draw_by) {
+    words.value(true, "--draw-by", std::string(cases::name_of(*plan.draw_by)));
+  }
 }
 
 void add_known(Words& words, const Plan& plan) {
@@ -58,6 +66,7 @@ Plan frozen(const Plan& plan) {
   frozen.properties = plan.properties;
   frozen.contract = plan.contract;
   frozen.promise = plan.promise;
+  frozen.draw_by = plan.draw_by;
   frozen.corpus = plan.corpus;
   frozen.known = plan.known;
   frozen.ignores_known = plan.ignores_known;
@@ -72,6 +81,7 @@ std::vector<std::string> option_words(const Plan& plan) {
   words.value(!plan.scene.empty() && plan.scene_size != usual.scene_size, "--scene-size",
               std::to_string(plan.scene_size));
   add_contract(words, plan);
+  add_draw_by(words, plan);
   words.value(!plan.corpus.empty(), "--corpus", plan.corpus);
   add_known(words, plan);
   words.value(plan.shrinking.tries != usual.shrinking.tries, "--shrink-tries",
@@ -94,6 +104,7 @@ std::vector<std::string> contract_words(const Plan& plan) {
 std::vector<std::string> replay_words(const Plan& plan) {
   Words words;
   add_contract(words, plan);
+  add_draw_by(words, plan);
   add_known(words, plan);
   add_timeout(words, plan);
   return std::move(words).take();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/contract_terms.h"
+#include "cases/draw_by.h"
 #include "records/shard.h"
 
 namespace rastercheck::records {
@@ -46,6 +47,9 @@ struct Plan {
   std::optional<ContractFile> contract = std::nullopt;
   /// What drivers are held to; nothing: what is usual of each.
   std::optional<cases::DriverPromise> promise = std::nullopt;
+  /// How drivers that have several ways draw; `frame` is the scene's, drawn with a depth test.
+  /// Nothing: each case in the way that takes least.
+  std::optional<cases::DrawBy> draw_by = std::nullopt;
   std::string corpus = {};     ///< folder of case files; empty: that which comes with the program
   std::string known = {};      ///< folder of lists of known defects; empty: likewise
   bool ignores_known = false;  ///< what is known of drivers counts as any other violation

@@ -39,6 +39,7 @@ void members(Archive& archive, T& plan) {
   archive.optional("scene_size", plan.scene_size, usual.scene_size);
   archive.optional("contract", plan.contract);
   archive.optional("promise", plan.promise);
+  archive.optional("draw_by", plan.draw_by);
   archive.optional("corpus", plan.corpus);
   archive.optional("known", plan.known);
   archive.optional("ignores_known", plan.ignores_known);

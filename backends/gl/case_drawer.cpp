@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,9 +15,11 @@
 #include <utility>
 #include <vector>
 
+#include "backends/appended_drawing.h"
 #include "backends/gl/internal/capabilities.h"
 #include "backends/gl/internal/case_program.h"
 #include "backends/gl/internal/case_state.h"
+#include "backends/gl/internal/fragment_buffer.h"
 #include "backends/gl/internal/layers.h"
 #include "backends/gl/internal/objects.h"
 #include "backends/gl/internal/varyings.h"
@@ -81,7 +82,10 @@ void append(const LayerFragments& some, const cases::Case& c, cases::Fragments& 
 }  // namespace
 
 struct CaseDrawer::Impl {
-  Impl() : has(read_capabilities()), programs(has), copies(has) { listen(); }
+  Impl() : has(read_capabilities()), programs(has), copies(has) {
+    listen();
+    if (has.has_appending) buffer.emplace(has, programs);
+  }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
   ~Impl() {
@@ -97,6 +101,9 @@ struct CaseDrawer::Impl {
   Result<void> draw_pass(const Batches& plan, const Pass& pass, std::size_t first, int layer_count,
                          Layers& layers);
   Result<void> draw_batch(const Batches& plan, std::size_t first, cases::Fragments& drawn);
+  Result<cases::Fragments> draw_layers(const cases::Case& c, const std::function<void()>& go_on);
+  Result<cases::Fragments> append_all(const cases::Case& c, const std::function<void()>& go_on);
+  bool appends(const cases::Case& c) const;
   Result<void> find_fragments(const Batches& plan, std::size_t first, LayerFragments& found) const;
   Result<void> take_values(const Batches& plan, const Pass& pass, LayerFragments& found) const;
 
@@ -110,6 +117,7 @@ struct CaseDrawer::Impl {
   std::vector<Layers> recent;  ///< the last used last
   std::map<int, std::vector<std::size_t>> sample_orders;
   LayerContent content;
+  std::optional<FragmentBuffer> buffer;
 };
 
 CaseDrawer::CaseDrawer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -221,24 +229,8 @@ Result<void> CaseDrawer::Impl::draw_pass(const Batches& plan, const Pass& pass, 
   const std::size_t count = static_cast<std::size_t>(layer_count) * plan.triangles;
   const Result<GLuint> program = programs.get(pass, c.framebuffer.samples > 1);
   if (!program) return tl::unexpected(program.error());
-  const std::vector<float> values =
-      vertices_of(has, c, std::span(c.triangles).subspan(first, count), pass);
-  glBindVertexArray(vertex_array.name());
-  glBindBuffer(GL_ARRAY_BUFFER, vertices.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)),
-               values.data(), GL_STREAM_DRAW);
-  const GLuint inputs = static_cast<GLuint>(1 + pass.size() + has.clip_vectors());
-  for (GLuint i = 0; i < 16; ++i) {
-    if (i >= inputs) {
-      glDisableVertexAttribArray(i);
-      continue;
-    }
-    glEnableVertexAttribArray(i);
-    constexpr std::uintptr_t kVector = 4 * sizeof(float);
-    // GL takes an offset for a pointer.
-    glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(inputs * kVector),
-                          std::bit_cast<const void*>(i * kVector));
-  }
+  hand_over_vertices(has, c, std::span(c.triangles).subspan(first, count), pass,
+                     vertex_array.name(), vertices.name());
   glUseProgram(*program);
   set_case_state(has, c);
   const auto corners = static_cast<GLsizei>(3 * plan.triangles);
@@ -320,19 +312,105 @@ Result<void> CaseDrawer::Impl::draw_batch(const Batches& plan, std::size_t first
   return {};
 }
 
-Result<cases::Fragments> CaseDrawer::draw(const cases::Case& c,
-                                          const std::function<void()>& go_on) {
+Result<cases::Fragments> CaseDrawer::Impl::draw_layers(const cases::Case& c,
+                                                       const std::function<void()>& go_on) {
   cases::Fragments drawn;
   drawn.attribute_count = c.attributes.size();
-  impl_->complaint.clear();
-  const Result<Batches> plan = impl_->plan(c);
-  if (!plan) return tl::unexpected(plan.error());
-  const std::size_t of_batch = static_cast<std::size_t>(plan->layers) * plan->triangles;
+  const Result<Batches> batches = plan(c);
+  if (!batches) return tl::unexpected(batches.error());
+  const std::size_t of_batch = static_cast<std::size_t>(batches->layers) * batches->triangles;
   for (std::size_t first = 0; first < c.triangles.size(); first += of_batch) {
-    const Result<void> done = impl_->draw_batch(*plan, first, drawn);
+    const Result<void> done = draw_batch(*batches, first, drawn);
     if (!done) return tl::unexpected(done.error());
     go_on();
   }
+  return drawn;
+}
+
+namespace {
+
+/// Appends fragments of a case by the context that is current.
+class GlAppending final : public AppendingDriver {
+ public:
+  using DrawInLayers = std::function<Result<cases::Fragments>(const cases::Case&)>;
+
+  GlAppending(const cases::Case& c, std::span<const Pass> passes, FragmentBuffer& buffer,
+              DrawInLayers draw_in_layers)
+      : case_(&c),
+        passes_(passes),
+        buffer_(&buffer),
+        draw_in_layers_(std::move(draw_in_layers)) {}
+
+  std::size_t most_words() const override { return buffer_->most_words(); }
+  Result<std::size_t> draw(std::size_t layout, std::size_t first, std::size_t count,
+                           std::size_t room) override {
+    return buffer_->draw(*case_, std::span(case_->triangles).subspan(first, count),
+                         passes_[layout], room);
+  }
+  std::span<const std::uint32_t> records() const override { return buffer_->words(); }
+  Result<cases::Fragments> draw_in_layers(const cases::Case& c) override {
+    return draw_in_layers_(c);
+  }
+
+ private:
+  const cases::Case* case_;
+  std::span<const Pass> passes_;
+  FragmentBuffer* buffer_;
+  DrawInLayers draw_in_layers_;
+};
+
+/// Where the records of a pass have its attributes.
+RecordLayout layout_of(const Pass& pass) {
+  RecordLayout layout;
+  for (const Varying& varying : pass) {
+    for (std::size_t k = 0; k < varying.count; ++k) {
+      layout.values.push_back({layout.words + k, varying.attributes[k]});
+    }
+    layout.words += 4;
+  }
+  return layout;
+}
+
+}  // namespace
+
+Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c,
+                                                  const std::function<void()>& go_on) {
+  std::string what = lacks_of_appending(c);
+  if (!buffer) what = has.api + " has no storage buffers for fragments";
+  if (what.empty()) what = lacks(has, c);
+  if (!what.empty()) return tl::unexpected(Error{"gl", "", what, Failure::unsupported});
+  std::vector<Pass> passes = pack(c.attributes, c.framebuffer.samples, has.has_noperspective);
+  std::vector<RecordLayout> layouts;
+  for (Pass& pass : passes) {
+    // A record is to be short.
+    std::erase_if(pass, [](const Varying& varying) { return varying.count == 0; });
+    layouts.push_back(layout_of(pass));
+  }
+  GlAppending driver(c, passes, *buffer,
+                     [&](const cases::Case& some) { return draw_layers(some, go_on); });
+  return draw_appended(c, layouts, driver, go_on);
+}
+
+/// Whether fragments are appended unless another way is asked for: layers, which are read back
+/// whole, would take more than one batch.
+bool CaseDrawer::Impl::appends(const cases::Case& c) const {
+  if (!buffer || !lacks_of_appending(c).empty()) return false;
+  const LayerShape one{c.framebuffer, 1, pack(c.attributes, 1, has.has_noperspective)[0].size()};
+  return one.bytes_of_layer() * c.triangles.size() > kBytesOfBatch;
+}
+
+std::vector<cases::DrawBy> CaseDrawer::ways() const {
+  if (!impl_->buffer) return {cases::DrawBy::layers};
+  return {cases::DrawBy::append, cases::DrawBy::layers};
+}
+
+Result<cases::Fragments> CaseDrawer::draw(const cases::Case& c, std::optional<cases::DrawBy> way,
+                                          const std::function<void()>& go_on) {
+  impl_->complaint.clear();
+  const bool appends = way ? *way == cases::DrawBy::append : impl_->appends(c);
+  Result<cases::Fragments> drawn =
+      appends ? impl_->append_all(c, go_on) : impl_->draw_layers(c, go_on);
+  if (!drawn) return drawn;
   if (const Result<void> quiet = impl_->complain(); !quiet) return tl::unexpected(quiet.error());
   return drawn;
 }

@@ -4,18 +4,22 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "backends/gl/context.h"
 #include "cases/case.h"
+#include "cases/draw_by.h"
 #include "cases/error.h"
 #include "cases/fragments.h"
 
 namespace rastercheck::backends::gl {
 
-/// Draws cases without a camera: each triangle in the case's own viewport and into a layer of its
-/// own, or, with a depth test, all of them in one draw into one. Attributes are varyings, drawn
-/// into colours of float32; positions are handed through by the vertex shader. Cases of the rules
-/// of Vulkan are drawn with OpenGL's clip control.
+/// Draws cases without a camera, each triangle in the case's own viewport: into a layer of its own,
+/// where attributes are varyings, drawn into colours of float32, or by appending all fragments to a
+/// buffer (backends/appended_drawing.h). With a depth test all triangles are drawn into one layer,
+/// in one draw. Positions are handed through by the vertex shader. Cases of the rules of Vulkan are
+/// drawn with OpenGL's clip control.
 class CaseDrawer {
  public:
   /// Fails where the driver does not draw into float32. `context` must outlive it.
@@ -28,10 +32,15 @@ class CaseDrawer {
   /// GL_SUBPIXEL_BITS
   int subpixel_bits() const;
 
-  /// Failure::unsupported where the context lacks something that the case needs.
-  /// Calls `go_on` after each batch of layers.
+  /// The ways that the context has.
+  std::vector<cases::DrawBy> ways() const;
+
+  /// Failure::unsupported where the context, or the way, lacks something that the case needs.
+  /// Without a way, fragments are appended where layers would take long. Calls `go_on` after each
+  /// part of the drawing.
   Result<cases::Fragments> draw(
-      const cases::Case& c, const std::function<void()>& go_on = [] {});
+      const cases::Case& c, std::optional<cases::DrawBy> way = std::nullopt,
+      const std::function<void()>& go_on = [] {});
 
  private:
   struct Impl;

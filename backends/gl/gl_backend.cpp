@@ -30,7 +30,7 @@ bool is_software(std::string_view renderer) {
   });
 }
 
-class GlBackend : public Backend {
+class GlBackend : public Backend, public WaysOfDrawing {
  public:
   GlBackend(gl::Context context, gl::CaseDrawer drawer)
       : context_(std::move(context)), drawer_(std::move(drawer)) {}
@@ -39,7 +39,13 @@ class GlBackend : public Backend {
     return {.description = context_.renderer(),
             .driver = gl::driver_of(context_.renderer_name(), context_.version()),
             .api = ApiLimits{drawer_.subpixel_bits(), is_software(context_.renderer_name())},
-            .has_limits = true};
+            .has_limits = true,
+            .ways = ways()};
+  }
+  WaysOfDrawing* ways_of_drawing() override { return this; }
+  std::vector<cases::DrawBy> ways() const override { return drawer_.ways(); }
+  Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way) override {
+    return drawer_.draw(c, way, [this] { go_on(); });
   }
   cases::Contract promise(const cases::Case& c) const override {
     return api_promise(c, *about().api, *driver_promise());
@@ -47,7 +53,7 @@ class GlBackend : public Backend {
 
  private:
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
-    return drawer_.draw(c, [this] { go_on(); });
+    return drawer_.draw(c, std::nullopt, [this] { go_on(); });
   }
 
   gl::Context context_;

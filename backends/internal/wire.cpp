@@ -84,7 +84,7 @@ void members(Archive& archive, T& f) {
 }
 template <typename Archive, cases::Either<Request> T>
 void members(Archive& archive, T& r) {
-  archive(r.question, r.source);
+  archive(r.question, r.source, r.way);
 }
 template <typename Archive, cases::Either<Driver> T>
 void members(Archive& archive, T& d) {
@@ -96,7 +96,7 @@ void members(Archive& archive, T& l) {
 }
 template <typename Archive, cases::Either<About> T>
 void members(Archive& archive, T& a) {
-  archive(a.description, a.driver, a.api, a.has_limits, a.same_as);
+  archive(a.description, a.driver, a.api, a.has_limits, a.same_as, a.ways);
 }
 template <typename Archive, cases::Either<Greeting> T>
 void members(Archive& archive, T& g) {

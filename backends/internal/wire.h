@@ -10,6 +10,7 @@
 #include "backends/backend.h"
 #include "cases/case.h"
 #include "cases/contract.h"
+#include "cases/draw_by.h"
 #include "cases/error.h"
 #include "cases/fragments.h"
 
@@ -21,6 +22,7 @@ enum class Question : std::uint8_t { promise, drawing };
 struct Request {
   Question question = Question::drawing;
   cases::Case source;
+  std::optional<cases::DrawBy> way = std::nullopt;  ///< that is asked for
 };
 
 /// What a process says first: who it is, or why there is no backend.

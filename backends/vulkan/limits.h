@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -23,6 +24,8 @@ struct Limits {
   bool depth_clamp = false;
   bool depth_clip_control = false;  ///< clip depth −w…w
   bool provoking_vertex_last = false;
+  bool fragment_stores = false;  ///< fragment shaders write to storage buffers
+  std::size_t max_storage = 0;   ///< of a storage buffer, bytes
   int slots = 3;  ///< that one drawing can write (slots.h)
 };
 

@@ -27,7 +27,7 @@ namespace {
 using vulkan::CaseDrawing;
 using vulkan::Device;
 
-class VulkanBackend : public Backend {
+class VulkanBackend : public Backend, public WaysOfDrawing {
  public:
   VulkanBackend(std::string specification, std::unique_ptr<Device> device, CaseDrawing drawing)
       : specification_(std::move(specification)),
@@ -38,7 +38,13 @@ class VulkanBackend : public Backend {
     return {.description = device_->description(),
             .driver = device_->driver(),
             .api = ApiLimits{device_->limits().subpixel_bits, device_->is_software()},
-            .has_limits = true};
+            .has_limits = true,
+            .ways = ways()};
+  }
+  WaysOfDrawing* ways_of_drawing() override { return this; }
+  std::vector<cases::DrawBy> ways() const override { return drawing_.ways(); }
+  Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way) override {
+    return draw_in(c, way);
   }
   cases::Contract promise(const cases::Case& c) const override {
     return api_promise(c, *about().api, *driver_promise());
@@ -46,9 +52,13 @@ class VulkanBackend : public Backend {
 
  private:
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
+    return draw_in(c, std::nullopt);
+  }
+
+  Result<cases::Fragments> draw_in(const cases::Case& c, std::optional<cases::DrawBy> way) {
     const std::string missing = vulkan::lacks(device_->limits(), c);
     if (!missing.empty()) return fail({"", "", "it lacks " + missing, Failure::unsupported});
-    Result<cases::Fragments> drawn = drawing_.draw(c, [this] { go_on(); });
+    Result<cases::Fragments> drawn = drawing_.draw(c, way, [this] { go_on(); });
     const std::string said = device_->take_messages();
     if (!said.empty()) return fail({"", "", "the validation layer says: " + cases::one_line(said)});
     if (!drawn) return fail(drawn.error());

@@ -34,10 +34,14 @@ struct Options {
   KnownOption known;
   std::string contract;
   std::optional<cases::DriverPromise> promise;
+  std::optional<cases::DrawBy> draw_by;
   double timeout = kDefaultTimeout;
   bool json = false;
   bool quiet = false;
 };
+
+/// Those of run; a saved case says itself whether it has a depth test.
+constexpr auto kWays = names_of(cases::DrawBy());
 
 /// A law checked on a file's case.
 struct Outcome {
@@ -208,7 +212,8 @@ Result<std::vector<Outcome>> check_inputs(const std::vector<Input>& inputs, cons
 ExitCode run(const Options& options) {
   const auto terms = read_terms(options.contract, options.promise);
   if (!terms) return fail(terms.error());
-  const backends::BackendFactory factory = backend_factory(options.timeout, *terms);
+  backends::BackendFactory factory = backend_factory(options.timeout, *terms);
+  factory.draw_by = options.draw_by;
   const Result<std::vector<Input>> inputs = read_inputs(options);
   if (!inputs) return fail(inputs.error());
   std::vector<std::string> specifications;
@@ -239,6 +244,8 @@ Action set_up(CLI::App& app) {
   add_known(app, options->known);
   add_contract(app, options->contract);
   add_promise(app, options->promise);
+  add_draw_by(app, options->draw_by, std::span(kWays).first(2))
+      ->description("How drivers that have several ways draw, as of run");
   add_timeout(app, options->timeout);
   app.add_flag("--json", options->json, "Prints the result as JSON");
   app.add_flag("-q,--quiet", options->quiet, "Prints verdicts only");

@@ -334,6 +334,11 @@ Action set_up(CLI::App& app) {
       ->capture_default_str();
   add_contract(app, options->contract);
   add_promise(app, plan.promise);
+  add_draw_by(app, plan.draw_by, names_of(cases::DrawBy()))
+      ->description(
+          "How drivers that have several ways draw: append, where shaders append fragments to a "
+          "buffer; layers, each triangle into one of its own; frame, the scene in one draw with a "
+          "depth test. Usual: what takes least");
   app.add_option("--corpus", plan.corpus,
                  "Folder of case files that every property is checked on first; without it the "
                  "one that comes with the program")
@@ -375,7 +380,7 @@ Action set_up(CLI::App& app) {
                    "it was begun with");
   for (const char* settled :
        {"--backend", "--property", "--cases", "--seed", "--scene", "--scene-size", "--contract",
-        "--promise", "--corpus", "--known", "--no-known", "--shrink-tries", "--shrink-seconds",
+        "--promise", "--draw-by", "--corpus", "--known", "--no-known", "--shrink-tries", "--shrink-seconds",
         "--power", "--keep-cases"}) {
     resume->excludes(settled);
     rerun->excludes(settled);

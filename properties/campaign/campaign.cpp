@@ -177,6 +177,7 @@ backends::BackendFactory factory_for(const records::Plan& plan,
         {.command = worker, .timeout = std::chrono::duration<double>(plan.timeout)});
   }
   factory.terms = records::terms_of(plan);
+  factory.draw_by = plan.draw_by;
   return factory;
 }
 

@@ -104,7 +104,7 @@ def complete(document):
     """The same with the keys that it lacks."""
     document["plan"] |= {
         "contract": {"file": "mine.json", "terms": {"format": "rastercheck-contract", "version": 1}},
-        "promise": "spec", "corpus": "a folder", "known": "another", "ignores_known": True, "scene_size": 640,
+        "promise": "spec", "draw_by": "append", "corpus": "a folder", "known": "another", "ignores_known": True, "scene_size": 640,
         "shrink_tries": 5, "shrink_seconds": 2.5, "power": 5, "keeps_cases": True,
         "shard": {"index": 2, "count": 7}}
     document["cases_left"] = 3

@@ -112,6 +112,12 @@ Capabilities read_capabilities() {
   has.has_noperspective = !has.is_es || es(kNever, "GL_NV_shader_noperspective_interpolation");
   has.has_sample_qualifier = desktop(40, "GL_ARB_gpu_shader5") || es(32, "");
   has.has_sample_targets = !has.is_es || has.version >= 32;
+  has.has_appending = desktop(43, "GL_ARB_shader_storage_buffer_object") &&
+                      desktop(43, "GL_ARB_framebuffer_no_attachments") &&
+                      integer(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) > 0;
+  if (has.has_appending) {
+    has.max_storage = static_cast<std::size_t>(integer(GL_MAX_SHADER_STORAGE_BLOCK_SIZE));
+  }
   has.subpixel_bits = integer(GL_SUBPIXEL_BITS);
   has.max_draw_buffers = std::min(integer(GL_MAX_DRAW_BUFFERS), integer(GL_MAX_COLOR_ATTACHMENTS));
   has.max_size = integer(GL_MAX_TEXTURE_SIZE);

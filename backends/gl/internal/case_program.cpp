@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "backends/appended_drawing.h"
+
 namespace rastercheck::backends::gl {
 namespace {
 
@@ -20,7 +22,7 @@ std::string qualifiers(const VaryingClass& varies) {
 std::string vertex_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings) {
   const std::size_t clip_vectors = has.clip_vectors();
   std::string outside = shader_head(has) + "layout(location = 0) in vec4 position;\n";
-  std::string inside = "  gl_Position = position;\n  number = float(gl_VertexID / 3 + 1);\n";
+  std::string inside = "  gl_Position = position;\n  number = number_in;\n";
   outside += "flat out float number;\n";
   for (std::size_t i = 0; i < varyings.size(); ++i) {
     outside += fmt::format("layout(location = {}) in vec4 in{};\n{} out vec4 value{};\n", i + 1, i,
@@ -34,6 +36,32 @@ std::string vertex_shader(const Capabilities& has, const std::vector<VaryingClas
         fmt::format("layout(location = {}) in vec4 distances{};\n", varyings.size() + 1 + i, i);
     for (std::size_t k = 0; k < 4; ++k) {
       inside += fmt::format("  gl_ClipDistance[{}] = distances{}[{}];\n", 4 * i + k, i, k);
+    }
+  }
+  outside += fmt::format("layout(location = {}) in float number_in;\n",
+                         varyings.size() + 1 + clip_vectors);
+  return outside + "void main() {\n" + inside + "}\n";
+}
+
+/// Appends a record of each fragment, whatever its triangle is drawn over: nothing else is written,
+/// as some of Mesa's drivers lose records of fragments that have colours, too.
+std::string appending_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings) {
+  std::string outside =
+      shader_head(has) +
+      "#extension GL_ARB_shader_storage_buffer_object : require\n"
+      "flat in float number;\nuniform uint room;\n"
+      "layout(std430) buffer Records { uint count; uint words[]; };\n";
+  std::string inside = fmt::format(
+      "  uint at = atomicAdd(count, 1u);\n  if (at >= room) return;\n  at *= {}u;\n"
+      "  words[at] = floatBitsToUint(number);\n"
+      "  words[at + 1u] = uint(gl_FragCoord.x) | uint(gl_FragCoord.y) << 16u;\n"
+      "  words[at + 2u] = floatBitsToUint(gl_FragCoord.z);\n",
+      kRecordHead + 4 * varyings.size());
+  for (std::size_t i = 0; i < varyings.size(); ++i) {
+    outside += fmt::format("{} in vec4 value{};\n", qualifiers(varyings[i]), i);
+    for (std::size_t k = 0; k < 4; ++k) {
+      inside += fmt::format("  words[at + {}u] = floatBitsToUint(value{}[{}]);\n",
+                            kRecordHead + 4 * i + k, i, k);
     }
   }
   return outside + "void main() {\n" + inside + "}\n";
@@ -79,13 +107,15 @@ std::string shader_head(const Capabilities& has) {
   return head;
 }
 
-Result<GLuint> CasePrograms::get(const Pass& pass, bool is_multisampled) {
-  Key key{{}, is_multisampled};
+Result<GLuint> CasePrograms::get(const Pass& pass, bool is_multisampled, Output output) {
+  Key key{{}, is_multisampled, output};
   for (const Varying& varying : pass) key.varyings.push_back(varying.varies);
   if (const auto found = made_.find(key); found != made_.end()) return found->second.name();
+  const std::string fragments = output == Output::colors
+                                    ? fragment_shader(*has_, key.varyings, is_multisampled)
+                                    : appending_shader(*has_, key.varyings);
   Result<Object> program =
-      make_program(vertex_shader(*has_, key.varyings).c_str(),
-                   fragment_shader(*has_, key.varyings, is_multisampled).c_str());
+      make_program(vertex_shader(*has_, key.varyings).c_str(), fragments.c_str());
   if (!program) return tl::unexpected(program.error());
   const GLuint name = program->name();
   made_.emplace(std::move(key), *std::move(program));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace rastercheck::backends::gl {
@@ -11,6 +12,11 @@ namespace {
 
 /// The distance of what a case has no clip plane for.
 constexpr float kInside = 1;
+
+/// Vectors of four floats that a vertex has.
+std::size_t vectors_of(const Capabilities& has, const Pass& pass) {
+  return 1 + pass.size() + has.clip_vectors();
+}
 
 void set(GLenum what, bool is_on) { (is_on ? glEnable : glDisable)(what); }
 
@@ -57,10 +63,12 @@ void set_conventions(const Capabilities& has, const cases::Case& c) {
 
 std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
                                std::span<const cases::Triangle> triangles, const Pass& pass) {
-  const std::size_t stride = 4 * (1 + pass.size() + has.clip_vectors());
+  const std::size_t stride = 4 * vectors_of(has, pass) + 1;
   std::vector<float> values(3 * triangles.size() * stride);
   float* to = values.data();
+  float number = 0;
   for (const cases::Triangle& triangle : triangles) {
+    ++number;
     for (const std::uint32_t vertex : triangle) {
       const cases::ClipVertex& p = c.positions[vertex];
       std::copy_n(std::array{p.x, p.y, p.z, p.w}.data(), 4, to);
@@ -74,10 +82,35 @@ std::vector<float> vertices_of(const Capabilities& has, const cases::Case& c,
       float* const clip = to + 4 * (1 + pass.size());
       std::copy(distances.begin(), distances.end(), clip);
       std::fill(clip + distances.size(), clip + 4 * has.clip_vectors(), kInside);
+      to[stride - 1] = number;
       to += stride;
     }
   }
   return values;
+}
+
+void hand_over_vertices(const Capabilities& has, const cases::Case& c,
+                        std::span<const cases::Triangle> triangles, const Pass& pass,
+                        GLuint vertex_array, GLuint buffer) {
+  const std::vector<float> values = vertices_of(has, c, triangles, pass);
+  glBindVertexArray(vertex_array);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)),
+               values.data(), GL_STREAM_DRAW);
+  const auto vectors = static_cast<GLuint>(vectors_of(has, pass));
+  const auto stride = static_cast<GLsizei>((4 * vectors + 1) * sizeof(float));
+  constexpr GLuint kMostInputs = 16;
+  for (GLuint i = 0; i < kMostInputs; ++i) {
+    if (i > vectors) {
+      glDisableVertexAttribArray(i);
+      continue;
+    }
+    glEnableVertexAttribArray(i);
+    constexpr std::uintptr_t kVector = 4 * sizeof(float);
+    // GL takes an offset for a pointer.
+    glVertexAttribPointer(i, i < vectors ? 4 : 1, GL_FLOAT, GL_FALSE, stride,
+                          std::bit_cast<const void*>(i * kVector));
+  }
 }
 
 void set_case_state(const Capabilities& has, const cases::Case& c) {

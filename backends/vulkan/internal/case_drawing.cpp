@@ -12,7 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "backends/appended_drawing.h"
+#include "backends/vulkan/internal/case_commands.h"
 #include "backends/vulkan/internal/commands.h"
+#include "backends/vulkan/internal/fragment_buffer.h"
 #include "backends/vulkan/internal/memory.h"
 #include "backends/vulkan/internal/pipelines.h"
 #include "backends/vulkan/internal/sample_reader.h"
@@ -33,9 +36,6 @@ constexpr std::size_t kMaxTriangles = std::size_t{1} << 24U;
 
 /// The triangles of one layer, in the order of drawing.
 using Layer = std::vector<std::size_t>;
-
-/// Of all slots those that one drawing writes.
-using Pass = std::span<const Slot>;
 
 std::vector<Pass> passes_of(std::span<const Slot> slots, std::size_t most) {
   std::vector<Pass> passes;
@@ -59,68 +59,6 @@ std::vector<Layer> layers_of(const cases::Case& c) {
   std::iota(all.rbegin(), all.rend(), std::size_t{0});
   layers.push_back(std::move(all));
   return layers;
-}
-
-PipelineKind kind_of(const cases::Case& c, const Limits& limits, Pass pass) {
-  PipelineKind kind;
-  kind.samples = c.framebuffer.samples;
-  kind.depth_clamp = c.depth_clamp;
-  kind.negative_one_to_one = c.rules == cases::Rules::opengl;
-  // Where a device does not have it there is no flat attribute.
-  kind.provoking_last = kind.negative_one_to_one && limits.provoking_vertex_last;
-  kind.clip_distances = shader_clip_distances(c.clip_distance_count);
-  for (const Slot& slot : pass) kind.slots.push_back(slot.qualifier);
-  return kind;
-}
-
-void append_vertex(const cases::Case& c, Pass pass, const VertexLayout& layout, std::size_t number,
-                   std::uint32_t vertex, std::vector<float>& floats) {
-  const std::size_t begin = floats.size();
-  floats.resize(begin + layout.size, 0.0F);
-  const std::span<float> all = std::span(floats).subspan(begin);
-  const cases::ClipVertex& p = c.positions[vertex];
-  std::ranges::copy(std::array{p.x, p.y, p.z, p.w, static_cast<float>(number)}, all.begin());
-  // Distances that the case does not have clip nothing.
-  std::ranges::fill(all.subspan(layout.clip_distances, layout.slots - layout.clip_distances), 1.0F);
-  std::ranges::copy(c.clip_distances_of(vertex), all.subspan(layout.clip_distances).begin());
-  const std::span<const float> values = c.attributes_of(vertex);
-  for (std::size_t s = 0; s < pass.size(); ++s) {
-    const std::vector<std::size_t>& attributes = pass[s].attributes;
-    for (std::size_t k = 0; k < attributes.size(); ++k) {
-      all[layout.slots + s * kSlotSize + k] = values[attributes[k]];
-    }
-  }
-}
-
-VkViewport viewport_of(const cases::Viewport& v) {
-  return {v.x, v.y, v.width, v.height, v.min_depth, v.max_depth};
-}
-
-/// What of the scissor lies in the framebuffer: Vulkan's has no negative numbers.
-VkRect2D scissor_of(const cases::Case& c) {
-  const int width = c.framebuffer.width;
-  const int height = c.framebuffer.height;
-  const cases::Scissor whole{0, 0, width, height};
-  const cases::Scissor s = c.scissor.value_or(whole);
-  const int min_x = std::clamp(s.x, 0, width);
-  const int min_y = std::clamp(s.y, 0, height);
-  const int max_x = std::clamp(s.x + s.width, min_x, width);
-  const int max_y = std::clamp(s.y + s.height, min_y, height);
-  return {{min_x, min_y},
-          {static_cast<std::uint32_t>(max_x - min_x), static_cast<std::uint32_t>(max_y - min_y)}};
-}
-
-VkCullModeFlags cull_of(cases::Cull cull) {
-  if (cull == cases::Cull::none) return VK_CULL_MODE_NONE;
-  return cull == cases::Cull::back ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_FRONT_BIT;
-}
-
-/// Vulkan's counter-clockwise is so where window y points down. With OpenGL's rules it points up:
-/// the rows are the same, and what is displayed is turned over.
-VkFrontFace front_face_of(const cases::Case& c) {
-  const bool is_ccw = c.front_face == cases::FrontFace::ccw;
-  const bool is_up = c.rules == cases::Rules::opengl;
-  return is_ccw != is_up ? VK_FRONT_FACE_COUNTER_CLOCKWISE : VK_FRONT_FACE_CLOCKWISE;
 }
 
 /// The fragments of a case, as passes and layers bring them.
@@ -229,16 +167,23 @@ cases::Fragments CaseFragments::take() {
 
 struct CaseDrawing::Impl {
   Impl(const Device& the_device, Pipelines the_pipelines, SampleReader the_reader,
-       Commands the_commands)
+       Commands the_commands, FragmentBuffer the_records)
       : device(&the_device),
         pipelines(std::move(the_pipelines)),
         reader(std::move(the_reader)),
-        commands(std::move(the_commands)) {}
+        commands(std::move(the_commands)),
+        records(std::move(the_records)) {}
 
   Result<const Target*> target_for(TargetShape shape);
   Result<void> hand_over(const std::vector<float>& vertices);
   Result<void> draw_layers(const cases::Case& c, Pass pass, std::span<const Layer> layers,
                            const Target& target);
+  Result<cases::Fragments> draw_in_layers(const cases::Case& c,
+                                          const std::function<void()>& go_on);
+  Result<cases::Fragments> append_all(const cases::Case& c, const std::function<void()>& go_on);
+  bool appends(const cases::Case& c) const;
+  Result<std::size_t> append_some(const cases::Case& c, Pass pass, std::size_t first,
+                                  std::size_t count, std::size_t room);
   void record(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
               std::span<const Layer> layers, const Target& target) const;
 
@@ -246,6 +191,7 @@ struct CaseDrawing::Impl {
   Pipelines pipelines;
   SampleReader reader;
   Commands commands;
+  FragmentBuffer records;
   HostBuffer vertices;
   std::optional<Target> target;
 };
@@ -294,9 +240,7 @@ Result<void> CaseDrawing::Impl::draw_layers(const cases::Case& c, Pass pass,
   std::vector<float> floats;
   for (const Layer& layer : layers) {
     for (const std::size_t triangle : layer) {
-      for (const std::uint32_t vertex : c.triangles[triangle]) {
-        append_vertex(c, pass, layout, triangle + 1, vertex, floats);
-      }
+      append_triangle(c, pass, layout, triangle, triangle + 1, floats);
     }
   }
   if (Result<void> handed = hand_over(floats); !handed) return handed;
@@ -307,20 +251,8 @@ Result<void> CaseDrawing::Impl::draw_layers(const cases::Case& c, Pass pass,
 
 void CaseDrawing::Impl::record(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
                                std::span<const Layer> layers, const Target& target_of) const {
-  const VkViewport viewport = viewport_of(c.viewport);
-  const VkRect2D scissor = scissor_of(c);
-  const VkBuffer from = vertices.buffer.get();
-  constexpr VkDeviceSize kBegin = 0;
   target_of.begin(buffer);
-  vkCmdBindPipeline(buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-  vkCmdBindVertexBuffers(buffer, 0, 1, &from, &kBegin);
-  vkCmdSetViewport(buffer, 0, 1, &viewport);
-  vkCmdSetScissor(buffer, 0, 1, &scissor);
-  vkCmdSetCullMode(buffer, cull_of(c.cull));
-  vkCmdSetFrontFace(buffer, front_face_of(c));
-  vkCmdSetDepthCompareOp(buffer, c.depth_test == cases::DepthTest::none
-                                     ? VK_COMPARE_OP_ALWAYS
-                                     : VK_COMPARE_OP_LESS_OR_EQUAL);
+  bind_case(buffer, c, pipeline, vertices.buffer.get());
   std::uint32_t first = 0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const auto count = static_cast<std::uint32_t>(3 * layers[i].size());
@@ -339,12 +271,14 @@ Result<CaseDrawing> CaseDrawing::create(const Device& device) {
   if (!reader) return tl::unexpected(reader.error());
   Result<Commands> commands = Commands::create(device);
   if (!commands) return tl::unexpected(commands.error());
+  Result<FragmentBuffer> records = FragmentBuffer::create(device, *pipelines);
+  if (!records) return tl::unexpected(records.error());
   return CaseDrawing(std::make_unique<Impl>(device, *std::move(pipelines), *std::move(reader),
-                                            *std::move(commands)));
+                                            *std::move(commands), *std::move(records)));
 }
 
-Result<cases::Fragments> CaseDrawing::draw(const cases::Case& c,
-                                           const std::function<void()>& go_on) {
+Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
+                                                           const std::function<void()>& go_on) {
   CaseFragments fragments(c);
   if (c.triangles.empty()) return fragments.take();
   if (c.triangles.size() >= kMaxTriangles) {
@@ -355,7 +289,7 @@ Result<cases::Fragments> CaseDrawing::draw(const cases::Case& c,
   const std::vector<Slot> slots = widened(slots_of(c), c.framebuffer.samples);
   const std::vector<Layer> layers = layers_of(c);
   const std::vector<Pass> passes =
-      passes_of(slots, static_cast<std::size_t>(impl_->device->limits().slots));
+      passes_of(slots, static_cast<std::size_t>(device->limits().slots));
   for (const Pass pass : passes) {
     TargetShape shape{c.framebuffer.width, c.framebuffer.height, c.framebuffer.samples, pass.size(),
                       1};
@@ -368,18 +302,18 @@ Result<cases::Fragments> CaseDrawing::draw(const cases::Case& c,
     }
     const std::size_t together = std::clamp<std::size_t>(kTogether / shape.bytes(), 1, kMaxLayers);
     shape.layers = std::min(std::bit_floor(together), layers.size());
-    const Result<const Target*> target = impl_->target_for(shape);
-    if (!target) return tl::unexpected(target.error());
+    const Result<const Target*> of_shape = target_for(shape);
+    if (!of_shape) return tl::unexpected(of_shape.error());
     fragments.begin_pass();
     for (std::size_t first = 0; first < layers.size(); first += shape.layers) {
       const auto some =
           std::span(layers).subspan(first, std::min(shape.layers, layers.size() - first));
-      if (const auto drawn = impl_->draw_layers(c, pass, some, **target); !drawn) {
+      if (const auto drawn = draw_layers(c, pass, some, **of_shape); !drawn) {
         return tl::unexpected(drawn.error());
       }
       for (std::size_t i = 0; i < some.size(); ++i) {
         const bool is_first = pass.data() == passes.front().data();
-        const Result<void> added = fragments.add(**target, i, some[i], pass, is_first);
+        const Result<void> added = fragments.add(**of_shape, i, some[i], pass, is_first);
         if (!added) return tl::unexpected(added.error());
       }
       go_on();
@@ -387,6 +321,122 @@ Result<cases::Fragments> CaseDrawing::draw(const cases::Case& c,
     if (!fragments.is_complete()) return other_coverage();
   }
   return fragments.take();
+}
+
+namespace {
+
+/// Appends fragments of a case by functions of CaseDrawing.
+class VulkanAppending final : public AppendingDriver {
+ public:
+  using DrawSome = std::function<Result<std::size_t>(Pass pass, std::size_t first,
+                                                     std::size_t count, std::size_t room)>;
+  using DrawInLayers = std::function<Result<cases::Fragments>(const cases::Case&)>;
+
+  VulkanAppending(std::span<const Pass> passes, const FragmentBuffer& records, DrawSome draw_some,
+                  DrawInLayers draw_in_layers)
+      : passes_(passes),
+        records_(&records),
+        draw_some_(std::move(draw_some)),
+        draw_in_layers_(std::move(draw_in_layers)) {}
+
+  std::size_t most_words() const override { return records_->most_words(); }
+  Result<std::size_t> draw(std::size_t layout, std::size_t first, std::size_t count,
+                           std::size_t room) override {
+    return draw_some_(passes_[layout], first, count, room);
+  }
+  std::span<const std::uint32_t> records() const override { return records_->words(); }
+  Result<cases::Fragments> draw_in_layers(const cases::Case& c) override {
+    return draw_in_layers_(c);
+  }
+
+ private:
+  std::span<const Pass> passes_;
+  const FragmentBuffer* records_;
+  DrawSome draw_some_;
+  DrawInLayers draw_in_layers_;
+};
+
+/// Where the records of a pass have its attributes.
+RecordLayout layout_of(Pass pass) {
+  RecordLayout layout;
+  for (const Slot& slot : pass) {
+    for (std::size_t k = 0; k < slot.attributes.size(); ++k) {
+      layout.values.push_back({layout.words + k, slot.attributes[k]});
+    }
+    layout.words += kSlotSize;
+  }
+  return layout;
+}
+
+}  // namespace
+
+Result<std::size_t> CaseDrawing::Impl::append_some(const cases::Case& c, Pass pass,
+                                                   std::size_t first, std::size_t count,
+                                                   std::size_t room) {
+  PipelineKind kind = kind_of(c, device->limits(), pass);
+  kind.appends = true;
+  const Result<VkPipeline> pipeline = pipelines.get(*device, kind);
+  if (!pipeline) return tl::unexpected(pipeline.error());
+  const VertexLayout layout = vertex_layout(kind);
+  std::vector<float> floats;
+  for (std::size_t t = 0; t < count; ++t) {
+    append_triangle(c, pass, layout, first + t, t + 1, floats);
+  }
+  if (Result<void> handed = hand_over(floats); !handed) return tl::unexpected(handed.error());
+  const std::size_t words = room * (kRecordHead + kSlotSize * pass.size());
+  if (Result<void> ready = records.make_room(*device, words); !ready) {
+    return tl::unexpected(ready.error());
+  }
+  const Result<void> done = commands.run(*device, [&](VkCommandBuffer buffer) {
+    begin_without_images(buffer, c.framebuffer);
+    bind_case(buffer, c, *pipeline, vertices.buffer.get());
+    records.bind(buffer, pipelines.appending_layout(), room);
+    vkCmdDraw(buffer, static_cast<std::uint32_t>(3 * count), 1, 0, 0);
+    vkCmdEndRendering(buffer);
+    FragmentBuffer::show_host(buffer);
+  });
+  if (!done) return tl::unexpected(done.error());
+  return records.count();
+}
+
+Result<cases::Fragments> CaseDrawing::Impl::append_all(const cases::Case& c,
+                                                   const std::function<void()>& go_on) {
+  std::string what = lacks_of_appending(c);
+  if (!device->limits().fragment_stores) {
+    what = "it lacks storage buffers for fragments (fragmentStoresAndAtomics)";
+  }
+  if (!what.empty()) return failed(what, Failure::unsupported);
+  const std::vector<Slot> slots = widened(slots_of(c), c.framebuffer.samples);
+  const std::vector<Pass> passes = passes_of(slots, kMaxSlots);
+  std::vector<RecordLayout> layouts;
+  for (const Pass pass : passes) layouts.push_back(layout_of(pass));
+  VulkanAppending driver(
+      passes, records,
+      [&](Pass pass, std::size_t first, std::size_t count, std::size_t room) {
+        return append_some(c, pass, first, count, room);
+      },
+      [&](const cases::Case& some) { return draw_in_layers(some, go_on); });
+  return draw_appended(c, layouts, driver, go_on);
+}
+
+/// Whether fragments are appended unless another way is asked for: layers, which are read back
+/// whole, would be drawn in more than one go.
+bool CaseDrawing::Impl::appends(const cases::Case& c) const {
+  if (!device->limits().fragment_stores || !lacks_of_appending(c).empty()) return false;
+  const TargetShape one{c.framebuffer.width, c.framebuffer.height, 1,
+                        widened(slots_of(c), 1).size(), 1};
+  return one.bytes() * c.triangles.size() > kTogether;
+}
+
+std::vector<cases::DrawBy> CaseDrawing::ways() const {
+  if (!impl_->device->limits().fragment_stores) return {cases::DrawBy::layers};
+  return {cases::DrawBy::append, cases::DrawBy::layers};
+}
+
+Result<cases::Fragments> CaseDrawing::draw(const cases::Case& c, std::optional<cases::DrawBy> way,
+                                           const std::function<void()>& go_on) {
+  const bool appends = way ? *way == cases::DrawBy::append : impl_->appends(c);
+  return appends ? impl_->append_all(c, go_on) : impl_->draw_in_layers(c, go_on);
 }
 
 }  // namespace rastercheck::backends::vulkan

@@ -2,18 +2,22 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "backends/vulkan/internal/device.h"
 #include "cases/case.h"
+#include "cases/draw_by.h"
 #include "cases/error.h"
 #include "cases/fragments.h"
 
 namespace rastercheck::backends::vulkan {
 
-/// Draws cases that the device lacks nothing of (limits.h). Each triangle goes into a layer of its
-/// own, in the case's own viewport, and many layers are drawn, read back and looked through
-/// together; with a depth test all go into one. A target for each triangle's number says what is
-/// covered, whatever the values.
+/// Draws cases that the device lacks nothing of (limits.h), each triangle in the case's own
+/// viewport: into a layer of its own, of which many are drawn, read back and looked through
+/// together, or by appending all fragments to a buffer (backends/appended_drawing.h). With a depth
+/// test all triangles go into one layer. A target for each triangle's number says what is covered,
+/// whatever the values.
 class CaseDrawing {
  public:
   /// Of the device, which has to outlive it.
@@ -23,10 +27,15 @@ class CaseDrawing {
   CaseDrawing& operator=(CaseDrawing&& other) noexcept;
   ~CaseDrawing();
 
-  /// Fails as Failure::unsupported where the case takes more memory than there is for one.
-  /// Calls `go_on` after each batch of layers.
+  /// The ways that the device has.
+  std::vector<cases::DrawBy> ways() const;
+
+  /// Fails as Failure::unsupported where the case takes more memory than there is for one, or the
+  /// way does not draw such cases. Without a way, fragments are appended where layers would take
+  /// long. Calls `go_on` after each part of the drawing.
   Result<cases::Fragments> draw(
-      const cases::Case& c, const std::function<void()>& go_on = [] {});
+      const cases::Case& c, std::optional<cases::DrawBy> way = std::nullopt,
+      const std::function<void()>& go_on = [] {});
 
  private:
   struct Impl;

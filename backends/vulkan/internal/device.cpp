@@ -148,6 +148,7 @@ struct Features {
     core.features.depthClamp = has.depthClamp;
     core.features.shaderClipDistance = has.shaderClipDistance;
     core.features.sampleRateShading = has.sampleRateShading;
+    core.features.fragmentStoresAndAtomics = has.fragmentStoresAndAtomics;
     void* const next = vulkan13.pNext;
     const VkBool32 dynamic = vulkan13.dynamicRendering;
     vulkan13 = {};
@@ -205,6 +206,8 @@ Limits limits_of(VkPhysicalDevice physical, const Features& features) {
   limits.clip_distances =
       core.shaderClipDistance == VK_TRUE ? static_cast<int>(device.maxClipDistances) : 0;
   limits.sample_rate_shading = core.sampleRateShading == VK_TRUE;
+  limits.fragment_stores = core.fragmentStoresAndAtomics == VK_TRUE;
+  limits.max_storage = device.maxStorageBufferRange;
   limits.depth_clamp = core.depthClamp == VK_TRUE;
   limits.depth_clip_control = features.depth_clip_control.depthClipControl == VK_TRUE;
   limits.provoking_vertex_last = features.provoking_vertex.provokingVertexLast == VK_TRUE;

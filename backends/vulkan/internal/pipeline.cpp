@@ -83,8 +83,8 @@ void Description::describe_rasterization(const PipelineSource& source) {
 void Description::describe_output(const PipelineSource& source) {
   multisampling.rasterizationSamples = static_cast<VkSampleCountFlagBits>(source.samples);
   depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
-  depth.depthTestEnable = VK_TRUE;
-  depth.depthWriteEnable = VK_TRUE;
+  depth.depthTestEnable = source.has_depth ? VK_TRUE : VK_FALSE;
+  depth.depthWriteEnable = depth.depthTestEnable;
   VkPipelineColorBlendAttachmentState attachment{};
   attachment.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                               VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
@@ -95,7 +95,7 @@ void Description::describe_output(const PipelineSource& source) {
   rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
   rendering.colorAttachmentCount = static_cast<std::uint32_t>(source.colors.size());
   rendering.pColorAttachmentFormats = source.colors.data();
-  rendering.depthAttachmentFormat = kDepthFormat;
+  rendering.depthAttachmentFormat = source.has_depth ? kDepthFormat : VK_FORMAT_UNDEFINED;
 }
 
 }  // namespace

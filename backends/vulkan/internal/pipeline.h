@@ -24,6 +24,7 @@ struct PipelineSource {
   bool negative_one_to_one = false;  ///< clip depth −w…w
   bool provoking_last = false;
   std::vector<VkFormat> colors;
+  bool has_depth = true;  ///< else there is neither a depth test nor an image for it
 };
 
 Result<Pipeline> make_pipeline(const Device& device, VkPipelineLayout layout,

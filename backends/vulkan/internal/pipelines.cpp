@@ -72,6 +72,29 @@ class Centers {
   bool any_ = false;
 };
 
+Result<DescriptorSetLayout> make_records_layout(const Device& device) {
+  const VkDescriptorSetLayoutBinding records{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1,
+                                             VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
+  VkDescriptorSetLayoutCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+  info.bindingCount = 1;
+  info.pBindings = &records;
+  return make_object<DescriptorSetLayout>("vkCreateDescriptorSetLayout",
+                                          &vkCreateDescriptorSetLayout, device.get(), info);
+}
+
+Result<PipelineLayout> make_appending_layout(const Device& device, VkDescriptorSetLayout records) {
+  const VkPushConstantRange room{VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(std::uint32_t)};
+  VkPipelineLayoutCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+  info.setLayoutCount = 1;
+  info.pSetLayouts = &records;
+  info.pushConstantRangeCount = 1;
+  info.pPushConstantRanges = &room;
+  return make_object<PipelineLayout>("vkCreatePipelineLayout", &vkCreatePipelineLayout,
+                                     device.get(), info);
+}
+
 }  // namespace
 
 VertexLayout vertex_layout(const PipelineKind& kind) {
@@ -88,6 +111,13 @@ Result<Pipelines> Pipelines::create(const Device& device) {
   if (!layout) return tl::unexpected(layout.error());
   Pipelines pipelines;
   pipelines.layout_ = *std::move(layout);
+  Result<DescriptorSetLayout> records = make_records_layout(device);
+  if (!records) return tl::unexpected(records.error());
+  pipelines.records_layout_ = *std::move(records);
+  Result<PipelineLayout> appending =
+      make_appending_layout(device, pipelines.records_layout_.get());
+  if (!appending) return tl::unexpected(appending.error());
+  pipelines.appending_layout_ = *std::move(appending);
   return pipelines;
 }
 
@@ -96,7 +126,9 @@ Result<VkPipeline> Pipelines::get(const Device& device, const PipelineKind& kind
   if (made_.size() >= kKept) made_.clear();
   const Centers centers(kind);
   const std::vector<std::uint32_t> fragment_words =
-      qualified(fragment_shader(kind.slots.size(), centers.any()), kind.slots);
+      qualified(kind.appends ? appending_shader(kind.slots.size())
+                             : fragment_shader(kind.slots.size(), centers.any()),
+                kind.slots);
   PipelineSource source;
   source.vertex_shader = vertex_shader(kind.clip_distances);
   source.fragment_shader = fragment_words;
@@ -107,9 +139,13 @@ Result<VkPipeline> Pipelines::get(const Device& device, const PipelineKind& kind
   source.depth_clamp = kind.depth_clamp;
   source.negative_one_to_one = kind.negative_one_to_one;
   source.provoking_last = kind.provoking_last;
-  source.colors.assign(kind.slots.size() + 1, kSlotFormat);
-  source.colors[0] = kNumberFormat;
-  Result<Pipeline> made = make_pipeline(device, layout_.get(), source);
+  source.has_depth = !kind.appends;
+  if (!kind.appends) {
+    source.colors.assign(kind.slots.size() + 1, kSlotFormat);
+    source.colors[0] = kNumberFormat;
+  }
+  const VkPipelineLayout layout = kind.appends ? appending_layout_.get() : layout_.get();
+  Result<Pipeline> made = make_pipeline(device, layout, source);
   if (!made) return tl::unexpected(made.error());
   const VkPipeline handle = made->get();
   made_.insert_or_assign(kind, *std::move(made));

@@ -17,6 +17,8 @@ struct PipelineKind {
   bool negative_one_to_one = false;  ///< clip depth −w…w
   bool provoking_last = false;
   std::size_t clip_distances = 0;  ///< of the shader (shaders.h)
+  /// Whether fragments append records to the buffer of appending_layout() and write nothing else.
+  bool appends = false;
   std::vector<Qualifier> slots;
   auto operator<=>(const PipelineKind&) const = default;
 };
@@ -39,10 +41,17 @@ class Pipelines {
   /// depth test are dynamic.
   Result<VkPipeline> get(const Device& device, const PipelineKind& kind);
 
+  /// Of pipelines that append: a storage buffer, set 0 and binding 0, and how many records it has
+  /// room for, a push constant.
+  VkPipelineLayout appending_layout() const { return appending_layout_.get(); }
+  VkDescriptorSetLayout records_layout() const { return records_layout_.get(); }
+
  private:
   Pipelines() = default;
 
   PipelineLayout layout_;
+  DescriptorSetLayout records_layout_;
+  PipelineLayout appending_layout_;
   std::map<PipelineKind, Pipeline> made_;
 };
 

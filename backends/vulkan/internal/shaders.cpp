@@ -2,6 +2,14 @@
 
 #include <array>
 
+#include "backends/vulkan/shaders/append_0.h"
+#include "backends/vulkan/shaders/append_1.h"
+#include "backends/vulkan/shaders/append_2.h"
+#include "backends/vulkan/shaders/append_3.h"
+#include "backends/vulkan/shaders/append_4.h"
+#include "backends/vulkan/shaders/append_5.h"
+#include "backends/vulkan/shaders/append_6.h"
+#include "backends/vulkan/shaders/append_7.h"
 #include "backends/vulkan/shaders/centers_0.h"
 #include "backends/vulkan/shaders/centers_1.h"
 #include "backends/vulkan/shaders/centers_2.h"
@@ -35,6 +43,9 @@ const std::array<Words, 8> kCenters{spirv_centers_0, spirv_centers_1, spirv_cent
                                     spirv_centers_3, spirv_centers_4, spirv_centers_5,
                                     spirv_centers_6, spirv_centers_7};
 
+const std::array<Words, 8> kAppend{spirv_append_0, spirv_append_1, spirv_append_2, spirv_append_3,
+                                   spirv_append_4, spirv_append_5, spirv_append_6, spirv_append_7};
+
 }  // namespace
 
 std::size_t shader_clip_distances(std::size_t of_case) { return of_case <= 1 ? of_case : 8; }
@@ -46,6 +57,7 @@ Words vertex_shader(std::size_t clip_distances) {
 Words fragment_shader(std::size_t slots, bool has_centers) {
   return has_centers ? kCenters[slots] : kFragment[slots];
 }
+Words appending_shader(std::size_t slots) { return kAppend[slots]; }
 Words samples_shader() { return spirv_samples; }
 
 }  // namespace rastercheck::backends::vulkan

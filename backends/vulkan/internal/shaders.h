@@ -13,6 +13,7 @@ std::size_t shader_clip_distances(std::size_t of_case);
 /// centres have a boolean constant for each slot, by its index.
 std::span<const std::uint32_t> vertex_shader(std::size_t clip_distances);
 std::span<const std::uint32_t> fragment_shader(std::size_t slots, bool has_centers);
+std::span<const std::uint32_t> appending_shader(std::size_t slots);
 std::span<const std::uint32_t> samples_shader();
 
 }  // namespace rastercheck::backends::vulkan

@@ -19,13 +19,13 @@ TEST(CaseState, PutsVerticesInOrder) {
   has.max_clip_distances = 8;
   Pass pass(2);
   pass[1] = {{}, {0}, 1};
-  const std::vector<float> corner2 = {9, 10, 11, 12, 0, 0, 0, 0, 22, 0,
-                                      0, 0,  32, 1,  1, 1, 1, 1, 1,  1};
+  const std::vector<float> corner2 = {9, 10, 11, 12, 0, 0, 0, 0, 22, 0, 0,
+                                      0, 32, 1,  1,  1, 1, 1, 1, 1,  1};
   const std::vector<float> all = vertices_of(has, c, c.triangles, pass);
   ASSERT_EQ(all.size(), 3 * corner2.size());
-  EXPECT_EQ(std::vector(all.begin(), all.begin() + 20), corner2);
-  EXPECT_EQ(all[20], 1);
-  EXPECT_EQ(all[40 + 8], 21);
+  EXPECT_EQ(std::vector(all.begin(), all.begin() + 21), corner2);
+  EXPECT_EQ(all[21], 1);
+  EXPECT_EQ(all[42 + 8], 21);
 }
 
 }  // namespace

@@ -1,0 +1,273 @@
+#include "backends/appended_drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace rastercheck::backends {
+namespace {
+
+/// Triangles of a draw at most: whoever waits hears of each draw.
+constexpr std::size_t kMostOfDraw = 16384;
+/// Triangles of a draw that are drawn into layers, too.
+constexpr std::size_t kCheckedOfDraw = 8;
+/// Records that the first draw has room for.
+constexpr std::size_t kFirstRoom = std::size_t{1} << 14U;
+
+tl::unexpected<Error> wrong_record(std::string reason) {
+  return tl::unexpected(Error{"", "", std::move(reason)});
+}
+
+/// The same triangles' vertices, and these triangles alone.
+cases::Case part_of(const cases::Case& c, std::span<const std::size_t> triangles) {
+  cases::Case part = c;
+  part.triangles.clear();
+  for (const std::size_t t : triangles) part.triangles.push_back(c.triangles[t]);
+  return part;
+}
+
+bool are_same_bits(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) ||
+         (std::isnan(a) && std::isnan(b));
+}
+
+/// The records of one draw.
+class Records {
+ public:
+  Records(std::span<const std::uint32_t> words, const RecordLayout& layout)
+      : words_(words), layout_(&layout) {}
+
+  std::size_t size() const { return words_.size() / layout_->words; }
+  float number(std::size_t i) const { return std::bit_cast<float>(word(i, 0)); }
+  std::uint32_t pixel(std::size_t i) const { return word(i, 1); }
+  float depth(std::size_t i) const { return std::bit_cast<float>(word(i, 2)); }
+  const RecordLayout& layout() const { return *layout_; }
+  float value(std::size_t i, std::size_t at) const { return std::bit_cast<float>(word(i, at)); }
+
+  /// Their indices by triangle, y and x. Fails where one has no triangle of so many.
+  Result<std::vector<std::size_t>> order(std::size_t triangles) const {
+    std::vector<std::size_t> begins(triangles + 1);
+    for (std::size_t i = 0; i < size(); ++i) {
+      const float given = number(i);
+      const bool is_one = given >= 1 && given <= static_cast<float>(triangles) &&
+                          given == std::floor(given);
+      if (!is_one) return wrong_record(fmt::format("a flat number came out as {}", given));
+      ++begins[static_cast<std::size_t>(given)];
+    }
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    std::vector<std::size_t> sorted(size());
+    std::vector<std::size_t> next(begins.begin(), begins.end() - 1);
+    for (std::size_t i = 0; i < size(); ++i) {
+      sorted[next[static_cast<std::size_t>(number(i)) - 1]++] = i;
+    }
+    for (std::size_t t = 0; t < triangles; ++t) {
+      std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begins[t]),
+                sorted.begin() + static_cast<std::ptrdiff_t>(begins[t + 1]),
+                [this](std::size_t a, std::size_t b) { return pixel(a) < pixel(b); });
+    }
+    return sorted;
+  }
+
+ private:
+  std::uint32_t word(std::size_t i, std::size_t at) const { return words_[i * layout_->words + at]; }
+
+  std::span<const std::uint32_t> words_;
+  const RecordLayout* layout_;
+};
+
+class AppendedDrawing {
+ public:
+  AppendedDrawing(const cases::Case& c, std::span<const RecordLayout> layouts,
+                  AppendingDriver& driver, const std::function<void()>& go_on)
+      : case_(&c), layouts_(layouts), driver_(&driver), go_on_(&go_on) {
+    drawn_.attribute_count = c.attributes.size();
+    const auto [least, greatest] = std::minmax(c.viewport.min_depth, c.viewport.max_depth);
+    least_depth_ = least;
+    greatest_depth_ = greatest;
+  }
+
+  Result<cases::Fragments> draw() {
+    std::size_t count = kMostOfDraw;
+    for (std::size_t first = 0; first < case_->triangles.size();) {
+      count = std::min(count, case_->triangles.size() - first);
+      const Result<std::size_t> done = draw_some(first, count);
+      if (!done) return tl::unexpected(done.error());
+      first += *done;
+      // Where fewer had to do, it is likely that fewer will have to do again.
+      count = std::min(kMostOfDraw, 2 * *done);
+      (*go_on_)();
+    }
+    return std::move(drawn_);
+  }
+
+ private:
+  /// Draws so many triangles, or fewer where there is no room for their records; gives how many.
+  Result<std::size_t> draw_some(std::size_t first, std::size_t count);
+  Result<void> add(const Records& records, std::size_t first, std::size_t count);
+  Result<void> add_values(const Records& records, std::size_t begin, std::size_t first,
+                          std::size_t count);
+  Result<void> add_layer(std::size_t triangle);
+  Result<void> check_some(std::size_t begin, std::size_t first, std::size_t count) const;
+
+  /// Whether the fragment is at the place of that record.
+  bool is_at(std::size_t fragment, const Records& records, std::size_t i, std::size_t first) const {
+    return drawn_.triangle[fragment] + 1 - first == static_cast<std::size_t>(records.number(i)) &&
+           drawn_.x[fragment] + (std::uint32_t{drawn_.y[fragment]} << 16U) == records.pixel(i);
+  }
+  void set_values(std::size_t fragment, const Records& records, std::size_t i) {
+    for (const auto& [word, attribute] : records.layout().values) {
+      drawn_.attributes[fragment * drawn_.attribute_count + attribute] = records.value(i, word);
+    }
+  }
+
+  const cases::Case* case_;
+  std::span<const RecordLayout> layouts_;
+  AppendingDriver* driver_;
+  const std::function<void()>* go_on_;
+  float least_depth_ = 0;
+  float greatest_depth_ = 1;
+  std::size_t room_ = kFirstRoom;
+  cases::Fragments drawn_;
+};
+
+Result<std::size_t> AppendedDrawing::draw_some(std::size_t first, std::size_t count) {
+  const std::size_t begin = drawn_.size();
+  for (std::size_t pass = 0; pass < layouts_.size(); ++pass) {
+    const std::size_t most = driver_->most_words() / layouts_[pass].words;
+    room_ = std::min(room_, most);
+    Result<std::size_t> had = driver_->draw(pass, first, count, room_);
+    if (!had) return had;
+    if (*had > room_ && *had <= most) {
+      room_ = std::min(most, std::bit_ceil(*had));
+      had = driver_->draw(pass, first, count, room_);
+      if (!had) return had;
+    }
+    if (*had > room_) {
+      if (pass > 0) return wrong_record("drawn again, the same triangles have more fragments");
+      if (count > 1) return draw_some(first, std::max<std::size_t>(count * most / *had, 1));
+      const Result<void> added = add_layer(first);
+      if (!added) return tl::unexpected(added.error());
+      return count;
+    }
+    const Records records(driver_->records().first(*had * layouts_[pass].words), layouts_[pass]);
+    const Result<void> added = pass == 0 ? add(records, first, count)
+                                         : add_values(records, begin, first, count);
+    if (!added) return tl::unexpected(added.error());
+  }
+  const Result<void> checked = check_some(begin, first, count);
+  if (!checked) return tl::unexpected(checked.error());
+  return count;
+}
+
+Result<void> AppendedDrawing::add(const Records& records, std::size_t first, std::size_t count) {
+  const Result<std::vector<std::size_t>> order = records.order(count);
+  if (!order) return tl::unexpected(order.error());
+  const cases::FramebufferSize& size = case_->framebuffer;
+  drawn_.attributes.resize((drawn_.size() + order->size()) * drawn_.attribute_count);
+  for (const std::size_t i : *order) {
+    const auto x = static_cast<std::uint16_t>(records.pixel(i) & 0xFFFFU);
+    const auto y = static_cast<std::uint16_t>(records.pixel(i) >> 16U);
+    const std::size_t triangle = first + static_cast<std::size_t>(records.number(i)) - 1;
+    if (x >= size.width || y >= size.height) {
+      return wrong_record(fmt::format("triangle {} has a fragment at ({}, {}), outside {} x {}",
+                                      triangle, x, y, size.width, size.height));
+    }
+    drawn_.triangle.push_back(static_cast<std::uint32_t>(triangle));
+    drawn_.x.push_back(x);
+    drawn_.y.push_back(y);
+    drawn_.sample.push_back(0);
+    // A depth buffer holds none beyond the range.
+    const float depth = records.depth(i);
+    drawn_.depth.push_back(std::isnan(depth) ? depth
+                                             : std::clamp(depth, least_depth_, greatest_depth_));
+    set_values(drawn_.size() - 1, records, i);
+  }
+  return {};
+}
+
+Result<void> AppendedDrawing::add_values(const Records& records, std::size_t begin,
+                                         std::size_t first, std::size_t count) {
+  const Result<std::vector<std::size_t>> order = records.order(count);
+  if (!order) return tl::unexpected(order.error());
+  bool is_same = order->size() == drawn_.size() - begin;
+  for (std::size_t k = 0; k < order->size() && is_same; ++k) {
+    is_same = is_at(begin + k, records, (*order)[k], first);
+    if (is_same) set_values(begin + k, records, (*order)[k]);
+  }
+  if (is_same) return {};
+  return wrong_record("drawn again with others of its attributes, the case covers other samples");
+}
+
+Result<void> AppendedDrawing::add_layer(std::size_t triangle) {
+  Result<cases::Fragments> layer = driver_->draw_in_layers(part_of(*case_, std::array{triangle}));
+  if (!layer) return tl::unexpected(layer.error());
+  const auto append = [](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  drawn_.triangle.insert(drawn_.triangle.end(), layer->size(),
+                         static_cast<std::uint32_t>(triangle));
+  append(drawn_.x, layer->x);
+  append(drawn_.y, layer->y);
+  append(drawn_.sample, layer->sample);
+  append(drawn_.depth, layer->depth);
+  append(drawn_.attributes, layer->attributes);
+  return {};
+}
+
+/// Draws some triangles, evenly chosen of those from `first` on, into layers and compares them with
+/// the fragments from `begin` on.
+Result<void> AppendedDrawing::check_some(std::size_t begin, std::size_t first,
+                                         std::size_t count) const {
+  std::vector<std::size_t> chosen;
+  const std::size_t step = std::max<std::size_t>(count / kCheckedOfDraw, 1);
+  for (std::size_t t = step / 2; t < count; t += step) chosen.push_back(first + t);
+  const Result<cases::Fragments> layers = driver_->draw_in_layers(part_of(*case_, chosen));
+  if (!layers) return tl::unexpected(layers.error());
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const auto from = drawn_.triangle.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto [low, high] = std::equal_range(from, drawn_.triangle.end(),
+                                              static_cast<std::uint32_t>(chosen[k]));
+    auto i = static_cast<std::size_t>(low - drawn_.triangle.begin());
+    const auto end = static_cast<std::size_t>(high - drawn_.triangle.begin());
+    const auto differ = [&](std::size_t fragment, const cases::Fragments& of) {
+      return wrong_record(fmt::format(
+          "triangle {} at pixel ({}, {}) is drawn otherwise into a layer than where fragments are "
+          "appended to a buffer",
+          chosen[k], of.x[fragment], of.y[fragment]));
+    };
+    for (; at < layers->size() && layers->triangle[at] == k; ++at, ++i) {
+      if (i == end) return differ(at, *layers);
+      const auto values = drawn_.attributes_of(i);
+      const bool is_same =
+          drawn_.x[i] == layers->x[at] && drawn_.y[i] == layers->y[at] &&
+          are_same_bits(drawn_.depth[i], layers->depth[at]) &&
+          std::equal(values.begin(), values.end(), layers->attributes_of(at).begin(),
+                     are_same_bits);
+      if (!is_same) return differ(i, drawn_);
+    }
+    if (i != end) return differ(i, drawn_);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string lacks_of_appending(const cases::Case& c) {
+  if (c.framebuffer.samples > 1) return "fragments of several samples are not appended";
+  if (c.depth_test != cases::DepthTest::none) return "a depth test is not of appended fragments";
+  return "";
+}
+
+Result<cases::Fragments> draw_appended(const cases::Case& c, std::span<const RecordLayout> layouts,
+                                       AppendingDriver& driver,
+                                       const std::function<void()>& go_on) {
+  return AppendedDrawing(c, layouts, driver, go_on).draw();
+}
+
+}  // namespace rastercheck::backends

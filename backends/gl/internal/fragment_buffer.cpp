@@ -1,0 +1,76 @@
+#include "backends/gl/internal/fragment_buffer.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+#include "backends/appended_drawing.h"
+#include "backends/gl/internal/case_state.h"
+
+namespace rastercheck::backends::gl {
+namespace {
+
+/// Bytes of records that are read back at once.
+constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+constexpr std::size_t kWord = sizeof(std::uint32_t);
+
+}  // namespace
+
+FragmentBuffer::FragmentBuffer(const Capabilities& has, CasePrograms& programs)
+    : has_(&has),
+      programs_(&programs),
+      vertex_array_(generate_vertex_array()),
+      vertices_(generate_buffer()),
+      records_(generate_buffer()),
+      target_(generate_framebuffer()) {}
+
+std::size_t FragmentBuffer::most_words() const {
+  return std::min(has_->max_storage, kMostBytes) / kWord - 1;
+}
+
+void FragmentBuffer::bind_target(const cases::FramebufferSize& size) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target_.name());
+  glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, size.width);
+  glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, size.height);
+}
+
+Result<std::size_t> FragmentBuffer::draw(const cases::Case& c,
+                                         std::span<const cases::Triangle> triangles,
+                                         const Pass& pass, std::size_t room) {
+  const Result<GLuint> program = programs_->get(pass, false, Output::records);
+  if (!program) return tl::unexpected(program.error());
+  hand_over_vertices(*has_, c, triangles, pass, vertex_array_.name(), vertices_.name());
+  const std::size_t words_of_record = kRecordHead + 4 * pass.size();
+  const std::size_t bytes = (1 + room * words_of_record) * kWord;
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, records_.name());
+  if (bytes > bytes_) {
+    glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr,
+                 GL_DYNAMIC_READ);
+    bytes_ = bytes;
+  }
+  constexpr std::uint32_t kNone = 0;
+  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, kWord, &kNone);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, records_.name());
+
+  bind_target(c.framebuffer);
+  glUseProgram(*program);
+  glUniform1ui(glGetUniformLocation(*program, "room"), static_cast<GLuint>(room));
+  set_case_state(*has_, c);
+  // A test before the shader would keep fragments from it.
+  glDisable(GL_DEPTH_TEST);
+  set_scissor(c);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangles.size()));
+  reset_case_state(*has_);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  std::uint32_t count = 0;
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, kWord, &count);
+  if (count <= room) {
+    words_.resize(count * words_of_record);
+    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, kWord,
+                       static_cast<GLsizeiptr>(words_.size() * kWord), words_.data());
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  return check("appending fragments").map([count] { return std::size_t{count}; });
+}
+
+}  // namespace rastercheck::backends::gl

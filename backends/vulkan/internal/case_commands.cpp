@@ -1,0 +1,99 @@
+#include "backends/vulkan/internal/case_commands.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "backends/vulkan/internal/shaders.h"
+
+namespace rastercheck::backends::vulkan {
+namespace {
+
+void append_vertex(const cases::Case& c, Pass pass, const VertexLayout& layout, std::size_t number,
+                   std::uint32_t vertex, std::vector<float>& floats) {
+  const std::size_t begin = floats.size();
+  floats.resize(begin + layout.size, 0.0F);
+  const std::span<float> all = std::span(floats).subspan(begin);
+  const cases::ClipVertex& p = c.positions[vertex];
+  std::ranges::copy(std::array{p.x, p.y, p.z, p.w, static_cast<float>(number)}, all.begin());
+  // Distances that the case does not have clip nothing.
+  std::ranges::fill(all.subspan(layout.clip_distances, layout.slots - layout.clip_distances), 1.0F);
+  std::ranges::copy(c.clip_distances_of(vertex), all.subspan(layout.clip_distances).begin());
+  const std::span<const float> values = c.attributes_of(vertex);
+  for (std::size_t s = 0; s < pass.size(); ++s) {
+    const std::vector<std::size_t>& attributes = pass[s].attributes;
+    for (std::size_t k = 0; k < attributes.size(); ++k) {
+      all[layout.slots + s * kSlotSize + k] = values[attributes[k]];
+    }
+  }
+}
+
+VkViewport viewport_of(const cases::Viewport& v) {
+  return {v.x, v.y, v.width, v.height, v.min_depth, v.max_depth};
+}
+
+/// What of the scissor lies in the framebuffer: Vulkan's has no negative numbers.
+VkRect2D scissor_of(const cases::Case& c) {
+  const int width = c.framebuffer.width;
+  const int height = c.framebuffer.height;
+  const cases::Scissor whole{0, 0, width, height};
+  const cases::Scissor s = c.scissor.value_or(whole);
+  const int min_x = std::clamp(s.x, 0, width);
+  const int min_y = std::clamp(s.y, 0, height);
+  const int max_x = std::clamp(s.x + s.width, min_x, width);
+  const int max_y = std::clamp(s.y + s.height, min_y, height);
+  return {{min_x, min_y},
+          {static_cast<std::uint32_t>(max_x - min_x), static_cast<std::uint32_t>(max_y - min_y)}};
+}
+
+VkCullModeFlags cull_of(cases::Cull cull) {
+  if (cull == cases::Cull::none) return VK_CULL_MODE_NONE;
+  return cull == cases::Cull::back ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_FRONT_BIT;
+}
+
+/// Vulkan's counter-clockwise is so where window y points down. With OpenGL's rules it points up:
+/// the rows are the same, and what is displayed is turned over.
+VkFrontFace front_face_of(const cases::Case& c) {
+  const bool is_ccw = c.front_face == cases::FrontFace::ccw;
+  const bool is_up = c.rules == cases::Rules::opengl;
+  return is_ccw != is_up ? VK_FRONT_FACE_COUNTER_CLOCKWISE : VK_FRONT_FACE_CLOCKWISE;
+}
+
+}  // namespace
+
+PipelineKind kind_of(const cases::Case& c, const Limits& limits, Pass pass) {
+  PipelineKind kind;
+  kind.samples = c.framebuffer.samples;
+  kind.depth_clamp = c.depth_clamp;
+  kind.negative_one_to_one = c.rules == cases::Rules::opengl;
+  // Where a device does not have it there is no flat attribute.
+  kind.provoking_last = kind.negative_one_to_one && limits.provoking_vertex_last;
+  kind.clip_distances = shader_clip_distances(c.clip_distance_count);
+  for (const Slot& slot : pass) kind.slots.push_back(slot.qualifier);
+  return kind;
+}
+
+void append_triangle(const cases::Case& c, Pass pass, const VertexLayout& layout,
+                     std::size_t triangle, std::size_t number, std::vector<float>& floats) {
+  for (const std::uint32_t vertex : c.triangles[triangle]) {
+    append_vertex(c, pass, layout, number, vertex, floats);
+  }
+}
+
+void bind_case(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
+               VkBuffer vertices) {
+  const VkViewport viewport = viewport_of(c.viewport);
+  const VkRect2D scissor = scissor_of(c);
+  constexpr VkDeviceSize kBegin = 0;
+  vkCmdBindPipeline(buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+  vkCmdBindVertexBuffers(buffer, 0, 1, &vertices, &kBegin);
+  vkCmdSetViewport(buffer, 0, 1, &viewport);
+  vkCmdSetScissor(buffer, 0, 1, &scissor);
+  vkCmdSetCullMode(buffer, cull_of(c.cull));
+  vkCmdSetFrontFace(buffer, front_face_of(c));
+  vkCmdSetDepthCompareOp(buffer, c.depth_test == cases::DepthTest::none
+                                     ? VK_COMPARE_OP_ALWAYS
+                                     : VK_COMPARE_OP_LESS_OR_EQUAL);
+}
+
+}  // namespace rastercheck::backends::vulkan

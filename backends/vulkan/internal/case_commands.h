@@ -1,0 +1,31 @@
+#pragma once
+
+// A case in Vulkan's words.
+
+#include <vulkan/vulkan_core.h>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "backends/vulkan/internal/pipelines.h"
+#include "backends/vulkan/limits.h"
+#include "backends/vulkan/slots.h"
+#include "cases/case.h"
+
+namespace rastercheck::backends::vulkan {
+
+/// Of all slots those that one drawing writes.
+using Pass = std::span<const Slot>;
+
+PipelineKind kind_of(const cases::Case& c, const Limits& limits, Pass pass);
+
+/// Appends the vertices of a triangle, which gets that number.
+void append_triangle(const cases::Case& c, Pass pass, const VertexLayout& layout,
+                     std::size_t triangle, std::size_t number, std::vector<float>& floats);
+
+/// Recorded before draws: pipeline, vertices and all state of the case.
+void bind_case(VkCommandBuffer buffer, const cases::Case& c, VkPipeline pipeline,
+               VkBuffer vertices);
+
+}  // namespace rastercheck::backends::vulkan

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace rastercheck::cases {
+
+/// How a driver's fragments are drawn and read back.
+enum class DrawBy : std::uint8_t {
+  append,  ///< the fragment shader appends those of all triangles to a buffer
+  layers,  ///< each triangle into a layer of its own, with colours and depth
+  frame,   ///< all triangles into one target, with a depth test: what users draw
+};
+
+constexpr auto names_of(DrawBy /*type*/) {
+  return std::to_array<std::string_view>({"append", "layers", "frame"});
+}
+
+}  // namespace rastercheck::cases
