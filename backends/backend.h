@@ -198,9 +198,20 @@ class Backend {
   /// Draws a case without a camera (oracle/transform.h rounds one away). The error names what of
   /// the case cannot be drawn.
   Result<Drawn> draw(const cases::Case& c) {
-    return draw_as_preferred(c).map([&](cases::Fragments&& fragments) {
+    return draw_unjudged(c).map([&](cases::Fragments&& fragments) {
       return Drawn{contract(c), std::move(fragments)};
     });
+  }
+
+  /// The same without the contract that judges it.
+  Result<cases::Fragments> draw_unjudged(const cases::Case& c) {
+    WaysOfDrawing* const ways = preferred_ ? ways_of_drawing() : nullptr;
+    if (ways == nullptr) return draw_fragments(c);
+    const std::vector<cases::DrawBy> all = ways->ways();
+    if (std::find(all.begin(), all.end(), *preferred_) == all.end()) return draw_fragments(c);
+    Result<cases::Fragments> drawn = ways->draw_by(c, *preferred_);
+    if (drawn || drawn.error().failure != Failure::unsupported) return drawn;
+    return draw_fragments(c);
   }
 
  protected:
@@ -213,16 +224,6 @@ class Backend {
   virtual Result<cases::Fragments> draw_fragments(const cases::Case& c) = 0;
 
  private:
-  Result<cases::Fragments> draw_as_preferred(const cases::Case& c) {
-    WaysOfDrawing* const ways = preferred_ ? ways_of_drawing() : nullptr;
-    if (ways == nullptr) return draw_fragments(c);
-    const std::vector<cases::DrawBy> all = ways->ways();
-    if (std::find(all.begin(), all.end(), *preferred_) == all.end()) return draw_fragments(c);
-    Result<cases::Fragments> drawn = ways->draw_by(c, *preferred_);
-    if (drawn || drawn.error().failure != Failure::unsupported) return drawn;
-    return draw_fragments(c);
-  }
-
   std::optional<cases::ContractTerms> terms_;
   std::optional<cases::DrawBy> preferred_;
   std::function<void()> tell_;

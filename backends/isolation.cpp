@@ -46,7 +46,7 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
   }
 
   cases::Contract promise(const cases::Case& c) const override {
-    if (const auto& api = greeting_.about.api) return api_promise(c, *api, *driver_promise());
+    if (const auto& api = greeting_.about.api) return promise_of(*api, c);
     if (remembered_ && remembered_->first == c) return remembered_->second;
     if (!c.triangles.empty()) return asked_for_promise(c);
     // What laws ask before each case.
@@ -74,8 +74,18 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
     }
     crashes_ = 0;
     if (drawing->problem) return tl::unexpected(*drawing->problem);
+    if (greeting_.about.api) return std::move(drawing->drawn.fragments);
     if (!remembered_ || remembered_->first != c) remembered_ = {c, drawing->drawn.contract};
     return std::move(drawing->drawn.fragments);
+  }
+
+  /// What its API promises, worked out once for a case that is asked about more than once.
+  cases::Contract promise_of(const ApiLimits& api, const cases::Case& c) const {
+    const cases::DriverPromise promised = *driver_promise();
+    if (remembered_ && promised_ == promised && remembered_->first == c) return remembered_->second;
+    remembered_ = {c, api_promise(c, api, promised)};
+    promised_ = promised;
+    return remembered_->second;
   }
 
   cases::Contract asked_for_promise(const cases::Case& c) const {
@@ -126,6 +136,7 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
   mutable std::optional<Error> last_loss_;
   mutable std::optional<std::pair<cases::Case, Error>> withheld_;
   mutable std::optional<std::pair<cases::Case, cases::Contract>> remembered_;
+  mutable std::optional<cases::DriverPromise> promised_;  ///< that remembered_ is by
   mutable std::optional<std::pair<cases::Case, cases::Contract>> of_nothing_;
 };
 
