@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "records/share.h"
+
 namespace rastercheck::records {
 namespace {
 
@@ -14,8 +16,13 @@ std::string counted(std::uint64_t count, const char* what) {
 std::string scene_sentence(const SceneResult& scene) {
   std::string text = fmt::format("Scene {} on {}: ", scene.file, scene.backend);
   if (scene.judged > 0) {
-    text += fmt::format("{}, {}; {} judged, {}", counted(scene.triangles, "triangle"),
-                        counted(scene.fragments, "fragment"), counted(scene.judged, "sample"),
+    const std::uint64_t samples = scene.judged + scene.open;
+    const std::string judged =
+        scene.open == 0 ? counted(scene.judged, "sample") + " judged"
+                        : fmt::format("{} of {} judged ({})", scene.judged,
+                                      counted(samples, "sample"), share_text(scene.judged, samples));
+    text += fmt::format("{}, {}; {}, {}", counted(scene.triangles, "triangle"),
+                        counted(scene.fragments, "fragment"), judged,
                         scene.wrong == 0 ? "all right"
                                          : fmt::format("{} wrong{}", scene.wrong,
                                                        scene.is_known ? ", in known ways" : ""));

@@ -12,8 +12,11 @@ struct SceneResult {
   std::string backend;          ///< specification
   std::uint64_t triangles = 0;  ///< of the scene
   std::uint64_t fragments = 0;  ///< drawn
-  /// Samples of a triangle, drawn or missing, that the contract does not leave open.
+  /// Counts samples of a triangle, drawn or missing, of which the contract leaves nothing open:
+  /// neither whether they are drawn nor any of their values.
   std::uint64_t judged = 0;
+  /// Counts the other fragments that were drawn: their coverage is open, or one of their values.
+  std::uint64_t open = 0;
   /// Counts the judged samples that are missing or too much, or have a wrong value, as far as laws
   /// ask.
   std::uint64_t wrong = 0;

@@ -187,6 +187,7 @@ std::string summary_json(const records::Run& run, const std::vector<records::Law
                               {"fragments", scene.fragments},
                               {"values", scene.values},
                               {"judged", scene.judged},
+                              {"open", scene.open},
                               {"wrong", scene.wrong},
                               {"is_known", scene.is_known},
                               {"not_judged", scene.not_judged},

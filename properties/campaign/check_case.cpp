@@ -40,7 +40,8 @@ records::FragmentClass class_of(Failure failure) {
   return records::FragmentClass::failed;
 }
 
-/// The check of a case that could not be drawn.
+}  // namespace
+
 Check failed_check(const Error& error) {
   Check failed;
   if (error.failure == Failure::unsupported) return not_applicable(error.reason);
@@ -53,8 +54,6 @@ Check failed_check(const Error& error) {
   failed.violations = {violation};
   return failed;
 }
-
-}  // namespace
 
 std::string verdict_of(const Check& check) {
   if (check.violation_count == 0) return "held";

@@ -50,6 +50,9 @@ void check_known_case(const Law& law, const std::string& specification, backends
 Check check_or_note(const Law& law, const cases::Case& c, backends::Backend& backend,
                     std::uint64_t index, const KnownDefects* known = nullptr);
 
+/// That check of a case whose drawing failed.
+Check failed_check(const Error& error);
+
 /// In a word, how a check of a case that the law speaks of came out: the class of its first
 /// violation, or "held".
 std::string verdict_of(const Check& check);

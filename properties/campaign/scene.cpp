@@ -3,14 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "cases/json.h"
 #include "oracle/judge.h"
 #include "oracle/transform.h"
 #include "properties/campaign/check_case.h"
+#include "properties/campaign/shrink.h"
+#include "properties/drawing.h"
 #include "properties/judged_law.h"
 #include "records/judged.h"
+#include "records/record.h"
 
 namespace rastercheck::properties {
 namespace {
@@ -24,13 +31,13 @@ using records::PixelState;
 class SceneReader {
  public:
   /// `laws`: those that are asked for.
-  SceneReader(const oracle::SceneTruth& scene, const KnownDefects* known,
+  SceneReader(const cases::Case& scene, const KnownDefects* known,
               const std::vector<std::string>& laws)
-      : scene_(&scene),
+      : attributes_(scene.attributes.size()),
         known_(known),
         asks_of_coverage_(std::find(laws.begin(), laws.end(), kCoverageLaw) != laws.end()),
         asks_of_values_(std::find(laws.begin(), laws.end(), kValuesLaw) != laws.end()) {
-    const cases::FramebufferSize& size = scene.source().framebuffer;
+    const cases::FramebufferSize& size = scene.framebuffer;
     map_.width = size.width;
     map_.height = size.height;
     const std::size_t pixels =
@@ -38,6 +45,12 @@ class SceneReader {
     map_.states.resize(pixels, PixelState::empty);
     map_.errors.resize(pixels, 0);
     depths_.resize(pixels, std::numeric_limits<float>::infinity());
+  }
+
+  /// What comes next is of a part whose first triangle has that index in the scene.
+  void begin(const oracle::SceneTruth& part, std::size_t first_triangle) {
+    part_ = &part;
+    first_triangle_ = first_triangle;
   }
 
   void see(const JudgedSample& sample, const oracle::TriangleTruth* truth) {
@@ -54,7 +67,10 @@ class SceneReader {
       is_violated = true;
       is_wrong = is_wrong || asks_of_values_;
     }
-    if (is_violated || sample.decision.verdict != records::Verdict::permitted) ++judged_;
+    const bool is_judged =
+        is_violated || (sample.decision.verdict != records::Verdict::permitted &&
+                        sample.values.size() == attributes_ + 1);
+    ++(is_judged ? judged_ : open_);
     if (is_wrong) ++wrong_;
     if (!is_in_map) return;
     if (is_violated) {
@@ -67,6 +83,7 @@ class SceneReader {
 
   records::ErrorMap take_map() { return std::move(map_); }
   std::uint64_t judged() const { return judged_; }  ///< samples
+  std::uint64_t open() const { return open_; }      ///< samples
   std::uint64_t wrong() const { return wrong_; }    ///< samples
   /// What violates a law: the first violation of each class that is not known.
   struct Few {
@@ -84,12 +101,13 @@ class SceneReader {
                       const oracle::TriangleTruth* truth) {
     const FragmentClass way = value == nullptr ? sample.fragment_class : value->fragment_class;
     if (few.ways.contains(way)) return;
-    records::Violation violation = to_violation(sample, value, truth, *scene_);
+    records::Violation violation = to_violation(sample, value, truth, *part_);
     if (known_ != nullptr) {
-      const auto ids = entries_of(*known_, few.law, scene_->source(), violation);
+      const auto ids = entries_of(*known_, few.law, part_->source(), violation);
       few.known.insert(ids.begin(), ids.end());
       if (!ids.empty()) return;
     }
+    violation.place.triangle += static_cast<std::uint32_t>(first_triangle_);
     few.ways.insert(way);
     few.violations.push_back(std::move(violation));
   }
@@ -113,13 +131,16 @@ class SceneReader {
     Few values{kValuesLaw};
   };
 
-  const oracle::SceneTruth* scene_;
+  const oracle::SceneTruth* part_ = nullptr;
+  std::size_t first_triangle_ = 0;
+  std::size_t attributes_;
   const KnownDefects* known_;
   bool asks_of_coverage_;
   bool asks_of_values_;
   records::ErrorMap map_;
   std::vector<float> depths_;
   std::uint64_t judged_ = 0;
+  std::uint64_t open_ = 0;
   std::uint64_t wrong_ = 0;
   Found found_;
 };
@@ -160,63 +181,160 @@ std::vector<const Law*> scene_laws(const std::vector<std::string>& asked_for) {
   return chosen;
 }
 
+/// Moves the places of errors from a part to the scene.
+void move_triangles(records::Judgement& part, std::size_t first_triangle) {
+  const auto move = [first_triangle](records::ErrorSizes& sizes) {
+    for (auto* worst : {&sizes.extremes.most_negative, &sizes.extremes.most_positive}) {
+      if (*worst) (*worst)->place.triangle += static_cast<std::uint32_t>(first_triangle);
+    }
+  };
+  for (auto& [kind, errors] : part.errors) {
+    move(errors.excess);
+    move(errors.ideal);
+    for (auto& [stratum, sizes] : errors.strata) move(sizes);
+  }
+}
+
+/// Draws and judges a scene part by part.
+class SceneJudge {
+ public:
+  SceneJudge(const cases::ClipCase& scene, backends::Backend& backend, SceneReader& reader,
+             unsigned jobs)
+      : scene_(&scene),
+        backend_(&backend),
+        reader_(&reader),
+        shown_(scene.framebuffer, scene.attributes.size()) {
+    options_.jobs = jobs;
+  }
+
+  void judge(const std::vector<ScenePart>& parts) {
+    for (const ScenePart& part : parts) {
+      // What ends one part ends the next one, too, and each takes its time.
+      const bool is_gone = failed && (failed->error.failure == Failure::crash ||
+                                      failed->error.failure == Failure::hang);
+      if (is_gone) {
+        not_judged[cases::one_line(failed->error.reason)] += part.count;
+      } else if (parts.size() == 1) {
+        judge_part(*scene_, part);
+      } else {
+        std::vector<std::size_t> triangles(part.count);
+        std::iota(triangles.begin(), triangles.end(), part.first);
+        judge_part(cases::ClipCase(with_triangles(*scene_, triangles)), part);
+      }
+      if (fault) return;
+    }
+  }
+
+  cases::Fragments take_shown() { return shown_.take(); }
+
+  /// A part that could not be drawn.
+  struct Failed {
+    ScenePart part;
+    cases::Case source;
+    Error error;
+  };
+  std::optional<Failed> failed;  ///< the first
+  std::map<std::string, std::uint64_t> not_judged;  ///< triangles
+  records::Judgement judgement;
+  std::uint64_t fragments = 0;
+  std::size_t drawn = 0;  ///< parts
+  std::optional<std::string> fault;
+
+ private:
+  void judge_part(const cases::ClipCase& source, const ScenePart& part) {
+    Result<backends::Drawn> done = draw(source, *backend_);
+    if (!done) {
+      not_judged[cases::one_line(done.error().reason)] += part.count;
+      if (!failed) failed = Failed{part, source, done.error()};
+      return;
+    }
+    ++drawn;
+    fragments += done->fragments.size();
+    const oracle::SceneTruth truth(source, std::move(done->contract));
+    reader_->begin(truth, part.first);
+    oracle::JudgedDrawing judged =
+        oracle::judge(truth, done->fragments, options_,
+                      [this](const JudgedSample& sample, const oracle::TriangleTruth* triangle) {
+                        reader_->see(sample, triangle);
+                      });
+    fault = std::move(judged.fault);
+    move_triangles(judged.judgement, part.first);
+    records::merge(judgement, judged.judgement);
+    shown_.add(done->fragments, part.first);
+  }
+
+  const cases::ClipCase* scene_;
+  backends::Backend* backend_;
+  SceneReader* reader_;
+  ShownFragments shown_;
+  oracle::JudgeOptions options_;
+};
+
 }  // namespace
 
 Result<SceneFindings> judge_scene(const cases::Case& scene, const std::string& specification,
                                   backends::Backend& backend, std::uint64_t seed,
                                   const std::vector<std::string>& laws, unsigned jobs,
                                   const KnownDefects* known) {
+  return judge_scene_in(PartLimits(), scene, specification, backend, seed, laws, jobs, known);
+}
+
+Result<SceneFindings> judge_scene_in(const PartLimits& limits, const cases::Case& scene,
+                                     const std::string& specification, backends::Backend& backend,
+                                     std::uint64_t seed, const std::vector<std::string>& laws,
+                                     unsigned jobs, const KnownDefects* known) {
   Result<cases::ClipCase> clip = oracle::to_clip_case(scene, scene.name);
   if (!clip) return tl::unexpected(clip.error());
   SceneFindings result;
-  result.source = *std::move(clip);
+  result.source = *clip;
   NumberedCase numbered{result.source, std::string(records::kSceneStratum) + scene.name, 0,
                         records::Origin::scene};
   numbered.source.name = numbered.stratum;
 
-  const oracle::SceneTruth truth(result.source, backend.contract(result.source));
-  SceneReader reader(truth, known, laws);
-  result.result.file = scene.name;
-  result.result.backend = specification;
-  result.result.triangles = result.source.triangles.size();
-  Result<backends::Drawn> drawn = draw(result.source, backend);
-  if (!drawn) {
-    for (const Law* law : scene_laws(laws)) {
-      check_case(*law, specification, backend, seed, numbered, result.findings, known);
-    }
-    result.result.not_judged[cases::one_line(drawn.error().reason)] = result.result.triangles;
-    result.map = reader.take_map();
-    return result;
-  }
-  result.drawn = std::move(drawn->fragments);
-
-  oracle::JudgeOptions options;
-  options.jobs = jobs;
-  const oracle::JudgedDrawing judged =
-      oracle::judge(truth, *result.drawn, options,
-                    [&reader](const JudgedSample& sample, const oracle::TriangleTruth* triangle) {
-                      reader.see(sample, triangle);
-                    });
-  result.findings.fault = judged.fault;
+  SceneReader reader(result.source, known, laws);
+  SceneJudge judge(*clip, backend, reader, jobs);
+  judge.judge(parts_of(result.source, limits));
+  result.findings.fault = judge.fault;
   result.map = reader.take_map();
-  result.result.fragments = result.drawn->size();
-  result.result.judged = reader.judged();
-  result.result.wrong = reader.wrong();
-  result.result.is_known = result.result.wrong > 0;
+  result.result = {.file = scene.name,
+                   .backend = specification,
+                   .triangles = result.source.triangles.size(),
+                   .fragments = judge.fragments,
+                   .judged = reader.judged(),
+                   .open = reader.open(),
+                   .wrong = reader.wrong(),
+                   .is_known = reader.wrong() > 0,
+                   .not_judged = judge.not_judged};
   records::Judged all;
-  for (const auto& [kind, errors] : judged.judgement.errors) records::add(all, kind, errors);
+  for (const auto& [kind, errors] : judge.judgement.errors) records::add(all, kind, errors);
   result.result.values = all.values;
   result.result.values_not_judged = std::move(all.not_judged);
+  if (judge.drawn > 0) result.drawn = judge.take_shown();
 
   for (const Law* law : scene_laws(laws)) {
     const bool is_coverage = law->id == kCoverageLaw;
     const SceneReader::Few& few = reader.of(law->id);
     Check check;
-    check.judgement = is_coverage ? coverage_part(judged.judgement) : judged.judgement;
+    check.judgement = is_coverage ? coverage_part(judge.judgement) : judge.judgement;
     check.violations = few.violations;
     check.violation_count = few.violations.size() + few.known.size();
     if (few.violations.empty()) check.known.assign(few.known.begin(), few.known.end());
     if (!few.violations.empty()) result.result.is_known = false;
+    if (judge.failed) {
+      // As a whole it is not drawn.
+      const Check none = failed_check(judge.failed->error);
+      if (judge.drawn == 0) check = none;
+      if (judge.drawn > 0 && none.is_applicable) {
+        check.known.clear();
+        check.violation_count += none.violation_count;
+      }
+      if (none.is_applicable) {
+        NumberedCase part{judge.failed->source, numbered.stratum, judge.failed->part.first,
+                          records::Origin::scene};
+        part.source.name = numbered.stratum;
+        keep_counterexample(*law, specification, backend, seed, part, none, result.findings, known);
+      }
+    }
     account(*law, specification, backend, numbered, check, result.findings);
     keep_violations(*law, specification, backend, seed, numbered, few.violations, result.findings,
                     known);

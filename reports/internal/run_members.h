@@ -62,6 +62,7 @@ void members(Archive& archive, T& scene) {
   archive.required("judged", scene.judged);
   archive.required("wrong", scene.wrong);
   archive.optional("is_known", scene.is_known);
+  archive.optional("open", scene.open);
   archive.required("not_judged", scene.not_judged);
   archive.optional("values_not_judged", scene.values_not_judged);
   archive.check([&](const cases::JsonNode& node) {
