@@ -1,8 +1,10 @@
 #include "properties/campaign/scene_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace rastercheck::properties {
 namespace {
@@ -17,27 +19,57 @@ std::uint64_t pixels_between(double least, double greatest, int extent) {
   return to > from ? static_cast<std::uint64_t>(to - from) : 0;
 }
 
-/// Samples in the triangle's bounding box, about: of one that reaches behind the eye all there are.
+/// The distance from a plane of the view volume, negative outside. Of the two in depth it is that
+/// both conventions have outside.
+using PlaneDistance = double (*)(const std::array<double, 4>& p);
+constexpr std::array<PlaneDistance, 6> kPlanes{
+    [](const std::array<double, 4>& p) { return p[3] + p[0]; },
+    [](const std::array<double, 4>& p) { return p[3] - p[0]; },
+    [](const std::array<double, 4>& p) { return p[3] + p[1]; },
+    [](const std::array<double, 4>& p) { return p[3] - p[1]; },
+    [](const std::array<double, 4>& p) { return p[3] + p[2]; },
+    [](const std::array<double, 4>& p) { return p[3] - p[2]; }};
+
+/// What a plane leaves of a convex polygon in clip space.
+std::vector<std::array<double, 4>> clipped(const std::vector<std::array<double, 4>>& polygon,
+                                           PlaneDistance plane) {
+  std::vector<std::array<double, 4>> left;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto& a = polygon[i];
+    const auto& b = polygon[(i + 1) % polygon.size()];
+    const double at_a = plane(a);
+    const double at_b = plane(b);
+    if (at_a >= 0) left.push_back(a);
+    if ((at_a < 0) == (at_b < 0)) continue;
+    std::array<double, 4> between{};
+    const double share = at_a / (at_a - at_b);
+    for (std::size_t k = 0; k < 4; ++k) between[k] = a[k] + share * (b[k] - a[k]);
+    left.push_back(between);
+  }
+  return left;
+}
+
+/// Samples in the bounding box of what is seen of the triangle, about.
 std::uint64_t samples_of(const cases::Case& c, const cases::Triangle& triangle) {
+  std::vector<std::array<double, 4>> polygon;
+  for (const std::uint32_t vertex : triangle) {
+    const cases::ClipVertex& p = c.positions[vertex];
+    polygon.push_back({double{p.x}, double{p.y}, double{p.z}, double{p.w}});
+  }
+  for (const PlaneDistance plane : std::span(kPlanes).first(c.depth_clamp ? 4 : 6)) {
+    polygon = clipped(polygon, plane);
+  }
   constexpr double kFar = std::numeric_limits<double>::infinity();
   std::array<double, 2> least{kFar, kFar};
   std::array<double, 2> greatest{-kFar, -kFar};
-  const auto include = [&](std::size_t axis, double at) {
-    least[axis] = std::min(least[axis], at);
-    greatest[axis] = std::max(greatest[axis], at);
-  };
-  for (const std::uint32_t vertex : triangle) {
-    const cases::ClipVertex& p = c.positions[vertex];
-    if (!(p.w > 0)) {
-      least = {0, 0};
-      greatest = {static_cast<double>(c.framebuffer.width),
-                  static_cast<double>(c.framebuffer.height)};
-      break;
+  const cases::Viewport& v = c.viewport;
+  for (const auto& [x, y, z, w] : polygon) {
+    const std::array<double, 2> at{(x / w + 1) / 2 * double{v.width} + double{v.x},
+                                   (y / w + 1) / 2 * double{v.height} + double{v.y}};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      least[axis] = std::min(least[axis], at[axis]);
+      greatest[axis] = std::max(greatest[axis], at[axis]);
     }
-    include(0, (double{p.x} / double{p.w} + 1) / 2 * double{c.viewport.width} +
-                   double{c.viewport.x});
-    include(1, (double{p.y} / double{p.w} + 1) / 2 * double{c.viewport.height} +
-                   double{c.viewport.y});
   }
   return pixels_between(least[0], greatest[0], c.framebuffer.width) *
          pixels_between(least[1], greatest[1], c.framebuffer.height) *
