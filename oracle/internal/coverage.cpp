@@ -285,18 +285,13 @@ SampleVerdict decide_cut_degenerate(const TriangleSetup& triangle, const Point& 
 /// every point inside whose distance from its boundary exceeds t per axis, and covers none that is
 /// farther than t from the polygon.
 SampleVerdict decide_cut(const TriangleSetup& triangle, const Point& p) {
-  const Scene& scene = *triangle.scene;
   const Reason cut = triangle.has_nonpositive_w ? Reason::nonpositive_w : Reason::clip_edge;
   if (triangle.ideal.orientation() == 0) return decide_cut_degenerate(triangle, p, cut);
-  // Facing that comes from the moved corners is open where they may turn the polygon round.
-  const bool facing_is_open = scene.source().cull != cases::Cull::none && triangle.may_turn &&
-                              scene.contract().basis != cases::Basis::ideal;
-  if (!facing_is_open && scene.is_culled(triangle.ideal.orientation())) {
-    return {Verdict::forbidden, Reason::culled};
-  }
+  const CutFacing facing = facing_of_cut(triangle);
+  if (facing == CutFacing::culled) return {Verdict::forbidden, Reason::culled};
 
   Membership snapped_edges;
-  bool near_cut = facing_is_open;
+  bool near_cut = facing == CutFacing::open;
   for (std::size_t i = 0; i < 3; ++i) {
     if (triangle.is_clipped[(i + 1) % 3] || triangle.is_clipped[(i + 2) % 3]) {
       const int where = side_within(triangle.ideal.edge(i), triangle.tolerance, p);
@@ -336,7 +331,7 @@ Field signed_square_distance(const Line& line, const Ring& value) {
 }  // namespace
 
 std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle) {
-  if (!triangle.promise.is_made || triangle.has_open_sides) return std::nullopt;
+  if (!triangle.promise.is_made) return std::nullopt;
   const int orientation = triangle.ideal.orientation();
   if (triangle.shape == Shape::exact) {
     const bool is_drawn = orientation != 0 && !triangle.scene->is_culled(orientation);
@@ -356,6 +351,15 @@ std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle)
   const Membership kept = kept_by_culling(triangle, placed.orientation());
   if (placed.orientation() != 0 && kept.possible && !kept.sure) return std::nullopt;
   return CoverageBoundary{&placed, placed.orientation() != 0 && kept.sure, false};
+}
+
+CutFacing facing_of_cut(const TriangleSetup& triangle) {
+  const Scene& scene = *triangle.scene;
+  // Facing that comes from the moved corners is open where they may turn the polygon round.
+  const bool is_open = scene.source().cull != cases::Cull::none && triangle.may_turn &&
+                       scene.contract().basis != cases::Basis::ideal;
+  if (is_open) return CutFacing::open;
+  return scene.is_culled(triangle.ideal.orientation()) ? CutFacing::culled : CutFacing::drawn;
 }
 
 SampleVerdict decide_point(const TriangleSetup& triangle, const Point& p) {

@@ -28,8 +28,14 @@ struct CoverageBoundary {
 };
 
 /// Nothing where no map's edges say so much: of a triangle that was snapped and cut, one whose
-/// facing or whose samples at the viewport's sides are open, or one of which nothing is promised.
+/// facing is open, or one of which nothing is promised. Samples near the viewport's sides may be
+/// open all the same (TriangleSetup::has_open_sides).
 std::optional<CoverageBoundary> coverage_boundary(const TriangleSetup& triangle);
+
+/// What becomes of a triangle of shape cut, whose positions are not on one line: drawn, culled, or
+/// left open by its contract.
+enum class CutFacing { drawn, culled, open };
+CutFacing facing_of_cut(const TriangleSetup& triangle);
 
 /// The signed distance from a point to the boundary that decides it, in pixels: the least over all
 /// edges, clip functionals and viewport sides, positive inside. Of a triangle with several

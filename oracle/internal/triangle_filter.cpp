@@ -62,28 +62,125 @@ IntervalLine interval_line(const Line& line, const PixelBox& box) {
 
 TriangleFilter::TriangleFilter(const TriangleSetup& triangle, const PixelBox& box, Level first)
     : triangle_(&triangle), box_(box), first_level_(first), boundary_(coverage_boundary(triangle)) {
-  is_empty_ = box.x1 <= box.x0 || box.y1 <= box.y0 || (boundary_ && !boundary_->is_drawn);
-  if (is_empty_ || !boundary_ || first != Level::filter) return;
-  const auto add = [this](const Line& line, const Ring* margin) {
-    std::optional<FilterLine> filter = filter_line(line, box_);
-    if (!filter) return false;
-    if (margin != nullptr) {
-      filter->band = (filter->band + margin->to_interval().second) * (1 + 0x1p-50);
-    }
-    lines_.push_back(*filter);
-    return true;
-  };
+  is_empty_ = box.x1 <= box.x0 || box.y1 <= box.y0 || (boundary_ && !boundary_->is_drawn) ||
+              is_cut_and_culled();
+  set_inner_pixels();
+  if (is_empty_ || first != Level::filter || !triangle.promise.is_made) return;
+  if (triangle.shape == Shape::cut) add_cut_lines();
+  if (!boundary_) return;
   bool is_filtered = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Ring* margin = boundary_->has_bands ? &triangle.edge_bands[i] : nullptr;
+    const Ring margin = boundary_->has_bands ? triangle.edge_bands[i] : Ring(0);
     is_filtered = is_filtered && add(boundary_->map->edge(i), margin);
   }
   if (triangle.shape == Shape::exact && triangle.is_cut_by_planes) {
     for (const ClipFunctional& functional : triangle.clip_functionals()) {
       // 0 everywhere is inside, which no band says.
       const bool is_zero = functional.line.is_constant() && sign_of(functional.line.c) == 0;
-      is_filtered = is_filtered && (is_zero || add(functional.line, nullptr));
+      is_filtered = is_filtered && (is_zero || add(functional.line, Ring(0)));
     }
+  }
+  if (!is_filtered) lines_.clear();
+}
+
+bool TriangleFilter::is_cut_and_culled() const {
+  return triangle_->promise.is_made && triangle_->shape == Shape::cut &&
+         triangle_->ideal.orientation() != 0 && facing_of_cut(*triangle_) == CutFacing::culled;
+}
+
+void TriangleFilter::set_inner_pixels() {
+  inner_ = triangle_->scene->inner_pixels();
+  if (!triangle_->has_open_sides) return;
+  // One more than whole pixels: as near as the reach itself is open.
+  const double reach = std::min(triangle_->side_reach.to_interval().second, 0x1p20);
+  const int pixels = static_cast<int>(std::floor(reach)) + 1;
+  inner_ = {inner_.x0 + pixels, inner_.y0 + pixels, inner_.x1 - pixels, inner_.y1 - pixels};
+}
+
+bool TriangleFilter::add(const Line& line, const Ring& margin) {
+  std::optional<FilterLine> filter = filter_line(line, box_);
+  if (!filter) return false;
+  if (sign_of(margin) != 0) {
+    filter->band = (filter->band + margin.to_interval().second) * (1 + 0x1p-50);
+  }
+  lines_.push_back(*filter);
+  return true;
+}
+
+/// Adds a line that is beyond its band only where all readings are beyond their margins, on the
+/// same side. That is the first reading R with a band of max |s L − R| + s · margin over all others
+/// L, for any s > 0: affine functions differ most at corners of the box.
+bool TriangleFilter::add_enclosing(const std::vector<OpenLine>& readings) {
+  std::optional<FilterLine> filter = filter_line(readings.front().line, box_);
+  if (!filter) return false;
+  const auto size_of = [](const Line& line) {
+    return std::abs(near_double(line.a)) + std::abs(near_double(line.b));
+  };
+  const double size = size_of(readings.front().line);
+  const double width = box_.x1 - box_.x0;
+  const double height = box_.y1 - box_.y0;
+  double most = 0;
+  {
+    const UpwardRounding upward;
+    const IntervalLine first = interval_line(readings.front().line, box_);
+    for (const OpenLine& reading : readings) {
+      const double scale = size / size_of(reading.line);
+      if (!(scale > 0x1p-500 && scale < 0x1p500)) return false;
+      const IntervalLine line = interval_line(reading.line, box_);
+      const Interval margin = Interval(scale) * interval_of(reading.margin);
+      for (const double x : {0.0, width}) {
+        for (const double y : {0.0, height}) {
+          const Interval off = Interval(scale) * line.at(x, y) - first.at(x, y);
+          most = std::max(most, (CGAL::abs(off) + margin).sup());
+        }
+      }
+    }
+  }
+  if (!(most < 0x1p600)) return false;
+  filter->band = (filter->band + most) * (1 + 0x1p-50);
+  lines_.push_back(*filter);
+  return true;
+}
+
+/// Where an edge both of whose ends are snapped may lie. The exact edge is among these: a point
+/// beside it has to be asked whether anything drawn reaches there.
+std::vector<TriangleFilter::OpenLine> TriangleFilter::readings_of_edge(std::size_t edge) const {
+  const Line& exact = triangle_->ideal.edge(edge);
+  std::vector<OpenLine> readings{{exact, Ring(0)}};
+  for (const TriangleSetup::SnappedEdge& snapped : triangle_->snapped_edge(edge)) {
+    readings.push_back(snapped.is_turned ? OpenLine{exact, band_of(exact, triangle_->reach)}
+                                         : OpenLine{snapped.line, Ring(0)});
+  }
+  return readings;
+}
+
+/// Adds a clip plane that cuts the triangle, which is off by the tolerance and by the error of
+/// distances.
+bool TriangleFilter::add_clip_line(const ClipFunctional& functional) {
+  std::vector<OpenLine> readings{{functional.line, Ring(0)},
+                                 {functional.outer, band_of(functional.outer, triangle_->tolerance)}};
+  if (triangle_->promise.clip_error > 0) {
+    readings.push_back({functional.inner, band_of(functional.inner, triangle_->tolerance)});
+  }
+  const bool has_constant =
+      std::any_of(readings.begin(), readings.end(),
+                  [](const OpenLine& reading) { return reading.line.is_constant(); });
+  return !has_constant && add_enclosing(readings);
+}
+
+/// What decide() asks of a triangle of shape cut, of all its boundaries and with what is left open.
+void TriangleFilter::add_cut_lines() {
+  const TriangleSetup& triangle = *triangle_;
+  if (triangle.ideal.orientation() == 0 || facing_of_cut(triangle) != CutFacing::drawn) return;
+  bool is_filtered = true;
+  for (std::size_t i = 0; i < 3 && is_filtered; ++i) {
+    const Line& edge = triangle.ideal.edge(i);
+    const bool is_cut = triangle.is_clipped[(i + 1) % 3] || triangle.is_clipped[(i + 2) % 3];
+    is_filtered = !edge.is_constant() && (is_cut ? add(edge, band_of(edge, triangle.tolerance))
+                                                 : add_enclosing(readings_of_edge(i)));
+  }
+  for (const ClipFunctional& functional : triangle.clip_functionals()) {
+    is_filtered = is_filtered && (!functional.is_violated || add_clip_line(functional));
   }
   if (!is_filtered) lines_.clear();
 }
@@ -99,8 +196,8 @@ void TriangleFilter::classify(int y, const cases::SamplePosition& sample, RowVer
   const auto words = static_cast<std::size_t>((count + 63) / 64);
   row.required.assign(words, 0);
   row.forbidden.assign(words, 0);
-  const PixelBox& inner = triangle_->scene->inner_pixels();
-  if (lines_.empty() || y < inner.y0 || y >= inner.y1) return;
+  const PixelBox& inner = inner_;
+  if (lines_.empty() || inner.x1 <= inner.x0 || y < inner.y0 || y >= inner.y1) return;
   classify_row(lines_, sample.x / 16.0, y - box_.y0 + sample.y / 16.0, count, row.required.data(),
                row.forbidden.data());
   if (inner.x0 > box_.x0 || inner.x1 < box_.x1) {
@@ -118,7 +215,7 @@ void TriangleFilter::make_interval_lines() const {
 
 std::optional<SampleVerdict> TriangleFilter::decide(int x, int y,
                                                     const cases::SamplePosition& sample) const {
-  const PixelBox& inner = triangle_->scene->inner_pixels();
+  const PixelBox& inner = inner_;
   const bool is_inner = x >= inner.x0 && x < inner.x1 && y >= inner.y0 && y < inner.y1;
   const bool is_simple =
       boundary_ && !boundary_->has_bands && is_inner && first_level_ != Level::exact;

@@ -56,12 +56,26 @@ class TriangleFilter {
     int sign_a = 0;
     int sign_b = 0;
   };
+  /// A boundary as one reading of the contract has it, off by up to `margin`.
+  struct OpenLine {
+    Line line;
+    Ring margin;
+  };
+  bool is_cut_and_culled() const;
+  void set_inner_pixels();
+  void add_cut_lines();
+  bool add(const Line& line, const Ring& margin);
+  bool add_enclosing(const std::vector<OpenLine>& readings);
+  std::vector<OpenLine> readings_of_edge(std::size_t edge) const;
+  bool add_clip_line(const ClipFunctional& functional);
   void make_interval_lines() const;
 
   const TriangleSetup* triangle_;
   PixelBox box_;
   Level first_level_;
   std::optional<CoverageBoundary> boundary_;
+  /// Those whose samples lie within the viewport however far its sides may be off.
+  PixelBox inner_;
   bool is_empty_ = false;
   std::vector<FilterLine> lines_;  ///< edges, then clip functionals; empty: no first level
   mutable std::vector<SignedLine> interval_lines_;  ///< made when first asked for
