@@ -66,6 +66,7 @@ TriangleFilter::TriangleFilter(const TriangleSetup& triangle, const PixelBox& bo
               is_cut_and_culled();
   set_inner_pixels();
   if (is_empty_ || first != Level::filter || !triangle.promise.is_made) return;
+  if (triangle.shape != Shape::exact && triangle.ideal.orientation() == 0) add_line_of_degenerate();
   if (triangle.shape == Shape::cut) add_cut_lines();
   if (!boundary_) return;
   bool is_filtered = true;
@@ -168,6 +169,21 @@ bool TriangleFilter::add_clip_line(const ClipFunctional& functional) {
   return !has_constant && add_enclosing(readings);
 }
 
+/// Outside are samples that are far from the one line that all vertices lie on: a placement that
+/// has an area has it near there, and so has a polygon with moved corners. Inside is none.
+void TriangleFilter::add_line_of_degenerate() {
+  const TriangleSetup& triangle = *triangle_;
+  if (boundary_) return;
+  const Ring& reach = triangle.shape == Shape::cut ? triangle.tolerance : triangle.reach;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Line& line = triangle.ideal.edge(i);
+    if (line.is_constant()) continue;
+    const Ring band = band_of(line, reach);
+    if (!add(line, band) || !add({-line.a, -line.b, -line.c}, band)) lines_.clear();
+    return;  // all rows of adj(M) are multiples of one line
+  }
+}
+
 /// What decide() asks of a triangle of shape cut, of all its boundaries and with what is left open.
 void TriangleFilter::add_cut_lines() {
   const TriangleSetup& triangle = *triangle_;
@@ -196,13 +212,14 @@ void TriangleFilter::classify(int y, const cases::SamplePosition& sample, RowVer
   const auto words = static_cast<std::size_t>((count + 63) / 64);
   row.required.assign(words, 0);
   row.forbidden.assign(words, 0);
-  const PixelBox& inner = inner_;
-  if (lines_.empty() || inner.x1 <= inner.x0 || y < inner.y0 || y >= inner.y1) return;
+  if (lines_.empty()) return;
   classify_row(lines_, sample.x / 16.0, y - box_.y0 + sample.y / 16.0, count, row.required.data(),
                row.forbidden.data());
-  if (inner.x0 > box_.x0 || inner.x1 < box_.x1) {
-    keep_bits(inner.x0 - box_.x0, inner.x1 - box_.x0, row.required);
-    keep_bits(inner.x0 - box_.x0, inner.x1 - box_.x0, row.forbidden);
+  // What lies outside is forbidden wherever it is.
+  if (y < inner_.y0 || y >= inner_.y1 || inner_.x1 <= inner_.x0) {
+    row.required.assign(words, 0);
+  } else if (inner_.x0 > box_.x0 || inner_.x1 < box_.x1) {
+    keep_bits(inner_.x0 - box_.x0, inner_.x1 - box_.x0, row.required);
   }
 }
 

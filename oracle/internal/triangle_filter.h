@@ -43,7 +43,7 @@ class TriangleFilter {
   const FilterLine* edges_of(const ProjectiveMap* map) const;
 
   /// The first level, for that sample of the pixels of row y. Of pixels some of whose samples may
-  /// lie outside the viewport everything is left open.
+  /// lie outside the viewport no sample is required.
   void classify(int y, const cases::SamplePosition& sample, RowVerdicts& row) const;
 
   /// The second level; under UpwardRounding. Nothing where it is left open.
@@ -63,6 +63,7 @@ class TriangleFilter {
   };
   bool is_cut_and_culled() const;
   void set_inner_pixels();
+  void add_line_of_degenerate();
   void add_cut_lines();
   bool add(const Line& line, const Ring& margin);
   bool add_enclosing(const std::vector<OpenLine>& readings);

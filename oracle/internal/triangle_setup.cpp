@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace rastercheck::oracle {
 namespace {
@@ -306,24 +309,54 @@ FieldRange TriangleSetup::extent(Eigen::Index axis) const {
   return {std::min({at[0], at[1], at[2]}) - spread, std::max({at[0], at[1], at[2]}) + spread};
 }
 
+namespace {
+
+/// The pixels along an axis, of those up to `most`, that come as near as `spread` to one between
+/// two of these positions, each within 2^-48 of itself.
+std::pair<int, int> touched(std::span<const double> at, double spread, int most) {
+  const auto [least, greatest] = std::ranges::minmax(at);
+  // 2^-48 for the positions, and as much for the spread and these sums in any rounding mode.
+  const double slack = (std::max(std::abs(least), std::abs(greatest)) + spread) * 0x1p-47;
+  if (!(slack < kInfinity)) return {0, most};
+  const auto pixel_of = [most](double position) {
+    return static_cast<int>(std::clamp(std::floor(position), -1.0, static_cast<double>(most)));
+  };
+  return {pixel_of(least - spread - slack), pixel_of(greatest + spread + slack) + 1};
+}
+
+}  // namespace
+
 PixelBox TriangleSetup::pixels() const {
   if (!promise.is_made) return scene->target_pixels();
   const PixelBox all = has_open_sides ? scene->target_pixels() : scene->pixels();
-  if (has_nonpositive_w) return all;  // some of it may lie anywhere, up to infinity
+  if (has_nonpositive_w) return pixels_of_clipped(all);
   const double spread = near_double(reach);
-  const auto touched = [spread](const std::array<double, 3>& at, int most) -> std::pair<int, int> {
-    const auto [least, greatest] = std::minmax({at[0], at[1], at[2]});
-    // 2^-48 for the positions, and as much for the spread and these sums in any rounding mode.
-    const double slack = (std::max(std::abs(least), std::abs(greatest)) + spread) * 0x1p-47;
-    if (!(slack < kInfinity)) return {0, most};
-    const auto pixel_of = [most](double position) {
-      return static_cast<int>(std::clamp(std::floor(position), -1.0, static_cast<double>(most)));
-    };
-    return {pixel_of(least - spread - slack), pixel_of(greatest + spread + slack) + 1};
-  };
   const NearPositions& near = near_positions();
-  const auto [x0, x1] = touched(near.u, all.x1);
-  const auto [y0, y1] = touched(near.v, all.y1);
+  const auto [x0, x1] = touched(near.u, spread, all.x1);
+  const auto [y0, y1] = touched(near.v, spread, all.y1);
+  return intersection(all, {x0, y0, x1, y1});
+}
+
+/// Of a triangle that reaches behind the eye, and thus up to infinity: of what its clip planes leave
+/// of it in the window, and as far as corners are moved. decide_cut() finds nothing farther off.
+PixelBox TriangleSetup::pixels_of_clipped(const PixelBox& all) const {
+  if (ideal.orientation() == 0) return all;
+  const Ring moved = shape == Shape::exact ? Ring(0) : reach;
+  const ConvexRegion region =
+      clipped_to_triangle({Point{Ring(all.x0) - moved, Ring(all.y0) - moved},
+                           Point{Ring(all.x1) + moved, Ring(all.y1) + moved}});
+  if (region.is_empty()) return {all.x0, all.y0, all.x0, all.y0};
+  std::vector<double> u;
+  std::vector<double> v;
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    const NearPoint near = near_point(region.vertex(i));
+    if (!near.has_normal_products) return all;
+    u.push_back(near.u);
+    v.push_back(near.v);
+  }
+  const double spread = near_double(moved);
+  const auto [x0, x1] = touched(u, spread, all.x1);
+  const auto [y0, y1] = touched(v, spread, all.y1);
   return intersection(all, {x0, y0, x1, y1});
 }
 

@@ -145,6 +145,7 @@ struct TriangleSetup {
   void for_each_clip_plane(const Take& take) const;
   Ring clip_size(const std::array<Ring, 3>& distances, bool is_user_distance) const;
   Line widened(const Line& line, const Ring& more) const;
+  PixelBox pixels_of_clipped(const PixelBox& all) const;
   void set_up_clipping();
   void set_up_snapping(const cases::Snapping& snapping);
   bool is_deeper_than_reach() const;
