@@ -54,8 +54,8 @@ class Records {
     std::vector<std::size_t> begins(triangles + 1);
     for (std::size_t i = 0; i < size(); ++i) {
       const float given = number(i);
-      const bool is_one = given >= 1 && given <= static_cast<float>(triangles) &&
-                          given == std::floor(given);
+      const bool is_one =
+          given >= 1 && given <= static_cast<float>(triangles) && given == std::floor(given);
       if (!is_one) return wrong_record(fmt::format("a flat number came out as {}", given));
       ++begins[static_cast<std::size_t>(given)];
     }
@@ -74,7 +74,9 @@ class Records {
   }
 
  private:
-  std::uint32_t word(std::size_t i, std::size_t at) const { return words_[i * layout_->words + at]; }
+  std::uint32_t word(std::size_t i, std::size_t at) const {
+    return words_[i * layout_->words + at];
+  }
 
   std::span<const std::uint32_t> words_;
   const RecordLayout* layout_;
@@ -83,8 +85,8 @@ class Records {
 class AppendedDrawing {
  public:
   AppendedDrawing(const cases::Case& c, std::span<const RecordLayout> layouts,
-                  AppendingDriver& driver, const std::function<void()>& go_on)
-      : case_(&c), layouts_(layouts), driver_(&driver), go_on_(&go_on) {
+                  AppendingDriver& driver, bool is_checked, const std::function<void()>& go_on)
+      : case_(&c), layouts_(layouts), driver_(&driver), is_checked_(is_checked), go_on_(&go_on) {
     drawn_.attribute_count = c.attributes.size();
     const auto [least, greatest] = std::minmax(c.viewport.min_depth, c.viewport.max_depth);
     least_depth_ = least;
@@ -112,8 +114,12 @@ class AppendedDrawing {
   Result<void> add_values(const Records& records, std::size_t begin, std::size_t first,
                           std::size_t count);
   Result<void> add_layer(std::size_t triangle);
+  Result<void> store_depths(std::size_t begin);
   Result<void> check_some(std::size_t begin, std::size_t first, std::size_t count) const;
 
+  bool is_in_range(float depth) const {
+    return depth >= least_depth_ && depth <= greatest_depth_ && !std::signbit(depth);
+  }
   /// Whether the fragment is at the place of that record.
   bool is_at(std::size_t fragment, const Records& records, std::size_t i, std::size_t first) const {
     return drawn_.triangle[fragment] + 1 - first == static_cast<std::size_t>(records.number(i)) &&
@@ -128,6 +134,7 @@ class AppendedDrawing {
   const cases::Case* case_;
   std::span<const RecordLayout> layouts_;
   AppendingDriver* driver_;
+  bool is_checked_;
   const std::function<void()>* go_on_;
   float least_depth_ = 0;
   float greatest_depth_ = 1;
@@ -155,10 +162,13 @@ Result<std::size_t> AppendedDrawing::draw_some(std::size_t first, std::size_t co
       return count;
     }
     const Records records(driver_->records().first(*had * layouts_[pass].words), layouts_[pass]);
-    const Result<void> added = pass == 0 ? add(records, first, count)
-                                         : add_values(records, begin, first, count);
+    const Result<void> added =
+        pass == 0 ? add(records, first, count) : add_values(records, begin, first, count);
     if (!added) return tl::unexpected(added.error());
   }
+  const Result<void> stored = store_depths(begin);
+  if (!stored) return tl::unexpected(stored.error());
+  if (!is_checked_) return count;
   const Result<void> checked = check_some(begin, first, count);
   if (!checked) return tl::unexpected(checked.error());
   return count;
@@ -167,24 +177,16 @@ Result<std::size_t> AppendedDrawing::draw_some(std::size_t first, std::size_t co
 Result<void> AppendedDrawing::add(const Records& records, std::size_t first, std::size_t count) {
   const Result<std::vector<std::size_t>> order = records.order(count);
   if (!order) return tl::unexpected(order.error());
-  const cases::FramebufferSize& size = case_->framebuffer;
   drawn_.attributes.resize((drawn_.size() + order->size()) * drawn_.attribute_count);
   for (const std::size_t i : *order) {
     const auto x = static_cast<std::uint16_t>(records.pixel(i) & 0xFFFFU);
     const auto y = static_cast<std::uint16_t>(records.pixel(i) >> 16U);
     const std::size_t triangle = first + static_cast<std::size_t>(records.number(i)) - 1;
-    if (x >= size.width || y >= size.height) {
-      return wrong_record(fmt::format("triangle {} has a fragment at ({}, {}), outside {} x {}",
-                                      triangle, x, y, size.width, size.height));
-    }
     drawn_.triangle.push_back(static_cast<std::uint32_t>(triangle));
     drawn_.x.push_back(x);
     drawn_.y.push_back(y);
     drawn_.sample.push_back(0);
-    // A depth buffer holds none beyond the range.
-    const float depth = records.depth(i);
-    drawn_.depth.push_back(std::isnan(depth) ? depth
-                                             : std::clamp(depth, least_depth_, greatest_depth_));
+    drawn_.depth.push_back(records.depth(i));
     set_values(drawn_.size() - 1, records, i);
   }
   return {};
@@ -219,6 +221,29 @@ Result<void> AppendedDrawing::add_layer(std::size_t triangle) {
   return {};
 }
 
+/// What a depth buffer holds of a depth beyond the range, or of one that is no number, is for
+/// drivers to say: takes it from layers, for the triangles of such fragments from `begin` on.
+Result<void> AppendedDrawing::store_depths(std::size_t begin) {
+  std::vector<std::size_t> triangles;
+  for (std::size_t i = begin; i < drawn_.size(); ++i) {
+    const std::size_t triangle = drawn_.triangle[i];
+    const bool is_new = triangles.empty() || triangles.back() != triangle;
+    if (!is_in_range(drawn_.depth[i]) && is_new) triangles.push_back(triangle);
+  }
+  if (triangles.empty()) return {};
+  const Result<cases::Fragments> layers = driver_->draw_in_layers(part_of(*case_, triangles));
+  if (!layers) return tl::unexpected(layers.error());
+  std::size_t i = begin;
+  for (std::size_t at = 0; at < layers->size(); ++at) {
+    cases::SamplePlace place = layers->place_of(at);
+    place.triangle = static_cast<std::uint32_t>(triangles[place.triangle]);
+    while (i < drawn_.size() && drawn_.place_of(i) < place) ++i;
+    const bool is_there = i < drawn_.size() && drawn_.place_of(i) == place;
+    if (is_there && !is_in_range(drawn_.depth[i])) drawn_.depth[i] = layers->depth[at];
+  }
+  return {};
+}
+
 /// Draws some triangles, evenly chosen of those from `first` on, into layers and compares them with
 /// the fragments from `begin` on.
 Result<void> AppendedDrawing::check_some(std::size_t begin, std::size_t first,
@@ -231,24 +256,24 @@ Result<void> AppendedDrawing::check_some(std::size_t begin, std::size_t first,
   std::size_t at = 0;
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     const auto from = drawn_.triangle.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto [low, high] = std::equal_range(from, drawn_.triangle.end(),
-                                              static_cast<std::uint32_t>(chosen[k]));
+    const auto [low, high] =
+        std::equal_range(from, drawn_.triangle.end(), static_cast<std::uint32_t>(chosen[k]));
     auto i = static_cast<std::size_t>(low - drawn_.triangle.begin());
     const auto end = static_cast<std::size_t>(high - drawn_.triangle.begin());
     const auto differ = [&](std::size_t fragment, const cases::Fragments& of) {
       return wrong_record(fmt::format(
-          "triangle {} at pixel ({}, {}) is drawn otherwise into a layer than where fragments are "
-          "appended to a buffer",
+          "triangle {} is drawn otherwise into a layer than where fragments are appended to a "
+          "buffer, at pixel ({}, {}); rastercheck run --property every-way-of-drawing\\* looks for "
+          "small cases of that, and --draw-by append or layers settles which way is taken",
           chosen[k], of.x[fragment], of.y[fragment]));
     };
     for (; at < layers->size() && layers->triangle[at] == k; ++at, ++i) {
       if (i == end) return differ(at, *layers);
       const auto values = drawn_.attributes_of(i);
-      const bool is_same =
-          drawn_.x[i] == layers->x[at] && drawn_.y[i] == layers->y[at] &&
-          are_same_bits(drawn_.depth[i], layers->depth[at]) &&
-          std::equal(values.begin(), values.end(), layers->attributes_of(at).begin(),
-                     are_same_bits);
+      const bool is_same = drawn_.x[i] == layers->x[at] && drawn_.y[i] == layers->y[at] &&
+                           are_same_bits(drawn_.depth[i], layers->depth[at]) &&
+                           std::equal(values.begin(), values.end(),
+                                      layers->attributes_of(at).begin(), are_same_bits);
       if (!is_same) return differ(i, drawn_);
     }
     if (i != end) return differ(i, drawn_);
@@ -260,14 +285,15 @@ Result<void> AppendedDrawing::check_some(std::size_t begin, std::size_t first,
 
 std::string lacks_of_appending(const cases::Case& c) {
   if (c.framebuffer.samples > 1) return "fragments of several samples are not appended";
-  if (c.depth_test != cases::DepthTest::none) return "a depth test is not of appended fragments";
+  if (c.depth_test != cases::DepthTest::none) return "appended fragments know no depth test";
+  if (c.depth_clamp) return "what clamping makes of a depth is stored and not appended";
   return "";
 }
 
 Result<cases::Fragments> draw_appended(const cases::Case& c, std::span<const RecordLayout> layouts,
-                                       AppendingDriver& driver,
+                                       AppendingDriver& driver, bool is_checked,
                                        const std::function<void()>& go_on) {
-  return AppendedDrawing(c, layouts, driver, go_on).draw();
+  return AppendedDrawing(c, layouts, driver, is_checked, go_on).draw();
 }
 
 }  // namespace rastercheck::backends

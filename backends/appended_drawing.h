@@ -6,12 +6,13 @@
 //
 // What a driver does in silence would be missed: it may lose records, or draw other bits as its
 // shader has side effects. Of each draw a few triangles are therefore drawn into layers, too, and
-// held against their records.
+// held against their records, unless appending is what was asked for.
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "cases/case.h"
@@ -57,15 +58,18 @@ class AppendingDriver {
 };
 
 /// Says why the fragments of a case cannot be appended; empty where they can. A depth test has no
-/// say in what a shader appends, and of several samples records would have to say more.
+/// say in what a shader appends, nor has clamping, which is of what is stored; of several samples
+/// records would have to say more.
 std::string lacks_of_appending(const cases::Case& c);
 
 /// Draws a case that lacks_of_appending() has nothing against. Its attributes come in as many draws
 /// as there are layouts, one at least; a triangle with more fragments than there is room for is
-/// drawn into a layer. Calls `go_on` after each draw. Fails where records are no fragments of the
-/// case, or are others than layers have.
+/// drawn into a layer, and so is one with a depth beyond the range or that is no number, which says
+/// nothing of what a depth buffer holds. Calls `go_on` after each draw. Fails where records are of
+/// no triangle of the case, or, if that `is_checked`, are others than layers have; a fragment may
+/// lie outside the target, as a driver may draw there.
 Result<cases::Fragments> draw_appended(const cases::Case& c, std::span<const RecordLayout> layouts,
-                                       AppendingDriver& driver,
+                                       AppendingDriver& driver, bool is_checked,
                                        const std::function<void()>& go_on);
 
 }  // namespace rastercheck::backends

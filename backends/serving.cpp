@@ -76,7 +76,8 @@ class WatchedDrawer {
   WatchedDrawer(Backend& backend, double seconds)
       : backend_(&backend),
         makes_promises_(!backend.about().api),
-        longest_(seconds / kShareOfTime), longest_together_(seconds / 2) {}
+        longest_(seconds / kShareOfTime),
+        longest_together_(seconds / 2) {}
 
   Result<Drawn> draw(const cases::Case& c, std::optional<cases::DrawBy> way) {
     const auto start = std::chrono::steady_clock::now();

@@ -48,7 +48,8 @@ Result<records::Plan> make_plan(const RunOptions& options) {
         Error{"--shard", "", "needs --seed: all shards have to be of the same campaign"});
   }
   if (options.plan.draw_by == cases::DrawBy::frame && options.plan.scene.empty()) {
-    return tl::unexpected(Error{"--draw-by", "", "frame is a way of drawing a scene: it needs --scene"});
+    return tl::unexpected(
+        Error{"--draw-by", "", "frame is a way of drawing a scene: it needs --scene"});
   }
   records::Plan plan = options.plan;
   plan.shard = *shard;

@@ -75,6 +75,12 @@ Result<backends::Drawn> draw_promised(const cases::Case& c, backends::Backend& b
   return drawn_by(c, [&] { return backend.draw(c); });
 }
 
+Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way,
+                                 backends::Backend& backend) {
+  if (!cases::promises_all_of(backend.contract(c), c)) return tl::unexpected(no_promise());
+  return drawn_by(c, [&] { return backend.ways_of_drawing()->draw_by(c, way); });
+}
+
 Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,
                                         std::span<const std::uint32_t> indices,
                                         backends::Backend& backend) {

@@ -23,6 +23,10 @@ Result<backends::Drawn> draw(const cases::Case& c, backends::Backend& backend);
 /// something of all its triangles and values.
 Result<backends::Drawn> draw_promised(const cases::Case& c, backends::Backend& backend);
 
+/// Draws a case in one of the backend's ways, as by draw_promised().
+Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way,
+                                 backends::Backend& backend);
+
 /// Draws a list, strip or fan of the case's vertices, as by draw_promised(). The backend has to
 /// have an assembler, as it has to have a vertex stage, or a picture drawer, for what follows.
 Result<cases::Fragments> draw_assembled(const cases::Case& c, cases::Topology topology,

@@ -17,10 +17,10 @@ std::string scene_sentence(const SceneResult& scene) {
   std::string text = fmt::format("Scene {} on {}: ", scene.file, scene.backend);
   if (scene.judged > 0) {
     const std::uint64_t samples = scene.judged + scene.open;
-    const std::string judged =
-        scene.open == 0 ? counted(scene.judged, "sample") + " judged"
-                        : fmt::format("{} of {} judged ({})", scene.judged,
-                                      counted(samples, "sample"), share_text(scene.judged, samples));
+    const std::string judged = scene.open == 0 ? counted(scene.judged, "sample") + " judged"
+                                               : fmt::format("{} of {} judged ({})", scene.judged,
+                                                             counted(samples, "sample"),
+                                                             share_text(scene.judged, samples));
     text += fmt::format("{}, {}; {}, {}", counted(scene.triangles, "triangle"),
                         counted(scene.fragments, "fragment"), judged,
                         scene.wrong == 0 ? "all right"

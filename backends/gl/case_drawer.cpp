@@ -102,7 +102,8 @@ struct CaseDrawer::Impl {
                          Layers& layers);
   Result<void> draw_batch(const Batches& plan, std::size_t first, cases::Fragments& drawn);
   Result<cases::Fragments> draw_layers(const cases::Case& c, const std::function<void()>& go_on);
-  Result<cases::Fragments> append_all(const cases::Case& c, const std::function<void()>& go_on);
+  Result<cases::Fragments> append_all(const cases::Case& c, bool is_checked,
+                                      const std::function<void()>& go_on);
   bool appends(const cases::Case& c) const;
   Result<void> find_fragments(const Batches& plan, std::size_t first, LayerFragments& found) const;
   Result<void> take_values(const Batches& plan, const Pass& pass, LayerFragments& found) const;
@@ -336,16 +337,13 @@ class GlAppending final : public AppendingDriver {
 
   GlAppending(const cases::Case& c, std::span<const Pass> passes, FragmentBuffer& buffer,
               DrawInLayers draw_in_layers)
-      : case_(&c),
-        passes_(passes),
-        buffer_(&buffer),
-        draw_in_layers_(std::move(draw_in_layers)) {}
+      : case_(&c), passes_(passes), buffer_(&buffer), draw_in_layers_(std::move(draw_in_layers)) {}
 
   std::size_t most_words() const override { return buffer_->most_words(); }
   Result<std::size_t> draw(std::size_t layout, std::size_t first, std::size_t count,
                            std::size_t room) override {
-    return buffer_->draw(*case_, std::span(case_->triangles).subspan(first, count),
-                         passes_[layout], room);
+    return buffer_->draw(*case_, std::span(case_->triangles).subspan(first, count), passes_[layout],
+                         room);
   }
   std::span<const std::uint32_t> records() const override { return buffer_->words(); }
   Result<cases::Fragments> draw_in_layers(const cases::Case& c) override {
@@ -373,8 +371,8 @@ RecordLayout layout_of(const Pass& pass) {
 
 }  // namespace
 
-Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c,
-                                                  const std::function<void()>& go_on) {
+Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c, bool is_checked,
+                                                      const std::function<void()>& go_on) {
   std::string what = lacks_of_appending(c);
   if (!buffer) what = has.api + " has no storage buffers for fragments";
   if (what.empty()) what = lacks(has, c);
@@ -388,7 +386,7 @@ Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c,
   }
   GlAppending driver(c, passes, *buffer,
                      [&](const cases::Case& some) { return draw_layers(some, go_on); });
-  return draw_appended(c, layouts, driver, go_on);
+  return draw_appended(c, layouts, driver, is_checked, go_on);
 }
 
 /// Whether fragments are appended unless another way is asked for: layers, which are read back
@@ -409,7 +407,7 @@ Result<cases::Fragments> CaseDrawer::draw(const cases::Case& c, std::optional<ca
   impl_->complaint.clear();
   const bool appends = way ? *way == cases::DrawBy::append : impl_->appends(c);
   Result<cases::Fragments> drawn =
-      appends ? impl_->append_all(c, go_on) : impl_->draw_layers(c, go_on);
+      appends ? impl_->append_all(c, !way, go_on) : impl_->draw_layers(c, go_on);
   if (!drawn) return drawn;
   if (const Result<void> quiet = impl_->complain(); !quiet) return tl::unexpected(quiet.error());
   return drawn;

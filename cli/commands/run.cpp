@@ -380,8 +380,8 @@ Action set_up(CLI::App& app) {
                    "it was begun with");
   for (const char* settled :
        {"--backend", "--property", "--cases", "--seed", "--scene", "--scene-size", "--contract",
-        "--promise", "--draw-by", "--corpus", "--known", "--no-known", "--shrink-tries", "--shrink-seconds",
-        "--power", "--keep-cases"}) {
+        "--promise", "--draw-by", "--corpus", "--known", "--no-known", "--shrink-tries",
+        "--shrink-seconds", "--power", "--keep-cases"}) {
     resume->excludes(settled);
     rerun->excludes(settled);
   }

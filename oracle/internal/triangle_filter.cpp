@@ -158,8 +158,9 @@ std::vector<TriangleFilter::OpenLine> TriangleFilter::readings_of_edge(std::size
 /// Adds a clip plane that cuts the triangle, which is off by the tolerance and by the error of
 /// distances.
 bool TriangleFilter::add_clip_line(const ClipFunctional& functional) {
-  std::vector<OpenLine> readings{{functional.line, Ring(0)},
-                                 {functional.outer, band_of(functional.outer, triangle_->tolerance)}};
+  std::vector<OpenLine> readings{
+      {functional.line, Ring(0)},
+      {functional.outer, band_of(functional.outer, triangle_->tolerance)}};
   if (triangle_->promise.clip_error > 0) {
     readings.push_back({functional.inner, band_of(functional.inner, triangle_->tolerance)});
   }

@@ -67,9 +67,8 @@ class SceneReader {
       is_violated = true;
       is_wrong = is_wrong || asks_of_values_;
     }
-    const bool is_judged =
-        is_violated || (sample.decision.verdict != records::Verdict::permitted &&
-                        sample.values.size() == attributes_ + 1);
+    const bool is_judged = is_violated || (sample.decision.verdict != records::Verdict::permitted &&
+                                           sample.values.size() == attributes_ + 1);
     ++(is_judged ? judged_ : open_);
     if (is_wrong) ++wrong_;
     if (!is_in_map) return;
@@ -233,7 +232,7 @@ class SceneJudge {
     cases::Case source;
     Error error;
   };
-  std::optional<Failed> failed;  ///< the first
+  std::optional<Failed> failed;                     ///< the first
   std::map<std::string, std::uint64_t> not_judged;  ///< triangles
   records::Judgement judgement;
   std::uint64_t fragments = 0;
@@ -269,6 +268,18 @@ class SceneJudge {
   ShownFragments shown_;
   oracle::JudgeOptions options_;
 };
+
+/// Has a scene that is not drawn as a whole violate what was checked, unless a part of it is just
+/// of no kind that the backend draws.
+void take_failure(const SceneJudge::Failed& failed, bool is_partly_drawn, Check& check) {
+  Check none = failed_check(failed.error);
+  if (!is_partly_drawn) {
+    check = std::move(none);
+  } else if (none.is_applicable) {
+    check.known.clear();
+    check.violation_count += none.violation_count;
+  }
+}
 
 }  // namespace
 
@@ -312,30 +323,25 @@ Result<SceneFindings> judge_scene_in(const PartLimits& limits, const cases::Case
   if (judge.drawn > 0) result.drawn = judge.take_shown();
 
   for (const Law* law : scene_laws(laws)) {
-    const bool is_coverage = law->id == kCoverageLaw;
     const SceneReader::Few& few = reader.of(law->id);
     Check check;
-    check.judgement = is_coverage ? coverage_part(judge.judgement) : judge.judgement;
-    check.violations = few.violations;
-    check.violation_count = few.violations.size() + few.known.size();
-    if (few.violations.empty()) check.known.assign(few.known.begin(), few.known.end());
-    if (!few.violations.empty()) result.result.is_known = false;
-    if (judge.failed) {
-      // As a whole it is not drawn.
-      const Check none = failed_check(judge.failed->error);
-      if (judge.drawn == 0) check = none;
-      if (judge.drawn > 0 && none.is_applicable) {
-        check.known.clear();
-        check.violation_count += none.violation_count;
-      }
-      if (none.is_applicable) {
-        NumberedCase part{judge.failed->source, numbered.stratum, judge.failed->part.first,
-                          records::Origin::scene};
-        part.source.name = numbered.stratum;
-        keep_counterexample(*law, specification, backend, seed, part, none, result.findings, known);
-      }
+    if (judge.drawn > 0) {
+      const bool is_coverage = law->id == kCoverageLaw;
+      check.judgement = is_coverage ? coverage_part(judge.judgement) : judge.judgement;
+      check.violations = few.violations;
+      check.violation_count = few.violations.size() + few.known.size();
+      if (few.violations.empty()) check.known.assign(few.known.begin(), few.known.end());
+      if (!few.violations.empty()) result.result.is_known = false;
     }
+    if (judge.failed) take_failure(*judge.failed, judge.drawn > 0, check);
     account(*law, specification, backend, numbered, check, result.findings);
+    if (judge.failed && judge.failed->error.failure != Failure::unsupported) {
+      NumberedCase part{judge.failed->source, numbered.stratum, judge.failed->part.first,
+                        records::Origin::scene};
+      part.source.name = numbered.stratum;
+      keep_counterexample(*law, specification, backend, seed, part,
+                          failed_check(judge.failed->error), result.findings, known);
+    }
     keep_violations(*law, specification, backend, seed, numbered, few.violations, result.findings,
                     known);
   }

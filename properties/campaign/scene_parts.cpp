@@ -85,8 +85,8 @@ std::vector<ScenePart> parts_of(const cases::Case& scene, const PartLimits& limi
   std::uint64_t samples = 0;
   for (std::size_t t = 0; t < count; ++t) {
     const std::uint64_t more = samples_of(scene, scene.triangles[t]);
-    const bool is_full = parts.empty() || samples + more > limits.samples ||
-                         parts.back().count == limits.triangles;
+    const bool is_full =
+        parts.empty() || samples + more > limits.samples || parts.back().count == limits.triangles;
     if (is_full) {
       parts.push_back({t, 0});
       samples = 0;
@@ -113,8 +113,7 @@ bool ShownFragments::goes_before(const cases::Fragments& drawn, std::size_t i,
 void ShownFragments::add(const cases::Fragments& drawn, std::size_t first_triangle) {
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     if (drawn.x[i] >= size_.width || drawn.y[i] >= size_.height) continue;
-    std::size_t& slot =
-        slots_[drawn.y[i] * static_cast<std::size_t>(size_.width) + drawn.x[i]];
+    std::size_t& slot = slots_[drawn.y[i] * static_cast<std::size_t>(size_.width) + drawn.x[i]];
     const auto triangle = static_cast<std::uint32_t>(drawn.triangle[i] + first_triangle);
     const auto values = drawn.attributes_of(i);
     if (slot == kNone) {
@@ -129,9 +128,9 @@ void ShownFragments::add(const cases::Fragments& drawn, std::size_t first_triang
       shown_.triangle[slot] = triangle;
       shown_.sample[slot] = drawn.sample[i];
       shown_.depth[slot] = drawn.depth[i];
-      std::copy(values.begin(), values.end(),
-                shown_.attributes.begin() +
-                    static_cast<std::ptrdiff_t>(slot * shown_.attribute_count));
+      std::copy(
+          values.begin(), values.end(),
+          shown_.attributes.begin() + static_cast<std::ptrdiff_t>(slot * shown_.attribute_count));
     }
   }
 }

@@ -120,11 +120,10 @@ void judge(benchmark::State& bench, const std::string& specification, std::strin
       {"plugin", plugin}};
   for (const auto& [name, specification] : backends) {
     for (const std::string_view scene : kJudgedScenes) {
-      benchmark::RegisterBenchmark(
-          fmt::format("scene/{}/{}", name, scene).c_str(),
-          [specification = specification, scene](benchmark::State& bench) {
-            judge(bench, specification, scene);
-          })
+      benchmark::RegisterBenchmark(fmt::format("scene/{}/{}", name, scene).c_str(),
+                                   [specification = specification, scene](benchmark::State& bench) {
+                                     judge(bench, specification, scene);
+                                   })
           ->Unit(benchmark::kSecond)
           ->UseRealTime()
           ->Iterations(1);

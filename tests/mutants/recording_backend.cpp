@@ -188,6 +188,18 @@ backends::Tracer* RecordingBackend::tracer() {
   return asked([](Backend& b) { return b.tracer() != nullptr; }) ? this : nullptr;
 }
 
+backends::WaysOfDrawing* RecordingBackend::ways_of_drawing() {
+  return asked([](Backend& b) { return b.ways_of_drawing() != nullptr; }) ? this : nullptr;
+}
+
+std::vector<cases::DrawBy> RecordingBackend::ways() const {
+  return asked([](Backend& b) { return b.ways_of_drawing()->ways(); });
+}
+
+Result<cases::Fragments> RecordingBackend::draw_by(const cases::Case& c, cases::DrawBy way) {
+  return asked([c, way](Backend& b) { return b.ways_of_drawing()->draw_by(c, way); });
+}
+
 Result<cases::Fragments> RecordingBackend::draw_fragments(const cases::Case& c) {
   return asked([c](Backend& backend) { return backends::fragments_of(backend.draw(c)); });
 }

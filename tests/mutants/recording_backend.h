@@ -20,7 +20,8 @@ class RecordingBackend : public backends::Backend,
                          backends::PictureDrawer,
                          backends::Assembler,
                          backends::VertexStage,
-                         backends::Tracer {
+                         backends::Tracer,
+                         backends::WaysOfDrawing {
  public:
   /// `answering` outlives it.
   explicit RecordingBackend(backends::Backend& answering) : answering_(&answering) {}
@@ -36,9 +37,12 @@ class RecordingBackend : public backends::Backend,
   backends::Assembler* assembler() override;
   backends::VertexStage* vertex_stage() override;
   backends::Tracer* tracer() override;
+  backends::WaysOfDrawing* ways_of_drawing() override;
 
  private:
   Result<cases::Fragments> draw_fragments(const cases::Case& c) override;
+  std::vector<cases::DrawBy> ways() const override;
+  Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way) override;
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                     const cases::SamplePlace& at) override;
   Result<cases::Picture> draw_picture(const cases::Case& c,

@@ -33,6 +33,8 @@ using OverDamage = std::function<void(const cases::Case&, Result<void>& drawn, c
 /// Goes wrong with the pipeline that a picture is drawn by, or with the picture.
 using PipelineDamage = std::function<void(cases::Pipeline&)>;
 using PictureDamage = std::function<void(const cases::Pipeline& asked_for, cases::Picture&)>;
+/// Goes wrong with what another way draws, or says that it cannot draw it.
+using WayDamage = std::function<void(const cases::Case&, Result<cases::Fragments>&)>;
 using TraceDamage =
     std::function<void(const cases::SamplePlace&, std::optional<records::SampleTrace>&)>;
 
@@ -40,7 +42,8 @@ class DamagedBackend : public backends::Backend,
                        protected backends::PictureDrawer,
                        protected backends::Assembler,
                        protected backends::VertexStage,
-                       protected backends::Tracer {
+                       protected backends::Tracer,
+                       protected backends::WaysOfDrawing {
  public:
   explicit DamagedBackend(Damage damage = {},
                           const std::string& specification = "method:rational-linear")
@@ -59,10 +62,15 @@ class DamagedBackend : public backends::Backend,
   backends::Assembler* assembler() override { return inner_->assembler() ? this : nullptr; }
   backends::VertexStage* vertex_stage() override { return inner_->vertex_stage() ? this : nullptr; }
   backends::Tracer* tracer() override { return inner_->tracer() ? this : nullptr; }
+  backends::WaysOfDrawing* ways_of_drawing() override {
+    return way_damage || inner_->ways_of_drawing() ? this : nullptr;
+  }
 
   std::optional<cases::Contract> promised;
   TraceDamage trace_damage;
   TransformDamage transform_damage;
+  /// Where it is set, there are two ways, and the other one draws so.
+  WayDamage way_damage;
   NormalDamage normal_damage;
   AssemblyDamage assembly_damage;
   OverDamage over_damage;
@@ -76,6 +84,16 @@ class DamagedBackend : public backends::Backend,
     if (!drawn) return tl::unexpected(drawn.error());
     if (damage_) damage_(c, drawn->fragments);
     return std::move(drawn->fragments);
+  }
+  std::vector<cases::DrawBy> ways() const override {
+    if (!way_damage) return inner_->ways_of_drawing()->ways();
+    return {cases::DrawBy::append, cases::DrawBy::layers};
+  }
+  Result<cases::Fragments> draw_by(const cases::Case& c, cases::DrawBy way) override {
+    if (!way_damage) return inner_->ways_of_drawing()->draw_by(c, way);
+    Result<cases::Fragments> drawn = draw_fragments(c);
+    if (drawn && way == cases::DrawBy::layers) way_damage(c, drawn);
+    return drawn;
   }
   Result<std::optional<records::SampleTrace>> trace(const cases::Case& c,
                                                     const cases::SamplePlace& at) override {

@@ -46,11 +46,10 @@ std::string vertex_shader(const Capabilities& has, const std::vector<VaryingClas
 /// Appends a record of each fragment, whatever its triangle is drawn over: nothing else is written,
 /// as some of Mesa's drivers lose records of fragments that have colours, too.
 std::string appending_shader(const Capabilities& has, const std::vector<VaryingClass>& varyings) {
-  std::string outside =
-      shader_head(has) +
-      "#extension GL_ARB_shader_storage_buffer_object : require\n"
-      "flat in float number;\nuniform uint room;\n"
-      "layout(std430) buffer Records { uint count; uint words[]; };\n";
+  std::string outside = shader_head(has) +
+                        "#extension GL_ARB_shader_storage_buffer_object : require\n"
+                        "flat in float number;\nuniform uint room;\n"
+                        "layout(std430) buffer Records { uint count; uint words[]; };\n";
   std::string inside = fmt::format(
       "  uint at = atomicAdd(count, 1u);\n  if (at >= room) return;\n  at *= {}u;\n"
       "  words[at] = floatBitsToUint(number);\n"

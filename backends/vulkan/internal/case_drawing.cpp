@@ -178,9 +178,9 @@ struct CaseDrawing::Impl {
   Result<void> hand_over(const std::vector<float>& vertices);
   Result<void> draw_layers(const cases::Case& c, Pass pass, std::span<const Layer> layers,
                            const Target& target);
-  Result<cases::Fragments> draw_in_layers(const cases::Case& c,
-                                          const std::function<void()>& go_on);
-  Result<cases::Fragments> append_all(const cases::Case& c, const std::function<void()>& go_on);
+  Result<cases::Fragments> draw_in_layers(const cases::Case& c, const std::function<void()>& go_on);
+  Result<cases::Fragments> append_all(const cases::Case& c, bool is_checked,
+                                      const std::function<void()>& go_on);
   bool appends(const cases::Case& c) const;
   Result<std::size_t> append_some(const cases::Case& c, Pass pass, std::size_t first,
                                   std::size_t count, std::size_t room);
@@ -399,8 +399,8 @@ Result<std::size_t> CaseDrawing::Impl::append_some(const cases::Case& c, Pass pa
   return records.count();
 }
 
-Result<cases::Fragments> CaseDrawing::Impl::append_all(const cases::Case& c,
-                                                   const std::function<void()>& go_on) {
+Result<cases::Fragments> CaseDrawing::Impl::append_all(const cases::Case& c, bool is_checked,
+                                                       const std::function<void()>& go_on) {
   std::string what = lacks_of_appending(c);
   if (!device->limits().fragment_stores) {
     what = "it lacks storage buffers for fragments (fragmentStoresAndAtomics)";
@@ -416,7 +416,7 @@ Result<cases::Fragments> CaseDrawing::Impl::append_all(const cases::Case& c,
         return append_some(c, pass, first, count, room);
       },
       [&](const cases::Case& some) { return draw_in_layers(some, go_on); });
-  return draw_appended(c, layouts, driver, go_on);
+  return draw_appended(c, layouts, driver, is_checked, go_on);
 }
 
 /// Whether fragments are appended unless another way is asked for: layers, which are read back
@@ -436,7 +436,7 @@ std::vector<cases::DrawBy> CaseDrawing::ways() const {
 Result<cases::Fragments> CaseDrawing::draw(const cases::Case& c, std::optional<cases::DrawBy> way,
                                            const std::function<void()>& go_on) {
   const bool appends = way ? *way == cases::DrawBy::append : impl_->appends(c);
-  return appends ? impl_->append_all(c, go_on) : impl_->draw_in_layers(c, go_on);
+  return appends ? impl_->append_all(c, !way, go_on) : impl_->draw_in_layers(c, go_on);
 }
 
 }  // namespace rastercheck::backends::vulkan

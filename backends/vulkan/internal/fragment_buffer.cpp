@@ -37,8 +37,8 @@ Result<FragmentBuffer> FragmentBuffer::create(const Device& device, const Pipeli
   info.descriptorPool = made.pool_.get();
   info.descriptorSetCount = 1;
   info.pSetLayouts = &layout;
-  const Result<void> allocated = check("vkAllocateDescriptorSets",
-                                       vkAllocateDescriptorSets(device.get(), &info, &made.set_));
+  const Result<void> allocated =
+      check("vkAllocateDescriptorSets", vkAllocateDescriptorSets(device.get(), &info, &made.set_));
   if (!allocated) return tl::unexpected(allocated.error());
   return made;
 }
@@ -48,8 +48,7 @@ Result<void> FragmentBuffer::make_room(const Device& device, std::size_t words) 
   if (buffer_.bytes.size() < bytes) {
     buffer_ = {};
     const std::size_t rounded = std::min(std::bit_ceil(bytes), (1 + most_words_) * kWord);
-    Result<HostBuffer> made =
-        make_host_buffer(device, rounded, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    Result<HostBuffer> made = make_host_buffer(device, rounded, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     if (!made) return tl::unexpected(made.error());
     buffer_ = *std::move(made);
     const VkDescriptorBufferInfo whole{buffer_.buffer.get(), 0, VK_WHOLE_SIZE};

@@ -114,8 +114,7 @@ Result<Pipelines> Pipelines::create(const Device& device) {
   Result<DescriptorSetLayout> records = make_records_layout(device);
   if (!records) return tl::unexpected(records.error());
   pipelines.records_layout_ = *std::move(records);
-  Result<PipelineLayout> appending =
-      make_appending_layout(device, pipelines.records_layout_.get());
+  Result<PipelineLayout> appending = make_appending_layout(device, pipelines.records_layout_.get());
   if (!appending) return tl::unexpected(appending.error());
   pipelines.appending_layout_ = *std::move(appending);
   return pipelines;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "backends/factory.h"
 #include "cases/mesh.h"
 #include "properties/campaign/check_case.h"
@@ -68,7 +70,7 @@ TEST(JudgeScene, CountsWhatWasJudgedAndWhatIsWrong) {
   const cases::Case c = scene();
   const auto cpu = backends::make_backend("cpu").value();
   const SceneFindings right = judge_scene(c, "cpu", *cpu, 7, kLaws).value();
-  EXPECT_EQ(right.result, (records::SceneResult{"square", "cpu", 2, 64, 64, 0, false, {}, 256}));
+  EXPECT_EQ(right.result, (records::SceneResult{"square", "cpu", 2, 64, 64, 0, 0, false, {}, 256}));
   DamagedBackend backend(
       [](const cases::Case&, cases::Fragments& drawn) {
         drop(drawn, 0, 1, 1);
@@ -77,7 +79,7 @@ TEST(JudgeScene, CountsWhatWasJudgedAndWhatIsWrong) {
       },
       "cpu");
   const SceneFindings wrong = judge_scene(c, "cpu", backend, 7, kLaws).value();
-  EXPECT_EQ(wrong.result, (records::SceneResult{"square", "cpu", 2, 64, 65, 3, false, {}, 252}));
+  EXPECT_EQ(wrong.result, (records::SceneResult{"square", "cpu", 2, 64, 65, 0, 3, false, {}, 252}));
 }
 
 TEST(JudgeScene, RecordsOnlyWhatIsAskedFor) {
@@ -166,9 +168,127 @@ TEST(JudgeScene, HoldsADrawingThatFailsAgainstTheBackend) {
   ASSERT_THAT(found.findings.counterexamples, SizeIs(2));
   EXPECT_EQ(found.findings.counterexamples[0].violations[0].note, "out of memory");
   EXPECT_FALSE(found.drawn.has_value());
-  EXPECT_EQ(found.result,
-            (records::SceneResult{"square", "damaged", 2, 0, 0, 0, false, {{"out of memory", 2}}}));
+  EXPECT_EQ(found.result, (records::SceneResult{
+                              "square", "damaged", 2, 0, 0, 0, 0, false, {{"out of memory", 2}}}));
   EXPECT_THAT(found.map.states, SizeIs(64));
+}
+
+/// Six triangles of the square, three of them farther away.
+cases::Case layered_scene() {
+  cases::Case c = scene();
+  const std::size_t count = c.positions.size();
+  for (std::size_t v = 0; v < count; ++v) {
+    cases::ClipVertex p = c.positions[v];
+    p.z = 0.5F * p.w;
+    c.positions.push_back(p);
+    const auto values = c.attributes_of(v);
+    const std::vector<float> copy(values.begin(), values.end());
+    c.attribute_values.insert(c.attribute_values.end(), copy.begin(), copy.end());
+  }
+  const cases::Triangle first = c.triangles[0];
+  const cases::Triangle second = c.triangles[1];
+  const auto n = static_cast<std::uint32_t>(count);
+  c.triangles.push_back({first[0] + n, first[1] + n, first[2] + n});
+  c.triangles.push_back(second);
+  c.triangles.push_back({second[0] + n, second[1] + n, second[2] + n});
+  c.triangles.push_back(first);
+  return c;
+}
+
+// Kills: a part's triangle taken for the scene's of that number, in places of errors, in
+// counterexamples and in the picture; a part that is judged twice or not at all.
+TEST(JudgeScene, GivesTheSameInParts) {
+  const cases::Case c = layered_scene();
+  const Damage damage = [](const cases::Case&, cases::Fragments& drawn) {
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      float& value = drawn.attributes[i * drawn.attribute_count];
+      value = std::nextafter(value, value + static_cast<float>(drawn.x[i]) - 3);
+    }
+  };
+  DamagedBackend whole_backend(damage);
+  const SceneFindings whole = judge_scene(c, "damaged", whole_backend, 7, kLaws).value();
+  for (const PartLimits& limits :
+       {PartLimits{.triangles = 1}, PartLimits{.triangles = 4}, PartLimits{.samples = 100}}) {
+    DamagedBackend backend(damage);
+    const SceneFindings parts = judge_scene_in(limits, c, "damaged", backend, 7, kLaws).value();
+    EXPECT_EQ(parts.result, whole.result);
+    EXPECT_EQ(parts.findings.records, whole.findings.records);
+    ASSERT_EQ(parts.findings.counterexamples.size(), whole.findings.counterexamples.size());
+    for (std::size_t i = 0; i < whole.findings.counterexamples.size(); ++i) {
+      EXPECT_EQ(parts.findings.counterexamples[i].source, whole.findings.counterexamples[i].source);
+    }
+    EXPECT_EQ(parts.map.states, whole.map.states);
+    EXPECT_EQ(parts.map.errors, whole.map.errors);
+    EXPECT_EQ(parts.drawn->triangle, whole.drawn->triangle);
+    EXPECT_EQ(parts.drawn->depth, whole.drawn->depth);
+    EXPECT_EQ(parts.drawn->attributes, whole.drawn->attributes);
+  }
+}
+
+// Kills: a part that could not be drawn, dropped without a word.
+TEST(JudgeScene, JudgesTheOtherPartsWhereOneFails) {
+  class FailsOnce : public DamagedBackend {
+   public:
+    FailsOnce(int which, Failure failure) : which_(which), failure_(failure) {}
+
+   private:
+    Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
+      if (++drawings_ == which_) return tl::unexpected(Error{"", "", "no room", failure_});
+      return DamagedBackend::draw_fragments(c);
+    }
+    int drawings_ = 0;
+    int which_;
+    Failure failure_;
+  };
+  const cases::Case c = layered_scene();
+  const PartLimits limits{.triangles = 2};
+  FailsOnce refuses(2, Failure::refused);
+  const SceneFindings refused = judge_scene_in(limits, c, "damaged", refuses, 7, kLaws).value();
+  EXPECT_EQ(refused.result.fragments, 128U);
+  EXPECT_EQ(refused.result.not_judged, (std::map<std::string, std::uint64_t>{{"no room", 2}}));
+  EXPECT_EQ(refused.findings.records.at(key(kCoverage)).cases, (records::CaseCounts{1, 0, 1}));
+  ASSERT_THAT(refused.findings.counterexamples, SizeIs(2));
+  EXPECT_EQ(refused.findings.counterexamples[0].source.found->verdict, "failed");
+  EXPECT_THAT(refused.findings.counterexamples[0].source.triangles, SizeIs(2));
+
+  FailsOnce lacks(2, Failure::unsupported);
+  const SceneFindings unsupported = judge_scene_in(limits, c, "damaged", lacks, 7, kLaws).value();
+  EXPECT_EQ(unsupported.result.not_judged.at("no room"), 2U);
+  EXPECT_THAT(unsupported.findings.counterexamples, IsEmpty());
+
+  FailsOnce hangs(2, Failure::hang);
+  const SceneFindings hung = judge_scene_in(limits, c, "damaged", hangs, 7, kLaws).value();
+  EXPECT_EQ(hung.result.not_judged.at("no room"), 4U);  // the third is not tried
+}
+
+TEST(JudgeScene, IsDrawnAtOnceWithADepthTest) {
+  cases::Case c = layered_scene();
+  EXPECT_EQ(parts_of(c, {.triangles = 4}), (std::vector<ScenePart>{{0, 4}, {4, 2}}));
+  EXPECT_EQ(parts_of(c, {.samples = 130}), (std::vector<ScenePart>{{0, 2}, {2, 2}, {4, 2}}));
+  c.depth_test = cases::DepthTest::less;
+  EXPECT_EQ(parts_of(c, {.triangles = 4}), (std::vector<ScenePart>{{0, 6}}));
+}
+
+// Kills: a triangle that nobody sees counted as the whole window.
+TEST(JudgeScene, SizesPartsByWhatIsSeen) {
+  cases::Case c = scene();
+  c.triangles.assign(5, c.triangles[0]);
+  for (cases::ClipVertex& p : c.positions) p.w = -p.w;
+  EXPECT_EQ(parts_of(c, {.samples = 1}), (std::vector<ScenePart>{{0, 5}}));
+  c.positions[c.triangles[0][0]] = {0, 0, 0, 1};  // two behind the eye
+  EXPECT_GT(parts_of(c, {.samples = 1}).size(), 1U);
+}
+
+// Kills: an open fragment counted as judged; one that is judged, as open.
+TEST(JudgeScene, CountsFragmentsThatAreOpen) {
+  const cases::Case c = scene();
+  DamagedBackend backend;
+  cases::Contract promised = backend.promise(c);
+  promised.bounds.smooth.constant = 0x1p24F;  // which any value is within
+  backend.promised = promised;
+  const SceneFindings found = judge_scene(c, "damaged", backend, 7, kLaws).value();
+  EXPECT_EQ(found.result.judged, 0U);
+  EXPECT_EQ(found.result.open, 64U);
 }
 
 TEST(JudgeScene, DrawsAMeshWithItsCamera) {

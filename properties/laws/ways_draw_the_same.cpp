@@ -1,0 +1,124 @@
+// Every way of drawing draws the same bits: where a driver can be asked for a case's fragments in
+// several ways (backends::WaysOfDrawing), each gives the same ones.
+//
+// Why. A fragment's place, depth and attributes depend on its triangle and on the case's state.
+// Whether the shader writes them to colours or appends them to a buffer has no say, nor has the
+// number of triangles in a draw. No API promises it: a driver may take another path where a shader
+// has side effects, or nothing is attached, and another path may round otherwise. That is worth
+// knowing: of a mesh, fragments are appended, and what is found there is not what a layer would
+// show. Violations say whether the contract permits either drawing.
+//
+// Samples: all, values too; but both APIs let a subnormal number become zero on whatever way it
+// takes, and give zeros no sign. A way that does not draw such cases is left out.
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cases/names.h"
+#include "properties/drawing.h"
+#include "properties/judged_law.h"
+#include "properties/laws/internal/same_drawing.h"
+
+namespace rastercheck::properties::ways_draw_the_same_law {
+namespace {
+
+/// Triangles that more than one batch of a driver holds.
+constexpr std::size_t kMany = 500;
+
+/// The same with 0 for subnormal numbers and −0.
+cases::Fragments flushed(cases::Fragments drawn) {
+  const auto flush = [](std::vector<float>& values) {
+    for (float& value : values) {
+      if (std::fpclassify(value) == FP_SUBNORMAL || value == 0) value = 0;
+    }
+  };
+  flush(drawn.depth);
+  flush(drawn.attributes);
+  return drawn;
+}
+
+/// Whether the contract has nothing against a drawing.
+bool is_permitted(const cases::ClipCase& c, const cases::Contract& contract,
+                  const cases::Fragments& drawn) {
+  return judge_drawn(c, contract, drawn, {}, 0).violation_count == 0;
+}
+
+/// Holds what one way drew against what another did.
+Check compare_ways(const cases::ClipCase& c, const cases::Contract& contract,
+                   const cases::Fragments& first, const cases::Fragments& second,
+                   std::string note) {
+  Check found = compare_drawings(c, first, second, note);
+  if (found.violation_count == 0) return found;
+  if (is_permitted(c, contract, first) && is_permitted(c, contract, second)) {
+    note += "; the contract permits either";
+  }
+  return compare_drawings(c, first, second, note);
+}
+
+bool is_promised(backends::Backend& backend) {
+  backends::WaysOfDrawing* const ways = backend.ways_of_drawing();
+  return ways != nullptr && ways->ways().size() > 1;
+}
+
+Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
+                    std::uint64_t /*index*/) {
+  if (!is_promised(backend)) return not_applicable();
+  std::optional<cases::Fragments> first;
+  std::string name_of_first;
+  std::string lacking;
+  Check check;
+  bool is_compared = false;
+  for (const cases::DrawBy way : backend.ways_of_drawing()->ways()) {
+    Result<cases::Fragments> drawn = draw_by(clip, way, backend);
+    if (!drawn && drawn.error().failure == Failure::unsupported) {
+      lacking = drawn.error().reason;
+      continue;
+    }
+    if (!drawn) return tl::unexpected(drawn.error());
+    const std::string name(cases::name_of(way));
+    if (!first) {
+      first = flushed(*std::move(drawn));
+      name_of_first = name;
+      continue;
+    }
+    is_compared = true;
+    merge(check, compare_ways(clip, backend.contract(clip), *first, flushed(*std::move(drawn)),
+                              "drawn by " + name + "; by " + name_of_first + " the other"));
+  }
+  if (!is_compared) return not_applicable(lacking);
+  if (clip.triangles.size() >= kMany) add_label(check, "many triangles");
+  return check;
+}
+
+/// As records of fragments have it: one sample, and nothing hidden. Some cases have their triangles
+/// again and again.
+Generated generate(Draw& draw) {
+  Generated made = generate_any(draw);
+  cases::Case& c = made.source;
+  c.framebuffer.samples = 1;
+  c.depth_test = cases::DepthTest::none;
+  if (!draw.one_in(10)) return made;
+  const std::vector<cases::Triangle> all = c.triangles;
+  while (!all.empty() && c.triangles.size() < kMany) {
+    c.triangles.insert(c.triangles.end(), all.begin(), all.end());
+  }
+  return made;
+}
+
+const LawRegistration kRegistration(
+    {.id = "every-way-of-drawing-draws-the-same-bits",
+     .sentence = "every way of drawing draws the same bits",
+     .reason = "Whether a shader writes a fragment to colours or appends it to a buffer has no say "
+               "in its place and its values.",
+     .exceptions = "backends that draw in one way, depth tests, several samples",
+     .generate = &generate,
+     .check = &check,
+     .is_promised = &is_promised,
+     .unpromised = "the backend draws in one way only",
+     .covers = {cover(30, "drawn"), cover(4, "many triangles"), cover(10, "clipped")}});
+
+}  // namespace
+}  // namespace rastercheck::properties::ways_draw_the_same_law

@@ -1,0 +1,94 @@
+// The law holds every way of drawing to the first one, and has nothing to say of a backend that
+// draws in one way only.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "properties/law.h"
+#include "tests/properties/damaged_backend.h"
+
+namespace rastercheck::properties::ways_draw_the_same_test {
+namespace {
+
+using cases::Case;
+using cases::Fragments;
+using testing::HasSubstr;
+
+constexpr std::string_view kLaw = "every-way-of-drawing-draws-the-same-bits";
+
+Check checked(DamagedBackend& backend, const Case& c = square()) {
+  return check_law(*find_law(kLaw), c, backend, 0).value();
+}
+
+/// A backend whose other way goes wrong with the fragments that it draws.
+class OtherWay : public DamagedBackend {
+ public:
+  explicit OtherWay(const Damage& damage) : DamagedBackend({}, "cpu") {
+    way_damage = [damage](const Case& c, Result<Fragments>& drawn) { damage(c, *drawn); };
+  }
+};
+
+TEST(Ways, DrawTheSame) {
+  OtherWay backend([](const Case&, Fragments&) {});
+  const Check check = checked(backend);
+  EXPECT_TRUE(check.is_applicable);
+  EXPECT_EQ(check.violation_count, 0U);
+  EXPECT_THAT(check.labels, testing::Contains("drawn"));
+}
+
+TEST(Ways, AreAskedForByName) {
+  OtherWay backend([](const Case&, Fragments&) {});
+  EXPECT_TRUE(is_promised(*find_law(kLaw), backend));
+  DamagedBackend single({}, "cpu");
+  EXPECT_FALSE(is_promised(*find_law(kLaw), single));
+  EXPECT_FALSE(checked(single).is_applicable);
+}
+
+TEST(Ways, MissNothing) {
+  OtherWay backend([](const Case&, Fragments& drawn) { drop(drawn, 0, 1, 1); });
+  const Check check = checked(backend);
+  ASSERT_EQ(check.violation_count, 1U);
+  EXPECT_EQ(check.violations[0].fragment_class, records::FragmentClass::missing);
+  EXPECT_EQ(check.violations[0].note, "drawn by layers; by append the other");
+}
+
+// Kills: a difference that the contract permits and one that it does not, told alike.
+TEST(Ways, SayWhetherEitherIsPermitted) {
+  OtherWay backend([](const Case&, Fragments& drawn) {
+    value(drawn, 0, 2, 3, 0) += 0x1p-20F;
+  });
+  const Check beyond = checked(backend);
+  ASSERT_EQ(beyond.violation_count, 1U);
+  EXPECT_EQ(beyond.violations[0].fragment_class, records::FragmentClass::beyond_bound);
+  EXPECT_EQ(beyond.violations[0].note, "drawn by layers; by append the other");
+
+  cases::Contract loose = backend.promise(square());
+  loose.bounds.smooth.constant = 64;
+  backend.promised = loose;
+  const Check within = checked(backend);
+  ASSERT_EQ(within.violation_count, 1U);
+  EXPECT_THAT(within.violations[0].note, HasSubstr("; the contract permits either"));
+}
+
+// Either way may flush them, and zeros have no sign.
+TEST(Ways, MayFlushSubnormalNumbers) {
+  Case c = square();
+  c.attribute_values.assign(c.attribute_values.size(), 0x1p-140F);
+  OtherWay backend([](const Case&, Fragments& drawn) {
+    for (float& value : drawn.attributes) value = -0.0F;
+  });
+  EXPECT_EQ(checked(backend, c).violation_count, 0U);
+}
+
+TEST(Ways, LeaveOutWhatAWayDoesNotDraw) {
+  DamagedBackend backend({}, "cpu");
+  backend.way_damage = [](const Case&, Result<Fragments>& drawn) {
+    drawn = tl::unexpected(Error{"", "", "no such cases", Failure::unsupported});
+  };
+  const Check check = checked(backend);
+  EXPECT_FALSE(check.is_applicable);
+  EXPECT_EQ(check.why_not, "no such cases");
+}
+
+}  // namespace
+}  // namespace rastercheck::properties::ways_draw_the_same_test
