@@ -26,6 +26,10 @@ std::string scene_sentence(const SceneResult& scene) {
                         scene.wrong == 0 ? "all right"
                                          : fmt::format("{} wrong{}", scene.wrong,
                                                        scene.is_known ? ", in known ways" : ""));
+  } else if (scene.open > 0) {
+    text += fmt::format(
+        "nothing was judged of its {}: the contract leaves something open of each of {}",
+        counted(scene.triangles, "triangle"), counted(scene.open, "fragment"));
   } else if (scene.not_judged.empty()) {
     text += fmt::format("nothing was judged of its {}: none has a sample that has to be drawn",
                         counted(scene.triangles, "triangle"));

@@ -22,7 +22,7 @@ SOURCE, RASTERCHECK = pathlib.Path(), ""
 # Written for the project that `rastercheck plugin new` makes, and about the tool that other cases come from.
 ELSEWHERE = ("docs/examples/plugin/starter/README.md", "tests/oracle/vectors/README.md")
 # Numbers in words.
-WORDS = {"six": 6, "nine": 9, "ten": 10, "thirteen": 13, "fourteen": 14, "forty": 40, "fifty": 50, "eighty": 80}
+WORDS = {"six": 6, "nine": 9, "ten": 10, "twelve": 12, "thirteen": 13, "fourteen": 14, "seventeen": 17, "forty": 40, "fifty": 50, "eighty": 80}
 
 
 def texts():

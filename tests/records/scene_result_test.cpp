@@ -6,7 +6,7 @@ namespace rastercheck::records::scene_result_test {
 namespace {
 
 TEST(SceneSentence, SaysHowMuchWasJudged) {
-  SceneResult scene{"bunny.obj", "cpu", 69666, 51234, 51240, 0, false, {}};
+  SceneResult scene{"bunny.obj", "cpu", 69666, 51234, 51240, 0, 0, false, {}};
   EXPECT_EQ(scene_sentence(scene),
             "Scene bunny.obj on cpu: 69666 triangles, 51234 fragments; 51240 samples judged, all "
             "right.");
@@ -21,19 +21,30 @@ TEST(SceneSentence, SaysHowMuchWasJudged) {
 // Kills: a scene of which nothing was judged, and that looks as if all of it were right.
 TEST(SceneSentence, SaysWhyNothingWasJudged) {
   const SceneResult left_out{
-      "bunny.obj", "gl:llvmpipe", 69666, 0, 0, 0, false, {{"it is too far", 69666}}};
+      "bunny.obj", "gl:llvmpipe", 69666, 0, 0, 0, 0, false, {{"it is too far", 69666}}};
   EXPECT_EQ(scene_sentence(left_out),
             "Scene bunny.obj on gl:llvmpipe: nothing was judged of its 69666 triangles, as it "
             "is too far.");
-  const SceneResult in_parts{"a", "cpu", 5, 9, 9, 0, false, {{"it is far", 1}, {"it is near", 2}}};
+  const SceneResult in_parts{"a", "cpu", 5, 9, 9, 0, 0, false, {{"it is far", 1}, {"it is near", 2}}};
   EXPECT_EQ(scene_sentence(in_parts),
             "Scene a on cpu: 5 triangles, 9 fragments; 9 samples judged, all right; 1 triangle not "
             "judged, as it is far; 2 triangles not judged, as it is near.");
-  const SceneResult unseen{"a", "cpu", 2, 0, 0, 0, false, {}};
+  const SceneResult unseen{"a", "cpu", 2, 0, 0, 0, 0, false, {}};
   EXPECT_EQ(
       scene_sentence(unseen),
       "Scene a on cpu: nothing was judged of its 2 triangles: none has a sample that has to be "
       "drawn.");
+}
+
+TEST(SceneSentence, SaysWhatShareIsOpen) {
+  const SceneResult scene{"a", "cpu", 5, 400, 390, 10, 0, false, {}};
+  EXPECT_EQ(scene_sentence(scene),
+            "Scene a on cpu: 5 triangles, 400 fragments; 390 of 400 samples judged (97.5%), all "
+            "right.");
+  const SceneResult open{"a", "cpu", 5, 400, 0, 400, 0, false, {}};
+  EXPECT_EQ(scene_sentence(open),
+            "Scene a on cpu: nothing was judged of its 5 triangles: the contract leaves something "
+            "open of each of 400 fragments.");
 }
 
 }  // namespace
