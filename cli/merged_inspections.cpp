@@ -25,7 +25,7 @@ tl::unexpected<Error> is_other(const std::string& what) {
 Result<std::optional<cases::Case>> scene_of(const MergedRun& merged) {
   const records::Plan& plan = merged.run.plan;
   if (plan.scene.empty()) return std::nullopt;
-  Result<cases::Case> scene = read_scene(plan.scene, plan.scene_size);
+  Result<cases::Case> scene = read_scene(plan);
   if (!scene) return tl::unexpected(scene.error());
   if (properties::digest_of({*scene}) != merged.common.scene_digest) {
     return is_other(plan.scene);

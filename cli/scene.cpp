@@ -31,7 +31,9 @@ Result<records::Picture> picture(std::string name, std::string caption,
 
 }  // namespace
 
-Result<cases::Case> read_scene(const std::string& file, int size) {
+Result<cases::Case> read_scene(const records::Plan& plan) {
+  const std::string& file = plan.scene;
+  const int size = plan.scene_size;
   const bool is_mesh = cases::is_mesh_file(file);
   Result<cases::Case> scene =
       is_mesh ? case_from_mesh_file(file, "", {size, size, cases::Rules::vulkan})
@@ -41,6 +43,7 @@ Result<cases::Case> read_scene(const std::string& file, int size) {
     scene->name = file == "-" ? "standard input"
                               : cases::valid_utf8(std::filesystem::path(file).filename().string());
   }
+  if (scene && plan.draw_by == cases::DrawBy::frame) scene->depth_test = cases::DepthTest::less;
   return scene;
 }
 

@@ -14,9 +14,9 @@
 
 namespace rastercheck::cli {
 
-/// The clip case of a mesh or case file, "-" for a case on standard input, under the name of its
-/// file if it has no other. A mesh's picture has `size` · `size` pixels.
-Result<cases::Case> read_scene(const std::string& file, int size);
+/// The clip case of the plan's mesh or case file, "-" for a case on standard input, under the name
+/// of its file if it has no other. Drawn as a frame it has a depth test.
+Result<cases::Case> read_scene(const records::Plan& plan);
 
 /// A scene as all of a plan's backends drew it.
 struct JudgedScene {

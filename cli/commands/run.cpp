@@ -112,7 +112,7 @@ Result<Work> prepare(const RunOptions& options) {
   if (!options.resume) work.start.program = RASTERCHECK_VERSION;
   // The first shard draws it.
   if (!plan.scene.empty() && plan.shard.value_or(records::ShardNumber()).index == 1) {
-    Result<cases::Case> scene = read_scene(plan.scene, plan.scene_size);
+    Result<cases::Case> scene = read_scene(plan);
     if (!scene) return tl::unexpected(scene.error());
     work.scene = *std::move(scene);
   }

@@ -1,32 +1,76 @@
 #include "oracle/internal/depth_filter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace rastercheck::oracle {
+
+namespace {
+
+/// How far from a covered sample the exact triangle may have the depth of a placement there, pixels
+/// along both axes; nothing where doubles do not tell.
+std::optional<double> moved_by(const TriangleSetup& triangle) {
+  constexpr double kUp = 1 + 0x1p-40;  // for roundings
+  const double reach = triangle.reach.to_interval().second;
+  if (triangle.shape == Shape::cut) return reach;
+  const double determinant = near_double(triangle.ideal.determinant());
+  if (!(determinant > 0)) return std::nullopt;
+  double rho = 0;
+  double least_w = std::numeric_limits<double>::infinity();
+  double greatest_w = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double w = near_double(triangle.columns[i][2]);
+    least_w = std::min(least_w, w);
+    greatest_w = std::max(greatest_w, w);
+    rho += w * triangle.edge_bands[i].to_interval().second / determinant;
+  }
+  rho *= kUp;
+  if (!(rho < 0.5) || !(rho * greatest_w * kUp < least_w)) return std::nullopt;
+  return reach * (1 + 2 * rho) / (1 - rho) * kUp;
+}
+
+}  // namespace
 
 DepthFilter::DepthFilter(const TriangleSetup& triangle, const TriangleFilter& coverage)
     : box_(coverage.box()) {
   const ProjectiveMap* map = triangle.value_map();
   // Else samples may be covered that lie outside the map's triangle, where a depth may be
   // undefined.
-  if (map == nullptr || coverage.edges_of(map) == nullptr) return;
+  if (map != nullptr) {
+    if (coverage.edges_of(map) != nullptr) set_line(triangle, *map, 0);
+    return;
+  }
+  const bool is_open = triangle.promise.is_made && triangle.shape != Shape::exact &&
+                       triangle.ideal.orientation() != 0 && coverage.has_first_level();
+  if (!is_open) return;
+  if (const std::optional<double> moved = moved_by(triangle)) {
+    set_line(triangle, triangle.ideal, *moved);
+  }
+}
+
+/// Depths of a map, where it is evaluated up to so many pixels beside a sample.
+void DepthFilter::set_line(const TriangleSetup& triangle, const ProjectiveMap& map, double moved) {
   const Scene& scene = *triangle.scene;
   // Sums of the line are multiples of 2^-656 (triangle_filter.cpp), their band is at least 2^-651
   // or 0: within these limits both stay normal doubles when divided.
   constexpr double kLeast = 0x1p-300;
   constexpr double kMost = 0x1p300;
-  const double determinant = near_double(map->determinant());
+  const double determinant = near_double(map.determinant());
   if (determinant <= kLeast || determinant >= kMost) return;
-  line_ = filter_line(map->combine({scene.depth_numerator(triangle.indices[0]),
-                                    scene.depth_numerator(triangle.indices[1]),
-                                    scene.depth_numerator(triangle.indices[2])}),
+  line_ = filter_line(map.combine({scene.depth_numerator(triangle.indices[0]),
+                                   scene.depth_numerator(triangle.indices[1]),
+                                   scene.depth_numerator(triangle.indices[2])}),
                       box_);
   if (!line_) return;
   // The line's value is off by the band at most; what near_double, the reciprocal, the product and
   // the ends' rounding add is less than another one (proofs/depth.g).
   reciprocal_ = 1 / determinant;
   radius_ = 2 * line_->band * reciprocal_;
+  if (moved > 0) {
+    const double slope = (std::abs(line_->a) + std::abs(line_->b)) * reciprocal_;
+    radius_ = (radius_ + moved * slope) * (1 + 0x1p-40);
+  }
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   range_ = {-kInfinity, kInfinity};
   if (scene.clamps_depth()) {

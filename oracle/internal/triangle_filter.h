@@ -38,6 +38,9 @@ class TriangleFilter {
   /// Nothing in the box is required or permitted.
   bool is_empty() const { return is_empty_; }
 
+  /// Whether the first level says anything of it.
+  bool has_first_level() const { return !lines_.empty(); }
+
   /// The edges of a map where they are those that coverage is decided by, and no others than
   /// exactly these; three, or nullptr.
   const FilterLine* edges_of(const ProjectiveMap* map) const;
