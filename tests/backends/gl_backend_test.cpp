@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tests/backends/drivers.h"
+#include "tests/backends/ways.h"
 
 // Mesa's threads end while LeakSanitizer looks at them, at which its tracer crashes now and then.
 extern "C" int __lsan_is_turned_off() { return 1; }
@@ -344,6 +345,14 @@ TEST_P(GlBackend, DrawsSamples) {
     EXPECT_NEAR(drawn.attributes_of(i)[1], x + 0.5F, kTolerance * 16);
     EXPECT_EQ(drawn.attributes_of(i)[2], 3);
   }
+}
+
+TEST_P(GlBackend, DrawsTheSameInEachWay) {
+  if (std::string(GetParam()) == "gl:llvmpipe,gles") {
+    EXPECT_EQ(backend().ways_of_drawing()->ways(), std::vector{cases::DrawBy::layers});
+    return;
+  }
+  expect_ways_alike(backend(), cases::Rules::opengl);
 }
 
 TEST_P(GlBackend, RefusesWhatItDoesNotDraw) {

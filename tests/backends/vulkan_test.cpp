@@ -18,6 +18,7 @@
 
 #include "cases/sample_pattern.h"
 #include "tests/backends/drivers.h"
+#include "tests/backends/ways.h"
 
 namespace rastercheck::backends::vulkan_test {
 namespace {
@@ -419,6 +420,8 @@ TEST_P(Vulkan, DrawsCasesOfChangingShapes) {
     }
   }
 }
+
+TEST_P(Vulkan, DrawsTheSameInEachWay) { expect_ways_alike(backend(), cases::Rules::vulkan); }
 
 TEST_P(Vulkan, RefusesWhatItCannotDraw) {
   cases::Case c = corner();
