@@ -1,6 +1,7 @@
 #include "properties/campaign/scene.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -206,21 +207,28 @@ class SceneJudge {
     options_.jobs = jobs;
   }
 
-  void judge(const std::vector<ScenePart>& parts) {
-    for (const ScenePart& part : parts) {
+  /// Parts grow while they are drawn quickly, so that none takes as long as a process may be
+  /// silent; what is found does not depend on where they end.
+  void judge(const PartLimits& limits) {
+    constexpr std::size_t kFirst = 1024;
+    constexpr double kQuick = 0.5;  // seconds
+    constexpr double kSlow = 2;     // seconds
+    PartLimits now = limits;
+    now.triangles = std::min(limits.triangles, kFirst);
+    const std::size_t count = scene_->triangles.size();
+    for (std::size_t first = 0; first < count && !fault;) {
       // What ends one part ends the next one, too, and each takes its time.
       const bool is_gone = failed && (failed->error.failure == Failure::crash ||
                                       failed->error.failure == Failure::hang);
       if (is_gone) {
-        not_judged[cases::one_line(failed->error.reason)] += part.count;
-      } else if (parts.size() == 1) {
-        judge_part(*scene_, part);
-      } else {
-        std::vector<std::size_t> triangles(part.count);
-        std::iota(triangles.begin(), triangles.end(), part.first);
-        judge_part(cases::ClipCase(with_triangles(*scene_, triangles)), part);
+        not_judged[cases::one_line(failed->error.reason)] += count - first;
+        return;
       }
-      if (fault) return;
+      const ScenePart part = next_part(*scene_, first, now);
+      const double seconds = judge_part(part);
+      if (seconds < kQuick) now.triangles = std::min(limits.triangles, 4 * now.triangles);
+      if (seconds > kSlow) now.triangles = std::max<std::size_t>(now.triangles / 2, 1);
+      first += part.count;
     }
   }
 
@@ -240,26 +248,57 @@ class SceneJudge {
   std::optional<std::string> fault;
 
  private:
-  void judge_part(const cases::ClipCase& source, const ScenePart& part) {
+  cases::ClipCase part_of_scene(const ScenePart& part) const {
+    if (part.count == scene_->triangles.size()) return *scene_;
+    std::vector<std::size_t> triangles(part.count);
+    std::iota(triangles.begin(), triangles.end(), part.first);
+    return cases::ClipCase(with_triangles(*scene_, triangles));
+  }
+
+  /// Whether it is the triangles that the backend does not draw, and not such cases at all.
+  bool is_of_triangles() {
+    if (draws_none_) return *draws_none_;
+    draws_none_ = draw(part_of_scene({0, 0}), *backend_).has_value();
+    return *draws_none_;
+  }
+
+  /// Gives the seconds that its drawing took.
+  double judge_part(const ScenePart& part) {
+    const cases::ClipCase source = part_of_scene(part);
+    const auto start = std::chrono::steady_clock::now();
     Result<backends::Drawn> done = draw(source, *backend_);
-    if (!done) {
-      not_judged[cases::one_line(done.error().reason)] += part.count;
-      if (!failed) failed = Failed{part, source, done.error()};
-      return;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    if (done) {
+      judge_drawn_part(source, part, *std::move(done));
+      return passed.count();
     }
+    const bool is_split = done.error().failure == Failure::unsupported && part.count > 1 &&
+                          scene_->depth_test == cases::DepthTest::none && is_of_triangles();
+    if (is_split) {
+      // Most of them may be of a kind that it draws.
+      const std::size_t half = part.count / 2;
+      return judge_part({part.first, half}) + judge_part({part.first + half, part.count - half});
+    }
+    not_judged[cases::one_line(done.error().reason)] += part.count;
+    if (!failed) failed = Failed{part, source, done.error()};
+    return passed.count();
+  }
+
+  void judge_drawn_part(const cases::ClipCase& source, const ScenePart& part,
+                        backends::Drawn done) {
     ++drawn;
-    fragments += done->fragments.size();
-    const oracle::SceneTruth truth(source, std::move(done->contract));
+    fragments += done.fragments.size();
+    const oracle::SceneTruth truth(source, std::move(done.contract));
     reader_->begin(truth, part.first);
     oracle::JudgedDrawing judged =
-        oracle::judge(truth, done->fragments, options_,
+        oracle::judge(truth, done.fragments, options_,
                       [this](const JudgedSample& sample, const oracle::TriangleTruth* triangle) {
                         reader_->see(sample, triangle);
                       });
     fault = std::move(judged.fault);
     move_triangles(judged.judgement, part.first);
     records::merge(judgement, judged.judgement);
-    shown_.add(done->fragments, part.first);
+    shown_.add(done.fragments, part.first);
   }
 
   const cases::ClipCase* scene_;
@@ -267,6 +306,7 @@ class SceneJudge {
   SceneReader* reader_;
   ShownFragments shown_;
   oracle::JudgeOptions options_;
+  std::optional<bool> draws_none_;  ///< whether the scene without triangles is drawn
 };
 
 /// Has a scene that is not drawn as a whole violate what was checked, unless a part of it is just
@@ -304,7 +344,7 @@ Result<SceneFindings> judge_scene_in(const PartLimits& limits, const cases::Case
 
   SceneReader reader(result.source, known, laws);
   SceneJudge judge(*clip, backend, reader, jobs);
-  judge.judge(parts_of(result.source, limits));
+  judge.judge(limits);
   result.findings.fault = judge.fault;
   result.map = reader.take_map();
   result.result = {.file = scene.name,

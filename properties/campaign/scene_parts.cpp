@@ -78,23 +78,19 @@ std::uint64_t samples_of(const cases::Case& c, const cases::Triangle& triangle) 
 
 }  // namespace
 
-std::vector<ScenePart> parts_of(const cases::Case& scene, const PartLimits& limits) {
-  const std::size_t count = scene.triangles.size();
-  if (scene.depth_test != cases::DepthTest::none || count == 0) return {{0, count}};
-  std::vector<ScenePart> parts;
-  std::uint64_t samples = 0;
-  for (std::size_t t = 0; t < count; ++t) {
-    const std::uint64_t more = samples_of(scene, scene.triangles[t]);
-    const bool is_full =
-        parts.empty() || samples + more > limits.samples || parts.back().count == limits.triangles;
-    if (is_full) {
-      parts.push_back({t, 0});
-      samples = 0;
-    }
-    ++parts.back().count;
-    samples += more;
+ScenePart next_part(const cases::Case& scene, std::size_t first, const PartLimits& limits) {
+  ScenePart part{first, 0};
+  if (scene.depth_test != cases::DepthTest::none) {
+    part.count = scene.triangles.size() - first;
+    return part;
   }
-  return parts;
+  std::uint64_t samples = 0;
+  while (first + part.count < scene.triangles.size() && part.count < limits.triangles) {
+    samples += samples_of(scene, scene.triangles[first + part.count]);
+    if (part.count > 0 && samples > limits.samples) break;
+    ++part.count;
+  }
+  return part;
 }
 
 ShownFragments::ShownFragments(const cases::FramebufferSize& size, std::size_t attributes)

@@ -26,9 +26,9 @@ struct PartLimits {
   std::size_t triangles = std::size_t{1} << 15U;
 };
 
-/// Parts of a case without a camera, in order. With a depth test triangles hide each other, and all
-/// are one part.
-std::vector<ScenePart> parts_of(const cases::Case& scene, const PartLimits& limits);
+/// The next part of a case without a camera, from that triangle on. With a depth test triangles
+/// hide each other, and all are one part.
+ScenePart next_part(const cases::Case& scene, std::size_t first, const PartLimits& limits);
 
 /// The fragments of a picture: of each pixel the nearest one of the first sample that has one. Of
 /// two at the same depth the one that was added first; any number is nearer than none.

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <vector>
 
 #include "backends/factory.h"
 #include "cases/mesh.h"
@@ -179,7 +182,7 @@ cases::Case layered_scene() {
   const std::size_t count = c.positions.size();
   for (std::size_t v = 0; v < count; ++v) {
     cases::ClipVertex p = c.positions[v];
-    p.z = 0.5F * p.w;
+    p.z = 0.75F * p.w;
     c.positions.push_back(p);
     const auto values = c.attributes_of(v);
     const std::vector<float> copy(values.begin(), values.end());
@@ -251,14 +254,52 @@ TEST(JudgeScene, JudgesTheOtherPartsWhereOneFails) {
   EXPECT_EQ(refused.findings.counterexamples[0].source.found->verdict, "failed");
   EXPECT_THAT(refused.findings.counterexamples[0].source.triangles, SizeIs(2));
 
-  FailsOnce lacks(2, Failure::unsupported);
-  const SceneFindings unsupported = judge_scene_in(limits, c, "damaged", lacks, 7, kLaws).value();
-  EXPECT_EQ(unsupported.result.not_judged.at("no room"), 2U);
-  EXPECT_THAT(unsupported.findings.counterexamples, IsEmpty());
-
   FailsOnce hangs(2, Failure::hang);
   const SceneFindings hung = judge_scene_in(limits, c, "damaged", hangs, 7, kLaws).value();
   EXPECT_EQ(hung.result.not_judged.at("no room"), 4U);  // the third is not tried
+}
+
+std::vector<ScenePart> parts_of(const cases::Case& c, const PartLimits& limits) {
+  std::vector<ScenePart> parts;
+  for (std::size_t first = 0; first < c.triangles.size(); first += parts.back().count) {
+    parts.push_back(next_part(c, first, limits));
+  }
+  return parts;
+}
+
+// Kills: triangles that a backend does not draw, taking others with them; a refusal of the whole
+// case taken for one of its triangles.
+TEST(JudgeScene, JudgesTrianglesBesideThoseThatAreNotDrawn) {
+  class DrawsSome : public DamagedBackend {
+   public:
+    explicit DrawsSome(std::size_t least) : least_(least) {}
+    int drawings = 0;
+
+   private:
+    Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
+      ++drawings;
+      const auto is_far = [&c](const cases::Triangle& t) {
+        return c.positions[t[0]].z == 0.75F * c.positions[t[0]].w;
+      };
+      const bool has_far = std::any_of(c.triangles.begin(), c.triangles.end(), is_far);
+      if (has_far || c.triangles.size() < least_) {
+        return tl::unexpected(Error{"", "", "too far", Failure::unsupported});
+      }
+      return DamagedBackend::draw_fragments(c);
+    }
+    std::size_t least_;
+  };
+  DrawsSome near(0);
+  const SceneFindings found = judge_scene(layered_scene(), "damaged", near, 7, kLaws).value();
+  EXPECT_EQ(found.result.not_judged, (std::map<std::string, std::uint64_t>{{"too far", 2}}));
+  EXPECT_GT(found.result.judged, 0U);
+  EXPECT_THAT(found.findings.counterexamples, IsEmpty());
+  EXPECT_EQ(found.findings.records.at(key(kCoverage)).cases, (records::CaseCounts{1, 0, 0}));
+
+  DrawsSome none(1000);
+  const SceneFindings nothing = judge_scene(layered_scene(), "damaged", none, 7, kLaws).value();
+  EXPECT_EQ(nothing.result.not_judged.at("too far"), 6U);
+  EXPECT_EQ(none.drawings, 2);
 }
 
 TEST(JudgeScene, IsDrawnAtOnceWithADepthTest) {
