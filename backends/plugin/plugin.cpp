@@ -142,8 +142,9 @@ class PluginBackend : public Backend {
   Result<void> call();
   Result<void> check_fronts() const;
   Result<void> check_output(std::uint32_t triangles) const;
-  void clear(const Rectangle& part);
+  void clear();
   void collect(std::uint32_t first, cases::Fragments& drawn) const;
+  static Rectangle covered_since(std::size_t begin, const cases::Fragments& drawn);
   Rectangle whole() const { return {0, 0, draw_.width, draw_.height}; }
   Rectangle touched() const { return {output_.min_x, output_.min_y, output_.max_x, output_.max_y}; }
   bool is_searched_whole() const { return sample_count() <= kSearchedWhole; }
@@ -154,13 +155,21 @@ class PluginBackend : public Backend {
   std::size_t index_of(const cases::SamplePlace& at) const {
     return (std::size_t{at.y} * draw_.width + at.x) * draw_.samples + at.sample;
   }
-  /// In triangle 0.
+  /// Visits what is covered, in triangle 0. Most of a large output is not.
   template <typename Visit>
-  void each_place(const Rectangle& part, const Visit& visit) const {
-    cases::SamplePlace at;
-    for (at.y = part.min_y; at.y < part.max_y; ++at.y) {
-      for (at.x = part.min_x; at.x < part.max_x; ++at.x) {
-        for (at.sample = 0; at.sample < draw_.samples; ++at.sample) visit(at);
+  void each_covered(const Rectangle& part, const Visit& visit) const {
+    const auto* const coverage = arrays_.coverage.as<const std::uint8_t>();
+    for (std::uint32_t y = part.min_y; y < part.max_y; ++y) {
+      const std::uint8_t* const row = coverage + index_of({0, y, 0, 0});
+      const std::uint8_t* const end = row + std::size_t{part.max_x} * draw_.samples;
+      const auto is_covered = [](std::uint8_t byte) { return byte != 0; };
+      for (const std::uint8_t* at = row + std::size_t{part.min_x} * draw_.samples;; ++at) {
+        std::uint64_t eight = 0;
+        while (end - at >= 8 && (std::memcpy(&eight, at, 8), eight == 0)) at += 8;
+        at = std::find_if(at, end, is_covered);
+        if (at == end) break;
+        const auto index = static_cast<std::uint32_t>(at - row);
+        visit(cases::SamplePlace{0, y, index / draw_.samples, index % draw_.samples});
       }
     }
   }
@@ -180,7 +189,8 @@ class PluginBackend : public Backend {
   Arrays arrays_;
   rastercheck_draw draw_{};
   rastercheck_output output_{};
-  Rectangle dirty_;  ///< what the last draw may have left in the output
+  Rectangle dirty_;    ///< where the last draw may have left coverage in the output
+  Rectangle written_;  ///< where other arrays are cleared: all that was covered lies in it
 };
 
 Result<cases::Fragments> PluginBackend::draw_fragments(const cases::Case& c) {
@@ -239,28 +249,50 @@ Result<void> PluginBackend::hand_over(const cases::Case& c) {
     if (!array->resize(size)) return no_memory();
   }
   dirty_ = whole();
+  written_ = whole();
   return {};
 }
 
 Result<void> PluginBackend::append(std::uint32_t first, std::uint32_t count,
                                    cases::Fragments& drawn) {
-  clear(dirty_);
+  clear();
   draw_.triangle_count = count;
   draw_.indices = arrays_.indices.as<const std::uint32_t>() + std::size_t{first} * 3;
   if (Result<void> called = call(); !called) return called;
   if (Result<void> checked = check_output(count); !checked) return checked;
+  const std::size_t begin = drawn.size();
   collect(first, drawn);
   dirty_ = is_searched_whole() ? whole() : touched();
+  written_ = is_searched_whole() ? whole() : covered_since(begin, drawn);
   return {};
 }
 
-/// Makes the output of a part what it is before a draw, and that of the rest is still so.
-void PluginBackend::clear(const Rectangle& part) {
+/// The pixels of fragments from `begin` on.
+Rectangle PluginBackend::covered_since(std::size_t begin, const cases::Fragments& drawn) {
+  Rectangle part;
+  if (begin == drawn.size()) return part;
+  const auto from = static_cast<std::ptrdiff_t>(begin);
+  const auto [least_x, most_x] = std::minmax_element(drawn.x.begin() + from, drawn.x.end());
+  const auto [least_y, most_y] = std::minmax_element(drawn.y.begin() + from, drawn.y.end());
+  part.min_x = *least_x;
+  part.min_y = *least_y;
+  part.max_x = *most_x + 1U;
+  part.max_y = *most_y + 1U;
+  return part;
+}
+
+/// Makes the output what it is before a draw, but that of large ones values may be left of samples
+/// that were not covered.
+void PluginBackend::clear() {
   constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+  for (std::uint32_t y = dirty_.min_y; y < dirty_.max_y; ++y) {
+    std::fill_n(arrays_.coverage.as<std::uint8_t>() + index_of({0, y, dirty_.min_x, 0}),
+                std::size_t{dirty_.max_x - dirty_.min_x} * draw_.samples, std::uint8_t{0});
+  }
+  const Rectangle& part = written_;
   const std::size_t row = std::size_t{part.max_x - part.min_x} * draw_.samples;
   for (std::uint32_t y = part.min_y; y < part.max_y; ++y) {
     const std::size_t begin = index_of({0, y, part.min_x, 0});
-    std::fill_n(arrays_.coverage.as<std::uint8_t>() + begin, row, std::uint8_t{0});
     std::fill_n(arrays_.triangle.as<std::uint32_t>() + begin, row, 0U);
     std::fill_n(arrays_.depth.as<float>() + begin, row, kNothing);
     const std::size_t count = draw_.attribute_count;
@@ -338,9 +370,9 @@ Result<void> PluginBackend::check_output(std::uint32_t triangles) const {
                     part.min_x, part.max_x, part.min_y, part.max_y, draw_.width, draw_.height));
   }
   std::string fault;
-  each_place(is_searched_whole() ? whole() : part, [&](const cases::SamplePlace& at) {
+  each_covered(is_searched_whole() ? whole() : part, [&](const cases::SamplePlace& at) {
     const unsigned coverage = arrays_.coverage.as<const std::uint8_t>()[index_of(at)];
-    if (coverage == 0 || !fault.empty()) return;
+    if (!fault.empty()) return;
     const std::uint32_t triangle = arrays_.triangle.as<const std::uint32_t>()[index_of(at)];
     const bool is_inside =
         part.min_x <= at.x && at.x < part.max_x && part.min_y <= at.y && at.y < part.max_y;
@@ -362,8 +394,7 @@ Result<void> PluginBackend::check_output(std::uint32_t triangles) const {
 /// Appends what was covered, in the order of Fragments.
 void PluginBackend::collect(std::uint32_t first, cases::Fragments& drawn) const {
   std::vector<cases::SamplePlace> places;
-  each_place(touched(), [&](cases::SamplePlace at) {
-    if (arrays_.coverage.as<const std::uint8_t>()[index_of(at)] == 0) return;
+  each_covered(touched(), [&](cases::SamplePlace at) {
     at.triangle = arrays_.triangle.as<const std::uint32_t>()[index_of(at)];
     places.push_back(at);
   });
