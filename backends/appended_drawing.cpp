@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <numeric>
@@ -23,12 +24,32 @@ tl::unexpected<Error> wrong_record(std::string reason) {
   return tl::unexpected(Error{"", "", std::move(reason)});
 }
 
-/// The same triangles' vertices, and these triangles alone.
-cases::Case part_of(const cases::Case& c, std::span<const std::size_t> triangles) {
-  cases::Case part = c;
-  part.triangles.clear();
-  for (const std::size_t t : triangles) part.triangles.push_back(c.triangles[t]);
-  return part;
+/// Everything of a case but its triangles and their vertices.
+cases::Case without_triangles(const cases::Case& c) {
+  cases::Case state = c;
+  state.positions.clear();
+  state.attribute_values.clear();
+  state.clip_distances.clear();
+  state.triangles.clear();
+  return state;
+}
+
+/// These triangles of a case, each with vertices of its own.
+cases::Case part_of(const cases::Case& c, cases::Case state,
+                    std::span<const std::size_t> triangles) {
+  const auto append = [](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  for (const std::size_t t : triangles) {
+    const auto first = static_cast<std::uint32_t>(state.positions.size());
+    state.triangles.push_back({first, first + 1, first + 2});
+    for (const std::uint32_t vertex : c.triangles[t]) {
+      state.positions.push_back(c.positions[vertex]);
+      append(state.attribute_values, c.attributes_of(vertex));
+      append(state.clip_distances, c.clip_distances_of(vertex));
+    }
+  }
+  return state;
 }
 
 bool are_same_bits(float a, float b) {
@@ -68,12 +89,19 @@ class Records {
     for (std::size_t t = 0; t < triangles; ++t) {
       std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begins[t]),
                 sorted.begin() + static_cast<std::ptrdiff_t>(begins[t + 1]),
-                [this](std::size_t a, std::size_t b) { return pixel(a) < pixel(b); });
+                [this](std::size_t a, std::size_t b) { return goes_before(a, b); });
     }
     return sorted;
   }
 
  private:
+  /// By pixel; a pixel that comes twice has its records in an order of their bits.
+  bool goes_before(std::size_t a, std::size_t b) const {
+    const auto record = [this](std::size_t i) {
+      return words_.subspan(i * layout_->words + 1, layout_->words - 1);
+    };
+    return std::ranges::lexicographical_compare(record(a), record(b));
+  }
   std::uint32_t word(std::size_t i, std::size_t at) const {
     return words_[i * layout_->words + at];
   }
@@ -85,8 +113,14 @@ class Records {
 class AppendedDrawing {
  public:
   AppendedDrawing(const cases::Case& c, std::span<const RecordLayout> layouts,
-                  AppendingDriver& driver, bool is_checked, const std::function<void()>& go_on)
-      : case_(&c), layouts_(layouts), driver_(&driver), is_checked_(is_checked), go_on_(&go_on) {
+                  const AppendingDriver& driver, bool is_checked,
+                  const std::function<void()>& go_on)
+      : case_(&c),
+        state_(without_triangles(c)),
+        layouts_(layouts),
+        driver_(&driver),
+        is_checked_(is_checked),
+        go_on_(&go_on) {
     drawn_.attribute_count = c.attributes.size();
     const auto [least, greatest] = std::minmax(c.viewport.min_depth, c.viewport.max_depth);
     least_depth_ = least;
@@ -94,14 +128,18 @@ class AppendedDrawing {
   }
 
   Result<cases::Fragments> draw() {
-    std::size_t count = kMostOfDraw;
+    // A counter holds as many fragments as a draw can have.
+    const auto pixels = static_cast<std::size_t>(case_->framebuffer.width) *
+                        static_cast<std::size_t>(case_->framebuffer.height);
+    const std::size_t most = std::clamp<std::size_t>(0xFFFFFFFFU / pixels, 1, kMostOfDraw);
+    std::size_t count = most;
     for (std::size_t first = 0; first < case_->triangles.size();) {
       count = std::min(count, case_->triangles.size() - first);
       const Result<std::size_t> done = draw_some(first, count);
       if (!done) return tl::unexpected(done.error());
       first += *done;
       // Where fewer had to do, it is likely that fewer will have to do again.
-      count = std::min(kMostOfDraw, 2 * *done);
+      count = std::min(most, 2 * *done);
       (*go_on_)();
     }
     return std::move(drawn_);
@@ -113,9 +151,11 @@ class AppendedDrawing {
   Result<void> add(const Records& records, std::size_t first, std::size_t count);
   Result<void> add_values(const Records& records, std::size_t begin, std::size_t first,
                           std::size_t count);
-  Result<void> add_layer(std::size_t triangle);
+  Result<void> add_layers(std::size_t first, std::size_t count);
+  void drop(std::size_t begin);
   Result<void> store_depths(std::size_t begin);
-  Result<void> check_some(std::size_t begin, std::size_t first, std::size_t count) const;
+  Result<bool> check_some(std::size_t begin, std::size_t first, std::size_t count) const;
+  bool is_same_fragment(std::size_t i, const cases::Fragments& layers, std::size_t at) const;
 
   bool is_in_range(float depth) const {
     return depth >= least_depth_ && depth <= greatest_depth_ && !std::signbit(depth);
@@ -132,8 +172,9 @@ class AppendedDrawing {
   }
 
   const cases::Case* case_;
+  cases::Case state_;  ///< without its triangles
   std::span<const RecordLayout> layouts_;
-  AppendingDriver* driver_;
+  const AppendingDriver* driver_;
   bool is_checked_;
   const std::function<void()>* go_on_;
   float least_depth_ = 0;
@@ -145,7 +186,7 @@ class AppendedDrawing {
 Result<std::size_t> AppendedDrawing::draw_some(std::size_t first, std::size_t count) {
   const std::size_t begin = drawn_.size();
   for (std::size_t pass = 0; pass < layouts_.size(); ++pass) {
-    const std::size_t most = driver_->most_words() / layouts_[pass].words;
+    const std::size_t most = driver_->most_words / layouts_[pass].words;
     room_ = std::min(room_, most);
     Result<std::size_t> had = driver_->draw(pass, first, count, room_);
     if (!had) return had;
@@ -156,8 +197,10 @@ Result<std::size_t> AppendedDrawing::draw_some(std::size_t first, std::size_t co
     }
     if (*had > room_) {
       if (pass > 0) return wrong_record("drawn again, the same triangles have more fragments");
-      if (count > 1) return draw_some(first, std::max<std::size_t>(count * most / *had, 1));
-      const Result<void> added = add_layer(first);
+      if (count > 1) {
+        return draw_some(first, std::clamp<std::size_t>(count * most / *had, 1, count - 1));
+      }
+      const Result<void> added = add_layers(first, 1);
       if (!added) return tl::unexpected(added.error());
       return count;
     }
@@ -169,8 +212,12 @@ Result<std::size_t> AppendedDrawing::draw_some(std::size_t first, std::size_t co
   const Result<void> stored = store_depths(begin);
   if (!stored) return tl::unexpected(stored.error());
   if (!is_checked_) return count;
-  const Result<void> checked = check_some(begin, first, count);
-  if (!checked) return tl::unexpected(checked.error());
+  const Result<bool> is_same = check_some(begin, first, count);
+  if (!is_same) return tl::unexpected(is_same.error());
+  if (*is_same) return count;
+  drop(begin);
+  const Result<void> drawn = add_layers(first, count);
+  if (!drawn) return tl::unexpected(drawn.error());
   return count;
 }
 
@@ -205,19 +252,32 @@ Result<void> AppendedDrawing::add_values(const Records& records, std::size_t beg
   return wrong_record("drawn again with others of its attributes, the case covers other samples");
 }
 
-Result<void> AppendedDrawing::add_layer(std::size_t triangle) {
-  Result<cases::Fragments> layer = driver_->draw_in_layers(part_of(*case_, std::array{triangle}));
-  if (!layer) return tl::unexpected(layer.error());
+/// Forgets the fragments from `begin` on.
+void AppendedDrawing::drop(std::size_t begin) {
+  drawn_.triangle.resize(begin);
+  drawn_.x.resize(begin);
+  drawn_.y.resize(begin);
+  drawn_.sample.resize(begin);
+  drawn_.depth.resize(begin);
+  drawn_.attributes.resize(begin * drawn_.attribute_count);
+}
+
+Result<void> AppendedDrawing::add_layers(std::size_t first, std::size_t count) {
+  std::vector<std::size_t> triangles(count);
+  std::iota(triangles.begin(), triangles.end(), first);
+  Result<cases::Fragments> layers = driver_->draw_in_layers(part_of(*case_, state_, triangles));
+  if (!layers) return tl::unexpected(layers.error());
   const auto append = [](auto& to, const auto& from) {
     to.insert(to.end(), from.begin(), from.end());
   };
-  drawn_.triangle.insert(drawn_.triangle.end(), layer->size(),
-                         static_cast<std::uint32_t>(triangle));
-  append(drawn_.x, layer->x);
-  append(drawn_.y, layer->y);
-  append(drawn_.sample, layer->sample);
-  append(drawn_.depth, layer->depth);
-  append(drawn_.attributes, layer->attributes);
+  for (const std::uint32_t t : layers->triangle) {
+    drawn_.triangle.push_back(static_cast<std::uint32_t>(first + t));
+  }
+  append(drawn_.x, layers->x);
+  append(drawn_.y, layers->y);
+  append(drawn_.sample, layers->sample);
+  append(drawn_.depth, layers->depth);
+  append(drawn_.attributes, layers->attributes);
   return {};
 }
 
@@ -231,7 +291,8 @@ Result<void> AppendedDrawing::store_depths(std::size_t begin) {
     if (!is_in_range(drawn_.depth[i]) && is_new) triangles.push_back(triangle);
   }
   if (triangles.empty()) return {};
-  const Result<cases::Fragments> layers = driver_->draw_in_layers(part_of(*case_, triangles));
+  const Result<cases::Fragments> layers =
+      driver_->draw_in_layers(part_of(*case_, state_, triangles));
   if (!layers) return tl::unexpected(layers.error());
   std::size_t i = begin;
   for (std::size_t at = 0; at < layers->size(); ++at) {
@@ -244,14 +305,14 @@ Result<void> AppendedDrawing::store_depths(std::size_t begin) {
   return {};
 }
 
-/// Draws some triangles, evenly chosen of those from `first` on, into layers and compares them with
-/// the fragments from `begin` on.
-Result<void> AppendedDrawing::check_some(std::size_t begin, std::size_t first,
+/// Draws some triangles, evenly chosen of those from `first` on, into layers, and says whether
+/// these have the fragments from `begin` on.
+Result<bool> AppendedDrawing::check_some(std::size_t begin, std::size_t first,
                                          std::size_t count) const {
   std::vector<std::size_t> chosen;
   const std::size_t step = std::max<std::size_t>(count / kCheckedOfDraw, 1);
   for (std::size_t t = step / 2; t < count; t += step) chosen.push_back(first + t);
-  const Result<cases::Fragments> layers = driver_->draw_in_layers(part_of(*case_, chosen));
+  const Result<cases::Fragments> layers = driver_->draw_in_layers(part_of(*case_, state_, chosen));
   if (!layers) return tl::unexpected(layers.error());
   std::size_t at = 0;
   for (std::size_t k = 0; k < chosen.size(); ++k) {
@@ -260,25 +321,20 @@ Result<void> AppendedDrawing::check_some(std::size_t begin, std::size_t first,
         std::equal_range(from, drawn_.triangle.end(), static_cast<std::uint32_t>(chosen[k]));
     auto i = static_cast<std::size_t>(low - drawn_.triangle.begin());
     const auto end = static_cast<std::size_t>(high - drawn_.triangle.begin());
-    const auto differ = [&](std::size_t fragment, const cases::Fragments& of) {
-      return wrong_record(fmt::format(
-          "triangle {} is drawn otherwise into a layer than where fragments are appended to a "
-          "buffer, at pixel ({}, {}); rastercheck run --property every-way-of-drawing\\* looks for "
-          "small cases of that, and --draw-by append or layers settles which way is taken",
-          chosen[k], of.x[fragment], of.y[fragment]));
-    };
     for (; at < layers->size() && layers->triangle[at] == k; ++at, ++i) {
-      if (i == end) return differ(at, *layers);
-      const auto values = drawn_.attributes_of(i);
-      const bool is_same = drawn_.x[i] == layers->x[at] && drawn_.y[i] == layers->y[at] &&
-                           are_same_bits(drawn_.depth[i], layers->depth[at]) &&
-                           std::equal(values.begin(), values.end(),
-                                      layers->attributes_of(at).begin(), are_same_bits);
-      if (!is_same) return differ(i, drawn_);
+      if (i == end || !is_same_fragment(i, *layers, at)) return false;
     }
-    if (i != end) return differ(i, drawn_);
+    if (i != end) return false;
   }
-  return {};
+  return true;
+}
+
+bool AppendedDrawing::is_same_fragment(std::size_t i, const cases::Fragments& layers,
+                                       std::size_t at) const {
+  const auto values = drawn_.attributes_of(i);
+  return drawn_.x[i] == layers.x[at] && drawn_.y[i] == layers.y[at] &&
+         are_same_bits(drawn_.depth[i], layers.depth[at]) &&
+         std::equal(values.begin(), values.end(), layers.attributes_of(at).begin(), are_same_bits);
 }
 
 }  // namespace
@@ -290,8 +346,13 @@ std::string lacks_of_appending(const cases::Case& c) {
   return "";
 }
 
+void RecordLayout::add_vector(std::span<const std::size_t> attributes) {
+  for (std::size_t k = 0; k < attributes.size(); ++k) values.push_back({words + k, attributes[k]});
+  words += 4;
+}
+
 Result<cases::Fragments> draw_appended(const cases::Case& c, std::span<const RecordLayout> layouts,
-                                       AppendingDriver& driver, bool is_checked,
+                                       const AppendingDriver& driver, bool is_checked,
                                        const std::function<void()>& go_on) {
   return AppendedDrawing(c, layouts, driver, is_checked, go_on).draw();
 }

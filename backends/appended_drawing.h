@@ -6,7 +6,8 @@
 //
 // What a driver does in silence would be missed: it may lose records, or draw other bits as its
 // shader has side effects. Of each draw a few triangles are therefore drawn into layers, too, and
-// held against their records, unless appending is what was asked for.
+// held against their records; where these differ, all triangles of the draw go into layers. A law
+// looks for such differences (properties/laws/ways_draw_the_same.cpp).
 
 #include <cstddef>
 #include <cstdint>
@@ -34,27 +35,27 @@ struct RecordLayout {
   };
   std::size_t words = kRecordHead;  ///< of a record
   std::vector<Value> values;
+
+  /// Appends a vector of four that has these attributes.
+  void add_vector(std::span<const std::size_t> attributes);
 };
 
 /// Draws with one driver for draw_appended().
-class AppendingDriver {
- public:
+struct AppendingDriver {
   /// Words of records that one draw has room for at most.
-  virtual std::size_t most_words() const = 0;
+  std::size_t most_words = 0;
 
   /// Draws `count` triangles from `first` on, by the layout of that index, and gives how many
   /// fragments appended a record or tried to: where these are more than `room`, some were lost.
-  virtual Result<std::size_t> draw(std::size_t layout, std::size_t first, std::size_t count,
-                                   std::size_t room) = 0;
+  std::function<Result<std::size_t>(std::size_t layout, std::size_t first, std::size_t count,
+                                    std::size_t room)>
+      draw;
 
-  /// The records of the last draw that lost none, in any order.
-  virtual std::span<const std::uint32_t> records() const = 0;
+  /// Gives the records of the last draw that lost none, in any order.
+  std::function<std::span<const std::uint32_t>()> records;
 
   /// Draws each triangle of a case into a layer of its own.
-  virtual Result<cases::Fragments> draw_in_layers(const cases::Case& c) = 0;
-
- protected:
-  ~AppendingDriver() = default;
+  std::function<Result<cases::Fragments>(const cases::Case& c)> draw_in_layers;
 };
 
 /// Says why the fragments of a case cannot be appended; empty where they can. A depth test has no
@@ -63,13 +64,13 @@ class AppendingDriver {
 std::string lacks_of_appending(const cases::Case& c);
 
 /// Draws a case that lacks_of_appending() has nothing against. Its attributes come in as many draws
-/// as there are layouts, one at least; a triangle with more fragments than there is room for is
-/// drawn into a layer, and so is one with a depth beyond the range or that is no number, which says
-/// nothing of what a depth buffer holds. Calls `go_on` after each draw. Fails where records are of
-/// no triangle of the case, or, if that `is_checked`, are others than layers have; a fragment may
-/// lie outside the target, as a driver may draw there.
+/// as there are layouts, one at least, whose records do not get longer. A triangle with more
+/// fragments than there is room for is drawn into a layer, and so is one with a depth beyond the
+/// range or that is no number, which says nothing of what a depth buffer holds. Calls `go_on` after
+/// each draw. Fails where records are of no triangle of the case; a fragment may lie outside the
+/// target, as a driver may draw there. Layers are looked at only if that `is_checked`.
 Result<cases::Fragments> draw_appended(const cases::Case& c, std::span<const RecordLayout> layouts,
-                                       AppendingDriver& driver, bool is_checked,
+                                       const AppendingDriver& driver, bool is_checked,
                                        const std::function<void()>& go_on);
 
 }  // namespace rastercheck::backends

@@ -104,7 +104,8 @@ std::vector<std::string> contract_words(const Plan& plan) {
 std::vector<std::string> replay_words(const Plan& plan) {
   Words words;
   add_contract(words, plan);
-  add_draw_by(words, plan);
+  // A frame's case has its depth test already.
+  if (plan.draw_by != cases::DrawBy::frame) add_draw_by(words, plan);
   add_known(words, plan);
   add_timeout(words, plan);
   return std::move(words).take();

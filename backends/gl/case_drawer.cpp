@@ -328,49 +328,6 @@ Result<cases::Fragments> CaseDrawer::Impl::draw_layers(const cases::Case& c,
   return drawn;
 }
 
-namespace {
-
-/// Appends fragments of a case by the context that is current.
-class GlAppending final : public AppendingDriver {
- public:
-  using DrawInLayers = std::function<Result<cases::Fragments>(const cases::Case&)>;
-
-  GlAppending(const cases::Case& c, std::span<const Pass> passes, FragmentBuffer& buffer,
-              DrawInLayers draw_in_layers)
-      : case_(&c), passes_(passes), buffer_(&buffer), draw_in_layers_(std::move(draw_in_layers)) {}
-
-  std::size_t most_words() const override { return buffer_->most_words(); }
-  Result<std::size_t> draw(std::size_t layout, std::size_t first, std::size_t count,
-                           std::size_t room) override {
-    return buffer_->draw(*case_, std::span(case_->triangles).subspan(first, count), passes_[layout],
-                         room);
-  }
-  std::span<const std::uint32_t> records() const override { return buffer_->words(); }
-  Result<cases::Fragments> draw_in_layers(const cases::Case& c) override {
-    return draw_in_layers_(c);
-  }
-
- private:
-  const cases::Case* case_;
-  std::span<const Pass> passes_;
-  FragmentBuffer* buffer_;
-  DrawInLayers draw_in_layers_;
-};
-
-/// Where the records of a pass have its attributes.
-RecordLayout layout_of(const Pass& pass) {
-  RecordLayout layout;
-  for (const Varying& varying : pass) {
-    for (std::size_t k = 0; k < varying.count; ++k) {
-      layout.values.push_back({layout.words + k, varying.attributes[k]});
-    }
-    layout.words += 4;
-  }
-  return layout;
-}
-
-}  // namespace
-
 Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c, bool is_checked,
                                                       const std::function<void()>& go_on) {
   std::string what = lacks_of_appending(c);
@@ -382,10 +339,18 @@ Result<cases::Fragments> CaseDrawer::Impl::append_all(const cases::Case& c, bool
   for (Pass& pass : passes) {
     // A record is to be short.
     std::erase_if(pass, [](const Varying& varying) { return varying.count == 0; });
-    layouts.push_back(layout_of(pass));
+    RecordLayout& layout = layouts.emplace_back();
+    for (const Varying& varying : pass) {
+      layout.add_vector(std::span(varying.attributes).first(varying.count));
+    }
   }
-  GlAppending driver(c, passes, *buffer,
-                     [&](const cases::Case& some) { return draw_layers(some, go_on); });
+  const AppendingDriver driver{
+      buffer->most_words(),
+      [&](std::size_t layout, std::size_t first, std::size_t count, std::size_t room) {
+        return buffer->draw(c, std::span(c.triangles).subspan(first, count), passes[layout], room);
+      },
+      [&] { return buffer->words(); },
+      [&](const cases::Case& some) { return draw_layers(some, go_on); }};
   return draw_appended(c, layouts, driver, is_checked, go_on);
 }
 

@@ -263,7 +263,9 @@ Result<void> PluginBackend::append(std::uint32_t first, std::uint32_t count,
   const std::size_t begin = drawn.size();
   collect(first, drawn);
   dirty_ = is_searched_whole() ? whole() : touched();
-  written_ = is_searched_whole() ? whole() : covered_since(begin, drawn);
+  const std::size_t wide = std::size_t{dirty_.max_x - dirty_.min_x} * draw_.samples;
+  const bool is_small = wide * (dirty_.max_y - dirty_.min_y) <= kSearchedWhole;
+  written_ = is_small ? dirty_ : covered_since(begin, drawn);
   return {};
 }
 
@@ -281,8 +283,8 @@ Rectangle PluginBackend::covered_since(std::size_t begin, const cases::Fragments
   return part;
 }
 
-/// Makes the output what it is before a draw, but that of large ones values may be left of samples
-/// that were not covered.
+/// Clears the output for the next draw: all coverage, and other arrays where the last draw may have
+/// written, unless that is much. Then they are cleared around what it covered.
 void PluginBackend::clear() {
   constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
   for (std::uint32_t y = dirty_.min_y; y < dirty_.max_y; ++y) {

@@ -17,9 +17,14 @@ namespace rastercheck::oracle {
 ///
 ///   |p − q| <= reach S/(1 − ρ),  S = 1 + 2ρ,     of shape cut  |p − q| <= reach,
 ///
-/// so that it is off from the exact depth at p by that times |∂d/∂u| + |∂d/∂v|. With ρ < 1 no
-/// placement turns the triangle round, and 1/w > 0 at q where (S − 1)/2, which negative weights sum
-/// up to, is less than the share that the least w is of the greatest.
+/// so that it is off from the exact depth at p by that times |∂d/∂u| + |∂d/∂v|.
+///
+/// Any placement counts, also one that does not cover p, as long as it is not turned round (ρ < 1)
+/// and has 1/w > 0 at p; else all depths between those of the vertices do. 1/w at p is that of the
+/// exact triangle at q, Σ α_i(q)/w_i. As p lies in some placement, q is within 2 reach/(1 − ρ) of a
+/// point of the exact triangle, where no α_i is negative. Σ ∂α_i = 0, so that the negative α_i(q)
+/// sum up to at most N = ρ/(1 − ρ), as Σ |∂α_i| = ρ/reach. So 1/w > 0 if N/(1 + N) = ρ is less than
+/// the share that the least w is of the greatest.
 class DepthFilter {
  public:
   /// `coverage` is the triangle's; only of its box's samples is asked.

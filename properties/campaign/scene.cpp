@@ -217,13 +217,6 @@ class SceneJudge {
     now.triangles = std::min(limits.triangles, kFirst);
     const std::size_t count = scene_->triangles.size();
     for (std::size_t first = 0; first < count && !fault;) {
-      // What ends one part ends the next one, too, and each takes its time.
-      const bool is_gone = failed && (failed->error.failure == Failure::crash ||
-                                      failed->error.failure == Failure::hang);
-      if (is_gone) {
-        not_judged[cases::one_line(failed->error.reason)] += count - first;
-        return;
-      }
       const ScenePart part = next_part(*scene_, first, now);
       const double seconds = judge_part(part);
       if (seconds < kQuick) now.triangles = std::min(limits.triangles, 4 * now.triangles);
@@ -240,7 +233,7 @@ class SceneJudge {
     cases::Case source;
     Error error;
   };
-  std::optional<Failed> failed;                     ///< the first
+  std::optional<Failed> failed;                     ///< the first of the worst kind
   std::map<std::string, std::uint64_t> not_judged;  ///< triangles
   records::Judgement judgement;
   std::uint64_t fragments = 0;
@@ -262,8 +255,13 @@ class SceneJudge {
     return *draws_none_;
   }
 
-  /// Gives the seconds that its drawing took.
+  /// Gives the seconds that its drawing took. After a crash or a hang nothing is drawn: what ends
+  /// one part ends the next one, too, and each takes its time.
   double judge_part(const ScenePart& part) {
+    if (gone_) {
+      not_judged[cases::one_line(gone_->reason)] += part.count;
+      return 0;
+    }
     const cases::ClipCase source = part_of_scene(part);
     const auto start = std::chrono::steady_clock::now();
     Result<backends::Drawn> done = draw(source, *backend_);
@@ -277,11 +275,22 @@ class SceneJudge {
     if (is_split) {
       // Most of them may be of a kind that it draws.
       const std::size_t half = part.count / 2;
-      return judge_part({part.first, half}) + judge_part({part.first + half, part.count - half});
+      const double seconds = judge_part({part.first, half});
+      return fault ? seconds : seconds + judge_part({part.first + half, part.count - half});
     }
-    not_judged[cases::one_line(done.error().reason)] += part.count;
-    if (!failed) failed = Failed{part, source, done.error()};
+    take_failed(Failed{part, source, done.error()});
     return passed.count();
+  }
+
+  /// A failure counts for more than a kind of triangles that is not drawn.
+  void take_failed(Failed one) {
+    not_judged[cases::one_line(one.error.reason)] += one.part.count;
+    if (one.error.failure == Failure::crash || one.error.failure == Failure::hang) {
+      gone_ = one.error;
+    }
+    const bool is_worse = failed && failed->error.failure == Failure::unsupported &&
+                          one.error.failure != Failure::unsupported;
+    if (!failed || is_worse) failed = std::move(one);
   }
 
   void judge_drawn_part(const cases::ClipCase& source, const ScenePart& part,
@@ -295,7 +304,7 @@ class SceneJudge {
                       [this](const JudgedSample& sample, const oracle::TriangleTruth* triangle) {
                         reader_->see(sample, triangle);
                       });
-    fault = std::move(judged.fault);
+    if (!fault) fault = std::move(judged.fault);
     move_triangles(judged.judgement, part.first);
     records::merge(judgement, judged.judgement);
     shown_.add(done.fragments, part.first);
@@ -306,6 +315,7 @@ class SceneJudge {
   SceneReader* reader_;
   ShownFragments shown_;
   oracle::JudgeOptions options_;
+  std::optional<Error> gone_;       ///< what ended the process that draws
   std::optional<bool> draws_none_;  ///< whether the scene without triangles is drawn
 };
 

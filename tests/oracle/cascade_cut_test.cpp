@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/oracle/cascade.h"
+#include "tests/oracle/drawing.h"
 #include "tests/oracle/random_case.h"
 
 namespace rastercheck::oracle::cascade_cut_test {
@@ -116,6 +117,37 @@ RC_GTEST_PROP(CascadeCut, LevelsGiveTheVerdictsOfEachSample, ()) {
   RC_CLASSIFY(counts.permitted > 0, "permitted");
   const std::string wrong = wrong_verdict(scene);
   RC_ASSERT(wrong == "");
+}
+
+/// The same in front of or behind another triangle, of which nothing or something else is open.
+cases::Case framed_case() {
+  cases::Case c = cut_case();
+  c.depth_test = cases::DepthTest::less;
+  const std::array<cases::ClipVertex, 3> second = seen_vertices();
+  const auto w = one_of({1.0F, 0x1p-6F, 20.0F});
+  const auto z = one_of({0.5F, 0.5F, 0.3F});
+  for (std::size_t i = 0; i < 3; ++i) {
+    cases::ClipVertex p = second[i];
+    if (i == 0) p = {p.x * w, p.y * w, z * p.w * w, p.w * w};
+    c.positions.push_back(p);
+  }
+  c.clip_distances.resize(c.clip_distance_count * c.positions.size(), 1);
+  c.triangles.push_back({3, 4, 5});
+  return c;
+}
+
+// Kills: a depth that some placement may have, taken for one that none has.
+RC_GTEST_PROP(CascadeCut, LevelsAgreeOnFrames, ()) {
+  const cases::Case c = framed_case();
+  cases::Contract contract = cut_contract(c);
+  contract.triangles.push_back(contract.triangles.front());
+  contract.triangles.back().clip_tolerance = one_of({1.0, 20.0});
+  const SceneTruth scene(c, contract);
+  Dice dice(*rc::gen::arbitrary<std::uint64_t>());
+  const cases::Fragments drawn = perfect(scene);
+  RC_CLASSIFY(drawn.size() > 0, "covers something");
+  const std::string difference = disagreement(scene, spoiled(scene, drawn, dice));
+  RC_ASSERT(difference == "");
 }
 
 }  // namespace

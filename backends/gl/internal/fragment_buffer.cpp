@@ -70,7 +70,12 @@ Result<std::size_t> FragmentBuffer::draw(const cases::Case& c,
                        static_cast<GLsizeiptr>(words_.size() * kWord), words_.data());
   }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  return check("appending fragments").map([count] { return std::size_t{count}; });
+  const Result<void> done = check("appending fragments");
+  if (!done) {
+    bytes_ = 0;  // there may have been no memory for them
+    return tl::unexpected(done.error());
+  }
+  return std::size_t{count};
 }
 
 }  // namespace rastercheck::backends::gl

@@ -323,53 +323,6 @@ Result<cases::Fragments> CaseDrawing::Impl::draw_in_layers(const cases::Case& c,
   return fragments.take();
 }
 
-namespace {
-
-/// Appends fragments of a case by functions of CaseDrawing.
-class VulkanAppending final : public AppendingDriver {
- public:
-  using DrawSome = std::function<Result<std::size_t>(Pass pass, std::size_t first,
-                                                     std::size_t count, std::size_t room)>;
-  using DrawInLayers = std::function<Result<cases::Fragments>(const cases::Case&)>;
-
-  VulkanAppending(std::span<const Pass> passes, const FragmentBuffer& records, DrawSome draw_some,
-                  DrawInLayers draw_in_layers)
-      : passes_(passes),
-        records_(&records),
-        draw_some_(std::move(draw_some)),
-        draw_in_layers_(std::move(draw_in_layers)) {}
-
-  std::size_t most_words() const override { return records_->most_words(); }
-  Result<std::size_t> draw(std::size_t layout, std::size_t first, std::size_t count,
-                           std::size_t room) override {
-    return draw_some_(passes_[layout], first, count, room);
-  }
-  std::span<const std::uint32_t> records() const override { return records_->words(); }
-  Result<cases::Fragments> draw_in_layers(const cases::Case& c) override {
-    return draw_in_layers_(c);
-  }
-
- private:
-  std::span<const Pass> passes_;
-  const FragmentBuffer* records_;
-  DrawSome draw_some_;
-  DrawInLayers draw_in_layers_;
-};
-
-/// Where the records of a pass have its attributes.
-RecordLayout layout_of(Pass pass) {
-  RecordLayout layout;
-  for (const Slot& slot : pass) {
-    for (std::size_t k = 0; k < slot.attributes.size(); ++k) {
-      layout.values.push_back({layout.words + k, slot.attributes[k]});
-    }
-    layout.words += kSlotSize;
-  }
-  return layout;
-}
-
-}  // namespace
-
 Result<std::size_t> CaseDrawing::Impl::append_some(const cases::Case& c, Pass pass,
                                                    std::size_t first, std::size_t count,
                                                    std::size_t room) {
@@ -409,13 +362,17 @@ Result<cases::Fragments> CaseDrawing::Impl::append_all(const cases::Case& c, boo
   const std::vector<Slot> slots = widened(slots_of(c), c.framebuffer.samples);
   const std::vector<Pass> passes = passes_of(slots, kMaxSlots);
   std::vector<RecordLayout> layouts;
-  for (const Pass pass : passes) layouts.push_back(layout_of(pass));
-  VulkanAppending driver(
-      passes, records,
-      [&](Pass pass, std::size_t first, std::size_t count, std::size_t room) {
-        return append_some(c, pass, first, count, room);
+  for (const Pass pass : passes) {
+    RecordLayout& layout = layouts.emplace_back();
+    for (const Slot& slot : pass) layout.add_vector(slot.attributes);
+  }
+  const AppendingDriver driver{
+      records.most_words(),
+      [&](std::size_t layout, std::size_t first, std::size_t count, std::size_t room) {
+        return append_some(c, passes[layout], first, count, room);
       },
-      [&](const cases::Case& some) { return draw_in_layers(some, go_on); });
+      [&] { return records.words(); },
+      [&](const cases::Case& some) { return draw_in_layers(some, go_on); }};
   return draw_appended(c, layouts, driver, is_checked, go_on);
 }
 

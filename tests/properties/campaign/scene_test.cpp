@@ -302,6 +302,30 @@ TEST(JudgeScene, JudgesTrianglesBesideThoseThatAreNotDrawn) {
   EXPECT_EQ(none.drawings, 2);
 }
 
+// Kills: a crash that is hidden by triangles that are not drawn; parts tried after it.
+TEST(JudgeScene, TellsOfACrashAfterTrianglesThatAreNotDrawn) {
+  class EndsBadly : public DamagedBackend {
+   public:
+    int drawings = 0;
+
+   private:
+    Result<cases::Fragments> draw_fragments(const cases::Case& c) override {
+      ++drawings;
+      if (c.triangles.empty()) return DamagedBackend::draw_fragments(c);
+      const Failure how = drawings == 1 ? Failure::unsupported : Failure::crash;
+      return tl::unexpected(Error{"", "", drawings == 1 ? "too far" : "it ended", how});
+    }
+  };
+  EndsBadly backend;
+  const SceneFindings found =
+      judge_scene_in({.triangles = 1}, layered_scene(), "damaged", backend, 7, kLaws).value();
+  EXPECT_EQ(backend.drawings, 2);
+  EXPECT_EQ(found.result.not_judged,
+            (std::map<std::string, std::uint64_t>{{"too far", 1}, {"it ended", 5}}));
+  ASSERT_THAT(found.findings.counterexamples, SizeIs(2));
+  EXPECT_EQ(found.findings.counterexamples[0].source.found->verdict, "crash");
+}
+
 TEST(JudgeScene, IsDrawnAtOnceWithADepthTest) {
   cases::Case c = layered_scene();
   EXPECT_EQ(parts_of(c, {.triangles = 4}), (std::vector<ScenePart>{{0, 4}, {4, 2}}));
