@@ -20,6 +20,7 @@
 #include "cases/names.h"
 #include "properties/drawing.h"
 #include "properties/judged_law.h"
+#include "properties/laws/internal/drawn_fragments.h"
 #include "properties/laws/internal/same_drawing.h"
 
 namespace rastercheck::properties::ways_draw_the_same_law {
@@ -44,6 +45,16 @@ cases::Fragments flushed(cases::Fragments drawn) {
 bool is_permitted(const cases::ClipCase& c, const cases::Contract& contract,
                   const cases::Fragments& drawn) {
   return judge_drawn(c, contract, drawn, {}, 0).violation_count == 0;
+}
+
+/// Finds fragments of one place that follow each other, as they do in order.
+void find_repeated(const cases::Fragments& drawn, const std::string& by, Check& check) {
+  for (std::size_t i = 1; i < drawn.size(); ++i) {
+    if (drawn.place_of(i) != drawn.place_of(i - 1)) continue;
+    add_violation(check,
+                  violation_at(drawn.place_of(i), records::FragmentClass::extra,
+                               "forbidden: it was drawn already", "drawn more than once by " + by));
+  }
 }
 
 /// Holds what one way drew against what another did.
@@ -79,6 +90,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
     }
     if (!drawn) return tl::unexpected(drawn.error());
     const std::string name(cases::name_of(way));
+    find_repeated(*drawn, name, check);
     if (!first) {
       first = flushed(*std::move(drawn));
       name_of_first = name;

@@ -52,11 +52,34 @@ TEST(Ways, MissNothing) {
   EXPECT_EQ(check.violations[0].note, "drawn by layers; by append the other");
 }
 
+// Kills: a fragment that comes twice, with the values that it should have.
+TEST(Ways, DrawNothingTwice) {
+  OtherWay backend([](const Case&, Fragments& drawn) {
+    const Fragments once = drawn;
+    drawn = Fragments();
+    drawn.attribute_count = once.attribute_count;
+    for (std::size_t i = 0; i < once.size(); ++i) {
+      for (int times = i == 5 ? 2 : 1; times > 0; --times) {
+        const cases::SamplePlace place = once.place_of(i);
+        drawn.triangle.push_back(place.triangle);
+        drawn.x.push_back(once.x[i]);
+        drawn.y.push_back(once.y[i]);
+        drawn.sample.push_back(once.sample[i]);
+        drawn.depth.push_back(once.depth[i]);
+        const auto values = once.attributes_of(i);
+        drawn.attributes.insert(drawn.attributes.end(), values.begin(), values.end());
+      }
+    }
+  });
+  const Check check = checked(backend);
+  ASSERT_GE(check.violation_count, 1U);
+  EXPECT_EQ(check.violations[0].fragment_class, records::FragmentClass::extra);
+  EXPECT_EQ(check.violations[0].note, "drawn more than once by layers");
+}
+
 // Kills: a difference that the contract permits and one that it does not, told alike.
 TEST(Ways, SayWhetherEitherIsPermitted) {
-  OtherWay backend([](const Case&, Fragments& drawn) {
-    value(drawn, 0, 2, 3, 0) += 0x1p-20F;
-  });
+  OtherWay backend([](const Case&, Fragments& drawn) { value(drawn, 0, 2, 3, 0) += 0x1p-20F; });
   const Check beyond = checked(backend);
   ASSERT_EQ(beyond.violation_count, 1U);
   EXPECT_EQ(beyond.violations[0].fragment_class, records::FragmentClass::beyond_bound);
