@@ -175,8 +175,8 @@ class Backend {
   void hold_to(std::optional<cases::ContractTerms> terms) { terms_ = std::move(terms); }
   const std::optional<cases::ContractTerms>& terms() const { return terms_; }
 
-  /// Has it draw in this way from now on, where it has that way and the way draws such cases;
-  /// without one, each case in the way that takes least.
+  /// Makes it draw in this way from now on, if it has the way and the way draws such cases. Without
+  /// one it draws each case in the way that takes least.
   void prefer(std::optional<cases::DrawBy> way) { preferred_ = way; }
 
   /// Has it call `tell` whenever part of a drawing is done that takes long: whoever waits for it

@@ -79,7 +79,7 @@ class IsolatedBackend : public Backend, public WaysOfDrawing {
     return std::move(drawing->drawn.fragments);
   }
 
-  /// What its API promises, worked out once for a case that is asked about more than once.
+  /// Gives what its API promises, and keeps it for the next question about the same case.
   cases::Contract promise_of(const ApiLimits& api, const cases::Case& c) const {
     const cases::DriverPromise promised = *driver_promise();
     if (remembered_ && promised_ == promised && remembered_->first == c) return remembered_->second;

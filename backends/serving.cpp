@@ -12,7 +12,9 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include "backends/factory.h"
 #include "backends/internal/channel.h"
@@ -89,8 +91,8 @@ class WatchedDrawer {
   }
 
  private:
-  /// Draws in a way that is not only preferred: one that does not draw such cases says so. What a
-  /// driver's API promises is known to whoever asks.
+  /// Draws in the way that is asked for, if one is; it says so where it does not draw such cases.
+  /// Leaves out the contract of a driver, which whoever asks works out.
   Result<Drawn> draw_in(const cases::Case& c, std::optional<cases::DrawBy> way) {
     WaysOfDrawing* const ways = way ? backend_->ways_of_drawing() : nullptr;
     Result<cases::Fragments> drawn =
@@ -108,7 +110,8 @@ class WatchedDrawer {
   static constexpr int kRepetitions = 8;
   static constexpr int kSuspected = 4;
   static constexpr int kLeaking = 64;
-  /// Of the time for an answer, what a drawing may take: a scene is not drawn nine times.
+  /// The share of the time for an answer that a drawing may take to be looked at: nine times that
+  /// is little, and a scene takes more.
   static constexpr double kShareOfTime = 200;
 
   Result<void> check_memory(const cases::Case& c, std::optional<cases::DrawBy> way) {

@@ -254,8 +254,8 @@ typedef struct rastercheck_output {
    * triangles has to write it. */
   uint32_t* triangle;
   /* The same shape: depth in the depth range. All NaN; but of a draw that may write to more than
-   * 65536 samples (min_x to max_y), what draws before it wrote without covering it may be left, here
-   * and in `triangle` and `attributes`. */
+   * 65536 samples (min_x to max_y), what draws before it wrote without covering it may be left,
+   * here and in `triangle` and `attributes`. */
   float* depth;
   /* [height][width][samples][attribute_count]: the attributes. All NaN; null where there is none.
    */

@@ -26,7 +26,7 @@ struct Limits {
   bool provoking_vertex_last = false;
   bool fragment_stores = false;  ///< fragment shaders write to storage buffers
   std::size_t max_storage = 0;   ///< of a storage buffer, bytes
-  int slots = 3;  ///< that one drawing can write (slots.h)
+  int slots = 3;                 ///< that one drawing can write (slots.h)
 };
 
 /// What of a case a device lacks, in words; empty where it draws it.

@@ -108,9 +108,11 @@ bool TriangleFilter::add(const Line& line, const Ring& margin) {
   return true;
 }
 
-/// Adds a line that is beyond its band only where all readings are beyond their margins, on the
-/// same side. That is the first reading R with a band of max |s L − R| + s · margin over all others
-/// L, for any s > 0: affine functions differ most at corners of the box.
+/// Adds one line for several readings of a boundary. Where it is beyond its band all readings are
+/// beyond their margins, on the same side.
+///
+/// It is the first reading R. Its band is the greatest |s L − R| + s · margin of any reading L,
+/// with any s > 0. Affine functions differ most at corners of the box.
 bool TriangleFilter::add_enclosing(const std::vector<OpenLine>& readings) {
   std::optional<FilterLine> filter = filter_line(readings.front().line, box_);
   if (!filter) return false;
@@ -143,8 +145,8 @@ bool TriangleFilter::add_enclosing(const std::vector<OpenLine>& readings) {
   return true;
 }
 
-/// Where an edge both of whose ends are snapped may lie. The exact edge is among these: a point
-/// beside it has to be asked whether anything drawn reaches there.
+/// Gives every line that the contract allows for an edge whose ends are both snapped. The exact
+/// edge is among them: beside it decide() asks whether anything drawn reaches there at all.
 std::vector<TriangleFilter::OpenLine> TriangleFilter::readings_of_edge(std::size_t edge) const {
   const Line& exact = triangle_->ideal.edge(edge);
   std::vector<OpenLine> readings{{exact, Ring(0)}};
@@ -155,7 +157,7 @@ std::vector<TriangleFilter::OpenLine> TriangleFilter::readings_of_edge(std::size
   return readings;
 }
 
-/// Adds a clip plane that cuts the triangle, which is off by the tolerance and by the error of
+/// Adds a clip plane that cuts the triangle. It is off by the tolerance and by the error of
 /// distances.
 bool TriangleFilter::add_clip_line(const ClipFunctional& functional) {
   std::vector<OpenLine> readings{
@@ -170,8 +172,8 @@ bool TriangleFilter::add_clip_line(const ClipFunctional& functional) {
   return !has_constant && add_enclosing(readings);
 }
 
-/// Outside are samples that are far from the one line that all vertices lie on: a placement that
-/// has an area has it near there, and so has a polygon with moved corners. Inside is none.
+/// Adds the line that all vertices lie on. Samples farther from it than corners move are outside;
+/// no sample is inside.
 void TriangleFilter::add_line_of_degenerate() {
   const TriangleSetup& triangle = *triangle_;
   if (boundary_) return;
@@ -185,7 +187,8 @@ void TriangleFilter::add_line_of_degenerate() {
   }
 }
 
-/// What decide() asks of a triangle of shape cut, of all its boundaries and with what is left open.
+/// Adds the boundaries that decide() tests of a triangle of shape cut, each with the band that the
+/// contract leaves open.
 void TriangleFilter::add_cut_lines() {
   const TriangleSetup& triangle = *triangle_;
   if (triangle.ideal.orientation() == 0 || facing_of_cut(triangle) != CutFacing::drawn) return;
@@ -216,7 +219,7 @@ void TriangleFilter::classify(int y, const cases::SamplePosition& sample, RowVer
   if (lines_.empty()) return;
   classify_row(lines_, sample.x / 16.0, y - box_.y0 + sample.y / 16.0, count, row.required.data(),
                row.forbidden.data());
-  // What lies outside is forbidden wherever it is.
+  // A sample outside an edge is forbidden beyond the viewport, too.
   if (y < inner_.y0 || y >= inner_.y1 || inner_.x1 <= inner_.x0) {
     row.required.assign(words, 0);
   } else if (inner_.x0 > box_.x0 || inner_.x1 < box_.x1) {

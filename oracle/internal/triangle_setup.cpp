@@ -337,9 +337,8 @@ PixelBox TriangleSetup::pixels() const {
   return intersection(all, {x0, y0, x1, y1});
 }
 
-/// Of a triangle that reaches behind the eye, and thus up to infinity: of what its clip planes
-/// leave of it in the window, and as far as corners are moved. decide_cut() finds nothing farther
-/// off.
+/// Gives the box of a triangle that reaches behind the eye: that of the part which its clip planes
+/// leave in the window, widened by `reach`. decide_cut() finds nothing farther off.
 PixelBox TriangleSetup::pixels_of_clipped(const PixelBox& all) const {
   if (ideal.orientation() == 0) return all;
   const Ring moved = shape == Shape::exact ? Ring(0) : reach;

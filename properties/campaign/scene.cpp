@@ -319,8 +319,7 @@ class SceneJudge {
   std::optional<bool> draws_none_;  ///< whether the scene without triangles is drawn
 };
 
-/// Has a scene that is not drawn as a whole violate what was checked, unless a part of it is just
-/// of no kind that the backend draws.
+/// Makes a failed part a violation, unless the backend just does not draw such triangles.
 void take_failure(const SceneJudge::Failed& failed, bool is_partly_drawn, Check& check) {
   Check none = failed_check(failed.error);
   if (!is_partly_drawn) {

@@ -98,7 +98,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
     }
     is_compared = true;
     merge(check, compare_ways(clip, backend.contract(clip), *first, flushed(*std::move(drawn)),
-                              "drawn by " + name + "; by " + name_of_first + " the other"));
+                              "drawn by " + name + ", compared with " + name_of_first));
   }
   if (!is_compared) return not_applicable(lacking);
   if (clip.triangles.size() >= kMany) add_label(check, "many triangles");

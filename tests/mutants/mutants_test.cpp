@@ -185,9 +185,12 @@ TEST_P(EquivalentMutants, KeepTheContract) {
 
 INSTANTIATE_TEST_SUITE_P(All, EquivalentMutants, testing::ValuesIn(names_of(true)), test_name);
 
+// Mutants are of the rasterizer. One law says nothing of it but of drivers, two of which break it
+// (backends/llvmpipe/known.json); its own test has it fail on a backend that is made up.
 TEST(Laws, HaveAMutantEach) {
   ASSERT_FALSE(properties::laws().empty());
   for (const properties::Law& law : properties::laws()) {
+    if (law.id == "every-way-of-drawing-draws-the-same-bits") continue;
     EXPECT_TRUE(
         std::any_of(mutant_names().begin(), mutant_names().end(),
                     [&law](const std::string& m) { return header_of(m).killed_by == law.id; }))

@@ -21,7 +21,7 @@ struct Capabilities {
   bool has_sample_qualifier = false;  ///< and interpolateAtOffset()
   bool has_sample_targets = false;    ///< multisampled arrays
   bool has_viewport_fractions = false;
-  bool has_appending = false;  ///< storage buffers for fragments, targets without images
+  bool has_appending = false;      ///< storage buffers for fragments, targets without images
   bool clears_beyond_one = false;  ///< float depth, to a value above 1
   int subpixel_bits = 4;
   int viewport_subpixel_bits = 0;
@@ -32,7 +32,7 @@ struct Capabilities {
   int max_size = 2048;  ///< of a target, in pixels
   int max_layers = 256;
   int max_samples = 1;
-  std::size_t max_storage = 0;  ///< of a storage buffer, bytes
+  std::size_t max_storage = 0;             ///< of a storage buffer, bytes
   std::array<float, 2> viewport_bounds{};  ///< pixels, inclusive, of x and y
   std::array<int, 2> max_viewport{};       ///< pixels
 

@@ -32,7 +32,7 @@ VkViewport viewport_of(const cases::Viewport& v) {
   return {v.x, v.y, v.width, v.height, v.min_depth, v.max_depth};
 }
 
-/// What of the scissor lies in the framebuffer: Vulkan's has no negative numbers.
+/// Cuts the scissor down to the framebuffer: Vulkan's has no negative numbers.
 VkRect2D scissor_of(const cases::Case& c) {
   const int width = c.framebuffer.width;
   const int height = c.framebuffer.height;

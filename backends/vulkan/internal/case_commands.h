@@ -15,7 +15,7 @@
 
 namespace rastercheck::backends::vulkan {
 
-/// Of all slots those that one drawing writes.
+/// The slots that one draw writes.
 using Pass = std::span<const Slot>;
 
 PipelineKind kind_of(const cases::Case& c, const Limits& limits, Pass pass);

@@ -19,7 +19,6 @@
 #include "backends/vulkan/internal/memory.h"
 #include "backends/vulkan/internal/pipelines.h"
 #include "backends/vulkan/internal/sample_reader.h"
-#include "backends/vulkan/internal/shaders.h"
 #include "backends/vulkan/internal/target.h"
 #include "backends/vulkan/slots.h"
 

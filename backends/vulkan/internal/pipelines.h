@@ -41,8 +41,8 @@ class Pipelines {
   /// depth test are dynamic.
   Result<VkPipeline> get(const Device& device, const PipelineKind& kind);
 
-  /// Of pipelines that append: a storage buffer, set 0 and binding 0, and how many records it has
-  /// room for, a push constant.
+  /// The layout of pipelines that append: a storage buffer at set 0, binding 0, and a push
+  /// constant, how many records the buffer has room for.
   VkPipelineLayout appending_layout() const { return appending_layout_.get(); }
   VkDescriptorSetLayout records_layout() const { return records_layout_.get(); }
 

@@ -49,7 +49,7 @@ TEST(Ways, MissNothing) {
   const Check check = checked(backend);
   ASSERT_EQ(check.violation_count, 1U);
   EXPECT_EQ(check.violations[0].fragment_class, records::FragmentClass::missing);
-  EXPECT_EQ(check.violations[0].note, "drawn by layers; by append the other");
+  EXPECT_EQ(check.violations[0].note, "drawn by layers, compared with append");
 }
 
 // Kills: a fragment that comes twice, with the values that it should have.
@@ -83,7 +83,7 @@ TEST(Ways, SayWhetherEitherIsPermitted) {
   const Check beyond = checked(backend);
   ASSERT_EQ(beyond.violation_count, 1U);
   EXPECT_EQ(beyond.violations[0].fragment_class, records::FragmentClass::beyond_bound);
-  EXPECT_EQ(beyond.violations[0].note, "drawn by layers; by append the other");
+  EXPECT_EQ(beyond.violations[0].note, "drawn by layers, compared with append");
 
   cases::Contract loose = backend.promise(square());
   loose.bounds.smooth.constant = 64;
