@@ -128,7 +128,8 @@ bool TriangleFilter::add_enclosing(const std::vector<OpenLine>& readings) {
     const IntervalLine first = interval_line(readings.front().line, box_);
     for (const OpenLine& reading : readings) {
       const double scale = size / size_of(reading.line);
-      if (!(scale > 0x1p-500 && scale < 0x1p500)) return false;
+      const bool is_ordinary = scale > 0x1p-500 && scale < 0x1p500;
+      if (!is_ordinary) return false;
       const IntervalLine line = interval_line(reading.line, box_);
       const Interval margin = Interval(scale) * interval_of(reading.margin);
       for (const double x : {0.0, width}) {

@@ -267,7 +267,7 @@ class SceneJudge {
     Result<backends::Drawn> done = draw(source, *backend_);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     if (done) {
-      judge_drawn_part(source, part, *std::move(done));
+      judge_drawn_part(source, part, *done);
       return passed.count();
     }
     const bool is_split = done.error().failure == Failure::unsupported && part.count > 1 &&
@@ -294,10 +294,10 @@ class SceneJudge {
   }
 
   void judge_drawn_part(const cases::ClipCase& source, const ScenePart& part,
-                        backends::Drawn done) {
+                        const backends::Drawn& done) {
     ++drawn;
     fragments += done.fragments.size();
-    const oracle::SceneTruth truth(source, std::move(done.contract));
+    const oracle::SceneTruth truth(source, done.contract);
     reader_->begin(truth, part.first);
     oracle::JudgedDrawing judged =
         oracle::judge(truth, done.fragments, options_,

@@ -11,6 +11,8 @@
 // Samples: all, values too; but both APIs let a subnormal number become zero on whatever way it
 // takes, and give zeros no sign. A way that does not draw such cases is left out.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 #include <string>
@@ -98,7 +100,7 @@ Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
     }
     is_compared = true;
     merge(check, compare_ways(clip, backend.contract(clip), *first, flushed(*std::move(drawn)),
-                              "drawn by " + name + ", compared with " + name_of_first));
+                              fmt::format("drawn by {}, compared with {}", name, name_of_first)));
   }
   if (!is_compared) return not_applicable(lacking);
   if (clip.triangles.size() >= kMany) add_label(check, "many triangles");
