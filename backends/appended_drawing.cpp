@@ -281,8 +281,8 @@ Result<void> AppendedDrawing::add_layers(std::size_t first, std::size_t count) {
   return {};
 }
 
-/// What a depth buffer holds of a depth beyond the range, or of one that is no number, is for
-/// drivers to say: takes it from layers, for the triangles of such fragments from `begin` on.
+/// Takes depths beyond the range, and those that are no number, from layers: only the driver knows
+/// what a depth buffer holds then. Looks at fragments from `begin` on.
 Result<void> AppendedDrawing::store_depths(std::size_t begin) {
   std::vector<std::size_t> triangles;
   for (std::size_t i = begin; i < drawn_.size(); ++i) {

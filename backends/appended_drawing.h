@@ -4,10 +4,10 @@
 // fragment shader appends a record of each fragment to a buffer. The viewport stays the case's own,
 // so that each triangle is the one that a layer would show.
 //
-// What a driver does in silence would be missed: it may lose records, or draw other bits as its
-// shader has side effects. Of each draw a few triangles are therefore drawn into layers, too, and
-// held against their records; where these differ, all triangles of the draw go into layers. A law
-// looks for such differences (properties/laws/ways_draw_the_same.cpp).
+// A driver may lose records in silence, or draw other bits as its shader has side effects. Of each
+// draw a few triangles are therefore drawn into layers, too, and held against their records; where
+// these differ, all triangles of the draw go into layers. A law looks for such differences
+// (properties/laws/ways_draw_the_same.cpp).
 
 #include <cstddef>
 #include <cstdint>

@@ -22,7 +22,7 @@ struct SceneFindings {
   Findings findings;
   records::SceneResult result;  ///< named like the scene
   cases::Case source;           ///< of clip positions
-  /// What a picture shows, of each pixel the nearest fragment; nothing where none could be drawn.
+  /// The nearest fragment of each pixel, for a picture; empty if no part could be drawn.
   std::optional<cases::Fragments> drawn;
   records::ErrorMap map;
 };

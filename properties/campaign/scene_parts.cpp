@@ -30,7 +30,7 @@ constexpr std::array<PlaneDistance, 6> kPlanes{
     [](const std::array<double, 4>& p) { return p[3] + p[2]; },
     [](const std::array<double, 4>& p) { return p[3] - p[2]; }};
 
-/// What a plane leaves of a convex polygon in clip space.
+/// Cuts a convex polygon in clip space by a plane.
 std::vector<std::array<double, 4>> clipped(const std::vector<std::array<double, 4>>& polygon,
                                            PlaneDistance plane) {
   std::vector<std::array<double, 4>> left;
