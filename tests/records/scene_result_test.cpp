@@ -25,7 +25,8 @@ TEST(SceneSentence, SaysWhyNothingWasJudged) {
   EXPECT_EQ(scene_sentence(left_out),
             "Scene bunny.obj on gl:llvmpipe: nothing was judged of its 69666 triangles, as it "
             "is too far.");
-  const SceneResult in_parts{"a", "cpu", 5, 9, 9, 0, 0, false, {{"it is far", 1}, {"it is near", 2}}};
+  const SceneResult in_parts{
+      "a", "cpu", 5, 9, 9, 0, 0, false, {{"it is far", 1}, {"it is near", 2}}};
   EXPECT_EQ(scene_sentence(in_parts),
             "Scene a on cpu: 5 triangles, 9 fragments; 9 samples judged, all right; 1 triangle not "
             "judged, as it is far; 2 triangles not judged, as it is near.");

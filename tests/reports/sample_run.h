@@ -182,8 +182,9 @@ inline records::Run sample_run() {
   run.unreached = {{run.plan.laws[0], "cpu", "<clipped>", 57, 412, 1000}};
   run.counterexamples = {sample_counterexample(3), sample_counterexample(41)};
   run.inspections = {sample_counterexample_inspection(), sample_worst_inspection()};
-  run.scenes = {{"it's a <bunny>", "cpu", 3, 2, 2, 0, 1, false, {}},
-                {"it's a <bunny>", run.plan.backends[1], 3, 0, 0, 0, 0, false, {{"it <is> far", 3}}}};
+  run.scenes = {
+      {"it's a <bunny>", "cpu", 3, 2, 2, 0, 1, false, {}},
+      {"it's a <bunny>", run.plan.backends[1], 3, 0, 0, 0, 0, false, {{"it <is> far", 3}}}};
   run.pictures = {{"bunny-cpu", "What cpu draws <of it>.", 64, 48, std::string("\x89PNG\0\xff", 6)},
                   {"bunny-error", "Its error.", 64, 80, "P"}};
   run.environment = {{"version", "0.1.0"}, {"compiler", "g++ <12> & more"}, {"seconds", "1.5"}};
