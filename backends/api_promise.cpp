@@ -46,7 +46,16 @@
 //    three operations for the depth range. Weights of vertices whose w is off by ω are off by ω:
 //    r, a mean of the values there, by 2ω of their range, and by ω max|r| for these.
 //
-// 4. `conformance`. Khronos' verifier (VK-GL-CTS, framework/common/tcuRasterizationVerifier.cpp,
+// 4. Viewports. A driver reads their numbers in parts of 2^-f pixel, f its viewport's subpixel
+// bits,
+//    and no text says how it rounds: a side that is no such part may lie up to one away, the far
+//    one up to two where origin and size are rounded each for itself. Everything above is of the
+//    viewport that is drawn by, which is at most 1 + 2e/W times as large and shrinks triangles to
+//    1 − 2e/W at most (cases::Contract::viewport_error, e). What planes are off by does not
+//    depend on the scale of an axis, only distances in pixels count for more. In K of section 3
+//    each |X| is at most 1 + 4e/W times as large, as |w| e <= 2e/W |X|.
+//
+// 5. `conformance`. Khronos' verifier (VK-GL-CTS, framework/common/tcuRasterizationVerifier.cpp,
 //    TriangleInterpolator) takes a colour for right that the weights anywhere in a square give,
 //    each weight for itself from its least to its greatest there: two subpixels wide around the
 //    centre, or with several samples the pixel. What it allows is rounded outwards to 8 bits, and
@@ -54,7 +63,7 @@
 //    and by as much as weights differ over such a square. It looks at no depth, nor at triangles
 //    with w <= 0: these are held to what `spec` says.
 //
-// 5. `ieee`. δ is 2^-24, the half unit of a float32 that is rounded to nearest. Planes may be
+// 6. `ieee`. δ is 2^-24, the half unit of a float32 that is rounded to nearest. Planes may be
 //    evaluated about a point as far away as the window's origin, as Mesa's drivers do it. Triangles
 //    with some w <= 0 are held to what `spec` says: how these are cut and set up differs too much.
 
@@ -268,12 +277,34 @@ class OneTriangle {
   Arithmetic arithmetic_;
   cases::Triangle indices_;
   std::array<Vertex, 3> vertices_;
-  double position_ = 0;      ///< error of given vertices, pixels
-  double new_position_ = 0;  ///< of new ones, pixels
-  double cut_at_sides_ = 0;  ///< of those of a triangle that the viewport's sides cut
-  double new_weight_ = 0;    ///< ω, of itself
+  double viewport_error_ = 0;  ///< e, pixels
+  double grown_ = 1;           ///< how much more a pixel is where the viewport is the smallest
+  double position_ = 0;        ///< error of given vertices, pixels
+  double new_position_ = 0;    ///< of new ones, pixels
+  double cut_at_sides_ = 0;    ///< of those of a triangle that the viewport's sides cut
+  double new_weight_ = 0;      ///< ω, of itself
   cases::TrianglePromise promise_;
 };
+
+/// How far the sides of a viewport may lie from where they were asked for, in pixels.
+double viewport_error(const cases::Viewport& viewport, int subpixel_bits) {
+  const double unit = std::ldexp(1.0, -subpixel_bits);
+  const auto rounded = [subpixel_bits, unit](double number) {
+    const double units = std::ldexp(number, subpixel_bits);
+    return units == std::floor(units) ? 0 : unit;
+  };
+  const auto error = [&rounded](double origin, double size) {
+    // One of negative size may be drawn turned round (upright_viewport.h), from its other side.
+    const double from_there = size < 0 ? rounded(origin + size) : 0;
+    return std::max(rounded(origin), from_there) + rounded(size);
+  };
+  return std::max(error(viewport.x, viewport.width), error(viewport.y, viewport.height));
+}
+
+/// How much of its size an extent of the viewport is off at most.
+double share_of_extent(const cases::Viewport& viewport, double error) {
+  return 2 * error / double{std::min(std::fabs(viewport.width), std::fabs(viewport.height))};
+}
 
 OneTriangle::OneTriangle(const cases::Case& c, const ApiLimits& limits,
                          cases::DriverPromise promised, const cases::Triangle& indices)
@@ -289,6 +320,8 @@ OneTriangle::OneTriangle(const cases::Case& c, const ApiLimits& limits,
     std::copy(distances.begin(), distances.end(), vertices_[i].distances.begin());
   }
   if (!is_before_the_eye()) arithmetic_ = kSpecified;
+  viewport_error_ = viewport_error(c.viewport, limits.viewport_subpixel_bits);
+  if (viewport_error_ > 0) grown_ = 1 / (1 - share_of_extent(c.viewport, viewport_error_));
 }
 
 /// A float32 that is no less.
@@ -363,9 +396,9 @@ bool OneTriangle::has_values_of_spec() const {
 void OneTriangle::add_positions(std::span<const Vertex> vertices) {
   const cases::Viewport& viewport = case_->viewport;
   const auto error = [this](double number, double w, double origin, double extent) {
-    const double ndc = number / w * extent / 2;
-    return arithmetic_.operation *
-           (kPosition * std::fabs(ndc) + kCentre * std::fabs(origin + extent / 2));
+    const double half = std::fabs(extent) / 2 + viewport_error_;
+    const double centre = std::fabs(origin + extent / 2) + viewport_error_;
+    return arithmetic_.operation * (kPosition * std::fabs(number / w) * half + kCentre * centre);
   };
   for (const Vertex& v : vertices) {
     if (v.w <= 0) continue;  // it is cut off
@@ -380,10 +413,9 @@ void OneTriangle::add_new_vertices(const Clipped& clipped, double least_w) {
   const double x = greatest(vertices_, [](const Vertex& v) { return v.x; });
   const double y = greatest(vertices_, [](const Vertex& v) { return v.y; });
   const double share = clipped.planes * kClipping * arithmetic_.operation / least_w;
-  new_position_ = share *
-                  std::max((x + greatest_w) * std::fabs(double{viewport.width}),
-                           (y + greatest_w) * std::fabs(double{viewport.height})) /
-                  2;
+  new_position_ =
+      share * std::max((x + greatest_w) * (std::fabs(viewport.width) / 2.0 + viewport_error_),
+                       (y + greatest_w) * (std::fabs(viewport.height) / 2.0 + viewport_error_));
   if (clipped.is_cut_at_the_sides) cut_at_sides_ = new_position_;
   const double z = greatest(vertices_, [](const Vertex& v) { return v.z; });
   new_weight_ = share * std::max(greatest_w, z);
@@ -411,7 +443,8 @@ void OneTriangle::set_values(double of_weights) {
   // Only the constant counts for a triangle without area.
   value.constant = of_weights < kInfinity ? in_ulps(kQuotient * arithmetic_.operation + new_weights)
                                           : kAllDigits;
-  value.per_condition = in_ulps(kPerCondition * arithmetic_.operation, 0);
+  const double larger = grown_ * (1 + 2 * share_of_extent(case_->viewport, viewport_error_));
+  value.per_condition = in_ulps(kPerCondition * arithmetic_.operation * larger * larger, 0);
   promise_.bounds = {value, value, {}};
   promise_.bounds.depth.constant =
       in_ulps(depth_scale() *
@@ -456,10 +489,11 @@ void OneTriangle::set_values_by_planes(bool is_cut) {
   // off as the tolerance.
   const double unit = std::ldexp(1.0, -limits_.subpixel_bits);
   const double reach =
-      std::max(1 + double{promise_.position_error}, promise_.clip_tolerance) * unit;
+      std::max(1 + double{promise_.position_error}, promise_.clip_tolerance) * unit * grown_;
   Evaluation evaluation{arithmetic_.operation, {}, reach, 0};
   if (promised_ == cases::DriverPromise::ieee) {
     evaluation.away = from_origin(window, case_->framebuffer);
+    for (double& distance : evaluation.away) distance = (distance + viewport_error_) * grown_;
   }
   // Pieces of a cut triangle hold samples that lie outside the triangle as its vertices are placed:
   // by as much as these are moved one way and new ones the other.
@@ -470,7 +504,7 @@ void OneTriangle::set_values_by_planes(bool is_cut) {
   const double open_affine = kNewWeights * new_weight_ + weight_change(flat, reach, outside);
   const auto error_of = [&](bool extrapolates) {
     // A sample's place is at most half a pixel from the centre.
-    evaluation.beyond = std::max(2 * outside, extrapolates ? 0.5 : 0);
+    evaluation.beyond = std::max(2 * outside, extrapolates ? 0.5 * grown_ : 0);
     return plane_error(window, evaluation);
   };
   const PlaneError smooth = error_of(extrapolates(cases::Interpolation::smooth));
@@ -482,7 +516,7 @@ void OneTriangle::set_values_by_planes(bool is_cut) {
       in_ulps(depth_scale() *
               (depth.affine + (kQuotient + kDepthRange) * arithmetic_.operation + open_affine))};
   if (promised_ != cases::DriverPromise::conformance) return;
-  const double around = case_->framebuffer.samples > 1 ? 1 : unit;
+  const double around = (case_->framebuffer.samples > 1 ? 1 : unit) * grown_;
   promise_.bounds.smooth = {
       in_ulps(kRounded / kSteps + open + weight_change(window, reach, around))};
   promise_.bounds.noperspective = {
@@ -508,6 +542,7 @@ cases::Contract api_promise(const cases::Case& c, const ApiLimits& limits,
   contract.is_on_grid = false;
   contract.keeps_sign_of_zero = false;
   contract.is_invariant = false;
+  contract.viewport_error = viewport_error(c.viewport, limits.viewport_subpixel_bits);
   contract.coverage = cases::Snapping{limits.subpixel_bits, cases::Rounding::unspecified, 0};
   // A case without triangles leaves open what any triangle leaves open at least.
   contract.bounds = {{in_ulps(kQuotient * arithmetic.operation), in_ulps(arithmetic.operation, 0)},

@@ -33,8 +33,9 @@ struct Driver {
 
 /// Describes a driver of OpenGL or Vulkan as far as its promises depend on it.
 struct ApiLimits {
-  int subpixel_bits = 4;     ///< GL_SUBPIXEL_BITS, subPixelPrecisionBits
-  bool is_software = false;  ///< it draws with the processor
+  int subpixel_bits = 4;           ///< GL_SUBPIXEL_BITS, subPixelPrecisionBits
+  bool is_software = false;        ///< it draws with the processor
+  int viewport_subpixel_bits = 0;  ///< GL_VIEWPORT_SUBPIXEL_BITS, viewportSubPixelBits
   bool operator==(const ApiLimits&) const = default;
 
   /// What it is held to unless the user says otherwise.

@@ -1,6 +1,7 @@
 #include "cases/contract.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "cases/case.h"
@@ -21,6 +22,10 @@ TrianglePromise promise_of(const Contract& contract, const Case& c, std::size_t 
     promise.bounds = contract.bounds;
   } else {
     promise = contract.triangles[triangle];
+  }
+  if (contract.has_open_viewport()) {
+    const float least = std::min(std::fabs(c.viewport.width), std::fabs(c.viewport.height));
+    promise.is_made = promise.is_made && double{least} > 2 * contract.viewport_error;
   }
   if (c.camera) return promise;
   const auto has = [&contract](float number) { return contract.numbers.has(number); };

@@ -128,6 +128,11 @@ struct Contract {
   /// distances, the distance of a point from a plane that cuts the triangle may be off besides: the
   /// new vertices of one plane are what the next one cuts. Only where `coverage` is snapped.
   double clip_error = 0;
+  /// How far the viewport's sides may lie from where a case has them, along either axis, in pixels:
+  /// all of the case is drawn by one viewport whose sides are no farther off, with positions
+  /// rounded after that. Nothing is promised of viewports that are no larger than twice that. Only
+  /// where `coverage` is snapped.
+  double viewport_error = 0;
   Claim claims = Claim::perspective;
   ValueBounds bounds;
   /// Whether triangles of one plane, z/w the same at all vertices, have one depth (RULES §6); the
@@ -196,10 +201,12 @@ struct Contract {
   bool is_affine(Interpolation declared) const;
   /// Whether it leaves more than one answer open, so that values are ranges.
   bool is_unspecified() const {
-    return basis == Basis::unspecified ||
+    return basis == Basis::unspecified || has_open_viewport() ||
            (coverage &&
             (coverage->rounding == Rounding::unspecified || coverage->position_error > 0));
   }
+  /// Whether several viewports may be drawn by.
+  bool has_open_viewport() const { return coverage && viewport_error > 0; }
 };
 
 /// Gives what a contract promises of a triangle (an index into the case's). Numbers are not looked

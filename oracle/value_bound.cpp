@@ -21,15 +21,29 @@ constexpr float kAllDigits = 0x1p24F;
 
 /// The points an attribute of a fragment may be evaluated at; of a centroid, which OpenGL and
 /// Vulkan let be anywhere in pixel and triangle, the centre and the samples that may be covered.
-std::vector<Point> locations(const TriangleSetup& triangle, const cases::Attribute& attribute,
-                             int x, int y, int sample) {
+std::vector<HomogeneousPoint> locations(const TriangleSetup& triangle,
+                                        const cases::Attribute& attribute, int x, int y,
+                                        int sample) {
   const Scene& scene = *triangle.scene;
-  if (attribute.location == cases::Location::sample) return {scene.sample_point(x, y, sample)};
-  std::vector<Point> points{Scene::center_point(x, y)};
+  std::vector<HomogeneousPoint> points;
+  const auto add = [&](const Point& p) {
+    if (!scene.contract().has_open_viewport()) {
+      points.emplace_back(p.u, p.v, Ring(1));
+      return;
+    }
+    // Both numbers that a bound depends on are greatest at corners.
+    const ConvexRegion shown = triangle.shown_at(p);
+    for (std::size_t i = 0; i < shown.size(); ++i) points.push_back(shown.vertex(i));
+  };
+  if (attribute.location == cases::Location::sample) {
+    add(scene.sample_point(x, y, sample));
+    return points;
+  }
+  add(Scene::center_point(x, y));
   if (attribute.location == cases::Location::center) return points;
   for (int s = 0; s < scene.source().framebuffer.samples; ++s) {
     if (decide(triangle, x, y, s).verdict == records::Verdict::forbidden) continue;
-    points.push_back(scene.sample_point(x, y, s));
+    add(scene.sample_point(x, y, s));
   }
   return points;
 }
@@ -66,25 +80,26 @@ std::optional<records::NotJudged> why_free(const TriangleSetup& triangle,
   return is_open ? std::optional(NotJudged::left_free) : std::nullopt;
 }
 
-std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const Point& p) {
+std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const HomogeneousPoint& p) {
   const ProjectiveMap& map = triangle.ideal;
   const Ring here = map.inverse_w().at(p);
   if (map.orientation() == 0 || sign_of(here) <= 0) return std::nullopt;
   if (!triangle.has_nonpositive_w) {
     const Ring least_w =
         std::min({triangle.columns[0][2], triangle.columns[1][2], triangle.columns[2][2]});
-    return quotient(map.determinant(), least_w * here);
+    return quotient(map.determinant() * p.t, least_w * here);
   }
   const ConvexRegion drawn = triangle.clipped_to_triangle(guard_band_of(*triangle.scene));
-  Fraction most = {here};
+  Fraction most = {here, p.t};
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const HomogeneousPoint& corner = drawn.vertex(i);
     most = greatest(most, {map.inverse_w().at(corner), corner.t});
   }
-  return quotient(most.numerator, most.denominator * here);
+  return quotient(most.numerator * p.t, most.denominator * here);
 }
 
-std::optional<Field> condition(const TriangleSetup& triangle, bool is_affine, const Point& p) {
+std::optional<Field> condition(const TriangleSetup& triangle, bool is_affine,
+                               const HomogeneousPoint& p) {
   const ProjectiveMap& map = triangle.ideal;
   if (map.orientation() == 0) return std::nullopt;
   const cases::Viewport& viewport = triangle.scene->source().viewport;
@@ -106,7 +121,7 @@ std::optional<Field> condition(const TriangleSetup& triangle, bool is_affine, co
     const auto& [x_j, y_j, w_j] = size[(i + 1) % 3];
     const auto& [x_k, y_k, w_k] = size[(i + 2) % 3];
     const Ring e = (y_j * w_k + y_k * w_j) * magnitude(p.u) +
-                   (x_j * w_k + x_k * w_j) * magnitude(p.v) + x_j * y_k + x_k * y_j;
+                   (x_j * w_k + x_k * w_j) * magnitude(p.v) + (x_j * y_k + x_k * y_j) * p.t;
     sizes += is_affine ? size[i][2] * e : e;
     weights += is_affine ? triangle.columns[i][2] * map.edge(i).at(p) : map.edge(i).at(p);
   }
@@ -151,7 +166,10 @@ std::optional<Rational> TriangleTruth::value_bound(std::optional<std::size_t> at
 
   const bool is_affine = setup_->scene->is_affine(*attribute);
   Field greatest(0);
-  for (const Point& p : locations(*setup_, source.attributes[*attribute], x, y, sample)) {
+  const std::vector<HomogeneousPoint> places =
+      locations(*setup_, source.attributes[*attribute], x, y, sample);
+  if (places.empty()) return std::nullopt;
+  for (const HomogeneousPoint& p : places) {
     Field here(0);
     if (bound.per_horizon > 0) {
       const std::optional<Field> ratio = is_affine ? Field(1) : horizon_ratio(*setup_, p);

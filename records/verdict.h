@@ -23,7 +23,8 @@ enum class Reason {
   not_promised,   ///< permitted: the contract promises nothing of the triangle
   outside,        ///< forbidden: beyond an edge, or on one that does not own it
   clipped,        ///< forbidden: beyond a clip plane or a clip distance
-  viewport,       ///< forbidden: outside the viewport, scissor or framebuffer
+  viewport,       ///< forbidden: outside the viewport, scissor or framebuffer; permitted: inside
+                  ///< by some of the viewports that may be drawn by
   culled,         ///< forbidden: the triangle faces the wrong way
   degenerate,     ///< forbidden: the triangle is seen edge-on or has no area
 };

@@ -23,6 +23,7 @@
 #include "backends/gl/internal/layers.h"
 #include "backends/gl/internal/objects.h"
 #include "backends/gl/internal/varyings.h"
+#include "backends/upright_viewport.h"
 #include "cases/json.h"
 
 namespace rastercheck::backends::gl {
@@ -132,6 +133,7 @@ Result<CaseDrawer> CaseDrawer::create(const Context& /*context*/) {
 }
 
 int CaseDrawer::subpixel_bits() const { return impl_->has.subpixel_bits; }
+int CaseDrawer::viewport_subpixel_bits() const { return impl_->has.viewport_subpixel_bits; }
 
 /// Has errors said in words where the driver does so.
 void CaseDrawer::Impl::listen() {
@@ -369,6 +371,9 @@ std::vector<cases::DrawBy> CaseDrawer::ways() const {
 
 Result<cases::Fragments> CaseDrawer::draw(const cases::Case& c, std::optional<cases::DrawBy> way,
                                           const std::function<void()>& go_on) {
+  if (const auto upright = with_upright_viewport(c, NegativeSizes::none)) {
+    return draw(*upright, way, go_on);
+  }
   impl_->complaint.clear();
   const bool appends = way ? *way == cases::DrawBy::append : impl_->appends(c);
   Result<cases::Fragments> drawn =

@@ -31,6 +31,7 @@ class CaseDrawer {
 
   /// GL_SUBPIXEL_BITS
   int subpixel_bits() const;
+  int viewport_subpixel_bits() const;
 
   /// The ways that the context has.
   std::vector<cases::DrawBy> ways() const;

@@ -38,7 +38,8 @@ class GlBackend : public Backend, public WaysOfDrawing {
   About about() const override {
     return {.description = context_.renderer(),
             .driver = gl::driver_of(context_.renderer_name(), context_.version()),
-            .api = ApiLimits{drawer_.subpixel_bits(), is_software(context_.renderer_name())},
+            .api = ApiLimits{drawer_.subpixel_bits(), is_software(context_.renderer_name()),
+                             drawer_.viewport_subpixel_bits()},
             .has_limits = true,
             .ways = ways()};
   }

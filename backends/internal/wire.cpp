@@ -74,9 +74,10 @@ void members(Archive& archive, T& p) {
 template <typename Archive, cases::Either<cases::Contract> T>
 void members(Archive& archive, T& c) {
   archive(c.numbers, c.coverage, c.basis, c.tie_rule, c.guard_band, c.is_on_grid, c.clip_tolerance,
-          c.clip_error, c.claims, c.bounds, c.keeps_equal_depth, c.keeps_constants,
-          c.keeps_sign_of_zero, c.is_invariant, c.keeps_vertex_values, c.derivative_bound,
-          c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds, c.triangles);
+          c.clip_error, c.viewport_error, c.claims, c.bounds, c.keeps_equal_depth,
+          c.keeps_constants, c.keeps_sign_of_zero, c.is_invariant, c.keeps_vertex_values,
+          c.derivative_bound, c.transform_bound, c.normal_bound, c.quad_share, c.texture_bounds,
+          c.triangles);
 }
 template <typename Archive, cases::Either<cases::Fragments> T>
 void members(Archive& archive, T& f) {
@@ -92,7 +93,7 @@ void members(Archive& archive, T& d) {
 }
 template <typename Archive, cases::Either<ApiLimits> T>
 void members(Archive& archive, T& l) {
-  archive(l.subpixel_bits, l.is_software);
+  archive(l.subpixel_bits, l.is_software, l.viewport_subpixel_bits);
 }
 template <typename Archive, cases::Either<About> T>
 void members(Archive& archive, T& a) {
@@ -262,6 +263,7 @@ bool has_meaning(const cases::Contract& c) {
                             c.guard_band,
                             c.clip_tolerance,
                             c.clip_error,
+                            c.viewport_error,
                             c.derivative_bound.value_or(0),
                             c.transform_bound.value_or(0),
                             c.normal_bound.value_or(0),

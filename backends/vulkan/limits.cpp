@@ -37,12 +37,6 @@ std::string lacks_viewport(const Limits& limits, const cases::Viewport& viewport
     if (border >= least && border <= greatest) continue;
     return fmt::format("viewports beyond {} to {} (viewportBoundsRange)", least, greatest);
   }
-  for (const float number : {viewport.x, viewport.y, viewport.width, viewport.height}) {
-    const float steps = std::ldexp(number, limits.viewport_subpixel_bits);
-    if (steps == std::floor(steps)) continue;
-    return fmt::format("viewports in parts of 2^-{} pixel (viewportSubPixelBits)",
-                       limits.viewport_subpixel_bits + 1);
-  }
   return "";
 }
 

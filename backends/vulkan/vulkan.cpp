@@ -15,6 +15,7 @@
 
 #include "backends/api_promise.h"
 #include "backends/factory.h"
+#include "backends/upright_viewport.h"
 #include "backends/vulkan/internal/case_drawing.h"
 #include "backends/vulkan/internal/device.h"
 #include "backends/vulkan/internal/open_device.h"
@@ -37,7 +38,8 @@ class VulkanBackend : public Backend, public WaysOfDrawing {
   About about() const override {
     return {.description = device_->description(),
             .driver = device_->driver(),
-            .api = ApiLimits{device_->limits().subpixel_bits, device_->is_software()},
+            .api = ApiLimits{device_->limits().subpixel_bits, device_->is_software(),
+                             device_->limits().viewport_subpixel_bits},
             .has_limits = true,
             .ways = ways()};
   }
@@ -56,6 +58,9 @@ class VulkanBackend : public Backend, public WaysOfDrawing {
   }
 
   Result<cases::Fragments> draw_in(const cases::Case& c, std::optional<cases::DrawBy> way) {
+    if (const auto upright = with_upright_viewport(c, NegativeSizes::height)) {
+      return draw_in(*upright, way);
+    }
     const std::string missing = vulkan::lacks(device_->limits(), c);
     if (!missing.empty()) return fail({"", "", "it lacks " + missing, Failure::unsupported});
     Result<cases::Fragments> drawn = drawing_.draw(c, way, [this] { go_on(); });

@@ -260,24 +260,44 @@ bool is_in_clipped_triangle(const TriangleSetup& triangle, const Point& p) {
       [&p](const ClipFunctional& functional) { return functional.line.sign_at(p) >= 0; });
 }
 
+/// Whether p is within the tolerance of a vertex with w ≠ 0, along both axes.
+bool is_beside_a_vertex(const TriangleSetup& triangle, const Point& p) {
+  return std::any_of(triangle.columns.begin(), triangle.columns.end(),
+                     [&](const RingVector3& column) {
+                       const Ring w = magnitude(column[2]);
+                       const Ring most = triangle.tolerance * w;
+                       const auto is_near = [&](const Ring& at, const Ring& of_vertex) {
+                         return magnitude(at * column[2] - of_vertex) <= most;
+                       };
+                       return sign_of(w) > 0 && is_near(p.u, column[0]) && is_near(p.v, column[1]);
+                     });
+}
+
 /// A triangle without area that is cut: its new vertices may give it some, near its line and no
 /// farther along it than its vertices.
 SampleVerdict decide_cut_degenerate(const TriangleSetup& triangle, const Point& p, Reason cut) {
+  const SampleVerdict open{Verdict::permitted, cut};
+  const SampleVerdict never{Verdict::forbidden, Reason::degenerate};
   if (!triangle.has_nonpositive_w) {
     const auto misses = [](const FieldRange& range, const Ring& at) {
       return Field(at) < range.lo || Field(at) > range.hi;
     };
-    if (misses(triangle.extent(0), p.u) || misses(triangle.extent(1), p.v)) {
-      return {Verdict::forbidden, Reason::degenerate};
-    }
+    if (misses(triangle.extent(0), p.u) || misses(triangle.extent(1), p.v)) return never;
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const Line& line = triangle.ideal.edge(i);
     if (line.is_constant()) continue;
-    if (side_within(line, triangle.tolerance, p) == 0) return {Verdict::permitted, cut};
-    break;  // all rows of adj(M) are multiples of one line
+    // All rows of adj(M) are multiples of one line.
+    return side_within(line, triangle.tolerance, p) == 0 ? open : never;
   }
-  return {Verdict::forbidden, Reason::degenerate};
+  return is_beside_a_vertex(triangle, p) ? open : never;  // all are one point
+}
+
+/// Why samples near a boundary of a triangle of shape cut are open.
+Reason reason_of_cut(const TriangleSetup& triangle) {
+  if (triangle.has_nonpositive_w) return Reason::nonpositive_w;
+  const bool is_open = triangle.scene->contract().has_open_viewport();
+  return is_open ? Reason::viewport : Reason::clip_edge;
 }
 
 /// Clipping makes new vertices, which are snapped too: an edge that was cut, and the clip edge, may
@@ -285,7 +305,7 @@ SampleVerdict decide_cut_degenerate(const TriangleSetup& triangle, const Point& 
 /// every point inside whose distance from its boundary exceeds t per axis, and covers none that is
 /// farther than t from the polygon.
 SampleVerdict decide_cut(const TriangleSetup& triangle, const Point& p) {
-  const Reason cut = triangle.has_nonpositive_w ? Reason::nonpositive_w : Reason::clip_edge;
+  const Reason cut = reason_of_cut(triangle);
   if (triangle.ideal.orientation() == 0) return decide_cut_degenerate(triangle, p, cut);
   const CutFacing facing = facing_of_cut(triangle);
   if (facing == CutFacing::culled) return {Verdict::forbidden, Reason::culled};
@@ -391,7 +411,8 @@ SampleVerdict decide_beside(const TriangleSetup& triangle, int x, int y, int sam
   const SampleVerdict decision = decide_point(triangle, p);
   const bool is_certain = side == ViewportSide::inside && !is_open;
   if (is_certain || decision.verdict != Verdict::required) return decision;
-  return {Verdict::permitted, Reason::clip_edge};
+  const bool is_open_viewport = scene.contract().has_open_viewport();
+  return {Verdict::permitted, is_open_viewport ? Reason::viewport : Reason::clip_edge};
 }
 
 }  // namespace

@@ -34,6 +34,12 @@ std::pair<std::uint16_t, std::uint16_t> rows_of(const SceneTruth& scene, std::si
     spread +=
         std::ldexp(1 + promise.position_error + promise.clip_tolerance + promise.side_tolerance,
                    -contract.coverage->subpixel_bits);
+    if (contract.has_open_viewport()) {
+      // What vertices are moved by grows with the viewport (TriangleSetup::open_viewport).
+      const double size =
+          std::min(std::fabs(source.viewport.width), std::fabs(source.viewport.height));
+      spread = spread / (1 - 2 * contract.viewport_error / size) + contract.viewport_error + 1;
+    }
   }
   const double half = source.viewport.height / 2.0;
   const double middle = source.viewport.y + half;

@@ -121,12 +121,12 @@ const std::vector<ClipFunctional>& TriangleSetup::clip_functionals() const {
   return *clip_functionals_;
 }
 
-/// A point whose square of half-width `reach` lies inside every side is inside whatever the corners
-/// become, and they still run round it the same way.
-bool TriangleSetup::is_deeper_than_reach() const {
+/// A point whose square of that half-width lies inside every side is inside whatever corners that
+/// are moved no farther become, and they still run round it the same way.
+bool TriangleSetup::has_points_deeper_than(const Ring& distance) const {
   ConvexRegion core = guard_band_of(*scene);
-  const auto clip_inwards = [this, &core](const Line& line) {
-    core.clip_above(line, band_of(line, reach));
+  const auto clip_inwards = [&](const Line& line) {
+    core.clip_above(line, band_of(line, distance));
   };
   for (std::size_t i = 0; i < 3; ++i) clip_inwards(ideal.edge(i));
   for (const ClipFunctional& functional : clip_functionals()) {
@@ -145,6 +145,8 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
   shape = Shape::placed;
   for (std::size_t i = 0; i < 3; ++i) {
     is_clipped[i] = is_clipped[i] || sign_of(columns[i][2]) <= 0 || is_beyond_guard_band(i);
+    // By another viewport it would be rounded elsewhere.
+    is_clipped[i] = is_clipped[i] || scene->contract().has_open_viewport();
     if (is_clipped[i]) {
       shape = Shape::cut;
     } else {
@@ -153,19 +155,38 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
   }
   const Ring unit(std::ldexp(1.0, -snapping.subpixel_bits));
   side_reach = Ring(promise.side_tolerance) * unit;
-  has_open_sides = promise.side_tolerance > 0 && scene->has_samples_within(near_double(side_reach));
   reach = candidate_radius(snapping) * unit;
   if (shape == Shape::cut) {
     tolerance = Ring(promise.clip_tolerance) * unit;
     reach = std::max(reach, tolerance);
-    may_turn = ideal.orientation() == 0 || !is_deeper_than_reach();
+    moved_alone = reach;
+    if (scene->contract().has_open_viewport()) open_viewport();
+    may_turn = ideal.orientation() == 0 || !has_points_deeper_than(moved_alone);
   } else {
     for (std::size_t i = 0; i < 3; ++i) {
       extreme_columns_[i] = placed_columns(*snapped[i], snapping.subpixel_bits, true);
     }
     corners_.resize(corner_count());
   }
+  has_open_sides = sign_of(side_reach) > 0 && scene->has_samples_within(near_double(side_reach));
   for (std::size_t i = 0; i < 3; ++i) edge_bands[i] = band_of(ideal.edge(i), reach);
+}
+
+/// Takes everything as the viewport that was asked for shows it. Let A be the affine map, one for
+/// each axis, that takes its sides to those of the one that is drawn by. A vertex that is moved by
+/// δ there is one that is moved by δ/s here, s the factor of A, and what is drawn at p is what
+/// would be here at A^-1(p): between the sides, which move by the error at most, no farther off
+/// than it. As it is one A for all vertices, it turns no triangle round.
+void TriangleSetup::open_viewport() {
+  const cases::Viewport& viewport = scene->source().viewport;
+  const double error = scene->contract().viewport_error;
+  const double size = std::min(std::fabs(viewport.width), std::fabs(viewport.height));
+  // 1/s at most; a few roundings make it no less.
+  const Ring grown(1 / (1 - 2 * error / size) * (1 + 0x1p-48));
+  moved_alone = grown * moved_alone;
+  tolerance = moved_alone + Ring(error);
+  reach = tolerance;
+  side_reach = grown * side_reach + Ring(error);
 }
 
 std::size_t TriangleSetup::corner_count() const {
@@ -202,6 +223,7 @@ const TriangleSetup::NearPositions& TriangleSetup::near_positions() const {
 
 const ProjectiveMap* TriangleSetup::value_map() const {
   const cases::Basis basis = scene->contract().basis;
+  if (shape != Shape::exact && scene->contract().has_open_viewport()) return nullptr;
   if (shape == Shape::exact || basis == cases::Basis::ideal) return &ideal;
   return basis == cases::Basis::snapped && corner_count() == 1 ? &corner(0) : nullptr;
 }
@@ -358,6 +380,14 @@ PixelBox TriangleSetup::pixels_of_clipped(const PixelBox& all) const {
   const auto [x0, x1] = touched(u, spread, all.x1);
   const auto [y0, y1] = touched(v, spread, all.y1);
   return intersection(all, {x0, y0, x1, y1});
+}
+
+ConvexRegion TriangleSetup::shown_at(const Point& p) const {
+  ConvexRegion places = box_around(p, Ring(scene->contract().viewport_error));
+  for (std::size_t i = 0; i < 3; ++i) {
+    places.clip_above(ideal.edge(i), -band_of(ideal.edge(i), moved_alone));
+  }
+  return places;
 }
 
 ConvexRegion TriangleSetup::clipped_to_triangle(ConvexRegion region) const {

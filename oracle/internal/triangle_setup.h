@@ -31,7 +31,9 @@ struct ClipFunctional {
 enum class Shape {
   exact,   ///< the mathematical one
   placed,  ///< that of the snapped vertices, none of which is clipped
-  cut,     ///< snapped, with new vertices where clip planes cut it: known to within a tolerance
+  /// Snapped, with new vertices where clip planes cut it, or drawn by any of several viewports:
+  /// known to within a tolerance.
+  cut,
 };
 
 /// More placements than this are not enumerated: three candidates per axis and vertex give 729.
@@ -86,12 +88,16 @@ struct TriangleSetup {
   Ring tolerance;
   /// Shape placed and cut: how far any vertex may have been moved, per axis, in pixels.
   Ring reach;
+  /// Shape cut: the part of `reach` that is each vertex's own. The rest is the viewport's, and the
+  /// same for all.
+  Ring moved_alone;
   /// Shape placed and cut: E_i changes by at most this where a point moves by `reach` along both
   /// axes: reach · (|A_i| + |B_i|). A point that is deeper inside every edge is inside however the
   /// vertices are placed, and they run round it the same way; one that is farther outside some edge
   /// is outside.
   std::array<Ring, 3> edge_bands;
-  /// Whether samples near the viewport's sides may be missing, so near that there may be some.
+  /// Whether samples near the viewport's sides may be missing, so near that there may be some, or
+  /// drawn beyond them.
   bool has_open_sides = false;
   /// How near, in pixels.
   Ring side_reach;
@@ -135,6 +141,10 @@ struct TriangleSetup {
   /// at its sides.
   PixelBox pixels() const;
 
+  /// The places of the viewport that was asked for which an open one may show at p, as far as moved
+  /// vertices may cover them; they may lie outside the ideal triangle.
+  ConvexRegion shown_at(const Point& p) const;
+
   /// `region` cut down to the closed ideal triangle and its clip functionals.
   ConvexRegion clipped_to_triangle(ConvexRegion region) const;
 
@@ -148,7 +158,8 @@ struct TriangleSetup {
   PixelBox pixels_of_clipped(const PixelBox& all) const;
   void set_up_clipping();
   void set_up_snapping(const cases::Snapping& snapping);
-  bool is_deeper_than_reach() const;
+  void open_viewport();
+  bool has_points_deeper_than(const Ring& distance) const;
   bool is_beyond_guard_band(std::size_t vertex) const;
   /// The corners of the clipped triangle within the guard band, without the ends of an edge.
   std::vector<HomogeneousPoint> corners_beside(std::size_t edge) const;

@@ -24,10 +24,11 @@ double least_bound(const TriangleSetup& triangle, std::optional<std::size_t> att
 
 /// g of cases::ValueBound at a point: the greatest 1/w of the triangle's vertices (of its corners
 /// after clipping where some w <= 0), divided by 1/w there. Nothing where 1/w <= 0.
-std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const Point& p);
+std::optional<Field> horizon_ratio(const TriangleSetup& triangle, const HomogeneousPoint& p);
 
 /// K of cases::ValueBound at a point, of what is linear in window space or in clip space. Nothing
 /// where the divisor is not positive.
-std::optional<Field> condition(const TriangleSetup& triangle, bool is_affine, const Point& p);
+std::optional<Field> condition(const TriangleSetup& triangle, bool is_affine,
+                               const HomogeneousPoint& p);
 
 }  // namespace rastercheck::oracle

@@ -179,9 +179,15 @@ std::optional<FractionRange> TriangleValues::cut_value(const Quantity& quantity,
   if (place == Place::center && decide_point(*triangle_, p).verdict != Verdict::required) {
     return std::nullopt;
   }
+  const cases::Contract& contract = triangle_->scene->contract();
   std::optional<FractionRange> range = range_over(quantity, cut_region(p));
-  if (triangle_->scene->contract().basis == cases::Basis::unspecified &&
-      (place == Place::sample || has_positive_inverse_w(triangle_->ideal, p))) {
+  if (contract.basis == cases::Basis::snapped) return range;
+  if (contract.has_open_viewport()) {
+    const Region beside = shown_region(p);
+    if (quantity.is_perspective && beside.has_pole()) return std::nullopt;
+    return hull(range, range_over(quantity, beside));
+  }
+  if (place == Place::sample || has_positive_inverse_w(triangle_->ideal, p)) {
     range = hull(range, single(evaluate(quantity, triangle_->ideal, p)));
   }
   return range;
@@ -193,6 +199,17 @@ const TriangleValues::Region& TriangleValues::cut_region(const Point& p) const {
         p, {&triangle_->ideal, triangle_->clipped_to_triangle(box_around(p, triangle_->reach))}};
   }
   return last_cut_->region;
+}
+
+TriangleValues::Region TriangleValues::shown_region(const Point& p) const {
+  return {&triangle_->ideal, triangle_->shown_at(p)};
+}
+
+bool TriangleValues::Region::has_pole() const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (sign_of(map->inverse_w().at(points.vertex(i))) <= 0) return true;
+  }
+  return false;
 }
 
 /// computed = N/D, D > 0, where computed D − N is zero.
@@ -319,14 +336,19 @@ std::optional<FractionRange> TriangleValues::centroid_range(const Quantity& quan
   if (triangle_->shape == Shape::exact) return range;
 
   // What is drawn need not lie in the exact triangle: an implementation may take a covered sample.
-  const bool ideal_may_be_taken =
-      map != nullptr || scene.contract().basis == cases::Basis::unspecified;
+  const bool ideal_may_be_taken = map != nullptr || scene.contract().basis != cases::Basis::snapped;
   if (!ideal_may_be_taken) return range;
   const ProjectiveMap& drawn = map == nullptr ? triangle_->ideal : *map;
   for (int s = 0; s < scene.source().framebuffer.samples; ++s) {
     if (decide(*triangle_, x, y, s).verdict == Verdict::forbidden) continue;
-    const std::optional<FractionRange> there =
-        single(evaluate(quantity, drawn, scene.sample_point(x, y, s)));
+    const Point p = scene.sample_point(x, y, s);
+    if (scene.contract().has_open_viewport()) {
+      const Region beside = shown_region(p);
+      if (quantity.is_perspective && beside.has_pole()) return std::nullopt;
+      range = hull(range, range_over(quantity, beside));
+      continue;
+    }
+    const std::optional<FractionRange> there = single(evaluate(quantity, drawn, p));
     // A sample that only snapping covers may lie behind the eye's horizon: undefined, as it is
     // under `sample`.
     if (!there && map != nullptr) return std::nullopt;

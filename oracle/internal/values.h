@@ -92,6 +92,8 @@ class TriangleValues {
     const ProjectiveMap* map = nullptr;
     ConvexRegion points;
 
+    /// Whether 1/w <= 0 at a corner.
+    bool has_pole() const;
     /// Whether the quantity is `computed` somewhere in it.
     bool attains(const Reading& reading, const Ring& computed) const;
   };
@@ -109,6 +111,8 @@ class TriangleValues {
                                             const Point& p, Place place) const;
   std::optional<FractionRange> cut_value(const Quantity& quantity, const Point& p,
                                          Place place) const;
+  /// Where the exact triangle may be evaluated for a sample p of an open viewport.
+  Region shown_region(const Point& p) const;
   std::optional<OpenValue> centroid_sample(const Quantity& quantity, const FractionRange& ends,
                                            int x, int y) const;
   std::optional<FractionRange> centroid_range(const Quantity& quantity, int x, int y) const;

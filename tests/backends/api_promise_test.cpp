@@ -56,6 +56,24 @@ TEST(ApiPromise, OfPositionsIsThatOfFiveOperations) {
   EXPECT_NEAR(contract.clip_tolerance, 1e-5 * 128 * 256 * 1.01 + 1, 1e-6);
 }
 
+// A side is less than a part of the viewport's grid away; where origin and size are rounded each
+// for itself, the far one is less than two.
+TEST(ApiPromise, LeavesOpenHowViewportsAreRounded) {
+  const auto error = [](const cases::Viewport& viewport, int bits) {
+    cases::Case c = case_of(kPlain);
+    c.viewport = viewport;
+    return api_promise(c, {8, false, bits}, kSpec).viewport_error;
+  };
+  EXPECT_EQ(error({3, -5, 64, 64, 0, 1}, 0), 0);
+  EXPECT_EQ(error({0.5F, 0, 64, 64, 0, 1}, 0), 1);
+  EXPECT_EQ(error({0, 0, 64, 63.5F, 0, 1}, 0), 1);
+  EXPECT_EQ(error({0, 0.5F, 64, 63.5F, 0, 1}, 0), 2);
+  EXPECT_EQ(error({0, 0.5F, 64, 63.5F, 0, 1}, 1), 0);
+  EXPECT_EQ(error({0, 0.25F, 64, 64, 0, 1}, 1), 0.5);
+  // Turned round it begins at 8.5.
+  EXPECT_EQ(error({40, 0, -31.5F, 64, 0, 1}, 0), 2);
+}
+
 /// By hand, of a right-angled triangle with legs of 32 pixels and w = 1 whose vertices are not
 /// moved: about the corners of its box Σ s_i is 5, 8, 8 and 11 times 32², D is 32².
 TEST(ApiPromise, OfValuesIsThatOfPlanesOverTheTriangle) {
@@ -229,17 +247,26 @@ struct Promised {
   cases::DriverPromise promise = kSpec;
   Form form = Form::weights;
   int samples = 1;
-  float size = 1;  ///< of the triangles, as a share of the window
+  float size = 1;              ///< of the triangles, as a share of the window
+  bool has_fractions = false;  ///< the viewport's sides lie between pixels
 };
 
 std::string name_of(const testing::TestParamInfo<Promised>& info) {
   const Promised& p = info.param;
   return std::string(cases::to_string(p.promise)) + "Form" +
          std::to_string(static_cast<int>(p.form)) + "Samples" + std::to_string(p.samples) +
-         (p.size < 1 ? "Small" : "");
+         (p.size < 1 ? "Small" : "") + (p.has_fractions ? "Fractions" : "");
 }
 
 class ApiPromiseHolds : public testing::TestWithParam<Promised> {};
+
+/// The viewport that may be drawn by: numbers that are no whole ones are rounded either way.
+cases::Viewport in_whole_pixels(cases::Viewport viewport, Arithmetic& op) {
+  for (float* const number : {&viewport.x, &viewport.y, &viewport.width, &viewport.height}) {
+    *number = op.coin() ? std::floor(*number) : std::ceil(*number);
+  }
+  return viewport;
+}
 
 /// Random triangles as an implementation may draw them: positions are computed, rounded to either
 /// neighbour on the grid, and values evaluated in a form, about a point of the bounding box or, as
@@ -264,17 +291,23 @@ TEST_P(ApiPromiseHolds, OfWhatRoundedArithmeticDraws) {
     }
     c.attributes = {{"r", cases::Interpolation::smooth, cases::Location::center}};
     for (int i = 0; i < 3; ++i) c.attribute_values.push_back(2 * unit() - 1);
+    if (param.has_fractions) c.viewport = {0.375F, -0.25F, 62.5F, 64.75F, 0, 1};
     Arithmetic op(is_ieee, round);
+    const cases::Viewport drawn_by = in_whole_pixels(c.viewport, op);
     std::array<Seen, 3> seen;
     for (std::size_t i = 0; i < 3; ++i) {
       const cases::ClipVertex& p = c.positions[i];
       const double inverse_w = op(1 / double{p.w});
+      const auto in_window = [&](float number, float origin, float size) {
+        const double half = double{size} / 2;
+        return op(op(op(double{number} * inverse_w) * half) + op(double{origin} + half));
+      };
       const auto snapped = [&op](double at) {
         return (op.coin() ? std::floor(at * 256) : std::ceil(at * 256)) / 256;
       };
       // Vulkan's y points down, as the case's does.
-      seen[i] = {snapped(op(op(op(double{p.x} * inverse_w) * 32) + 32)),
-                 snapped(op(op(op(double{p.y} * inverse_w) * 32) + 32)), inverse_w,
+      seen[i] = {snapped(in_window(p.x, drawn_by.x, drawn_by.width)),
+                 snapped(in_window(p.y, drawn_by.y, drawn_by.height)), inverse_w,
                  double{c.attribute_values[i]}};
     }
     c.rules = cases::Rules::vulkan;
@@ -373,7 +406,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Promised{cases::DriverPromise::ieee, Form::weights},
                     Promised{cases::DriverPromise::ieee, Form::pivot, 4},
                     Promised{cases::DriverPromise::ieee, Form::gradient, 1, 0.125F},
-                    Promised{cases::DriverPromise::ieee, Form::gradient, 4, 0.125F}),
+                    Promised{cases::DriverPromise::ieee, Form::gradient, 4, 0.125F},
+                    Promised{kSpec, Form::weights, 1, 1, true},
+                    Promised{cases::DriverPromise::ieee, Form::gradient, 1, 0.5F, true}),
     name_of);
 
 }  // namespace

@@ -301,6 +301,21 @@ TEST_P(GlBackend, DrawsWithinScissorAndViewport) {
             pixels_where([](int x, int y) { return x >= 2 && x < 10 && y >= 5 && y < 9; }));
 }
 
+// What a viewport of negative size shows is turned round, and so is which way it faces.
+TEST_P(GlBackend, DrawsWithinViewportsOfNegativeSize) {
+  cases::Case c = empty_case();
+  add(c, everything());
+  c.viewport = {10, 9, -8, -4, 0, 1};
+  EXPECT_EQ(pixels(draw(c)),
+            pixels_where([](int x, int y) { return x >= 2 && x < 10 && y >= 5 && y < 9; }));
+  c.cull = cases::Cull::back;
+  const std::size_t turned_twice = draw(c).size();
+  c.viewport = {10, 5, -8, 4, 0, 1};
+  const std::size_t turned_once = draw(c).size();
+  EXPECT_EQ(turned_once + turned_twice, 32U);
+  EXPECT_EQ(turned_once * turned_twice, 0U);
+}
+
 // A scissor test that is on while the next layer is cleared would leave what was there.
 TEST_P(GlBackend, ClearsAllOfEachLayer) {
   cases::Case c = empty_case();
@@ -360,8 +375,11 @@ TEST_P(GlBackend, RefusesWhatItDoesNotDraw) {
   add(c, everything());
   expect_unsupported(c, "rules of d3d");
   c.rules = cases::Rules::opengl;
+  // Its other side, 2^-30 − 16, is no float32.
+  c.viewport.y = 0x1p-30F;
   c.viewport.height = -kSide;
   expect_unsupported(c, "negative size");
+  c.viewport.y = 0;
   c.viewport.height = kSide;
   c.framebuffer.samples = 16;
   expect_unsupported(c, "samples");

@@ -79,14 +79,10 @@ TEST(VulkanLimits, AreOfViewports) {
     c.viewport = beyond;
     EXPECT_EQ(lacks(all(), c), "viewports beyond -32768 to 32767 (viewportBoundsRange)");
   }
-  c.viewport = {0.5F, 0, 64, 64};
-  EXPECT_EQ(lacks(all(), c), "");
-  for (const cases::Viewport& fine : {cases::Viewport{0.25F, 0, 64, 64},
-                                      {0, 0.25F, 64, 64},
-                                      {0, 0, 63.75F, 64},
-                                      {0, 0, 64, -63.75F}}) {
+  // How finely they are rounded is a matter of the promise.
+  for (const cases::Viewport& fine : {cases::Viewport{0.5F, 0, 64, 64}, {0, 0, 64, -63.75F}}) {
     c.viewport = fine;
-    EXPECT_EQ(lacks(all(), c), "viewports in parts of 2^-2 pixel (viewportSubPixelBits)");
+    EXPECT_EQ(lacks(all(), c), "");
   }
 }
 

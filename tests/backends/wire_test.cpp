@@ -45,6 +45,7 @@ cases::Contract full_contract() {
   contract.is_on_grid = false;
   contract.clip_tolerance = 3;
   contract.clip_error = 0.5;
+  contract.viewport_error = 0.25;
   contract.claims = cases::Claim::affine;
   contract.bounds = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}};
   contract.keeps_equal_depth = true;
@@ -101,7 +102,7 @@ TEST(Wire, BringsDrawingsAndErrors) {
   EXPECT_EQ(failed->problem->failure, Failure::unsupported);
 
   const About about{
-      "who", Driver{"what", "1.0"}, ApiLimits{8, true}, true, {"another", "and another"}};
+      "who", Driver{"what", "1.0"}, ApiLimits{8, true, 3}, true, {"another", "and another"}};
   const auto greeting = unpack_greeting(pack(Greeting{about, std::nullopt}));
   ASSERT_TRUE(greeting);
   EXPECT_EQ(greeting->about, about);
@@ -134,7 +135,7 @@ TEST(Wire, RefusesWhatNoContractSays) {
     broken[i] = '\xff';
     if (!unpack_contract(broken)) ++refused;
   }
-  EXPECT_EQ(refused, 16 + 4 + 27 + 8);
+  EXPECT_EQ(refused, 16 + 4 + 28 + 8);
 }
 
 // Kills: a comparison that is true of no number.

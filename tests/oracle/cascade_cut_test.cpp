@@ -96,6 +96,7 @@ cases::Contract cut_contract(const cases::Case& c) {
   contract.is_on_grid = *rc::gen::arbitrary<bool>();
   if (*rc::gen::inRange(0, 4) == 0) contract.tie_rule = cases::TieRule::unspecified;
   contract.guard_band = one_of({32768.0F, 50.0F});
+  contract.viewport_error = one_of({0.0, 0.0, 0.0, 0.0625, 1.0});
   cases::TrianglePromise promise;
   promise.position_error = c.coverage->position_error;
   promise.clip_tolerance = one_of({1.0, 1.5, 20.0, 90.0});

@@ -76,6 +76,7 @@ cases::Contract open_contract(const cases::Case& c) {
   cases::Contract contract = cases::contract_of(c);
   contract.is_on_grid = *rc::gen::arbitrary<bool>();
   contract.keeps_sign_of_zero = *rc::gen::arbitrary<bool>();
+  contract.viewport_error = one_of({0.0, 0.0, 0.0, 0.125, 1.0});
   contract.bounds.smooth = one_of<cases::ValueBound>({{0.5F, 0}, {8, 0}, {300, 0}, {0.5F, 0.25F}});
   contract.bounds.noperspective.constant = one_of({0.5F, 4.0F, 1000.0F});
   contract.bounds.depth.constant = one_of({0.5F, 1.0F, 50.0F});

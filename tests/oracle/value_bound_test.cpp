@@ -17,9 +17,9 @@ TEST(HorizonRatio, IsTheGreatestInverseWOverThatOfThePoint) {
                  {{{0}, {1}, {0}}});
   const SceneTruth truth(c, cases::contract_of(c));
   const TriangleSetup setup(truth.scene(), 0);
-  EXPECT_EQ(horizon_ratio(setup, {Ring(0.5), Ring(0.5)}).value(), Field(32, 11));
-  EXPECT_EQ(horizon_ratio(setup, {Ring(0.5), Ring(4)}).value(), Field(1));
-  EXPECT_FALSE(horizon_ratio(setup, {Ring(0.5), Ring(-4)}).has_value());
+  EXPECT_EQ(horizon_ratio(setup, {Ring(0.5), Ring(0.5), Ring(1)}).value(), Field(32, 11));
+  EXPECT_EQ(horizon_ratio(setup, {Ring(0.5), Ring(4), Ring(1)}).value(), Field(1));
+  EXPECT_FALSE(horizon_ratio(setup, {Ring(0.5), Ring(-4), Ring(1)}).has_value());
 }
 
 // With w = 1, 1, −1 the horizon (1/w = 0) runs between the second and the third vertex's mirror:
@@ -32,7 +32,7 @@ TEST(HorizonRatio, OfATriangleThroughTheEyeGoesToItsClippedCorners) {
   contract.guard_band = 16;
   const SceneTruth truth(c, contract);
   const TriangleSetup setup(truth.scene(), 0);
-  EXPECT_EQ(horizon_ratio(setup, {Ring(2), Ring(5)}).value(), Field(7) / Field(3, 2));
+  EXPECT_EQ(horizon_ratio(setup, {Ring(2), Ring(5), Ring(1)}).value(), Field(7) / Field(3, 2));
 }
 
 // By hand: w is 1 on the left border and 4 at the middle of the right one, so that 1/w, linear in
@@ -82,10 +82,10 @@ TEST(Condition, IsWhatTheWeightsAreMadeOfOverWhatTheyAre) {
   const cases::Case c = in_perspective(3);
   const SceneTruth truth(c, cases::contract_of(c));
   const TriangleSetup setup(truth.scene(), 0);
-  const Point p{Ring(1), Ring(1)};
+  const HomogeneousPoint p{Ring(1), Ring(1), Ring(1)};
   EXPECT_EQ(condition(setup, false, p).value(), Field(60, 7));
   EXPECT_EQ(condition(setup, true, p).value(), Field(9));
-  EXPECT_FALSE(condition(setup, false, {Ring(0), Ring(8)}).has_value());  // ΣE = 0
+  EXPECT_FALSE(condition(setup, false, {Ring(0), Ring(8), Ring(1)}).has_value());  // ΣE = 0
 }
 
 // The pixel's centre is at (1/2, 1/2): |E| = 80, 80, 40 and E = 24, 4, 2, K = 20/3. The range of
