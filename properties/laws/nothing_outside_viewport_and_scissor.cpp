@@ -8,7 +8,8 @@
 //   min(x0, x0 + W) <= u < max(x0, x0 + W)
 //
 // and on the far border, which OpenGL and Vulkan leave open, nothing is asked for; v alike. That
-// depends neither on the contract's coverage nor on any grid: the borders are not snapped. u is a
+// depends neither on the contract's coverage nor on any grid: the borders are not snapped. Where a
+// contract leaves open which viewport is drawn by, its sides may lie as much farther out. u is a
 // multiple of 1/16 below 2^15 and exact in double; the sum x0 + W of two floats need not be, and is
 // decided as an exact one. The scissor has x <= i < x + width of pixels, in whole numbers; it may
 // reach beyond the framebuffer or have no area.
@@ -44,33 +45,37 @@ using records::FragmentClass;
 
 enum class Where { inside, far_border, outside };
 
-/// Where `at` is, of the numbers between from and from + size.
-Where where(float from, float size, double at) {
+/// Where `at` is, of the numbers between from and from + size, or up to `error` beyond these.
+Where where(float from, float size, double error, double at) {
   const double begin{from};
-  const int end = sign_of_sum(std::array{begin, double{size}, -at});
+  const double extent{size};
+  const double outwards = size >= 0 ? error : -error;
+  const int past_begin = sign_of_sum(std::array{at, outwards, -begin});
+  const int before_end = sign_of_sum(std::array{begin, extent, outwards, -at});
   if (size >= 0) {
-    if (at < begin || end < 0) return Where::outside;
-    return end == 0 ? Where::far_border : Where::inside;
+    if (past_begin < 0 || before_end < 0) return Where::outside;
+    return before_end == 0 ? Where::far_border : Where::inside;
   }
-  if (end > 0 || at > begin) return Where::outside;
-  return at == begin ? Where::far_border : Where::inside;
+  if (before_end > 0 || past_begin > 0) return Where::outside;
+  return past_begin == 0 ? Where::far_border : Where::inside;
 }
 
 /// Which samples of a framebuffer may be drawn.
 class Window {
  public:
-  explicit Window(const cases::Case& c)
+  /// `error`: how far the viewport's sides may be off, in pixels.
+  Window(const cases::Case& c, double error)
       : scissor_(c.scissor), far_is_outside_(c.rules == cases::Rules::d3d) {
     const auto pattern = cases::standard_pattern(c.framebuffer.samples);
     samples_ = pattern.size();
     for (int x = 0; x < c.framebuffer.width; ++x) {
       for (const cases::SamplePosition& position : pattern) {
-        columns_.push_back(where(c.viewport.x, c.viewport.width, x + position.x / 16.0));
+        columns_.push_back(where(c.viewport.x, c.viewport.width, error, x + position.x / 16.0));
       }
     }
     for (int y = 0; y < c.framebuffer.height; ++y) {
       for (const cases::SamplePosition& position : pattern) {
-        rows_.push_back(where(c.viewport.y, c.viewport.height, y + position.y / 16.0));
+        rows_.push_back(where(c.viewport.y, c.viewport.height, error, y + position.y / 16.0));
       }
     }
   }
@@ -105,7 +110,7 @@ class Window {
 
 class OutsideCheck {
  public:
-  explicit OutsideCheck(const cases::Case& c) : case_(&c), window_(c), tally_(c) {}
+  OutsideCheck(const cases::Case& c, double error) : case_(&c), window_(c, error), tally_(c) {}
 
   void see(const cases::Fragments& drawn) {
     bool is_any_inside = false;
@@ -193,9 +198,10 @@ cases::Pipeline pipeline_without_test(const cases::Case& c) {
 
 Result<Check> check(const cases::ClipCase& clip, backends::Backend& backend,
                     std::uint64_t /*index*/) {
-  OutsideCheck all(clip);
   const Result<backends::Drawn> drawn = draw_promised(clip, backend);
   if (!drawn) return tl::unexpected(drawn.error());
+  const cases::Contract& contract = drawn->contract;
+  OutsideCheck all(clip, contract.has_open_viewport() ? contract.viewport_error : 0);
   all.see(drawn->fragments);
   if (backend.picture_drawer() != nullptr) {
     const cases::Pipeline pipeline = pipeline_without_test(clip);
