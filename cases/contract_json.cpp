@@ -118,7 +118,7 @@ void check_contract_header(const JsonNode& root) {
   root.expect_object(
       {"format", "version"},
       {"name", "promise", "coverage", "is_on_grid", "basis", "tie_rule", "guard_band",
-       "clip_tolerance", "clip_error", "claims", "bounds", "keeps_equal_depth", "keeps_constants",
+       "clip_tolerance", "clip_error", "viewport_error", "claims", "bounds", "keeps_equal_depth", "keeps_constants",
        "keeps_vertex_values", "keeps_sign_of_zero", "is_invariant", "derivative_bound",
        "quad_share", "numbers"});
 }
@@ -215,6 +215,7 @@ std::string to_json(const ContractTerms& terms) {
   all.add("guard_band", terms.guard_band);
   all.add("clip_tolerance", terms.clip_tolerance);
   all.add("clip_error", terms.clip_error);
+  all.add("viewport_error", terms.viewport_error);
   all.add("claims", terms.claims);
   if (const std::string bounds = bounds_text(terms); !bounds.empty()) all.add("bounds", bounds);
   all.add("keeps_equal_depth", terms.keeps_equal_depth);
@@ -250,6 +251,7 @@ ContractTerms read_contract_terms(const JsonNode& root) {
   read_term(root, "guard_band", terms.guard_band, size);
   read_term(root, "clip_tolerance", terms.clip_tolerance, size);
   read_term(root, "clip_error", terms.clip_error, size);
+  read_term(root, "viewport_error", terms.viewport_error, size);
   read_term(root, "claims", terms.claims,
             [](const JsonNode& node) { return node.enumerator<Claim>(); });
   if (root.has("bounds")) read_bounds(root["bounds"], terms);

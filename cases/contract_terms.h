@@ -41,6 +41,7 @@ struct ContractTerms {
   std::optional<float> guard_band;
   std::optional<float> clip_tolerance;
   std::optional<float> clip_error;
+  std::optional<float> viewport_error;
   std::optional<Claim> claims;
   std::optional<ValueBound> smooth;
   std::optional<ValueBound> noperspective;

@@ -34,6 +34,7 @@ ContractTerms all_terms() {
   terms.guard_band = 16384.5F;
   terms.clip_tolerance = 2.25F;
   terms.clip_error = 0.0625F;
+  terms.viewport_error = 0.5F;
   terms.claims = Claim::affine;
   terms.smooth = ValueBound{6.84F, 0.25F, 0x1p-24F, 1e-7F};
   terms.noperspective = ValueBound{1, 2, 3, 4};
@@ -132,6 +133,7 @@ TEST(ContractTerms, TakeThePlaceOfWhatIsPromised) {
   expected.is_on_grid = false;
   expected.clip_tolerance = 2.25;
   expected.clip_error = 0.0625;
+  expected.viewport_error = 0.5;
   expected.claims = Claim::affine;
   expected.bounds = {{6.84F, 0.25F, 0x1p-24F, 1e-7F}, {1, 2, 3, 4}, {0.51F}};
   expected.keeps_equal_depth = true;
