@@ -115,12 +115,26 @@ void check_contract_header(const JsonNode& root) {
   if (root.has("version") && root["version"].integer(0, std::numeric_limits<int>::max()) != 1) {
     root["version"].refuse("version must be 1");
   }
-  root.expect_object(
-      {"format", "version"},
-      {"name", "promise", "coverage", "is_on_grid", "basis", "tie_rule", "guard_band",
-       "clip_tolerance", "clip_error", "viewport_error", "claims", "bounds", "keeps_equal_depth", "keeps_constants",
-       "keeps_vertex_values", "keeps_sign_of_zero", "is_invariant", "derivative_bound",
-       "quad_share", "numbers"});
+  root.expect_object({"format", "version"}, {"name",
+                                             "promise",
+                                             "coverage",
+                                             "is_on_grid",
+                                             "basis",
+                                             "tie_rule",
+                                             "guard_band",
+                                             "clip_tolerance",
+                                             "clip_error",
+                                             "viewport_error",
+                                             "claims",
+                                             "bounds",
+                                             "keeps_equal_depth",
+                                             "keeps_constants",
+                                             "keeps_vertex_values",
+                                             "keeps_sign_of_zero",
+                                             "is_invariant",
+                                             "derivative_bound",
+                                             "quad_share",
+                                             "numbers"});
 }
 
 // Writing.
