@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/capabilities.h"
 #include "cases/case.h"
 #include "cases/contract.h"
 #include "cases/contract_terms.h"
@@ -54,6 +55,8 @@ struct About {
   /// Whether there are kinds of cases that it does not draw (Failure::unsupported): laws about
   /// these check nothing then, and labels are not reached, which is no fault of a run.
   bool has_limits = false;
+  /// Which cases it draws, as far as that is known beforehand.
+  cases::Capabilities capabilities = {};
   /// Specifications of backends that promise to draw the same bits as this one, fragments and
   /// pictures, derivatives aside where either has none. Empty: none does.
   std::vector<std::string> same_as = {};

@@ -81,7 +81,7 @@ std::vector<LookRequest> requests_of(const records::Comparison& comparison,
     if (growth.after) requests.push_back(request_of(growth, comparison.backend, kept));
   }
   std::vector<Specimen> again =
-      properties::draw_again(kept, comparison.backend, comparison.plan.seed, corpus, backends);
+      properties::draw_again(kept, comparison.backend, comparison.plan, corpus, backends);
   leave_out_others(again, kept_now);
   std::vector<LookRequest> parts =
       properties::changed_parts(kept, again, kMostGrowths + kMostParts);
@@ -104,7 +104,7 @@ std::vector<records::CloserLook> look_closer(const records::Comparison& comparis
   const std::vector<LookRequest> requests =
       requests_of(comparison, specimens_of(section_of_key(before, comparison.key)),
                   specimens_of(section_of_backend(after, comparison.backend)), corpus, backends);
-  return properties::closer_looks(requests, comparison.plan.seed, corpus, backends);
+  return properties::closer_looks(requests, comparison.plan, corpus, backends);
 }
 
 }  // namespace rastercheck::gate

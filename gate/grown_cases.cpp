@@ -25,7 +25,7 @@ std::optional<cases::Case> case_of(const records::Comparison& comparison,
     corpus = *std::move(read);
   }
   std::optional<cases::Case> found = properties::frozen_case(
-      {growth.law, comparison.backend, growth.origin, growth.index}, comparison.plan.seed, corpus);
+      {growth.law, comparison.backend, growth.origin, growth.index}, comparison.plan, corpus);
   const bool is_other =
       found && growth.origin == records::Origin::corpus && found->name != growth.name;
   return is_other ? std::nullopt : found;

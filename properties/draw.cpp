@@ -13,19 +13,31 @@ namespace {
 
 constexpr int kSizes = 101;
 
+const cases::Capabilities& everything() {
+  static const cases::Capabilities kEverything;
+  return kEverything;
+}
+
 }  // namespace
 
 struct Draw::State {
   rc::Random random;
   int size;
+  const cases::Capabilities* capabilities;
 };
 
-Draw::Draw(std::uint64_t seed, std::string_view stream, std::uint64_t index)
+Draw::Draw(std::uint64_t seed, std::string_view stream, std::uint64_t index,
+           const cases::Capabilities& capabilities)
     : state_(std::make_unique<State>(
           State{rc::Random(rc::Random::Key{{seed, fnv1a(stream), index, 0}}),
-                static_cast<int>(index % kSizes)})) {}
+                static_cast<int>(index % kSizes), &capabilities})) {}
+
+Draw::Draw(std::uint64_t seed, std::string_view stream, std::uint64_t index)
+    : Draw(seed, stream, index, everything()) {}
 
 Draw::~Draw() = default;
+
+const cases::Capabilities& Draw::capabilities() const { return *state_->capabilities; }
 
 int Draw::size() const { return state_->size; }
 

@@ -12,6 +12,7 @@
 #include <span>
 #include <string_view>
 
+#include "cases/capabilities.h"
 #include "cases/digest.h"
 
 namespace rastercheck::properties {
@@ -20,11 +21,18 @@ using cases::fnv1a;
 
 class Draw {
  public:
-  /// The choices of case `index` of a stream with a name: they depend on these three alone.
+  /// The choices of case `index` of a stream with a name, for a backend that draws so much, which
+  /// outlives them: they depend on these four alone.
+  Draw(std::uint64_t seed, std::string_view stream, std::uint64_t index,
+       const cases::Capabilities& capabilities);
+  /// For a backend that draws everything.
   Draw(std::uint64_t seed, std::string_view stream, std::uint64_t index);
   Draw(const Draw&) = delete;
   Draw& operator=(const Draw&) = delete;
   ~Draw();
+
+  /// What the case may ask for.
+  const cases::Capabilities& capabilities() const;
 
   /// How far to go, 0…100 (the index mod 101): how many triangles, how far out exponents reach.
   int size() const;

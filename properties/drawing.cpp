@@ -42,7 +42,7 @@ Error left_other_modes() {
 }
 
 Error no_promise() {
-  return {"", "", "it has numbers of magnitudes that the contract promises nothing of",
+  return {"", "", "it has a triangle or a value of which the contract promises nothing",
           Failure::unsupported};
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "oracle/transform.h"
+#include "properties/fitting.h"
 #include "properties/generator.h"
 
 namespace rastercheck::properties {
@@ -32,12 +33,34 @@ const Law* find_law(std::string_view id) {
   return found == law_registry().end() ? nullptr : &*found;
 }
 
-Draw draw_of(const Law& law, std::uint64_t seed, std::uint64_t index) {
-  // Laws were known by their sentences before they had ids: with spaces for hyphens, all but four
-  // keep the cases that these gave them.
+namespace {
+
+/// Laws were known by their sentences before they had ids: with spaces for hyphens, all but four
+/// keep the cases that these gave them.
+std::string stream_of(const Law& law) {
   std::string stream(law.id);
   std::replace(stream.begin(), stream.end(), '-', ' ');
-  return Draw(seed, stream, index);
+  return stream;
+}
+
+}  // namespace
+
+Draw draw_of(const Law& law, std::uint64_t seed, std::uint64_t index) {
+  return Draw(seed, stream_of(law), index);
+}
+
+Generated random_case(const Law& law, std::uint64_t seed, std::uint64_t index,
+                      const cases::Capabilities& capabilities) {
+  Draw draw(seed, stream_of(law), index, capabilities);
+  Generated made = law.generate(draw);
+  fit_case(draw, made.source);
+  return made;
+}
+
+cases::Capabilities capabilities_of(const backends::Backend& backend) {
+  cases::Capabilities capabilities = backend.about().capabilities;
+  capabilities.numbers = backend.contract({}).numbers;
+  return capabilities;
 }
 
 std::uint64_t least_reached(const Cover& cover, std::uint64_t checked) {

@@ -129,8 +129,17 @@ std::span<const Law> laws();
 /// The law of an id; nullptr where there is none.
 const Law* find_law(std::string_view id);
 
-/// The choices that a law's random case is made by: generate() takes them.
+/// The choices that a law's random case is made by, for a backend that draws everything: generate()
+/// takes them.
 Draw draw_of(const Law& law, std::uint64_t seed, std::uint64_t index);
+
+/// A law's random case, made for a backend that draws so much.
+Generated random_case(const Law& law, std::uint64_t seed, std::uint64_t index,
+                      const cases::Capabilities& capabilities);
+
+/// What random cases of a backend are made for: what it draws, and the numbers that it makes
+/// promises of.
+cases::Capabilities capabilities_of(const backends::Backend& backend);
 
 struct LawRegistration {
   explicit LawRegistration(const Law& law);

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "properties/fitting.h"
 #include "properties/random_floats.h"
 
 namespace rastercheck::properties {
@@ -215,6 +216,7 @@ Case random_state(Draw& draw, const StateRequest& request) {
   using cases::Rules;
   Case c;
   c.rules = draw.pick(std::array{Rules::opengl, Rules::vulkan, Rules::d3d});
+  c.rules = fitting_rules(draw, c.rules);
   c.basis = cases::default_basis(c.rules);
   c.fill_rule = cases::default_fill_rule(c.rules);
   if (draw.one_in(8)) {
@@ -226,6 +228,7 @@ Case random_state(Draw& draw, const StateRequest& request) {
     c.basis = draw.pick(std::array{cases::Basis::ideal, cases::Basis::snapped});
   }
   c.framebuffer.samples = draw.pick(std::array{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4, 2, 8, 16});
+  c.framebuffer.samples = fitting_samples(draw, c.framebuffer.samples);
   if (request.is_wide) {
     set_wide_size(draw, c.framebuffer);
   } else {
@@ -258,6 +261,7 @@ Case random_state(Draw& draw, const StateRequest& request) {
           static_cast<std::size_t>(draw.between(3, static_cast<int>(cases::kMaxClipDistances)));
     }
   }
+  fit_state(draw, c);
   return c;
 }
 

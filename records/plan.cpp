@@ -58,11 +58,18 @@ std::optional<cases::ContractTerms> with_promise(std::optional<cases::ContractTe
   return terms;
 }
 
+const cases::Capabilities& capabilities_of(const Plan& plan, const std::string& backend) {
+  static const cases::Capabilities kEverything;
+  const auto found = plan.capabilities.find(backend);
+  return found == plan.capabilities.end() ? kEverything : found->second;
+}
+
 Plan frozen(const Plan& plan) {
   Plan frozen;
   frozen.seed = plan.seed;
   frozen.cases_per_law = plan.cases_per_law;
   frozen.backends = {};
+  frozen.capabilities = plan.capabilities;
   frozen.properties = plan.properties;
   frozen.contract = plan.contract;
   frozen.promise = plan.promise;

@@ -4,10 +4,12 @@
 // run.json, baselines and comparisons.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cases/capabilities.h"
 #include "cases/contract_terms.h"
 #include "cases/draw_by.h"
 #include "records/shard.h"
@@ -38,7 +40,7 @@ struct Plan {
   std::uint64_t seed = 0;
   std::uint64_t cases_per_law = 1000;        ///< random ones
   std::vector<std::string> backends{"cpu"};  ///< as asked for
-  std::vector<std::string> laws = {};        ///< ids, in the order of tables
+  std::vector<std::string> laws = {};  ///< ids, in the order of tables
   /// The patterns that chose the laws; none: all laws were to be run.
   std::vector<std::string> properties = {};
   std::string scene =
@@ -61,8 +63,14 @@ struct Plan {
   double timeout = kDefaultTimeout;  ///< seconds that a foreign backend has for one drawing
   /// The part of the work that is done; nothing: all of it.
   std::optional<ShardNumber> shard = std::nullopt;
+  /// What those draw of the backends that do not draw every case: their random cases are made for
+  /// these. Found before the first case.
+  std::map<std::string, cases::Capabilities> capabilities = {};
   bool operator==(const Plan&) const = default;
 };
+
+/// What a plan's random cases of a backend are made for.
+const cases::Capabilities& capabilities_of(const Plan& plan, const std::string& backend);
 
 /// The terms with this promise of drivers in place of their own, if one is given.
 std::optional<cases::ContractTerms> with_promise(std::optional<cases::ContractTerms> terms,

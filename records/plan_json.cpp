@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cases/capabilities_json.h"
 #include "cases/contract_json.h"
 
 namespace rastercheck::records {
@@ -33,6 +34,7 @@ void members(Archive& archive, T& plan) {
   archive.required("seed", plan.seed);
   archive.required("cases_per_law", plan.cases_per_law);
   archive.optional("backends", plan.backends);
+  archive.optional("capabilities", plan.capabilities);
   archive.optional("laws", plan.laws);
   archive.optional("properties", plan.properties);
   archive.optional("scene", plan.scene);

@@ -133,6 +133,7 @@ Result<CaseDrawer> CaseDrawer::create(const Context& /*context*/) {
 }
 
 int CaseDrawer::subpixel_bits() const { return impl_->has.subpixel_bits; }
+cases::Capabilities CaseDrawer::capabilities() const { return drawable(impl_->has); }
 int CaseDrawer::viewport_subpixel_bits() const { return impl_->has.viewport_subpixel_bits; }
 
 /// Has errors said in words where the driver does so.

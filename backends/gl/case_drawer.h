@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "backends/gl/context.h"
+#include "cases/capabilities.h"
 #include "cases/case.h"
 #include "cases/draw_by.h"
 #include "cases/error.h"
@@ -32,6 +33,7 @@ class CaseDrawer {
   /// GL_SUBPIXEL_BITS
   int subpixel_bits() const;
   int viewport_subpixel_bits() const;
+  cases::Capabilities capabilities() const;
 
   /// The ways that the context has.
   std::vector<cases::DrawBy> ways() const;

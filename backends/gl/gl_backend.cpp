@@ -41,6 +41,7 @@ class GlBackend : public Backend, public WaysOfDrawing {
             .api = ApiLimits{drawer_.subpixel_bits(), is_software(context_.renderer_name()),
                              drawer_.viewport_subpixel_bits()},
             .has_limits = true,
+            .capabilities = drawer_.capabilities(),
             .ways = ways()};
   }
   WaysOfDrawing* ways_of_drawing() override { return this; }

@@ -95,9 +95,14 @@ template <typename Archive, cases::Either<ApiLimits> T>
 void members(Archive& archive, T& l) {
   archive(l.subpixel_bits, l.is_software, l.viewport_subpixel_bits);
 }
+template <typename Archive, cases::Either<cases::Capabilities> T>
+void members(Archive& archive, T& c) {
+  archive(c.rules, c.sample_counts, c.lacks, c.max_size, c.max_viewport, c.max_attributes, c.max_clip_distances,
+          c.numbers);
+}
 template <typename Archive, cases::Either<About> T>
 void members(Archive& archive, T& a) {
-  archive(a.description, a.driver, a.api, a.has_limits, a.same_as, a.ways);
+  archive(a.description, a.driver, a.api, a.has_limits, a.capabilities, a.same_as, a.ways);
 }
 template <typename Archive, cases::Either<Greeting> T>
 void members(Archive& archive, T& g) {
@@ -298,7 +303,9 @@ std::string pack(const cases::Contract& contract) { return packed(contract); }
 
 std::optional<Request> unpack_request(std::string_view bytes) { return unpacked<Request>(bytes); }
 std::optional<Greeting> unpack_greeting(std::string_view bytes) {
-  return unpacked<Greeting>(bytes);
+  std::optional<Greeting> greeting = unpacked<Greeting>(bytes);
+  if (greeting && !leaves_something(greeting->about.capabilities)) return std::nullopt;
+  return greeting;
 }
 std::optional<DrawingAnswer> unpack_drawing(std::string_view bytes) {
   std::optional<DrawingAnswer> drawing = unpacked<DrawingAnswer>(bytes);

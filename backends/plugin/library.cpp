@@ -86,6 +86,9 @@ std::string fault_of(const rastercheck_contract& contract) {
     return fmt::format("its contract's {} is {}, which has to be from 0 to {}", member.name,
                        member.value, member.most);
   }
+  constexpr std::uint32_t kAllRules =
+      RASTERCHECK_LACKS_OPENGL | RASTERCHECK_LACKS_VULKAN | RASTERCHECK_LACKS_D3D;
+  if ((contract.lacks & kAllRules) == kAllRules) return "its contract lacks every API's rules";
   return "";
 }
 
@@ -213,106 +216,57 @@ cases::Contract contract_of(const rastercheck_contract& contract, const cases::C
 
 namespace {
 
-using Need = bool (*)(const cases::Case&);
-
-bool has_rules(const cases::Case& c, cases::Rules rules) { return c.rules == rules; }
-
-/// Whether some vertex of a triangle is such a one.
-template <typename Is>
-bool has_vertex(const cases::Case& c, const Is& is) {
-  return std::any_of(c.triangles.begin(), c.triangles.end(), [&](const cases::Triangle& t) {
-    return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return is(c.positions[v]); });
-  });
-}
-
-bool has_attribute(const cases::Case& c, cases::Interpolation interpolation) {
-  return std::any_of(c.attributes.begin(), c.attributes.end(),
-                     [&](const cases::Attribute& a) { return a.interpolation == interpolation; });
-}
-
-/// One whose place is not the sample's own.
-bool has_location(const cases::Case& c, cases::Location location) {
-  return c.framebuffer.samples > 1 &&
-         std::any_of(c.attributes.begin(), c.attributes.end(), [&](const cases::Attribute& a) {
-           return a.location == location && a.interpolation != cases::Interpolation::flat;
-         });
-}
-
-bool is_depth_clipped(const cases::Case& c) {
-  const bool from_minus_one = c.rules == cases::Rules::opengl;
-  return !c.depth_clamp && has_vertex(c, [from_minus_one](const cases::ClipVertex& p) {
-    return p.z > p.w || p.z < (from_minus_one ? -p.w : 0);
-  });
-}
-
-bool is_whole_viewport(const cases::Case& c) {
-  const cases::Viewport& v = c.viewport;
-  return v.x == 0 && v.y == 0 && v.width == static_cast<float>(c.framebuffer.width) &&
-         v.height == static_cast<float>(c.framebuffer.height);
-}
-
-/// What a bit of rastercheck_contract.lacks stands for.
-struct LackedKind {
+/// A bit of rastercheck_contract.lacks, and the feature that it stands for.
+struct LackedFeature {
   std::uint32_t bit;
-  const char* name;
-  Need needs;
+  cases::Feature feature;
 };
-const std::array<LackedKind, 17> kKinds{{
-    {RASTERCHECK_LACKS_OPENGL, "OpenGL's rules",
-     [](const cases::Case& c) { return has_rules(c, cases::Rules::opengl); }},
-    {RASTERCHECK_LACKS_VULKAN, "Vulkan's rules",
-     [](const cases::Case& c) { return has_rules(c, cases::Rules::vulkan); }},
-    {RASTERCHECK_LACKS_D3D, "D3D's rules",
-     [](const cases::Case& c) { return has_rules(c, cases::Rules::d3d); }},
-    {RASTERCHECK_LACKS_NONPOSITIVE_W, "vertices with w <= 0",
-     [](const cases::Case& c) {
-       return has_vertex(c, [](const cases::ClipVertex& p) { return p.w <= 0; });
-     }},
-    {RASTERCHECK_LACKS_DEPTH_CLIPPING, "clipping by depth", &is_depth_clipped},
-    {RASTERCHECK_LACKS_CLIP_DISTANCES, "clip distances",
-     [](const cases::Case& c) { return c.clip_distance_count > 0; }},
-    {RASTERCHECK_LACKS_DEPTH_CLAMP, "depth clamp",
-     [](const cases::Case& c) { return c.depth_clamp; }},
-    {RASTERCHECK_LACKS_DEPTH_RANGE, "depth ranges but 0 to 1",
-     [](const cases::Case& c) { return c.viewport.min_depth != 0 || c.viewport.max_depth != 1; }},
-    {RASTERCHECK_LACKS_DEPTH_TEST, "the depth test",
-     [](const cases::Case& c) { return c.depth_test != cases::DepthTest::none; }},
-    {RASTERCHECK_LACKS_VIEWPORT, "viewports but the whole framebuffer",
-     [](const cases::Case& c) { return !is_whole_viewport(c); }},
-    {RASTERCHECK_LACKS_SCISSOR, "scissors",
-     [](const cases::Case& c) { return c.scissor.has_value(); }},
-    {RASTERCHECK_LACKS_CULLING, "culling",
-     [](const cases::Case& c) { return c.cull != cases::Cull::none; }},
-    {RASTERCHECK_LACKS_SMOOTH, "smooth attributes",
-     [](const cases::Case& c) { return has_attribute(c, cases::Interpolation::smooth); }},
-    {RASTERCHECK_LACKS_NOPERSPECTIVE, "noperspective attributes",
-     [](const cases::Case& c) { return has_attribute(c, cases::Interpolation::noperspective); }},
-    {RASTERCHECK_LACKS_FLAT, "flat attributes",
-     [](const cases::Case& c) { return has_attribute(c, cases::Interpolation::flat); }},
-    {RASTERCHECK_LACKS_CENTER, "attributes at centres of several samples",
-     [](const cases::Case& c) { return has_location(c, cases::Location::center); }},
-    {RASTERCHECK_LACKS_CENTROID, "attributes at centroids of several samples",
-     [](const cases::Case& c) { return has_location(c, cases::Location::centroid); }},
-}};
+constexpr std::array kFeatures{
+    LackedFeature{RASTERCHECK_LACKS_NONPOSITIVE_W, cases::Feature::nonpositive_w},
+    LackedFeature{RASTERCHECK_LACKS_DEPTH_CLIPPING, cases::Feature::depth_clipping},
+    LackedFeature{RASTERCHECK_LACKS_CLIP_DISTANCES, cases::Feature::clip_distances},
+    LackedFeature{RASTERCHECK_LACKS_DEPTH_CLAMP, cases::Feature::depth_clamp},
+    LackedFeature{RASTERCHECK_LACKS_DEPTH_RANGE, cases::Feature::depth_range},
+    LackedFeature{RASTERCHECK_LACKS_DEPTH_TEST, cases::Feature::depth_test},
+    LackedFeature{RASTERCHECK_LACKS_VIEWPORT, cases::Feature::viewport},
+    LackedFeature{RASTERCHECK_LACKS_SCISSOR, cases::Feature::scissor},
+    LackedFeature{RASTERCHECK_LACKS_CULLING, cases::Feature::culling},
+    LackedFeature{RASTERCHECK_LACKS_SMOOTH, cases::Feature::smooth},
+    LackedFeature{RASTERCHECK_LACKS_NOPERSPECTIVE, cases::Feature::noperspective},
+    LackedFeature{RASTERCHECK_LACKS_FLAT, cases::Feature::flat},
+    LackedFeature{RASTERCHECK_LACKS_CENTER, cases::Feature::center},
+    LackedFeature{RASTERCHECK_LACKS_CENTROID, cases::Feature::centroid}};
+
+bool has_rules(const rastercheck_contract& contract, cases::Rules rules) {
+  constexpr std::array<std::uint32_t, 3> kBits{RASTERCHECK_LACKS_OPENGL, RASTERCHECK_LACKS_VULKAN,
+                                               RASTERCHECK_LACKS_D3D};
+  return (contract.lacks & kBits[static_cast<std::size_t>(rules)]) == 0;
+}
 
 }  // namespace
 
+cases::Capabilities capabilities_of(const rastercheck_contract& contract) {
+  cases::Capabilities has;
+  std::erase_if(has.rules, [&](cases::Rules rules) { return !has_rules(contract, rules); });
+  for (const LackedFeature& one : kFeatures) {
+    if ((contract.lacks & one.bit) != 0) has.lacks.push_back(one.feature);
+  }
+  std::erase_if(has.sample_counts, [&](int samples) {
+    return contract.sample_counts != 0 &&
+           (contract.sample_counts & static_cast<std::uint32_t>(samples)) == 0;
+  });
+  constexpr auto kMaxSize = static_cast<std::uint32_t>(cases::kMaxSize);
+  if (contract.max_size != 0) {
+    has.max_size = static_cast<int>(std::min(contract.max_size, kMaxSize));
+  }
+  if (contract.max_attributes != 0) {
+    has.max_attributes = std::min(std::size_t{contract.max_attributes}, has.max_attributes);
+  }
+  return has;
+}
+
 std::string lacks(const rastercheck_contract& contract, const cases::Case& c) {
-  for (const LackedKind& kind : kKinds) {
-    if ((contract.lacks & kind.bit) != 0 && kind.needs(c)) return kind.name;
-  }
-  const auto samples = static_cast<std::uint32_t>(c.framebuffer.samples);
-  if (contract.sample_counts != 0 && (contract.sample_counts & samples) == 0) {
-    return fmt::format("{} samples", samples);
-  }
-  const auto size = static_cast<std::uint32_t>(std::max(c.framebuffer.width, c.framebuffer.height));
-  if (contract.max_size != 0 && size > contract.max_size) {
-    return fmt::format("framebuffers of {} pixels", size);
-  }
-  if (contract.max_attributes != 0 && c.attributes.size() > contract.max_attributes) {
-    return fmt::format("{} attributes", c.attributes.size());
-  }
-  return "";
+  return lacked_by(capabilities_of(contract), c);
 }
 
 std::string describe(const Plugin& plugin) {
@@ -328,10 +282,13 @@ std::string describe(const Plugin& plugin) {
   text += fmt::format(", smooth values within {}{} scale ULP", smooth.constant,
                       smooth.is_constant() ? "" : " and more");
   std::string missing;
-  for (const LackedKind& kind : kKinds) {
-    if ((contract.lacks & kind.bit) == 0) continue;
-    missing += (missing.empty() ? "" : ", ") + std::string(kind.name);
+  const auto add = [&missing](std::string_view what) {
+    missing += (missing.empty() ? "" : ", ") + std::string(what);
+  };
+  for (const cases::Rules rules : cases::Capabilities().rules) {
+    if (!has_rules(contract, rules)) add(cases::words_for(rules));
   }
+  for (const cases::Feature feature : capabilities_of(contract).lacks) add(to_string(feature));
   return missing.empty() ? text : text + "; not: " + missing;
 }
 

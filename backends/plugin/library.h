@@ -3,6 +3,7 @@
 #include <string>
 
 #include "backends/plugin/plugin.h"
+#include "cases/capabilities.h"
 #include "cases/contract.h"
 #include "cases/error.h"
 
@@ -26,6 +27,9 @@ Result<Plugin> checked_plugin(const rastercheck_plugin* theirs, const std::strin
 
 /// What a contract that was checked promises of a case.
 cases::Contract contract_of(const rastercheck_contract& contract, const cases::Case& c);
+
+/// Which cases it draws.
+cases::Capabilities capabilities_of(const rastercheck_contract& contract);
 
 /// What of a case it lacks, in words; empty where it draws the case.
 std::string lacks(const rastercheck_contract& contract, const cases::Case& c);

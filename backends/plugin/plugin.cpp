@@ -129,7 +129,9 @@ class PluginBackend : public Backend {
 
   About about() const override {
     // It may say of any draw that it has none of that kind.
-    return {.description = describe(plugin_), .has_limits = true};
+    return {.description = describe(plugin_),
+            .has_limits = true,
+            .capabilities = capabilities_of(plugin_.contract)};
   }
   cases::Contract promise(const cases::Case& c) const override {
     return contract_of(plugin_.contract, c);

@@ -78,6 +78,26 @@ std::string lacks_attributes(const Limits& limits, const cases::Case& c) {
 
 }  // namespace
 
+cases::Capabilities drawable(const Limits& limits) {
+  using cases::Feature;
+  cases::Capabilities all;
+  all.rules = {cases::Rules::vulkan};
+  if (limits.depth_clip_control) {
+    all.rules.insert(all.rules.begin(), cases::Rules::opengl);
+  }
+  const bool has_samples = limits.standard_sample_locations && limits.sample_rate_shading;
+  std::erase_if(all.sample_counts, [&](int count) {
+    return count > 1 &&
+           (!has_samples || (limits.sample_counts & static_cast<unsigned>(count)) == 0);
+  });
+  if (!limits.depth_clamp) all.lacks.push_back(Feature::depth_clamp);
+  all.max_size = std::min({limits.max_width, limits.max_height, cases::kMaxSize});
+  all.max_viewport = static_cast<int>(std::min({limits.max_viewport[0], limits.max_viewport[1],
+                                                static_cast<float>(cases::kMaxSize)}));
+  all.max_clip_distances = static_cast<std::size_t>(limits.clip_distances);
+  return all;
+}
+
 std::string lacks(const Limits& limits, const cases::Case& c) {
   for (const std::string& reason :
        {lacks_rules(limits, c), lacks_size(limits, c), lacks_viewport(limits, c.viewport),

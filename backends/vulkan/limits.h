@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "cases/capabilities.h"
 #include "cases/case.h"
 
 namespace rastercheck::backends::vulkan {
@@ -28,6 +29,9 @@ struct Limits {
   std::size_t max_storage = 0;   ///< of a storage buffer, bytes
   int slots = 3;                 ///< that one drawing can write (slots.h)
 };
+
+/// Which cases a device draws.
+cases::Capabilities drawable(const Limits& limits);
 
 /// What of a case a device lacks, in words; empty where it draws it.
 std::string lacks(const Limits& limits, const cases::Case& c);

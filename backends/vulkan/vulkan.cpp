@@ -41,6 +41,7 @@ class VulkanBackend : public Backend, public WaysOfDrawing {
             .api = ApiLimits{device_->limits().subpixel_bits, device_->is_software(),
                              device_->limits().viewport_subpixel_bits},
             .has_limits = true,
+            .capabilities = vulkan::drawable(device_->limits()),
             .ways = ways()};
   }
   WaysOfDrawing* ways_of_drawing() override { return this; }

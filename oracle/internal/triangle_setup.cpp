@@ -145,6 +145,7 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
   shape = Shape::placed;
   for (std::size_t i = 0; i < 3; ++i) {
     is_clipped[i] = is_clipped[i] || sign_of(columns[i][2]) <= 0 || is_beyond_guard_band(i);
+    is_whole = is_whole && !is_clipped[i];
     // By another viewport it would be rounded elsewhere.
     is_clipped[i] = is_clipped[i] || scene->contract().has_open_viewport();
     if (is_clipped[i]) {
@@ -282,7 +283,8 @@ const std::vector<TriangleSetup::SnappedEdge>& TriangleSetup::snapped_edge(std::
 }
 
 bool TriangleSetup::has_certain_orientation() const {
-  if (ideal.orientation() == 0 || has_nonpositive_w || shape == Shape::cut) return false;
+  if (ideal.orientation() == 0 || has_nonpositive_w) return false;
+  if (shape == Shape::cut) return is_whole && !may_turn;
   if (shape == Shape::exact) return !has_clipped_vertex;
   // Mostly the mean of the vertices' window positions, at which E_i = |det M|/(3 w_i), is deeper
   // inside than vertices move.

@@ -73,6 +73,10 @@ struct TriangleSetup {
   /// behind the eye or beyond the guard band.
   std::array<bool, 3> is_clipped{};
 
+  /// Shapes placed and cut: whether no vertex lies there, but for an open viewport, by which all
+  /// count as if.
+  bool is_whole = true;
+
   /// Shape placed and cut: the grid points of each vertex that is not clipped.
   std::array<std::optional<SnappedVertex>, 3> snapped;
   /// Shape placed: how many extreme placements there are (at most 64); one where there is one

@@ -261,6 +261,17 @@ std::vector<records::BackendPromises> TaskRunner::promises() {
   return all;
 }
 
+std::map<std::string, cases::Capabilities> TaskRunner::capabilities() {
+  std::map<std::string, cases::Capabilities> all;
+  for (const std::string& specification : plan_.backends) {
+    const Result<const Made*> drawing = made(specification);
+    if (!drawing) continue;
+    cases::Capabilities one = capabilities_of(*(*drawing)->backend);
+    if (!one.is_everything()) all.emplace(specification, std::move(one));
+  }
+  return all;
+}
+
 NumberedCase TaskRunner::numbered_case(const Task& task, const Law& law, std::uint64_t i) const {
   if (task.kind == TaskKind::corpus) {
     return {corpus_[i], std::string(records::kCorpusStratum), i, records::Origin::corpus};
@@ -270,8 +281,8 @@ NumberedCase TaskRunner::numbered_case(const Task& task, const Law& law, std::ui
     return {source, std::string(records::kSavedStratum), source.found->index,
             records::Origin::saved};
   }
-  Draw draw = draw_of(law, plan_.seed, i);
-  Generated generated = law.generate(draw);
+  Generated generated =
+      random_case(law, plan_.seed, i, records::capabilities_of(plan_, task.backend));
   return {std::move(generated.source), std::move(generated.stratum), i, records::Origin::random};
 }
 

@@ -113,6 +113,12 @@ class TaskRunner {
   /// Asks each of the plan's backends what it promises. One that cannot be made any more counts as
   /// promising what every law asks, and as drawing in a way of its own.
   std::vector<records::BackendPromises> promises();
+  /// What those of the plan's backends draw that do not draw every case.
+  std::map<std::string, cases::Capabilities> capabilities();
+  /// Has it make its random cases for these.
+  void make_cases_for(std::map<std::string, cases::Capabilities> capabilities) {
+    plan_.capabilities = std::move(capabilities);
+  }
 
  private:
   struct Made {

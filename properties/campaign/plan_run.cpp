@@ -72,6 +72,8 @@ Result<PlanRun> PlanRun::prepare(Checkpoint start, std::vector<cases::Case> corp
   } else {
     start.corpus_digest = digest_of(runner.corpus());
     start.known_digest = digest_of_known(*known);
+    start.plan.capabilities = runner.capabilities();
+    runner.make_cases_for(start.plan.capabilities);
   }
   PlanRun run(std::move(start), std::move(runner), *std::move(known), std::move(conduct));
   if (const Result<void> begun = run.campaign_.begin(); !begun) {

@@ -113,6 +113,8 @@ Result<void> check_same_campaign(const Run& here, const Run& there, const std::s
   difference.compare("scene", "'" + here.plan.scene + "'", "'" + there.plan.scene + "'");
   difference.expect(here.plan.contract == there.plan.contract,
                     "its contract file says something else");
+  difference.expect(here.plan.capabilities == there.plan.capabilities,
+                    "its backends draw other cases");
   difference.compare("corpus' digest", here.shard->corpus_digest, there.shard->corpus_digest);
   difference.compare("known drivers", drivers_of(here), drivers_of(there));
   difference.expect(

@@ -157,9 +157,9 @@ Findings check_cases(const Law& law, const std::string& name, backends::Backend&
                {corpus[i], std::string(records::kCorpusStratum), i, records::Origin::corpus},
                findings);
   }
+  const cases::Capabilities capabilities = capabilities_of(backend);
   for (std::uint64_t i = 0; i < options.cases && !is_over(); ++i) {
-    Draw draw = draw_of(law, options.seed, i);
-    Generated generated = law.generate(draw);
+    Generated generated = random_case(law, options.seed, i, capabilities);
     check_case(law, name, backend, options.seed,
                {std::move(generated.source), std::move(generated.stratum), i}, findings);
   }

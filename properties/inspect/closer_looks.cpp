@@ -30,9 +30,9 @@ oracle::PixelBox box_of(const Specimen& specimen) {
           top + static_cast<int>(specimen.height)};
 }
 
-std::optional<CloserLook> look_closer(const LookRequest& request, std::uint64_t seed,
+std::optional<CloserLook> look_closer(const LookRequest& request, const records::Plan& plan,
                                       std::span<const cases::Case> corpus, MadeBackends& made) {
-  std::optional<cases::Case> c = frozen_case(request.key, seed, corpus);
+  std::optional<cases::Case> c = frozen_case(request.key, plan, corpus);
   if (!c) return std::nullopt;
   CloserLook look;
   look.before = kept_around(request);
@@ -57,13 +57,13 @@ std::optional<CloserLook> look_closer(const LookRequest& request, std::uint64_t 
 
 }  // namespace
 
-std::vector<CloserLook> closer_looks(std::span<const LookRequest> requests, std::uint64_t seed,
-                                     std::span<const cases::Case> corpus,
+std::vector<CloserLook> closer_looks(std::span<const LookRequest> requests,
+                                     const records::Plan& plan, std::span<const cases::Case> corpus,
                                      const backends::BackendFactory& backends) {
   MadeBackends made(backends);
   std::vector<CloserLook> looks;
   for (const LookRequest& request : requests) {
-    if (auto look = look_closer(request, seed, corpus, made)) looks.push_back(*std::move(look));
+    if (auto look = look_closer(request, plan, corpus, made)) looks.push_back(*std::move(look));
   }
   return looks;
 }

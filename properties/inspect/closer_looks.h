@@ -13,6 +13,7 @@
 #include "cases/case.h"
 #include "records/case_record.h"
 #include "records/closer_look.h"
+#include "records/plan.h"
 #include "records/specimen.h"
 #include "records/stage_trace.h"
 
@@ -34,10 +35,10 @@ struct LookRequest {
   std::optional<records::Specimen> before = std::nullopt;
 };
 
-/// Draws each again, in order. `seed` is that of the run that the cases are from, whose corpus it
+/// Draws each again, in order. `plan` is that of the run that the cases are from, whose corpus it
 /// has to be. Left out is what cannot be drawn, or is not drawn so any more.
 std::vector<records::CloserLook> closer_looks(std::span<const LookRequest> requests,
-                                              std::uint64_t seed,
+                                              const records::Plan& plan,
                                               std::span<const cases::Case> corpus,
                                               const backends::BackendFactory& backends);
 

@@ -16,15 +16,15 @@ constexpr std::size_t kMostTriangles = 8;
 
 }  // namespace
 
-std::optional<cases::Case> frozen_case(const records::CaseKey& key, std::uint64_t seed,
+std::optional<cases::Case> frozen_case(const records::CaseKey& key, const records::Plan& plan,
                                        std::span<const cases::Case> corpus) {
   if (key.origin == records::Origin::corpus) {
     return key.index < corpus.size() ? std::optional(corpus[key.index]) : std::nullopt;
   }
   const Law* law = key.origin == records::Origin::random ? find_law(key.law) : nullptr;
   if (law == nullptr || law->generate == nullptr) return std::nullopt;
-  Draw draw = draw_of(*law, seed, key.index);
-  return law->generate(draw).source;
+  return random_case(*law, plan.seed, key.index, records::capabilities_of(plan, key.backend))
+      .source;
 }
 
 backends::Backend* MadeBackends::find(const std::string& specification) {

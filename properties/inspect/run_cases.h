@@ -19,6 +19,7 @@
 #include "properties/inspect/inspect.h"
 #include "records/case_record.h"
 #include "records/inspection.h"
+#include "records/plan.h"
 
 namespace rastercheck::properties {
 
@@ -32,7 +33,7 @@ struct CaseSources {
 
 /// A case that every run of the same seed has: of the corpus, or random. Nothing of other origins,
 /// and where there is none any more.
-std::optional<cases::Case> frozen_case(const records::CaseKey& key, std::uint64_t seed,
+std::optional<cases::Case> frozen_case(const records::CaseKey& key, const records::Plan& plan,
                                        std::span<const cases::Case> corpus);
 
 /// Backends, made when first asked for.

@@ -116,7 +116,7 @@ const cases::Case* find_saved(std::span<const cases::Case> saved, const std::str
 }
 
 /// The case that an error is of; nothing where there is none any more.
-std::optional<cases::Case> case_of(const Candidate& candidate, std::uint64_t seed,
+std::optional<cases::Case> case_of(const Candidate& candidate, const records::Plan& plan,
                                    const CaseSources& sources) {
   const auto& [law_name, backend, kind, stratum] = *candidate.key;
   const std::uint64_t index = candidate.worst->case_index;
@@ -132,12 +132,12 @@ std::optional<cases::Case> case_of(const Candidate& candidate, std::uint64_t see
   }
   const records::Origin origin =
       stratum == records::kCorpusStratum ? records::Origin::corpus : records::Origin::random;
-  return frozen_case({law_name, backend, origin, index}, seed, sources.corpus);
+  return frozen_case({law_name, backend, origin, index}, plan, sources.corpus);
 }
 
-std::optional<Inspection> inspect_candidate(const Candidate& candidate, std::uint64_t seed,
+std::optional<Inspection> inspect_candidate(const Candidate& candidate, const records::Plan& plan,
                                             const CaseSources& sources, MadeBackends& made) {
-  std::optional<cases::Case> c = case_of(candidate, seed, sources);
+  std::optional<cases::Case> c = case_of(candidate, plan, sources);
   if (!c) return std::nullopt;
   const WorstError& worst = *candidate.worst;
   const Focus focus{worst.place, worst.attribute};
@@ -166,8 +166,7 @@ void inspect_worst(const records::Run& run, const CaseSources& sources, MadeBack
     if (worst.size() == room) break;
     const std::vector<Candidate>& errors = group->second;
     for (std::size_t i = 0; i < std::min(errors.size(), kMostTries); ++i) {
-      std::optional<Inspection> inspection =
-          inspect_candidate(errors[i], run.plan.seed, sources, made);
+      std::optional<Inspection> inspection = inspect_candidate(errors[i], run.plan, sources, made);
       if (!inspection) continue;
       inspection->stratum = std::get<Stratum>(group->first);
       worst.push_back(*std::move(inspection));

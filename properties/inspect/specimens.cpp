@@ -196,7 +196,7 @@ class Choice {
     return key.backend == backend_ && draws_cases_as_they_stand(key.law);
   }
   std::optional<cases::Case> case_of(const CaseKey& key) const {
-    return frozen_case(key, run_->plan.seed, sources_->corpus);
+    return frozen_case(key, run_->plan, sources_->corpus);
   }
   bool has(const CaseKey& key, const cases::SamplePlace& at) const;
   bool add_first(const CaseKey& key, const CaseRecord& record);
@@ -297,13 +297,13 @@ std::vector<Specimen> make_specimens(const records::Run& run, const CaseSources&
 }
 
 std::vector<Specimen> draw_again(std::span<const Specimen> kept, const std::string& backend,
-                                 std::uint64_t seed, std::span<const cases::Case> corpus,
+                                 const records::Plan& plan, std::span<const cases::Case> corpus,
                                  const backends::BackendFactory& backends) {
   std::vector<Specimen> again;
   MadeBackends made(backends);
   for (const Specimen& one : kept) {
     backends::Backend* const drawing = made.find(backend);
-    const std::optional<cases::Case> c = frozen_case(one.key, seed, corpus);
+    const std::optional<cases::Case> c = frozen_case(one.key, plan, corpus);
     if (drawing == nullptr || !c) continue;
     const std::optional<CasePart> part = drawn_part(*c, one.triangle);
     if (!part) continue;

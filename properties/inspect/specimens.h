@@ -9,6 +9,7 @@
 
 #include "backends/factory.h"
 #include "properties/inspect/run_cases.h"
+#include "records/plan.h"
 #include "records/run.h"
 #include "records/specimen.h"
 
@@ -28,10 +29,10 @@ std::vector<records::Specimen> make_specimens(const records::Run& run, const Cas
                                               const backends::BackendFactory& backends);
 
 /// Draws the same parts of the same cases by another backend, or by the same one at another time.
-/// `seed` is that of the run that they are from, whose corpus it has to be. Left out is what cannot
+/// `plan` is that of the run that they are from, whose corpus it has to be. Left out is what cannot
 /// be drawn.
 std::vector<records::Specimen> draw_again(std::span<const records::Specimen> kept,
-                                          const std::string& backend, std::uint64_t seed,
+                                          const std::string& backend, const records::Plan& plan,
                                           std::span<const cases::Case> corpus,
                                           const backends::BackendFactory& backends);
 

@@ -35,6 +35,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -115,8 +116,11 @@ enum class Times { none, once, at_most_once, any };
 /// The viewport and its halves, exact.
 class Screen {
  public:
-  static std::optional<Screen> of(const cases::Case& c, std::vector<HalfPlane> planes) {
+  /// `error`: how far the viewport's sides may be off, in pixels.
+  static std::optional<Screen> of(const cases::Case& c, std::vector<HalfPlane> planes,
+                                  double error) {
     Screen screen(c, std::move(planes));
+    screen.error_ = error;
     const cases::Viewport& v = c.viewport;
     const std::array begins{double{v.x}, double{v.y}};
     const std::array sizes{double{v.width}, double{v.height}};
@@ -139,13 +143,16 @@ class Screen {
     const std::array position{x + at.x / 16.0, y + at.y / 16.0};
     if (!is_in_scissor(x, y)) return Times::none;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      if (position[axis] < low_[axis] || position[axis] > high_[axis]) return Times::none;
-      if (position[axis] == high_[axis]) return Times::any;
+      const double past_low = position[axis] - low_[axis];
+      const double before_high = high_[axis] - position[axis];
+      if (past_low < -kUp * error_ || before_high < -kUp * error_) return Times::none;
+      if (before_high == 0 || is_open(past_low) || is_open(before_high)) return Times::any;
     }
     Times result = Times::once;
     for (const HalfPlane& plane : planes_) {
       const std::size_t axis = plane.is_along_x ? 0 : 1;
       const double twice = 2 * position[axis];  // comparing is exact, subtracting need not be
+      if (is_open((twice - twice_middle_[axis]) / 2)) return Times::any;
       const int side = (twice > twice_middle_[axis]) - (twice < twice_middle_[axis]);
       const int inside = side * turn_[axis] * plane.sign;
       if (inside < 0) return Times::none;
@@ -168,9 +175,15 @@ class Screen {
     return holds(scissor_->x, scissor_->width, x) && holds(scissor_->y, scissor_->height, y);
   }
 
+  /// More than a few roundings of doubles.
+  static constexpr double kUp = 1 + 0x1p-40;
+  /// Whether a line at that distance may lie on either side.
+  bool is_open(double distance) const { return error_ > 0 && std::fabs(distance) <= kUp * error_; }
+
   std::vector<HalfPlane> planes_;
   std::span<const cases::SamplePosition> pattern_;
   std::optional<cases::Scissor> scissor_;
+  double error_ = 0;
   std::array<double, 2> low_{};
   std::array<double, 2> high_{};
   std::array<double, 2> twice_middle_{};
@@ -237,7 +250,13 @@ bool is_triangulation(const cases::Case& c, const cases::Contract& contract, Ver
                                         [](const ClipVertex& p) { return p.w > 0; });
   const auto edges = outline_of(c);
   if (!all_in_front || !edges || c.triangles.empty()) return false;
-  const double reach = contract.coverage ? placement_reach(*contract.coverage) : 0;
+  double reach = contract.coverage ? placement_reach(*contract.coverage) : 0;
+  if (contract.has_open_viewport()) {
+    // In a smaller viewport it is more of the screen.
+    const double size = std::min(std::fabs(c.viewport.width), std::fabs(c.viewport.height));
+    reach = size > 2 * contract.viewport_error ? reach / (1 - 2 * contract.viewport_error / size)
+                                               : std::numeric_limits<double>::infinity();
+  }
   if (!AreaOutline(c, reach).runs_around_once(*edges)) return false;
   const int orientation = verdicts.truth(0).orientation();
   for (std::uint32_t t = 0; t < c.triangles.size(); ++t) {
@@ -360,7 +379,8 @@ Result<Check> check(const cases::ClipCase& c, backends::Backend& backend, std::u
   const cases::Contract contract = backend.contract(clip);
   Verdicts verdicts(clip, contract);
   const auto planes = half_planes_of(clip);
-  const auto screen = planes ? Screen::of(clip, *planes) : std::nullopt;
+  const double error = contract.has_open_viewport() ? contract.viewport_error : 0;
+  const auto screen = planes ? Screen::of(clip, *planes, error) : std::nullopt;
   if (!screen || !is_triangulation(clip, contract, verdicts)) {
     return not_applicable();
   }

@@ -101,8 +101,21 @@ TEST(Wire, BringsDrawingsAndErrors) {
   EXPECT_EQ(to_string(*failed->problem), "a: b: c");
   EXPECT_EQ(failed->problem->failure, Failure::unsupported);
 
-  const About about{
-      "who", Driver{"what", "1.0"}, ApiLimits{8, true, 3}, true, {"another", "and another"}};
+  cases::Capabilities capabilities;
+  capabilities.rules = {cases::Rules::vulkan};
+  capabilities.sample_counts = {1, 4};
+  capabilities.lacks = {cases::Feature::centroid};
+  capabilities.max_size = 64;
+  capabilities.max_viewport = 65;
+  capabilities.max_attributes = 5;
+  capabilities.max_clip_distances = 6;
+  capabilities.numbers = {0.5F, 2};
+  const About about{.description = "who",
+                    .driver = Driver{"what", "1.0"},
+                    .api = ApiLimits{8, true, 3},
+                    .has_limits = true,
+                    .capabilities = capabilities,
+                    .same_as = {"another", "and another"}};
   const auto greeting = unpack_greeting(pack(Greeting{about, std::nullopt}));
   ASSERT_TRUE(greeting);
   EXPECT_EQ(greeting->about, about);

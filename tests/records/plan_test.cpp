@@ -45,6 +45,7 @@ TEST(Frozen, IsWhatDecidesTheCasesAndWhatTheyAreHeldTo) {
   expected.known = "lists";
   expected.ignores_known = true;
   expected.power = 5;
+  expected.capabilities = sample_plan().capabilities;
   EXPECT_EQ(frozen(sample_plan()), expected);
   EXPECT_EQ(frozen(frozen(sample_plan())), expected);
 }

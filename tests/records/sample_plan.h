@@ -17,6 +17,7 @@ inline Plan sample_plan() {
   plan.keeps_cases = true;
   plan.timeout = 0.5;
   plan.shard = {2, 7};
+  plan.capabilities["cpu"].rules = {cases::Rules::opengl};
   return plan;
 }
 

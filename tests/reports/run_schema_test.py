@@ -104,6 +104,9 @@ def complete(document):
     """The same with the keys that it lacks."""
     document["plan"] |= {
         "contract": {"file": "mine.json", "terms": {"format": "rastercheck-contract", "version": 1}},
+        "capabilities": {"cpu": {
+            "rules": ["opengl"], "sample_counts": [1, 4], "lacks": ["flat"], "max_size": 64, "max_viewport": 64,
+            "max_attributes": 2, "max_clip_distances": 1, "numbers": {"least": "0x1p-4", "greatest": "0x1p+4"}}},
         "promise": "spec", "draw_by": "append", "corpus": "a folder", "known": "another", "ignores_known": True, "scene_size": 640,
         "shrink_tries": 5, "shrink_seconds": 2.5, "power": 5, "keeps_cases": True,
         "shard": {"index": 2, "count": 7}}

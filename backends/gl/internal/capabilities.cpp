@@ -17,6 +17,22 @@ GLint integer(GLenum what) {
   return value;
 }
 
+/// The numbers of samples that colours and depths both have, of those that cases may have.
+std::vector<int> read_sample_counts(int most, bool says_which) {
+  std::vector<int> counts{1, 2, 4, 8, 16};
+  std::erase_if(counts, [most](int count) { return count > most; });
+  for (const GLenum format : {GLenum{GL_RGBA32F}, GLenum{GL_DEPTH_COMPONENT32F}}) {
+    if (!says_which) break;
+    std::array<GLint, 16> all{};
+    glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE_ARRAY, format, GL_SAMPLES,
+                          static_cast<GLsizei>(all.size()), all.data());
+    std::erase_if(counts, [&all](int count) {
+      return count > 1 && std::find(all.begin(), all.end(), count) == all.end();
+    });
+  }
+  return counts;
+}
+
 std::string lacks_of_viewport(const Capabilities& has, const cases::Viewport& v) {
   if (v.width < 0 || v.height < 0) return has.api + " has no viewports of negative size";
   for (const float number : {v.x, v.y, v.width, v.height}) {
@@ -122,6 +138,8 @@ Capabilities read_capabilities() {
   if (has.has_sample_targets) {
     has.max_samples =
         std::min(integer(GL_MAX_COLOR_TEXTURE_SAMPLES), integer(GL_MAX_DEPTH_TEXTURE_SAMPLES));
+    const bool says_which = desktop(42, "GL_ARB_internalformat_query") || has.is_es;
+    has.sample_counts = read_sample_counts(has.max_samples, says_which);
   }
   has.has_viewport_fractions = desktop(41, "GL_ARB_viewport_array");
   if (has.has_viewport_fractions) {
@@ -133,6 +151,25 @@ Capabilities read_capabilities() {
   }
   glGetIntegerv(GL_MAX_VIEWPORT_DIMS, has.max_viewport.data());
   return has;
+}
+
+cases::Capabilities drawable(const Capabilities& has) {
+  using cases::Feature;
+  cases::Capabilities all;
+  all.rules = {cases::Rules::opengl};
+  if (has.has_clip_control) all.rules.push_back(cases::Rules::vulkan);
+  all.sample_counts = has.has_sample_qualifier ? has.sample_counts : std::vector{1};
+  const auto add = [&all](bool has_it, Feature feature) {
+    if (!has_it) all.lacks.push_back(feature);
+  };
+  add(has.has_depth_clamp, Feature::depth_clamp);
+  add(has.clears_beyond_one, Feature::depth_test);
+  add(has.has_viewport_fractions, Feature::viewport_fractions);
+  add(has.has_noperspective, Feature::noperspective);
+  all.max_size = std::min(has.max_size, cases::kMaxSize);
+  all.max_viewport = std::min({has.max_viewport[0], has.max_viewport[1], cases::kMaxSize});
+  all.max_clip_distances = static_cast<std::size_t>(has.max_clip_distances);
+  return all;
 }
 
 std::string lacks(const Capabilities& has, const cases::Case& c) {

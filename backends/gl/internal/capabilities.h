@@ -5,7 +5,9 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
+#include "cases/capabilities.h"
 #include "cases/case.h"
 
 namespace rastercheck::backends::gl {
@@ -32,6 +34,7 @@ struct Capabilities {
   int max_size = 2048;  ///< of a target, in pixels
   int max_layers = 256;
   int max_samples = 1;
+  std::vector<int> sample_counts{1};       ///< those up to it, as far as the context says which
   std::size_t max_storage = 0;             ///< of a storage buffer, bytes
   std::array<float, 2> viewport_bounds{};  ///< pixels, inclusive, of x and y
   std::array<int, 2> max_viewport{};       ///< pixels
@@ -42,6 +45,9 @@ struct Capabilities {
 
 /// Of the context that is current, which is at least OpenGL 3.3 or OpenGL ES 3.0.
 Capabilities read_capabilities();
+
+/// Which cases a context draws, as far as it can say.
+cases::Capabilities drawable(const Capabilities& has);
 
 /// What of a case a context lacks, in words; empty where it lacks nothing. How many samples it
 /// really gives, and where these are, is to be seen when it draws.

@@ -46,6 +46,12 @@ const std::vector<cases::Case>& corpus() {
   return kCorpus;
 }
 
+records::Plan plan_of_seed(std::uint64_t seed) {
+  records::Plan plan;
+  plan.seed = seed;
+  return plan;
+}
+
 std::vector<Specimen> specimens_of(const records::Run& run) {
   CaseSources sources;
   sources.corpus = corpus();
@@ -53,7 +59,7 @@ std::vector<Specimen> specimens_of(const records::Run& run) {
 }
 
 std::vector<Specimen> again(const std::vector<Specimen>& kept, const std::string& backend) {
-  return draw_again(kept, backend, 1, corpus(), {});
+  return draw_again(kept, backend, plan_of_seed(1), corpus(), {});
 }
 
 using Stratum = std::tuple<std::string, std::string>;  ///< of a law's records
@@ -203,7 +209,8 @@ TEST(ChangedParts, PointAtThePixelThatChangedMost) {
 TEST(CloserLooks, ShowThePartThatWasKept) {
   std::vector<LookRequest> requests = lost_pixel();
   ASSERT_THAT(requests, SizeIs(1));
-  const std::vector<records::CloserLook> looks = closer_looks(requests, 1, corpus(), {});
+  const std::vector<records::CloserLook> looks =
+      closer_looks(requests, plan_of_seed(1), corpus(), {});
   ASSERT_THAT(looks, SizeIs(1));
   EXPECT_EQ(looks[0].before, requests[0].before);
   EXPECT_EQ(looks[0].inspection.width, requests[0].before->width);
@@ -221,13 +228,14 @@ TEST(CloserLooks, LeaveOutWhatIsNotWhatWasAskedFor) {
   request.attribute = 0;
   request.actual = 2.5F;
   request.before = specimens_of(run_of({"cpu"}, 0)).at(0);
-  EXPECT_THAT(closer_looks({{request}}, 1, corpus(), {}), SizeIs(1));
+  EXPECT_THAT(closer_looks({{request}}, plan_of_seed(1), corpus(), {}), SizeIs(1));
   request.before->triangle = 1;
-  const std::vector<records::CloserLook> other = closer_looks({{request}}, 1, corpus(), {});
+  const std::vector<records::CloserLook> other =
+      closer_looks({{request}}, plan_of_seed(1), corpus(), {});
   ASSERT_THAT(other, SizeIs(1));
   EXPECT_FALSE(other[0].before);
   request.actual = 2.25F;
-  EXPECT_THAT(closer_looks({{request}}, 1, corpus(), {}), IsEmpty());
+  EXPECT_THAT(closer_looks({{request}}, plan_of_seed(1), corpus(), {}), IsEmpty());
 }
 
 }  // namespace

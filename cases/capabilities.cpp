@@ -1,0 +1,160 @@
+#include "cases/capabilities.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rastercheck::cases {
+namespace {
+
+/// Whether some vertex of a triangle is such a one.
+template <typename Is>
+bool has_vertex(const Case& c, const Is& is) {
+  if (c.camera) return false;
+  return std::any_of(c.triangles.begin(), c.triangles.end(), [&](const Triangle& t) {
+    return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return is(c.positions[v]); });
+  });
+}
+
+bool has_attribute(const Case& c, Interpolation interpolation) {
+  return std::any_of(c.attributes.begin(), c.attributes.end(),
+                     [&](const Attribute& a) { return a.interpolation == interpolation; });
+}
+
+/// One whose place is not the sample's own.
+bool has_location(const Case& c, Location location) {
+  return c.framebuffer.samples > 1 &&
+         std::any_of(c.attributes.begin(), c.attributes.end(), [&](const Attribute& a) {
+           return a.location == location && a.interpolation != Interpolation::flat;
+         });
+}
+
+bool is_depth_clipped(const Case& c) {
+  const bool from_minus_one = c.rules == Rules::opengl;
+  return !c.depth_clamp && has_vertex(c, [from_minus_one](const ClipVertex& p) {
+    return p.z > p.w || p.z < (from_minus_one ? -p.w : 0);
+  });
+}
+
+bool has_viewport_fractions(const Case& c) {
+  const Viewport& v = c.viewport;
+  const std::array numbers{v.x, v.y, v.width, v.height};
+  return std::any_of(numbers.begin(), numbers.end(),
+                     [](float number) { return number != std::floor(number); });
+}
+
+bool is_whole_viewport(const Case& c) {
+  const Viewport& v = c.viewport;
+  return v.x == 0 && v.y == 0 && v.width == static_cast<float>(c.framebuffer.width) &&
+         v.height == static_cast<float>(c.framebuffer.height);
+}
+
+template <typename T>
+bool has_one(const std::vector<T>& all, const T& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+}  // namespace
+
+std::string_view words_for(Rules rules) {
+  constexpr std::array<std::string_view, 3> kWords{"OpenGL's rules", "Vulkan's rules",
+                                                   "D3D's rules"};
+  return kWords[static_cast<std::size_t>(rules)];
+}
+
+std::string_view to_string(Feature feature) {
+  constexpr std::array<std::string_view, kFeatures> kTexts{
+      "vertices with w <= 0",
+      "clipping by depth",
+      "clip distances",
+      "depth clamp",
+      "depth ranges but 0 to 1",
+      "the depth test",
+      "viewports but the whole framebuffer",
+      "viewports between pixels",
+      "scissors",
+      "culling",
+      "smooth attributes",
+      "noperspective attributes",
+      "flat attributes",
+      "attributes at centres of several samples",
+      "attributes at centroids of several samples"};
+  return kTexts[static_cast<std::size_t>(feature)];
+}
+
+bool needs(const Case& c, Feature feature) {
+  switch (feature) {
+    case Feature::nonpositive_w:
+      return has_vertex(c, [](const ClipVertex& p) { return p.w <= 0; });
+    case Feature::depth_clipping:
+      return is_depth_clipped(c);
+    case Feature::clip_distances:
+      return c.clip_distance_count > 0;
+    case Feature::depth_clamp:
+      return c.depth_clamp;
+    case Feature::depth_range:
+      return c.viewport.min_depth != 0 || c.viewport.max_depth != 1;
+    case Feature::depth_test:
+      return c.depth_test != DepthTest::none;
+    case Feature::viewport:
+      return !is_whole_viewport(c);
+    case Feature::viewport_fractions:
+      return has_viewport_fractions(c);
+    case Feature::scissor:
+      return c.scissor.has_value();
+    case Feature::culling:
+      return c.cull != Cull::none;
+    case Feature::smooth:
+      return has_attribute(c, Interpolation::smooth);
+    case Feature::noperspective:
+      return has_attribute(c, Interpolation::noperspective);
+    case Feature::flat:
+      return has_attribute(c, Interpolation::flat);
+    case Feature::center:
+      return has_location(c, Location::center);
+    case Feature::centroid:
+      return has_location(c, Location::centroid);
+  }
+  return false;
+}
+
+bool Capabilities::has(Feature feature) const { return !has_one(lacks, feature); }
+
+std::string lacked_by(const Capabilities& capabilities, const Case& c) {
+  if (!has_one(capabilities.rules, c.rules)) return std::string(words_for(c.rules));
+  for (const Feature feature : capabilities.lacks) {
+    if (needs(c, feature)) return std::string(to_string(feature));
+  }
+  if (!has_one(capabilities.sample_counts, c.framebuffer.samples)) {
+    return fmt::format("{} samples", c.framebuffer.samples);
+  }
+  const int size = std::max(c.framebuffer.width, c.framebuffer.height);
+  if (size > capabilities.max_size) return fmt::format("framebuffers of {} pixels", size);
+  const float viewport = std::max(std::fabs(c.viewport.width), std::fabs(c.viewport.height));
+  if (viewport > static_cast<float>(capabilities.max_viewport)) {
+    return fmt::format("viewports of {} pixels", viewport);
+  }
+  if (c.attributes.size() > capabilities.max_attributes) {
+    return fmt::format("{} attributes", c.attributes.size());
+  }
+  if (c.clip_distance_count > capabilities.max_clip_distances) {
+    return fmt::format("{} clip distances", c.clip_distance_count);
+  }
+  return "";
+}
+
+bool leaves_something(const Capabilities& capabilities) {
+  const Capabilities everything;
+  const auto are_known = [](const auto& some, const auto& all) {
+    return !some.empty() && std::all_of(some.begin(), some.end(),
+                                        [&](const auto& one) { return has_one(all, one); });
+  };
+  return are_known(capabilities.rules, everything.rules) &&
+         are_known(capabilities.sample_counts, everything.sample_counts) &&
+         capabilities.max_size >= 1 && capabilities.max_viewport >= 1 && capabilities.numbers.least >= 0 &&
+         capabilities.numbers.least <= 1 && capabilities.numbers.greatest >= 1;
+}
+
+}  // namespace rastercheck::cases

@@ -1,0 +1,74 @@
+#pragma once
+
+// Which cases a backend draws: what random cases are made for. A backend draws a case with none of
+// the features that it lacks, within these numbers.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/case.h"
+#include "cases/contract.h"
+#include "cases/names.h"
+
+namespace rastercheck::cases {
+
+/// What a case may need besides rules, sizes and numbers.
+enum class Feature {
+  nonpositive_w,       ///< a triangle's vertex with w <= 0
+  depth_clipping,      ///< a vertex beyond the near or far plane, without depth clamp
+  clip_distances,      ///< any
+  depth_clamp,         ///< of cases by other rules than D3D's, too
+  depth_range,         ///< any but 0 to 1
+  depth_test,          ///<
+  viewport,            ///< any but the whole framebuffer
+  viewport_fractions,  ///< sides between pixels
+  scissor,             ///<
+  culling,             ///<
+  smooth,              ///< attributes of that interpolation
+  noperspective,       ///<
+  flat,                ///<
+  center,              ///< attributes at the centre of pixels of several samples
+  centroid,            ///< at their centroid
+};
+constexpr auto names_of(Feature /*type*/) {
+  return std::to_array<std::string_view>({"nonpositive_w", "depth_clipping", "clip_distances",
+                                          "depth_clamp", "depth_range", "depth_test", "viewport",
+                                          "viewport_fractions", "scissor", "culling", "smooth",
+                                          "noperspective", "flat", "center", "centroid"});
+}
+inline constexpr std::size_t kFeatures = 15;
+/// For readers: "vertices with w <= 0".
+std::string_view to_string(Feature feature);
+/// "D3D's rules".
+std::string_view words_for(Rules rules);
+
+/// Whether a case without a camera needs it; of one with a camera, whose clip positions are
+/// nobody's yet, nothing is said of positions.
+bool needs(const Case& c, Feature feature);
+
+struct Capabilities {
+  std::vector<Rules> rules{Rules::opengl, Rules::vulkan, Rules::d3d};  ///< in this order
+  std::vector<int> sample_counts{1, 2, 4, 8, 16};                      ///< likewise
+  std::vector<Feature> lacks = {};  ///< in the enumeration's order, each once
+  int max_size = kMaxSize;          ///< of a framebuffer's width and height, pixels
+  int max_viewport = kMaxSize;      ///< of a viewport's, pixels
+  std::size_t max_attributes = kMaxAttributes;
+  std::size_t max_clip_distances = kMaxClipDistances;
+  /// Of positions, clip distances, attributes and the depth range: beyond them nothing is promised.
+  MagnitudeRange numbers;
+  bool operator==(const Capabilities&) const = default;
+
+  bool is_everything() const { return *this == Capabilities(); }
+  bool has(Feature feature) const;
+};
+
+/// What of a case is beyond these, for readers; empty where nothing is. Numbers are not looked at:
+/// what nothing is promised of may be drawn.
+std::string lacked_by(const Capabilities& capabilities, const Case& c);
+
+/// Whether there are cases within these at all, and numbers are such as cases may have.
+bool leaves_something(const Capabilities& capabilities);
+
+}  // namespace rastercheck::cases

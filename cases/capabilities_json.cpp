@@ -1,0 +1,37 @@
+#include "cases/capabilities_json.h"
+
+#include <nlohmann/json.hpp>
+
+
+namespace rastercheck::cases {
+
+template <typename Archive, Either<MagnitudeRange> T>
+void members(Archive& archive, T& range) {
+  archive.required("least", range.least);
+  archive.required("greatest", range.greatest);
+}
+
+template <typename Archive, Either<Capabilities> T>
+void members(Archive& archive, T& all) {
+  const Capabilities usual;
+  archive.optional("rules", all.rules, usual.rules);
+  archive.optional("sample_counts", all.sample_counts, usual.sample_counts);
+  archive.optional("lacks", all.lacks);
+  archive.optional("max_size", all.max_size, usual.max_size);
+  archive.optional("max_viewport", all.max_viewport, usual.max_viewport);
+  archive.optional("max_attributes", all.max_attributes, usual.max_attributes);
+  archive.optional("max_clip_distances", all.max_clip_distances, usual.max_clip_distances);
+  archive.optional("numbers", all.numbers);
+  archive.check([&](const JsonNode& node) {
+    if (!leaves_something(all)) node.refuse("leaves no case that could be drawn");
+  });
+}
+
+void write_value(nlohmann::json& to, const Capabilities& capabilities) {
+  write_members(to, capabilities);
+}
+void read_value(const JsonNode& node, Capabilities& capabilities) {
+  read_members(node, capabilities);
+}
+
+}  // namespace rastercheck::cases

@@ -1,0 +1,170 @@
+#include "properties/fitting.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "cases/capabilities.h"
+#include "properties/random_state.h"
+
+namespace rastercheck::properties {
+namespace {
+
+using cases::Capabilities;
+using cases::Feature;
+
+template <typename T>
+T fitting(Draw& draw, const T& chosen, const std::vector<T>& all) {
+  if (std::find(all.begin(), all.end(), chosen) != all.end()) return chosen;
+  return all[static_cast<std::size_t>(draw.between(0, static_cast<int>(all.size()) - 1))];
+}
+
+/// Takes a whole number of pixels in place of a fraction of one; of sizes at least one.
+void drop_fractions(cases::Viewport& viewport) {
+  viewport.x = std::floor(viewport.x);
+  viewport.y = std::floor(viewport.y);
+  for (float* const size : {&viewport.width, &viewport.height}) {
+    const float whole = std::floor(std::fabs(*size));
+    *size = std::copysign(std::max(whole, 1.0F), *size);
+  }
+}
+
+void fit_size(const Capabilities& has, cases::Case& c) {
+  c.framebuffer.width = std::min(c.framebuffer.width, has.max_size);
+  c.framebuffer.height = std::min(c.framebuffer.height, has.max_size);
+}
+
+void fit_viewport(const Capabilities& has, cases::Case& c) {
+  cases::Viewport& viewport = c.viewport;
+  if (!has.has(Feature::viewport)) {
+    viewport.x = 0;
+    viewport.y = 0;
+    viewport.width = static_cast<float>(c.framebuffer.width);
+    viewport.height = static_cast<float>(c.framebuffer.height);
+  }
+  if (!has.has(Feature::viewport_fractions)) drop_fractions(viewport);
+  const auto most = static_cast<float>(has.max_viewport);
+  viewport.width = std::clamp(viewport.width, -most, most);
+  viewport.height = std::clamp(viewport.height, -most, most);
+  if (!has.has(Feature::depth_range)) {
+    viewport.min_depth = 0;
+    viewport.max_depth = 1;
+  }
+  for (float* const depth : {&viewport.min_depth, &viewport.max_depth}) {
+    if (!has.numbers.has(*depth)) *depth = has.numbers.least;
+  }
+}
+
+/// An interpolation that the backend has, of which there is one at least where it has attributes.
+cases::Interpolation fitting_interpolation(Draw& draw, const Capabilities& has,
+                                           cases::Interpolation chosen) {
+  constexpr std::array kFeatures{Feature::smooth, Feature::noperspective, Feature::flat};
+  std::vector<cases::Interpolation> all;
+  for (const auto one : {cases::Interpolation::smooth, cases::Interpolation::noperspective,
+                         cases::Interpolation::flat}) {
+    if (has.has(kFeatures[static_cast<std::size_t>(one)])) all.push_back(one);
+  }
+  return all.empty() ? chosen : fitting(draw, chosen, all);
+}
+
+void fit_attributes(Draw& draw, const Capabilities& has, cases::Case& c) {
+  const bool has_any =
+      has.has(Feature::smooth) || has.has(Feature::noperspective) || has.has(Feature::flat);
+  const std::size_t most = has_any ? has.max_attributes : 0;
+  const std::size_t count = c.attributes.size();
+  if (count > most) {
+    std::vector<float> kept;
+    for (std::size_t v = 0; count > 0 && v * count < c.attribute_values.size(); ++v) {
+      const auto of_vertex = c.attributes_of(v).first(most);
+      kept.insert(kept.end(), of_vertex.begin(), of_vertex.end());
+    }
+    c.attribute_values = std::move(kept);
+    c.attributes.resize(most);
+  }
+  for (cases::Attribute& a : c.attributes) {
+    a.interpolation = fitting_interpolation(draw, has, a.interpolation);
+    if (c.framebuffer.samples == 1) continue;
+    const bool is_lacked = (a.location == cases::Location::center && !has.has(Feature::center)) ||
+                           (a.location == cases::Location::centroid && !has.has(Feature::centroid));
+    if (is_lacked) a.location = cases::Location::sample;
+  }
+}
+
+void drop_clip_distances(const Capabilities& has, cases::Case& c) {
+  const std::size_t most = has.has(Feature::clip_distances) ? has.max_clip_distances : 0;
+  const std::size_t count = c.clip_distance_count;
+  if (count <= most) return;
+  std::vector<float> kept;
+  for (std::size_t v = 0; v * count < c.clip_distances.size(); ++v) {
+    const auto of_vertex = c.clip_distances_of(v).first(most);
+    kept.insert(kept.end(), of_vertex.begin(), of_vertex.end());
+  }
+  c.clip_distances = std::move(kept);
+  c.clip_distance_count = most;
+}
+
+/// The number, or one of the same sign and digits whose exponent is within a range of some powers
+/// of two at least.
+float within(const cases::MagnitudeRange& range, float number) {
+  if (range.has(number)) return number;
+  int exponent = 0;
+  const float digits = std::frexp(number, &exponent);  // 1/2 to 1
+  const int lowest = range.least > 0 ? std::ilogb(range.least) + 2 : -125;
+  const int highest = std::ilogb(range.greatest) - 1;
+  const int span = highest - lowest;
+  if (span < 1) return std::copysign(range.least, number);
+  const int offset = ((exponent - lowest) % span + span) % span;
+  return std::ldexp(digits, lowest + offset);
+}
+
+void fit_vertices(const Capabilities& has, cases::Case& c) {
+  for (float& value : c.attribute_values) value = within(has.numbers, value);
+  for (float& distance : c.clip_distances) distance = within(has.numbers, distance);
+  if (c.camera) return;  // whose clip positions are nobody's yet
+  for (cases::ClipVertex& p : c.positions) {
+    p = {within(has.numbers, p.x), within(has.numbers, p.y), within(has.numbers, p.z),
+         within(has.numbers, p.w)};
+    if (!has.has(Feature::nonpositive_w) && p.w <= 0) p.w = p.w < 0 ? -p.w : 1;
+    if (!has.has(Feature::depth_clipping) && !c.depth_clamp && p.w > 0) {
+      p.z = std::clamp(p.z, near_depth(c) * p.w, p.w);
+    }
+  }
+}
+
+}  // namespace
+
+cases::Rules fitting_rules(Draw& draw, cases::Rules chosen) {
+  return fitting(draw, chosen, draw.capabilities().rules);
+}
+
+int fitting_samples(Draw& draw, int chosen) {
+  return fitting(draw, chosen, draw.capabilities().sample_counts);
+}
+
+void fit_state(Draw& draw, cases::Case& c) {
+  const Capabilities& has = draw.capabilities();
+  if (has.is_everything()) return;
+  fit_size(has, c);
+  fit_viewport(has, c);
+  if (!has.has(Feature::scissor)) c.scissor.reset();
+  if (!has.has(Feature::culling)) c.cull = cases::Cull::none;
+  if (!has.has(Feature::depth_clamp)) c.depth_clamp = false;
+  if (!has.has(Feature::depth_test)) c.depth_test = cases::DepthTest::none;
+  fit_attributes(draw, has, c);
+  drop_clip_distances(has, c);
+}
+
+void fit_case(Draw& draw, cases::Case& c) {
+  const Capabilities& has = draw.capabilities();
+  if (has.is_everything()) return;
+  c.rules = fitting_rules(draw, c.rules);
+  c.framebuffer.samples = fitting_samples(draw, c.framebuffer.samples);
+  fit_state(draw, c);
+  if (c.rules == cases::Rules::d3d && c.viewport.min_depth > c.viewport.max_depth) {
+    std::swap(c.viewport.min_depth, c.viewport.max_depth);
+  }
+  fit_vertices(has, c);
+}
+
+}  // namespace rastercheck::properties

@@ -1,0 +1,122 @@
+#include "cases/capabilities.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cases/capabilities_json.h"
+#include "cases/json.h"
+
+namespace rastercheck::cases::capabilities_test {
+namespace {
+
+Case plain() {
+  Case c;
+  c.framebuffer = {8, 4, 1};
+  c.viewport = {0, 0, 8, 4, 0, 1};
+  c.positions = {{0, 0, 0.5F, 1}, {1, 0, 0.5F, 1}, {0, 1, 0.5F, 1}, {0, 0, 5, -1}};
+  c.triangles = {{0, 1, 2}};
+  c.attributes = {{"a", Interpolation::smooth, Location::sample}};
+  c.attribute_values = {1, 2, 3, 4};
+  return c;
+}
+
+TEST(Capabilities, OfEverythingLackNothing) {
+  Case c = plain();
+  c.triangles[0][0] = 3;  // behind the eye, and beyond the far plane
+  c.viewport = {0.5F, 3, -7.25F, 2, 0.5F, 0};
+  c.framebuffer.samples = 16;
+  c.depth_test = DepthTest::less;
+  EXPECT_EQ(lacked_by({}, c), "");
+  EXPECT_TRUE(Capabilities().is_everything());
+}
+
+/// A case that is plain but for one thing, and what a backend without that says of it.
+template <typename Change>
+std::string without(Feature feature, const Change& change) {
+  Capabilities has;
+  has.lacks = {feature};
+  Case c = plain();
+  EXPECT_EQ(lacked_by(has, c), "") << to_string(feature);
+  EXPECT_FALSE(needs(c, feature));
+  change(c);
+  EXPECT_TRUE(needs(c, feature));
+  EXPECT_EQ(lacked_by({}, c), "");
+  return lacked_by(has, c);
+}
+
+// Kills: a feature that is looked for in the wrong place. The rest are the plugins'
+// (library_test.cpp).
+TEST(Capabilities, NameTheFeatureThatIsLacking) {
+  EXPECT_EQ(without(Feature::viewport, [](Case& c) { c.viewport.x = 1; }),
+            "viewports but the whole framebuffer");
+  EXPECT_EQ(without(Feature::viewport_fractions, [](Case& c) { c.viewport.height = 3.5F; }),
+            "viewports between pixels");
+  EXPECT_EQ(without(Feature::nonpositive_w, [](Case& c) { c.triangles[0][2] = 3; }),
+            "vertices with w <= 0");
+  EXPECT_EQ(without(Feature::scissor,
+                    [](Case& c) {
+                      c.scissor = Scissor{0, 0, 8, 4};
+                    }),
+            "scissors");
+}
+
+TEST(Capabilities, AreOfRulesSizesAndNumbersOfThings) {
+  Capabilities has;
+  has.rules = {Rules::opengl};
+  EXPECT_EQ(lacked_by(has, plain()), "Vulkan's rules");
+  has = {};
+  has.sample_counts = {1, 4};
+  Case c = plain();
+  c.framebuffer.samples = 2;
+  EXPECT_EQ(lacked_by(has, c), "2 samples");
+  has = {};
+  has.max_size = 7;
+  EXPECT_EQ(lacked_by(has, plain()), "framebuffers of 8 pixels");
+  has = {};
+  has.max_viewport = 7;
+  EXPECT_EQ(lacked_by(has, plain()), "viewports of 8 pixels");
+  has = {};
+  has.max_attributes = 0;
+  EXPECT_EQ(lacked_by(has, plain()), "1 attributes");
+  has = {};
+  has.max_clip_distances = 1;
+  c = plain();
+  c.clip_distance_count = 2;
+  EXPECT_EQ(lacked_by(has, c), "2 clip distances");
+}
+
+TEST(Capabilities, ComeBackAsTheyWere) {
+  Capabilities has;
+  has.rules = {Rules::vulkan, Rules::d3d};
+  has.sample_counts = {1, 8};
+  has.lacks = {Feature::depth_range, Feature::centroid};
+  has.max_size = 4096;
+  has.max_viewport = 8192;
+  has.max_attributes = 3;
+  has.max_clip_distances = 0;
+  has.numbers = {0x1p-30F, 0x1p24F};
+  for (const Capabilities& one : {has, Capabilities()}) {
+    const std::string text = json_line(json_of(one));
+    EXPECT_EQ(read_json(text, "file", &read_as<Capabilities>).value(), one) << text;
+  }
+}
+
+TEST(Capabilities, LeaveSomethingToDraw) {
+  Capabilities nothing;
+  nothing.rules.clear();
+  EXPECT_FALSE(leaves_something(nothing));
+  nothing = {};
+  nothing.sample_counts = {3};
+  EXPECT_FALSE(leaves_something(nothing));
+  nothing = {};
+  nothing.numbers = {2, 4};
+  EXPECT_FALSE(leaves_something(nothing));
+  const auto refused = read_json(R"({"sample_counts": []})", "file", &read_as<Capabilities>);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(to_string(refused.error()), "file: /: leaves no case that could be drawn");
+}
+
+}  // namespace
+}  // namespace rastercheck::cases::capabilities_test
