@@ -153,8 +153,9 @@ bool leaves_something(const Capabilities& capabilities) {
   };
   return are_known(capabilities.rules, everything.rules) &&
          are_known(capabilities.sample_counts, everything.sample_counts) &&
-         capabilities.max_size >= 1 && capabilities.max_viewport >= 1 && capabilities.numbers.least >= 0 &&
-         capabilities.numbers.least <= 1 && capabilities.numbers.greatest >= 1;
+         capabilities.max_size >= 1 && capabilities.max_viewport >= 1 &&
+         capabilities.numbers.least >= 0 && capabilities.numbers.least <= 1 &&
+         capabilities.numbers.greatest >= 1;
 }
 
 }  // namespace rastercheck::cases

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-
 namespace rastercheck::cases {
 
 template <typename Archive, Either<MagnitudeRange> T>

@@ -3,7 +3,8 @@
 // Capabilities as JSON:
 //
 //   {"rules": ["opengl"], "sample_counts": [1, 4], "lacks": ["depth_range"], "max_size": 4096,
-//    "max_viewport": 8192, "max_attributes": 8, "max_clip_distances": 0, "numbers": {"least": "…", "greatest": "…"}}
+//    "max_viewport": 8192, "max_attributes": 8, "max_clip_distances": 0, "numbers": {"least": "…",
+//    "greatest": "…"}}
 //
 // A key is absent where nothing is beyond a backend.
 

@@ -40,7 +40,7 @@ struct Plan {
   std::uint64_t seed = 0;
   std::uint64_t cases_per_law = 1000;        ///< random ones
   std::vector<std::string> backends{"cpu"};  ///< as asked for
-  std::vector<std::string> laws = {};  ///< ids, in the order of tables
+  std::vector<std::string> laws = {};        ///< ids, in the order of tables
   /// The patterns that chose the laws; none: all laws were to be run.
   std::vector<std::string> properties = {};
   std::string scene =

@@ -97,8 +97,8 @@ void members(Archive& archive, T& l) {
 }
 template <typename Archive, cases::Either<cases::Capabilities> T>
 void members(Archive& archive, T& c) {
-  archive(c.rules, c.sample_counts, c.lacks, c.max_size, c.max_viewport, c.max_attributes, c.max_clip_distances,
-          c.numbers);
+  archive(c.rules, c.sample_counts, c.lacks, c.max_size, c.max_viewport, c.max_attributes,
+          c.max_clip_distances, c.numbers);
 }
 template <typename Archive, cases::Either<About> T>
 void members(Archive& archive, T& a) {

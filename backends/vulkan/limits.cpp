@@ -92,8 +92,8 @@ cases::Capabilities drawable(const Limits& limits) {
   });
   if (!limits.depth_clamp) all.lacks.push_back(Feature::depth_clamp);
   all.max_size = std::min({limits.max_width, limits.max_height, cases::kMaxSize});
-  all.max_viewport = static_cast<int>(std::min({limits.max_viewport[0], limits.max_viewport[1],
-                                                static_cast<float>(cases::kMaxSize)}));
+  all.max_viewport = static_cast<int>(std::min(
+      {limits.max_viewport[0], limits.max_viewport[1], static_cast<float>(cases::kMaxSize)}));
   all.max_clip_distances = static_cast<std::size_t>(limits.clip_distances);
   return all;
 }
