@@ -46,12 +46,11 @@
 //    three operations for the depth range. Weights of vertices whose w is off by ω are off by ω:
 //    r, a mean of the values there, by 2ω of their range, and by ω max|r| for these.
 //
-// 4. Viewports. A driver reads their numbers in parts of 2^-f pixel, f its viewport's subpixel
-// bits,
-//    and no text says how it rounds: a side that is no such part may lie up to one away, the far
-//    one up to two where origin and size are rounded each for itself. Everything above is of the
-//    viewport that is drawn by, which is at most 1 + 2e/W times as large and shrinks triangles to
-//    1 − 2e/W at most (cases::Contract::viewport_error, e). What planes are off by does not
+// 4. Viewports. A driver reads their numbers in parts of 2^-f pixel, f its viewports' subpixel
+//    bits, and no text says how it rounds: a side that is no such part may lie up to one away, the
+//    far one up to two where origin and size are rounded each for itself. Everything above is of
+//    the viewport that is drawn by, which is at most 1 + 2e/W times as large and shrinks triangles
+//    to 1 − 2e/W at most (cases::Contract::viewport_error, e). What planes are off by does not
 //    depend on the scale of an axis, only distances in pixels count for more. In K of section 3
 //    each |X| is at most 1 + 4e/W times as large, as |w| e <= 2e/W |X|.
 //
@@ -267,6 +266,7 @@ class OneTriangle {
   void add_positions(std::span<const Vertex> vertices);
   void add_new_vertices(const Clipped& clipped, double least_w);
   double depth_scale() const;
+  double larger_condition() const;
   void set_values(double of_weights);
   void set_values_by_planes(bool is_cut);
   bool extrapolates(cases::Interpolation interpolation) const;
@@ -321,7 +321,7 @@ OneTriangle::OneTriangle(const cases::Case& c, const ApiLimits& limits,
   }
   if (!is_before_the_eye()) arithmetic_ = kSpecified;
   viewport_error_ = viewport_error(c.viewport, limits.viewport_subpixel_bits);
-  if (viewport_error_ > 0) grown_ = 1 / (1 - share_of_extent(c.viewport, viewport_error_));
+  if (viewport_error_ > 0) grown_ = cases::most_growth(c.viewport, viewport_error_);
 }
 
 /// A float32 that is no less.
@@ -341,7 +341,7 @@ cases::TrianglePromise OneTriangle::promise() {
     return promise_;
   }
   const Clipped clipped = clipped_to_view(*case_, vertices_);
-  const double of_weights = condition_of(case_->viewport, vertices_);
+  const double of_weights = condition_of(case_->viewport, vertices_) * larger_condition();
   // An edge of a triangle whose area is lost in rounding may pass through the eye, where cutting it
   // divides 0 by 0.
   const bool has_area = kPerCondition * arithmetic_.operation * of_weights < 1;
@@ -436,6 +436,13 @@ double OneTriangle::depth_scale() const {
   return range > 0 ? most / range : 1;
 }
 
+/// How many times larger K may be in another viewport that may be drawn by.
+double OneTriangle::larger_condition() const {
+  if (viewport_error_ == 0) return 1;
+  const double along_one = grown_ * (1 + 2 * share_of_extent(case_->viewport, viewport_error_));
+  return along_one * along_one;
+}
+
 /// `of_weights`: K of depth.
 void OneTriangle::set_values(double of_weights) {
   const double new_weights = kNewWeights * new_weight_;
@@ -443,8 +450,7 @@ void OneTriangle::set_values(double of_weights) {
   // Only the constant counts for a triangle without area.
   value.constant = of_weights < kInfinity ? in_ulps(kQuotient * arithmetic_.operation + new_weights)
                                           : kAllDigits;
-  const double larger = grown_ * (1 + 2 * share_of_extent(case_->viewport, viewport_error_));
-  value.per_condition = in_ulps(kPerCondition * arithmetic_.operation * larger * larger, 0);
+  value.per_condition = in_ulps(kPerCondition * arithmetic_.operation * larger_condition(), 0);
   promise_.bounds = {value, value, {}};
   promise_.bounds.depth.constant =
       in_ulps(depth_scale() *

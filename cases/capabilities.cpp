@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace rastercheck::cases {
 namespace {
@@ -145,17 +146,23 @@ std::string lacked_by(const Capabilities& capabilities, const Case& c) {
   return "";
 }
 
-bool leaves_something(const Capabilities& capabilities) {
+bool has_meaning(const Capabilities& capabilities) {
   const Capabilities everything;
-  const auto are_known = [](const auto& some, const auto& all) {
-    return !some.empty() && std::all_of(some.begin(), some.end(),
-                                        [&](const auto& one) { return has_one(all, one); });
+  const auto is_ordered = [](const auto& some) {
+    return std::adjacent_find(some.begin(), some.end(), std::greater_equal()) == some.end();
   };
-  return are_known(capabilities.rules, everything.rules) &&
-         are_known(capabilities.sample_counts, everything.sample_counts) &&
-         capabilities.max_size >= 1 && capabilities.max_viewport >= 1 &&
-         capabilities.numbers.least >= 0 && capabilities.numbers.least <= 1 &&
-         capabilities.numbers.greatest >= 1;
+  const auto are_some = [&is_ordered](const auto& some, const auto& all) {
+    return !some.empty() && is_ordered(some) &&
+           std::all_of(some.begin(), some.end(),
+                       [&](const auto& one) { return has_one(all, one); });
+  };
+  const auto is_size = [](int size) { return size >= 1 && size <= kMaxSize; };
+  return are_some(capabilities.rules, everything.rules) &&
+         are_some(capabilities.sample_counts, everything.sample_counts) &&
+         is_ordered(capabilities.lacks) && is_size(capabilities.max_size) &&
+         is_size(capabilities.max_viewport) && capabilities.max_attributes <= kMaxAttributes &&
+         capabilities.max_clip_distances <= kMaxClipDistances && capabilities.numbers.least >= 0 &&
+         capabilities.numbers.has(1);
 }
 
 }  // namespace rastercheck::cases

@@ -21,14 +21,14 @@ enum class Feature {
   clip_distances,      ///< any
   depth_clamp,         ///< of cases by other rules than D3D's, too
   depth_range,         ///< any but 0 to 1
-  depth_test,          ///<
+  depth_test,          ///< any but none
   viewport,            ///< any but the whole framebuffer
   viewport_fractions,  ///< sides between pixels
-  scissor,             ///<
-  culling,             ///<
+  scissor,             ///< any
+  culling,             ///< of either side
   smooth,              ///< attributes of that interpolation
-  noperspective,       ///<
-  flat,                ///<
+  noperspective,       ///< likewise
+  flat,                ///< likewise
   center,              ///< attributes at the centre of pixels of several samples
   centroid,            ///< at their centroid
 };
@@ -68,7 +68,7 @@ struct Capabilities {
 /// what nothing is promised of may be drawn.
 std::string lacked_by(const Capabilities& capabilities, const Case& c);
 
-/// Whether there are cases within these at all, and numbers are such as cases may have.
-bool leaves_something(const Capabilities& capabilities);
+/// Whether its members are such as they may be, and there are cases within them.
+bool has_meaning(const Capabilities& capabilities);
 
 }  // namespace rastercheck::cases

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "cases/case.h"
 
@@ -11,6 +12,13 @@ namespace rastercheck::cases {
 bool Contract::is_affine(Interpolation declared) const {
   return declared == Interpolation::noperspective ||
          (declared == Interpolation::smooth && claims == Claim::affine);
+}
+
+double most_growth(const Viewport& viewport, double error) {
+  const double size = std::min(std::fabs(viewport.width), std::fabs(viewport.height));
+  // Where the difference loses digits it is exact (Sterbenz 1974); there are two roundings more.
+  const double least = size - 2 * error;
+  return least > 0 ? size / least * (1 + 0x1p-48) : std::numeric_limits<double>::infinity();
 }
 
 TrianglePromise promise_of(const Contract& contract, const Case& c, std::size_t triangle) {
@@ -24,8 +32,8 @@ TrianglePromise promise_of(const Contract& contract, const Case& c, std::size_t 
     promise = contract.triangles[triangle];
   }
   if (contract.has_open_viewport()) {
-    const float least = std::min(std::fabs(c.viewport.width), std::fabs(c.viewport.height));
-    promise.is_made = promise.is_made && double{least} > 2 * contract.viewport_error;
+    promise.is_made =
+        promise.is_made && std::isfinite(most_growth(c.viewport, contract.viewport_error));
   }
   if (c.camera) return promise;
   const auto has = [&contract](float number) { return contract.numbers.has(number); };

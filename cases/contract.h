@@ -13,6 +13,7 @@
 namespace rastercheck::cases {
 
 struct Case;
+struct Viewport;
 enum class Interpolation;
 
 /// What smooth values are held against: what is linear in clip space, as the rules have it (RULES
@@ -129,9 +130,9 @@ struct Contract {
   /// new vertices of one plane are what the next one cuts. Only where `coverage` is snapped.
   double clip_error = 0;
   /// How far the viewport's sides may lie from where a case has them, along either axis, in pixels:
-  /// all of the case is drawn by one viewport whose sides are no farther off, with positions
-  /// rounded after that. Nothing is promised of viewports that are no larger than twice that. Only
-  /// where `coverage` is snapped.
+  /// all of the case is drawn by one viewport whose sides are no farther off, the same one wherever
+  /// the same is asked for, with positions rounded after that. Nothing is promised of viewports
+  /// that are no larger than twice that. Only where `coverage` is snapped.
   double viewport_error = 0;
   Claim claims = Claim::perspective;
   ValueBounds bounds;
@@ -208,6 +209,10 @@ struct Contract {
   /// Whether several viewports may be drawn by.
   bool has_open_viewport() const { return coverage && viewport_error > 0; }
 };
+
+/// How many pixels of a viewport one of the smallest is at most that may be drawn by, where sides
+/// may be `error` pixels off; infinite where it may vanish.
+double most_growth(const Viewport& viewport, double error);
 
 /// Gives what a contract promises of a triangle (an index into the case's). Numbers are not looked
 /// at of a case with a camera, whose clip positions are nobody's yet.

@@ -22,8 +22,8 @@ std::string words_of(const records::Plan& plan) {
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, " "));
 }
 
-/// What cases are held to but for a contract. Without the corpus's folder, and what
-/// the backend draws: which cases there are, digests tell.
+/// What cases are held to but for a contract. Without the corpus's folder, and what the backend
+/// draws: which cases there are, digests tell.
 records::Plan judged_by(records::Plan plan) {
   plan.seed = 0;
   plan.capabilities.clear();

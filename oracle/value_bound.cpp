@@ -31,7 +31,8 @@ std::vector<HomogeneousPoint> locations(const TriangleSetup& triangle,
       points.emplace_back(p.u, p.v, Ring(1));
       return;
     }
-    // Both numbers that a bound depends on are greatest at corners.
+    // Both numbers that a bound depends on are convex over affine and positive: nowhere are they
+    // greater than at a corner.
     const ConvexRegion shown = triangle.shown_at(p);
     for (std::size_t i = 0; i < shown.size(); ++i) points.push_back(shown.vertex(i));
   };

@@ -65,7 +65,10 @@ auto drawn_by(const cases::Case& c, const Call& call) -> decltype(call()) {
 
 Result<backends::Drawn> draw(const cases::Case& c, backends::Backend& backend) {
   if (!cases::promises_depth_range_of(backend.contract(c), c)) {
-    return tl::unexpected(no_promise());
+    return tl::unexpected(Error{"", "",
+                                "its depth range ends at numbers that the contract promises "
+                                "nothing of",
+                                Failure::unsupported});
   }
   return drawn_by(c, [&] { return backend.draw(c); });
 }

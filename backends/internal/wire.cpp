@@ -304,7 +304,7 @@ std::string pack(const cases::Contract& contract) { return packed(contract); }
 std::optional<Request> unpack_request(std::string_view bytes) { return unpacked<Request>(bytes); }
 std::optional<Greeting> unpack_greeting(std::string_view bytes) {
   std::optional<Greeting> greeting = unpacked<Greeting>(bytes);
-  if (greeting && !leaves_something(greeting->about.capabilities)) return std::nullopt;
+  if (greeting && !has_meaning(greeting->about.capabilities)) return std::nullopt;
   return greeting;
 }
 std::optional<DrawingAnswer> unpack_drawing(std::string_view bytes) {

@@ -36,9 +36,8 @@ std::pair<std::uint16_t, std::uint16_t> rows_of(const SceneTruth& scene, std::si
                    -contract.coverage->subpixel_bits);
     if (contract.has_open_viewport()) {
       // What vertices are moved by grows with the viewport (TriangleSetup::open_viewport).
-      const double size =
-          std::min(std::fabs(source.viewport.width), std::fabs(source.viewport.height));
-      spread = spread / (1 - 2 * contract.viewport_error / size) + contract.viewport_error + 1;
+      spread = spread * cases::most_growth(source.viewport, contract.viewport_error) +
+               contract.viewport_error + 1;
     }
   }
   const double half = source.viewport.height / 2.0;

@@ -176,14 +176,12 @@ void TriangleSetup::set_up_snapping(const cases::Snapping& snapping) {
 /// Takes everything as the viewport that was asked for shows it. Let A be the affine map, one for
 /// each axis, that takes its sides to those of the one that is drawn by. A vertex that is moved by
 /// δ there is one that is moved by δ/s here, s the factor of A, and what is drawn at p is what
-/// would be here at A^-1(p): between the sides, which move by the error at most, no farther off
-/// than it. As it is one A for all vertices, it turns no triangle round.
+/// would be here at A^-1(p). Between the sides, which move by the error at most, that is no farther
+/// off than the error, and nothing is drawn beyond them but what the vertices' own moves put there.
+/// As it is one A for all vertices, it turns no triangle round.
 void TriangleSetup::open_viewport() {
-  const cases::Viewport& viewport = scene->source().viewport;
   const double error = scene->contract().viewport_error;
-  const double size = std::min(std::fabs(viewport.width), std::fabs(viewport.height));
-  // 1/s at most; a few roundings make it no less.
-  const Ring grown(1 / (1 - 2 * error / size) * (1 + 0x1p-48));
+  const Ring grown(cases::most_growth(scene->source().viewport, error));
   moved_alone = grown * moved_alone;
   tolerance = moved_alone + Ring(error);
   reach = tolerance;

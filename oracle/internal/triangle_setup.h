@@ -73,8 +73,8 @@ struct TriangleSetup {
   /// behind the eye or beyond the guard band.
   std::array<bool, 3> is_clipped{};
 
-  /// Shapes placed and cut: whether no vertex lies there, but for an open viewport, by which all
-  /// count as if.
+  /// Shapes placed and cut: whether no vertex is clipped for a reason of its own. With an open
+  /// viewport all of `is_clipped` are set.
   bool is_whole = true;
 
   /// Shape placed and cut: the grid points of each vertex that is not clipped.

@@ -303,7 +303,9 @@ std::vector<Specimen> draw_again(std::span<const Specimen> kept, const std::stri
   MadeBackends made(backends);
   for (const Specimen& one : kept) {
     backends::Backend* const drawing = made.find(backend);
-    const std::optional<cases::Case> c = frozen_case(one.key, plan, corpus);
+    CaseKey key = one.key;
+    key.backend = backend;  // a baseline may name it otherwise
+    const std::optional<cases::Case> c = frozen_case(key, plan, corpus);
     if (drawing == nullptr || !c) continue;
     const std::optional<CasePart> part = drawn_part(*c, one.triangle);
     if (!part) continue;

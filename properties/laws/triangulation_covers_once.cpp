@@ -35,7 +35,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -253,9 +252,7 @@ bool is_triangulation(const cases::Case& c, const cases::Contract& contract, Ver
   double reach = contract.coverage ? placement_reach(*contract.coverage) : 0;
   if (contract.has_open_viewport()) {
     // In a smaller viewport it is more of the screen.
-    const double size = std::min(std::fabs(c.viewport.width), std::fabs(c.viewport.height));
-    reach = size > 2 * contract.viewport_error ? reach / (1 - 2 * contract.viewport_error / size)
-                                               : std::numeric_limits<double>::infinity();
+    reach *= cases::most_growth(c.viewport, contract.viewport_error);
   }
   if (!AreaOutline(c, reach).runs_around_once(*edges)) return false;
   const int orientation = verdicts.truth(0).orientation();

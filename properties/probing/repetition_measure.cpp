@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "properties/campaign/check_case.h"
+#include "properties/fitting.h"
 #include "properties/law.h"
 #include "properties/probing/measures.h"
 
@@ -32,10 +33,13 @@ RepetitionCounts count_repetitions(Subject& subject, const char* law_name,
   cases::ContractTerms asked = terms;
   if (!asked.numbers && before) asked.numbers = before->numbers;
   backend.hold_to(asked);
+  const cases::Capabilities capabilities = capabilities_of(backend);
   const int wanted = kCasesEach * subject.options().cases;
   for (int i = 0; i < wanted; ++i) {
-    MeasureDraw draw(subject, law_name, static_cast<std::uint64_t>(i));
+    Draw draw(subject.options().seed, "probe: " + std::string(law_name),
+              static_cast<std::uint64_t>(i), capabilities);
     Generated generated = law->generate(draw);
+    fit_case(draw, generated.source);
     AskedDrawing back = subject.asked();
     subject.ask(subject.options().asked);
     subject.ask_of(generated.source);

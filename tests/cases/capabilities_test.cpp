@@ -103,19 +103,31 @@ TEST(Capabilities, ComeBackAsTheyWere) {
   }
 }
 
-TEST(Capabilities, LeaveSomethingToDraw) {
+TEST(Capabilities, HaveMeaning) {
   Capabilities nothing;
   nothing.rules.clear();
-  EXPECT_FALSE(leaves_something(nothing));
+  EXPECT_FALSE(has_meaning(nothing));
   nothing = {};
   nothing.sample_counts = {3};
-  EXPECT_FALSE(leaves_something(nothing));
+  EXPECT_FALSE(has_meaning(nothing));
   nothing = {};
   nothing.numbers = {2, 4};
-  EXPECT_FALSE(leaves_something(nothing));
+  EXPECT_FALSE(has_meaning(nothing));
+  nothing = {};
+  nothing.rules = {Rules::vulkan, Rules::opengl};
+  EXPECT_FALSE(has_meaning(nothing));
+  nothing = {};
+  nothing.lacks = {Feature::flat, Feature::flat};
+  EXPECT_FALSE(has_meaning(nothing));
+  nothing = {};
+  nothing.max_size = kMaxSize + 1;
+  EXPECT_FALSE(has_meaning(nothing));
+  nothing = {};
+  nothing.max_attributes = kMaxAttributes + 1;
+  EXPECT_FALSE(has_meaning(nothing));
   const auto refused = read_json(R"({"sample_counts": []})", "file", &read_as<Capabilities>);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(to_string(refused.error()), "file: /: leaves no case that could be drawn");
+  EXPECT_EQ(to_string(refused.error()), "file: /: says what cannot be, or leaves no case to draw");
 }
 
 }  // namespace

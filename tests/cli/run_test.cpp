@@ -470,8 +470,8 @@ TEST_F(Run, SaysThatNothingWasJudgedOfAScene) {
   const Outcome outcome = run(asked);
   EXPECT_EQ(outcome.code, 5) << outcome;
   EXPECT_THAT(outcome.out,
-              HasSubstr("Scene far.obj on cpu: nothing was judged of its 1 triangle, as it "
-                        "has numbers of magnitudes that"));
+              HasSubstr("Scene far.obj on cpu: nothing was judged of its 1 triangle, as its "
+                        "depth range ends at numbers that"));
   EXPECT_THAT(run_json().at("pictures"), IsEmpty());
   EXPECT_EQ(run_json().at("scenes").at(0).at("judged"), 0);
   EXPECT_THAT(folder_.content("out/summary.md"), HasSubstr("Scene far.obj on cpu"));

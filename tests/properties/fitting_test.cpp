@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "backends/factory.h"
 #include "cases/capabilities.h"
+#include "cases/contract_terms.h"
 #include "properties/law.h"
 
 namespace rastercheck::properties::fitting_test {
@@ -86,6 +88,18 @@ TEST(RandomCases, AreTheSameForWhoDrawsEverything) {
       ASSERT_EQ(random_case(law, 3, index, {}).source, law.generate(draw).source) << law.id;
     }
   }
+}
+
+// Kills: a contract file whose plan, or whose cases, nobody can read.
+TEST(RandomCases, AreNotMadeForNumbersThatNoCaseHas) {
+  const auto backend = backends::make_backend("cpu").value();
+  cases::ContractTerms terms;
+  terms.numbers = cases::MagnitudeRange{2, 4};
+  backend->hold_to(terms);
+  EXPECT_TRUE(capabilities_of(*backend).is_everything());
+  terms.numbers = cases::MagnitudeRange{0.5F, 4};
+  backend->hold_to(terms);
+  EXPECT_EQ(capabilities_of(*backend).numbers, *terms.numbers);
 }
 
 /// How many of so many ordinary states have something.
