@@ -15,8 +15,10 @@ namespace {
 
 /// Triangles of a draw at most: whoever waits hears of each draw.
 constexpr std::size_t kMostOfDraw = 16384;
-/// Triangles of a draw that are drawn into layers, too.
+/// Triangles of a draw that are drawn into layers, too, at most: as many as have so many pixels in
+/// all, as layers are read back whole.
 constexpr std::size_t kCheckedOfDraw = 8;
+constexpr std::size_t kCheckedPixels = std::size_t{1} << 21U;
 /// Records that the first draw has room for.
 constexpr std::size_t kFirstRoom = std::size_t{1} << 14U;
 
@@ -310,7 +312,11 @@ Result<void> AppendedDrawing::store_depths(std::size_t begin) {
 Result<bool> AppendedDrawing::check_some(std::size_t begin, std::size_t first,
                                          std::size_t count) const {
   std::vector<std::size_t> chosen;
-  const std::size_t step = std::max<std::size_t>(count / kCheckedOfDraw, 1);
+  const cases::FramebufferSize& size = case_->framebuffer;
+  const std::size_t pixels =
+      static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+  const std::size_t wanted = std::clamp<std::size_t>(kCheckedPixels / pixels, 1, kCheckedOfDraw);
+  const std::size_t step = std::max<std::size_t>(count / wanted, 1);
   for (std::size_t t = step / 2; t < count; t += step) chosen.push_back(first + t);
   const Result<cases::Fragments> layers = driver_->draw_in_layers(part_of(*case_, state_, chosen));
   if (!layers) return tl::unexpected(layers.error());
