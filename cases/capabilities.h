@@ -14,7 +14,7 @@
 
 namespace rastercheck::cases {
 
-/// What a case may need besides rules, sizes and numbers.
+/// Lists what a case may need besides rules, sizes and numbers.
 enum class Feature {
   nonpositive_w,       ///< a triangle's vertex with w <= 0
   depth_clipping,      ///< a vertex beyond the near or far plane, without depth clamp
@@ -56,7 +56,8 @@ struct Capabilities {
   int max_viewport = kMaxSize;      ///< of a viewport's, pixels
   std::size_t max_attributes = kMaxAttributes;
   std::size_t max_clip_distances = kMaxClipDistances;
-  /// Of positions, clip distances, attributes and the depth range: beyond them nothing is promised.
+  /// Magnitudes of positions, clip distances, attributes and the depth range; nothing is promised
+  /// of others.
   MagnitudeRange numbers;
   bool operator==(const Capabilities&) const = default;
 
@@ -64,8 +65,8 @@ struct Capabilities {
   bool has(Feature feature) const;
 };
 
-/// What of a case is beyond these, for readers; empty where nothing is. Numbers are not looked at:
-/// what nothing is promised of may be drawn.
+/// Names the first thing in a case that is beyond these, for readers; empty if nothing is. It does
+/// not look at numbers: what nothing is promised of may be drawn all the same.
 std::string lacked_by(const Capabilities& capabilities, const Case& c);
 
 /// Whether its members are such as they may be, and there are cases within them.

@@ -31,7 +31,7 @@ class Draw {
   Draw& operator=(const Draw&) = delete;
   ~Draw();
 
-  /// What the case may ask for.
+  /// Says what the case may ask for.
   const cases::Capabilities& capabilities() const;
 
   /// How far to go, 0…100 (the index mod 101): how many triangles, how far out exponents reach.

@@ -59,7 +59,7 @@ Generated random_case(const Law& law, std::uint64_t seed, std::uint64_t index,
 
 cases::Capabilities capabilities_of(const backends::Backend& backend) {
   cases::Capabilities capabilities = backend.about().capabilities;
-  // Of stranger ones a contract file may speak: of what lacks 1 there are no cases.
+  // A contract file may promise numbers without 1, for which no case can be made.
   const cases::MagnitudeRange numbers = backend.contract({}).numbers;
   if (numbers.has(1)) capabilities.numbers = numbers;
   return capabilities;

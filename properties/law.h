@@ -137,7 +137,7 @@ Draw draw_of(const Law& law, std::uint64_t seed, std::uint64_t index);
 Generated random_case(const Law& law, std::uint64_t seed, std::uint64_t index,
                       const cases::Capabilities& capabilities);
 
-/// What random cases of a backend are made for: what it draws, and the numbers that it makes
+/// Says what random cases of a backend are made for: what it draws, and the numbers that it makes
 /// promises of.
 cases::Capabilities capabilities_of(const backends::Backend& backend);
 

@@ -63,13 +63,13 @@ struct Plan {
   double timeout = kDefaultTimeout;  ///< seconds that a foreign backend has for one drawing
   /// The part of the work that is done; nothing: all of it.
   std::optional<ShardNumber> shard = std::nullopt;
-  /// What those draw of the backends that do not draw every case: their random cases are made for
-  /// these. Found before the first case.
+  /// Holds, for each backend that does not draw every case, what it does draw: its random cases are
+  /// made for that. Found before the first case.
   std::map<std::string, cases::Capabilities> capabilities = {};
   bool operator==(const Plan&) const = default;
 };
 
-/// What a plan's random cases of a backend are made for.
+/// Says what a plan's random cases of a backend are made for.
 const cases::Capabilities& capabilities_of(const Plan& plan, const std::string& backend);
 
 /// The terms with this promise of drivers in place of their own, if one is given.

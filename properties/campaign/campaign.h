@@ -113,7 +113,7 @@ class TaskRunner {
   /// Asks each of the plan's backends what it promises. One that cannot be made any more counts as
   /// promising what every law asks, and as drawing in a way of its own.
   std::vector<records::BackendPromises> promises();
-  /// What those of the plan's backends draw that do not draw every case.
+  /// Asks the plan's backends what they draw, and leaves out those that draw every case.
   std::map<std::string, cases::Capabilities> capabilities();
   /// Has it make its random cases for these.
   void make_cases_for(std::map<std::string, cases::Capabilities> capabilities) {

@@ -70,7 +70,7 @@ class FlatCheck {
   const cases::Case* case_;
   const cases::Fragments* drawn_;
   ValueFindings findings_;
-  /// Of each triangle: one of which nothing is promised may have any values.
+  /// Says of each triangle whether anything is promised; if not, it may have any values.
   std::vector<bool> is_promised_;
 };
 
