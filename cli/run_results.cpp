@@ -24,16 +24,22 @@ auto has_verdict(LawVerdict verdict) {
   return [verdict](const LawSummary& row) { return row.verdict == verdict; };
 }
 
+/// Whether the row's law is about what its backend promises.
+bool has_to_hold(const LawSummary& row, const std::vector<records::BackendPromises>& promises) {
+  return std::none_of(promises.begin(), promises.end(), [&row](const auto& backend) {
+    const auto& unpromised = backend.unpromised;
+    return backend.backend == row.backend &&
+           std::find(unpromised.begin(), unpromised.end(), row.law) != unpromised.end();
+  });
+}
+
 /// Whether the row's law had to check something: some laws are about what not every backend
 /// promises, or draws.
 bool is_promised(const LawSummary& row, const std::vector<records::BackendPromises>& promises) {
-  for (const records::BackendPromises& backend : promises) {
-    if (backend.backend != row.backend) continue;
-    const auto& unpromised = backend.unpromised;
-    return !backend.has_limits &&
-           std::find(unpromised.begin(), unpromised.end(), row.law) == unpromised.end();
-  }
-  return true;
+  const bool has_limits = std::any_of(
+      promises.begin(), promises.end(),
+      [&row](const auto& backend) { return backend.backend == row.backend && backend.has_limits; });
+  return !has_limits && has_to_hold(row, promises);
 }
 
 bool is_violated(const std::vector<LawSummary>& rows) {
@@ -76,6 +82,7 @@ void print_results(const records::Run& run, const std::vector<LawSummary>& rows,
              reports::power_text(rows), reports::not_checked_text(rows), reports::known_text(run));
   print_counterexamples(run, rows, output);
   for (const std::string& caveat : records::caveats(run)) fmt::print("{}\n", caveat);
+  fmt::print("{}", reports::thin_text(rows));
   if (run.cases_left > 0) fmt::print("`rastercheck run --resume --output {}` goes on.\n", output);
 }
 
@@ -84,14 +91,21 @@ ExitCode exit_code_of(const records::Run& run, const std::vector<LawSummary>& ro
   if (is_violated(rows)) return ExitCode::violated;
   const auto some = [&rows](const auto& is) { return std::any_of(rows.begin(), rows.end(), is); };
   const bool is_missing = some([&promises](const LawSummary& row) {
-    return row.verdict == LawVerdict::not_checked && is_promised(row, promises);
+    const bool has_gap = row.verdict == LawVerdict::not_checked || !row.unreached.empty();
+    return has_gap && is_promised(row, promises);
   });
-  const bool is_checked =
-      some(has_verdict(LawVerdict::held)) || some(has_verdict(LawVerdict::known));
+  const bool is_too_thin =
+      run.plan.require_cases && some([&promises](const LawSummary& row) {
+        return row.cases.checked < row.least_cases && has_to_hold(row, promises);
+      });
+  const bool is_checked = some(has_verdict(LawVerdict::held)) ||
+                          some(has_verdict(LawVerdict::known)) ||
+                          some(has_verdict(LawVerdict::thin));
   const bool is_unseen =
       std::any_of(run.scenes.begin(), run.scenes.end(),
                   [](const records::SceneResult& scene) { return scene.judged == 0; });
-  return is_missing || is_unseen || !is_checked ? ExitCode::nothing_checked : ExitCode::ok;
+  return is_missing || is_too_thin || is_unseen || !is_checked ? ExitCode::nothing_checked
+                                                               : ExitCode::ok;
 }
 
 ExitCode exit_code_of_shard(const std::vector<LawSummary>& rows) {

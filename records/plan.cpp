@@ -97,6 +97,8 @@ std::vector<std::string> option_words(const Plan& plan) {
     words.value(true, "--shrink-seconds", fmt::format("{}", *plan.shrinking.seconds));
   }
   words.value(plan.power != usual.power, "--power", std::to_string(plan.power));
+  words.value(plan.require_cases.has_value(), "--require-cases",
+              std::to_string(plan.require_cases.value_or(0)));
   words.flag(plan.keeps_cases, "--keep-cases");
   add_timeout(words, plan);
   return std::move(words).take();

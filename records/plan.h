@@ -59,6 +59,9 @@ struct Plan {
   /// The drawing of one in so many random cases of two laws is made wrong, to see what is noticed
   /// (properties/campaign/power.h); 0: of none.
   std::uint64_t power = kUsualPower;
+  /// How many cases every law has to be judged on, or the run ends as one that checked nothing;
+  /// nothing: what is usual (records/summary.h), and the run ends as it does without it.
+  std::optional<std::uint64_t> require_cases = std::nullopt;
   bool keeps_cases = false;          ///< whether what each case gave is kept (CaseRecord)
   double timeout = kDefaultTimeout;  ///< seconds that a foreign backend has for one drawing
   /// The part of the work that is done; nothing: all of it.

@@ -48,6 +48,7 @@ void members(Archive& archive, T& plan) {
   archive.optional("shrink_tries", plan.shrinking.tries, usual.shrinking.tries);
   archive.optional("shrink_seconds", plan.shrinking.seconds);
   archive.optional("power", plan.power, usual.power);
+  archive.optional("require_cases", plan.require_cases);
   archive.optional("keeps_cases", plan.keeps_cases);
   archive.optional("timeout", plan.timeout, usual.timeout);
   archive.optional("shard", plan.shard);

@@ -54,7 +54,8 @@ struct Record {
   ErrorStatistics errors;
   std::map<std::string, std::uint64_t> labels;  ///< label → cases that reached it
   std::map<std::string, std::uint64_t> known;   ///< known entry's id → cases violated so
-  /// Why → cases that the law says nothing of. Files from before there were reasons have none.
+  /// Why → cases that the law says nothing of, those in place of which others were drawn among
+  /// them. Files from before there were reasons have none.
   std::map<std::string, std::uint64_t> not_applicable_because;
   Levels levels;
   Power power;  ///< what was noticed of drawings of the law's cases that were made wrong

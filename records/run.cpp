@@ -113,8 +113,14 @@ std::string file_word(std::string_view text) {
 
 std::string file_of(const Counterexample& counterexample) {
   const cases::Found found = counterexample.source.found.value_or(cases::Found());
-  return fmt::format("counterexamples/{}-{}-{}.json", file_word(found.law),
-                     file_word(found.backend), file_word(found.verdict));
+  std::string name = fmt::format("{}-{}-{}", file_word(found.law), file_word(found.backend),
+                                 file_word(found.verdict));
+  // Coverage and ordinary fragments are what most are of.
+  for (const auto& [word, usual] :
+       {std::pair(found.kind, "coverage"), std::pair(found.condition, "ordinary")}) {
+    if (!word.empty() && word != usual) name += "-" + file_word(word);
+  }
+  return fmt::format("counterexamples/{}.json", name);
 }
 
 }  // namespace rastercheck::records

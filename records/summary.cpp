@@ -1,5 +1,7 @@
 #include "records/summary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -82,10 +84,12 @@ void append_stages(std::vector<StageMean>& rows, AttributeKind kind,
 
 /// Cases in which nothing was drawn rightly say nothing for a law: it only held if it held of
 /// something.
-LawVerdict verdict_of(const CaseCounts& cases, std::uint64_t correct_fragments) {
-  if (cases.violations > 0) return LawVerdict::violated;
-  if (cases.known > 0) return LawVerdict::known;
-  return correct_fragments > 0 ? LawVerdict::held : LawVerdict::not_checked;
+LawVerdict verdict_of(const LawSummary& row, std::uint64_t correct_fragments) {
+  if (row.cases.violations > 0) return LawVerdict::violated;
+  if (row.cases.known > 0) return LawVerdict::known;
+  if (correct_fragments == 0) return LawVerdict::not_checked;
+  const bool is_thin = row.cases.checked < row.least_cases || !row.unreached.empty();
+  return is_thin ? LawVerdict::thin : LawVerdict::held;
 }
 
 LawSummary summarize(const Run& run, const std::string& law, const std::string& backend) {
@@ -129,19 +133,18 @@ LawSummary summarize(const Run& run, const std::string& law, const std::string& 
       [&](const UnreachedLabel& label) { return label.law == law && label.backend == backend; });
   row.judged.asked = row.cases.checked + row.cases.not_applicable;
   row.judged.applicable = row.cases.checked;
+  row.least_cases = run.plan.require_cases.value_or(usual_least_cases(row.judged.asked));
   // Fragments in their places do not make a law on values hold.
   const bool is_any_judged = !has_values || row.judged.values > 0 || row.judged.not_judged.empty();
-  row.verdict = verdict_of(row.cases, is_any_judged ? correct_fragments : 0);
-  if (row.verdict != LawVerdict::violated && !row.unreached.empty()) {
-    row.verdict = LawVerdict::not_checked;
-  }
+  row.verdict = verdict_of(row, is_any_judged ? correct_fragments : 0);
   return row;
 }
 
 }  // namespace
 
 std::string_view to_string(LawVerdict verdict) {
-  constexpr std::array<std::string_view, 4> kWords{"held", "violated", "known", "not checked"};
+  constexpr std::array<std::string_view, 5> kWords{"held", "violated", "known", "thin",
+                                                   "not checked"};
   return kWords[static_cast<std::size_t>(verdict)];
 }
 
@@ -169,7 +172,8 @@ LawVerdict verdict_of(const std::vector<LawSummary>& rows) {
   };
   if (any(LawVerdict::violated)) return LawVerdict::violated;
   if (any(LawVerdict::held)) return LawVerdict::held;
-  return any(LawVerdict::known) ? LawVerdict::known : LawVerdict::not_checked;
+  if (any(LawVerdict::known)) return LawVerdict::known;
+  return any(LawVerdict::thin) ? LawVerdict::thin : LawVerdict::not_checked;
 }
 
 std::vector<KnownSummary> known_defects(const Run& run) {
@@ -190,12 +194,55 @@ std::vector<KnownSummary> known_defects(const Run& run) {
   return all;
 }
 
+std::uint64_t usual_least_cases(std::uint64_t asked) {
+  constexpr std::uint64_t kLeast = 20;
+  return std::min(asked, std::max(kLeast, asked / 50));
+}
+
+std::string thin_words(const LawSummary& row) {
+  std::string text = fmt::format("{} of {} cases", row.cases.checked, row.judged.asked);
+  for (const UnreachedLabel& label : row.unreached) {
+    text += fmt::format(", '{}' in {} of at least {}", label.label, label.reached, label.least);
+  }
+  return text;
+}
+
+std::string thin_sentence(const std::vector<LawSummary>& rows) {
+  std::size_t count = 0;
+  std::uint64_t least = 0;
+  std::size_t unreached = 0;
+  for (const LawSummary& row : rows) {
+    if (row.verdict != LawVerdict::thin) continue;
+    if (row.cases.checked < row.least_cases) {
+      ++count;
+      least = std::max(least, row.least_cases);
+    } else {
+      ++unreached;
+    }
+  }
+  const auto properties = [](std::size_t number) {
+    return fmt::format("{} {}", number, number == 1 ? "property" : "properties");
+  };
+  std::string text;
+  if (count > 0) text = fmt::format("{} held on fewer than {} cases", properties(count), least);
+  if (unreached == 0) return text;
+  return text + fmt::format("{}{} held without a label that had to be reached",
+                            text.empty() ? "" : "; ", properties(unreached));
+}
+
+std::vector<std::pair<std::uint64_t, std::string>> reasons_of(const LawSummary& row) {
+  std::vector<std::pair<std::uint64_t, std::string>> all;
+  for (const auto& [why, cases] : row.not_applicable_because) all.emplace_back(cases, why);
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first > b.first : a.second < b.second;
+  });
+  return all;
+}
+
 std::string why_not_checked(const LawSummary& row) {
   if (row.cases.checked > 0) return "";
-  const auto& all = row.not_applicable_because;
-  const auto most = std::max_element(
-      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  return most == all.end() ? "" : most->first;
+  const auto all = reasons_of(row);
+  return all.empty() ? "" : all.front().second;
 }
 
 }  // namespace rastercheck::records

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "records/judged.h"
@@ -19,12 +20,14 @@ enum class LawVerdict {
   violated,
   /// violated, but only in ways that are known of the driver
   known,
-  /// no case that the law says anything of, or nothing drawn rightly in any, or not what it claims
-  /// to test
+  /// held, but on too few cases to say much (LawSummary::least_cases), or with a label that had to
+  /// be reached and was not
+  thin,
+  /// no case that the law says anything of, or nothing drawn rightly in any
   not_checked,
 };
 
-/// "held", "violated", "known", "not checked".
+/// "held", "violated", "known", "thin", "not checked".
 std::string_view to_string(LawVerdict verdict);
 
 /// How large errors were, over all kinds that have errors, each in its own unit: scale ULP; of
@@ -77,6 +80,7 @@ struct LawSummary {
   std::string law;
   std::string backend;
   CaseCounts cases;
+  std::uint64_t least_cases = 0;  ///< judged on fewer it has held thinly
   Judged judged;
   Counts counts;
   ClassCounts classes;  ///< over all kinds, coverage included
@@ -90,7 +94,7 @@ struct LawSummary {
   Power power;
   std::map<std::string, std::uint64_t> labels;
   std::map<std::string, std::uint64_t> known;                   ///< id → cases violated so
-  std::map<std::string, std::uint64_t> not_applicable_because;  ///< why → cases
+  std::map<std::string, std::uint64_t> not_applicable_because;  ///< as of Record
   std::vector<UnreachedLabel> unreached;
   LawVerdict verdict = LawVerdict::not_checked;
 };
@@ -102,8 +106,12 @@ std::vector<LawSummary> summarize(const Run& run);
 /// Adds up what all laws noticed on each backend; only backends that were asked.
 std::map<std::string, Power> power_by_backend(const std::vector<LawSummary>& rows);
 
-/// Of all rows together: violated where one is, not checked where none was checked, known where
-/// none of those that were checked held.
+/// Gives on how many of the cases asked for a law has to be judged for "held" to say much: 20, or
+/// 2% of them where that is more; all of fewer than 20.
+std::uint64_t usual_least_cases(std::uint64_t asked);
+
+/// Of all rows together: violated where one is, not checked where none was checked, known or thin
+/// where none of those that were checked held.
 LawVerdict verdict_of(const std::vector<LawSummary>& rows);
 
 /// A known defect, and what a run found of it.
@@ -117,8 +125,17 @@ struct KnownSummary {
 /// In the order of the run's lists.
 std::vector<KnownSummary> known_defects(const Run& run);
 
+/// Why cases were not judged by a law, and how many, the most frequent reason first.
+std::vector<std::pair<std::uint64_t, std::string>> reasons_of(const LawSummary& row);
+
 /// Why a law checked nothing: what it says of most cases; empty where cases were checked, or there
 /// were none.
 std::string why_not_checked(const LawSummary& row);
+
+/// Says of a thin row on how many cases it held, and what label it did not reach.
+std::string thin_words(const LawSummary& row);
+
+/// "3 properties held on fewer than 20 cases"; empty where none did.
+std::string thin_sentence(const std::vector<LawSummary>& rows);
 
 }  // namespace rastercheck::records

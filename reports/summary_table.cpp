@@ -4,6 +4,7 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <utility>
 
 #include "cases/json.h"
@@ -14,6 +15,8 @@
 
 namespace rastercheck::reports {
 namespace {
+
+using records::LawVerdict;
 
 nlohmann::ordered_json enclosure_json(const std::optional<records::Enclosure>& enclosure) {
   if (!enclosure) return nullptr;
@@ -78,12 +81,13 @@ std::string summary_table(const std::vector<records::LawSummary>& rows, bool qui
                      "beyond contract", "verdict"});
   }
   for (const records::LawSummary& row : rows) {
-    cells.push_back(
-        {row.law, row.backend, std::to_string(row.cases.checked),
-         std::to_string(row.judged.fragments), not_judged_share(row.judged),
-         number_text(row.ideal.worst), at_most_text(row.ideal.p99), number_text(row.excess.worst),
-         row.verdict == records::LawVerdict::known ? verdict_text(row)
-                                                   : std::string(to_string(row.verdict))});
+    cells.push_back({row.law, row.backend, std::to_string(row.cases.checked),
+                     std::to_string(row.judged.fragments), not_judged_share(row.judged),
+                     number_text(row.ideal.worst), at_most_text(row.ideal.p99),
+                     number_text(row.excess.worst),
+                     row.verdict == LawVerdict::known || row.verdict == LawVerdict::thin
+                         ? verdict_text(row)
+                         : std::string(to_string(row.verdict))});
   }
   return quiet ? text_table(cells) : text_table(cells, columns);
 }
@@ -136,19 +140,28 @@ std::string power_text(const std::vector<records::LawSummary>& rows) {
 }
 
 std::string not_checked_text(const std::vector<records::LawSummary>& rows) {
-  std::map<std::pair<std::string, std::string>, std::string> laws;  // by backend and reason
+  // Laws of as many cases for one reason are one line; negative numbers put the most cases first.
+  std::map<std::tuple<std::string, std::int64_t, std::string>, std::string> laws;
   for (const records::LawSummary& row : rows) {
-    const std::string why = records::why_not_checked(row);
-    if (why.empty()) continue;
-    std::string& text = laws[{row.backend, why}];
-    text += (text.empty() ? "" : "; ") + row.law;
+    if (row.verdict != LawVerdict::not_checked && row.verdict != LawVerdict::thin) continue;
+    for (const auto& [cases, why] : records::reasons_of(row)) {
+      std::string& text = laws[{row.backend, -static_cast<std::int64_t>(cases), why}];
+      text += (text.empty() ? "" : "; ") + row.law;
+    }
   }
-  std::string all;
-  for (const auto& [reason, text] : laws) {
-    all += fmt::format("Not checked on {}, as {}: {}.\n", cases::printable(reason.first),
-                       cases::printable(reason.second), text);
+  if (laws.empty()) return "";
+  std::vector<std::vector<std::string>> cells{{"backend", "cases", "not judged, as", "laws"}};
+  for (const auto& [key, text] : laws) {
+    const auto& [backend, cases, why] = key;
+    cells.push_back({cases::printable(backend), grouped(static_cast<std::uint64_t>(-cases)),
+                     cases::printable(why), text});
   }
-  return all;
+  return "Laws that held on few cases, or none:\n" + text_table(cells);
+}
+
+std::string thin_text(const std::vector<records::LawSummary>& rows) {
+  const std::string sentence = records::thin_sentence(rows);
+  return sentence.empty() ? "" : sentence + ".\n";
 }
 
 std::string summary_json(const records::Run& run, const std::vector<records::LawSummary>& rows) {

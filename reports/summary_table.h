@@ -31,8 +31,12 @@ std::string not_judged_text(const std::vector<records::LawSummary>& rows);
 /// A line for each backend of which drawings were made wrong on purpose, and how many were noticed.
 std::string power_text(const std::vector<records::LawSummary>& rows);
 
-/// Which laws checked nothing, by backend and reason, a line for each; empty where there is none.
+/// A table of why laws that held on few cases or none did not judge the others, by backend and
+/// reason; empty where there is none.
 std::string not_checked_text(const std::vector<records::LawSummary>& rows);
+
+/// How many laws held on few cases only, as a line; empty where none did.
+std::string thin_text(const std::vector<records::LawSummary>& rows);
 
 /// The table as one JSON document, without its end of line, and with each row's "precision" by kind
 /// and stratum, for which a terminal has no room.

@@ -356,6 +356,10 @@ Action set_up(CLI::App& app) {
       ->transform(whole_number())
       ->type_name("N")
       ->capture_default_str();
+  app.add_option("--require-cases", plan.require_cases,
+                 "Ends with exit code 5 where a property is judged on fewer than N cases")
+      ->transform(whole_number())
+      ->type_name("N");
   app.add_flag("--keep-cases", plan.keeps_cases,
                "Keeps what each case gave in run.json, for a baseline and for --format cases");
   add_early_ends(app, *options);
@@ -381,7 +385,7 @@ Action set_up(CLI::App& app) {
   for (const char* settled :
        {"--backend", "--property", "--cases", "--seed", "--scene", "--scene-size", "--contract",
         "--promise", "--draw-by", "--corpus", "--known", "--no-known", "--shrink-tries",
-        "--shrink-seconds", "--power", "--keep-cases"}) {
+        "--shrink-seconds", "--power", "--require-cases", "--keep-cases"}) {
     resume->excludes(settled);
     rerun->excludes(settled);
   }

@@ -35,11 +35,11 @@ struct Outcomes {
   std::size_t errors = 0;
   std::size_t skipped = 0;
 
-  void add(const LawSummary& row) {
+  void add(const LawSummary& row, bool requires_cases) {
     ++tests;
     if (row.verdict == LawVerdict::violated) {
       ++failures;
-    } else if (!row.unreached.empty()) {
+    } else if (!row.unreached.empty() || (requires_cases && row.verdict == LawVerdict::thin)) {
       ++errors;
     } else if (row.verdict == LawVerdict::not_checked) {
       ++skipped;
@@ -85,6 +85,10 @@ std::string outcome_of(const Run& run, const LawSummary& row) {
   for (const records::UnreachedLabel& label : row.unreached) {
     text += fmt::format("<error message=\"{}\" type=\"label not reached\"/>\n",
                         html(records::unreached_sentence(label)));
+  }
+  if (run.plan.require_cases && row.unreached.empty() && row.verdict == LawVerdict::thin) {
+    text +=
+        fmt::format("<error message=\"{}\" type=\"too few cases\"/>\n", html(verdict_text(row)));
   }
   if (row.unreached.empty() && row.verdict == LawVerdict::not_checked) {
     const std::string why = records::why_not_checked(row);
@@ -137,8 +141,8 @@ std::string write(const Run& run) {
     std::string tests;
     for (const LawSummary& row : rows) {
       if (row.backend != backend) continue;
-      outcomes.add(row);
-      of_all.add(row);
+      outcomes.add(row, run.plan.require_cases.has_value());
+      of_all.add(row, run.plan.require_cases.has_value());
       tests += test_of(run, row);
     }
     for (const records::SceneResult& scene : run.scenes) {

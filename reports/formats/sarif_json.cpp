@@ -37,13 +37,15 @@ json result_of(const Run& run, const records::Counterexample& counterexample) {
   const json location = {{"physicalLocation",
                           {{"artifactLocation", {{"uri", records::file_of(counterexample)}}},
                            {"region", {{"startLine", 1}}}}}};
-  json result = {
-      {"ruleId", found.law},
-      {"level", "error"},
-      {"message", {{"text", text}}},
-      {"locations", json::array({location})},
-      {"partialFingerprints",
-       {{"lawBackendVerdict/v1", found.law + "/" + found.backend + "/" + found.verdict}}}};
+  std::string fingerprint = found.law + "/" + found.backend + "/" + found.verdict;
+  for (const std::string& rest : {found.kind, found.condition}) {
+    if (!rest.empty()) fingerprint += "/" + rest;
+  }
+  json result = {{"ruleId", found.law},
+                 {"level", "error"},
+                 {"message", {{"text", text}}},
+                 {"locations", json::array({location})},
+                 {"partialFingerprints", {{"lawBackendVerdict/v1", fingerprint}}}};
   const auto law = std::find(run.plan.laws.begin(), run.plan.laws.end(), found.law);
   if (law != run.plan.laws.end()) result["ruleIndex"] = law - run.plan.laws.begin();
   return result;

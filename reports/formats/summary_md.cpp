@@ -23,7 +23,7 @@ std::string verdict_of(const LawSummary& row) {
     return fmt::format("**violated** in {}", grouped(row.cases.violations));
   }
   const std::string why = records::why_not_checked(row);
-  return verdict_text(row) + (why.empty() ? "" : ": " + markdown(why));
+  return markdown(verdict_text(row)) + (why.empty() ? "" : ": " + markdown(why));
 }
 
 std::string table_of(const std::vector<LawSummary>& rows) {
@@ -118,6 +118,9 @@ std::string write(const Run& run) {
   if (!run.unreached.empty() || !run.unexpected.empty() || !run.scenes.empty()) text += "\n";
   for (const records::UnreachedLabel& label : run.unreached) {
     text += fmt::format("- {}\n", markdown(records::unreached_sentence(label)));
+  }
+  if (const std::string thin = records::thin_sentence(rows); !thin.empty()) {
+    text += fmt::format("\n{}.\n", thin);
   }
   for (const records::UnexpectedPass& pass : run.unexpected) {
     text += fmt::format("- {}\n", markdown(records::unexpected_sentence(pass)));

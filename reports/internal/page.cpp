@@ -61,6 +61,7 @@ std::string_view verdict_class(LawVerdict verdict) {
     case LawVerdict::violated:
       return "violated";
     case LawVerdict::known:
+    case LawVerdict::thin:
     case LawVerdict::not_checked:
       break;
   }
@@ -75,6 +76,8 @@ std::string_view verdict_sign(LawVerdict verdict) {
       return "✗";
     case LawVerdict::known:
       return "≈";
+    case LawVerdict::thin:
+      return "(✓)";
     case LawVerdict::not_checked:
       break;
   }
@@ -83,14 +86,14 @@ std::string_view verdict_sign(LawVerdict verdict) {
 
 std::string verdict_word(const LawSummary& row) {
   return fmt::format(R"(<span class="{}">{} {}</span>)", verdict_class(row.verdict),
-                     verdict_sign(row.verdict), verdict_text(row));
+                     verdict_sign(row.verdict), html(verdict_text(row)));
 }
 
 std::string verdict_mark(const LawSummary& row) {
   const std::string why = records::why_not_checked(row);
   const bool is_unchecked = row.verdict == LawVerdict::not_checked;
   return fmt::format(R"(<span class="{}">{} {}{}</span>)", verdict_class(row.verdict),
-                     verdict_sign(row.verdict), verdict_text(row),
+                     verdict_sign(row.verdict), html(verdict_text(row)),
                      is_unchecked && !why.empty() ? "<br><small>" + html(why) + "</small>" : "");
 }
 

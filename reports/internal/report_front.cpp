@@ -38,12 +38,14 @@ std::vector<LawSummary> by_urgency(std::vector<LawSummary> rows) {
         return 0;
       case LawVerdict::known:
         return 1;
-      case LawVerdict::held:
+      case LawVerdict::thin:
         return 2;
+      case LawVerdict::held:
+        return 3;
       case LawVerdict::not_checked:
         break;
     }
-    return 3;
+    return 4;
   };
   std::stable_sort(rows.begin(), rows.end(),
                    [&rank](const LawSummary& a, const LawSummary& b) { return rank(a) < rank(b); });
@@ -177,6 +179,34 @@ std::string facts_of(const LawSummary& total) {
          levels_of(total) + "</dl>\n";
 }
 
+/// Why cases were not judged by a law, with how many where there are several reasons.
+std::string reasons_text(const LawSummary& row) {
+  const auto reasons = records::reasons_of(row);
+  if (reasons.size() == 1 && row.cases.checked == 0) return reasons.front().second;
+  std::string text;
+  for (const auto& [cases, why] : reasons) {
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", counted(cases, "case", "cases"), why);
+  }
+  return text;
+}
+
+/// Laws that held, but on too few cases to say much; empty where there is none.
+std::string thin_of(const std::vector<LawSummary>& rows) {
+  std::string text;
+  for (const LawSummary& row : rows) {
+    if (row.verdict != LawVerdict::thin) continue;
+    const std::string why = reasons_text(row);
+    text += fmt::format("<li>{}</li>\n",
+                        html(fmt::format("{} on {}: {}{}", row.law, row.backend,
+                                         records::thin_words(row), why.empty() ? "" : "; " + why)));
+  }
+  if (text.empty()) return "";
+  return fmt::format(
+      "<section>\n<h2>Held on few cases</h2>\n<p>{}.</p>\n<ul class=\"gaps\">\n{}</ul>\n"
+      "</section>\n",
+      html(records::thin_sentence(rows)), text);
+}
+
 /// What was not done: cases that were not checked, labels that were not reached, laws that say
 /// nothing of what there was.
 std::string gaps_of(const Run& run, const std::vector<LawSummary>& rows) {
@@ -189,11 +219,11 @@ std::string gaps_of(const Run& run, const std::vector<LawSummary>& rows) {
     add(records::unreached_sentence(label));
   for (const records::UnexpectedPass& pass : run.unexpected)
     add(records::unexpected_sentence(pass));
-  // Several laws for one reason are one line.
+  // Several laws for the same reasons are one line.
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> laws;
   for (const LawSummary& row : rows) {
-    if (row.verdict != LawVerdict::not_checked || !row.unreached.empty()) continue;
-    const std::string why = records::why_not_checked(row);
+    if (row.verdict != LawVerdict::not_checked) continue;
+    const std::string why = reasons_text(row);
     laws[{row.backend, why.empty() ? "no case says anything of it" : why}].push_back(row.law);
   }
   for (const auto& [reason, names] : laws) {
@@ -250,7 +280,7 @@ std::string front_of(const Run& run, const std::vector<LawSummary>& rows) {
                                         : std::string("every backend")) +
          "</h2>\n" + table_of(run, rows) +
          fmt::format("<p class=\"unit\">{}</p>\n", html(kExcessSentence)) + facts_of(total) +
-         "</section>\n<aside>\n" + scene_of(run) + again(run) + gaps_of(run, rows) +
+         "</section>\n<aside>\n" + scene_of(run) + again(run) + thin_of(rows) + gaps_of(run, rows) +
          "</aside>\n</div>\n";
 }
 

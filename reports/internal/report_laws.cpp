@@ -83,7 +83,7 @@ std::string labels_of(const LawSummary& row) {
 }
 
 /// Which known defects its violations are of, and why it says nothing of other cases.
-std::string reasons_of(const LawSummary& row) {
+std::string reasons_list(const LawSummary& row) {
   std::string text;
   const auto add = [&text](std::string_view title,
                            const std::map<std::string, std::uint64_t>& all) {
@@ -118,7 +118,7 @@ std::string backend_section(const records::Run& run, const LawSummary& row) {
   if (row.cases.not_applicable > 0) {
     text += fmt::format(", {} more that it says nothing of", grouped(row.cases.not_applicable));
   }
-  text += "</p>\n" + reasons_of(row);
+  text += "</p>\n" + reasons_list(row);
   if (row.ideal.values + row.excess.values > 0) {
     const Limit rounding{records::kRoundingError, "correct rounding"};
     text +=

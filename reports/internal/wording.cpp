@@ -114,8 +114,10 @@ std::string verdict_sentence(const std::vector<LawSummary>& rows) {
   const auto violated = count(LawVerdict::violated);
   const auto unchecked = count(LawVerdict::not_checked);
   const auto known = count(LawVerdict::known);
+  const auto thin = count(LawVerdict::thin);
   const std::string rest =
       (known > 0 ? fmt::format("; {} violated in known ways only", known) : "") +
+      (thin > 0 ? fmt::format("; {} held thinly", thin) : "") +
       (unchecked > 0 ? fmt::format("; {} not checked", unchecked) : "");
   switch (records::verdict_of(rows)) {
     case LawVerdict::violated:
@@ -126,6 +128,8 @@ std::string verdict_sentence(const std::vector<LawSummary>& rows) {
                                         rows.size(), rest);
     case LawVerdict::known:
       return fmt::format("Violated in known ways only: {} of {} checks.", known, rows.size());
+    case LawVerdict::thin:
+      return fmt::format("Held thinly: {} of {} checks.", thin, rows.size());
     case LawVerdict::not_checked:
       break;
   }
@@ -166,6 +170,8 @@ std::string verdict_text(const LawSummary& row) {
       return fmt::format("violated in {}", counted(row.cases.violations, "case", "cases"));
     case LawVerdict::known:
       return fmt::format("known in {}", counted(row.cases.known, "case", "cases"));
+    case LawVerdict::thin:
+      return fmt::format("thin: {}", records::thin_words(row));
     case LawVerdict::held:
     case LawVerdict::not_checked:
       break;

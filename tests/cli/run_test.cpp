@@ -134,7 +134,8 @@ TEST_F(Run, ThatReachesALabelTooSeldomIsNotOk) {
                                        "1", "--property", "cases-reach*"});
   EXPECT_EQ(outcome.code, 5) << outcome;
   EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("not checked"),
+              AllOf(HasSubstr("thin: 121 of 121 cases, 'never seen' in 0 of at least 5"),
+                    HasSubstr("1 property held without a label that had to be reached.\n"),
                     HasSubstr("Not reached: cases-reach-a-label-that-none-has on damaged:unseen: "
                               "'never seen' in 0 of "),
                     Not(HasSubstr("'drawn'"))));
@@ -315,7 +316,17 @@ TEST_F(Run, ChecksWhatFailedOnceMore) {
   EXPECT_EQ(after.at("plan").at("laws"), json{kCoverage});
   EXPECT_EQ(after.at("plan").at("seed"), 7);
   EXPECT_EQ(after.at("plan").at("cases_per_law"), 6);
-  EXPECT_EQ(after.at("counterexamples"), before.at("counterexamples"));
+  // Those of random cases are shrunk once more, from the file that was saved.
+  const auto ways = [](const json& run) {
+    std::vector<std::string> all;
+    for (const json& one : run.at("counterexamples")) {
+      const json& found = one.at("case").at("found");
+      all.push_back(found.at("verdict").get<std::string>() + found.at("kind").get<std::string>() +
+                    found.at("condition").get<std::string>());
+    }
+    return all;
+  };
+  EXPECT_EQ(ways(after), ways(before));
   EXPECT_EQ(run({"--cases", "3", "--seed", "1"}).code, 0);
   const Outcome nothing = run_program({"run", "--rerun-failed", folder_.path("out")});
   EXPECT_TRUE(is_failure(nothing, 2)) << nothing;

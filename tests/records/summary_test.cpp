@@ -29,14 +29,14 @@ Record with_ideal(const std::vector<Enclosure>& errors) {
 }
 
 Run small_run() {
-  Run run;
+  records::Run run;
   run.plan.laws = {"b", "a"};
   run.plan.backends = {"gl", "cpu"};
   return run;
 }
 
 LawSummary summary_of(const RecordSet& records) {
-  Run run;
+  records::Run run;
   run.plan.laws = {"law"};
   run.plan.backends = {"cpu"};
   run.records = records;
@@ -273,7 +273,7 @@ TEST(Summarize, VerdictsAreThreeValued) {
 }
 
 // Kills: a law that has not tested what it claims to, taken for one that held.
-TEST(Summarize, TakesUnreachedLabelsForNotChecked) {
+TEST(Summarize, TakesUnreachedLabelsForThin) {
   const auto verdict_with = [](std::uint64_t violations, const std::string& backend) {
     records::Run run;
     run.plan.laws = {"law"};
@@ -285,9 +285,47 @@ TEST(Summarize, TakesUnreachedLabelsForNotChecked) {
     run.unreached = {{"law", backend, "tie", 1, 4, 9}};
     return summarize(run).front().verdict;
   };
-  EXPECT_EQ(verdict_with(0, "cpu"), LawVerdict::not_checked);
+  EXPECT_EQ(verdict_with(0, "cpu"), LawVerdict::thin);
   EXPECT_EQ(verdict_with(1, "cpu"), LawVerdict::violated);
   EXPECT_EQ(verdict_with(0, "another"), LawVerdict::held);
+}
+
+/// A run of one law on `cpu`, that held on so many of the cases asked for.
+records::Run run_of(std::uint64_t checked, std::uint64_t asked) {
+  records::Run run;
+  run.plan.laws = {"law"};
+  run.plan.backends = {"cpu"};
+  Record record;
+  record.cases = {checked, asked - checked};
+  record.errors.classes[FragmentClass::correct] = 5;
+  run.records[{"law", "cpu", AttributeKind::coverage, ""}] = record;
+  return run;
+}
+
+// Kills: "held" of a law that was judged on 2 cases of 1,000.
+TEST(Summarize, TakesFewCasesForThin) {
+  const auto verdict_of = [](std::uint64_t checked, std::uint64_t asked) {
+    return summarize(run_of(checked, asked)).front().verdict;
+  };
+  EXPECT_EQ(verdict_of(2, 1000), LawVerdict::thin);
+  EXPECT_EQ(verdict_of(19, 1000), LawVerdict::thin);
+  EXPECT_EQ(verdict_of(20, 1000), LawVerdict::held);
+  EXPECT_EQ(verdict_of(199, 10'000), LawVerdict::thin);  // 2%
+  EXPECT_EQ(verdict_of(200, 10'000), LawVerdict::held);
+  EXPECT_EQ(verdict_of(7, 7), LawVerdict::held);  // no more were asked for
+  EXPECT_EQ(verdict_of(6, 7), LawVerdict::thin);
+  EXPECT_EQ(thin_sentence(summarize(run_of(2, 1000))), "1 property held on fewer than 20 cases");
+  EXPECT_EQ(thin_sentence(summarize(run_of(20, 1000))), "");
+  EXPECT_EQ(thin_words(summarize(run_of(2, 1000)).front()), "2 of 1000 cases");
+}
+
+TEST(Summarize, TakesFewerCasesThanRequiredForThin) {
+  records::Run run = run_of(99, 1000);
+  run.plan.require_cases = 100;
+  EXPECT_EQ(summarize(run).front().verdict, LawVerdict::thin);
+  EXPECT_EQ(thin_sentence(summarize(run)), "1 property held on fewer than 100 cases");
+  run.plan.require_cases = 99;
+  EXPECT_EQ(summarize(run).front().verdict, LawVerdict::held);
 }
 
 TEST(WhyNotChecked, IsWhatHoldsOfMostCases) {

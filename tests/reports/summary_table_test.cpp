@@ -69,7 +69,9 @@ TEST(NotCheckedText, GathersLawsByReason) {
   records::LawSummary other = none;
   other.law = "another";
   EXPECT_EQ(not_checked_text({row(), none, other}),
-            "Not checked on cpu, as there is no camera: a law; another.\n");
+            "Laws that held on few cases, or none:\n"
+            "backend  cases  not judged, as      laws\n"
+            "cpu      3      there is no camera  a law; another\n");
   EXPECT_EQ(not_checked_text({row()}), "");
 }
 
